@@ -1,0 +1,31 @@
+#include "engine/core/robot_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulbito {
+
+double RobotModel::circumradius() const { return 0.5 * std::sqrt(length * length + width * width); }
+
+WheelSpeeds inverseKinematics(const RobotModel& robot, Twist twist) {
+  const double turn = twist.angular * robot.axle_track / 2;
+  return {(twist.linear - turn) / robot.wheel_radius, (twist.linear + turn) / robot.wheel_radius};
+}
+
+Twist forwardKinematics(const RobotModel& robot, WheelSpeeds wheels) {
+  const double left = wheels.left * robot.wheel_radius, right = wheels.right * robot.wheel_radius;
+  return {(left + right) / 2, (right - left) / robot.axle_track};
+}
+
+WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels) {
+  const double limit = robot.max_wheel_speed;
+  const auto clamped = [limit](double w) { return std::isnan(w) ? 0.0 : std::clamp(w, -limit, limit); };
+  return {clamped(wheels.left), clamped(wheels.right)};
+}
+
+WheelSpeeds roundedTo(WheelSpeeds wheels, double step) {
+  if (!(step > 0.0)) return wheels;
+  return {std::round(wheels.left / step) * step, std::round(wheels.right / step) * step};
+}
+
+}  // namespace fulbito

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+
+#include "engine/core/values.hpp"
+
+namespace fulbito {
+
+/// Differential-drive robot: a rectangular body on two wheels whose rim speed follows the command by a servo
+/// with a limited torque, and whose grip on the floor is limited along and across the wheels. Defaults: a 7.5
+/// cm league robot.
+struct RobotModel {
+  std::string name = "vsss";
+  double length = 0.075;           ///< [m] body along x
+  double width = 0.075;            ///< [m] body along y
+  double mass = 0.15;              ///< [kg]
+  double wheel_radius = 0.026;     ///< [m]
+  double axle_track = 0.0775;      ///< [m] between wheel centres
+  double max_wheel_speed = 46.08;  ///< [rad/s] saturates, does not fail
+  double wheel_acceleration =
+      6.45;                        ///< [m/s^2] rim acceleration that the motor torque allows when speeding up
+  double wheel_braking = 7.5;      ///< [m/s^2] the same when slowing down
+  double longitudinal_grip = 9.0;  ///< [m/s^2] Coulomb limit along the wheels
+  double lateral_grip = 6.0;       ///< [m/s^2] Coulomb limit across the wheels
+  double spin_slow_speed = 0.0;  ///< [m/s] rim speed of the first measured spin in place; 0 = ideal spinning
+  double spin_slow_ratio = 1.0;  ///< measured yaw rate over the ideal one at `spin_slow_speed` and below
+  double spin_fast_speed = 0.0;  ///< [m/s] rim speed of the second measured spin
+  double spin_fast_ratio = 1.0;  ///< the same at `spin_fast_speed` and above; linear between
+  double friction = 0.2;         ///< of the body against robots, walls and obstacles
+  double restitution = 0.1;      ///< of the body against robots, walls and obstacles
+
+  double maxSpeed() const { return max_wheel_speed * wheel_radius; }  ///< [m/s]
+  double circumradius() const;                                        ///< [m] of the body's rectangle
+};
+
+/// Wheel speeds that give the twist; not limited.
+WheelSpeeds inverseKinematics(const RobotModel& robot, Twist twist);
+/// Twist that the wheel speeds give without slip.
+Twist forwardKinematics(const RobotModel& robot, WheelSpeeds wheels);
+/// Scales nothing: each wheel is clamped to the model's saturation; NaN becomes 0.
+WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels);
+/// Rounds both wheels to multiples of `step` [rad/s]; step <= 0 leaves them.
+WheelSpeeds roundedTo(WheelSpeeds wheels, double step);
+
+}  // namespace fulbito

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace fulbito {
+
+/// " Did you mean 'x'?" for the candidate nearest to `word` by edit distance, or an empty string where none
+/// is near.
+std::string suggestion(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace fulbito

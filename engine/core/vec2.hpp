@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cmath>
+
+namespace fulbito {
+
+/// Plane vector or point [m unless said otherwise]. A plain value: copies, no invariants.
+struct Vec2 {
+  double x = 0.0;
+  double y = 0.0;
+
+  constexpr Vec2& operator+=(Vec2 o) {
+    x += o.x, y += o.y;
+    return *this;
+  }
+  constexpr Vec2& operator-=(Vec2 o) {
+    x -= o.x, y -= o.y;
+    return *this;
+  }
+  constexpr Vec2& operator*=(double s) {
+    x *= s, y *= s;
+    return *this;
+  }
+  friend constexpr bool operator==(Vec2, Vec2) = default;
+};
+
+constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
+constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
+constexpr Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
+constexpr Vec2 operator*(Vec2 a, double s) { return {a.x * s, a.y * s}; }
+constexpr Vec2 operator*(double s, Vec2 a) { return {a.x * s, a.y * s}; }
+constexpr Vec2 operator/(Vec2 a, double s) { return {a.x / s, a.y / s}; }
+
+constexpr double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
+/// z component of the cross product: positive when `b` lies counter-clockwise of `a`.
+constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+/// `a` turned by +90 degrees.
+constexpr Vec2 perp(Vec2 a) { return {-a.y, a.x}; }
+constexpr double squaredNorm(Vec2 a) { return dot(a, a); }
+inline double norm(Vec2 a) { return std::sqrt(dot(a, a)); }
+inline double distance(Vec2 a, Vec2 b) { return norm(a - b); }
+/// Unit vector of `a`, or `fallback` where `a` is zero or not finite.
+inline Vec2 unitOr(Vec2 a, Vec2 fallback) {
+  const double length = norm(a);
+  return length > 0.0 && length < 1e300 ? a / length : fallback;
+}
+inline bool isFinite(Vec2 a) { return std::isfinite(a.x) && std::isfinite(a.y); }
+
+}  // namespace fulbito

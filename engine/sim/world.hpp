@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/core/ball_model.hpp"
+#include "engine/core/field_geometry.hpp"
+#include "engine/core/layout.hpp"
+#include "engine/core/physics_profile.hpp"
+#include "engine/core/result.hpp"
+#include "engine/core/robot_model.hpp"
+#include "engine/core/values.hpp"
+
+namespace fulbito {
+
+/// A robot to be placed in a world. Robots of both teams share one list; their index is their identity.
+struct RobotPlacement {
+  RobotModel model;
+  Pose2 pose;
+  Vec2 velocity;                  ///< [m/s]
+  double angular_velocity = 0.0;  ///< [rad/s]
+};
+
+/// A ball to be placed in a world.
+struct BallPlacement {
+  BallModel model;
+  Vec2 position;
+  Vec2 velocity;  ///< [m/s]
+  Vec2 spin;      ///< [m/s] see BallState; equal to the velocity when it rolls
+};
+
+/// Everything a world is made from. Two worlds made from equal configurations and given equal commands stay
+/// equal bit for bit.
+struct WorldConfig {
+  FieldGeometry field;
+  PhysicsProfile physics;
+  std::vector<RobotPlacement> robots;
+  std::vector<BallPlacement> balls;
+  std::vector<ObstacleSpec> obstacles;
+};
+
+/// What can touch.
+enum class BodyKind : std::uint8_t { kWall, kRobot, kBall, kObstacle };
+
+/// One body of a world: its kind and its index in the world's list of that kind (0 for the walls).
+struct BodyId {
+  BodyKind kind = BodyKind::kWall;
+  std::uint16_t index = 0;
+  friend bool operator==(BodyId, BodyId) = default;
+};
+
+/// Two bodies that touched during a control tick. Events come in the order of (a, b), never in the engine's
+/// own order.
+struct ContactEvent {
+  BodyId a;  ///< the body that comes first in the order walls, robots, balls, obstacles
+  BodyId b;
+  Vec2 point;            ///< [m] world frame, at the first impulse of the tick
+  Vec2 normal;           ///< unit, from a to b
+  double impulse = 0.0;  ///< [kg m/s] along the normal, summed over the tick
+  bool began = false;    ///< the two did not touch at the end of the tick before
+};
+
+/// A fixed-step rigid-body world: walls, goals, corner triangles, robots, balls and obstacles.
+/// Reset means: make a new one. Single-threaded; separate worlds may run on separate threads.
+class World {
+ public:
+  /// Errors: kUsage or kBadInput naming the value that is out of range (positions must be finite and inside
+  /// the field).
+  static Result<World> create(const WorldConfig& config);
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  /// Runs one control tick. Commands are rounded to the profile's step, saturated, NaN becomes 0; robots
+  /// beyond the span's end keep their wheels braked. Allocates nothing once warm.
+  void step(std::span<const WheelSpeeds> commands);
+
+  /// State after the last tick.
+  const WorldState& state() const;
+  /// Contacts of the last tick.
+  std::span<const ContactEvent> contacts() const;
+  const WorldConfig& config() const;
+
+  /// Box2D's own reading of the last step's duration [ms]: 0 proves that its profiling clock is out of the
+  /// program.
+  float engineProfileMilliseconds() const;
+  /// Number of touching contact pairs after the last tick (for comparing loads).
+  int touchingPairs() const;
+
+ private:
+  struct Impl;
+  explicit World(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fulbito

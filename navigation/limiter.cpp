@@ -1,0 +1,29 @@
+#include "navigation/limiter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math.hpp"
+
+namespace fulbito {
+
+Twist bodyTwist(const RobotState& state) {
+  return {dot(state.velocity, math::unit(state.pose.heading)), state.angular_velocity};
+}
+
+Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt) {
+  const double budget = robot.wheel_acceleration * dt;
+  const double half_track = robot.axle_track / 2;
+  const double turn = std::clamp(wanted.angular - current.angular, -budget / half_track, budget / half_track);
+  const double rest = budget - std::abs(turn) * half_track;
+  Twist limited;
+  limited.angular = current.angular + turn;
+  limited.linear = current.linear + std::clamp(wanted.linear - current.linear, -rest, rest);
+  const double max_speed = robot.maxSpeed();
+  limited.angular = std::clamp(limited.angular, -max_speed / half_track, max_speed / half_track);
+  const double room = std::max(0.0, max_speed - std::abs(limited.angular) * half_track);
+  limited.linear = std::clamp(limited.linear, -room, room);
+  return limited;
+}
+
+}  // namespace fulbito

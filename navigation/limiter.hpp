@@ -1,0 +1,15 @@
+#pragma once
+
+#include "engine/core/robot_model.hpp"
+
+namespace fulbito {
+
+/// Motion of the robot body as the limiter sees it: forward speed and yaw rate.
+Twist bodyTwist(const RobotState& state);
+
+/// Yaw-priority acceleration limiter (docs/followers.md): the wheels' acceleration budget of one tick goes to
+/// the yaw rate first and what is left to the forward speed; then wheel saturation keeps the yaw rate and
+/// lowers the speed. Without it both wheels saturate while speeding up and the robot cannot steer.
+Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt);
+
+}  // namespace fulbito

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+
+#include "navigation/follower.hpp"
+#include "navigation/navigator.hpp"
+
+namespace fulbito {
+
+/// One robot's navigation stage: navigator, follower, limiter and kinematics in one call a tick.
+class Pilot {
+ public:
+  Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower);
+  /// Forgets everything: the next tick starts a new trial.
+  void reset();
+  /// Wheel speeds for this tick, within the robot's limits and always finite.
+  WheelSpeeds drive(const NavigationScene& scene);
+  /// What the navigator wanted at the last tick.
+  const Guidance& guidance() const { return guidance_; }
+
+ private:
+  std::unique_ptr<Navigator> navigator_;
+  std::unique_ptr<Follower> follower_;
+  Guidance guidance_;
+};
+
+}  // namespace fulbito

@@ -1,0 +1,157 @@
+#include "navigation/preview_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math.hpp"
+#include "navigation/limiter.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr std::size_t kFieldPoints = 40;
+constexpr double kSpacing = 0.0125;          // [m] between preview points
+constexpr std::size_t kMaxPathPoints = 800;  // 10 m at that spacing
+constexpr std::size_t kReserve = kMaxPathPoints + 8;
+
+/// Curvature over two points each way, which the vertices of a coarse polyline do not upset.
+void smoothCurvature(std::span<const Vec2> p, std::vector<double>& curvature) {
+  const std::size_t n = p.size();
+  curvature.assign(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t reach = std::min({std::size_t{2}, i, n - 1 - i});
+    if (reach == 0) continue;
+    const Vec2 a = p[i] - p[i - reach], b = p[i + reach] - p[i], c = p[i + reach] - p[i - reach];
+    const double product = norm(a) * norm(b) * norm(c);
+    if (product > 1e-15) curvature[i] = 2.0 * cross(a, b) / product;
+  }
+}
+
+}  // namespace
+
+PreviewFollower::PreviewFollower(PreviewParams params) : params_(params) {
+  points_.reserve(kReserve);
+  curvature_.reserve(kReserve);
+  speeds_.reserve(kReserve);
+}
+
+void PreviewFollower::reset() {
+  tracker_.reset();
+  cached_ = false;
+  started_ = false;
+  spinning_ = false;
+}
+
+Twist PreviewFollower::follow(const Guidance& guidance, const NavigationScene& scene) {
+  const double speed = std::max(0.0, bodyTwist(scene.self).linear);
+  const double reach = params_.lookahead + params_.lookahead_time * speed;
+  const bool timed = guidance.kind == GuidanceKind::kTimedPath;
+  Ahead ahead = guidance.kind == GuidanceKind::kField ? aheadOnField(guidance, scene, speed, reach)
+                                                      : aheadOnPath(guidance, scene, speed, reach);
+  ahead.speed = std::min(ahead.speed, guidance.speed_cap);
+  if (scene.goal.stop) {
+    const double left =
+        std::max(0.0, distance(scene.self.pose.position, scene.goal.position) - scene.goal.tolerance / 2);
+    ahead.speed = std::min(
+        ahead.speed, std::sqrt(2.0 * params_.acceleration_share * scene.robot->wheel_acceleration * left));
+  }
+  return steer(ahead, scene, speed, timed);
+}
+
+PreviewFollower::Ahead PreviewFollower::aheadOnField(const Guidance& guidance, const NavigationScene& scene,
+                                                     double speed, double reach) {
+  points_.clear();
+  Vec2 p = scene.self.pose.position;
+  points_.push_back(p);
+  bool arrived = false;
+  Vec2 step{};
+  for (std::size_t i = 0; i < kFieldPoints; ++i) {
+    if (!arrived) {
+      const Vec2 half = p + math::unit(guidance.field->heading(p)) * (kSpacing / 2);
+      step = math::unit(guidance.field->heading(half)) * kSpacing;
+    }
+    p += step;
+    points_.push_back(p);
+    // Beyond the goal the field turns back on itself: go on straight.
+    arrived = arrived || distance(p, scene.goal.position) < kSpacing;
+  }
+  timeCached(scene, 1e9);
+  const double from = std::min(speed * scene.dt / kSpacing, static_cast<double>(kFieldPoints - 1));
+  const auto index = static_cast<std::size_t>(from);
+  const double part = from - static_cast<double>(index);
+  const double allowed = speeds_[index] + part * (speeds_[index + 1] - speeds_[index]);
+  return {pointAt(points_, advance(points_, {}, reach)), allowed};
+}
+
+PreviewFollower::Ahead PreviewFollower::aheadOnPath(const Guidance& guidance, const NavigationScene& scene,
+                                                    double speed, double reach) {
+  const bool timed = guidance.kind == GuidanceKind::kTimedPath;
+  if (!timed && (!cached_ || cached_revision_ != guidance.revision)) cachePath(guidance, scene);
+  const std::span<const Vec2> path = timed ? guidance.path : std::span<const Vec2>(points_);
+  const std::span<const double> speeds = timed ? guidance.speeds : std::span<const double>(speeds_);
+  const PathPlace here = tracker_.locate(path, guidance.revision, scene.self.pose.position);
+  const PathPlace next = advance(path, here, std::max(speed, 0.05) * scene.dt);
+  const double allowed =
+      speeds[next.segment] + next.fraction * (speeds[next.segment + 1] - speeds[next.segment]);
+  const PathPlace aim = advance(path, here, reach);
+  Vec2 target = pointAt(path, aim);
+  // A path that ends within reach is drawn on in its last direction, or the robot would steer at a point
+  // beside it.
+  const double missing = reach - distance(pointAt(path, here), target);
+  if (aim.segment + 2 >= path.size() && aim.fraction >= 1.0 && missing > 0.0) {
+    target +=
+        unitOr(path[path.size() - 1] - path[path.size() - 2], math::unit(scene.self.pose.heading)) * missing;
+  }
+  return {target, allowed};
+}
+
+void PreviewFollower::cachePath(const Guidance& guidance, const NavigationScene& scene) {
+  points_.clear();
+  PathPlace place{};
+  points_.push_back(guidance.path.front());
+  while (points_.size() < kMaxPathPoints) {
+    place = advance(guidance.path, place, kSpacing);
+    points_.push_back(pointAt(guidance.path, place));
+    if (place.segment + 2 >= guidance.path.size() && place.fraction >= 1.0) break;
+  }
+  timeCached(scene, 1e9);
+  cached_ = true;
+  cached_revision_ = guidance.revision;
+}
+
+void PreviewFollower::timeCached(const NavigationScene& scene, double end_speed) {
+  smoothCurvature(points_, curvature_);
+  speeds_.assign(points_.size(), 0.0);
+  SpeedLimits limits = speedLimits(*scene.robot, params_.acceleration_share, params_.lateral_share);
+  limits.start_speed = 1e9;  // the limiter takes care of speeding up
+  limits.end_speed = end_speed;
+  timePath(points_, curvature_, limits, speeds_);
+  // The forward pass limits speeding up from bends, which the limiter does too; braking is what the preview
+  // is for.
+}
+
+Twist PreviewFollower::steer(const Ahead& ahead, const NavigationScene& scene, double speed, bool timed) {
+  const Vec2 to_target = ahead.target - scene.self.pose.position;
+  const double gap = std::max(norm(to_target), 1e-3);
+  const double error = math::wrapAngle(math::angleOf(to_target) - scene.self.pose.heading);
+  if (!started_) {
+    started_ = true;
+    spinning_ = std::abs(error) > params_.spin_above && speed < 0.05;
+  }
+  if (spinning_ && std::abs(error) < params_.spin_until) spinning_ = false;
+  if (spinning_ || std::abs(error) > math::kPi / 2) return {0.0, params_.yaw_gain * error};
+
+  const math::SinCos sc = math::sinCos(error);
+  Twist wanted;
+  wanted.linear = ahead.speed * (timed ? sc.cos : sc.cos * sc.cos);
+  wanted.angular = std::max(params_.yaw_gain, 2.0 * speed / gap) * sc.sin;
+  const double grip = 0.9 * scene.robot->lateral_grip;
+  const double limit = grip / std::max(speed, 0.15);
+  if (std::abs(wanted.angular) > limit) {
+    wanted.linear = std::min(wanted.linear, grip / std::abs(wanted.angular));
+    wanted.angular = std::clamp(wanted.angular, -limit, limit);
+  }
+  return wanted;
+}
+
+}  // namespace fulbito

@@ -1,0 +1,102 @@
+#include "navigation/registry.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/core/suggest.hpp"
+#include "navigation/classic_follower.hpp"
+#include "navigation/preview_follower.hpp"
+#include "navigation/straight.hpp"
+
+namespace fulbito {
+namespace {
+
+const std::vector<NavigatorInfo>& registry() {
+  // One line a method; each describes itself in its own file.
+  static const std::vector<NavigatorInfo> entries = {
+      straightInfo(),
+  };
+  return entries;
+}
+
+const std::vector<ParameterSpec>& common() {
+  static const std::vector<ParameterSpec> specs = {
+      {"follower",
+       ParameterSpec::Type::kChoice,
+       0.0,
+       0.0,
+       1.0,
+       {"preview", "classic"},
+       "",
+       "what turns the guidance into wheel speeds: the shared preview follower or the papers' control law"},
+  };
+  return specs;
+}
+
+Result<std::vector<Setting>> parseSettings(const std::string& specification, std::size_t begin) {
+  std::vector<Setting> settings;
+  while (begin <= specification.size()) {
+    const std::size_t end = std::min(specification.find(',', begin), specification.size());
+    const std::string item = specification.substr(begin, end - begin);
+    const std::size_t equals = item.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      return fail(ErrorCode::kUsage,
+                  fmt::format("'{}' in '{}' is not of the form name=value", item, specification));
+    }
+    settings.push_back({item.substr(0, equals), item.substr(equals + 1)});
+    begin = end + 1;
+  }
+  return settings;
+}
+
+}  // namespace
+
+std::span<const NavigatorInfo> navigators() { return registry(); }
+
+std::span<const ParameterSpec> commonParameters() { return common(); }
+
+Result<NavigatorChoice> parseNavigator(const std::string& specification) {
+  const std::size_t colon = specification.find(':');
+  const std::string name = specification.substr(0, colon);
+  NavigatorChoice choice;
+  choice.text = specification;
+  std::vector<std::string> names;
+  for (const NavigatorInfo& info : registry()) {
+    if (info.name == name) choice.info = &info;
+    names.push_back(info.name);
+  }
+  if (choice.info == nullptr) {
+    return fail(ErrorCode::kUsage,
+                fmt::format("there is no navigator '{}'.{}", name, suggestion(name, names)));
+  }
+  if (colon != std::string::npos) {
+    auto settings = parseSettings(specification, colon + 1);
+    if (!settings) return tl::unexpected<Error>(settings.error());
+    for (Setting& setting : *settings) {
+      if (setting.name != common().front().name) {
+        choice.settings.push_back(std::move(setting));
+        continue;
+      }
+      const auto value = parseParameter(common().front(), setting.value);
+      if (!value) return tl::unexpected<Error>(value.error());
+      choice.classic_follower = *value != 0.0;
+    }
+  }
+  // Making one now reports a wrong parameter before anything runs.
+  const auto trial = choice.info->make(choice.settings);
+  if (!trial) return tl::unexpected<Error>(trial.error());
+  return choice;
+}
+
+Result<std::unique_ptr<Pilot>> makePilot(const NavigatorChoice& choice) {
+  auto navigator = choice.info->make(choice.settings);
+  if (!navigator) return tl::unexpected<Error>(navigator.error());
+  std::unique_ptr<Follower> follower;
+  if (choice.classic_follower) {
+    follower = std::make_unique<ClassicFollower>();
+  } else {
+    follower = std::make_unique<PreviewFollower>();
+  }
+  return std::make_unique<Pilot>(std::move(*navigator), std::move(follower));
+}
+
+}  // namespace fulbito

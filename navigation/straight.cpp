@@ -1,0 +1,22 @@
+#include "navigation/straight.hpp"
+
+#include "engine/core/math.hpp"
+
+namespace fulbito {
+
+Guidance Straight::plan(const NavigationScene& scene) {
+  goal_ = scene.goal.position;
+  Guidance guidance;
+  guidance.kind = GuidanceKind::kField;
+  guidance.field = this;
+  return guidance;
+}
+
+double Straight::heading(Vec2 p) const { return math::angleOf(goal_ - p); }
+
+NavigatorInfo straightInfo() {
+  return describeNavigator<Straight::Params, Straight>("straight", "straight at the goal, avoids nothing",
+                                                       "-", {});
+}
+
+}  // namespace fulbito

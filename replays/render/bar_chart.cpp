@@ -1,0 +1,1 @@
+#include "replays/render/bar_chart.hpp"

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "replays/render/canvas.hpp"
+
+namespace fulbito {
+
+/// One bar: its value with an optional interval and a remark drawn at its end.
+struct Bar {
+  std::string label;
+  double value = 0.0;  ///< NaN: no bar, only the remark (e.g. "no safe run")
+  double low = 0.0;    ///< interval; equal to `high` = none
+  double high = 0.0;
+  std::string remark;
+  std::size_t colour = 0;  ///< index for seriesColour
+};
+
+/// A group of bars under a heading, e.g. one speed.
+struct BarGroup {
+  std::string heading;
+  std::vector<Bar> bars;
+};
+
+/// Horizontal bar chart with an axis, a grid, units and an optional reference line.
+struct BarChart {
+  std::string title;
+  std::string axis;  ///< e.g. "time / T*"
+  std::vector<BarGroup> groups;
+  double reference = 0.0;  ///< value marked by a line
+  bool has_reference = false;
+  std::string reference_label;
+};
+
+/// Draws it, as tall as it needs. Errors: kIo.
+Result<Canvas> drawBarChart(const BarChart& chart);
+
+}  // namespace fulbito

@@ -1,0 +1,1 @@
+#include "replays/render/canvas.hpp"

@@ -1,0 +1,1 @@
+#include "replays/render/field_picture.hpp"

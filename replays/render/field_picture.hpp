@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/core/field_geometry.hpp"
+#include "engine/core/layout.hpp"
+#include "engine/core/robot_model.hpp"
+#include "replays/render/canvas.hpp"
+
+namespace fulbito {
+
+/// One robot's way across the field, for a picture.
+struct DrawnPath {
+  std::string label;              ///< legend, e.g. "bezier"
+  std::string remark;             ///< legend, e.g. "1.94 s, 1.68 m" or "collided"
+  std::vector<Vec2> points;       ///< [m] real positions, tick by tick
+  std::vector<Pose2> footprints;  ///< poses at which the body is outlined, may be empty
+  bool failed = false;            ///< drawn dashed, with a cross at its end
+};
+
+/// Field, obstacles (moving ones with their path), start, goal, paths and a legend.
+struct FieldPicture {
+  std::string title;
+  FieldGeometry field;
+  RobotModel robot;
+  Layout layout;
+  std::vector<DrawnPath> paths;
+  int pixels_per_metre = 600;
+};
+
+/// Draws it. Errors: kIo.
+Result<Canvas> drawFieldPicture(const FieldPicture& picture);
+
+/// The colour that the i-th path or bar has in every picture of the project; distinguishable by colour-blind
+/// readers.
+Colour seriesColour(std::size_t index);
+
+}  // namespace fulbito
