@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "engine/core/hash.hpp"
 #include "engine/core/math.hpp"
 #include "engine/sim/world.hpp"
@@ -13,7 +15,6 @@ namespace fulbito {
 namespace {
 
 constexpr double kLimitSpacing = 0.01;  // [m] between the points of the drawn L* path
-constexpr double kLimitWallMargin = 0.0;
 
 struct LimitPath {
   double length = 0.0;
@@ -32,7 +33,7 @@ LimitPath limitPath(const TrialConfig& config) {
   for (const DiscObstacle& disc : discs) circles.push_back({disc.position, disc.radius + config.limit_clearance});
   TangentGraph graph;
   LimitPath limit;
-  if (graph.search(layout.start.position, layout.goal, circles, &config.field, kLimitWallMargin)) {
+  if (graph.search(layout.start.position, layout.goal, circles, &config.field, config.robot.robot.width / 2)) {
     limit.length = graph.length();
     graph.sample(kLimitSpacing, limit.points);
   } else {
@@ -64,6 +65,21 @@ TrialRules rulesOf(const TrialConfig& config, double length_limit) {
   return rules;
 }
 
+/// Ranges of what a caller may ask for; layouts, robots and profiles were checked when they were read.
+Result<void> check(const TrialConfig& config) {
+  const double speed = config.robot.robot.maxSpeed();
+  if (!(speed >= 0.05 && speed <= 10.0)) {
+    return fail(ErrorCode::kUsage, fmt::format("speed: {} is outside 0.05 ... 10 m/s", speed));
+  }
+  if (config.sensors.latency_ticks < 0 || config.sensors.latency_ticks > 60) {
+    return fail(ErrorCode::kUsage, fmt::format("latency: {} is outside 0 ... 60 ticks", config.sensors.latency_ticks));
+  }
+  if (!(config.sensors.position_noise >= 0.0 && config.sensors.position_noise <= 0.1)) {
+    return fail(ErrorCode::kUsage, fmt::format("noise: {} is outside 0 ... 0.1 m", config.sensors.position_noise));
+  }
+  return {};
+}
+
 }  // namespace
 
 void appendDiscs(const ObstacleSpec& spec, const ObstacleState& state, std::vector<DiscObstacle>& discs) {
@@ -84,6 +100,7 @@ void appendDiscs(const ObstacleSpec& spec, const ObstacleState& state, std::vect
 }
 
 Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock) {
+  if (auto checked = check(config); !checked) return tl::unexpected<Error>(checked.error());
   auto world = World::create(worldOf(config));
   if (!world) return tl::unexpected<Error>(world.error());
   auto pilot = makePilot(config.navigator);
