@@ -4,8 +4,12 @@
 
 #include "engine/core/suggest.hpp"
 #include "navigation/classic_follower.hpp"
+#include "navigation/limit_cycle.hpp"
 #include "navigation/preview_follower.hpp"
 #include "navigation/straight.hpp"
+#include "navigation/tangent_field.hpp"
+#include "navigation/univector.hpp"
+#include "navigation/vector_field.hpp"
 
 namespace fulbito {
 namespace {
@@ -13,7 +17,7 @@ namespace {
 const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
-      straightInfo(),
+      straightInfo(), vectorFieldInfo(), univectorInfo(), tangentFieldInfo(), limitCycleInfo(),
   };
   return entries;
 }
