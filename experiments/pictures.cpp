@@ -68,7 +68,7 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
       Bar bar;
       bar.label = s.navigator;
       bar.value = s.success.value > 0.0 ? s.*ratio : kNoValue;
-      bar.remark = s.success.value > 0.0 ? fmt::format("{:.3f}  ({:.0f} % solved)", s.*ratio, 100 * s.success.value)
+      bar.remark = s.success.value > 0.0 ? fmt::format("{:.0f} % solved", 100 * s.success.value)
                                          : "none solved";
       bar.colour = n;
       group.bars.push_back(std::move(bar));
