@@ -17,6 +17,13 @@ inline World makeWorld(const WorldConfig& config) {
   return std::move(*world);
 }
 
+/// The same physics steps, but the state can be read after each.
+inline PhysicsProfile readEachStep(PhysicsProfile physics) {
+  physics.control_rate *= physics.substeps;
+  physics.substeps = 1;
+  return physics;
+}
+
 /// A wide field without goals and corners, where nothing is in the way.
 inline FieldGeometry wideField() {
   return {.name = "wide", .length = 16.0, .width = 16.0, .goal_width = 0.0, .goal_depth = 0.0, .corner = 0.0};

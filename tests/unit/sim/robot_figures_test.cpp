@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/catch.hpp"
@@ -7,14 +8,6 @@ using namespace fulbito;
 using namespace fulbito::test;
 
 namespace {
-
-// A control rate at which "when did it pass" can be read off to a millisecond; the physics steps are those of
-// the profile.
-PhysicsProfile readEachStep(PhysicsProfile physics) {
-  physics.control_rate *= physics.substeps;
-  physics.substeps = 1;
-  return physics;
-}
 
 double forwardSpeed(const World& world) { return world.state().robots[0].velocity.x; }
 
@@ -90,10 +83,12 @@ TEST_CASE("the firasim robot speeds up at 1.27 m/s2 and then holds its command",
 }
 
 TEST_CASE("braking from 1 m/s takes the measured time and distance", "[unit]") {
-  const Stop vsss = stopFrom(vsssPreset().robot, faithfulPhysics(), 1.0);
+  const auto physics = GENERATE(standardPhysics(), faithfulPhysics());
+  CAPTURE(physics.name);
+  const Stop vsss = stopFrom(vsssPreset().robot, physics, 1.0);
   CHECK(vsss.time == Approx(0.13).epsilon(0.05));
   CHECK(vsss.distance == Approx(0.067).epsilon(0.05));
-  const Stop firasim = stopFrom(firasimPreset().robot, faithfulPhysics(), 1.0);
+  const Stop firasim = stopFrom(firasimPreset().robot, physics, 1.0);
   CHECK(firasim.time == Approx(0.16).epsilon(0.05));
   CHECK(firasim.distance == Approx(0.084).epsilon(0.05));
 }
