@@ -108,9 +108,9 @@ void drawTitles(Canvas& canvas, const Plan& plan, const BarChart& chart) {
 
 void drawReference(Canvas& canvas, const Plan& plan, const BarChart& chart) {
   if (!chart.has_reference || !std::isfinite(chart.reference)) return;
-  const double x = plan.at(chart.reference), bottom = plan.height - kBottom;
+  const double x = std::round(plan.at(chart.reference)), bottom = plan.height - kBottom;
   for (double y = kTop; y < bottom; y += 8) {
-    canvas.fillRectangle({x - 0.75, y}, 1.5, std::min(5.0, bottom - y), kReferenceInk);
+    canvas.fillRectangle({x - 1, y}, 2, std::min(5.0, bottom - y), kReferenceInk);
   }
   const std::string label = fitted(canvas, chart.reference_label, kSmallText, kPlotWidth);
   const double half = canvas.textWidth(label, kSmallText) / 2;

@@ -7,16 +7,16 @@
 namespace fulbito {
 namespace {
 
-// Okabe and Ito's set for colour-blind readers (their dark blue brightened for a dark field, no black), then
+// Okabe and Ito's set for colour-blind readers (an indigo for their dark blue, no black), then
 // five that keep as far from those and each other as can be in normal, protan, deutan and tritan vision.
 constexpr std::array<Colour, kSeriesColours> kSeries{{{86, 180, 233},
                                                       {230, 159, 0},
                                                       {0, 158, 115},
                                                       {240, 228, 66},
-                                                      {110, 80, 240},
+                                                      {110, 70, 255},
                                                       {213, 94, 0},
                                                       {204, 121, 167},
-                                                      {17, 238, 238},
+                                                      {63, 224, 216},
                                                       {204, 0, 204},
                                                       {255, 187, 153},
                                                       {170, 119, 255},
