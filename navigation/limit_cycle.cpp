@@ -11,6 +11,7 @@ namespace {
 constexpr double kSideHold =
     0.02;  // [m] across the line of arrival before the orbit on the other side is taken
 constexpr double kAnyDistance = 1e9;
+constexpr double kPostureShares[] = {1.0, 0.75, 0.5};  // of the posture radius, for goals near a wall
 
 }  // namespace
 
@@ -52,7 +53,11 @@ void LimitCycle::decidePosture(const NavigationScene& scene) {
     posture_side_ = left > 0.0 ? Side::kLeft : Side::kRight;
   }
   const Vec2 outward = posture_side_ == Side::kLeft ? perp(along) : -perp(along);
-  posture_ = {goal_ + outward * params_.posture_radius, params_.posture_radius};
+  for (double share : kPostureShares) {
+    const double radius = share * params_.posture_radius;
+    posture_ = {goal_ + outward * radius, radius};
+    if (wallClearance(*scene.field, posture_.centre) > radius + scene.robot->circumradius()) return;
+  }
 }
 
 bool LimitCycle::postureActs(Vec2 p) const {

@@ -188,6 +188,20 @@ TEST_CASE("the orbit for an arrival heading passes the goal along it from either
   }
 }
 
+TEST_CASE("near a wall the orbit for an arrival heading is smaller", "[unit]") {
+  Stage stage;
+  stage.obstacles.clear();
+  stage.scene.goal.position = {0.0, 0.65 - 0.16};
+  stage.scene.goal.heading = 0.0;
+  stage.scene.self.pose.position = {0.2, 0.55};
+  // 16 cm from the wall: an orbit of 5 cm and the body's 5.3 cm fit, one of 10 or 7.5 cm does not. On the
+  // orbit's top the field points back along it.
+  LimitCycle field({.posture_radius = 0.10});
+  CHECK(gap(stage.look(field).heading({0.0, 0.65 - 0.06}), math::kPi) < 1e-9);
+  stage.scene.goal.position.y = 0.0;
+  CHECK(gap(stage.look(field).heading({0.0, 0.20}), math::kPi) < 1e-9);
+}
+
 TEST_CASE("every heading field keeps what every navigator promises", "[unit]") {
   for (const char* specification :
        {"vector-field", "vector-field:goal=spiral,width=0",
