@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include "engine/core/suggest.hpp"
+#include "navigation/bezier.hpp"
+#include "navigation/bezier_raw.hpp"
 #include "navigation/classic_follower.hpp"
+#include "navigation/hermite.hpp"
 #include "navigation/preview_follower.hpp"
 #include "navigation/straight.hpp"
+#include "navigation/tangent_graph.hpp"
 
 namespace fulbito {
 namespace {
@@ -14,6 +18,10 @@ const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
       straightInfo(),
+      bezierRawInfo(),
+      bezierInfo(),
+      hermiteInfo(),
+      tangentGraphInfo(),
   };
   return entries;
 }
