@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include "engine/core/suggest.hpp"
+#include "navigation/bezier.hpp"
+#include "navigation/bezier_raw.hpp"
 #include "navigation/classic_follower.hpp"
 #include "navigation/limit_cycle.hpp"
 #include "navigation/preview_follower.hpp"
@@ -10,6 +12,10 @@
 #include "navigation/tangent_field.hpp"
 #include "navigation/univector.hpp"
 #include "navigation/vector_field.hpp"
+#include "navigation/hermite.hpp"
+#include "navigation/preview_follower.hpp"
+#include "navigation/straight.hpp"
+#include "navigation/tangent_graph.hpp"
 
 namespace fulbito {
 namespace {
@@ -18,6 +24,11 @@ const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
       straightInfo(), vectorFieldInfo(), univectorInfo(), tangentFieldInfo(), limitCycleInfo(),
+      straightInfo(),
+      bezierRawInfo(),
+      bezierInfo(),
+      hermiteInfo(),
+      tangentGraphInfo(),
   };
   return entries;
 }

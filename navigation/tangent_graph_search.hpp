@@ -6,15 +6,9 @@
 #include <vector>
 
 #include "engine/core/field_geometry.hpp"
-#include "engine/core/vec2.hpp"
+#include "navigation/circle.hpp"
 
 namespace fulbito {
-
-/// A disc that a path keeps out of.
-struct Circle {
-  Vec2 centre;
-  double radius = 0.0;  ///< [m] already inflated by the robot and its clearance
-};
 
 /// One circle that a shortest path bends around.
 struct CirclePass {

@@ -1,0 +1,166 @@
+#include "navigation/bezier_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/core/math.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::array<double, 12> kDistances = {0.040, 0.064, 0.088, 0.112, 0.136, 0.160,
+                                               0.200, 0.240, 0.290, 0.350, 0.420, 0.480};
+constexpr std::array<double, 3> kLeads = {0.10, 0.20, 0.35};  // [m] of the point behind the goal
+constexpr double kMomentum = 0.08;                            // [s] of motion that the curve starts along
+constexpr double kInMotion = 0.15;                            // [m/s]
+constexpr std::size_t kReserved = 64;
+
+/// The smallest disc round two discs.
+Circle enclosing(const Circle& a, const Circle& b) {
+  const double apart = distance(a.centre, b.centre);
+  if (apart + b.radius <= a.radius) return a;
+  if (apart + a.radius <= b.radius) return b;
+  const double radius = (apart + a.radius + b.radius) / 2;
+  return {a.centre + (b.centre - a.centre) * ((radius - a.radius) / apart), radius};
+}
+
+double squaredDistanceToLine(Vec2 from, Vec2 to, Vec2 p) {
+  const double square = squaredNorm(to - from);
+  const double part = square > 0.0 ? std::clamp(dot(p - from, to - from) / square, 0.0, 1.0) : 0.0;
+  return squaredNorm(from + (to - from) * part - p);
+}
+
+}  // namespace
+
+BezierPlanner::BezierPlanner(BezierPlannerParams params) : params_(params) {
+  selected_.reserve(kReserved);
+  groups_.reserve(kReserved);
+}
+
+bool BezierPlanner::plan(const NavigationScene& scene, std::span<const Circle> bodies,
+                         const TangentPath& shortest, double clearance) {
+  const Vec2 robot = scene.self.pose.position, goal = scene.goal.position;
+  const double radius = scene.robot->circumradius();
+  guard_.prepare(robot, goal, bodies, radius + clearance, *scene.field, radius);
+  selectObstacles(robot, goal, bodies, params_.alpha, selected_);
+  for (;;) {
+    group(scene, bodies, shortest);
+    best_length_ = to_beat_ = kInfinity;
+    trySides(scene, 0);
+    if (params_.all_sides || best_length_ == kInfinity) {
+      to_beat_ = best_length_ * (1.0 - params_.hysteresis);
+      for (std::uint32_t flips = 1; flips < 1U << groups_.size(); ++flips) trySides(scene, flips);
+    }
+    if (best_length_ < kInfinity) return true;
+    if (!addNearest(scene, bodies)) return false;
+  }
+}
+
+void BezierPlanner::group(const NavigationScene& scene, std::span<const Circle> bodies,
+                          const TangentPath& shortest) {
+  groups_.clear();
+  for (std::size_t i : selected_) groups_.push_back({bodies[i], 1});
+  while (groups_.size() > kMostGroups) joinNearest();
+  for (Group& g : groups_) g.seed = seededSide(scene, shortest, g.disc.centre);
+}
+
+void BezierPlanner::joinNearest() {
+  std::size_t best = 0;
+  double least = kInfinity;
+  for (std::size_t i = 0; i + 1 < groups_.size(); ++i) {
+    const Circle &a = groups_[i].disc, &b = groups_[i + 1].disc;
+    const double gap = distance(a.centre, b.centre) - a.radius - b.radius;
+    if (gap < least) least = gap, best = i;
+  }
+  groups_[best].disc = enclosing(groups_[best].disc, groups_[best + 1].disc);
+  groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(best) + 1);
+}
+
+bool BezierPlanner::addNearest(const NavigationScene& scene, std::span<const Circle> bodies) {
+  if (selected_.size() >= kMostGroups) return false;
+  const Vec2 robot = scene.self.pose.position, goal = scene.goal.position;
+  std::size_t best = bodies.size();
+  double least = kInfinity;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (std::find(selected_.begin(), selected_.end(), i) != selected_.end()) continue;
+    const double away = squaredDistanceToLine(robot, goal, bodies[i].centre);
+    if (away < least) least = away, best = i;
+  }
+  if (best == bodies.size()) return false;
+  selected_.push_back(best);
+  sortAlongLine(robot, goal, bodies, selected_);
+  return true;
+}
+
+/// The side on which the shortest path passes a point, by the stretch of it that is nearest.
+int BezierPlanner::seededSide(const NavigationScene& scene, const TangentPath& shortest, Vec2 centre) const {
+  Vec2 from = scene.self.pose.position;
+  double least = kInfinity, turn = 0.0;
+  const auto look = [&](Vec2 to) {
+    const double away = squaredDistanceToLine(from, to, centre);
+    if (away < least) least = away, turn = cross(to - from, centre - from);
+    from = to;
+  };
+  for (const CirclePass& pass : shortest.passes()) {
+    look(pass.entry);
+    look(pass.exit);
+  }
+  look(scene.goal.position);
+  return turn > 0.0 ? -1 : 1;
+}
+
+void BezierPlanner::trySides(const NavigationScene& scene, std::uint32_t flips) {
+  std::array<Vec2, kBezierDegree + 1> control;
+  const Vec2 robot = scene.self.pose.position;
+  const Vec2 ahead = math::unit(scene.self.pose.heading);
+  const double speed = dot(scene.self.velocity, ahead);
+  for (double tbp : kDistances) {
+    std::size_t count = 0;
+    control[count++] = robot;
+    if (speed > kInMotion) control[count++] = robot + ahead * (speed * kMomentum);
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      const int side = (flips >> i & 1U) != 0 ? -groups_[i].seed : groups_[i].seed;
+      control[count++] = controlPoint(robot, groups_[i].disc.centre, side, tbp);
+    }
+    if (scene.goal.heading) {
+      for (double lead : kLeads) {
+        const std::size_t all = addArrival(scene, lead, control, count);
+        tryCurve({control.data(), all});
+      }
+    } else {
+      control[count++] = scene.goal.position;
+      tryCurve({control.data(), count});
+    }
+    if (groups_.empty()) break;
+  }
+}
+
+std::size_t BezierPlanner::addArrival(const NavigationScene& scene, double lead, std::span<Vec2> control,
+                                      std::size_t count) const {
+  const Vec2 goal = scene.goal.position, along = math::unit(*scene.goal.heading);
+  const Vec2 last = control[count - 1], left = goal - last;
+  const double before = dot(left, along), beside = cross(along, last - goal);
+  // Close behind the goal the point must not lie behind the robot, or the curve would turn back.
+  if (std::abs(beside) < 0.6 * before) lead = std::min(lead, 0.6 * before);
+  const Vec2 behind = goal - along * lead;
+  if (dot(behind - last, along) < 0.0) {
+    control[count++] = behind + perp(along) * std::copysign(2.0 * lead, beside);
+  }
+  control[count++] = behind;
+  control[count++] = goal;
+  return count;
+}
+
+void BezierPlanner::tryCurve(std::span<const Vec2> control) {
+  sampleBezier(control, trial_);
+  const double length = polylineLength(trial_);
+  if (!(length < to_beat_)) return;
+  if (!guard_.insideWalls(control) && !guard_.insideWalls(trial_)) return;
+  if (!guard_.clear(trial_)) return;
+  best_length_ = to_beat_ = length;
+  best_path_ = trial_;
+}
+
+}  // namespace fulbito

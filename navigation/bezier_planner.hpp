@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "navigation/bezier_curve.hpp"
+#include "navigation/path_problem.hpp"
+#include "navigation/tangent_path.hpp"
+
+namespace fulbito {
+
+/// How `BezierPlanner` plans.
+struct BezierPlannerParams {
+  double alpha = 0.0;        ///< [m] added to A = 3 r
+  bool all_sides = false;    ///< compare all choices of sides, not only the shortest path's
+  double hysteresis = 0.03;  ///< share by which a curve must be shorter than the one on the seeded sides
+};
+
+/// The guarded Bezier method: control points as in paper 004, but with the distance of the control points and
+/// the sides chosen so that the curve is free.
+///
+/// Of the curves round the obstacles on the line, with control points 4 ... 48 cm away, it keeps those that
+/// are clear of all obstacles and walls and takes the shortest. The sides on which the shortest path
+/// (`TangentPath`) passes are tried first, the other choices only where those give no curve. If none does, the
+/// obstacle nearest to the line joins the selection, up to four; more than four on the line are joined to
+/// clusters first, nearest neighbours first.
+///
+/// Completions: a robot in motion gets a control point ahead of it, so that the curve starts along its
+/// motion. An arrival heading gets a control point behind the goal, and where the curve would come from the
+/// front another beside that.
+class BezierPlanner {
+ public:
+  explicit BezierPlanner(BezierPlannerParams params = {});
+  /// Plans from the robot's place. False when no curve is free.
+  /// @param bodies     obstacles without inflation
+  /// @param shortest   planned on the same scene; gives the sides
+  /// @param clearance  [m] beside the robot's circumscribed circle
+  bool plan(const NavigationScene& scene, std::span<const Circle> bodies, const TangentPath& shortest,
+            double clearance);
+  const BezierSamples& path() const { return best_path_; }
+  double length() const { return best_length_; }  ///< [m]
+
+ private:
+  static constexpr std::size_t kMostGroups = 4;
+  struct Group {
+    Circle disc;
+    int seed = 1;  ///< side of the control point: +1 left of the obstacle
+  };
+
+  void group(const NavigationScene& scene, std::span<const Circle> bodies, const TangentPath& shortest);
+  void joinNearest();
+  bool addNearest(const NavigationScene& scene, std::span<const Circle> bodies);
+  int seededSide(const NavigationScene& scene, const TangentPath& shortest, Vec2 centre) const;
+  void trySides(const NavigationScene& scene, std::uint32_t flips);
+  void tryCurve(std::span<const Vec2> control);
+  std::size_t addArrival(const NavigationScene& scene, double lead, std::span<Vec2> control,
+                         std::size_t count) const;
+
+  BezierPlannerParams params_;
+  PathGuard guard_;
+  std::vector<std::size_t> selected_;
+  std::vector<Group> groups_;
+  BezierSamples trial_{};
+  BezierSamples best_path_{};
+  double best_length_ = 0.0;
+  double to_beat_ = 0.0;
+};
+
+}  // namespace fulbito
