@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/suggest.hpp"
+#include "navigation/bspline_time.hpp"
 #include "navigation/classic_follower.hpp"
 #include "navigation/preview_follower.hpp"
 #include "navigation/straight.hpp"
@@ -14,6 +15,7 @@ const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
       straightInfo(),
+      bsplineTimeInfo(),
   };
   return entries;
 }
