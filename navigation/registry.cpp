@@ -5,17 +5,16 @@
 #include "engine/core/suggest.hpp"
 #include "navigation/bezier.hpp"
 #include "navigation/bezier_raw.hpp"
+#include "navigation/bspline_time.hpp"
 #include "navigation/classic_follower.hpp"
+#include "navigation/hermite.hpp"
 #include "navigation/limit_cycle.hpp"
 #include "navigation/preview_follower.hpp"
 #include "navigation/straight.hpp"
 #include "navigation/tangent_field.hpp"
+#include "navigation/tangent_graph.hpp"
 #include "navigation/univector.hpp"
 #include "navigation/vector_field.hpp"
-#include "navigation/hermite.hpp"
-#include "navigation/preview_follower.hpp"
-#include "navigation/straight.hpp"
-#include "navigation/tangent_graph.hpp"
 
 namespace fulbito {
 namespace {
@@ -23,12 +22,16 @@ namespace {
 const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
-      straightInfo(), vectorFieldInfo(), univectorInfo(), tangentFieldInfo(), limitCycleInfo(),
       straightInfo(),
-      bezierRawInfo(),
+      vectorFieldInfo(),
+      univectorInfo(),
+      tangentFieldInfo(),
+      limitCycleInfo(),
       bezierInfo(),
+      bezierRawInfo(),
       hermiteInfo(),
       tangentGraphInfo(),
+      bsplineTimeInfo(),
   };
   return entries;
 }
