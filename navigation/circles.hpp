@@ -4,15 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "navigation/circle.hpp"
 #include "navigation/scene.hpp"
 
 namespace fulbito {
-
-/// A round region that a robot's centre shall keep out of.
-struct Circle {
-  Vec2 centre;
-  double radius = 0.0;  ///< [m]
-};
 
 /// How much farther [m] the centre of `robot` must keep from the obstacle's centre than that of a 7.5 cm
 /// square robot from a tennis ball's: the fields' distances are given for that pair and grow with larger
