@@ -33,7 +33,7 @@ Complaint readWhole(int& target, const TomlValue& value, const SchemaKey& key) {
   const auto* whole = std::get_if<std::int64_t>(&value.data);
   if (whole == nullptr) return wrongType("a whole number", value);
   // Before the cast: the file's number need not fit the target.
-  const auto complaint = checkNumber(static_cast<double>(*whole), key.minimum, key.maximum, key.unit);
+  auto complaint = checkNumber(static_cast<double>(*whole), key.minimum, key.maximum, key.unit);
   if (complaint) return complaint;
   target = static_cast<int>(*whole);
   return std::nullopt;
@@ -82,7 +82,7 @@ Complaint readAngle(const SchemaKey& key, const TomlValue& value, bool degrees) 
   const auto number = numberOf(value);
   if (!number) return wrongType("a number", value);
   const double scale = degrees ? 1.0 : math::kPi / 180.0;
-  const auto complaint =
+  auto complaint =
       checkNumber(*number, key.minimum * scale, key.maximum * scale, degrees ? "degrees" : "rad");
   if (complaint) return complaint;
   const double radians = degrees ? *number * math::kPi / 180.0 : *number;

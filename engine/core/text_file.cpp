@@ -1,6 +1,5 @@
 #include "engine/core/text_file.hpp"
 
-#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -30,13 +29,8 @@ Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes)
   if (std::filesystem::is_directory(path, ignored)) return cannotRead(path, EISDIR);
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (file == nullptr) return cannotRead(path, errno);
-  std::string text;
-  std::array<char, 65536> buffer;
-  std::size_t count = 0;
-  do {
-    count = std::fread(buffer.data(), 1, buffer.size(), file.get());
-    text.append(buffer.data(), count);
-  } while (count == buffer.size() && text.size() <= max_bytes);
+  std::string text(max_bytes + 1, '\0');
+  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
   if (std::ferror(file.get()) != 0) return cannotRead(path, errno);
   if (text.size() > max_bytes) {
     return fail(ErrorCode::kBadInput,

@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <optional>
 
-#define TOML_HEADER_ONLY 1
-#define TOML_EXCEPTIONS 0
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "engine/core/overloaded.hpp"
+
+// The parser asserts what some wrong files do not keep, "[ ]" for one, and then reports them properly all the
+// same. Its assertions would abort, and clang with NDEBUG would take them for granted.
+#undef NDEBUG
+#define TOML_ASSERT(condition) static_cast<void>(0)
+#define TOML_HEADER_ONLY 1
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
 
 namespace fulbito {
 namespace {

@@ -50,6 +50,8 @@ TEST_CASE("hostile text is refused in good order", "[unit]") {
   CHECK(parseToml(std::string(kMaxTomlBytes + 1, '\n'), "f").error().message ==
         "f: larger than 1048576 bytes, the most that is read");
   CHECK(parseToml(std::string(kMaxTomlBytes, '\n'), "f"));
+  CHECK(parseToml("[ ]", "f").error().message.starts_with("f:1: not valid TOML: "));
+  CHECK(parseToml("a = [}", "f").error().message.starts_with("f:1: not valid TOML: "));
   std::string junk;
   for (int i = 0; i < 256; ++i) junk += static_cast<char>(i);
   CHECK(parseToml(junk, "f").error().message.starts_with("f:1: not valid TOML: "));
