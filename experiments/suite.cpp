@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/assert.hpp"
 #include "engine/core/presets.hpp"
 #include "engine/core/suggest.hpp"
 #include "experiments/suite_layouts.hpp"
@@ -23,7 +24,8 @@ const std::vector<Layout>& namedCases() {
     std::vector<Layout> parsed;
     for (const EmbeddedFile& file : embeddedCases()) {
       auto layout = parseLayout(file.text, std::string(file.name) + ".toml");
-      if (layout) parsed.push_back(std::move(*layout));
+      FULBITO_DEMAND(layout.has_value());
+      parsed.push_back(std::move(*layout));
     }
     return parsed;
   }();
