@@ -10,9 +10,15 @@ namespace {
 
 using Line = std::vector<Vec2>;  // [px]
 
-constexpr double kTurn = 18.0;      // [units] for which a path of a bundle is on top
-constexpr double kFailedOn = 11.0;  // [units] of each turn that a failed path is drawn
-constexpr int kBadgePlaces = 48;    // tried along a path
+constexpr double kLongestTurn = 18.0, kShortestTurn = 8.0;  // [units]
+constexpr double kRound = 160.0;       // [units] after which each path of a bundle should have had its turn
+constexpr double kFailedShare = 0.61;  // of each turn that a failed path is drawn
+constexpr int kBadgePlaces = 48;       // tried along a path
+
+/// Length [px] for which a path of a bundle is on top.
+double turnOf(const FieldView& view, std::size_t paths) {
+  return std::clamp(kRound / static_cast<double>(paths), kShortestTurn, kLongestTurn) * view.unit;
+}
 
 std::vector<Line> linesOf(const FieldView& view, const std::vector<DrawnPath>& paths) {
   std::vector<Line> lines;
@@ -96,19 +102,19 @@ void drawFootprints(const FieldView& view, const RobotModel& robot, const DrawnP
 }
 
 void drawLines(const FieldView& view, const std::vector<DrawnPath>& paths, const std::vector<Line>& lines) {
-  const double thickness = pathThickness(view), turn = kTurn * view.unit;
+  const double thickness = pathThickness(view), turn = turnOf(view, lines.size());
   for (const Line& line : lines) {
     view.canvas.polyline(line, thickness + 2.4 * view.unit, withAlpha(theme::kPage, 150));
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (paths[i].failed) {
-      drawDashed(view.canvas, lines[i], failedDashes(view), thickness, seriesColour(i));
+      drawDashed(view.canvas, lines[i], failedDashes(view, lines.size()), thickness, seriesColour(i));
     } else {
       view.canvas.polyline(lines[i], thickness, seriesColour(i));
     }
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double on = paths[i].failed ? kFailedOn * view.unit : turn;
+    const double on = paths[i].failed ? kFailedShare * turn : turn;
     const Dashes dashes{turn * static_cast<double>(lines.size()), on, turn * static_cast<double>(i)};
     if (lines.size() > 1) drawDashed(view.canvas, lines[i], dashes, thickness, seriesColour(i));
   }
@@ -151,6 +157,9 @@ void drawCross(const FieldView& view, Vec2 centre, double size, Colour colour) {
 
 double pathThickness(const FieldView& view) { return 3.2 * view.unit; }
 
-Dashes failedDashes(const FieldView& view) { return {kTurn * view.unit, kFailedOn * view.unit}; }
+Dashes failedDashes(const FieldView& view, std::size_t paths) {
+  const double turn = turnOf(view, paths);
+  return {turn, kFailedShare * turn};
+}
 
 }  // namespace fulbito

@@ -20,7 +20,7 @@ void drawBadge(const FieldView& view, Vec2 centre, std::size_t index);
 void drawCross(const FieldView& view, Vec2 centre, double size, Colour colour);
 /// Thickness [px] of the paths.
 double pathThickness(const FieldView& view);
-/// How a failed path is dashed.
-Dashes failedDashes(const FieldView& view);
+/// How a failed path is dashed in a picture with `paths` paths.
+Dashes failedDashes(const FieldView& view, std::size_t paths);
 
 }  // namespace fulbito
