@@ -70,11 +70,11 @@ void addObstacleRow(std::vector<KeyRow>& rows, const Layout& layout, ObstacleMot
                   }});
 }
 
-KeyRow failedRow(std::size_t paths) {
-  return {"failed run and where it ended", [paths](const FieldView& view, Vec2 centre) {
+KeyRow failedRow() {
+  return {"failed run and where it ended", [](const FieldView& view, Vec2 centre) {
             const double u = view.unit;
             const std::array<Vec2, 2> line{centre - Vec2{30 * u, 0}, centre + Vec2{20 * u, 0}};
-            drawDashed(view.canvas, line, failedDashes(view, paths), pathThickness(view), theme::kDimText);
+            drawDashed(view.canvas, line, failedDashes(view), pathThickness(view), theme::kDimText);
             drawCross(view, line[1], 7 * u, theme::kDimText);
           }};
 }
@@ -86,7 +86,7 @@ std::vector<KeyRow> keyRows(const FieldPicture& picture) {
   }
   const bool failed = std::any_of(picture.paths.begin(), picture.paths.end(),
                                   [](const DrawnPath& path) { return path.failed; });
-  if (failed) rows.push_back(failedRow(picture.paths.size()));
+  if (failed) rows.push_back(failedRow());
   return rows;
 }
 
@@ -107,8 +107,7 @@ void Legend::drawPathRow(const FieldView& view, Vec2 corner, std::size_t index) 
   const Vec2 middle = corner + Vec2{0, kPathRow / 2 * u};
   const std::array<Vec2, 2> sample{middle + Vec2{26 * u, 0}, middle + Vec2{58 * u, 0}};
   if (path.failed) {
-    drawDashed(view.canvas, sample, failedDashes(view, picture_.paths.size()), pathThickness(view),
-               seriesColour(index));
+    drawDashed(view.canvas, sample, failedDashes(view), pathThickness(view), seriesColour(index));
   } else {
     view.canvas.polyline(sample, pathThickness(view), seriesColour(index));
   }

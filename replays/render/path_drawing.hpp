@@ -7,7 +7,8 @@
 namespace fulbito {
 
 /// All paths of a picture, each in its series colour, with their footprints. Paths that lie on each other
-/// come to the top in turn, so that a bundle shows all its colours.
+/// come to the top in turn, so that a bundle shows all its colours; failed ones lie above the others, which
+/// show through their gaps.
 void drawPaths(const FieldView& view, const RobotModel& robot, const std::vector<DrawnPath>& paths);
 
 /// What stands on the paths: a cross where a run failed, and the number of each path (1, 2, ...) on a badge
@@ -20,7 +21,7 @@ void drawBadge(const FieldView& view, Vec2 centre, std::size_t index);
 void drawCross(const FieldView& view, Vec2 centre, double size, Colour colour);
 /// Thickness [px] of the paths.
 double pathThickness(const FieldView& view);
-/// How a failed path is dashed in a picture with `paths` paths.
-Dashes failedDashes(const FieldView& view, std::size_t paths);
+/// How a failed path is dashed.
+Dashes failedDashes(const FieldView& view);
 
 }  // namespace fulbito
