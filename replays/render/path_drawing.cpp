@@ -74,6 +74,7 @@ Vec2 badgePlace(const std::vector<Line>& places, const Line& taken, std::size_t 
 
 void drawBadges(const FieldView& view, const std::vector<Line>& lines) {
   std::vector<Line> places;
+  places.reserve(lines.size());
   for (const Line& line : lines) places.push_back(badgePlaces(line));
   Line taken;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -163,6 +164,6 @@ void drawCross(const FieldView& view, Vec2 centre, double size, Colour colour) {
 
 double pathThickness(const FieldView& view) { return 3.2 * view.unit; }
 
-Dashes failedDashes(const FieldView& view) { return {18 * view.unit, 10 * view.unit}; }
+Dashes failedDashes(const FieldView& view) { return {22 * view.unit, 10 * view.unit}; }
 
 }  // namespace fulbito
