@@ -60,12 +60,12 @@ Axis axisOf(const BarChart& chart) {
   return niceAxis(low, high);
 }
 
-/// The widest of the texts that `textOf` gives for the bars.
+/// The widest of the texts that `text_of` gives for the bars.
 template <typename TextOf>
-double columnWidth(const Canvas& canvas, const BarChart& chart, TextOf textOf) {
+double columnWidth(const Canvas& canvas, const BarChart& chart, TextOf text_of) {
   double widest = 0.0;
   for (const BarGroup& group : chart.groups) {
-    for (const Bar& bar : group.bars) widest = std::max(widest, canvas.textWidth(textOf(bar), kText));
+    for (const Bar& bar : group.bars) widest = std::max(widest, canvas.textWidth(text_of(bar), kText));
   }
   return widest;
 }
@@ -109,7 +109,8 @@ void drawTitles(Canvas& canvas, const Plan& plan, const BarChart& chart) {
 void drawReference(Canvas& canvas, const Plan& plan, const BarChart& chart) {
   if (!chart.has_reference || !std::isfinite(chart.reference)) return;
   const double x = std::round(plan.at(chart.reference)), bottom = plan.height - kBottom;
-  for (double y = kTop; y < bottom; y += 8) {
+  for (int dash = 0; kTop + 8 * dash < bottom; ++dash) {
+    const double y = kTop + 8 * dash;
     canvas.fillRectangle({x - 1, y}, 2, std::min(5.0, bottom - y), kReferenceInk);
   }
   const std::string label = fitted(canvas, chart.reference_label, kSmallText, kPlotWidth);

@@ -68,7 +68,7 @@ void CoverageMask::add(Box box, Coverage coverage) {
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) {
       const double part = std::clamp(coverage(Vec2{x + 0.5, y + 0.5}), 0.0, 1.0);
-      at(x, y) = std::max(at(x, y), static_cast<std::uint8_t>(part * 255.0 + 0.5));
+      at(x, y) = std::max(at(x, y), static_cast<std::uint8_t>(std::lround(part * 255.0)));
     }
   }
 }

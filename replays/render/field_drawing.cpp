@@ -98,6 +98,7 @@ void drawBox(const FieldView& view, const ObstacleSpec& box, Colour colour) {
 
 void drawObstaclePath(const FieldView& view, const ObstacleSpec& obstacle, Colour colour) {
   std::vector<Vec2> path;
+  path.reserve(obstacle.path.size() + 1);
   for (Vec2 p : obstacle.path) path.push_back(view.at(p));
   if (obstacle.path_end == PathEnd::kCycle) path.push_back(path.front());
   const double u = view.unit, head = 14 * u;

@@ -10,9 +10,9 @@ namespace {
 
 using Line = std::vector<Vec2>;  // [px]
 
-constexpr double kTurn = 18.0;      // [units] for which a path of a bundle is on top
-constexpr double kFailedOn = 11.0;  // [units] of each turn that a failed path is drawn
-constexpr int kBadgePlaces = 48;    // tried along a path
+constexpr double kLongestTurn = 18.0, kShortestTurn = 8.0;  // [units]
+constexpr double kRound = 160.0;  // [units] after which each path of a bundle should have had its turn
+constexpr int kBadgePlaces = 48;  // tried along a path
 
 std::vector<Line> linesOf(const FieldView& view, const std::vector<DrawnPath>& paths) {
   std::vector<Line> lines;
@@ -74,6 +74,7 @@ Vec2 badgePlace(const std::vector<Line>& places, const Line& taken, std::size_t 
 
 void drawBadges(const FieldView& view, const std::vector<Line>& lines) {
   std::vector<Line> places;
+  places.reserve(lines.size());
   for (const Line& line : lines) places.push_back(badgePlaces(line));
   Line taken;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -95,23 +96,35 @@ void drawFootprints(const FieldView& view, const RobotModel& robot, const DrawnP
   }
 }
 
-void drawLines(const FieldView& view, const std::vector<DrawnPath>& paths, const std::vector<Line>& lines) {
-  const double thickness = pathThickness(view), turn = kTurn * view.unit;
-  for (const Line& line : lines) {
-    view.canvas.polyline(line, thickness + 2.4 * view.unit, withAlpha(theme::kPage, 150));
-  }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (paths[i].failed) {
-      drawDashed(view.canvas, lines[i], failedDashes(view), thickness, seriesColour(i));
+/// The lines of `members`, dashed as `each` is; then each line again in its turn of one such dash.
+void drawBundle(const FieldView& view, const std::vector<Line>& lines,
+                const std::vector<std::size_t>& members, Dashes each) {
+  const double thickness = pathThickness(view), count = static_cast<double>(members.size());
+  for (std::size_t i : members) {
+    if (each.on < each.period) {
+      drawDashed(view.canvas, lines[i], each, thickness, seriesColour(i));
     } else {
       view.canvas.polyline(lines[i], thickness, seriesColour(i));
     }
   }
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const double on = paths[i].failed ? kFailedOn * view.unit : turn;
-    const Dashes dashes{turn * static_cast<double>(lines.size()), on, turn * static_cast<double>(i)};
-    if (lines.size() > 1) drawDashed(view.canvas, lines[i], dashes, thickness, seriesColour(i));
+  if (members.size() < 2) return;
+  double phase = 0.0;
+  for (std::size_t i : members) {
+    drawDashed(view.canvas, lines[i], {each.period * count, each.on, phase}, thickness, seriesColour(i));
+    phase += each.period;
   }
+}
+
+void drawLines(const FieldView& view, const std::vector<DrawnPath>& paths, const std::vector<Line>& lines) {
+  std::vector<std::size_t> whole, failed;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    view.canvas.polyline(lines[i], pathThickness(view) + 2.4 * view.unit, withAlpha(theme::kPage, 150));
+    (paths[i].failed ? failed : whole).push_back(i);
+  }
+  const double fair = kRound / std::max(1.0, static_cast<double>(whole.size()));
+  const double turn = std::clamp(fair, kShortestTurn, kLongestTurn) * view.unit;
+  drawBundle(view, lines, whole, {turn, turn});
+  drawBundle(view, lines, failed, failedDashes(view));
 }
 
 }  // namespace
@@ -151,6 +164,6 @@ void drawCross(const FieldView& view, Vec2 centre, double size, Colour colour) {
 
 double pathThickness(const FieldView& view) { return 3.2 * view.unit; }
 
-Dashes failedDashes(const FieldView& view) { return {kTurn * view.unit, kFailedOn * view.unit}; }
+Dashes failedDashes(const FieldView& view) { return {22 * view.unit, 10 * view.unit}; }
 
 }  // namespace fulbito

@@ -7,7 +7,8 @@
 namespace fulbito {
 
 /// All paths of a picture, each in its series colour, with their footprints. Paths that lie on each other
-/// come to the top in turn, so that a bundle shows all its colours.
+/// come to the top in turn, so that a bundle shows all its colours; failed ones lie above the others, which
+/// show through their gaps.
 void drawPaths(const FieldView& view, const RobotModel& robot, const std::vector<DrawnPath>& paths);
 
 /// What stands on the paths: a cross where a run failed, and the number of each path (1, 2, ...) on a badge

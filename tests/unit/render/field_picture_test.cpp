@@ -177,6 +177,17 @@ TEST_CASE("a failed path is dashed and crossed out at its end", "[unit]") {
   }
 }
 
+TEST_CASE("a failed path keeps its gaps among twenty", "[unit]") {
+  FieldPicture picture = emptyPicture();
+  for (int i = 0; i < 20; ++i) picture.paths.push_back(samplePath(picture.layout, "path", -0.03 * i));
+  picture.paths[19].failed = true;
+  const Canvas canvas = drawn(picture);
+  int gaps = 0;
+  for (Vec2 p : picture.paths[19].points) gaps += same(colourAt(canvas, p), seriesColour(19)) ? 0 : 1;
+  CHECK(gaps > 25);  // of 121
+  CHECK(gaps < 80);
+}
+
 TEST_CASE("footprints outline the body on the way", "[unit]") {
   FieldPicture picture = emptyPicture();
   picture.paths = {samplePath(picture.layout, "a", 0.0)};
