@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <span>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -120,22 +122,25 @@ std::optional<Error> wrongCommand(const CLI::App& app, int argc, char** argv) {
                                               suggestion(argv[1], names))};
 }
 
-/// CLI11's message with a suggestion for a flag that does not exist.
-Error parseError(const CLI::App& app, const CLI::ParseError& error) {
-  std::string hint;
+/// CLI11's message, or for an option that does not exist one with a suggestion.
+Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words) {
   const auto used = app.get_subcommands();
   const CLI::App& command = used.empty() ? app : *used.front();
+  const std::string name = used.empty() ? "" : command.get_name();
+  std::string message = error.what();
   if (error.get_name() == "ExtrasError") {
     std::vector<std::string> flags;
     for (const CLI::Option* option : command.get_options({})) flags.push_back(option->get_name());
-    for (const std::string& word : app.remaining(true)) {
-      hint = suggestion(word, flags);
-      if (!hint.empty()) break;
+    for (const std::string word : words) {
+      const bool known = std::any_of(flags.begin(), flags.end(), [&](const std::string& f) { return word == f; });
+      if (word.starts_with("--") && !known && word.find('=') == std::string::npos) {
+        message = fmt::format("there is no option '{}'.{}", word, suggestion(word, flags));
+      }
     }
   }
-  const std::string name = used.empty() ? "" : command.get_name() + ": ";
-  return {ErrorCode::kUsage, name + error.what() + hint + " See fulbito " + (used.empty() ? "" : command.get_name() + " ") +
-                                 "--help."};
+  if (!message.ends_with('.')) message += '.';
+  return {ErrorCode::kUsage, fmt::format("{}{}{} See fulbito {}{}--help.", name, name.empty() ? "" : ": ", message, name,
+                                         name.empty() ? "" : " ")};
 }
 
 int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& compare_command, Options& options) {
@@ -173,7 +178,7 @@ int mainWithoutCatch(int argc, char** argv) {
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return report(parseError(app, error));
+    return report(parseError(app, error, {argv + 1, argv + argc}));
   }
   return dispatch(app, *run_command, *compare_command, options);
 }

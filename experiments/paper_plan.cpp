@@ -133,9 +133,9 @@ constexpr DifferenceClaim kClaims[] = {
      "not reachable corner to corner: the shortest way is 1.1 % longer than the straight line, so the field would have to drive "
      "1.34 times the Bezier length",
      "the field's bends cost speed; an untuned field loses as much time as the paper says"},
-    {"R4-b", "corner", 1.0, kTunedFieldSlow, "the time-tuned tangent field", {-0.04, 0.04}, {0.00, 0.12}, "not compared",
+    {"R4-b", "corner", 1.0, kTunedField, "the time-tuned tangent field", {-0.04, 0.04}, {0.00, 0.12}, "not compared",
      "not compared", "a tuned field drives as short as the Bezier curve", "at this speed the tuned field is faster: it passes the balls closer"},
-    {"R4-b", "corner", 2.6, kTunedFieldFast, "the time-tuned tangent field", {-0.04, 0.04}, {-0.22, -0.12}, "-25.6 %",
+    {"R4-b", "corner", 2.6, kTunedField, "the time-tuned tangent field", {-0.04, 0.04}, {-0.22, -0.12}, "-25.6 %",
      "-19.3 %", "a tuned field drives as short as the Bezier curve",
      "at the robot's full speed the smooth curve can be driven faster even than the best field"},
     {"R4-c", "close-range", 0.6, kWideField, "the untuned wide ring field (classic law)", {-0.32, -0.21}, {-0.34, -0.24},
@@ -151,10 +151,7 @@ Result<std::vector<Block>> paperBlocks(const ComparisonConfig& config) {
   std::vector<Block> blocks;
   const std::vector<double> speeds = config.speeds.empty() ? suiteNamed("corner")->speeds : config.speeds;
   for (double speed : speeds) {
-    std::vector<std::string> own = {kUntunedField};
-    if (speed == 1.0) own.emplace_back(kTunedFieldSlow);
-    if (speed == 2.6) own.emplace_back(kTunedFieldFast);
-    auto block = blockOf(config, "corner", speed, own, true);
+    auto block = blockOf(config, "corner", speed, {kUntunedField, kTunedField}, true);
     if (!block) return tl::unexpected<Error>(block.error());
     blocks.push_back(std::move(*block));
   }

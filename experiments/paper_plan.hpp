@@ -12,8 +12,8 @@ inline constexpr const char* kPaperSuite = "jung-lee-2015";
 
 /// The opponents of the reproduction runs, as navigator specifications (docs/reproduction.md).
 inline constexpr const char* kUntunedField = "univector:goal=bearing,k0=0,d_min=0.09,delta=0.10";
-inline constexpr const char* kTunedFieldSlow = "tangent-field:offset=0.085,range=1.16";  ///< time-tuned at 1.0 m/s
-inline constexpr const char* kTunedFieldFast = "tangent-field:offset=0.086,range=0.65";  ///< time-tuned at 2.6 m/s
+/// `fulbito compare --suite corner --tune tangent-field --speeds 1.0` (and 2.6: the same set wins) found this one.
+inline constexpr const char* kTunedField = "tangent-field:offset=0.0784,range=5.56,hysteresis=0.239";
 inline constexpr const char* kWideField = "vector-field:offset=0.10,width=0.20,follower=classic";
 
 /// Blocks of the suite: all methods from corner to corner at 0.6, 1.0 and 2.6 m/s with the opponents of R4-a and R4-b, the
