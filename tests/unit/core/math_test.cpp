@@ -187,11 +187,11 @@ TEST_CASE("the bits of every function are the same for any compiler, level and C
 TEST_CASE("a wrapped angle lies in [-pi, pi) for every finite angle", "[unit]") {
   Rng rng(2, Stream::kTest);
   std::vector<double> angles = {0.0, -0.0, 0x1p-1074, 1e308, -1e308, 1e22, 0x1p53};
-  for (int k = -1000; k <= 1000; ++k) {
+  for (int k = -200; k <= 200; ++k) {
     for (double x : {k * kPi, k * kPi / 2})
       for (double to : {-kInf, kInf}) angles.insert(angles.end(), {x, std::nextafter(x, to)});
   }
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < 20000; ++i) {
     const double size = std::ldexp(1.0, static_cast<int>(rng.below(1030)) - 7);
     angles.push_back(rng.uniform(-size, size));
   }
