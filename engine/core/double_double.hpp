@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 /// Exact sums and products as unevaluated sums of two doubles (Dekker, Numerische Mathematik 18, 1971).
 /// Private to the elementary functions of math.hpp; right in round-to-nearest without overflow only.
 namespace fulbito::math {

@@ -37,7 +37,7 @@ void bringIntoRange(double& large, double& small) {
 // to it.
 DoubleDouble arcTangent(double small, double large) {
   const double ratio = small / large;
-  const auto k = ratio < 0x1p-4 ? std::size_t{0} : static_cast<std::size_t>(ratio * 16.0 + 0.5);
+  const auto k = ratio < 0x1p-4 ? std::size_t{0} : (static_cast<std::size_t>(ratio * 32.0) + 1) / 2;
   const double c = static_cast<double>(k) * 0x1p-4;
   const double large_high =
       std::bit_cast<double>(std::bit_cast<std::uint64_t>(large) & ~std::uint64_t{0x7ffffff});
