@@ -43,6 +43,7 @@ class Bezier final : public Navigator {
   std::vector<Vec2> path_;
   std::uint64_t revision_ = 0;
   bool blocked_ = false;
+  bool on_tangent_path_ = false;
   Counts counts_;
 };
 

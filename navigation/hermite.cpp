@@ -35,7 +35,7 @@ Hermite::Hermite(Params params)
 void Hermite::reset() {
   tangent_path_.reset();
   monitor_.reset();
-  blocked_ = false;
+  blocked_ = on_tangent_path_ = false;
 }
 
 Guidance Hermite::plan(const NavigationScene& scene) {
@@ -50,24 +50,24 @@ Guidance Hermite::plan(const NavigationScene& scene) {
   guidance.path = path_;
   guidance.revision = revision_;
   guidance.stuck = blocked_;
-  if (blocked_) guidance.speed_cap = 0.0;
+  if (on_tangent_path_) guidance.speed_cap = tangent_path_.speedCap(scene);
   return guidance;
 }
 
 void Hermite::replan(const NavigationScene& scene) {
   ++counts_.plans;
-  const double radius = scene.robot->circumradius();
-  guard_.prepare(scene.self.pose.position, scene.goal.position, bodies_, radius + params_.clearance,
-                 *scene.field, radius);
+  blocked_ = on_tangent_path_ = false;
+  guard_.prepare(scene.self.pose.position, scene.goal.position, bodies_, scene.robot->circumradius(),
+                 params_.clearance, *scene.field);
   for (double extra : kExtras) {
     const auto outcome = tangent_path_.plan(scene, bodies_, extra);
-    // Wider circles have closed the way, or it was narrow from the start.
-    if (outcome == TangentPath::Outcome::kNone || outcome == TangentPath::Outcome::kTight) break;
+    // Anything else is a corner, or a way that is narrow or that wider circles have closed.
+    if (outcome != TangentPath::Outcome::kFound) break;
     placeJoints(scene);
     drawCurve();
-    blocked_ = false;
     if (guard_.clear(path_) && guard_.insideWalls(path_)) return;
   }
+  on_tangent_path_ = true;
   blocked_ = tangent_path_.plan(scene, bodies_) == TangentPath::Outcome::kNone;
   ++(blocked_ ? counts_.blocked : counts_.tangent);
   tangent_path_.sample(kSpacing, path_);
@@ -95,8 +95,8 @@ void Hermite::placeJoints(const NavigationScene& scene) {
   // A free end takes the direction that makes the curvature vanish there, or nearly so.
   const Vec2 out = unitOr(second.place - first.place, facing), in = unitOr(last.place - before.place, facing);
   first.direction = moves ? facing : unitOr(out * 3.0 - second.direction, out);
-  last.direction = scene.goal.heading ? math::unit(*scene.goal.heading)
-                                      : unitOr(in * 3.0 - before.direction, in);
+  last.direction =
+      scene.goal.heading ? math::unit(*scene.goal.heading) : unitOr(in * 3.0 - before.direction, in);
 }
 
 void Hermite::drawCurve() {

@@ -10,9 +10,10 @@ constexpr std::size_t kReservedPoints = 1024;
 
 TangentGraphNavigator::TangentGraphNavigator(Params params)
     : params_(params),
-      tangent_path_(
-          {.margin = params.margin, .hysteresis = params.hysteresis, .approach = params.approach,
-           .bend = params.bend}) {
+      tangent_path_({.margin = params.margin,
+                     .hysteresis = params.hysteresis,
+                     .approach = params.approach,
+                     .bend = params.bend}) {
   path_.reserve(kReservedPoints);
 }
 
@@ -35,7 +36,7 @@ Guidance TangentGraphNavigator::plan(const NavigationScene& scene) {
   guidance.path = path_;
   guidance.revision = revision_;
   guidance.stuck = blocked_;
-  if (blocked_) guidance.speed_cap = 0.0;
+  guidance.speed_cap = tangent_path_.speedCap(scene);
   return guidance;
 }
 
