@@ -1,6 +1,9 @@
 #include "navigation/bezier.hpp"
 
+#include <algorithm>
 #include <array>
+
+#include "navigation/yield_speed.hpp"
 
 namespace fulbito {
 namespace {
@@ -36,7 +39,8 @@ Guidance Bezier::plan(const NavigationScene& scene) {
   guidance.path = path_;
   guidance.revision = revision_;
   guidance.stuck = blocked_;
-  if (on_tangent_path_) guidance.speed_cap = tangent_path_.speedCap(scene);
+  guidance.speed_cap = yieldSpeed(scene, path_, params_.yield);
+  if (on_tangent_path_) guidance.speed_cap = std::min(guidance.speed_cap, tangent_path_.speedCap(scene));
   return guidance;
 }
 
@@ -74,6 +78,7 @@ NavigatorInfo bezierInfo() {
        flag("all_sides", &P::all_sides, "compare all choices of sides, not only the shortest path's"),
        number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "share by which other sides must be shorter"),
        number("horizon", &P::horizon, 0.0, 2.0, "s", "farthest look ahead at moving obstacles"),
+       number("yield", &P::yield, 0.0, 2.0, "s", "look ahead for slowing down before obstacles; 0 = never"),
        choice("replan", &P::replan, {"change", "tick"}, "when to plan again")});
 }
 

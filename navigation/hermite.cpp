@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "navigation/yield_speed.hpp"
 
 namespace fulbito {
 namespace {
@@ -50,7 +51,8 @@ Guidance Hermite::plan(const NavigationScene& scene) {
   guidance.path = path_;
   guidance.revision = revision_;
   guidance.stuck = blocked_;
-  if (on_tangent_path_) guidance.speed_cap = tangent_path_.speedCap(scene);
+  guidance.speed_cap = yieldSpeed(scene, path_, params_.yield);
+  if (on_tangent_path_) guidance.speed_cap = std::min(guidance.speed_cap, tangent_path_.speedCap(scene));
   return guidance;
 }
 
@@ -118,6 +120,7 @@ NavigatorInfo hermiteInfo() {
        number("tension", &P::tension, 0.1, 2.0, "", "length of the joints' derivatives over the chord"),
        number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "share of the way that another side must save"),
        number("horizon", &P::horizon, 0.0, 2.0, "s", "farthest look ahead at moving obstacles"),
+       number("yield", &P::yield, 0.0, 2.0, "s", "look ahead for slowing down before obstacles; 0 = never"),
        choice("replan", &P::replan, {"change", "tick"}, "when to plan again")});
 }
 

@@ -21,6 +21,7 @@ class Hermite final : public Navigator {
     double tension = 1.0;     ///< of the joints: length of a derivative over the chord
     double hysteresis = 0.03;
     double horizon = 0.5;  ///< [s] farthest look ahead at moving obstacles
+    double yield = 1.0;    ///< [s] look ahead of yieldSpeed
     Replan replan = Replan::kChange;
   };
   /// How the plans since the construction came out.

@@ -1,5 +1,9 @@
 #include "navigation/tangent_graph.hpp"
 
+#include <algorithm>
+
+#include "navigation/yield_speed.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -36,7 +40,8 @@ Guidance TangentGraphNavigator::plan(const NavigationScene& scene) {
   guidance.path = path_;
   guidance.revision = revision_;
   guidance.stuck = blocked_;
-  guidance.speed_cap = tangent_path_.speedCap(scene);
+  guidance.speed_cap = yieldSpeed(scene, path_, params_.yield);
+  guidance.speed_cap = std::min(guidance.speed_cap, tangent_path_.speedCap(scene));
   return guidance;
 }
 
@@ -50,6 +55,7 @@ NavigatorInfo tangentGraphInfo() {
        number("approach", &P::approach, 0.0, 0.5, "m", "straight before a goal with an arrival heading"),
        number("bend", &P::bend, 0.01, 0.5, "m", "radius of the turn onto that straight"),
        number("horizon", &P::horizon, 0.0, 2.0, "s", "farthest look ahead at moving obstacles"),
+       number("yield", &P::yield, 0.0, 2.0, "s", "look ahead for slowing down before obstacles; 0 = never"),
        choice("replan", &P::replan, {"change", "tick"}, "when to plan again")});
 }
 

@@ -17,6 +17,7 @@ class TangentGraphNavigator final : public Navigator {
     double approach = 0.08;    ///< [m], see TangentPathParams
     double bend = 0.06;        ///< [m], see TangentPathParams
     double horizon = 0.5;      ///< [s] farthest look ahead at moving obstacles
+    double yield = 1.0;        ///< [s] look ahead of yieldSpeed
     Replan replan = Replan::kChange;
   };
   explicit TangentGraphNavigator(Params params);

@@ -80,7 +80,7 @@ TEST_CASE("survey of the path methods on the corner layouts", "[.][survey]") {
 
 TEST_CASE("survey of the path methods among crossing obstacles", "[.][survey]") {
   const FieldGeometry field = comparisonField();
-  for (const char* name : {"tangent-graph", "bezier", "bezier:replan=tick", "hermite", "bezier-raw"}) {
+  for (const char* name : {"tangent-graph", "bezier", "bezier:yield=0", "hermite", "bezier-raw"}) {
     auto pilot = makePilot(*parseNavigator(name));
     for (double speed : {1.0, 2.6}) {
       int safe = 0, reached = 0;
