@@ -81,9 +81,12 @@ std::optional<std::size_t> BezierPlanner::plan(const NavigationScene& scene, std
 void BezierPlanner::group(const NavigationScene& scene, std::span<const Circle> bodies,
                           const TangentPath& shortest) {
   groups_.clear();
-  for (std::size_t i : selected_) groups_.push_back({bodies[i], 1});
+  for (std::size_t i : selected_) groups_.push_back({bodies[i], {}});
   while (groups_.size() > kMostGroups) joinNearest();
-  for (Group& g : groups_) g.seed = seededSide(scene, shortest, g.disc.centre);
+  for (Group& g : groups_) {
+    const Vec2 across = acrossLine(scene.self.pose.position, g.disc.centre);
+    g.seed = seededSide(scene, shortest, g.disc.centre) > 0 ? across : -across;
+  }
 }
 
 void BezierPlanner::joinNearest() {
@@ -141,20 +144,25 @@ void BezierPlanner::trySides(const NavigationScene& scene, std::uint32_t flips) 
     control[count++] = robot;
     if (speed > kInMotion) control[count++] = robot + ahead * (speed * kMomentum);
     for (std::size_t i = 0; i < groups_.size(); ++i) {
-      const int side = (flips >> i & 1U) != 0 ? -groups_[i].seed : groups_[i].seed;
-      control[count++] = controlPoint(robot, groups_[i].disc.centre, side, tbp);
+      const double side = (flips >> i & 1U) != 0 ? -tbp : tbp;
+      control[count++] = groups_[i].disc.centre + groups_[i].seed * side;
     }
-    if (scene.goal.heading) {
-      for (double lead : kLeads) {
-        const std::size_t all = addArrival(scene, lead, control, count);
-        tryCurve(scene, {control.data(), all});
-      }
-    } else {
-      control[count++] = scene.goal.position;
-      tryCurve(scene, {control.data(), count});
-    }
-    if (groups_.empty()) break;
+    // The points of the curve move outward in proportion to the distance: once outside, they stay there.
+    if (!tryEnds(scene, control, count) || groups_.empty()) break;
   }
+}
+
+bool BezierPlanner::tryEnds(const NavigationScene& scene, std::span<Vec2> control, std::size_t count) {
+  if (!scene.goal.heading) {
+    control[count++] = scene.goal.position;
+    return tryCurve(scene, control.first(count));
+  }
+  bool inside = false;
+  for (double lead : kLeads) {
+    const std::size_t all = addArrival(scene, lead, control, count);
+    inside = tryCurve(scene, control.first(all)) || inside;
+  }
+  return inside;
 }
 
 std::size_t BezierPlanner::addArrival(const NavigationScene& scene, double lead, std::span<Vec2> control,
@@ -173,11 +181,21 @@ std::size_t BezierPlanner::addArrival(const NavigationScene& scene, double lead,
   return count;
 }
 
-void BezierPlanner::tryCurve(const NavigationScene& scene, std::span<const Vec2> control) {
+bool BezierPlanner::tryCurve(const NavigationScene& scene, std::span<const Vec2> control) {
+  // A few points tell of most curves that they collide, leave the field or are too long: their chords are
+  // shorter than the curve.
   const PathGuard& loosest = levels_[open_levels_ - 1].guard;
-  for (std::size_t i = kCoarse; i + 1 < kBezierPoints; i += kCoarse) {
-    if (!loosest.clearAt(bezierPoint(control, i))) return;
+  std::array<Vec2, kBezierPoints / kCoarse + 1> points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = bezierPoint(control, i * kCoarse);
+    if (!loosest.clearAt(points[i])) return true;
   }
+  if (!loosest.insideWalls(points)) return false;
+  if (polylineLength(points) < levels_[0].to_beat) keepIfBest(scene, control);
+  return true;
+}
+
+void BezierPlanner::keepIfBest(const NavigationScene& scene, std::span<const Vec2> control) {
   sampleBezier(control, trial_);
   if (scene.goal.heading && !arrivesAlong(trial_, scene.goal)) return;
   const double length = polylineLength(trial_);

@@ -51,7 +51,7 @@ class BezierPlanner {
   static constexpr std::size_t kMostGroups = 4;
   struct Group {
     Circle disc;
-    int seed = 1;  ///< side of the control point: +1 left of the obstacle
+    Vec2 seed;  ///< unit vector to the side on which the shortest path passes
   };
 
   /// The best curve for one clearance.
@@ -67,7 +67,10 @@ class BezierPlanner {
   bool addNearest(const NavigationScene& scene, std::span<const Circle> bodies);
   int seededSide(const NavigationScene& scene, const TangentPath& shortest, Vec2 centre) const;
   void trySides(const NavigationScene& scene, std::uint32_t flips);
-  void tryCurve(const NavigationScene& scene, std::span<const Vec2> control);
+  /// False when the curve is free but leaves the field.
+  bool tryCurve(const NavigationScene& scene, std::span<const Vec2> control);
+  bool tryEnds(const NavigationScene& scene, std::span<Vec2> control, std::size_t count);
+  void keepIfBest(const NavigationScene& scene, std::span<const Vec2> control);
   std::size_t addArrival(const NavigationScene& scene, double lead, std::span<Vec2> control,
                          std::size_t count) const;
 

@@ -12,13 +12,14 @@ namespace {
 
 constexpr double kSpacing = 0.01;  // [m]
 constexpr std::size_t kReservedPoints = 1024, kReservedJoints = 34;
+constexpr double kMostPieces = 2000.0;
 constexpr double kInMotion = 0.15;  // [m/s] above which a curve starts along the motion
 constexpr std::array<double, 6> kExtras = {0.0, 0.004, 0.008, 0.014, 0.024, 0.040};  // [m]
 
 }  // namespace
 
 void appendHermite(Vec2 a, Vec2 da, Vec2 b, Vec2 db, double spacing, std::vector<Vec2>& out) {
-  const double pieces = std::max(8.0, std::ceil(distance(a, b) / spacing));
+  const double pieces = std::clamp(std::floor(distance(a, b) / spacing) + 1.0, 8.0, kMostPieces);
   for (double i = 1.0; i < pieces; i += 1.0) {
     const double t = i / pieces, s = 1.0 - t;
     out.push_back(a * (s * s * (1.0 + 2.0 * t)) + da * (s * s * t) + b * (t * t * (1.0 + 2.0 * s)) -

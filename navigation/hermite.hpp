@@ -7,7 +7,7 @@
 namespace fulbito {
 
 /// Appends the cubic Hermite curve from `a` to `b` with derivatives `da` and `db` [m per unit parameter],
-/// without its first point, in pieces of about `spacing` [m] but at least eight.
+/// without its first point, in pieces of about `spacing` [m], 8 to 2000 of them.
 void appendHermite(Vec2 a, Vec2 da, Vec2 b, Vec2 db, double spacing, std::vector<Vec2>& out);
 
 /// Drives cubic Hermite segments (named by paper 004 as future work) through the shortest path's bends: one
