@@ -1,5 +1,10 @@
 #include "navigation/bezier.hpp"
 
+#include <algorithm>
+#include <array>
+
+#include "navigation/yield_speed.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -19,7 +24,7 @@ Bezier::Bezier(Params params)
 void Bezier::reset() {
   tangent_path_.reset();
   monitor_.reset();
-  blocked_ = false;
+  blocked_ = on_tangent_path_ = false;
 }
 
 Guidance Bezier::plan(const NavigationScene& scene) {
@@ -34,14 +39,16 @@ Guidance Bezier::plan(const NavigationScene& scene) {
   guidance.path = path_;
   guidance.revision = revision_;
   guidance.stuck = blocked_;
-  if (blocked_) guidance.speed_cap = 0.0;
+  guidance.speed_cap = yieldSpeed(scene, path_, params_.yield);
+  if (on_tangent_path_) guidance.speed_cap = std::min(guidance.speed_cap, tangent_path_.speedCap(scene));
   return guidance;
 }
 
 void Bezier::replan(const NavigationScene& scene) {
   ++counts_.plans;
   blocked_ = tangent_path_.plan(scene, bodies_) == TangentPath::Outcome::kNone;
-  if (!blocked_ && findCurve(scene)) {
+  on_tangent_path_ = blocked_ || !findCurve(scene);
+  if (!on_tangent_path_) {
     path_.assign(planner_.path().begin(), planner_.path().end());
     return;
   }
@@ -50,14 +57,15 @@ void Bezier::replan(const NavigationScene& scene) {
 }
 
 bool Bezier::findCurve(const NavigationScene& scene) {
-  if (planner_.plan(scene, bodies_, tangent_path_, params_.clearance)) return true;
-  for (double clearance : {params_.clearance / 2, kLeastClearance}) {
-    if (clearance >= params_.clearance || clearance < kLeastClearance) continue;
-    if (!planner_.plan(scene, bodies_, tangent_path_, clearance)) continue;
-    ++counts_.tight;
-    return true;
+  std::array<double, BezierPlanner::kMostClearances> clearances{};
+  std::size_t count = 0;
+  clearances[count++] = params_.clearance;
+  for (double less : {params_.clearance / 2, kLeastClearance}) {
+    if (less < clearances[count - 1] && less >= kLeastClearance) clearances[count++] = less;
   }
-  return false;
+  const auto kept = planner_.plan(scene, bodies_, tangent_path_, {clearances.data(), count});
+  if (kept && *kept > 0) ++counts_.tight;
+  return kept.has_value();
 }
 
 NavigatorInfo bezierInfo() {
@@ -70,6 +78,7 @@ NavigatorInfo bezierInfo() {
        flag("all_sides", &P::all_sides, "compare all choices of sides, not only the shortest path's"),
        number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "share by which other sides must be shorter"),
        number("horizon", &P::horizon, 0.0, 2.0, "s", "farthest look ahead at moving obstacles"),
+       number("yield", &P::yield, 0.0, 2.0, "s", "look ahead for slowing down before obstacles; 0 = never"),
        choice("replan", &P::replan, {"change", "tick"}, "when to plan again")});
 }
 

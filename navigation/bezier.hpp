@@ -17,6 +17,7 @@ class Bezier final : public Navigator {
     bool all_sides = false;   ///< see BezierPlannerParams
     double hysteresis = 0.03;
     double horizon = 0.5;  ///< [s] farthest look ahead at moving obstacles
+    double yield = 1.0;    ///< [s] look ahead of yieldSpeed
     Replan replan = Replan::kChange;
   };
   /// How the plans since the construction came out.
@@ -43,6 +44,7 @@ class Bezier final : public Navigator {
   std::vector<Vec2> path_;
   std::uint64_t revision_ = 0;
   bool blocked_ = false;
+  bool on_tangent_path_ = false;
   Counts counts_;
 };
 

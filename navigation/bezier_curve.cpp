@@ -44,6 +44,14 @@ void sampleBezier(std::span<const Vec2> control, BezierSamples& out) {
   }
 }
 
+Vec2 bezierPoint(std::span<const Vec2> control, std::size_t index) {
+  FULBITO_ASSERT(control.size() >= 2 && control.size() <= kBezierDegree + 1 && index < kBezierPoints);
+  const Weights& weights = kBernstein[control.size() - 1];
+  Vec2 point;
+  for (std::size_t i = 0; i < control.size(); ++i) point += control[i] * weights[i][index];
+  return point;
+}
+
 double polylineLength(std::span<const Vec2> points) {
   double length = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);

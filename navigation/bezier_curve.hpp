@@ -8,12 +8,15 @@
 
 namespace fulbito {
 
-inline constexpr std::size_t kBezierDegree = 10;   ///< highest degree that can be sampled
+inline constexpr std::size_t kBezierDegree = 10;  ///< highest degree that can be sampled
 inline constexpr std::size_t kBezierPoints = 97;  ///< points of a sampled curve, at equal parameter steps
 using BezierSamples = std::array<Vec2, kBezierPoints>;
 
 /// Points of the Bezier curve with 2 ... kBezierDegree + 1 control points, at parameters 0, 1/96 ... 1.
 void sampleBezier(std::span<const Vec2> control, BezierSamples& out);
+
+/// The sample with index `index` alone.
+Vec2 bezierPoint(std::span<const Vec2> control, std::size_t index);
 
 /// Sum of the chords [m].
 double polylineLength(std::span<const Vec2> points);

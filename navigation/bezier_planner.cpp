@@ -13,8 +13,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::array<double, 12> kDistances = {0.040, 0.064, 0.088, 0.112, 0.136, 0.160,
                                                0.200, 0.240, 0.290, 0.350, 0.420, 0.480};
 constexpr std::array<double, 3> kLeads = {0.10, 0.20, 0.35};  // [m] of the point behind the goal
+constexpr double kSettled = 0.02;                             // [m] before the goal
 constexpr double kMomentum = 0.08;                            // [s] of motion that the curve starts along
 constexpr double kInMotion = 0.15;                            // [m/s]
+constexpr std::size_t kCoarse = 8;  // samples between the points that are looked at before a whole curve
 constexpr std::size_t kReserved = 64;
 
 /// The smallest disc round two discs.
@@ -32,6 +34,19 @@ double squaredDistanceToLine(Vec2 from, Vec2 to, Vec2 p) {
   return squaredNorm(from + (to - from) * part - p);
 }
 
+/// Whether the last stretch has the arrival heading within half of its tolerance. A curve that reaches it at
+/// the very end only is one that a robot with its lag misses.
+bool arrivesAlong(std::span<const Vec2> path, const NavigationGoal& goal) {
+  const Vec2 along = math::unit(*goal.heading);
+  const double least = math::cos(goal.heading_tolerance / 2);
+  for (std::size_t i = path.size() - 1; i > 0; --i) {
+    if (distance(path[i], goal.position) > kSettled) return true;
+    const Vec2 step = path[i] - path[i - 1];
+    if (dot(step, along) < least * norm(step)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 BezierPlanner::BezierPlanner(BezierPlannerParams params) : params_(params) {
@@ -39,31 +54,39 @@ BezierPlanner::BezierPlanner(BezierPlannerParams params) : params_(params) {
   groups_.reserve(kReserved);
 }
 
-bool BezierPlanner::plan(const NavigationScene& scene, std::span<const Circle> bodies,
-                         const TangentPath& shortest, double clearance) {
+std::optional<std::size_t> BezierPlanner::plan(const NavigationScene& scene, std::span<const Circle> bodies,
+                                               const TangentPath& shortest,
+                                               std::span<const double> clearances) {
   const Vec2 robot = scene.self.pose.position, goal = scene.goal.position;
   const double radius = scene.robot->circumradius();
-  guard_.prepare(robot, goal, bodies, radius + clearance, *scene.field, radius);
+  open_levels_ = std::min(clearances.size(), kMostClearances);
+  for (std::size_t i = 0; i < open_levels_; ++i) {
+    levels_[i].guard.prepare(robot, goal, bodies, radius, clearances[i], *scene.field);
+    levels_[i].length = levels_[i].to_beat = kInfinity;
+  }
   selectObstacles(robot, goal, bodies, params_.alpha, selected_);
-  for (;;) {
+  do {
     group(scene, bodies, shortest);
-    best_length_ = to_beat_ = kInfinity;
     trySides(scene, 0);
-    if (params_.all_sides || best_length_ == kInfinity) {
-      to_beat_ = best_length_ * (1.0 - params_.hysteresis);
+    if (params_.all_sides || levels_[0].length == kInfinity) {
+      for (Level& level : levels_) level.to_beat = level.length * (1.0 - params_.hysteresis);
       for (std::uint32_t flips = 1; flips < 1U << groups_.size(); ++flips) trySides(scene, flips);
     }
-    if (best_length_ < kInfinity) return true;
-    if (!addNearest(scene, bodies)) return false;
-  }
+  } while (levels_[0].length == kInfinity && addNearest(scene, bodies));
+  chosen_ = open_levels_ - 1;
+  if (levels_[chosen_].length == kInfinity) return {};
+  return chosen_;
 }
 
 void BezierPlanner::group(const NavigationScene& scene, std::span<const Circle> bodies,
                           const TangentPath& shortest) {
   groups_.clear();
-  for (std::size_t i : selected_) groups_.push_back({bodies[i], 1});
+  for (std::size_t i : selected_) groups_.push_back({bodies[i], {}});
   while (groups_.size() > kMostGroups) joinNearest();
-  for (Group& g : groups_) g.seed = seededSide(scene, shortest, g.disc.centre);
+  for (Group& g : groups_) {
+    const Vec2 across = acrossLine(scene.self.pose.position, g.disc.centre);
+    g.seed = seededSide(scene, shortest, g.disc.centre) > 0 ? across : -across;
+  }
 }
 
 void BezierPlanner::joinNearest() {
@@ -121,20 +144,25 @@ void BezierPlanner::trySides(const NavigationScene& scene, std::uint32_t flips) 
     control[count++] = robot;
     if (speed > kInMotion) control[count++] = robot + ahead * (speed * kMomentum);
     for (std::size_t i = 0; i < groups_.size(); ++i) {
-      const int side = (flips >> i & 1U) != 0 ? -groups_[i].seed : groups_[i].seed;
-      control[count++] = controlPoint(robot, groups_[i].disc.centre, side, tbp);
+      const double side = (flips >> i & 1U) != 0 ? -tbp : tbp;
+      control[count++] = groups_[i].disc.centre + groups_[i].seed * side;
     }
-    if (scene.goal.heading) {
-      for (double lead : kLeads) {
-        const std::size_t all = addArrival(scene, lead, control, count);
-        tryCurve({control.data(), all});
-      }
-    } else {
-      control[count++] = scene.goal.position;
-      tryCurve({control.data(), count});
-    }
-    if (groups_.empty()) break;
+    // The points of the curve move outward in proportion to the distance: once outside, they stay there.
+    if (!tryEnds(scene, control, count) || groups_.empty()) break;
   }
+}
+
+bool BezierPlanner::tryEnds(const NavigationScene& scene, std::span<Vec2> control, std::size_t count) {
+  if (!scene.goal.heading) {
+    control[count++] = scene.goal.position;
+    return tryCurve(scene, control.first(count));
+  }
+  bool inside = false;
+  for (double lead : kLeads) {
+    const std::size_t all = addArrival(scene, lead, control, count);
+    inside = tryCurve(scene, control.first(all)) || inside;
+  }
+  return inside;
 }
 
 std::size_t BezierPlanner::addArrival(const NavigationScene& scene, double lead, std::span<Vec2> control,
@@ -153,14 +181,34 @@ std::size_t BezierPlanner::addArrival(const NavigationScene& scene, double lead,
   return count;
 }
 
-void BezierPlanner::tryCurve(std::span<const Vec2> control) {
+bool BezierPlanner::tryCurve(const NavigationScene& scene, std::span<const Vec2> control) {
+  // A few points tell of most curves that they collide, leave the field or are too long: their chords are
+  // shorter than the curve.
+  const PathGuard& loosest = levels_[open_levels_ - 1].guard;
+  std::array<Vec2, kBezierPoints / kCoarse + 1> points;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = bezierPoint(control, i * kCoarse);
+    if (!loosest.clearAt(points[i])) return true;
+  }
+  if (!loosest.insideWalls(points)) return false;
+  if (polylineLength(points) < levels_[0].to_beat) keepIfBest(scene, control);
+  return true;
+}
+
+void BezierPlanner::keepIfBest(const NavigationScene& scene, std::span<const Vec2> control) {
   sampleBezier(control, trial_);
+  if (scene.goal.heading && !arrivesAlong(trial_, scene.goal)) return;
   const double length = polylineLength(trial_);
-  if (!(length < to_beat_)) return;
-  if (!guard_.insideWalls(control) && !guard_.insideWalls(trial_)) return;
-  if (!guard_.clear(trial_)) return;
-  best_length_ = to_beat_ = length;
-  best_path_ = trial_;
+  for (std::size_t i = 0; i < open_levels_; ++i) {
+    Level& level = levels_[i];
+    if (!(length < level.to_beat)) return;
+    if (!level.guard.clear(trial_)) continue;
+    if (!level.guard.insideWalls(control) && !level.guard.insideWalls(trial_)) return;
+    level.length = level.to_beat = length;
+    level.path = trial_;
+    open_levels_ = i + 1;
+    return;
+  }
 }
 
 }  // namespace fulbito

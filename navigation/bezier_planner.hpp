@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +24,8 @@ struct BezierPlannerParams {
 ///
 /// Of the curves round the obstacles on the line, with control points 4 ... 48 cm away, it keeps those that
 /// are clear of all obstacles and walls and takes the shortest. The sides on which the shortest path
-/// (`TangentPath`) passes are tried first, the other choices only where those give no curve. If none does, the
-/// obstacle nearest to the line joins the selection, up to four; more than four on the line are joined to
+/// (`TangentPath`) passes are tried first, the other choices only where those give no curve. If none does,
+/// the obstacle nearest to the line joins the selection, up to four; more than four on the line are joined to
 /// clusters first, nearest neighbours first.
 ///
 /// Completions: a robot in motion gets a control point ahead of it, so that the curve starts along its
@@ -32,20 +34,32 @@ struct BezierPlannerParams {
 class BezierPlanner {
  public:
   explicit BezierPlanner(BezierPlannerParams params = {});
-  /// Plans from the robot's place. False when no curve is free.
-  /// @param bodies     obstacles without inflation
-  /// @param shortest   planned on the same scene; gives the sides
-  /// @param clearance  [m] beside the robot's circumscribed circle
-  bool plan(const NavigationScene& scene, std::span<const Circle> bodies, const TangentPath& shortest,
-            double clearance);
-  const BezierSamples& path() const { return best_path_; }
-  double length() const { return best_length_; }  ///< [m]
+  static constexpr std::size_t kMostClearances = 3;
+
+  /// Plans from the robot's place. The result is the index of the clearance that the curve keeps, or nothing
+  /// when no curve is free.
+  /// @param bodies      obstacles without inflation
+  /// @param shortest    planned on the same scene; gives the sides
+  /// @param clearances  [m] beside the robot's circumscribed circle, the wanted one first, then what will do
+  ///                    where no selection of obstacles gives a curve; at most kMostClearances
+  std::optional<std::size_t> plan(const NavigationScene& scene, std::span<const Circle> bodies,
+                                  const TangentPath& shortest, std::span<const double> clearances);
+  const BezierSamples& path() const { return levels_[chosen_].path; }
+  double length() const { return levels_[chosen_].length; }  ///< [m]
 
  private:
   static constexpr std::size_t kMostGroups = 4;
   struct Group {
     Circle disc;
-    int seed = 1;  ///< side of the control point: +1 left of the obstacle
+    Vec2 seed;  ///< unit vector to the side on which the shortest path passes
+  };
+
+  /// The best curve for one clearance.
+  struct Level {
+    PathGuard guard;
+    BezierSamples path{};
+    double length = 0.0;
+    double to_beat = 0.0;
   };
 
   void group(const NavigationScene& scene, std::span<const Circle> bodies, const TangentPath& shortest);
@@ -53,18 +67,20 @@ class BezierPlanner {
   bool addNearest(const NavigationScene& scene, std::span<const Circle> bodies);
   int seededSide(const NavigationScene& scene, const TangentPath& shortest, Vec2 centre) const;
   void trySides(const NavigationScene& scene, std::uint32_t flips);
-  void tryCurve(std::span<const Vec2> control);
+  /// False when the curve is free but leaves the field.
+  bool tryCurve(const NavigationScene& scene, std::span<const Vec2> control);
+  bool tryEnds(const NavigationScene& scene, std::span<Vec2> control, std::size_t count);
+  void keepIfBest(const NavigationScene& scene, std::span<const Vec2> control);
   std::size_t addArrival(const NavigationScene& scene, double lead, std::span<Vec2> control,
                          std::size_t count) const;
 
   BezierPlannerParams params_;
-  PathGuard guard_;
+  std::array<Level, kMostClearances> levels_;
+  std::size_t open_levels_ = 1;  ///< levels worth looking at: the first that has a curve and those before
+  std::size_t chosen_ = 0;
   std::vector<std::size_t> selected_;
   std::vector<Group> groups_;
   BezierSamples trial_{};
-  BezierSamples best_path_{};
-  double best_length_ = 0.0;
-  double to_beat_ = 0.0;
 };
 
 }  // namespace fulbito

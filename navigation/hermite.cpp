@@ -5,19 +5,21 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "navigation/yield_speed.hpp"
 
 namespace fulbito {
 namespace {
 
 constexpr double kSpacing = 0.01;  // [m]
 constexpr std::size_t kReservedPoints = 1024, kReservedJoints = 34;
+constexpr double kMostPieces = 2000.0;
 constexpr double kInMotion = 0.15;  // [m/s] above which a curve starts along the motion
 constexpr std::array<double, 6> kExtras = {0.0, 0.004, 0.008, 0.014, 0.024, 0.040};  // [m]
 
 }  // namespace
 
 void appendHermite(Vec2 a, Vec2 da, Vec2 b, Vec2 db, double spacing, std::vector<Vec2>& out) {
-  const double pieces = std::max(8.0, std::ceil(distance(a, b) / spacing));
+  const double pieces = std::clamp(std::floor(distance(a, b) / spacing) + 1.0, 8.0, kMostPieces);
   for (double i = 1.0; i < pieces; i += 1.0) {
     const double t = i / pieces, s = 1.0 - t;
     out.push_back(a * (s * s * (1.0 + 2.0 * t)) + da * (s * s * t) + b * (t * t * (1.0 + 2.0 * s)) -
@@ -35,7 +37,7 @@ Hermite::Hermite(Params params)
 void Hermite::reset() {
   tangent_path_.reset();
   monitor_.reset();
-  blocked_ = false;
+  blocked_ = on_tangent_path_ = false;
 }
 
 Guidance Hermite::plan(const NavigationScene& scene) {
@@ -50,24 +52,25 @@ Guidance Hermite::plan(const NavigationScene& scene) {
   guidance.path = path_;
   guidance.revision = revision_;
   guidance.stuck = blocked_;
-  if (blocked_) guidance.speed_cap = 0.0;
+  guidance.speed_cap = yieldSpeed(scene, path_, params_.yield);
+  if (on_tangent_path_) guidance.speed_cap = std::min(guidance.speed_cap, tangent_path_.speedCap(scene));
   return guidance;
 }
 
 void Hermite::replan(const NavigationScene& scene) {
   ++counts_.plans;
-  const double radius = scene.robot->circumradius();
-  guard_.prepare(scene.self.pose.position, scene.goal.position, bodies_, radius + params_.clearance,
-                 *scene.field, radius);
+  blocked_ = on_tangent_path_ = false;
+  guard_.prepare(scene.self.pose.position, scene.goal.position, bodies_, scene.robot->circumradius(),
+                 params_.clearance, *scene.field);
   for (double extra : kExtras) {
     const auto outcome = tangent_path_.plan(scene, bodies_, extra);
-    // Wider circles have closed the way, or it was narrow from the start.
-    if (outcome == TangentPath::Outcome::kNone || outcome == TangentPath::Outcome::kTight) break;
+    // Anything else is a corner, or a way that is narrow or that wider circles have closed.
+    if (outcome != TangentPath::Outcome::kFound) break;
     placeJoints(scene);
     drawCurve();
-    blocked_ = false;
     if (guard_.clear(path_) && guard_.insideWalls(path_)) return;
   }
+  on_tangent_path_ = true;
   blocked_ = tangent_path_.plan(scene, bodies_) == TangentPath::Outcome::kNone;
   ++(blocked_ ? counts_.blocked : counts_.tangent);
   tangent_path_.sample(kSpacing, path_);
@@ -95,8 +98,8 @@ void Hermite::placeJoints(const NavigationScene& scene) {
   // A free end takes the direction that makes the curvature vanish there, or nearly so.
   const Vec2 out = unitOr(second.place - first.place, facing), in = unitOr(last.place - before.place, facing);
   first.direction = moves ? facing : unitOr(out * 3.0 - second.direction, out);
-  last.direction = scene.goal.heading ? math::unit(*scene.goal.heading)
-                                      : unitOr(in * 3.0 - before.direction, in);
+  last.direction =
+      scene.goal.heading ? math::unit(*scene.goal.heading) : unitOr(in * 3.0 - before.direction, in);
 }
 
 void Hermite::drawCurve() {
@@ -118,6 +121,7 @@ NavigatorInfo hermiteInfo() {
        number("tension", &P::tension, 0.1, 2.0, "", "length of the joints' derivatives over the chord"),
        number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "share of the way that another side must save"),
        number("horizon", &P::horizon, 0.0, 2.0, "s", "farthest look ahead at moving obstacles"),
+       number("yield", &P::yield, 0.0, 2.0, "s", "look ahead for slowing down before obstacles; 0 = never"),
        choice("replan", &P::replan, {"change", "tick"}, "when to plan again")});
 }
 

@@ -7,7 +7,7 @@
 namespace fulbito {
 
 /// Appends the cubic Hermite curve from `a` to `b` with derivatives `da` and `db` [m per unit parameter],
-/// without its first point, in pieces of about `spacing` [m] but at least eight.
+/// without its first point, in pieces of about `spacing` [m], 8 to 2000 of them.
 void appendHermite(Vec2 a, Vec2 da, Vec2 b, Vec2 db, double spacing, std::vector<Vec2>& out);
 
 /// Drives cubic Hermite segments (named by paper 004 as future work) through the shortest path's bends: one
@@ -21,6 +21,7 @@ class Hermite final : public Navigator {
     double tension = 1.0;     ///< of the joints: length of a derivative over the chord
     double hysteresis = 0.03;
     double horizon = 0.5;  ///< [s] farthest look ahead at moving obstacles
+    double yield = 1.0;    ///< [s] look ahead of yieldSpeed
     Replan replan = Replan::kChange;
   };
   /// How the plans since the construction came out.
@@ -52,6 +53,7 @@ class Hermite final : public Navigator {
   std::vector<Vec2> path_;
   std::uint64_t revision_ = 0;
   bool blocked_ = false;
+  bool on_tangent_path_ = false;
   Counts counts_;
 };
 

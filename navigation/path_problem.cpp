@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kTouch = 1e-9;       // [m]
 constexpr double kEndReach = 0.10;    // [m] around an end where its own wall distance is the margin
+constexpr double kGiveWay = 0.01;     // [m] of clearance given up for an end that has less than wanted
 constexpr double kPlanShare = 0.8;    // of the top speed that a robot keeps on average
 constexpr double kRestSpeed = 0.005;  // [m/s] slower obstacles are at rest
 
@@ -39,18 +40,21 @@ void predictObstacles(const NavigationScene& scene, double horizon, std::vector<
   }
 }
 
-void PathGuard::prepare(Vec2 start, Vec2 goal, std::span<const Circle> bodies, double inflation,
-                        const FieldGeometry& field, double wall_margin) {
+void PathGuard::prepare(Vec2 start, Vec2 goal, std::span<const Circle> bodies, double robot_radius,
+                        double clearance, const FieldGeometry& field) {
   start_ = start;
   goal_ = goal;
   field_ = &field;
-  wall_margin_ = wall_margin;
-  start_margin_ = std::min(wall_margin, wallClearance(field, start)) - kTouch;
-  goal_margin_ = std::min(wall_margin, wallClearance(field, goal)) - kTouch;
+  wall_margin_ = robot_radius;
+  start_margin_ = std::min(wall_margin_, wallClearance(field, start)) - kTouch;
+  goal_margin_ = std::min(wall_margin_, wallClearance(field, goal)) - kTouch;
   discs_.clear();
   for (const Circle& body : bodies) {
     const double room = std::min(distance(body.centre, start), distance(body.centre, goal)) - kTouch;
-    discs_.push_back({body.centre, std::max(0.0, std::min(body.radius + inflation, room))});
+    const double hard = body.radius + robot_radius;
+    double radius = hard + clearance;
+    if (room < radius) radius = std::min(room, std::max(hard, room - kGiveWay));
+    discs_.push_back({body.centre, std::max(0.0, radius)});
   }
 }
 
@@ -64,6 +68,12 @@ double PathGuard::margin(Vec2 p) const {
 bool PathGuard::insideWalls(std::span<const Vec2> points) const {
   return std::all_of(points.begin(), points.end(),
                      [this](Vec2 p) { return wallClearance(*field_, p) >= margin(p); });
+}
+
+bool PathGuard::clearAt(Vec2 p) const {
+  return std::none_of(discs_.begin(), discs_.end(), [p](const Circle& disc) {
+    return squaredNorm(p - disc.centre) < disc.radius * disc.radius;
+  });
 }
 
 bool PathGuard::clear(std::span<const Vec2> path) const {

@@ -16,22 +16,25 @@ double meetingTime(const DiscObstacle& obstacle, Vec2 robot, double speed, doubl
 /// rest stays where it is.
 void predictObstacles(const NavigationScene& scene, double horizon, std::vector<Circle>& out);
 
-/// Whether a polyline keeps out of discs and walls. A disc that holds the first or last point is shrunk to
-/// have it on its edge, as `TangentGraph` does; near an end that is closer to a wall than the margin, the
-/// margin is that end's distance.
+/// Whether a polyline keeps out of discs and walls.
+///
+/// Near its ends it may have to come closer than wanted: where the start or the goal is within the clearance
+/// of a disc, up to 1 cm of clearance more is given up there, but not the robot's circumscribed circle; a
+/// disc that holds the point even so is shrunk until the point is on its edge. Within 10 cm of an end that is
+/// closer to a wall than the margin, the margin is that end's distance.
 class PathGuard {
  public:
-  /// @param bodies       obstacles without inflation
-  /// @param inflation    [m] the robot's radius and the clearance wanted
-  /// @param wall_margin  [m]
-  void prepare(Vec2 start, Vec2 goal, std::span<const Circle> bodies, double inflation,
-               const FieldGeometry& field, double wall_margin);
+  /// @param bodies        obstacles without inflation
+  /// @param robot_radius  [m] circumscribed circle, also kept from the walls
+  /// @param clearance     [m] wanted between that circle and the obstacles
+  void prepare(Vec2 start, Vec2 goal, std::span<const Circle> bodies, double robot_radius, double clearance,
+               const FieldGeometry& field);
   bool clear(std::span<const Vec2> path) const;
+  /// Whether a point is outside of all discs.
+  bool clearAt(Vec2 p) const;
   /// Whether every point keeps the margin to the walls. True of a set of control points, it is true of their
   /// Bezier curve.
   bool insideWalls(std::span<const Vec2> points) const;
-  /// The discs as they are tested.
-  std::span<const Circle> discs() const { return discs_; }
 
  private:
   double margin(Vec2 p) const;

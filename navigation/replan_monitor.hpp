@@ -17,6 +17,7 @@ enum class Replan {
 
 /// Tells a path navigator when its path is out of date: an obstacle appeared, left or is expected more than
 /// 2 mm from where it was planned with, the goal changed, or the robot is more than 2 cm off the path.
+/// Obstacles are told apart by their order in the scene.
 class ReplanMonitor {
  public:
   void reset() { known_ = false; }

@@ -1,5 +1,9 @@
 #include "navigation/tangent_graph.hpp"
 
+#include <algorithm>
+
+#include "navigation/yield_speed.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -10,9 +14,10 @@ constexpr std::size_t kReservedPoints = 1024;
 
 TangentGraphNavigator::TangentGraphNavigator(Params params)
     : params_(params),
-      tangent_path_(
-          {.margin = params.margin, .hysteresis = params.hysteresis, .approach = params.approach,
-           .bend = params.bend}) {
+      tangent_path_({.margin = params.margin,
+                     .hysteresis = params.hysteresis,
+                     .approach = params.approach,
+                     .bend = params.bend}) {
   path_.reserve(kReservedPoints);
 }
 
@@ -35,7 +40,8 @@ Guidance TangentGraphNavigator::plan(const NavigationScene& scene) {
   guidance.path = path_;
   guidance.revision = revision_;
   guidance.stuck = blocked_;
-  if (blocked_) guidance.speed_cap = 0.0;
+  guidance.speed_cap = yieldSpeed(scene, path_, params_.yield);
+  guidance.speed_cap = std::min(guidance.speed_cap, tangent_path_.speedCap(scene));
   return guidance;
 }
 
@@ -49,6 +55,7 @@ NavigatorInfo tangentGraphInfo() {
        number("approach", &P::approach, 0.0, 0.5, "m", "straight before a goal with an arrival heading"),
        number("bend", &P::bend, 0.01, 0.5, "m", "radius of the turn onto that straight"),
        number("horizon", &P::horizon, 0.0, 2.0, "s", "farthest look ahead at moving obstacles"),
+       number("yield", &P::yield, 0.0, 2.0, "s", "look ahead for slowing down before obstacles; 0 = never"),
        choice("replan", &P::replan, {"change", "tick"}, "when to plan again")});
 }
 

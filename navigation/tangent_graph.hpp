@@ -12,11 +12,12 @@ namespace fulbito {
 class TangentGraphNavigator final : public Navigator {
  public:
   struct Params {
-    double margin = 0.005;      ///< [m], see TangentPathParams
-    double hysteresis = 0.03;   ///< see TangentPathParams
-    double approach = 0.08;     ///< [m], see TangentPathParams
-    double bend = 0.06;         ///< [m], see TangentPathParams
-    double horizon = 0.5;       ///< [s] farthest look ahead at moving obstacles
+    double margin = 0.005;     ///< [m], see TangentPathParams
+    double hysteresis = 0.03;  ///< see TangentPathParams
+    double approach = 0.08;    ///< [m], see TangentPathParams
+    double bend = 0.06;        ///< [m], see TangentPathParams
+    double horizon = 0.5;      ///< [s] farthest look ahead at moving obstacles
+    double yield = 1.0;        ///< [s] look ahead of yieldSpeed
     Replan replan = Replan::kChange;
   };
   explicit TangentGraphNavigator(Params params);

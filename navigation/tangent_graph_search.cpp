@@ -12,6 +12,7 @@ namespace {
 constexpr double kTouch = 1e-9;  // [m] by which a path may enter a disc that it touches
 constexpr double kTurn = 2.0 * math::kPi;
 constexpr double kSameAngle = 1e-9;  // [rad] arcs this short of a whole turn are rounding
+constexpr double kMostPieces = 2000.0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
@@ -25,6 +26,11 @@ double sweepBetween(double from, double to, double side) {
 }
 
 double sideOf(double signed_radius) { return signed_radius < 0.0 ? -1.0 : 1.0; }
+
+/// Pieces of at most `spacing` that a stretch is cut into; bounded, as a goal may be anywhere.
+double pieceCount(double length, double spacing) {
+  return std::min(std::floor(length / spacing) + 1.0, kMostPieces);
+}
 
 bool later(double estimate_a, std::uint32_t id_a, double estimate_b, std::uint32_t id_b) {
   return estimate_a != estimate_b ? estimate_a > estimate_b : id_a > id_b;
@@ -266,7 +272,7 @@ void TangentGraph::sample(double spacing, std::vector<Vec2>& out) const {
   if (!(length_ < kInfinity)) return;
   const auto straight = [&](Vec2 to) {
     const Vec2 from = out.back();
-    const double pieces = std::max(1.0, std::ceil(distance(from, to) / spacing));
+    const double pieces = pieceCount(distance(from, to), spacing);
     for (double i = 1.0; i < pieces; i += 1.0) out.push_back(from + (to - from) * (i / pieces));
     out.push_back(to);
   };
@@ -274,7 +280,7 @@ void TangentGraph::sample(double spacing, std::vector<Vec2>& out) const {
   for (const CirclePass& pass : passes_) {
     straight(pass.entry);
     const Vec2 centre = ports_[2 * pass.circle].centre;
-    const double pieces = std::max(1.0, std::ceil(pass.radius * pass.sweep / spacing));
+    const double pieces = pieceCount(pass.radius * pass.sweep, spacing);
     const math::SinCos step = math::sinCos(static_cast<double>(pass.side) * pass.sweep / pieces);
     Vec2 spoke = pass.entry - centre;
     for (double i = 1.0; i < pieces; i += 1.0) {

@@ -53,7 +53,7 @@ class TangentGraph {
   /// The circles that the path bends around, in order; empty for a straight path.
   std::span<const CirclePass> passes() const { return passes_; }
   /// The path as points at most `spacing` [m] apart, from the start to the goal; arcs have their points on
-  /// the circle. Empty when there was no path.
+  /// the circle. At most 2000 points a tangent or arc; empty when there was no path.
   void sample(double spacing, std::vector<Vec2>& out) const;
 
  private:
