@@ -1,6 +1,6 @@
 #pragma once
 
-#include "navigation/circles.hpp"
+#include "navigation/clustered_circles.hpp"
 #include "navigation/parameters.hpp"
 
 namespace fulbito {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "navigation/circles.hpp"
+#include "navigation/clustered_circles.hpp"
 #include "navigation/goal_field.hpp"
 
 namespace fulbito {

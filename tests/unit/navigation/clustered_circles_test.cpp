@@ -1,4 +1,4 @@
-#include "navigation/circles.hpp"
+#include "navigation/clustered_circles.hpp"
 
 #include "engine/core/math.hpp"
 #include "tests/support/catch.hpp"
