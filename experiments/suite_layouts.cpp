@@ -176,19 +176,24 @@ Layout shortLayout(std::uint64_t seed, std::uint64_t index) {
 
 Layout closeRangeLayout(std::uint64_t seed, std::uint64_t index) {
   Rng rng(seed, Stream::kLayout, index + (std::uint64_t{7} << 32));
-  Layout layout = named("close-range", index);
-  const Vec2 diagonal = unitOr(kGoal - kStart, {});
   for (;;) {
-    layout.obstacles = fourBalls(rng);
-    const double half = rng.uniform(0.58, 0.72) / 2;
-    layout.start.position = -diagonal * half;
-    layout.goal = diagonal * half;
-    const bool free = gapTo(layout.obstacles, layout.start.position) >= kRobotRadius + 0.005 &&
-                      gapTo(layout.obstacles, layout.goal) >= kRobotRadius + 0.005;
-    if (free && ballsNearLine(layout) >= 2) break;
+    Layout layout = drawCorner(rng, "close-range", index);
+    const double scale = rng.uniform(0.58, 0.72) / distance(kStart, kGoal);
+    layout.start.position = kStart * scale;
+    layout.goal = kGoal * scale;
+    std::vector<ObstacleSpec> balls;
+    bool apart = true;
+    for (const ObstacleSpec& ball : layout.obstacles) {
+      const Vec2 position = ball.pose.position * scale;
+      apart = apart && gapTo(balls, position) >= kBall;
+      balls.push_back(disc(position, kBall));
+    }
+    layout.obstacles = std::move(balls);
+    if (apart && gapTo(layout.obstacles, layout.start.position) >= 0.15 - kBall &&
+        gapTo(layout.obstacles, layout.goal) >= 0.15 - kBall) {
+      return layout;
+    }
   }
-  headAtGoal(layout);
-  return layout;
 }
 
 Layout headingLayout(std::uint64_t seed, std::uint64_t index) {

@@ -86,11 +86,13 @@ void summarise(Comparison& comparison) {
   }
 }
 
-PairedDifference compareSafePairs(const Comparison& comparison, std::size_t block, std::size_t a, std::size_t b) {
+PairedDifference compareSafePairs(const Comparison& comparison, std::size_t block, std::size_t a, std::size_t b,
+                                  double hung) {
   const auto first = recordsOf(comparison, block, a), second = recordsOf(comparison, block, b);
   std::vector<double> length_a, length_b, time_a, time_b;
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (!first[i].score.success() || !second[i].score.success()) continue;
+    if (first[i].score.timeRatio() > hung || second[i].score.timeRatio() > hung) continue;
     length_a.push_back(first[i].score.length);
     length_b.push_back(second[i].score.length);
     time_a.push_back(first[i].score.time);

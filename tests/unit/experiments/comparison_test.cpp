@@ -90,7 +90,7 @@ TEST_CASE("the paper's suite judges every claim of R4-a to R4-d", "[unit]") {
   const Comparison comparison = ran(config);
   std::string ids;
   for (const ReproductionRow& row : comparison.reproduction) {
-    ids += row.id + " ";
+    if (row.id.find(',') == std::string::npos) ids += row.id + " ";
     CHECK_FALSE(row.ours.empty());
     CHECK_FALSE(row.reason.empty());
   }
