@@ -128,7 +128,7 @@ Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<ch
   const CLI::App& command = used.empty() ? app : *used.front();
   const std::string name = used.empty() ? "" : command.get_name();
   std::string message = error.what();
-  if (error.get_name() == "ExtrasError") {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     std::vector<std::string> flags;
     for (const CLI::Option* option : command.get_options({})) flags.push_back(option->get_name());
     for (const std::string word : words) {

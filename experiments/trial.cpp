@@ -80,6 +80,16 @@ Result<void> check(const TrialConfig& config) {
   return {};
 }
 
+/// What `work` gives; how long it took [us] is appended to `durations` where there is a clock.
+template <typename Work>
+auto timed(const Clock& now, std::vector<double>& durations, const Work& work) {
+  if (!now) return work();
+  const std::int64_t begin = now();
+  auto value = work();
+  durations.push_back(static_cast<double>(now() - begin) * 1e-3);
+  return value;
+}
+
 }  // namespace
 
 void appendDiscs(const ObstacleSpec& spec, const ObstacleState& state, std::vector<DiscObstacle>& discs) {
@@ -125,9 +135,7 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock) {
     scene.tick = world->state().tick;
     scene.self = sensing.robot();
     scene.obstacles = sensing.obstacles();
-    const std::int64_t before = clock ? clock() : 0;
-    const WheelSpeeds wanted = (*pilot)->drive(scene);
-    if (clock) result.compute_us.push_back(static_cast<double>(clock() - before) * 1e-3);
+    const WheelSpeeds wanted = timed(clock, result.compute_us, [&] { return (*pilot)->drive(scene); });
     const WheelSpeeds command = roundedTo(wanted, config.physics.wheel_command_step);
     world->step({&command, 1});
     sensing.commanded(command);
