@@ -4,6 +4,7 @@
 
 #include "engine/core/suggest.hpp"
 #include "navigation/classic_follower.hpp"
+#include "navigation/nearness_diagram.hpp"
 #include "navigation/preview_follower.hpp"
 #include "navigation/straight.hpp"
 
@@ -14,6 +15,7 @@ const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
       straightInfo(),
+      nearnessDiagramInfo(),
   };
   return entries;
 }
