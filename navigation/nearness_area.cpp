@@ -89,9 +89,12 @@ WalkingArea findWalkingArea(const NearnessView& view) {
     to_goal.found = to_goal.goal_inside = true;
     return to_goal;
   }
-  const int goal_sector = view.circle->sectorOf(math::angleOf(view.goal));
+  const double bearing = math::angleOf(view.goal);
+  const int goal_sector = view.circle->sectorOf(bearing);
+  // Of two borders equally far from the goal's sector, the one on the goal's side of the bisector.
+  const int nearer = math::wrapAngle(bearing - view.circle->bearing(goal_sector)) >= 0.0 ? -1 : 1;
   for (int offset = 0; offset <= view.circle->count() / 2; ++offset) {
-    for (int side : {-1, 1}) {
+    for (int side : {nearer, -nearer}) {
       const int sector = goal_sector + side * offset;
       for (int inward : {side, -side}) {
         if (!opensInto(view, sector - inward, sector)) continue;

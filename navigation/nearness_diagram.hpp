@@ -14,7 +14,7 @@ struct NearnessDiagramParams {
   double security = 0.19;    ///< d_s [m] from the hull
   double gap_margin = 0.002; ///< [m] added to half the robot's width for R
   double margin = 0.01;      ///< [m] room of the emergency rules
-  double braking = 0.6;      ///< share of the wheel acceleration
+  double braking = 0.25;     ///< share of the wheel acceleration; more is unsafe above 1 m/s
   WideRegionRule wide_region = WideRegionRule::kCorner;
 };
 
