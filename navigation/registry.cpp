@@ -4,6 +4,7 @@
 
 #include "engine/core/suggest.hpp"
 #include "navigation/classic_follower.hpp"
+#include "navigation/dwa.hpp"
 #include "navigation/nearness_diagram.hpp"
 #include "navigation/preview_follower.hpp"
 #include "navigation/straight.hpp"
@@ -16,6 +17,7 @@ const std::vector<NavigatorInfo>& registry() {
   static const std::vector<NavigatorInfo> entries = {
       straightInfo(),
       nearnessDiagramInfo(),
+      dwaInfo(),
   };
   return entries;
 }
