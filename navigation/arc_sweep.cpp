@@ -81,18 +81,39 @@ double ArcSweep::contactOnChord(Vec2 from, Vec2 move, int chord) const {
   return share;
 }
 
-double ArcSweep::freeTime(Twist twist) const {
+double ArcSweep::freeTime(const RampedArc& arc) const {
   const double step = horizon_ / chords_;
-  const Pose2 first = poseOnArc(twist, step);
-  const math::SinCos turn = math::sinCos(twist.angular * step);
-  Vec2 at{}, move = first.position;
-  for (int chord = 0; chord < chords_; ++chord) {
-    const double share = contactOnChord(at, move, chord);
-    if (share <= 1.0) return (chord + share) * step;
-    at += move;
-    move = {turn.cos * move.x - turn.sin * move.y, turn.sin * move.x + turn.cos * move.y};
+  const int ramp = static_cast<int>(std::clamp(std::round(arc.ramp_time / step), 0.0, 1.0 * chords_));
+  Vec2 at{}, along{1.0, 0.0};
+  for (int chord = 0; chord < chords_;) {
+    const bool ramping = chord < ramp;
+    const int end = ramping ? ramp : chords_;
+    const Twist twist = ramping ? arc.ramp : arc.cruise;
+    const Vec2 first = poseOnArc(twist, step).position;
+    const math::SinCos turn = math::sinCos(twist.angular * step);
+    for (; chord < end; ++chord) {
+      const Vec2 move = along * first.x + perp(along) * first.y;
+      const double share = contactOnChord(at, move, chord);
+      if (share <= 1.0) return (chord + share) * step;
+      at += move;
+      along = along * turn.cos + perp(along) * turn.sin;
+    }
   }
   return horizon_;
+}
+
+Pose2 RampedArc::poseAt(double time) const {
+  const Pose2 first = poseOnArc(ramp, std::min(time, ramp_time));
+  if (time <= ramp_time) return first;
+  const Pose2 second = poseOnArc(cruise, time - ramp_time);
+  const Vec2 ux = math::unit(first.heading);
+  return {first.position + ux * second.position.x + perp(ux) * second.position.y,
+          math::wrapAngle(first.heading + second.heading)};
+}
+
+double RampedArc::lengthAt(double time) const {
+  return std::abs(ramp.linear) * std::min(time, ramp_time) +
+         std::abs(cruise.linear) * std::max(0.0, time - ramp_time);
 }
 
 Pose2 poseOnArc(Twist twist, double time) {

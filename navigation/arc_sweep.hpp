@@ -6,6 +6,19 @@
 
 namespace fulbito {
 
+/// A drive in two arcs: `ramp` for the first `ramp_time` [s], then `cruise`. The twist of a robot that
+/// changes evenly from one to another is on average their mean, so the ramp stands for the change.
+struct RampedArc {
+  Twist ramp;
+  double ramp_time = 0.0;
+  Twist cruise;
+
+  /// Where it takes a robot that starts at the origin along x, after `time` [s].
+  Pose2 poseAt(double time) const;
+  /// Way driven [m] after `time` [s].
+  double lengthAt(double time) const;
+};
+
 /// How long a robot can drive an arc before it meets something.
 ///
 /// The robot is a disc of its circumscribed circle plus a margin. Walls are those of the playing rectangle
@@ -18,8 +31,9 @@ class ArcSweep {
   explicit ArcSweep(double horizon = 1.0, int chords = 20);
   /// Takes over what can be met within the horizon at up to `top_speed` [m/s].
   void look(const NavigationScene& scene, double margin, double top_speed);
-  /// Time [s] until the first contact when the robot drives `twist` from now on; the horizon if there is none.
-  double freeTime(Twist twist) const;
+  /// Time [s] until the first contact when the robot drives `arc` from now on; the horizon if there is none.
+  /// The ramp is rounded to whole chords.
+  double freeTime(const RampedArc& arc) const;
   double horizon() const { return horizon_; }
 
  private:

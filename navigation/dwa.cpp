@@ -18,11 +18,21 @@ double sample(double low, double high, int index, int count) {
 
 }  // namespace
 
+double Dwa::rimChange(const NavigationScene& scene, const Window& window, Twist twist) {
+  return std::abs(twist.linear - window.now.linear) +
+         std::abs(twist.angular - window.now.angular) * scene.robot->axle_track / 2;
+}
+
 Guidance Dwa::plan(const NavigationScene& scene) {
   const Window window = windowOf(scene);
   sweep_.look(scene, params_.margin, scene.robot->maxSpeed());
   const Twist wanted = choose(scene, window);
-  const Twist limited = limitTwist(*scene.robot, window.now, wanted, scene.dt);
+  // Speed and yaw rate change together, as the ramp of the sweep has it; yaw first would put off braking.
+  const double budget = scene.robot->wheel_acceleration * scene.dt;
+  const double share = budget / std::max(budget, rimChange(scene, window, wanted));
+  const Twist next{window.now.linear + share * (wanted.linear - window.now.linear),
+                   window.now.angular + share * (wanted.angular - window.now.angular)};
+  const Twist limited = limitTwist(*scene.robot, window.now, next, scene.dt);
   Guidance guidance;
   guidance.kind = GuidanceKind::kWheels;
   guidance.wheels = saturate(*scene.robot, inverseKinematics(*scene.robot, limited));
@@ -71,30 +81,32 @@ Twist Dwa::choose(const NavigationScene& scene, const Window& window) const {
 bool Dwa::isReachable(const NavigationScene& scene, const Window& window, Twist twist) const {
   const RobotModel& robot = *scene.robot;
   const double half_track = robot.axle_track / 2, slack = 1e-9;
-  const double change = std::abs(twist.linear - window.now.linear) +
-                        std::abs(twist.angular - window.now.angular) * half_track;
   const double rim = twist.linear + std::abs(twist.angular) * half_track;
-  // The window's slowest speed stays open: what spins or slides too fast must be able to slow down.
-  const bool slowing = twist.linear <= std::abs(window.now.linear);
-  const bool grips = twist.linear * std::abs(twist.angular) <= 0.9 * robot.lateral_grip;
-  return change <= window.reach + slack && (slowing || (rim <= robot.maxSpeed() + slack && grips));
+  // What spins or slides too fast already must be able to calm down.
+  const bool calming =
+      twist.linear <= std::abs(window.now.linear) && std::abs(twist.angular) <= std::abs(window.now.angular);
+  const bool grips = twist.linear * std::abs(twist.angular) <= params_.grip * robot.lateral_grip;
+  return rimChange(scene, window, twist) <= window.reach + slack &&
+         (calming || (rim <= robot.maxSpeed() + slack && grips));
 }
 
 double Dwa::score(const NavigationScene& scene, const Window& window, Twist twist) const {
-  const double free_time = sweep_.freeTime(twist);
-  const double free_arc = twist.linear * free_time;
-  const double stopping =
-      twist.linear * scene.dt +
-      twist.linear * twist.linear / (2.0 * params_.braking * scene.robot->wheel_acceleration);
-  if (free_time < sweep_.horizon() && stopping > free_arc) return kRejected;
+  const Twist mean{(window.now.linear + twist.linear) / 2, (window.now.angular + twist.angular) / 2};
+  const double acceleration = scene.robot->wheel_acceleration;
+  const RampedArc arc{mean, rimChange(scene, window, twist) / acceleration, twist};
+  const double free_time = sweep_.freeTime(arc), free_arc = arc.lengthAt(free_time);
+  const double stopping = arc.lengthAt(arc.ramp_time) + twist.linear * scene.dt +
+                          twist.linear * twist.linear / (2.0 * params_.braking * acceleration);
+  if (free_time < sweep_.horizon() && twist.linear > 0.0 && stopping > free_arc) return kRejected;
 
-  const Pose2 then = poseOnArc(twist, std::min(params_.preview, free_time));
+  const Pose2 then = arc.poseAt(std::min(params_.preview, free_time));
+  // What lies beyond the goal is no reason to swerve.
+  const double clear_range = std::max(1e-3, std::min(params_.clear_range, norm(window.goal)));
   const Vec2 left = window.goal - then.position;
   const double error = math::wrapAngle(math::angleOf(left) - then.heading);
   const double possible = scene.robot->maxSpeed() * params_.preview;
-  const bool clear = free_time >= sweep_.horizon();
   return params_.heading * (1.0 - std::abs(error) / math::kPi) +
-         params_.clearance * (clear ? 1.0 : std::min(1.0, free_arc / params_.clear_range)) +
+         params_.clearance * std::min(1.0, free_arc / clear_range) +
          params_.velocity * twist.linear / scene.robot->maxSpeed() +
          params_.progress * (norm(window.goal) - norm(left)) / possible;
 }
@@ -111,6 +123,7 @@ NavigatorInfo dwaInfo() {
        number("margin", &P::margin, -0.02, 0.1, "m", "kept beside the circumscribed circle"),
        number("clear_range", &P::clear_range, 0.01, 5.0, "m", "free arc that counts as fully clear"),
        number("braking", &P::braking, 0.1, 1.0, "", "share of the wheel acceleration to stop with"),
+       number("grip", &P::grip, 0.1, 1.0, "", "share of the lateral grip that bends may take"),
        number("heading", &P::heading, 0.0, 10.0, "", "weight of pointing at the goal"),
        number("clearance", &P::clearance, 0.0, 10.0, "", "weight of a clear arc"),
        number("velocity", &P::velocity, 0.0, 10.0, "", "weight of speed"),

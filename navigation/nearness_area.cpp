@@ -46,15 +46,17 @@ bool isGoalReachable(const NearnessView& view) {
 
 }  // namespace
 
-bool isWide(const NearnessView& view, const WalkingArea& area) { return 4 * area.width > view.circle->count(); }
+bool isWide(const NearnessView& view, const WalkingArea& area) {
+  return 4 * area.width > view.circle->count();
+}
 
 double areaDirection(const NearnessView& view, const WalkingArea& area) {
   const double step = view.circle->step();
   double turn = step * (area.width - 1) / 2;  // to the middle of the area
   if (isWide(view, area)) {
     const bool by_corner = view.wide_rule == WideRegionRule::kCorner;
-    turn = std::min(turn, by_corner ? math::atan2(view.radius + view.security, norm(area.corner))
-                                    : math::kPi / 4);
+    turn = std::min(turn,
+                    by_corner ? math::atan2(view.radius + view.security, norm(area.corner)) : math::kPi / 4);
   }
   // Sector numbers grow clockwise, bearings counter-clockwise.
   return math::wrapAngle(view.circle->bearing(area.near_border) - area.inward * turn);

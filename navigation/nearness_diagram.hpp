@@ -9,12 +9,12 @@ namespace fulbito {
 
 /// Settings of the nearness diagram. Lengths are the paper's, scaled from its 22 cm robot to a 7.5 cm one.
 struct NearnessDiagramParams {
-  int sectors = 180;         ///< n
-  double range = 0.36;       ///< d_max [m] from the centre
-  double security = 0.19;    ///< d_s [m] from the hull
-  double gap_margin = 0.002; ///< [m] added to half the robot's width for R
-  double margin = 0.01;      ///< [m] room of the emergency rules
-  double braking = 0.25;     ///< share of the wheel acceleration; more is unsafe above 1 m/s
+  int sectors = 180;          ///< n
+  double range = 0.36;        ///< d_max [m] from the centre
+  double security = 0.19;     ///< d_s [m] from the hull
+  double gap_margin = 0.002;  ///< [m] added to half the robot's width for R
+  double margin = 0.01;       ///< [m] room of the emergency rules
+  double braking = 0.25;      ///< share of the wheel acceleration; more is unsafe above 1 m/s
   WideRegionRule wide_region = WideRegionRule::kCorner;
 };
 

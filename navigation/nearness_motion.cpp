@@ -102,8 +102,7 @@ NearnessMotion decideNearness(const NearnessView& view, const NearnessHull& hull
     const double horizon = area.goal_inside ? norm(view.goal) : std::numeric_limits<double>::infinity();
     const SecurityZone zone = securityZone(view, hull, wanted, horizon);
     motion.situation = situationOf(view, area, zone);
-    motion.direction =
-        std::clamp(directionIn(motion.situation, wanted, zone), -math::kPi / 2, math::kPi / 2);
+    motion.direction = std::clamp(directionIn(motion.situation, wanted, zone), -math::kPi / 2, math::kPi / 2);
     motion.speed_share = std::max(kSlowest, zone.nearest());
   }
   applyEmergency(view, hull, motion);

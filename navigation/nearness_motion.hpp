@@ -37,14 +37,15 @@ struct SecurityZone {
 /// What the diagram decides, robot frame.
 struct NearnessMotion {
   NearnessSituation situation = NearnessSituation::kStuck;
-  double direction = 0.0;     ///< [rad] within +-pi/2
-  double speed_share = 0.0;   ///< of the top speed: 1 in high safety, else what is free of d_s, at least 0.2
-  bool blocked = false;       ///< emergency: something is right in front, no driving
-  bool turn_cut = false;      ///< emergency: the turn was taken out, a rear corner would swing into something
+  double direction = 0.0;    ///< [rad] within +-pi/2
+  double speed_share = 0.0;  ///< of the top speed: 1 in high safety, else what is free of d_s, at least 0.2
+  bool blocked = false;      ///< emergency: something is right in front, no driving
+  bool turn_cut = false;     ///< emergency: the turn was taken out, a rear corner would swing into something
 };
 
 /// Security zone left and right of `direction` [rad]. Obstacle points as far as `horizon` [m] count.
-SecurityZone securityZone(const NearnessView& view, const NearnessHull& hull, double direction, double horizon);
+SecurityZone securityZone(const NearnessView& view, const NearnessHull& hull, double direction,
+                          double horizon);
 
 /// Direction [rad] in LS1 and LSGR: `wanted` weighted with the free share c of d_s, straight away from the
 /// nearest obstacle with 1 - c.

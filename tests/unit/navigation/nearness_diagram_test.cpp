@@ -81,7 +81,8 @@ TEST_CASE("HSNR: a narrow region is entered along its middle", "[unit]") {
   CHECK(motion.direction == Approx(20.0 * kDegree));
 }
 
-TEST_CASE("LS1: the way past an obstacle bends away from it by what it takes of the security zone", "[unit]") {
+TEST_CASE("LS1: the way past an obstacle bends away from it by what it takes of the security zone",
+          "[unit]") {
   // The ball covers +-7.7 degrees: sector 8 is the last that it touches, at its edge of 7 degrees.
   OpenFloor floor({{0.25, 0.0}});
   const NearnessMotion motion = floor.decide({0.6, 0.01});
@@ -236,7 +237,8 @@ TEST_CASE("survey of the nearness diagram on corner layouts", "[.][survey]") {
 TEST_CASE("braking shares of the nearness diagram on layouts apart from the survey's", "[.][tune]") {
   for (const char* braking : {"0.15", "0.2", "0.25", "0.3", "0.4", "0.6"}) {
     for (double speed : {1.0, 2.6}) {
-      const auto s = test::surveyCorners(std::string("nearness-diagram:braking=") + braking, speed, 5000, 200);
+      const auto s =
+          test::surveyCorners(std::string("nearness-diagram:braking=") + braking, speed, 5000, 200);
       std::printf("braking %s at %.1f m/s: safe %5.1f %%, T %.3f s\n", braking, speed, s.safe / 2.0, s.time);
     }
   }
