@@ -10,13 +10,14 @@ Pilot::Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> fol
 void Pilot::reset() {
   navigator_->reset();
   follower_->reset();
+  escape_.reset();
   guidance_ = {};
 }
 
 WheelSpeeds Pilot::drive(const NavigationScene& scene) {
   guidance_ = navigator_->plan(scene);
   if (guidance_.kind == GuidanceKind::kWheels) return saturate(*scene.robot, guidance_.wheels);
-  const Twist wanted = follower_->follow(guidance_, scene);
+  const Twist wanted = escape_.apply(scene, follower_->follow(guidance_, scene));
   const Twist limited = limitTwist(*scene.robot, bodyTwist(scene.self), wanted, scene.dt);
   return saturate(*scene.robot, inverseKinematics(*scene.robot, limited));
 }

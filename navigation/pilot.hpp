@@ -4,10 +4,12 @@
 
 #include "navigation/follower.hpp"
 #include "navigation/navigator.hpp"
+#include "navigation/wall_escape.hpp"
 
 namespace fulbito {
 
-/// One robot's navigation stage: navigator, follower, limiter and kinematics in one call a tick.
+/// One robot's navigation stage: navigator, follower, escape from walls, limiter and kinematics in one call a
+/// tick. Methods that control the wheels themselves get neither follower nor escape.
 class Pilot {
  public:
   Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower);
@@ -17,10 +19,13 @@ class Pilot {
   WheelSpeeds drive(const NavigationScene& scene);
   /// What the navigator wanted at the last tick.
   const Guidance& guidance() const { return guidance_; }
+  /// Whether the last tick was spent getting away from a wall.
+  bool escaping() const { return escape_.active(); }
 
  private:
   std::unique_ptr<Navigator> navigator_;
   std::unique_ptr<Follower> follower_;
+  WallEscape escape_;
   Guidance guidance_;
 };
 

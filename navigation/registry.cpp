@@ -3,11 +3,20 @@
 #include <fmt/format.h>
 
 #include "engine/core/suggest.hpp"
+#include "navigation/bezier.hpp"
+#include "navigation/bezier_raw.hpp"
+#include "navigation/bspline_time.hpp"
 #include "navigation/classic_follower.hpp"
 #include "navigation/dwa.hpp"
 #include "navigation/nearness_diagram.hpp"
+#include "navigation/hermite.hpp"
+#include "navigation/limit_cycle.hpp"
 #include "navigation/preview_follower.hpp"
 #include "navigation/straight.hpp"
+#include "navigation/tangent_field.hpp"
+#include "navigation/tangent_graph.hpp"
+#include "navigation/univector.hpp"
+#include "navigation/vector_field.hpp"
 
 namespace fulbito {
 namespace {
@@ -18,6 +27,15 @@ const std::vector<NavigatorInfo>& registry() {
       straightInfo(),
       nearnessDiagramInfo(),
       dwaInfo(),
+      vectorFieldInfo(),
+      univectorInfo(),
+      tangentFieldInfo(),
+      limitCycleInfo(),
+      bezierInfo(),
+      bezierRawInfo(),
+      hermiteInfo(),
+      tangentGraphInfo(),
+      bsplineTimeInfo(),
   };
   return entries;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "engine/core/result.hpp"
+
 namespace fulbito {
 
 /// A ball on a flat floor. After a kick it slides, its spin catches up, then it rolls and slowly loses speed.
@@ -17,5 +19,8 @@ struct BallModel {
   double robot_restitution = 0.04;  ///< against robots and obstacles
   double friction = 0.1;            ///< against everything
 };
+
+/// Checks ranges; the error names the key.
+Result<void> validate(const BallModel& ball);
 
 }  // namespace fulbito

@@ -1,7 +1,7 @@
 #include "engine/core/field_geometry.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fulbito {
 namespace {
@@ -50,7 +50,10 @@ std::vector<Vec2> innerContour(const FieldGeometry& field) {
   return contour;
 }
 
-double wallClearance(const FieldGeometry& field, Vec2 p) { return nearestWall(field, p).clearance; }
+double wallClearance(const FieldGeometry& field, Vec2 p) {
+  if (!isFinite(p)) return -std::numeric_limits<double>::infinity();
+  return nearestWall(field, p).clearance;
+}
 
 Vec2 nearestWallNormal(const FieldGeometry& field, Vec2 p) { return nearestWall(field, p).normal; }
 
@@ -58,17 +61,6 @@ bool insideField(const FieldGeometry& field, Vec2 p, double margin) {
   if (wallClearance(field, p) >= margin) return true;
   return field.hasGoals() && std::abs(p.y) <= field.goal_width / 2 - margin &&
          std::abs(p.x) <= field.length / 2 + field.goal_depth - margin;
-}
-
-Result<void> validate(const FieldGeometry& field) {
-  const double shorter = std::min(field.length, field.width);
-  if (!(field.corner <= shorter / 2)) {
-    return fail(ErrorCode::kBadInput, "field.corner must be at most half of the shorter side");
-  }
-  if (field.hasGoals() && !(field.goal_width + 2 * field.corner <= field.width)) {
-    return fail(ErrorCode::kBadInput, "field.goal_width must fit between the corner triangles");
-  }
-  return {};
 }
 
 }  // namespace fulbito

@@ -36,15 +36,16 @@ struct FieldGeometry {
 std::vector<Vec2> innerContour(const FieldGeometry& field);
 
 /// Signed distance [m] from `p` to the nearest wall of the playing rectangle with its corner triangles,
-/// ignoring the goals' inside: positive on the field, negative beyond. The usual test of a planner that stays
-/// on the field.
+/// ignoring the goals' inside: positive on the field; negative beyond, where it is how far `p` is past the
+/// wall that it is farthest behind. Minus infinity for a point that is not finite. The usual test of a
+/// planner that stays on the field.
 double wallClearance(const FieldGeometry& field, Vec2 p);
 
 /// The wall nearest to `p` in the sense of `wallClearance`: its unit normal pointing into the field.
 Vec2 nearestWallNormal(const FieldGeometry& field, Vec2 p);
 
 /// Whether `p` lies inside the contour, goals included, with a margin [m] (negative margin: a tolerance
-/// outside).
+/// outside). Never true for a point that is not finite.
 bool insideField(const FieldGeometry& field, Vec2 p, double margin = 0.0);
 
 /// Checks ranges and consistency; the error names the key.

@@ -25,6 +25,10 @@ void StateHash::add(std::string_view text) {
 
 void StateHash::add(const WorldState& state) {
   add(static_cast<std::uint64_t>(state.tick));
+  // Without the numbers of items, values could move from one list to another unseen.
+  add(std::uint64_t{state.robots.size()});
+  add(std::uint64_t{state.balls.size()});
+  add(std::uint64_t{state.obstacles.size()});
   for (const RobotState& robot : state.robots) {
     addVec(*this, robot.pose.position);
     add(robot.pose.heading);

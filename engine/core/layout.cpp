@@ -1,5 +1,6 @@
 #include "engine/core/layout.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fulbito {
@@ -17,32 +18,42 @@ struct PathPosition {
   Vec2 direction;  // unit, in the sense of motion; zero at rest
 };
 
+// The path of one period unrolled: where on it, and which way, `travelled` metres lead.
+struct Progress {
+  double along = 0.0;  // from the first waypoint, within [0, total]
+  double sense = 1.0;  // 0 at rest
+};
+
+Progress progressAlong(PathEnd end, double total, double travelled) {
+  if (!std::isfinite(travelled)) travelled = 0.0;
+  if (end == PathEnd::kStop) {
+    return travelled >= total ? Progress{total, 0.0} : Progress{std::max(travelled, 0.0), 1.0};
+  }
+  const double period = end == PathEnd::kCycle ? total : 2 * total;
+  const double phase = std::clamp(travelled - std::floor(travelled / period) * period, 0.0, period);
+  return phase < total || end == PathEnd::kCycle ? Progress{phase, 1.0} : Progress{period - phase, -1.0};
+}
+
 PathPosition alongPath(const ObstacleSpec& o, double time) {
   if (o.motion != ObstacleMotion::kPath || o.path.size() < 2) return {o.pose.position, {}};
   const double total = pathLength(o);
   if (!(total > 0.0)) return {o.path.front(), {}};
-  double s = o.speed * time;
-  double sense = 1.0;
-  if (o.path_end == PathEnd::kStop) {
-    if (s >= total) return {o.path.back(), {}};
-  } else if (o.path_end == PathEnd::kCycle) {
-    s -= std::floor(s / total) * total;
-  } else {
-    s -= std::floor(s / (2 * total)) * (2 * total);
-    if (s > total) s = 2 * total - s, sense = -1.0;
-  }
+  const auto [along, sense] = progressAlong(o.path_end, total, o.speed * time);
   const std::size_t count = o.path.size();
-  for (std::size_t i = 0; i < count; ++i) {
+  const std::size_t stretches = o.path_end == PathEnd::kCycle ? count : count - 1;
+  double left = along;
+  PathPosition result{o.path.front(), {}};
+  for (std::size_t i = 0; i < stretches; ++i) {
     const Vec2 a = o.path[i], b = o.path[(i + 1) % count];
     const double length = distance(a, b);
-    const bool last = i + 1 == (o.path_end == PathEnd::kCycle ? count : count - 1);
-    if (s <= length || last) {
-      const Vec2 direction = unitOr(b - a, {});
-      return {a + direction * std::min(s, length), direction * sense};
-    }
-    s -= length;
+    if (!(length > 0.0)) continue;
+    const Vec2 direction = (b - a) / length;
+    result = {a + direction * std::min(left, length), direction * sense};
+    // A waypoint belongs to the stretch that the motion goes on to.
+    if (sense < 0.0 ? left <= length : left < length) break;
+    left -= length;
   }
-  return {o.path.back(), {}};
+  return result;
 }
 
 }  // namespace

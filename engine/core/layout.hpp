@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/field_geometry.hpp"
+#include "engine/core/result.hpp"
 #include "engine/core/values.hpp"
 
 namespace fulbito {
@@ -28,9 +30,10 @@ struct ObstacleSpec {
   PathEnd path_end = PathEnd::kBounce;
 };
 
-/// Where a moving obstacle is after `time` [s]: `pose.position` for one that does not move on a path.
+/// Where a moving obstacle is after `time` [s]: `pose.position` for one that does not move on a path. Before
+/// time 0 as at 0 for a path that stops; the others are periodic.
 Vec2 positionAt(const ObstacleSpec& obstacle, double time);
-/// Its velocity [m/s] at that time.
+/// Its velocity [m/s] from that time on: at a waypoint that of the stretch that begins there.
 Vec2 velocityAt(const ObstacleSpec& obstacle, double time);
 
 /// A navigation problem: one robot from `start` to `goal` among obstacles on a field.
@@ -39,10 +42,15 @@ struct Layout {
   std::string field = "vsss-3v3";  ///< preset name or file
   Pose2 start;
   Vec2 goal;
-  std::optional<double> goal_heading;  ///< [rad] wanted on arrival
-  double goal_tolerance = 0.03;        ///< [m]
-  double heading_tolerance = 0.1745;   ///< [rad] of the arrival heading, when one is wanted
-  std::vector<ObstacleSpec> obstacles;
+  std::optional<double> goal_heading;   ///< [rad] wanted on arrival
+  double goal_tolerance = 0.03;         ///< [m]
+  double heading_tolerance = 0.1745;    ///< [rad] of the arrival heading, when one is wanted
+  std::vector<ObstacleSpec> obstacles;  ///< at most 500
 };
+
+/// Checks ranges and consistency; the error names the key.
+Result<void> validate(const Layout& layout);
+/// Also checks that start, goal and obstacle positions lie inside the field.
+Result<void> validate(const Layout& layout, const FieldGeometry& field);
 
 }  // namespace fulbito

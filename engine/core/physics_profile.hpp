@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "engine/core/result.hpp"
+
 namespace fulbito {
 
 /// How finely the world is stepped. The control tick is what navigators and teams see; physics may run
@@ -20,5 +22,8 @@ struct PhysicsProfile {
   double controlPeriod() const { return 1.0 / control_rate; }                                 ///< [s]
   double stepPeriod() const { return 1.0 / (static_cast<double>(control_rate) * substeps); }  ///< [s]
 };
+
+/// Checks ranges; the error names the key.
+Result<void> validate(const PhysicsProfile& physics);
 
 }  // namespace fulbito

@@ -30,19 +30,37 @@ struct RobotPreset {
   BallModel ball;
 };
 
-/// @{ Each takes the name of a preset or the path of a TOML file. Errors: kUsage for an unknown name (with a
-/// suggestion), kIo for a file that cannot be read, kBadInput with file, line, key and allowed range for what
-/// is wrong inside.
-Result<RobotPreset> loadRobot(const std::string& name_or_file);
-Result<PhysicsProfile> loadPhysics(const std::string& name_or_file);
-Result<FieldGeometry> loadField(const std::string& name_or_file);
-Result<Layout> loadLayout(const std::string& file);
+/// Whether `name_or_file` is taken as a file without looking for a preset: it has a '/' or ends in ".toml".
+bool isFileName(std::string_view name_or_file);
+
+/// @{ Each takes the name of a preset or the path of a TOML file (`isFileName`, or an existing file that is
+/// not also a preset's name). A key that the file lacks keeps the struct's default; a missing `name` becomes
+/// the file's. Errors: kUsage for an unknown name (with a suggestion), kIo for a file that cannot be read,
+/// kBadInput as `file:line: table.key ...` with the allowed range for what is wrong inside.
+Result<RobotPreset> loadRobot(const std::string& name_or_file);       ///< tables [robot] and [ball]
+Result<PhysicsProfile> loadPhysics(const std::string& name_or_file);  ///< table [physics]
+Result<FieldGeometry> loadField(const std::string& name_or_file);     ///< table [field]
 /// @}
 
-/// Parses a layout from text; `origin` stands for the file name in errors.
+/// Reads a layout file (docs: `toToml`). A field that is a relative file path is taken from the layout's
+/// folder and comes back joined with it. The field must load, and start, goal and obstacles must lie inside
+/// it. Errors: as above.
+Result<Layout> loadLayout(const std::string& file);
+
+/// Parses a layout from text; `origin` stands for the file name in errors. Unlike `loadLayout` it opens no
+/// field. Tables: [layout] name, field; [start] position (required), heading; [goal] position (required),
+/// heading, tolerance, heading_tolerance; any number of [[obstacle]] with the members of `ObstacleSpec`.
+/// Angles: `heading = radians` or `heading_deg = degrees`, not both. Headings are brought into [-pi, pi).
+/// The position of an obstacle on a path may be left out; it is the first waypoint.
 Result<Layout> parseLayout(std::string_view text, const std::string& origin);
-/// A layout as a TOML file that `parseLayout` reads back to the same bits.
+
+/// A valid layout as a TOML file that `parseLayout` reads back to the same bits.
 std::string toToml(const Layout& layout);
+/// @{ All keys with units and meanings, as a TOML file that the loader reads back to the same bits.
+std::string toToml(const RobotPreset& preset);
+std::string toToml(const PhysicsProfile& physics);
+std::string toToml(const FieldGeometry& field);
+/// @}
 
 /// Names of the presets of one kind ("robots", "physics", "fields").
 std::vector<std::string> presetNames(std::string_view kind);

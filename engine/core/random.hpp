@@ -21,7 +21,7 @@ enum class Stream : std::uint32_t {
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of
 /// (seed, stream, index, n). Distributions are the project's own, as the standard library's differ between
-/// libraries.
+/// libraries. A stream repeats after 2^34 32-bit words.
 class Rng {
  public:
   /// @param index  separates consumers of one stream, e.g. the number of a trial
@@ -31,7 +31,7 @@ class Rng {
   std::uint64_t bits64();
   /// In [0, 1), 53 bits.
   double uniform();
-  /// In [low, high).
+  /// In [low, high), where high - low does not overflow; `low` when the interval is empty.
   double uniform(double low, double high);
   /// In [0, n), without bias; 0 when n <= 1.
   std::uint32_t below(std::uint32_t n);

@@ -25,7 +25,11 @@ WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels) {
 
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step) {
   if (!(step > 0.0)) return wheels;
-  return {std::round(wheels.left / step) * step, std::round(wheels.right / step) * step};
+  const auto rounded = [step](double w) {
+    const double multiple = std::round(w / step) * step;
+    return std::isfinite(multiple) ? multiple : w;  // far beyond any wheel, the quotient overflows
+  };
+  return {rounded(wheels.left), rounded(wheels.right)};
 }
 
 }  // namespace fulbito

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "engine/core/result.hpp"
 #include "engine/core/values.hpp"
 
 namespace fulbito {
@@ -32,6 +33,9 @@ struct RobotModel {
   double maxSpeed() const { return max_wheel_speed * wheel_radius; }  ///< [m/s]
   double circumradius() const;                                        ///< [m] of the body's rectangle
 };
+
+/// Checks ranges and consistency; the error names the key.
+Result<void> validate(const RobotModel& robot);
 
 /// Wheel speeds that give the twist; not limited.
 WheelSpeeds inverseKinematics(const RobotModel& robot, Twist twist);

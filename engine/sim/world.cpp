@@ -1,18 +1,219 @@
 #include "engine/sim/world.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <box2d/b2_body.h>
+#include <box2d/b2_contact.h>
+#include <box2d/b2_world.h>
+
+#include "engine/core/math.hpp"
+#include "engine/sim/ball_motion.hpp"
+#include "engine/sim/bodies.hpp"
+#include "engine/sim/check_config.hpp"
+#include "engine/sim/contact_log.hpp"
+#include "engine/sim/drive.hpp"
+#include "engine/sim/engine_clock.hpp"
+#include "engine/sim/obstacle_motion.hpp"
+#include "engine/sim/units.hpp"
+
 namespace fulbito {
+namespace {
+
+Vec2 direction(const b2Body& body) {
+  const b2Rot& q = body.GetTransform().q;
+  return {static_cast<double>(q.c), static_cast<double>(q.s)};
+}
+
+BodyMotion motionOf(const b2Body& body) {
+  const Vec2 forward = direction(body), velocity = units::metres(body.GetLinearVelocity());
+  return {dot(forward, velocity), cross(forward, velocity), static_cast<double>(body.GetAngularVelocity())};
+}
+
+Pose2 poseOf(const b2Body& body) {
+  return {units::metres(body.GetPosition()), math::wrapAngle(static_cast<double>(body.GetAngle()))};
+}
+
+// Box2D's angle is a float that counts turns: left alone, a robot that spins for minutes loses its heading's
+// last digits.
+void unwindAngle(b2Body& body) {
+  constexpr float kManyTurns = 50.0f;
+  if (std::abs(body.GetAngle()) < kManyTurns) return;
+  body.SetTransform(body.GetPosition(),
+                    static_cast<float>(math::wrapAngle(static_cast<double>(body.GetAngle()))));
+}
+
+}  // namespace
+
 struct World::Impl {
+  struct Robot {
+    b2Body* body;
+    Drive drive;
+  };
+
+  explicit Impl(const WorldConfig& from);
+
+  void stepOnce(double time);
+  void driveRobots();
+  void rollBalls();
+  void moveObstacles(double time);
+  void settleSpins();
+  void readState();
+
   WorldConfig config;
+  double dt;
+  b2World engine{b2Vec2{0.0f, 0.0f}};
+  std::vector<Robot> robots;
+  std::vector<b2Body*> balls;
+  std::vector<b2Body*> obstacles;
+  ContactLog contacts;
   WorldState state;
+
+ private:
+  static ContactLog makeLog(const WorldConfig& config);
 };
+
+ContactLog World::Impl::makeLog(const WorldConfig& config) {
+  std::vector<BodyId> ids{{BodyKind::kWall, 0}};
+  std::vector<Surface> surfaces{Surface{}};
+  const auto add = [&](BodyKind kind, std::size_t index, const Surface& surface) {
+    ids.push_back({kind, static_cast<std::uint16_t>(index)});
+    surfaces.push_back(surface);
+  };
+  for (std::size_t i = 0; i < config.robots.size(); ++i)
+    add(BodyKind::kRobot, i, surfaceOf(config.robots[i].model));
+  for (std::size_t i = 0; i < config.balls.size(); ++i)
+    add(BodyKind::kBall, i, surfaceOf(config.balls[i].model));
+  Surface obstacle;
+  obstacle.kind = Surface::Kind::kObstacle;
+  for (std::size_t i = 0; i < config.obstacles.size(); ++i) add(BodyKind::kObstacle, i, obstacle);
+  return ContactLog(std::move(ids), std::move(surfaces));
+}
+
+World::Impl::Impl(const WorldConfig& from)
+    : config(from), dt(from.physics.stepPeriod()), contacts(makeLog(from)) {
+  engine.SetAllowSleeping(false);
+  engine.SetContactListener(&contacts);
+  std::size_t number = 0;
+  addWalls(engine, config, number++);
+  for (const RobotPlacement& robot : config.robots) {
+    b2Body* body = addRobot(engine, config, robot, number++);
+    robots.push_back({body, Drive(robot.model, dt, config.physics.wheel_command_step)});
+  }
+  for (const BallPlacement& ball : config.balls) balls.push_back(addBall(engine, config, ball, number++));
+  for (const ObstacleSpec& obstacle : config.obstacles)
+    obstacles.push_back(addObstacle(engine, config, obstacle, number++));
+
+  state.robots.resize(robots.size());
+  state.balls.resize(balls.size());
+  state.obstacles.resize(obstacles.size());
+  for (std::size_t i = 0; i < balls.size(); ++i) state.balls[i].spin = config.balls[i].spin;
+  readState();
+}
+
+void World::Impl::driveRobots() {
+  for (Robot& robot : robots) {
+    const BodyMotion change = robot.drive.step(motionOf(*robot.body));
+    const Vec2 forward = direction(*robot.body);
+    const Vec2 kick = forward * change.forward + perp(forward) * change.sideways;
+    b2Body& body = *robot.body;
+    body.ApplyLinearImpulseToCenter(body.GetMass() * units::vector(kick), true);
+    body.ApplyAngularImpulse(body.GetInertia() * static_cast<float>(change.yaw), true);
+  }
+}
+
+void World::Impl::rollBalls() {
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const BallModel& model = config.balls[i].model;
+    const Vec2 velocity = units::metres(balls[i]->GetLinearVelocity());
+    const BallMotion after = afterFloor(model, {velocity, state.balls[i].spin}, dt);
+    const b2Vec2 kick = units::vector(after.velocity - velocity);
+    balls[i]->ApplyLinearImpulseToCenter(balls[i]->GetMass() * kick, true);
+    state.balls[i].spin = after.spin;
+  }
+}
+
+void World::Impl::moveObstacles(double time) {
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    const ObstacleSpec& spec = config.obstacles[i];
+    if (spec.motion == ObstacleMotion::kPath) followPath(spec, *obstacles[i], time, dt);
+    if (spec.motion == ObstacleMotion::kPushable) applyFloorFriction(spec, *obstacles[i], dt);
+  }
+}
+
+void World::Impl::settleSpins() {
+  for (const ContactLog::WallHit& hit : contacts.wallHits()) {
+    Vec2& spin = state.balls[hit.ball].spin;
+    spin = spinAfterWall(config.balls[hit.ball].model, spin, hit.normal);
+  }
+}
+
+void World::Impl::stepOnce(double time) {
+  contacts.startStep();
+  driveRobots();
+  rollBalls();
+  moveObstacles(time);
+  engine.Step(static_cast<float>(dt), config.physics.velocity_iterations, config.physics.position_iterations);
+  settleSpins();
+}
+
+void World::Impl::readState() {
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const b2Body& body = *robots[i].body;
+    unwindAngle(*robots[i].body);
+    state.robots[i] = {poseOf(body), units::metres(body.GetLinearVelocity()),
+                       static_cast<double>(body.GetAngularVelocity()),
+                       robots[i].drive.encoders(motionOf(body))};
+  }
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    state.balls[i].position = units::metres(balls[i]->GetPosition());
+    state.balls[i].velocity = units::metres(balls[i]->GetLinearVelocity());
+  }
+  const double time = static_cast<double>(state.tick) * config.physics.controlPeriod();
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    unwindAngle(*obstacles[i]);
+    const bool on_path = config.obstacles[i].motion == ObstacleMotion::kPath;
+    state.obstacles[i] = {poseOf(*obstacles[i]), on_path ? velocityAt(config.obstacles[i], time)
+                                                         : units::metres(obstacles[i]->GetLinearVelocity())};
+  }
+}
+
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
-Result<World> World::create(const WorldConfig&) { return fail(ErrorCode::kUsage, "not yet"); }
-void World::step(std::span<const WheelSpeeds>) {}
+
+Result<World> World::create(const WorldConfig& config) {
+  keepEngineClockOut();
+  if (auto checked = checkConfig(config); !checked) return tl::unexpected<Error>(checked.error());
+  return World(std::make_unique<Impl>(config));
+}
+
+void World::step(std::span<const WheelSpeeds> commands) {
+  Impl& world = *impl_;
+  const Tick tick = ++world.state.tick;
+  world.contacts.startTick(tick);
+  for (std::size_t i = 0; i < world.robots.size(); ++i) {
+    world.robots[i].drive.setCommand(i < commands.size() ? commands[i] : WheelSpeeds{});
+  }
+  const int substeps = world.config.physics.substeps;
+  const Tick steps_before = (tick - 1) * substeps;
+  for (int i = 1; i <= substeps; ++i) world.stepOnce(static_cast<double>(steps_before + i) * world.dt);
+  world.contacts.finishTick();
+  world.readState();
+}
+
 const WorldState& World::state() const { return impl_->state; }
-std::span<const ContactEvent> World::contacts() const { return {}; }
+std::span<const ContactEvent> World::contacts() const { return impl_->contacts.events(); }
 const WorldConfig& World::config() const { return impl_->config; }
-float World::engineProfileMilliseconds() const { return 0; }
-int World::touchingPairs() const { return 0; }
+float World::engineProfileMilliseconds() const { return impl_->engine.GetProfile().step; }
+
+int World::touchingPairs() const {
+  int count = 0;
+  for (const b2Contact* c = impl_->engine.GetContactList(); c != nullptr; c = c->GetNext()) {
+    count += c->IsTouching() ? 1 : 0;
+  }
+  return count;
+}
+
 }  // namespace fulbito

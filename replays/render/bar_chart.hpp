@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct BarChart {
   std::string reference_label;
 };
 
-/// Draws it, as tall as it needs. Errors: kIo.
+/// Draws it, as tall as it needs. Labels and remarks that are too long end in an ellipsis. Errors: kIo as
+/// Canvas; kUsage when there are more bars than fit in the tallest picture (about 640).
 Result<Canvas> drawBarChart(const BarChart& chart);
 
 }  // namespace fulbito

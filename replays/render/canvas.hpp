@@ -16,11 +16,15 @@ struct Colour {
 
 enum class TextAlign { kLeft, kCentre, kRight };
 
-/// A picture in memory, drawn by SDL2 without a screen. Coordinates are pixels, y down, anti-aliased where it
-/// shows.
+/// A picture in memory, an SDL2 surface drawn without a screen. Coordinates are pixels, y down, (0, 0) the
+/// upper left corner of the picture; all edges are anti-aliased. Parts outside of the picture, and points
+/// that are not finite or farther than 1e6 pixels away, are left out. The same calls give the same pixels
+/// with the same SDL, SDL_ttf and FreeType. Different canvases may be used in different threads at once.
 class Canvas {
  public:
-  /// Errors: kIo when SDL or the font cannot be had.
+  /// The font is DejaVu Sans as found when configured, or the file that the environment's FULBITO_FONT names.
+  /// Errors: kIo when SDL or the font cannot be had; kUsage when a side is not 1...16384 or the whole is more
+  /// than 64 million pixels.
   static Result<Canvas> create(int width, int height, Colour background);
   Canvas(Canvas&&) noexcept;
   Canvas& operator=(Canvas&&) noexcept;
@@ -29,11 +33,17 @@ class Canvas {
   int width() const;
   int height() const;
   void fillRectangle(Vec2 corner, double width, double height, Colour colour);
+  /// Closed by itself; must not cross itself.
   void fillPolygon(std::span<const Vec2> points, Colour colour);
   void fillCircle(Vec2 centre, double radius, Colour colour);
+  /// A ring around `radius`.
   void circle(Vec2 centre, double radius, double thickness, Colour colour);
+  /// With round ends, as `polyline`.
   void line(Vec2 a, Vec2 b, double thickness, Colour colour);
+  /// Open; a translucent colour does not add up where it crosses itself.
   void polyline(std::span<const Vec2> points, double thickness, Colour colour);
+  /// One line of text, `size` [px] from the top of the tallest letter to the lowest, 4...400, rounded to
+  /// whole pixels; line breaks become blanks.
   void text(Vec2 baseline, const std::string& utf8, double size, Colour colour,
             TextAlign align = TextAlign::kLeft);
   /// Width [px] that `text` would take.
@@ -41,7 +51,7 @@ class Canvas {
 
   /// Writes an 8-bit PNG by way of a temporary file beside it. Errors: kIo naming the file.
   Result<void> writePng(const std::string& file) const;
-  /// Colour of a pixel, for tests.
+  /// Colour of a pixel, for tests; transparent black outside of the picture.
   Colour pixel(int x, int y) const;
 
  private:

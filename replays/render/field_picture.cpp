@@ -1,1 +1,106 @@
 #include "replays/render/field_picture.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "replays/render/field_drawing.hpp"
+#include "replays/render/legend.hpp"
+#include "replays/render/palette.hpp"
+#include "replays/render/path_drawing.hpp"
+#include "replays/render/text_fit.hpp"
+
+namespace fulbito {
+namespace {
+
+// In typographic units.
+constexpr double kMargin = 26, kHeader = 84, kFooter = 54;
+
+/// Where everything stands [px].
+struct Plan {
+  double unit;
+  Vec2 field_corner;
+  Vec2 field_size;  // with walls and goals
+  Vec2 legend_corner;
+  double legend_height;
+  Vec2 size;
+};
+
+Plan makePlan(const FieldPicture& picture) {
+  const FieldGeometry& field = picture.field;
+  const double goals = field.hasGoals() ? field.goal_depth : 0.0;
+  Plan plan;
+  plan.field_size = Vec2{field.length + 2 * (goals + kDrawnWall), field.width + 2 * kDrawnWall} *
+                    static_cast<double>(picture.pixels_per_metre);
+  // Letters grow with the picture, but stay readable in a small one.
+  plan.unit = std::clamp(plan.field_size.y / 810.0, 0.8, 4.0);
+  const double u = plan.unit;
+  const Legend legend(picture, u);
+  plan.field_corner = {kMargin * u, kHeader * u};
+  plan.legend_corner = {plan.field_corner.x + plan.field_size.x + kMargin * u, plan.field_corner.y};
+  plan.legend_height = std::max(legend.height(), plan.field_size.y);
+  plan.size = {
+      plan.legend_corner.x + legend.width() + kMargin * u,
+      plan.field_corner.y + std::max(plan.field_size.y + kFooter * u, plan.legend_height + kMargin * u)};
+  return plan;
+}
+
+/// NaN and sizes beyond int become one that is refused.
+int wholePixels(double size) { return size < 1e6 ? static_cast<int>(size) : 1'000'000; }
+
+/// Paths and obstacles may leave the field; what they drew beside it is painted over.
+void clearMargins(Canvas& canvas, const Plan& plan) {
+  const Vec2 a = plan.field_corner, b = plan.field_corner + plan.field_size;
+  const double width = canvas.width(), height = canvas.height();
+  canvas.fillRectangle({0, 0}, width, a.y, theme::kPage);
+  canvas.fillRectangle({0, b.y}, width, height - b.y, theme::kPage);
+  canvas.fillRectangle({0, a.y}, a.x, plan.field_size.y, theme::kPage);
+  canvas.fillRectangle({b.x, a.y}, width - b.x, plan.field_size.y, theme::kPage);
+}
+
+std::string subtitle(const FieldGeometry& field) {
+  return fmt::format("{}, {:.2f} m \u00d7 {:.2f} m", field.name, field.length, field.width);
+}
+
+void drawHeader(Canvas& canvas, const FieldPicture& picture, const Plan& plan) {
+  const double u = plan.unit, width = canvas.width() - 2 * kMargin * u;
+  canvas.text({kMargin * u, 42 * u}, fitted(canvas, picture.title, 25 * u, width), 25 * u, theme::kText);
+  canvas.text({kMargin * u, 66 * u}, fitted(canvas, subtitle(picture.field), 14 * u, width), 14 * u,
+              theme::kDimText);
+}
+
+void drawScaleBar(const FieldView& view, const Plan& plan) {
+  const double u = plan.unit;
+  const Vec2 a = plan.field_corner + Vec2{4 * u, plan.field_size.y + 26 * u}, b = a + Vec2{view.px(0.1), 0};
+  view.canvas.line(a, b, 2 * u, theme::kText);
+  for (Vec2 end : {a, b}) view.canvas.line(end - Vec2{0, 5 * u}, end + Vec2{0, 5 * u}, 2 * u, theme::kText);
+  view.canvas.text(b + Vec2{10 * u, 5 * u}, "0.1 m", 14 * u, theme::kText);
+}
+
+}  // namespace
+
+Result<Canvas> drawFieldPicture(const FieldPicture& picture) {
+  if (picture.pixels_per_metre < 1) return fail(ErrorCode::kUsage, "pixels_per_metre must be at least 1");
+  if (auto valid = validate(picture.field); !valid) return tl::unexpected(valid.error());
+  const Plan plan = makePlan(picture);
+  auto canvas = Canvas::create(wholePixels(plan.size.x), wholePixels(plan.size.y), theme::kPage);
+  if (!canvas && canvas.error().code == ErrorCode::kUsage) {
+    return fail(ErrorCode::kUsage, canvas.error().message + "; lower pixels_per_metre");
+  }
+  if (!canvas) return canvas;
+  const FieldView view{*canvas, plan.field_corner + plan.field_size / 2,
+                       static_cast<double>(picture.pixels_per_metre), plan.unit};
+  drawField(view, picture.field);
+  for (const ObstacleSpec& obstacle : picture.layout.obstacles) drawObstacle(view, obstacle);
+  drawPaths(view, picture.robot, picture.paths);
+  drawStart(view, picture.robot, picture.layout.start);
+  drawGoal(view, picture.layout);
+  drawPathMarks(view, picture.paths);
+  clearMargins(*canvas, plan);
+  drawHeader(*canvas, picture, plan);
+  drawScaleBar(view, plan);
+  Legend(picture, plan.unit).draw(view, plan.legend_corner, plan.legend_height);
+  return canvas;
+}
+
+}  // namespace fulbito

@@ -29,7 +29,9 @@ struct FieldPicture {
   int pixels_per_metre = 600;
 };
 
-/// Draws it. Errors: kIo.
+/// Draws it, larger than the field: with a header, a scale bar and a legend that is as tall as it needs.
+/// Paths that leave the field are cut at its outer edge. Errors: kIo as Canvas; kBadInput for an inconsistent
+/// field; kUsage when `pixels_per_metre` is below 1 or makes the picture too large.
 Result<Canvas> drawFieldPicture(const FieldPicture& picture);
 
 /// The colour that the i-th path or bar has in every picture of the project; distinguishable by colour-blind

@@ -8,17 +8,20 @@ namespace {
 
 std::atomic<std::uint64_t> count{0};
 
-void* allocate(std::size_t size) {
+void* allocateOrNull(std::size_t size) noexcept {
   count.fetch_add(1, std::memory_order_relaxed);
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
+  return std::malloc(size > 0 ? size : 1);
 }
 
-void* allocate(std::size_t size, std::align_val_t alignment) {
+void* allocateOrNull(std::size_t size, std::align_val_t alignment) noexcept {
   count.fetch_add(1, std::memory_order_relaxed);
   const auto step = static_cast<std::size_t>(alignment);
-  if (void* memory = std::aligned_alloc(step, (size + step) / step * step)) return memory;
-  throw std::bad_alloc();
+  return std::aligned_alloc(step, (size + step) / step * step);
+}
+
+void* orThrow(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
 }
 
 }  // namespace
@@ -27,10 +30,25 @@ namespace fulbito::test {
 std::uint64_t allocationCount() { return count.load(std::memory_order_relaxed); }
 }  // namespace fulbito::test
 
-// The array and nothrow forms of the standard library end in these.
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new(std::size_t size, std::align_val_t alignment) { return allocate(size, alignment); }
+// All forms, as a sanitizer's own would not go with these deletes.
+using Size = std::size_t;
+using Align = std::align_val_t;
+using Nothrow = const std::nothrow_t&;
+void* operator new(Size size) { return orThrow(allocateOrNull(size)); }
+void* operator new[](Size size) { return orThrow(allocateOrNull(size)); }
+void* operator new(Size size, Align align) { return orThrow(allocateOrNull(size, align)); }
+void* operator new[](Size size, Align align) { return orThrow(allocateOrNull(size, align)); }
+void* operator new(Size size, Nothrow) noexcept { return allocateOrNull(size); }
+void* operator new[](Size size, Nothrow) noexcept { return allocateOrNull(size); }
+void* operator new(Size size, Align align, Nothrow) noexcept { return allocateOrNull(size, align); }
+void* operator new[](Size size, Align align, Nothrow) noexcept { return allocateOrNull(size, align); }
 void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+void operator delete[](void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, Size) noexcept { std::free(memory); }
+void operator delete[](void* memory, Size) noexcept { std::free(memory); }
+void operator delete(void* memory, Align) noexcept { std::free(memory); }
+void operator delete[](void* memory, Align) noexcept { std::free(memory); }
+void operator delete(void* memory, Size, Align) noexcept { std::free(memory); }
+void operator delete[](void* memory, Size, Align) noexcept { std::free(memory); }
+void operator delete(void* memory, Nothrow) noexcept { std::free(memory); }
+void operator delete[](void* memory, Nothrow) noexcept { std::free(memory); }

@@ -1,0 +1,2 @@
+#include "apps/commands.hpp"
+namespace fulbito::app { int bench(const BenchOptions&) { return 1; } }

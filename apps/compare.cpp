@@ -1,0 +1,81 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "apps/commands.hpp"
+#include "apps/progress.hpp"
+#include "experiments/output.hpp"
+#include "experiments/paper_plan.hpp"
+#include "experiments/pictures.hpp"
+#include "experiments/report.hpp"
+#include "experiments/tuner.hpp"
+
+namespace fulbito::app {
+namespace {
+
+double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
+
+/// Tunes the method at each speed and puts the results among the navigators to be judged.
+Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) {
+  if (config.suite == kPaperSuite) config.suite = "corner";
+  const auto suite = findSuite(config.suite);
+  if (!suite) return tl::unexpected<Error>(suite.error());
+  if (config.navigators.empty()) config.navigators = {"bezier", options.tune};
+  for (double speed : config.speeds.empty() ? (*suite)->speeds : config.speeds) {
+    ProgressBar bar(fmt::format("tuning {} at {:.1f} m/s", options.tune, speed), options.json);
+    const TuneConfig tuning{options.tune, speed, options.tune_evaluations, 40};
+    const auto result = tune(config, tuning, [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
+    if (!result) return tl::unexpected<Error>(result.error());
+    fmt::print(stderr, "tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, defaults {:.3f}, {} tries)\n",
+               speed, result->navigator, tuning.layouts, result->objective, result->initial, result->evaluations);
+    config.navigators.push_back(result->navigator);
+  }
+  return {};
+}
+
+Result<std::vector<std::string>> writeAll(const CompareOptions& options, const Comparison& comparison,
+                                          const std::string& json) {
+  auto pictures = writePictures(comparison, options.out);
+  if (!pictures) return pictures;
+  if (auto written = writeFile(options.out + "/trials.csv", trialsCsv(comparison)); !written) {
+    return tl::unexpected<Error>(written.error());
+  }
+  if (auto written = writeFile(options.out + "/results.json", json); !written) {
+    return tl::unexpected<Error>(written.error());
+  }
+  return pictures;
+}
+
+}  // namespace
+
+int compare(const CompareOptions& options) {
+  const std::int64_t begin = now();
+  ComparisonConfig config = options.config;
+  // Everything that can be wrong with the question is found before work begins.
+  if (auto planned = planComparison(config); !planned) return report(planned.error());
+  if (auto folder = prepareFolder(options.out); !folder) return report(folder.error());
+  if (!options.tune.empty()) {
+    if (auto tuned = tuneFirst(options, config); !tuned) return report(tuned.error());
+  }
+  auto comparison = planComparison(config);
+  if (!comparison) return report(comparison.error());
+  {
+    ProgressBar bar(config.suite, options.json);
+    const auto progress = [&](std::size_t done, std::size_t total) { return bar.update(done, total); };
+    if (auto ran = runComparison(*comparison, now, progress); !ran) return report(ran.error());
+  }
+  const std::string json = resultsJson(*comparison, secondsSince(begin));
+  if (options.json) {
+    std::fputs(json.c_str(), stdout);
+  } else {
+    std::fputs(markdownReport(*comparison).c_str(), stdout);
+  }
+  std::fflush(stdout);
+  const auto pictures = writeAll(options, *comparison, json);
+  if (!pictures) return report(pictures.error());
+  fmt::print(stderr, "\n{} trials in {:.1f} s; results.json, trials.csv and {} pictures are in {}\n",
+             comparison->records.size(), secondsSince(begin), pictures->size(), options.out);
+  return kOk;
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/commands.hpp"
+#include "engine/core/presets.hpp"
+#include "engine/core/suggest.hpp"
+#include "experiments/paper_plan.hpp"
+#include "experiments/report.hpp"
+
+namespace fulbito::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::vector<std::string> kKinds = {"navigators", "suites", "cases", "robots", "physics", "fields"};
+
+std::string typeName(const ParameterSpec& spec) {
+  switch (spec.type) {
+    case ParameterSpec::Type::kNumber: return "number";
+    case ParameterSpec::Type::kInteger: return "integer";
+    case ParameterSpec::Type::kFlag: return "flag";
+    case ParameterSpec::Type::kChoice: return "choice";
+  }
+  return "";
+}
+
+std::string valueText(const ParameterSpec& spec) {
+  if (spec.type == ParameterSpec::Type::kChoice) return spec.choices[static_cast<std::size_t>(spec.default_value)];
+  if (spec.type == ParameterSpec::Type::kFlag) return spec.default_value != 0.0 ? "true" : "false";
+  return fmt::format("{}", spec.default_value);
+}
+
+Json parameterJson(const ParameterSpec& spec) {
+  Json json = {{"name", spec.name}, {"type", typeName(spec)}, {"default", valueText(spec)}};
+  if (spec.type == ParameterSpec::Type::kChoice) json["choices"] = spec.choices;
+  if (spec.type == ParameterSpec::Type::kNumber || spec.type == ParameterSpec::Type::kInteger) {
+    json["minimum"] = spec.minimum;
+    json["maximum"] = spec.maximum;
+    json["unit"] = spec.unit;
+  }
+  json["doc"] = spec.doc;
+  return json;
+}
+
+Json navigatorJson(const NavigatorInfo& info) {
+  Json json = {{"name", info.name},
+               {"default", info.name == kDefaultNavigator},
+               {"summary", info.summary},
+               {"source", info.source},
+               {"plans_speed", info.plans_speed},
+               {"parameters", Json::array()}};
+  for (const ParameterSpec& spec : info.parameters) json["parameters"].push_back(parameterJson(spec));
+  for (const ParameterSpec& spec : commonParameters()) json["parameters"].push_back(parameterJson(spec));
+  return json;
+}
+
+void printParameter(const ParameterSpec& spec) {
+  std::string range;
+  if (spec.type == ParameterSpec::Type::kChoice) {
+    range = fmt::format("{}", fmt::join(spec.choices, "|"));
+  } else if (spec.type != ParameterSpec::Type::kFlag) {
+    range = fmt::format("{} ... {}{}", spec.minimum, spec.maximum, spec.unit.empty() ? "" : " " + spec.unit);
+  }
+  fmt::print("    {:<16} {:<9} {}{}{}\n", spec.name, valueText(spec), spec.doc, range.empty() ? "" : "; ", range);
+}
+
+void printNavigators() {
+  for (const NavigatorInfo& info : navigators()) {
+    fmt::print("{}{}{}\n  {}\n  source: {}\n", info.name, info.name == kDefaultNavigator ? " (default)" : "",
+               info.plans_speed ? " *" : "", info.summary, info.source);
+    for (const ParameterSpec& spec : info.parameters) printParameter(spec);
+  }
+  fmt::print("every method also takes\n");
+  for (const ParameterSpec& spec : commonParameters()) printParameter(spec);
+  fmt::print("* plans its own speeds. Set parameters like this: --navigator bezier:clearance=0.03,follower=classic\n");
+}
+
+/// Name and one line of everything of a kind but navigators.
+std::vector<std::pair<std::string, std::string>> entries(const std::string& kind) {
+  std::vector<std::pair<std::string, std::string>> list;
+  if (kind == "suites") {
+    list.emplace_back(kPaperSuite, "the comparison of Jung & Lee (2015): corner, close-range and the figures' cases (default)");
+    for (const Suite& suite : suites()) list.emplace_back(suite.name, suite.summary);
+  } else if (kind == "cases") {
+    for (const Layout& layout : namedCases()) list.emplace_back(layout.name, "layout for fulbito run --layout " + layout.name);
+  } else {
+    for (const std::string& name : presetNames(kind)) {
+      const std::string text = presetText(kind, name).value_or("");
+      const std::size_t end = text.find('\n');
+      list.emplace_back(name, text.starts_with("# ") ? text.substr(2, end - 2) : "");
+    }
+  }
+  return list;
+}
+
+void printJson(const std::string& kind) {
+  Json json = {{"schema_version", 1}, {kind, Json::array()}};
+  if (kind == "navigators") {
+    for (const NavigatorInfo& info : navigators()) json[kind].push_back(navigatorJson(info));
+  } else {
+    for (const auto& [name, summary] : entries(kind)) json[kind].push_back({{"name", name}, {"summary", summary}});
+  }
+  std::puts(json.dump(2).c_str());
+}
+
+}  // namespace
+
+int list(const ListOptions& options) {
+  if (std::find(kKinds.begin(), kKinds.end(), options.kind) == kKinds.end()) {
+    return report({ErrorCode::kUsage, fmt::format("list: there is no kind '{}'; it is one of {}.{}", options.kind,
+                                                  fmt::join(kKinds, ", "), suggestion(options.kind, kKinds))});
+  }
+  if (options.json) {
+    printJson(options.kind);
+  } else if (options.kind == "navigators") {
+    printNavigators();
+  } else {
+    for (const auto& [name, summary] : entries(options.kind)) fmt::print("{:<30} {}\n", name, summary);
+  }
+  return kOk;
+}
+
+int show(const ShowOptions& options) {
+  static const std::vector<std::pair<std::string, std::string>> kinds = {
+      {"robot", "robots"}, {"physics", "physics"}, {"field", "fields"}, {"case", "cases"}};
+  std::vector<std::string> names;
+  for (const auto& [singular, plural] : kinds) {
+    names.push_back(singular);
+    if (options.kind != singular) continue;
+    if (plural == "cases") {
+      std::vector<std::string> cases;
+      for (const Layout& layout : namedCases()) {
+        if (layout.name == options.name) {
+          std::fputs(toToml(layout).c_str(), stdout);
+          return kOk;
+        }
+        cases.push_back(layout.name);
+      }
+      return report({ErrorCode::kUsage,
+                     fmt::format("there is no case '{}'.{}", options.name, suggestion(options.name, cases))});
+    }
+    const auto text = presetText(plural, options.name);
+    if (!text) return report(text.error());
+    std::fputs(text->c_str(), stdout);
+    return kOk;
+  }
+  return report({ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it is one of {}.{}", options.kind,
+                                                fmt::join(names, ", "), suggestion(options.kind, names))});
+}
+
+int version(bool json) {
+  const std::string text = versionJson();
+  if (json) {
+    std::fputs(text.c_str(), stdout);
+    return kOk;
+  }
+  const Json parsed = Json::parse(text);
+  fmt::print("fulbito {} ({}, {}, Box2D {})\n", parsed["version"].get<std::string>(),
+             parsed["compiler"].get<std::string>(), parsed["type"].get<std::string>(), parsed["box2d"].get<std::string>());
+  return kOk;
+}
+
+}  // namespace fulbito::app

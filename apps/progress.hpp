@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace fulbito::app {
+
+/// Progress on stderr: a bar with the time left on a terminal, otherwise a plain line every ten seconds. Silent when `quiet`.
+class ProgressBar {
+ public:
+  ProgressBar(std::string what, bool quiet);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  /// Shows the state and says whether to go on (false after a signal).
+  bool update(std::size_t done, std::size_t total);
+
+ private:
+  void draw(std::size_t done, std::size_t total, double elapsed) const;
+
+  std::string what_;
+  bool quiet_;
+  bool terminal_;
+  std::int64_t begin_;
+  std::int64_t last_;
+  bool drawn_ = false;
+};
+
+}  // namespace fulbito::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "engine/core/field_geometry.hpp"
+#include "engine/core/layout.hpp"
+#include "engine/core/robot_model.hpp"
+#include "engine/core/values.hpp"
+
+namespace fulbito {
+
+/// A rectangle in the plane.
+struct Rectangle {
+  Pose2 pose;
+  double length = 0.0;  ///< [m] along its x
+  double width = 0.0;   ///< [m] along its y
+};
+
+/// The robot's body at `pose`.
+Rectangle bodyOf(const RobotModel& robot, const Pose2& pose);
+
+/// @{ Distance [m] between two shapes; negative by the depth of penetration where they overlap.
+double clearance(const Rectangle& body, Vec2 centre, double radius);
+double clearance(const Rectangle& a, const Rectangle& b);
+/// @}
+
+/// Distance [m] from the body to an obstacle that now is at `pose`.
+double clearance(const Rectangle& body, const ObstacleSpec& obstacle, const Pose2& pose);
+
+/// Least `wallClearance` of the body's corners [m]: exact, as the field without its goals is convex.
+double clearance(const Rectangle& body, const FieldGeometry& field);
+
+}  // namespace fulbito

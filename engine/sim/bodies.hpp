@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+
+#include "engine/sim/world.hpp"
+
+class b2Body;
+class b2World;
+
+namespace fulbito {
+
+/// @{ Each puts one body into the engine's world and gives it its number, by which contacts know it.
+b2Body* addWalls(b2World& world, const WorldConfig& config, std::size_t number);
+b2Body* addRobot(b2World& world, const WorldConfig& config, const RobotPlacement& robot, std::size_t number);
+b2Body* addBall(b2World& world, const WorldConfig& config, const BallPlacement& ball, std::size_t number);
+b2Body* addObstacle(b2World& world, const WorldConfig& config, const ObstacleSpec& obstacle,
+                    std::size_t number);
+/// @}
+
+}  // namespace fulbito

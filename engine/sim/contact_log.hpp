@@ -1,0 +1,52 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <box2d/b2_world_callbacks.h>
+
+#include "engine/sim/surface.hpp"
+#include "engine/sim/world.hpp"
+
+namespace fulbito {
+
+/// Listens to Box2D's contacts: gives each pair its friction and restitution, and sums what happened in a
+/// tick into values. Bodies are known by their number in the world: the wall, robots, balls, obstacles.
+class ContactLog final : public b2ContactListener {
+ public:
+  /// A ball that hit a wall in the last physics step.
+  struct WallHit {
+    std::size_t ball;  // index of the ball
+    Vec2 normal;       // unit
+  };
+
+  /// @param bodies  identity of each body, by its number
+  ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces);
+
+  void startTick(Tick tick);
+  void startStep() { wall_hits_.clear(); }
+  /// Brings the tick's events into their order.
+  void finishTick();
+
+  std::span<const ContactEvent> events() const { return events_; }
+  std::span<const WallHit> wallHits() const { return wall_hits_; }
+
+  void BeginContact(b2Contact* contact) override;
+  void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
+
+ private:
+  struct Pair {
+    Tick touched = -2;     // last tick in which they still touched after an event
+    Tick event_tick = -2;  // last tick with an event
+    std::size_t event = 0;
+  };
+
+  std::vector<BodyId> bodies_;
+  std::vector<Surface> surfaces_;
+  std::vector<Pair> pairs_;  // by number of the first body times count plus number of the second
+  std::vector<ContactEvent> events_;
+  std::vector<WallHit> wall_hits_;
+  Tick tick_ = 0;
+};
+
+}  // namespace fulbito

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "engine/core/robot_model.hpp"
+#include "engine/core/values.hpp"
+
+namespace fulbito {
+
+/// Motion of a robot's body in its own frame.
+struct BodyMotion {
+  double forward = 0.0;   ///< [m/s]
+  double sideways = 0.0;  ///< [m/s] toward the left
+  double yaw = 0.0;       ///< [rad/s] counter-clockwise
+};
+
+/// Yaw rate that a robot reaches spinning in place, over that of ideal wheels, for rim speeds of
+/// +-`rim_speed` [m/s]: linear between the model's two measured points, constant outside; 1 where it has
+/// none.
+double spinRatio(const RobotModel& robot, double rim_speed);
+
+/// Motors, wheels and tyres of one robot. Each wheel's motor pulls its rim toward the command with a limited
+/// acceleration; the floor passes on no more than the tyre's grip, beyond which the wheel slips; across the
+/// wheels the tyres resist up to their own limit (Coulomb).
+class Drive {
+ public:
+  /// @param step_period   [s] one physics step
+  /// @param command_step  [rad/s] commands are rounded to multiples of it; <= 0: not rounded
+  Drive(const RobotModel& robot, double step_period, double command_step);
+
+  /// Sets the wheel speeds to reach; NaN becomes 0, then saturated, then rounded.
+  void setCommand(WheelSpeeds command);
+
+  /// What motors and floor change in the body's motion during one physics step.
+  BodyMotion step(const BodyMotion& motion);
+
+  /// What the encoders read when the body moves so after the step: the ground's speed, or the wheel's own
+  /// while it slips [rad/s].
+  WheelSpeeds encoders(const BodyMotion& motion) const;
+
+ private:
+  struct Wheel {
+    double target = 0.0;  // [m/s] at the rim
+    double rim = 0.0;     // [m/s], its own only while it slips
+    bool slips = false;
+  };
+  double pull(Wheel& wheel, double ground) const;
+
+  RobotModel model_;
+  double command_step_;
+  double half_track_;
+  double max_gain_;     // [m/s] in one step, speeding up
+  double max_loss_;     // [m/s] in one step, slowing down
+  double max_grip_;     // [m/s] in one step, along the wheels
+  double max_lateral_;  // [m/s] in one step, across
+  Wheel left_;
+  Wheel right_;
+};
+
+}  // namespace fulbito

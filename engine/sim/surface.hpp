@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/core/ball_model.hpp"
+#include "engine/core/robot_model.hpp"
+
+namespace fulbito {
+
+/// What a body is made of, as far as contacts care.
+struct Surface {
+  /// In the order of precedence: of two unlike bodies the later one's figures hold.
+  enum class Kind { kWall, kObstacle, kRobot, kBall };
+  Kind kind = Kind::kWall;
+  double friction = 0.2;
+  double restitution = 0.1;
+  double hard_restitution = 0.1;  ///< against walls and its own kind
+};
+
+/// Friction coefficient and restitution of a pair.
+struct PairSurface {
+  double friction;
+  double restitution;
+};
+
+Surface surfaceOf(const RobotModel& robot);
+Surface surfaceOf(const BallModel& ball);
+PairSurface pairOf(const Surface& a, const Surface& b);
+
+}  // namespace fulbito

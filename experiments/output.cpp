@@ -1,0 +1,59 @@
+#include "experiments/output.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+namespace fulbito {
+namespace {
+
+tl::unexpected<Error> ioError(const std::string& what, const std::string& file, const std::string& why) {
+  return fail(ErrorCode::kIo, fmt::format("cannot {} '{}': {}", what, file, why));
+}
+
+/// Writes all of `content`; on failure errno says why.
+bool writeAll(int descriptor, const std::string& content) {
+  std::size_t written = 0;
+  while (written < content.size()) {
+    const ssize_t n = ::write(descriptor, content.data() + written, content.size() - written);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) return false;
+    written += static_cast<std::size_t>(n);
+  }
+  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS;  // pipes and some file systems have no fsync
+}
+
+}  // namespace
+
+Result<void> prepareFolder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return ioError("make the folder", folder, error.message());
+  if (!std::filesystem::is_directory(folder, error)) return ioError("write into", folder, "it is not a folder");
+  const std::string probe = folder + "/.fulbito-probe";
+  auto written = writeFile(probe, "");
+  if (!written) return ioError("write into the folder", folder, "no permission or no space");
+  std::filesystem::remove(probe, error);
+  return {};
+}
+
+Result<void> writeFile(const std::string& file, const std::string& content) {
+  const std::string temporary = fmt::format("{}.{}.tmp", file, ::getpid());
+  const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor < 0) return ioError("write", file, std::strerror(errno));
+  const bool complete = writeAll(descriptor, content);
+  const int reason = errno;
+  if (::close(descriptor) != 0 || !complete || std::rename(temporary.c_str(), file.c_str()) != 0) {
+    const int why = complete ? errno : reason;
+    ::unlink(temporary.c_str());
+    return ioError("write", file, std::strerror(why));
+  }
+  return {};
+}
+
+}  // namespace fulbito

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "engine/core/result.hpp"
+
+namespace fulbito {
+
+/// Makes the folder (and its parents) and proves that it can be written. Errors: kIo naming it.
+Result<void> prepareFolder(const std::string& folder);
+
+/// Writes the whole file or nothing: to a temporary file beside it, flushed to disk, then renamed. Errors: kIo naming it.
+Result<void> writeFile(const std::string& file, const std::string& content);
+
+}  // namespace fulbito

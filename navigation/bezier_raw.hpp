@@ -1,0 +1,43 @@
+#pragma once
+
+#include "navigation/bezier_curve.hpp"
+#include "navigation/parameters.hpp"
+#include "navigation/replan_monitor.hpp"
+
+namespace fulbito {
+
+/// The Bezier method of paper 004 as printed, but for errata E24 to E26: of the 2^n curves round the
+/// obstacles on the line, the shortest, without a test whether it is free (E28: most are not). Kept as the
+/// comparison's baseline; `bezier` is the one to drive with. An arrival heading is not looked at.
+///
+/// Of more than eight obstacles on the line the eight nearest to the robot count.
+class BezierRaw final : public Navigator {
+ public:
+  struct Params {
+    double tbp = 0.33;         ///< [m] of a control point from its obstacle: 130 pixels
+    double alpha = 0.0;        ///< [m] added to A = 3 r
+    double hysteresis = 0.03;  ///< share by which another choice of sides must be shorter
+    Replan replan = Replan::kChange;
+  };
+  explicit BezierRaw(Params params);
+  void reset() override;
+  Guidance plan(const NavigationScene& scene) override;
+
+ private:
+  void choose(const NavigationScene& scene);
+  double curve(const NavigationScene& scene, std::uint32_t sides, BezierSamples& out) const;
+
+  Params params_;
+  ReplanMonitor monitor_;
+  std::vector<Circle> obstacles_;
+  std::vector<std::size_t> selected_;
+  std::vector<std::size_t> kept_selected_;  ///< selection for which `kept_sides_` was chosen
+  std::uint32_t kept_sides_ = 0;            ///< bit i: selected obstacle i is passed at its end B
+  BezierSamples path_{};
+  BezierSamples trial_{};
+  std::uint64_t revision_ = 0;
+};
+
+NavigatorInfo bezierRawInfo();
+
+}  // namespace fulbito

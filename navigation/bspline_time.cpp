@@ -1,0 +1,208 @@
+#include "navigation/bspline_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/core/math.hpp"
+#include "navigation/limiter.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kAtRest = 0.15;        // [m/s] slower than that a start may turn in place
+constexpr double kOffPath = 0.03;       // [m] from the path that asks for a new plan
+constexpr double kSharpTurn = 0.26;     // cosine of the turn that is better made at rest
+constexpr double kFirstStep = 0.02;     // [m] of the pattern search
+constexpr double kDetour = 1.12;        // length of another way that is worth a try
+constexpr int kTrialEvaluations = 10;   // of a way on the other side
+constexpr std::size_t kTrialBends = 3;  // bends whose other side is tried
+constexpr int kReplanTicks = 4;         // least age of a plan that is dropped
+constexpr double kSoon = 0.5;           // [s] a conflict that is nearer is urgent
+constexpr int kCalmTicks = 20;          // least age of a plan that a distant conflict replaces
+
+}  // namespace
+
+BsplineTime::BsplineTime(Params params) : params_(params) {
+  now_.reserve(64);
+  planned_.reserve(64);
+}
+
+void BsplineTime::reset() {
+  path_.clear();
+  planned_once_ = false;
+  braking_ = false;
+  missed_heading_ = false;
+}
+
+bool BsplineTime::goalMoved(const NavigationScene& scene) const {
+  const NavigationGoal& goal = scene.goal;
+  const double slack = 0.5 * goal.tolerance + 0.05 * distance(scene.self.pose.position, goal.position);
+  if (!(distance(goal.position, goal_.position) <= slack)) return true;
+  if (goal.stop != goal_.stop || goal.heading.has_value() != goal_.heading.has_value()) return true;
+  return goal.heading &&
+         std::abs(math::wrapAngle(*goal.heading - *goal_.heading)) > goal.heading_tolerance / 2;
+}
+
+bool BsplineTime::needsPlan(const NavigationScene& scene, double off_path) const {
+  if (!planned_once_ || goalMoved(scene)) return true;
+  if (braking_) return norm(scene.self.velocity) < kAtRest;
+  if (age_ < kReplanTicks) return false;
+  const bool arrived = distance(scene.self.pose.position, scene.goal.position) <= scene.goal.tolerance;
+  return !arrived && (off_path > kOffPath || path_.finished());
+}
+
+Guidance BsplineTime::plan(const NavigationScene& scene) {
+  forecast(scene, now_);
+  any_moves_ = std::any_of(now_.begin(), now_.end(), [](const ForecastDisc& d) { return d.moves; });
+  ++age_;
+  const double off_path = path_.advanceTo(scene.self.pose.position);
+  if (needsPlan(scene, off_path)) {
+    missed_heading_ = planned_once_ && path_.finished() && scene.goal.heading.has_value();
+    makePlan(scene);
+  } else if (!braking_) {
+    refine();
+  }
+  Guidance guidance;
+  guidance.speed_cap = guard(scene);
+  guidance.kind = GuidanceKind::kTimedPath;
+  guidance.path = path_.points();
+  guidance.speeds = path_.speeds();
+  guidance.revision = revision_;
+  guidance.stuck = !braking_ && best_.score().clearance < 0.0;
+  return guidance;
+}
+
+void BsplineTime::makePlan(const NavigationScene& scene) {
+  goal_ = scene.goal;
+  planned_once_ = true;
+  age_ = 0;
+  spent_ = 0;
+  braking_ = false;
+  planned_ = now_;
+  ++revision_;
+
+  const double speed = norm(scene.self.velocity);
+  const Vec2 facing = math::unit(scene.self.pose.heading);
+  const bool moving = speed > kAtRest && dot(scene.self.velocity, facing) > 0.0;
+  SeedRequest request;
+  request.start = scene.self.pose.position;
+  if (moving) request.start_direction = scene.self.velocity / speed;
+  request.goal = scene.goal.position;
+  request.speed = 0.6 * scene.robot->maxSpeed();
+
+  task_.limits = speedLimits(*scene.robot, params_.acceleration_share, params_.lateral_share);
+  task_.limits.start_speed = moving ? speed : 0.0;
+  task_.body = bodyShape(*scene.robot);
+  task_.clearance_wish = params_.clearance;
+  task_.clearance_least = params_.least_clearance;
+  task_.field = scene.field;
+  task_.discs = planned_;
+  task_.start_direction = moving ? std::nullopt : std::optional(facing);
+
+  best_ = {};
+  if (!scene.goal.heading) {
+    choose(scene, request, Arrival::kFree);
+  } else {
+    if (!missed_heading_ && !scene.goal.stop) choose(scene, request, Arrival::kThrough);
+    choose(scene, request, Arrival::kTurn);
+  }
+  if (moving && best_.best().controls() > 2) {
+    const Vec2 first = unitOr(best_.best().control(2) - best_.best().control(1), *request.start_direction);
+    if (dot(first, *request.start_direction) < kSharpTurn)
+      return brake(scene, *request.start_direction, speed);
+  }
+  path_.clear();
+  path_.build(best_.best(), best_task_.limits);
+}
+
+void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival) {
+  SeedRequest wanted = request;
+  task_.limits.end_speed = arrival == Arrival::kTurn || scene.goal.stop ? 0.0 : 1e9;
+  task_.end_direction.reset();
+  if (arrival == Arrival::kThrough) wanted.end_direction = math::unit(*scene.goal.heading);
+  if (arrival == Arrival::kTurn) task_.end_direction = math::unit(*scene.goal.heading);
+  cost_ = SplineCost(task_);
+  seeder_.search(wanted, *scene.robot, *scene.field, now_);
+  tryCandidate(seeder_.shortest());
+  CubicSpline other;
+  for (std::size_t bend = 0; bend < std::min(seeder_.bends(), kTrialBends); ++bend) {
+    if (seeder_.otherSide(bend, kDetour, other)) tryCandidate(other);
+  }
+}
+
+void BsplineTime::tryCandidate(const CubicSpline& seed) {
+  const bool through = task_.limits.end_speed > 0.0 && goal_.heading.has_value();
+  candidate_.start(seed, task_.start_direction ? 1 : 2, through ? 2 : 1, kFirstStep);
+  spent_ += candidate_.improve(cost_, kTrialEvaluations);
+  if (best_.best().controls() == 0 || candidate_.score().cost < best_.score().cost) {
+    best_ = candidate_;
+    best_task_ = task_;
+  }
+}
+
+void BsplineTime::brake(const NavigationScene& scene, Vec2 direction, double speed) {
+  braking_ = true;
+  const double length = speed * speed / (2.0 * std::max(scene.robot->wheel_acceleration, 0.1));
+  path_.brake(scene.self.pose.position, direction, length);
+}
+
+void BsplineTime::refine() {
+  const int effort = any_moves_ ? params_.moving_effort : params_.effort;
+  if (spent_ >= effort || best_.converged()) return;
+  // The spans that the robot is in or about to enter keep their shape; a start at rest may still turn.
+  if (path_.place() > 2) best_.freezeBefore(path_.span() + 3);
+  cost_ = SplineCost(best_task_);
+  const double before = best_.score().cost;
+  const int used = best_.improve(cost_, std::min(params_.evaluations, effort - spent_));
+  spent_ = used > 0 ? spent_ + used : effort;
+  if (best_.score().cost < before) {
+    path_.build(best_.best(), best_task_.limits);
+    ++revision_;
+  }
+}
+
+double BsplineTime::conflictAt(const NavigationScene& scene, double top) const {
+  DrivePath::Ride ride;
+  ride.speed = std::max(0.0, bodyTwist(scene.self).linear);
+  ride.top = top;
+  ride.acceleration = params_.acceleration_share * scene.robot->wheel_acceleration;
+  return path_.conflict(ride, task_.body, now_);
+}
+
+double BsplineTime::guard(const NavigationScene& scene) {
+  if (!any_moves_) return kInfinity;
+  double clear = conflictAt(scene, kInfinity);
+  if (clear == kInfinity) return kInfinity;
+  if (age_ >= (clear < kSoon ? kReplanTicks : kCalmTicks)) {
+    makePlan(scene);
+    clear = conflictAt(scene, kInfinity);
+    if (clear == kInfinity) return kInfinity;
+  }
+  double best_cap = kInfinity;
+  const double speed = norm(scene.self.velocity);
+  for (const double cap : {0.6 * speed, 0.3 * speed, 0.0}) {
+    const double until = conflictAt(scene, cap);
+    if (until > clear) clear = until, best_cap = cap;
+    if (until == kInfinity) break;
+  }
+  return best_cap;
+}
+
+NavigatorInfo bsplineTimeInfo() {
+  using P = BsplineTime::Params;
+  return describeNavigator<P, BsplineTime>(
+      "bspline-time", "cubic B-spline optimised for travel time", "future work of Jung & Lee 2015; own",
+      {number("clearance", &P::clearance, 0.0, 0.2, "m", "of the robot's square that a plan pays time for"),
+       number("least-clearance", &P::least_clearance, 0.001, 0.1, "m", "below it a plan counts as blocked"),
+       number("acceleration-share", &P::acceleration_share, 0.1, 1.0, "",
+              "of the wheel acceleration that plans use"),
+       number("lateral-share", &P::lateral_share, 0.1, 1.0, "", "of the lateral grip that plans use"),
+       integer("evaluations", &P::evaluations, 1, 10000, "splines judged a tick while improving a plan"),
+       integer("effort", &P::effort, 1, 1000000, "splines judged a plan at most"),
+       integer("moving-effort", &P::moving_effort, 1, 1000000, "the same among moving obstacles")},
+      true);
+}
+
+}  // namespace fulbito

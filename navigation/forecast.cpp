@@ -1,0 +1,62 @@
+#include "navigation/forecast.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulbito {
+namespace {
+
+constexpr double kMoving = 0.03;  // [m/s]
+
+double mirrored(double x, double room) {
+  if (x > room) x = 2.0 * room - x;
+  if (x < -room) x = -2.0 * room - x;
+  return std::clamp(x, -room, room);
+}
+
+}  // namespace
+
+Vec2 ForecastDisc::at(double time) const {
+  if (!moves) return position;
+  const Vec2 p = position + velocity * time;
+  return {mirrored(p.x, room.x), mirrored(p.y, room.y)};
+}
+
+void forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out) {
+  out.clear();
+  for (const DiscObstacle& o : scene.obstacles) {
+    ForecastDisc disc{o.position, o.velocity, o.radius, {}, squaredNorm(o.velocity) > kMoving * kMoving};
+    // A disc in a goal or half in a wall keeps at least the room that it has.
+    disc.room = {std::max(scene.field->length / 2 - o.radius, std::abs(o.position.x)),
+                 std::max(scene.field->width / 2 - o.radius, std::abs(o.position.y))};
+    out.push_back(disc);
+  }
+}
+
+BodyShape bodyShape(const RobotModel& robot) { return {robot.length / 2, robot.width / 2}; }
+
+double discClearance(const BodyShape& body, Vec2 position, Vec2 along, Vec2 centre, double radius) {
+  const Vec2 d = centre - position;
+  const double x = std::abs(dot(d, along)) - body.half_length;
+  const double y = std::abs(cross(along, d)) - body.half_width;
+  if (x > 0.0 && y > 0.0) return std::sqrt(x * x + y * y) - radius;
+  return std::max(x, y) - radius;
+}
+
+double wallClearance(const BodyShape& body, Vec2 position, Vec2 along, const FieldGeometry& field) {
+  const double x = std::abs(position.x), y = std::abs(position.y);
+  const double tx = std::abs(along.x), ty = std::abs(along.y);
+  const double to_end = field.length / 2 - x - body.half_length * tx - body.half_width * ty;
+  const double to_side = field.width / 2 - y - body.half_length * ty - body.half_width * tx;
+  const double least = std::min(to_end, to_side);
+  if (field.corner <= 0.0) return least;
+  const double half_root = 0.70710678118654752;
+  // The corner's face has the normal (1, 1) in the quadrant of the position.
+  const double same = position.x * position.y * along.x * along.y >= 0.0 ? 1.0 : -1.0;
+  const double ahead = std::abs(tx + same * ty), across = std::abs(tx - same * ty);
+  const double to_corner = half_root * (field.length / 2 + field.width / 2 - field.corner - x - y -
+                                        body.half_length * ahead - body.half_width * across);
+  return std::min(least, to_corner);
+}
+
+}  // namespace fulbito

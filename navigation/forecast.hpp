@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/core/field_geometry.hpp"
+#include "engine/core/robot_model.hpp"
+#include "navigation/scene.hpp"
+
+namespace fulbito {
+
+/// A disc obstacle with its motion foreseen: straight on, mirrored where it meets a wall of the field.
+struct ForecastDisc {
+  Vec2 position;
+  Vec2 velocity;
+  double radius = 0.0;
+  Vec2 room;           ///< [m] |x| and |y| that its centre keeps within
+  bool moves = false;  ///< faster than a few centimetres a second
+
+  /// Where its centre will be after `time` [s].
+  Vec2 at(double time) const;
+};
+
+/// Foresees all obstacles of `scene` into `out`, reusing its memory.
+void forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out);
+
+/// Half sizes [m] of a robot's rectangle.
+struct BodyShape {
+  double half_length = 0.0375;
+  double half_width = 0.0375;
+};
+BodyShape bodyShape(const RobotModel& robot);
+
+/// Clearance [m] of the body at `position`, its x axis along the unit vector `along`, to a disc; negative
+/// when they overlap.
+double discClearance(const BodyShape& body, Vec2 position, Vec2 along, Vec2 centre, double radius);
+
+/// The same to the nearest wall of the playing rectangle with its corner triangles.
+double wallClearance(const BodyShape& body, Vec2 position, Vec2 along, const FieldGeometry& field);
+
+}  // namespace fulbito

@@ -1,0 +1,10 @@
+#!/usr/bin/env bash
+# Fails when a source file is not as clang-format-19 would write it; --fix rewrites them.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+case "${1:-}" in
+  -h | --help) echo "Usage: scripts/check-format.sh [--fix]"; exit 0 ;;
+  --fix) git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format-19 -i ;;
+  "") git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format-19 --dry-run --Werror ;;
+  *) echo "check-format.sh: unknown option '$1'" >&2; exit 2 ;;
+esac

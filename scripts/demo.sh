@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# From a fresh clone to the comparison's table and pictures: installs what is missing, builds, runs the main job.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+if [ "${1:-}" = "-h" ] || [ "${1:-}" = "--help" ]; then
+  echo "Usage: scripts/demo.sh [OUT]   installs, builds, runs the comparison of Jung & Lee (2015) into OUT (default: fulbito-out)"
+  exit 0
+fi
+out=${1:-fulbito-out}
+
+scripts/install-deps.sh
+cmake --preset release -DFULBITO_BUILD_TESTS=OFF >/dev/null
+cmake --build --preset release --target fulbito
+echo
+echo "A first look: all methods on 20 layouts, corner to corner at 2.6 m/s"
+build/release/fulbito compare --suite corner --speeds 2.6 --trials 20 --pictures 4 --out "$out/first-look"
+echo
+echo "The comparison: 200 layouts, three speeds, and the paper's own runs"
+build/release/fulbito compare --out "$out"
+echo
+echo "Pictures: $out/*.png (time.png and distance.png sum up; corner-0-1.0.png shows every method's way)"

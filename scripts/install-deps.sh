@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Installs what building and testing Fulbito needs, from the distribution's own packages.
+# Tested on Debian 12; written for Ubuntu 24.04 too. Does nothing when all is there.
+set -euo pipefail
+
+usage() {
+  cat <<'USAGE'
+Usage: scripts/install-deps.sh [--ci] [--list]
+  (no option)  what building, running and testing needs
+  --ci         also what .ci/run needs: clang 19 with its tools, shellcheck
+  --list       print the packages and stop
+USAGE
+}
+
+packages=(
+  g++ cmake ninja-build git ca-certificates binutils pkg-config
+  libbox2d-dev libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core libpng-dev
+  libeigen3-dev libfmt-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
+  librandom123-dev libxxhash-dev
+  catch2 libmpfr-dev libgmp-dev
+)
+ci_packages=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck python3)
+
+list=false
+for option in "$@"; do
+  case "$option" in
+    --ci) packages+=("${ci_packages[@]}") ;;
+    --list) list=true ;;
+    -h | --help) usage; exit 0 ;;
+    *) echo "install-deps.sh: unknown option '$option'" >&2; usage >&2; exit 2 ;;
+  esac
+done
+if $list; then printf '%s\n' "${packages[@]}"; exit 0; fi
+
+if ! command -v apt-get >/dev/null; then
+  echo "install-deps.sh: this script needs apt-get (Debian or Ubuntu). Elsewhere install: ${packages[*]}" >&2
+  exit 2
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "install-deps.sh: all packages are there"
+  exit 0
+fi
+
+root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "install-deps.sh: run as root, or install sudo" >&2; exit 2; }
+  root=(sudo)
+fi
+echo "install-deps.sh: installing ${missing[*]}"
+"${root[@]}" apt-get update -qq
+"${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}"

@@ -1,0 +1,270 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/catch.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct Output {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder of its own for each test, in which the program runs.
+struct Sandbox {
+  fs::path path;
+  Sandbox() {
+    std::string name = (fs::temp_directory_path() / "fulbito-cli-XXXXXX").string();
+    path = ::mkdtemp(name.data());
+  }
+  ~Sandbox() { fs::remove_all(path); }
+  Sandbox(const Sandbox&) = delete;
+  Sandbox& operator=(const Sandbox&) = delete;
+
+  Output run(const std::string& arguments) const {
+    const std::string command = "cd '" + path.string() + "' && '" FULBITO_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    const int status = std::system(command.c_str());
+    Output output{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(path / "out.txt"), contentOf(path / "err.txt")};
+    fs::remove(path / "out.txt");
+    fs::remove(path / "err.txt");
+    return output;
+  }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name, std::ios::binary) << text; }
+};
+
+/// Removes what is measured: keys that begin with compute_ or wall_.
+void dropMeasured(Json& json) {
+  if (json.is_array()) {
+    for (Json& item : json) dropMeasured(item);
+  } else if (json.is_object()) {
+    for (auto it = json.begin(); it != json.end();) {
+      const bool measured = it.key().starts_with("compute_") || it.key().starts_with("wall_");
+      if (measured) {
+        it = json.erase(it);
+      } else {
+        dropMeasured(*it++);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("help is there for the program and every command, with examples", "[cli]") {
+  const Sandbox box;
+  const Output top = box.run("--help");
+  CHECK(top.code == 0);
+  CHECK(top.err.empty());
+  for (const char* command : {"run", "compare", "list", "show", "bench", "version"}) {
+    CHECK(top.out.find(command) != std::string::npos);
+    const Output help = box.run(std::string(command) + " --help");
+    CHECK(help.code == 0);
+    CHECK(help.out.find("Example") != std::string::npos);
+    CHECK(help.out.find(std::string("fulbito ") + command) != std::string::npos);
+  }
+}
+
+TEST_CASE("wrong words are usage errors with a suggestion, and say nothing on stdout", "[cli]") {
+  const Sandbox box;
+  const auto expect = [&](const std::string& arguments, const std::string& part) {
+    INFO(arguments);
+    const Output output = box.run(arguments);
+    CHECK(output.code == 2);
+    CHECK(output.out.empty());
+    INFO(output.err);
+    CHECK(output.err.find(part) != std::string::npos);
+  };
+  expect("", "subcommand");
+  expect("comapre", "there is no command 'comapre'. Did you mean 'compare'?");
+  expect("compare --trails 3", "Did you mean '--trials'?");
+  expect("compare --suite cornr", "Did you mean 'corner'?");
+  expect("compare --suite corner --navigators bezir", "there is no navigator 'bezir'. Did you mean 'bezier'?");
+  expect("compare --suite corner --navigators bezier:clearance=9", "parameter 'clearance': '9' is not a number from");
+  expect("compare --suite corner --navigators bezier:clearance", "is not of the form name=value");
+  expect("compare --suite corner --trials abc", "--trials");
+  expect("compare --suite corner --trials -4", "--trials");
+  expect("compare --suite corner --speeds 99", "--speeds: 99 is outside");
+  expect("compare --suite corner --jobs -1", "--jobs");
+  expect("run --robot vss", "Did you mean 'vsss'?");
+  expect("run --physics standrad", "Did you mean 'standard'?");
+  expect("run --layout corner:x", "is not the number of a layout");
+  expect("run --layout cornr:3", "Did you mean 'corner'?");
+  expect("run --speed nan", "speed");
+  expect("run --speed 0", "speed: 0 is outside");
+  expect("run --noise -1", "noise: -1 is outside");
+  expect("list navigatrs", "Did you mean 'navigators'?");
+  expect("show robot vss", "Did you mean 'vsss'?");
+  expect("show robt vsss", "Did you mean 'robot'?");
+  expect("show robot", "name");
+}
+
+TEST_CASE("bad input files are named with line and key", "[cli]") {
+  const Sandbox box;
+  box.write("broken.toml", "name = \"x\"\n[start\n");
+  Output output = box.run("run --layout broken.toml");
+  CHECK(output.code == 3);
+  CHECK(output.err.find("broken.toml:2") != std::string::npos);
+  box.write("range.toml", "[robot]\nname = \"r\"\nmass = -1.0\n");
+  output = box.run("run --robot range.toml");
+  CHECK(output.code == 3);
+  CHECK(output.err.find("range.toml:3") != std::string::npos);
+  CHECK(output.err.find("mass") != std::string::npos);
+  output = box.run("run --layout missing.toml");
+  CHECK(output.code == 5);
+  CHECK(output.err.find("missing.toml") != std::string::npos);
+  box.write("deep.toml", "a = " + std::string(100000, '['));
+  CHECK(box.run("run --layout deep.toml").code == 3);
+  box.write("binary.toml", std::string("\0\xff\x01\x80", 4));
+  CHECK(box.run("run --layout binary.toml").code == 3);
+  output = box.run("run --layout /");
+  CHECK(output.code == 5);
+}
+
+TEST_CASE("an output folder that cannot be written is found before work begins", "[cli]") {
+  const Sandbox box;
+  box.write("file", "x");
+  const Output output = box.run("compare --suite corner --navigators bezier --trials 1 --speeds 1 --out file/below");
+  CHECK(output.code == 5);
+  CHECK(output.out.empty());
+  CHECK(output.err.find("file/below") != std::string::npos);
+  CHECK(box.run("run --png no/such/folder/x.png").code == 5);
+  CHECK(box.run("run --trace no/such/folder/x.csv").code == 5);
+  CHECK(std::distance(fs::directory_iterator(box.path), {}) == 1);
+}
+
+TEST_CASE("run prints a score, writes a picture and a trace", "[cli]") {
+  const Sandbox box;
+  Output output = box.run("run --navigator bezier --layout corner:3 --png way.png --trace t.csv");
+  CHECK(output.code == 0);
+  CHECK(output.out.find("bezier on corner-3 at 1.00 m/s (seed 2015): reached") == 0);
+  CHECK(contentOf(box.path / "way.png").substr(1, 3) == "PNG");
+  const std::string trace = contentOf(box.path / "t.csv");
+  CHECK(trace.starts_with("tick,time_s,x_m,y_m,heading_rad,"));
+  CHECK(std::count(trace.begin(), trace.end(), '\n') > 60);
+  output = box.run("run --layout fig6-two-turns --navigator limit-cycle --png --json");
+  CHECK(output.code == 0);
+  const Json json = Json::parse(output.out);
+  CHECK(json["schema_version"] == 1);
+  CHECK(json["navigator"] == "limit-cycle");
+  CHECK(json["score"].contains("outcome"));
+  CHECK(fs::exists(box.path / "fig6-two-turns.png"));
+}
+
+TEST_CASE("a layout of one's own is driven", "[cli]") {
+  const Sandbox box;
+  const Output shown = box.run("show case fig1-abrupt-turns");
+  REQUIRE(shown.code == 0);
+  box.write("mine.toml", shown.out);
+  const Output named = box.run("run --layout fig1-abrupt-turns --json"), own = box.run("run --layout mine.toml --json");
+  REQUIRE(own.code == 0);
+  CHECK(Json::parse(own.out)["final_hash"] == Json::parse(named.out)["final_hash"]);
+}
+
+TEST_CASE("compare writes results, trials and pictures, the same for any number of jobs", "[cli]") {
+  const Sandbox box;
+  const std::string common = "compare --suite corner --navigators bezier straight --speeds 1.0,2.6 --trials 3 --pictures 1 --json ";
+  const Output one = box.run(common + "--jobs 1 --out one"), two = box.run(common + "--jobs 3 --out two");
+  REQUIRE(one.code == 0);
+  Json a = Json::parse(one.out), b = Json::parse(two.out);
+  CHECK(a["summary"].size() == 4);
+  dropMeasured(a);
+  dropMeasured(b);
+  CHECK(a == b);
+  CHECK(contentOf(box.path / "one/results.json") == one.out);
+  CHECK(contentOf(box.path / "one/trials.csv") == contentOf(box.path / "two/trials.csv"));
+  for (const char* file : {"corner-0-1.0.png", "corner-0-2.6.png", "time.png", "distance.png"}) {
+    CHECK(contentOf(box.path / "one" / file).substr(1, 3) == "PNG");
+    CHECK(contentOf(box.path / "one" / file) == contentOf(box.path / "two" / file));
+  }
+  CHECK(std::distance(fs::directory_iterator(box.path / "one"), {}) == 6);
+}
+
+TEST_CASE("compare prints tables, and one layout again with --only", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run("compare --suite short --navigators bezier --speeds 1 --trials 20 --only 17 --out o");
+  CHECK(output.code == 0);
+  CHECK(output.out.find("### short at 1.0 m/s, 1 layout") != std::string::npos);
+  CHECK(fs::exists(box.path / "o/short-17-1.0.png"));
+}
+
+TEST_CASE("latency, noise, physics and robot can be chosen", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run(
+      "run --latency 3 --noise 0.001 --physics faithful --robot vsss --speed 1.0 --seed 5 --layout corner:1 --json");
+  REQUIRE(output.code == 0);
+  CHECK(Json::parse(output.out)["physics"] == "faithful");
+  const Output again = box.run(
+      "run --latency 3 --noise 0.001 --physics faithful --robot vsss --speed 1.0 --seed 5 --layout corner:1 --json");
+  CHECK(Json::parse(output.out)["final_hash"] == Json::parse(again.out)["final_hash"]);
+}
+
+TEST_CASE("list and show print every kind, as text and JSON", "[cli]") {
+  const Sandbox box;
+  for (const char* kind : {"navigators", "suites", "cases", "robots", "physics", "fields"}) {
+    const Output text = box.run(std::string("list ") + kind), json = box.run(std::string("list ") + kind + " --json");
+    CHECK(text.code == 0);
+    CHECK(Json::parse(json.out)[kind].size() >= 3);
+  }
+  int defaults = 0;
+  const Json listed = Json::parse(box.run("list navigators --json").out);
+  for (const Json& n : listed["navigators"]) defaults += n["default"].get<bool>() ? 1 : 0;
+  CHECK(defaults == 1);
+  CHECK(box.run("show robot vsss").out.find("[robot]") != std::string::npos);
+  CHECK(box.run("show physics faithful").out.find("substeps = 4") != std::string::npos);
+  CHECK(box.run("show field vsss-5v5").out.find("2.2") != std::string::npos);
+}
+
+TEST_CASE("version tells what it was built from", "[cli]") {
+  const Sandbox box;
+  const Json json = Json::parse(box.run("version --json").out);
+  CHECK(json["box2d"] == "2.4.1");
+  CHECK(json.contains("compiler"));
+  CHECK(box.run("version").out.starts_with("fulbito "));
+}
+
+TEST_CASE("bench prints the signature of its fixed scenes, the same every time", "[cli]") {
+  const Sandbox box;
+  const Output first = box.run("bench --signature"), again = box.run("bench --signature");
+  CHECK(first.code == 0);
+  CHECK(first.out == again.out);
+  CHECK(first.out.size() == 17);
+}
+
+TEST_CASE("Ctrl-C ends a comparison with exit code 130 and nothing half-written", "[cli]") {
+  const Sandbox box;
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    if (::chdir(box.path.c_str()) != 0 || std::freopen("/dev/null", "w", stdout) == nullptr ||
+        std::freopen("/dev/null", "w", stderr) == nullptr) {
+      ::_exit(99);
+    }
+    ::execl(FULBITO_PROGRAM, "fulbito", "compare", "--suite", "corner", "--trials", "20000", "--out", "o", nullptr);
+    ::_exit(99);
+  }
+  while (!fs::exists(box.path / "o")) ::usleep(10000);
+  ::usleep(200000);
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 130);
+  CHECK(fs::is_empty(box.path / "o"));
+}

@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Runs every command that README, CONTRIBUTING and docs show in ```sh blocks, in a folder of its own, with the given program as
+# `fulbito`. Lines that begin with scripts/, cmake, ctest, git or sudo are for the reader's checkout: .ci/run runs those scripts.
+set -euo pipefail
+program=$(realpath "${1:?Usage: tests/examples/run.sh PROGRAM}")
+root=$(cd "$(dirname "$0")/../.." && pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/bin"
+ln -s "$program" "$work/bin/fulbito"
+export PATH="$work/bin:$PATH"
+
+count=0
+for page in "$root"/README.md "$root"/CONTRIBUTING.md "$root"/docs/*.md; do
+  mkdir -p "$work/run"
+  cd "$work/run"
+  while IFS= read -r line; do
+    case "$line" in
+      fulbito* | build/release/fulbito*) ;;
+      scripts/* | cmake* | ctest* | git* | cd* | '#'* | '') continue ;;
+      *) echo "${page#"$root"/}: a command that this check does not know: $line" >&2; exit 1 ;;
+    esac
+    line=${line/#build\/release\/fulbito/fulbito}
+    echo "+ (${page#"$root"/}) $line"
+    if ! bash -euo pipefail -c "$line" >"$work/log" 2>&1; then
+      cat "$work/log"
+      echo "${page#"$root"/}: failed: $line" >&2
+      exit 1
+    fi
+    count=$((count + 1))
+  done < <(awk '/^```sh$/ { inside = 1; next } /^```/ { inside = 0 } inside' "$page")
+  cd "$root"
+  rm -rf "$work/run"
+done
+[ "$count" -gt 0 ] || { echo "no commands found" >&2; exit 1; }
+echo "$count commands ran"

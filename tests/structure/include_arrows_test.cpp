@@ -1,0 +1,103 @@
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/support/catch.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Who may include whom: each folder may use itself, the folders named here and what those may use is not implied.
+const std::map<std::string, std::set<std::string>> kArrows = {
+    {"engine/core", {}},
+    {"engine/sim", {"engine/core"}},
+    {"navigation", {"engine/core"}},
+    {"referee", {"engine/core"}},
+    {"replays/render", {"engine/core"}},
+    {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/render"}},
+    {"bench", {"engine/core", "engine/sim"}},
+    {"apps", {"engine/core", "engine/sim", "navigation", "referee", "replays/render", "experiments", "bench"}},
+};
+
+/// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp` and Eigen alone.
+const std::map<std::string, std::set<std::string>> kLibraries = {
+    {"engine/core", {"fmt", "tl", "toml++", "Random123", "xxhash.h"}},
+    {"engine/sim", {"box2d", "fmt"}},
+    {"navigation", {"fmt"}},
+    {"referee", {}},
+    {"replays/render", {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "fmt"}},
+    {"experiments", {"fmt", "nlohmann"}},
+    {"bench", {"box2d", "fmt"}},
+    {"apps", {"fmt", "nlohmann", "CLI"}},
+};
+
+const std::set<std::string> kKnownLibraries = {"fmt",  "tl",   "toml++",    "Random123",           "xxhash.h", "box2d",  "SDL.h",
+                                               "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h",    "nlohmann", "CLI", "Eigen"};
+
+std::string folderOf(const std::string& path) {
+  std::string best;
+  for (const auto& [folder, unused] : kArrows) {
+    if (path.starts_with(folder + "/") && folder.size() > best.size()) best = folder;
+  }
+  return best;
+}
+
+std::vector<std::string> violations(const std::string& path, const std::string& text) {
+  static const std::regex include(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
+  const std::string folder = folderOf(path);
+  const bool header = path.ends_with(".hpp");
+  // A header beside its sources that no other folder may see counts as a source.
+  const bool is_private = text.find("// Private header of ") != std::string::npos;
+  std::vector<std::string> found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    if (!std::regex_search(line, match, include)) continue;
+    const std::string target = match[2];
+    if (match[1] == "\"") {
+      const std::string other = folderOf(target);
+      if (other.empty() || (other != folder && kArrows.at(folder).count(other) == 0)) found.push_back(path + " -> " + target);
+      continue;
+    }
+    const std::string library = target.substr(0, target.find('/'));
+    if (kKnownLibraries.count(library) == 0) continue;
+    const bool public_ok = library == "tl" || library == "Eigen";
+    if (header && !is_private && !public_ok) found.push_back(path + " (a public header) -> " + target);
+    if (!public_ok && kLibraries.at(folder).count(library) == 0) found.push_back(path + " -> " + target);
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("includes follow the arrows of the architecture", "[unit]") {
+  std::vector<std::string> found;
+  int files = 0;
+  for (const auto& [folder, unused] : kArrows) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(FULBITO_SOURCE_DIR) / folder)) {
+      const std::string extension = entry.path().extension();
+      if (extension != ".hpp" && extension != ".cpp") continue;
+      const std::string path = fs::relative(entry.path(), FULBITO_SOURCE_DIR);
+      if (folderOf(path) != folder) continue;
+      std::ifstream in(entry.path());
+      for (const std::string& v : violations(path, {std::istreambuf_iterator<char>(in), {}})) found.push_back(v);
+      ++files;
+    }
+  }
+  CHECK(files > 60);
+  for (const std::string& v : found) FAIL_CHECK(v);
+}
+
+TEST_CASE("the walk finds a wrong arrow", "[unit]") {
+  CHECK(violations("engine/core/x.cpp", "#include \"engine/sim/world.hpp\"\n").size() == 1);
+  CHECK(violations("referee/x.cpp", "#include \"navigation/scene.hpp\"\n").size() == 1);
+  CHECK(violations("referee/x.cpp", "#include <box2d/box2d.h>\n").size() == 1);
+  CHECK(violations("engine/sim/x.hpp", "#include <box2d/box2d.h>\n").size() == 1);
+  CHECK(violations("engine/sim/x.cpp", "#include <box2d/box2d.h>\n#include <vector>\n").empty());
+  CHECK(violations("navigation/x.hpp", "#include \"engine/core/vec2.hpp\"\n").empty());
+}
