@@ -7,6 +7,8 @@
 #include "navigation/bezier_raw.hpp"
 #include "navigation/bspline_time.hpp"
 #include "navigation/classic_follower.hpp"
+#include "navigation/dwa.hpp"
+#include "navigation/nearness_diagram.hpp"
 #include "navigation/hermite.hpp"
 #include "navigation/limit_cycle.hpp"
 #include "navigation/preview_follower.hpp"
@@ -23,6 +25,8 @@ const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
       straightInfo(),
+      nearnessDiagramInfo(),
+      dwaInfo(),
       vectorFieldInfo(),
       univectorInfo(),
       tangentFieldInfo(),

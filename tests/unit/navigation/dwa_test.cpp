@@ -1,0 +1,102 @@
+#include "navigation/dwa.hpp"
+
+#include "engine/core/math.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/corner_survey.hpp"
+#include "tests/support/navigator_properties.hpp"
+
+namespace fulbito {
+namespace {
+
+/// Mean over three speeds and 25 layouts of the time over a rough bound of it plus the length over the
+/// straight line; a failure counts as 8.
+double tuningCost(const std::string& specification) {
+  constexpr int kLayouts = 25;
+  double cost = 0.0;
+  for (double speed : {0.6, 1.0, 2.6}) {
+    const test::CornerSurvey s = test::surveyCorners(specification, speed, 9000, kLayouts);
+    const double bound = 1.65 / speed + speed / 10.0;
+    cost += (s.safe * (s.time / bound + s.length) + 8.0 * (kLayouts - s.safe)) / (3.0 * kLayouts);
+  }
+  return cost;
+}
+
+}  // namespace
+
+TEST_CASE("the dynamic window approach keeps what every navigator promises", "[unit]") {
+  test::checkNavigatorProperties("dwa");
+}
+
+TEST_CASE("the dynamic window approach is safe on corner layouts", "[unit]") {
+  for (double speed : {0.6, 1.0, 2.6}) {
+    const test::CornerSurvey survey = test::surveyCorners("dwa", speed, 0, 40);
+    INFO("speed " << speed << ", safe " << survey.safe << " of 40, L " << survey.length);
+    CHECK(survey.safe >= 39);
+    CHECK(survey.length < 1.10);
+  }
+}
+
+TEST_CASE("the dynamic window approach stops before a wall that it is sent through", "[unit]") {
+  const auto pilot = makePilot(*parseNavigator("dwa"));
+  NavigationGoal goal;
+  goal.position = {1.5, 0.0};
+  for (double speed : {0.6, 2.6}) {
+    const auto run =
+        test::kinematicTrial(**pilot, test::paperRobot(speed), {}, {{-0.5, 0.0}, 0.0}, goal, {}, 4.0);
+    CHECK_FALSE(run.touched);
+    CHECK(run.path.back().x > 0.5);
+  }
+}
+
+TEST_CASE("the dynamic window approach comes to rest at a goal where it shall stop", "[unit]") {
+  Dwa dwa;
+  const FieldGeometry field;
+  const RobotModel robot = test::paperRobot(1.0);
+  NavigationScene scene;
+  scene.field = &field;
+  scene.robot = &robot;
+  scene.goal.position = {0.1, 0.0};
+  scene.goal.stop = true;
+  scene.self.velocity = {0.8, 0.0};
+  // sqrt(2 * 0.6 * 5 * (0.1 - 0.015)) = 0.71 m/s is all that the way left allows.
+  const Twist slower = forwardKinematics(robot, dwa.plan(scene).wheels);
+  CHECK(slower.linear < 0.8);
+  CHECK(slower.linear >= 0.8 - 5.0 / 60.0 - 1e-9);
+}
+
+TEST_CASE("the dynamic window approach gives way to a crossing ball that it would meet", "[unit]") {
+  // Both would be at the origin after about one second.
+  const auto pilot = makePilot(*parseNavigator("dwa"));
+  NavigationGoal goal;
+  goal.position = {0.6, 0.0};
+  const std::vector<DiscObstacle> crossing = {{{0.0, -0.5}, 0.0335, {0.0, 0.45}}};
+  const auto run =
+      test::kinematicTrial(**pilot, test::paperRobot(0.6), {}, {{-0.6, 0.0}, 0.0}, goal, crossing);
+  CHECK(run.reached);
+  CHECK_FALSE(run.touched);
+
+  // The straight reference shows that there is something to give way to.
+  const auto straight = makePilot(*parseNavigator("straight"));
+  CHECK(test::kinematicTrial(**straight, test::paperRobot(0.6), {}, {{-0.6, 0.0}, 0.0}, goal, crossing)
+            .touched);
+}
+
+TEST_CASE("survey of the dynamic window approach on corner layouts", "[.][survey]") {
+  test::printCornerSurvey("dwa");
+  std::printf("p99 of a tick %.1f us\n", test::tickTime99("dwa"));
+}
+TEST_CASE("weights of the dynamic window approach on layouts apart from the survey's", "[.][tune]") {
+  for (const char* preview : {"0.25", "0.3", "0.4"}) {
+    for (const char* velocity : {"0.3", "0.5", "0.7"}) {
+      for (const char* clearance : {"0.4", "0.6", "0.8"}) {
+        for (const char* heading : {"0", "0.1"}) {
+          const std::string weights = std::string("preview=") + preview + ",velocity=" + velocity +
+                                      ",clearance=" + clearance + ",heading=" + heading;
+          std::printf("cost %.3f %s\n", tuningCost("dwa:" + weights), weights.c_str());
+        }
+      }
+    }
+  }
+}
+
+}  // namespace fulbito
