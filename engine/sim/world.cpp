@@ -15,6 +15,7 @@
 #include "engine/sim/drive.hpp"
 #include "engine/sim/engine_clock.hpp"
 #include "engine/sim/obstacle_motion.hpp"
+#include "engine/sim/reserve.hpp"
 #include "engine/sim/units.hpp"
 
 namespace fulbito {
@@ -92,6 +93,7 @@ ContactLog World::Impl::makeLog(const WorldConfig& config) {
 
 World::Impl::Impl(const WorldConfig& from)
     : config(from), dt(from.physics.stepPeriod()), contacts(makeLog(from)) {
+  reserveContacts(engine, config.robots.size() + config.balls.size() + config.obstacles.size());
   engine.SetAllowSleeping(false);
   engine.SetContactListener(&contacts);
   std::size_t number = 0;
