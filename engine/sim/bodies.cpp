@@ -8,6 +8,7 @@
 #include <box2d/b2_polygon_shape.h>
 #include <box2d/b2_world.h>
 
+#include "engine/core/math.hpp"
 #include "engine/sim/obstacle_motion.hpp"
 #include "engine/sim/units.hpp"
 #include "engine/sim/walls.hpp"
@@ -19,7 +20,7 @@ b2BodyDef definition(b2BodyType type, const Pose2& pose, std::size_t number) {
   b2BodyDef def;
   def.type = type;
   def.position = units::vector(pose.position);
-  def.angle = static_cast<float>(pose.heading);
+  def.angle = static_cast<float>(math::wrapAngle(pose.heading));
   def.allowSleep = false;
   def.userData.pointer = number;
   return def;

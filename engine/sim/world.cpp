@@ -15,6 +15,7 @@
 #include "engine/sim/drive.hpp"
 #include "engine/sim/engine_clock.hpp"
 #include "engine/sim/obstacle_motion.hpp"
+#include "engine/sim/reserve.hpp"
 #include "engine/sim/units.hpp"
 
 namespace fulbito {
@@ -34,11 +35,12 @@ Pose2 poseOf(const b2Body& body) {
   return {units::metres(body.GetPosition()), math::wrapAngle(static_cast<double>(body.GetAngle()))};
 }
 
-// Box2D's angle is a float that counts turns: left alone, a robot that spins for minutes loses its heading's
-// last digits.
+// Box2D's angle is a float that counts turns. Left alone, a robot that spins for minutes would lose its
+// heading's last digits; and from about 17 rad on the C library's sinf and cosf, which Box2D calls, give a
+// few arguments another last bit on processors with fused multiply-add.
 void unwindAngle(b2Body& body) {
-  constexpr float kManyTurns = 50.0f;
-  if (std::abs(body.GetAngle()) < kManyTurns) return;
+  constexpr float kLargestAngle = 8.0f;
+  if (std::abs(body.GetAngle()) < kLargestAngle) return;
   body.SetTransform(body.GetPosition(),
                     static_cast<float>(math::wrapAngle(static_cast<double>(body.GetAngle()))));
 }
@@ -92,6 +94,7 @@ ContactLog World::Impl::makeLog(const WorldConfig& config) {
 
 World::Impl::Impl(const WorldConfig& from)
     : config(from), dt(from.physics.stepPeriod()), contacts(makeLog(from)) {
+  reserveContacts(engine, config.robots.size() + config.balls.size() + config.obstacles.size());
   engine.SetAllowSleeping(false);
   engine.SetContactListener(&contacts);
   std::size_t number = 0;

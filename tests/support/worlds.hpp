@@ -43,6 +43,14 @@ inline WorldConfig loneBall(const BallModel& ball, const PhysicsProfile& physics
   return config;
 }
 
+/// A disc the size of a tennis ball.
+inline ObstacleSpec discAt(Vec2 position, ObstacleMotion motion = ObstacleMotion::kFixed) {
+  ObstacleSpec disc;
+  disc.motion = motion;
+  disc.pose.position = position;
+  return disc;
+}
+
 /// Two teams of `per_team` robots facing each other in two columns, a ball in the middle.
 inline WorldConfig matchConfig(const RobotPreset& preset, const PhysicsProfile& physics, int per_team,
                                const FieldGeometry& field) {
@@ -62,6 +70,14 @@ inline WorldConfig matchConfig(const RobotPreset& preset, const PhysicsProfile& 
 
 inline FieldGeometry largeField() {
   return {.name = "vsss-5v5", .length = 2.2, .width = 1.8, .goal_width = 0.4, .goal_depth = 0.15};
+}
+
+/// Wheel speeds of a robot that always drives at the target, forward or backward, and never stops pushing.
+inline WheelSpeeds chase(const RobotState& robot, Vec2 target) {
+  const Vec2 ahead = math::unit(robot.pose.heading), to = unitOr(target - robot.pose.position, ahead);
+  const double along = dot(ahead, to) >= 0.0 ? 35.0 : -35.0;
+  const double turn = 20.0 * cross(ahead, to) * (along > 0.0 ? 1.0 : -1.0);
+  return {along - turn, along + turn};
 }
 
 /// The same wheel speeds for every robot, `ticks` times.

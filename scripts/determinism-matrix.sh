@@ -1,0 +1,85 @@
+#!/bin/bash
+# Builds the engine and one hash program with several compilers and levels, runs each with and without the
+# processor's fused multiply-add, and compares every scene's hash with tests/determinism/golden.txt.
+#
+#   scripts/determinism-matrix.sh            all builds
+#   scripts/determinism-matrix.sh gcc-O2     only those named
+#   UPDATE_GOLDEN=1 scripts/determinism-matrix.sh   writes the golden file from the first build, then compares
+#
+# Exit code 0: all equal; 1: some differ; 2: a build failed.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+golden=tests/determinism/golden.txt
+sanitizers="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+builds=(
+  "gcc-O2|g++|-O2 -DNDEBUG"
+  "gcc-O0|g++|-O0"
+  "gcc-O3|g++|-O3 -DNDEBUG"
+  "clang-O2|clang++-19|-O2 -DNDEBUG"
+  "gcc-sanitizers|g++|$sanitizers"
+)
+
+# The names that glibc 2.33 and later know; on a processor without these the masked run is the plain one.
+no_fma="glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX,-FMA,-FMA4"
+
+active_features() {
+  "$(ldconfig -p | awk '/ld-linux-x86-64/ {print $NF; exit}')" --list-diagnostics | grep 'features\[.*active'
+}
+features=$(active_features)
+masked_features=$(GLIBC_TUNABLES=$no_fma active_features)
+if grep -qw fma /proc/cpuinfo && [ "$features" = "$masked_features" ]; then
+  echo "determinism-matrix: GLIBC_TUNABLES does not mask fused multiply-add here" >&2
+  exit 2
+fi
+
+launcher=()
+if command -v ccache > /dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+
+build() {  # name compiler flags
+  cmake -S . -B "build/matrix/$1" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$2" \
+    -DCMAKE_CXX_FLAGS="$3" -DFULBITO_ONLY_HASH_PROGRAM=ON "${launcher[@]}" > "build/matrix/$1.log" 2>&1 &&
+    cmake --build "build/matrix/$1" >> "build/matrix/$1.log" 2>&1
+}
+
+verdict() {  # expected-file printed-file
+  if cmp -s "$1" "$2"; then echo same; else echo DIFFERS; fi
+}
+
+mkdir -p build/matrix
+failures=0
+trig=build/matrix/trig.txt
+rm -f "$trig"
+printf '%-16s %-12s %-10s %-10s\n' build what plain "without FMA"
+for entry in "${builds[@]}"; do
+  IFS='|' read -r name compiler flags <<< "$entry"
+  if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then continue; fi
+  if ! build "$name" "$compiler" "$flags"; then
+    tail -n 20 "build/matrix/$name.log" >&2
+    echo "determinism-matrix: $name does not build" >&2
+    exit 2
+  fi
+  folder=build/matrix/$name/tests/determinism
+  "$folder/hash_program" > "$folder/plain.txt"
+  GLIBC_TUNABLES=$no_fma "$folder/hash_program" > "$folder/masked.txt"
+  if [ "${UPDATE_GOLDEN:-0}" = 1 ]; then
+    cp "$folder/plain.txt" "$golden"
+    UPDATE_GOLDEN=0
+  fi
+  plain=$(verdict "$golden" "$folder/plain.txt")
+  masked=$(verdict "$golden" "$folder/masked.txt")
+  printf '%-16s %-12s %-10s %-10s\n' "$name" scenes "$plain" "$masked"
+  if [ "$plain$masked" != samesame ]; then
+    failures=1
+    diff "$golden" "$folder/plain.txt" || true
+    diff "$golden" "$folder/masked.txt" || true
+  fi
+  # Once is enough: the C library is the same for every build.
+  if [ ! -e "$trig" ]; then
+    "$folder/trig_program" > "$trig"
+    masked=$(verdict "$trig" <(GLIBC_TUNABLES=$no_fma "$folder/trig_program"))
+    printf '%-16s %-12s %-10s %-10s\n' "$name" "sinf, cosf" - "$masked"
+    if [ "$masked" != same ]; then failures=1; fi
+  fi
+done
+exit "$failures"

@@ -1,0 +1,90 @@
+// Counts every allocation of the program: Box2D uses malloc, the library operator new, and both end here.
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <vector>
+
+#include "engine/core/random.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/worlds.hpp"
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier): glibc's own names for what is replaced here
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* old, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(old, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+// NOLINTEND(bugprone-reserved-identifier)
+}
+
+using namespace fulbito;
+using namespace fulbito::test;
+
+namespace {
+
+enum class Load { kRandom, kChase };
+
+// Allocations of `ticks` ticks after `warm_up` of them.
+long allocationsIn(World& world, Load load, int warm_up, int ticks) {
+  Rng rng(5, Stream::kWheelCommands);
+  std::vector<WheelSpeeds> commands(world.config().robots.size());
+  long before = 0;
+  for (int tick = 0; tick < warm_up + ticks; ++tick) {
+    if (tick == warm_up) before = allocations;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+      commands[i] = load == Load::kChase ? chase(world.state().robots[i], world.state().balls[0].position)
+                                         : WheelSpeeds{rng.uniform(-46.0, 46.0), rng.uniform(-46.0, 46.0)};
+    }
+    world.step(commands);
+  }
+  return allocations - before;
+}
+
+}  // namespace
+
+TEST_CASE("the counter sees what malloc and operator new allocate", "[unit]") {
+  const long before = allocations;
+  void* volatile raw = std::malloc(10);  // volatile: the compiler may not drop the pair
+  std::free(raw);
+  std::vector<int>* volatile made = new std::vector<int>(100);
+  delete made;
+  CHECK(allocations - before >= 3);
+}
+
+TEST_CASE("a warm world's ticks allocate nothing", "[unit]") {
+  const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
+  const auto load = GENERATE(Load::kRandom, Load::kChase);
+  CAPTURE(physics.name, static_cast<int>(load));
+  World small = makeWorld(matchConfig(vsssPreset(), physics, 3, {}));
+  CHECK(allocationsIn(small, load, 600, 12'000) == 0);
+
+  WorldConfig config = matchConfig(vsssPreset(), physics, 5, largeField());
+  for (int i = 0; i < 9; ++i) {
+    const Vec2 at{-0.8 + 0.2 * i, 0.75};
+    config.obstacles.push_back(discAt(at, static_cast<ObstacleMotion>(i % 3)));
+    config.obstacles.back().path = {at, {at.x, 0.3}};
+  }
+  World large = makeWorld(config);
+  CHECK(allocationsIn(large, load, 600, 6'000) == 0);
+}

@@ -1,0 +1,100 @@
+#include "engine/sim/drive.hpp"
+
+#include "tests/support/catch.hpp"
+#include "tests/support/worlds.hpp"
+
+using namespace fulbito;
+using namespace fulbito::test;
+
+namespace {
+
+constexpr double kStep = 0.01;  // [s]
+
+RobotModel plainRobot() {
+  RobotModel robot;
+  robot.wheel_radius = 0.02;
+  robot.axle_track = 0.08;
+  robot.max_wheel_speed = 100.0;
+  robot.wheel_acceleration = 5.0;
+  robot.wheel_braking = 8.0;
+  robot.longitudinal_grip = 10.0;
+  robot.lateral_grip = 6.0;
+  return robot;
+}
+
+}  // namespace
+
+TEST_CASE("a wheel pulls with the motor's limit and no further than its command", "[unit]") {
+  Drive drive(plainRobot(), kStep, 0.0);
+  drive.setCommand({50.0, 50.0});  // 1 m/s
+  CHECK(drive.step({0.5, 0.0, 0.0}).forward == Approx(5.0 * kStep));
+  CHECK(drive.step({0.97, 0.0, 0.0}).forward == Approx(0.03));
+  CHECK(drive.step({1.5, 0.0, 0.0}).forward == Approx(-8.0 * kStep));
+  CHECK(drive.step({-0.5, 0.0, 0.0}).forward == Approx(8.0 * kStep));
+}
+
+TEST_CASE("wheels that turn against each other turn the body", "[unit]") {
+  Drive drive(plainRobot(), kStep, 0.0);
+  drive.setCommand({-50.0, 50.0});
+  const BodyMotion change = drive.step({});
+  CHECK(change.forward == Approx(0.0).margin(1e-12));
+  CHECK(change.yaw == Approx(2 * 5.0 * kStep / 0.08));
+  CHECK(drive.step({0.0, 0.0, 25.0}).yaw == Approx(0.0).margin(1e-12));  // 1 m/s at each rim already
+}
+
+TEST_CASE("the tyres resist sideways motion up to their grip", "[unit]") {
+  Drive drive(plainRobot(), kStep, 0.0);
+  drive.setCommand({});
+  CHECK(drive.step({0.0, 0.5, 0.0}).sideways == Approx(-6.0 * kStep));
+  CHECK(drive.step({0.0, -0.5, 0.0}).sideways == Approx(6.0 * kStep));
+  CHECK(drive.step({0.0, 0.02, 0.0}).sideways == Approx(-0.02));
+}
+
+TEST_CASE("a motor stronger than the grip makes the wheel slip and its encoder run on", "[unit]") {
+  RobotModel robot = plainRobot();
+  robot.wheel_acceleration = 30.0;
+  Drive drive(robot, kStep, 0.0);
+  drive.setCommand({50.0, 50.0});
+  BodyMotion motion;
+  for (int i = 1; i <= 3; ++i) {
+    const BodyMotion change = drive.step(motion);
+    CHECK(change.forward == Approx(10.0 * kStep));  // what the floor passes on
+    motion.forward += change.forward;
+    CHECK(drive.encoders(motion).left == Approx(30.0 * kStep * i / robot.wheel_radius));
+  }
+  for (int i = 0; i < 20; ++i) motion.forward += drive.step(motion).forward;
+  CHECK(motion.forward == Approx(1.0));  // the floor has caught up
+  CHECK(drive.encoders(motion).right == Approx(50.0));
+}
+
+TEST_CASE("encoders read the ground's speed while the wheels hold", "[unit]") {
+  Drive drive(plainRobot(), kStep, 0.0);
+  drive.setCommand({50.0, 50.0});
+  drive.step({0.4, 0.0, 2.0});
+  const WheelSpeeds read = drive.encoders({0.4, 0.0, 2.0});
+  CHECK(read.left == Approx((0.4 - 0.08) / 0.02));
+  CHECK(read.right == Approx((0.4 + 0.08) / 0.02));
+}
+
+TEST_CASE("the measured spin ratio holds at its points, between and outside", "[unit]") {
+  RobotModel robot = plainRobot();
+  CHECK(spinRatio(robot, 0.7) == 1.0);
+  robot.spin_slow_speed = 0.4;
+  robot.spin_slow_ratio = 0.9;
+  robot.spin_fast_speed = 0.8;
+  robot.spin_fast_ratio = 1.1;
+  CHECK(spinRatio(robot, 0.0) == Approx(0.9));
+  CHECK(spinRatio(robot, 0.4) == Approx(0.9));
+  CHECK(spinRatio(robot, 0.6) == Approx(1.0));
+  CHECK(spinRatio(robot, 0.8) == Approx(1.1));
+  CHECK(spinRatio(robot, 2.0) == Approx(1.1));
+}
+
+TEST_CASE("a robot pushed sideways stops within the distance its grip gives", "[unit]") {
+  WorldConfig config = loneRobot(vsssPreset().robot, faithfulPhysics());
+  config.robots[0].velocity = {0.0, 1.0};
+  World world = makeWorld(config);
+  run(world, {}, 60);
+  CHECK(world.state().robots[0].velocity.y == Approx(0.0).margin(1e-6));
+  CHECK(world.state().robots[0].pose.position.y == Approx(1.0 / 12).epsilon(0.05));
+}
