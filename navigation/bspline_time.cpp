@@ -12,10 +12,12 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAtRest = 0.15;        // [m/s] slower than that a start may turn in place
+constexpr double kArrived = 0.9;       // of the goal's tolerance
 constexpr double kOffPath = 0.03;       // [m] from the path that asks for a new plan
 constexpr double kSharpTurn = 0.26;     // cosine of the turn that is better made at rest
 constexpr double kFirstStep = 0.02;     // [m] of the pattern search
 constexpr double kDetour = 1.12;        // length of another way that is worth a try
+constexpr double kGapGain = 0.97;       // length of a way through a narrow gap that is worth a try
 constexpr int kTrialEvaluations = 10;   // of a way on the other side
 constexpr std::size_t kTrialBends = 3;  // bends whose other side is tried
 constexpr int kReplanTicks = 4;         // least age of a plan that is dropped
@@ -49,7 +51,7 @@ bool BsplineTime::needsPlan(const NavigationScene& scene, double off_path) const
   if (!planned_once_ || goalMoved(scene)) return true;
   if (braking_) return norm(scene.self.velocity) < kAtRest;
   if (age_ < kReplanTicks) return false;
-  const bool arrived = distance(scene.self.pose.position, scene.goal.position) <= scene.goal.tolerance;
+  const bool arrived = distance(scene.self.pose.position, scene.goal.position) <= kArrived * scene.goal.tolerance;
   return !arrived && (off_path > kOffPath || path_.finished());
 }
 
@@ -124,7 +126,18 @@ void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& reques
   if (arrival == Arrival::kThrough) wanted.end_direction = math::unit(*scene.goal.heading);
   if (arrival == Arrival::kTurn) task_.end_direction = math::unit(*scene.goal.heading);
   cost_ = SplineCost(task_);
-  seeder_.search(wanted, *scene.robot, *scene.field, now_);
+  const bool found = seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kTurning);
+  const double length = found ? seeder_.length() : kInfinity;
+  if (found) tryWays();
+  // A gap that only a straight robot fits through is worth it where the way around is long.
+  if (seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kStraight)
+          ? seeder_.length() < kGapGain * length
+          : !found) {
+    tryWays();
+  }
+}
+
+void BsplineTime::tryWays() {
   tryCandidate(seeder_.shortest());
   CubicSpline other;
   for (std::size_t bend = 0; bend < std::min(seeder_.bends(), kTrialBends); ++bend) {

@@ -13,11 +13,11 @@ namespace fulbito {
 
 /// Shares, wishes and budgets of `bspline-time`.
 struct BsplineTimeParams {
-  double clearance = 0.03;          ///< [m] wish
+  double clearance = 0.05;          ///< [m] wish
   double least_clearance = 0.008;   ///< [m]
   double acceleration_share = 0.9;  ///< of the wheel acceleration
   double lateral_share = 0.75;      ///< of the lateral grip
-  int evaluations = 24;             ///< a tick
+  int evaluations = 16;             ///< a tick
   int effort = 480;                 ///< evaluations a plan, at most
   int moving_effort = 48;           ///< the same among moving discs
 };
@@ -45,6 +45,7 @@ class BsplineTime final : public Navigator {
   bool needsPlan(const NavigationScene& scene, double off_path) const;
   void makePlan(const NavigationScene& scene);
   void choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival);
+  void tryWays();
   void tryCandidate(const CubicSpline& seed);
   void brake(const NavigationScene& scene, Vec2 direction, double speed);
   void refine();
