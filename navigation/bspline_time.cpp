@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAtRest = 0.15;        // [m/s] slower than that a start may turn in place
-constexpr double kArrived = 0.9;       // of the goal's tolerance
+constexpr double kArrived = 0.9;        // of the goal's tolerance
 constexpr double kOffPath = 0.03;       // [m] from the path that asks for a new plan
 constexpr double kSharpTurn = 0.26;     // cosine of the turn that is better made at rest
 constexpr double kFirstStep = 0.02;     // [m] of the pattern search
@@ -20,9 +20,13 @@ constexpr double kDetour = 1.12;        // length of another way that is worth a
 constexpr double kGapGain = 0.97;       // length of a way through a narrow gap that is worth a try
 constexpr int kTrialEvaluations = 10;   // of a way on the other side
 constexpr std::size_t kTrialBends = 3;  // bends whose other side is tried
-constexpr int kReplanTicks = 4;         // least age of a plan that is dropped
-constexpr double kSoon = 0.5;           // [s] a conflict that is nearer is urgent
-constexpr int kCalmTicks = 20;          // least age of a plan that a distant conflict replaces
+constexpr int kMovingTrials = 6;        // the same among moving discs, where plans are short-lived
+constexpr std::size_t kMovingBends = 1;
+constexpr int kReplanTicks = 4;    // least age of a plan that is dropped
+constexpr double kEasyPace = 0.4;  // [m/s] that a waiting robot may set off with
+constexpr double kCreep = 0.08;    // [m/s]
+constexpr double kSoon = 0.5;      // [s] a conflict that is nearer is urgent
+constexpr int kCalmTicks = 20;     // least age of a plan that a distant conflict replaces
 
 }  // namespace
 
@@ -51,7 +55,8 @@ bool BsplineTime::needsPlan(const NavigationScene& scene, double off_path) const
   if (!planned_once_ || goalMoved(scene)) return true;
   if (braking_) return norm(scene.self.velocity) < kAtRest;
   if (age_ < kReplanTicks) return false;
-  const bool arrived = distance(scene.self.pose.position, scene.goal.position) <= kArrived * scene.goal.tolerance;
+  const bool arrived =
+      distance(scene.self.pose.position, scene.goal.position) <= kArrived * scene.goal.tolerance;
   return !arrived && (off_path > kOffPath || path_.finished());
 }
 
@@ -129,6 +134,7 @@ void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& reques
   const bool found = seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kTurning);
   const double length = found ? seeder_.length() : kInfinity;
   if (found) tryWays();
+  if (found && seeder_.bends() == 0) return;
   // A gap that only a straight robot fits through is worth it where the way around is long.
   if (seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kStraight)
           ? seeder_.length() < kGapGain * length
@@ -140,7 +146,8 @@ void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& reques
 void BsplineTime::tryWays() {
   tryCandidate(seeder_.shortest());
   CubicSpline other;
-  for (std::size_t bend = 0; bend < std::min(seeder_.bends(), kTrialBends); ++bend) {
+  const std::size_t bends = std::min(seeder_.bends(), any_moves_ ? kMovingBends : kTrialBends);
+  for (std::size_t bend = 0; bend < bends; ++bend) {
     if (seeder_.otherSide(bend, kDetour, other)) tryCandidate(other);
   }
 }
@@ -148,7 +155,14 @@ void BsplineTime::tryWays() {
 void BsplineTime::tryCandidate(const CubicSpline& seed) {
   const bool through = task_.limits.end_speed > 0.0 && goal_.heading.has_value();
   candidate_.start(seed, task_.start_direction ? 1 : 2, through ? 2 : 1, kFirstStep);
-  spent_ += candidate_.improve(cost_, kTrialEvaluations);
+  int trials = candidate_.improve(cost_, 1);
+  // A straight way in the open is as good as it gets.
+  if (seeder_.bends() > 0 || candidate_.score().clearance < params_.clearance) {
+    trials += candidate_.improve(cost_, any_moves_ ? kMovingTrials : kTrialEvaluations);
+  } else {
+    trials = params_.effort;
+  }
+  spent_ += trials;
   if (best_.best().controls() == 0 || candidate_.score().cost < best_.score().cost) {
     best_ = candidate_;
     best_task_ = task_;
@@ -180,6 +194,7 @@ double BsplineTime::conflictAt(const NavigationScene& scene, double top) const {
   DrivePath::Ride ride;
   ride.speed = std::max(0.0, bodyTwist(scene.self).linear);
   ride.top = top;
+  ride.end = path_.length() - scene.goal.tolerance;
   ride.acceleration = params_.acceleration_share * scene.robot->wheel_acceleration;
   return path_.conflict(ride, task_.body, now_);
 }
@@ -194,8 +209,8 @@ double BsplineTime::guard(const NavigationScene& scene) {
     if (clear == kInfinity) return kInfinity;
   }
   double best_cap = kInfinity;
-  const double speed = norm(scene.self.velocity);
-  for (const double cap : {0.6 * speed, 0.3 * speed, 0.0}) {
+  const double pace = std::max(norm(scene.self.velocity), kEasyPace);
+  for (const double cap : {0.6 * pace, 0.3 * pace, kCreep, 0.0}) {
     const double until = conflictAt(scene, cap);
     if (until > clear) clear = until, best_cap = cap;
     if (until == kInfinity) break;

@@ -95,6 +95,7 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
     speed += std::clamp(wanted - speed, -change, change);
     if (speed < kOwnMotion) return kNone;
     way += speed * kRideStep;
+    if (way > ride.end) return kNone;
     while (i + 1 < points_.size() && spacing_[i + 1] < way) ++i;
     const std::size_t next = std::min(i + 1, points_.size() - 1);
     const double step = spacing_[next] - spacing_[i];

@@ -37,6 +37,7 @@ class DrivePath {
     double speed = 0.0;         ///< [m/s] now
     double top = 1e9;           ///< [m/s] that the ride brakes or speeds up to
     double acceleration = 5.0;  ///< [m/s^2]
+    double end = 1e9;           ///< [m] along the path where the ride is over
     double horizon = 0.8;       ///< [s]
     double margin = 0.006;      ///< [m] of clearance at once
     double doubt = 0.03;        ///< [m/s] that the margin to moving discs grows by

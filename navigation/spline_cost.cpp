@@ -49,8 +49,9 @@ void SplineCost::sample(const CubicSpline& spline) {
     const SplinePoint point = spline.at(span, kWeights[i - span * kPerSpan]);
     const double speed = std::max(norm(point.first), 1e-9);
     position_[i] = point.position;
-    along_[i] = point.first / speed;
-    curvature_[i] = cross(along_[i], point.second) / (speed * speed);
+    const double slowness = 1.0 / speed;
+    along_[i] = point.first * slowness;
+    curvature_[i] = cross(along_[i], point.second) * slowness * slowness;
     if (i > 0) step_[i - 1] = (last_speed + speed) / (2.0 * kPerSpan);
     last_speed = speed;
   }
@@ -61,7 +62,8 @@ void SplineCost::limitSpeeds() {
   const double h = limits.axle_track / 2;
   for (std::size_t i = 0; i < count_; ++i) {
     const double k = std::abs(curvature_[i]);
-    const double by_wheel = limits.max_speed / (1.0 + h * k);
+    const double inner = 1.0 / (1.0 + h * k);  // the robot's speed when the outer wheel's is 1
+    const double by_wheel = limits.max_speed * inner;
     const std::size_t next = std::min(i + 1, count_ - 1), from = next - 1;
     const double swing = h * std::abs(curvature_[next] - curvature_[from]) / std::max(step_[from], 1e-9);
     double square = by_wheel * by_wheel;
@@ -70,7 +72,7 @@ void SplineCost::limitSpeeds() {
       square = kSwingShare * limits.acceleration / swing;
     square_[i] = std::max(square, kCrawl * kCrawl);
     const double left = limits.acceleration - swing * square_[i];
-    room_[i] = std::max(left, kLeastShare * limits.acceleration) / (1.0 + h * k);
+    room_[i] = std::max(left, kLeastShare * limits.acceleration) * inner;
   }
 }
 

@@ -38,7 +38,7 @@ struct SplineScore {
 /// acceleration).
 class SplineCost {
  public:
-  static constexpr std::size_t kPerSpan = 5;
+  static constexpr std::size_t kPerSpan = 4;
   static constexpr std::size_t kMaxSamples = (CubicSpline::kMaxControls - 1) * kPerSpan + 1;
 
   explicit SplineCost(const SplineTask& task = {}) : task_(task) {}
