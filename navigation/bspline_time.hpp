@@ -19,7 +19,7 @@ struct BsplineTimeParams {
   double lateral_share = 0.75;      ///< of the lateral grip
   int evaluations = 16;             ///< a tick
   int effort = 480;                 ///< evaluations a plan, at most
-  int moving_effort = 48;           ///< the same among moving discs
+  int moving_effort = 16;           ///< the same among moving discs
 };
 
 /// Time-optimised cubic B-spline: the future work that Jung & Lee (2015) name, and the default method.
@@ -50,6 +50,7 @@ class BsplineTime final : public Navigator {
   void brake(const NavigationScene& scene, Vec2 direction, double speed);
   void refine();
   double guard(const NavigationScene& scene);
+  double slowDown(const NavigationScene& scene);
   double conflictAt(const NavigationScene& scene, double top) const;
 
   Params params_;
@@ -65,6 +66,7 @@ class BsplineTime final : public Navigator {
   NavigationGoal goal_;
   bool planned_once_ = false;
   bool braking_ = false;
+  double cap_ = 0.0;  ///< [m/s] that the last look at moving discs allowed
   bool any_moves_ = false;
   bool missed_heading_ = false;  ///< drove through the goal in the wrong heading: turn there
   int spent_ = 0;                ///< evaluations for this plan

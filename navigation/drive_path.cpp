@@ -8,10 +8,11 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kPerSpan = 12;
+constexpr std::size_t kPerSpan = 8;
 constexpr std::size_t kReserve = (CubicSpline::kMaxControls - 1) * kPerSpan + 2;
 constexpr std::size_t kWindow = 24;       // points searched ahead of the last place
-constexpr double kRideStep = 1.0 / 30.0;  // [s]
+constexpr double kRideStep = 1.0 / 30.0;  // [s] of a slow ride
+constexpr double kRideWay = 0.04;         // [m] at most between looks of a fast one
 constexpr double kOwnMotion = 0.02;       // [m/s] slower than that, the other one runs into the robot
 
 constexpr auto kWeights = [] {
@@ -90,16 +91,19 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
   double speed = ride.speed, way = points_.empty() ? 0.0 : spacing_[place_];
   std::size_t i = place_;
   Vec2 last = points_.empty() ? Vec2{} : points_[place_];
-  for (double time = kRideStep; time < ride.horizon && i + 1 < points_.size(); time += kRideStep) {
-    const double wanted = std::min(ride.top, speeds_[i]), change = ride.acceleration * kRideStep;
+  double time = 0.0;
+  while (time < ride.horizon && i + 1 < points_.size()) {
+    const double step = std::min(kRideStep, kRideWay / std::max(speed, kOwnMotion));
+    time += step;
+    const double wanted = std::min(ride.top, speeds_[i]), change = ride.acceleration * step;
     speed += std::clamp(wanted - speed, -change, change);
     if (speed < kOwnMotion) return kNone;
-    way += speed * kRideStep;
+    way += speed * step;
     if (way > ride.end) return kNone;
     while (i + 1 < points_.size() && spacing_[i + 1] < way) ++i;
     const std::size_t next = std::min(i + 1, points_.size() - 1);
-    const double step = spacing_[next] - spacing_[i];
-    const double part = step > 0.0 ? std::min(1.0, (way - spacing_[i]) / step) : 0.0;
+    const double gap = spacing_[next] - spacing_[i];
+    const double part = gap > 0.0 ? std::min(1.0, (way - spacing_[i]) / gap) : 0.0;
     const Vec2 position = points_[i] + (points_[next] - points_[i]) * part;
     for (const ForecastDisc& disc : discs) {
       const Vec2 centre = disc.at(time);

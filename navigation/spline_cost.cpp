@@ -30,14 +30,14 @@ double halfTurn(Vec2 a, Vec2 b) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * dot
 
 }  // namespace
 
-SplineScore SplineCost::operator()(const CubicSpline& spline) {
+SplineScore SplineCost::operator()(const CubicSpline& spline, double enough) {
   SplineScore score;
   if (spline.spans() == 0) return score;
   sample(spline);
   limitSpeeds();
   score.time = passTimes();
   score.cost = score.time + payEnds();
-  payClearance(score);
+  if (score.cost < enough) payClearance(score);
   return score;
 }
 

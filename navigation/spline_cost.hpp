@@ -42,7 +42,8 @@ class SplineCost {
   static constexpr std::size_t kMaxSamples = (CubicSpline::kMaxControls - 1) * kPerSpan + 1;
 
   explicit SplineCost(const SplineTask& task = {}) : task_(task) {}
-  SplineScore operator()(const CubicSpline& spline);
+  /// @param enough  a cost from which on the verdict may be left unfinished: the spline is not wanted then
+  SplineScore operator()(const CubicSpline& spline, double enough = std::numeric_limits<double>::infinity());
 
   const SplineTask& task() const { return task_; }
 

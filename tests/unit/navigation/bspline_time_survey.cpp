@@ -209,6 +209,7 @@ TEST_CASE("survey N6", "[.][survey]") {
       const auto r = test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
       add(t, r, shortest(layout.start.position, layout.goal.position, {}, 0.058), speed, seed);
       if (r.own_fault) ++own;
+      if (r.own_fault && std::getenv("VERBOSE")) fmt::print("   own fault in {} with {} discs\n", seed, layout.obstacles.size());
     }
     print("N6", speed, t);
     fmt::print("           own fault {:.2f} %\n", 100.0 * own / t.runs);
