@@ -22,11 +22,13 @@ constexpr int kTrialEvaluations = 10;   // of a way on the other side
 constexpr std::size_t kTrialBends = 3;  // bends whose other side is tried
 constexpr int kMovingTrials = 6;        // the same among moving discs, where plans are short-lived
 constexpr std::size_t kMovingBends = 1;
-constexpr int kReplanTicks = 4;    // least age of a plan that is dropped
-constexpr double kEasyPace = 0.4;  // [m/s] that a waiting robot may set off with
-constexpr double kCreep = 0.08;    // [m/s]
-constexpr double kSoon = 0.5;      // [s] a conflict that is nearer is urgent
-constexpr int kCalmTicks = 20;     // least age of a plan that a distant conflict replaces
+constexpr int kReplanTicks = 4;     // least age of a plan that is dropped
+constexpr double kEasyPace = 0.4;   // [m/s] that a waiting robot may set off with
+constexpr double kCreep = 0.08;     // [m/s]
+constexpr double kPassing = 1.2;    // [m/s] through a goal with a wanted heading
+constexpr double kBrakeRoom = 0.1;  // [m]
+constexpr double kSoon = 0.5;       // [s] a conflict that is nearer is urgent
+constexpr int kCalmTicks = 20;      // least age of a plan that a distant conflict replaces
 
 }  // namespace
 
@@ -117,8 +119,7 @@ void BsplineTime::makePlan(const NavigationScene& scene) {
   }
   if (moving && best_.best().controls() > 2) {
     const Vec2 first = unitOr(best_.best().control(2) - best_.best().control(1), *request.start_direction);
-    if (dot(first, *request.start_direction) < kSharpTurn)
-      return brake(scene, *request.start_direction, speed);
+    if (dot(first, *request.start_direction) < kSharpTurn) return brake(scene, speed);
   }
   path_.clear();
   path_.build(best_.best(), best_task_.limits);
@@ -126,7 +127,9 @@ void BsplineTime::makePlan(const NavigationScene& scene) {
 
 void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival) {
   SeedRequest wanted = request;
-  task_.limits.end_speed = arrival == Arrival::kTurn || scene.goal.stop ? 0.0 : 1e9;
+  task_.limits.end_speed = arrival == Arrival::kTurn || scene.goal.stop ? 0.0
+                           : arrival == Arrival::kThrough               ? kPassing
+                                                                        : 1e9;
   task_.end_direction.reset();
   if (arrival == Arrival::kThrough) wanted.end_direction = math::unit(*scene.goal.heading);
   if (arrival == Arrival::kTurn) task_.end_direction = math::unit(*scene.goal.heading);
@@ -157,7 +160,8 @@ void BsplineTime::tryCandidate(const CubicSpline& seed) {
   candidate_.start(seed, task_.start_direction ? 1 : 2, through ? 2 : 1, kFirstStep);
   int trials = candidate_.improve(cost_, 1);
   // A straight way in the open is as good as it gets.
-  if (seeder_.bends() > 0 || candidate_.score().clearance < params_.clearance) {
+  const bool straight = seeder_.bends() == 0 && task_.start_direction && !through;
+  if (!straight || candidate_.score().clearance < params_.clearance) {
     trials += candidate_.improve(cost_, any_moves_ ? kMovingTrials : kTrialEvaluations);
   } else {
     trials = params_.effort;
@@ -169,10 +173,11 @@ void BsplineTime::tryCandidate(const CubicSpline& seed) {
   }
 }
 
-void BsplineTime::brake(const NavigationScene& scene, Vec2 direction, double speed) {
+void BsplineTime::brake(const NavigationScene& scene, double speed) {
   braking_ = true;
-  const double length = speed * speed / (2.0 * std::max(scene.robot->wheel_acceleration, 0.1));
-  path_.brake(scene.self.pose.position, direction, length);
+  // Twice the braking distance: a robot beyond the end of its path would turn back to it.
+  const double length = kBrakeRoom + speed * speed / std::max(scene.robot->wheel_acceleration, 0.1);
+  path_.brake(scene.self.pose.position, math::unit(scene.self.pose.heading), length);
 }
 
 void BsplineTime::refine() {

@@ -47,7 +47,7 @@ class BsplineTime final : public Navigator {
   void choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival);
   void tryWays();
   void tryCandidate(const CubicSpline& seed);
-  void brake(const NavigationScene& scene, Vec2 direction, double speed);
+  void brake(const NavigationScene& scene, double speed);
   void refine();
   double guard(const NavigationScene& scene);
   double slowDown(const NavigationScene& scene);

@@ -56,6 +56,7 @@ class SplineCost {
 
   SplineTask task_;
   std::size_t count_ = 0;
+  double folds_ = 0.0;  ///< turns between samples that are too sharp to be bends, summed
   std::array<Vec2, kMaxSamples> position_;
   std::array<Vec2, kMaxSamples> along_;
   std::array<double, kMaxSamples> curvature_;
