@@ -14,7 +14,7 @@ constexpr double kSpacing = 0.0125;          // [m] between preview points
 constexpr std::size_t kMaxPathPoints = 800;  // 10 m at that spacing
 constexpr std::size_t kReserve = kMaxPathPoints + 8;
 constexpr double kAtGoal = 0.95;  // of the goal's tolerance, where a robot turns to the wanted heading
-constexpr double kSlow = 0.25;   // [m/s] up to which it stays within the tolerance when it stops for that
+constexpr double kSlow = 0.08;   // [m/s] faster robots brake first: turning would take all of the wheel acceleration
 
 /// Curvature over two points each way, which the vertices of a coarse polyline do not upset.
 void smoothCurvature(std::span<const Vec2> p, std::vector<double>& curvature) {
