@@ -27,6 +27,9 @@ constexpr double kEasyPace = 0.4;   // [m/s] that a waiting robot may set off wi
 constexpr double kCreep = 0.08;     // [m/s]
 constexpr double kPassing = 1.2;    // [m/s] through a goal with a wanted heading
 constexpr double kBrakeRoom = 0.1;  // [m]
+constexpr double kTurnTime = 0.25;     // [s] before a robot that faces aside speeds up; twice that if it faces back
+constexpr double kTightPass = 0.015;     // [m] by moving discs that waiting may better
+constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
 constexpr double kSoon = 0.5;       // [s] a conflict that is nearer is urgent
 constexpr int kCalmTicks = 20;      // least age of a plan that a distant conflict replaces
 
@@ -57,6 +60,8 @@ bool BsplineTime::needsPlan(const NavigationScene& scene, double off_path) const
   if (!planned_once_ || goalMoved(scene)) return true;
   if (braking_) return norm(scene.self.velocity) < kAtRest;
   if (age_ < kReplanTicks) return false;
+  // A plan that gives way is for a moment only.
+  if (best_task_.limits.max_speed < scene.robot->maxSpeed() && age_ >= kCalmTicks) return true;
   const bool arrived =
       distance(scene.self.pose.position, scene.goal.position) <= kArrived * scene.goal.tolerance;
   return !arrived && (off_path > kOffPath || path_.finished());
@@ -117,6 +122,7 @@ void BsplineTime::makePlan(const NavigationScene& scene) {
     if (!missed_heading_ && !scene.goal.stop) choose(scene, request, Arrival::kThrough);
     choose(scene, request, Arrival::kTurn);
   }
+  if (any_moves_ && best_.score().clearance < kTightPass) trySlower();
   if (moving && best_.best().controls() > 2) {
     const Vec2 first = unitOr(best_.best().control(2) - best_.best().control(1), *request.start_direction);
     if (dot(first, *request.start_direction) < kSharpTurn) return brake(scene, speed);
@@ -173,6 +179,17 @@ void BsplineTime::tryCandidate(const CubicSpline& seed) {
   }
 }
 
+void BsplineTime::trySlower() {
+  const CubicSpline way = best_.best();
+  task_ = best_task_;
+  for (const double share : kSlower) {
+    task_.limits.max_speed = share * best_task_.limits.max_speed;
+    cost_ = SplineCost(task_);
+    tryCandidate(way);
+    if (best_.score().clearance >= kTightPass) break;
+  }
+}
+
 void BsplineTime::brake(const NavigationScene& scene, double speed) {
   braking_ = true;
   // Twice the braking distance: a robot beyond the end of its path would turn back to it.
@@ -199,6 +216,8 @@ double BsplineTime::conflictAt(const NavigationScene& scene, double top) const {
   DrivePath::Ride ride;
   ride.speed = std::max(0.0, bodyTwist(scene.self).linear);
   ride.top = top;
+  const double agreement = dot(path_.directionAhead(), math::unit(scene.self.pose.heading));
+  ride.hold = kTurnTime * std::max(0.0, 1.0 - agreement);
   ride.end = path_.length() - scene.goal.tolerance;
   ride.acceleration = params_.acceleration_share * scene.robot->wheel_acceleration;
   return path_.conflict(ride, task_.body, now_);

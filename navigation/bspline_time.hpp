@@ -46,6 +46,7 @@ class BsplineTime final : public Navigator {
   void makePlan(const NavigationScene& scene);
   void choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival);
   void tryWays();
+  void trySlower();
   void tryCandidate(const CubicSpline& seed);
   void brake(const NavigationScene& scene, double speed);
   void refine();

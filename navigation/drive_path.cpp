@@ -13,6 +13,8 @@ constexpr std::size_t kReserve = (CubicSpline::kMaxControls - 1) * kPerSpan + 2;
 constexpr std::size_t kWindow = 24;       // points searched ahead of the last place
 constexpr double kRideStep = 1.0 / 30.0;  // [s] of a slow ride
 constexpr double kRideWay = 0.04;         // [m] at most between looks of a fast one
+constexpr double kBehind = 0.0;          // of the distance of a touch: discs further back only push
+constexpr std::size_t kAhead = 2;        // points
 constexpr double kOwnMotion = 0.02;       // [m/s] slower than that, the other one runs into the robot
 
 constexpr auto kWeights = [] {
@@ -81,6 +83,10 @@ double DrivePath::advanceTo(Vec2 position) {
   return std::sqrt(least);
 }
 
+Vec2 DrivePath::directionAhead() const {
+  return along_.empty() ? Vec2{} : along_[std::min(place_ + kAhead, along_.size() - 1)];
+}
+
 std::size_t DrivePath::span() const { return place_ / kPerSpan; }
 
 double DrivePath::conflict(const Ride& ride, const BodyShape& body,
@@ -90,13 +96,12 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
       ride.margin + std::sqrt(body.half_length * body.half_length + body.half_width * body.half_width);
   double speed = ride.speed, way = points_.empty() ? 0.0 : spacing_[place_];
   std::size_t i = place_;
-  Vec2 last = points_.empty() ? Vec2{} : points_[place_];
   double time = 0.0;
   while (time < ride.horizon && i + 1 < points_.size()) {
     const double step = std::min(kRideStep, kRideWay / std::max(speed, kOwnMotion));
     time += step;
     const double wanted = std::min(ride.top, speeds_[i]), change = ride.acceleration * step;
-    speed += std::clamp(wanted - speed, -change, change);
+    speed += std::clamp(wanted - speed, -change, time > ride.hold ? change : 0.0);
     if (speed < kOwnMotion) return kNone;
     way += speed * step;
     if (way > ride.end) return kNone;
@@ -111,10 +116,9 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
       const double near = reach + margin + disc.radius;
       if (squaredNorm(centre - position) > near * near) continue;
       // Driving away from a disc that touches the robot already is the cure, not a conflict.
-      if (dot(position - last, centre - position) <= 0.0) continue;
+      if (dot(along_[i], centre - position) <= kBehind * (disc.radius + body.half_length)) continue;
       if (discClearance(body, position, along_[i], centre, disc.radius) < margin) return time;
     }
-    last = position;
   }
   return kNone;
 }

@@ -81,7 +81,7 @@ inline CornerLayout gapLayout(std::uint64_t seed, double gap) {
   layout.goal.position = {0.60, rng.uniform(-0.4, 0.4)};
   for (const double side : {-1.0, 1.0}) {
     double way = gap / 2;
-    while (insideField(FieldGeometry{}, Vec2{x, y} + along * (side * way), 0.0)) {
+    while (insideField(FieldGeometry{}, Vec2{x, y} + along * (side * (way + 0.053)), 0.0)) {
       const double radius = rng.uniform(0.0375, 0.053);
       layout.obstacles.push_back({Vec2{x, y} + along * (side * (way + radius)), radius, {}});
       way += 2.0 * radius + rng.uniform(0.0, 0.03);
