@@ -12,15 +12,26 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAtRest = 0.15;        // [m/s] slower than that a start may turn in place
+constexpr double kArrived = 0.9;        // of the goal's tolerance
 constexpr double kOffPath = 0.03;       // [m] from the path that asks for a new plan
 constexpr double kSharpTurn = 0.26;     // cosine of the turn that is better made at rest
 constexpr double kFirstStep = 0.02;     // [m] of the pattern search
 constexpr double kDetour = 1.12;        // length of another way that is worth a try
+constexpr double kGapGain = 0.97;       // length of a way through a narrow gap that is worth a try
 constexpr int kTrialEvaluations = 10;   // of a way on the other side
 constexpr std::size_t kTrialBends = 3;  // bends whose other side is tried
-constexpr int kReplanTicks = 4;         // least age of a plan that is dropped
-constexpr double kSoon = 0.5;           // [s] a conflict that is nearer is urgent
-constexpr int kCalmTicks = 20;          // least age of a plan that a distant conflict replaces
+constexpr int kMovingTrials = 6;        // the same among moving discs, where plans are short-lived
+constexpr std::size_t kMovingBends = 1;
+constexpr int kReplanTicks = 4;     // least age of a plan that is dropped
+constexpr double kEasyPace = 0.4;   // [m/s] that a waiting robot may set off with
+constexpr double kCreep = 0.08;     // [m/s]
+constexpr double kPassing = 1.2;    // [m/s] through a goal with a wanted heading
+constexpr double kBrakeRoom = 0.1;  // [m]
+constexpr double kTurnTime = 0.25;     // [s] before a robot that faces aside speeds up; twice that if it faces back
+constexpr double kTightPass = 0.015;     // [m] by moving discs that waiting may better
+constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
+constexpr double kSoon = 0.5;       // [s] a conflict that is nearer is urgent
+constexpr int kCalmTicks = 20;      // least age of a plan that a distant conflict replaces
 
 }  // namespace
 
@@ -49,7 +60,10 @@ bool BsplineTime::needsPlan(const NavigationScene& scene, double off_path) const
   if (!planned_once_ || goalMoved(scene)) return true;
   if (braking_) return norm(scene.self.velocity) < kAtRest;
   if (age_ < kReplanTicks) return false;
-  const bool arrived = distance(scene.self.pose.position, scene.goal.position) <= scene.goal.tolerance;
+  // A plan that gives way is for a moment only.
+  if (best_task_.limits.max_speed < scene.robot->maxSpeed() && age_ >= kCalmTicks) return true;
+  const bool arrived =
+      distance(scene.self.pose.position, scene.goal.position) <= kArrived * scene.goal.tolerance;
   return !arrived && (off_path > kOffPath || path_.finished());
 }
 
@@ -108,10 +122,10 @@ void BsplineTime::makePlan(const NavigationScene& scene) {
     if (!missed_heading_ && !scene.goal.stop) choose(scene, request, Arrival::kThrough);
     choose(scene, request, Arrival::kTurn);
   }
+  if (any_moves_ && best_.score().clearance < kTightPass) trySlower();
   if (moving && best_.best().controls() > 2) {
     const Vec2 first = unitOr(best_.best().control(2) - best_.best().control(1), *request.start_direction);
-    if (dot(first, *request.start_direction) < kSharpTurn)
-      return brake(scene, *request.start_direction, speed);
+    if (dot(first, *request.start_direction) < kSharpTurn) return brake(scene, speed);
   }
   path_.clear();
   path_.build(best_.best(), best_task_.limits);
@@ -119,15 +133,30 @@ void BsplineTime::makePlan(const NavigationScene& scene) {
 
 void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival) {
   SeedRequest wanted = request;
-  task_.limits.end_speed = arrival == Arrival::kTurn || scene.goal.stop ? 0.0 : 1e9;
+  task_.limits.end_speed = arrival == Arrival::kTurn || scene.goal.stop ? 0.0
+                           : arrival == Arrival::kThrough               ? kPassing
+                                                                        : 1e9;
   task_.end_direction.reset();
   if (arrival == Arrival::kThrough) wanted.end_direction = math::unit(*scene.goal.heading);
   if (arrival == Arrival::kTurn) task_.end_direction = math::unit(*scene.goal.heading);
   cost_ = SplineCost(task_);
-  seeder_.search(wanted, *scene.robot, *scene.field, now_);
+  const bool found = seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kTurning);
+  const double length = found ? seeder_.length() : kInfinity;
+  if (found) tryWays();
+  if (found && seeder_.bends() == 0) return;
+  // A gap that only a straight robot fits through is worth it where the way around is long.
+  if (seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kStraight)
+          ? seeder_.length() < kGapGain * length
+          : !found) {
+    tryWays();
+  }
+}
+
+void BsplineTime::tryWays() {
   tryCandidate(seeder_.shortest());
   CubicSpline other;
-  for (std::size_t bend = 0; bend < std::min(seeder_.bends(), kTrialBends); ++bend) {
+  const std::size_t bends = std::min(seeder_.bends(), any_moves_ ? kMovingBends : kTrialBends);
+  for (std::size_t bend = 0; bend < bends; ++bend) {
     if (seeder_.otherSide(bend, kDetour, other)) tryCandidate(other);
   }
 }
@@ -135,17 +164,37 @@ void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& reques
 void BsplineTime::tryCandidate(const CubicSpline& seed) {
   const bool through = task_.limits.end_speed > 0.0 && goal_.heading.has_value();
   candidate_.start(seed, task_.start_direction ? 1 : 2, through ? 2 : 1, kFirstStep);
-  spent_ += candidate_.improve(cost_, kTrialEvaluations);
+  int trials = candidate_.improve(cost_, 1);
+  // A straight way in the open is as good as it gets.
+  const bool straight = seeder_.bends() == 0 && task_.start_direction && !through;
+  if (!straight || candidate_.score().clearance < params_.clearance) {
+    trials += candidate_.improve(cost_, any_moves_ ? kMovingTrials : kTrialEvaluations);
+  } else {
+    trials = params_.effort;
+  }
+  spent_ += trials;
   if (best_.best().controls() == 0 || candidate_.score().cost < best_.score().cost) {
     best_ = candidate_;
     best_task_ = task_;
   }
 }
 
-void BsplineTime::brake(const NavigationScene& scene, Vec2 direction, double speed) {
+void BsplineTime::trySlower() {
+  const CubicSpline way = best_.best();
+  task_ = best_task_;
+  for (const double share : kSlower) {
+    task_.limits.max_speed = share * best_task_.limits.max_speed;
+    cost_ = SplineCost(task_);
+    tryCandidate(way);
+    if (best_.score().clearance >= kTightPass) break;
+  }
+}
+
+void BsplineTime::brake(const NavigationScene& scene, double speed) {
   braking_ = true;
-  const double length = speed * speed / (2.0 * std::max(scene.robot->wheel_acceleration, 0.1));
-  path_.brake(scene.self.pose.position, direction, length);
+  // Twice the braking distance: a robot beyond the end of its path would turn back to it.
+  const double length = kBrakeRoom + speed * speed / std::max(scene.robot->wheel_acceleration, 0.1);
+  path_.brake(scene.self.pose.position, math::unit(scene.self.pose.heading), length);
 }
 
 void BsplineTime::refine() {
@@ -167,22 +216,31 @@ double BsplineTime::conflictAt(const NavigationScene& scene, double top) const {
   DrivePath::Ride ride;
   ride.speed = std::max(0.0, bodyTwist(scene.self).linear);
   ride.top = top;
+  const double agreement = dot(path_.directionAhead(), math::unit(scene.self.pose.heading));
+  ride.hold = kTurnTime * std::max(0.0, 1.0 - agreement);
+  ride.end = path_.length() - scene.goal.tolerance;
   ride.acceleration = params_.acceleration_share * scene.robot->wheel_acceleration;
   return path_.conflict(ride, task_.body, now_);
 }
 
 double BsplineTime::guard(const NavigationScene& scene) {
   if (!any_moves_) return kInfinity;
+  // While all is clear every second look is enough: a robot a tick, five centimetres at most.
+  if (cap_ < kInfinity || age_ == 0 || scene.tick % 2 == 0) cap_ = slowDown(scene);
+  return cap_;
+}
+
+double BsplineTime::slowDown(const NavigationScene& scene) {
   double clear = conflictAt(scene, kInfinity);
   if (clear == kInfinity) return kInfinity;
-  if (age_ >= (clear < kSoon ? kReplanTicks : kCalmTicks)) {
+  if (age_ >= (clear < kSoon ? 8 : kCalmTicks)) {
     makePlan(scene);
     clear = conflictAt(scene, kInfinity);
     if (clear == kInfinity) return kInfinity;
   }
   double best_cap = kInfinity;
-  const double speed = norm(scene.self.velocity);
-  for (const double cap : {0.6 * speed, 0.3 * speed, 0.0}) {
+  const double pace = std::max(norm(scene.self.velocity), kEasyPace);
+  for (const double cap : {0.6 * pace, 0.3 * pace, kCreep, 0.0}) {
     const double until = conflictAt(scene, cap);
     if (until > clear) clear = until, best_cap = cap;
     if (until == kInfinity) break;

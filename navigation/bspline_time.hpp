@@ -13,13 +13,13 @@ namespace fulbito {
 
 /// Shares, wishes and budgets of `bspline-time`.
 struct BsplineTimeParams {
-  double clearance = 0.03;          ///< [m] wish
+  double clearance = 0.05;          ///< [m] wish
   double least_clearance = 0.008;   ///< [m]
   double acceleration_share = 0.9;  ///< of the wheel acceleration
   double lateral_share = 0.75;      ///< of the lateral grip
-  int evaluations = 24;             ///< a tick
+  int evaluations = 16;             ///< a tick
   int effort = 480;                 ///< evaluations a plan, at most
-  int moving_effort = 48;           ///< the same among moving discs
+  int moving_effort = 16;           ///< the same among moving discs
 };
 
 /// Time-optimised cubic B-spline: the future work that Jung & Lee (2015) name, and the default method.
@@ -45,10 +45,13 @@ class BsplineTime final : public Navigator {
   bool needsPlan(const NavigationScene& scene, double off_path) const;
   void makePlan(const NavigationScene& scene);
   void choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival);
+  void tryWays();
+  void trySlower();
   void tryCandidate(const CubicSpline& seed);
-  void brake(const NavigationScene& scene, Vec2 direction, double speed);
+  void brake(const NavigationScene& scene, double speed);
   void refine();
   double guard(const NavigationScene& scene);
+  double slowDown(const NavigationScene& scene);
   double conflictAt(const NavigationScene& scene, double top) const;
 
   Params params_;
@@ -64,6 +67,7 @@ class BsplineTime final : public Navigator {
   NavigationGoal goal_;
   bool planned_once_ = false;
   bool braking_ = false;
+  double cap_ = 0.0;  ///< [m/s] that the last look at moving discs allowed
   bool any_moves_ = false;
   bool missed_heading_ = false;  ///< drove through the goal in the wrong heading: turn there
   int spent_ = 0;                ///< evaluations for this plan

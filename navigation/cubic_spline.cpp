@@ -24,17 +24,6 @@ void CubicSpline::closeEnds() {
   points_[count_ + 1] = 2.0 * points_[count_] - points_[count_ - 1];
 }
 
-SplinePoint CubicSpline::at(std::size_t span, const SplineWeights& weights) const {
-  SplinePoint point;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vec2 c = points_[span + k];
-    point.position += c * weights.position[k];
-    point.first += c * weights.first[k];
-    point.second += c * weights.second[k];
-  }
-  return point;
-}
-
 double curvature(const SplinePoint& point) {
   const double speed = norm(point.first);
   return speed > kStill ? cross(point.first, point.second) / (speed * speed * speed) : 0.0;

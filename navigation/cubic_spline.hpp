@@ -46,7 +46,16 @@ class CubicSpline {
   /// Spans between control points; the spline has none with less than two.
   std::size_t spans() const { return count_ < 2 ? 0 : count_ - 1; }
   /// The place in `span` (less than `spans()`) that the weights belong to.
-  SplinePoint at(std::size_t span, const SplineWeights& weights) const;
+  SplinePoint at(std::size_t span, const SplineWeights& weights) const {
+    SplinePoint point;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vec2 c = points_[span + k];
+      point.position += c * weights.position[k];
+      point.first += c * weights.first[k];
+      point.second += c * weights.second[k];
+    }
+    return point;
+  }
 
  private:
   void closeEnds();

@@ -8,10 +8,13 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kPerSpan = 12;
+constexpr std::size_t kPerSpan = 8;
 constexpr std::size_t kReserve = (CubicSpline::kMaxControls - 1) * kPerSpan + 2;
 constexpr std::size_t kWindow = 24;       // points searched ahead of the last place
-constexpr double kRideStep = 1.0 / 30.0;  // [s]
+constexpr double kRideStep = 1.0 / 30.0;  // [s] of a slow ride
+constexpr double kRideWay = 0.04;         // [m] at most between looks of a fast one
+constexpr double kBehind = 0.0;          // of the distance of a touch: discs further back only push
+constexpr std::size_t kAhead = 2;        // points
 constexpr double kOwnMotion = 0.02;       // [m/s] slower than that, the other one runs into the robot
 
 constexpr auto kWeights = [] {
@@ -80,6 +83,10 @@ double DrivePath::advanceTo(Vec2 position) {
   return std::sqrt(least);
 }
 
+Vec2 DrivePath::directionAhead() const {
+  return along_.empty() ? Vec2{} : along_[std::min(place_ + kAhead, along_.size() - 1)];
+}
+
 std::size_t DrivePath::span() const { return place_ / kPerSpan; }
 
 double DrivePath::conflict(const Ride& ride, const BodyShape& body,
@@ -89,16 +96,19 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
       ride.margin + std::sqrt(body.half_length * body.half_length + body.half_width * body.half_width);
   double speed = ride.speed, way = points_.empty() ? 0.0 : spacing_[place_];
   std::size_t i = place_;
-  Vec2 last = points_.empty() ? Vec2{} : points_[place_];
-  for (double time = kRideStep; time < ride.horizon && i + 1 < points_.size(); time += kRideStep) {
-    const double wanted = std::min(ride.top, speeds_[i]), change = ride.acceleration * kRideStep;
-    speed += std::clamp(wanted - speed, -change, change);
+  double time = 0.0;
+  while (time < ride.horizon && i + 1 < points_.size()) {
+    const double step = std::min(kRideStep, kRideWay / std::max(speed, kOwnMotion));
+    time += step;
+    const double wanted = std::min(ride.top, speeds_[i]), change = ride.acceleration * step;
+    speed += std::clamp(wanted - speed, -change, time > ride.hold ? change : 0.0);
     if (speed < kOwnMotion) return kNone;
-    way += speed * kRideStep;
+    way += speed * step;
+    if (way > ride.end) return kNone;
     while (i + 1 < points_.size() && spacing_[i + 1] < way) ++i;
     const std::size_t next = std::min(i + 1, points_.size() - 1);
-    const double step = spacing_[next] - spacing_[i];
-    const double part = step > 0.0 ? std::min(1.0, (way - spacing_[i]) / step) : 0.0;
+    const double gap = spacing_[next] - spacing_[i];
+    const double part = gap > 0.0 ? std::min(1.0, (way - spacing_[i]) / gap) : 0.0;
     const Vec2 position = points_[i] + (points_[next] - points_[i]) * part;
     for (const ForecastDisc& disc : discs) {
       const Vec2 centre = disc.at(time);
@@ -106,10 +116,9 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
       const double near = reach + margin + disc.radius;
       if (squaredNorm(centre - position) > near * near) continue;
       // Driving away from a disc that touches the robot already is the cure, not a conflict.
-      if (dot(position - last, centre - position) <= 0.0) continue;
+      if (dot(along_[i], centre - position) <= kBehind * (disc.radius + body.half_length)) continue;
       if (discClearance(body, position, along_[i], centre, disc.radius) < margin) return time;
     }
-    last = position;
   }
   return kNone;
 }

@@ -29,6 +29,8 @@ class DrivePath {
   double advanceTo(Vec2 position);
   std::size_t place() const { return place_; }
   bool finished() const { return place_ + 1 >= points_.size(); }
+  /// Direction of the path a little ahead of the robot's place.
+  Vec2 directionAhead() const;
   /// Span of the spline that the robot is in.
   std::size_t span() const;
 
@@ -37,6 +39,8 @@ class DrivePath {
     double speed = 0.0;         ///< [m/s] now
     double top = 1e9;           ///< [m/s] that the ride brakes or speeds up to
     double acceleration = 5.0;  ///< [m/s^2]
+    double hold = 0.0;          ///< [s] that the robot turns before it can speed up
+    double end = 1e9;           ///< [m] along the path where the ride is over
     double horizon = 0.8;       ///< [s]
     double margin = 0.006;      ///< [m] of clearance at once
     double doubt = 0.03;        ///< [m/s] that the margin to moving discs grows by

@@ -8,24 +8,16 @@ namespace {
 
 constexpr double kMoving = 0.03;  // [m/s]
 
-double mirrored(double x, double room) {
-  if (x > room) x = 2.0 * room - x;
-  if (x < -room) x = -2.0 * room - x;
-  return std::clamp(x, -room, room);
-}
-
 }  // namespace
-
-Vec2 ForecastDisc::at(double time) const {
-  if (!moves) return position;
-  const Vec2 p = position + velocity * time;
-  return {mirrored(p.x, room.x), mirrored(p.y, room.y)};
-}
 
 void forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out) {
   out.clear();
   for (const DiscObstacle& o : scene.obstacles) {
-    ForecastDisc disc{o.position, o.velocity, o.radius, {}, squaredNorm(o.velocity) > kMoving * kMoving};
+    ForecastDisc disc;
+    disc.position = o.position;
+    disc.velocity = o.velocity;
+    disc.radius = o.radius;
+    disc.moves = squaredNorm(o.velocity) > kMoving * kMoving;
     // A disc in a goal or half in a wall keeps at least the room that it has.
     disc.room = {std::max(scene.field->length / 2 - o.radius, std::abs(o.position.x)),
                  std::max(scene.field->width / 2 - o.radius, std::abs(o.position.y))};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,18 @@ struct ForecastDisc {
   bool moves = false;  ///< faster than a few centimetres a second
 
   /// Where its centre will be after `time` [s].
-  Vec2 at(double time) const;
+  Vec2 at(double time) const {
+    if (!moves) return position;
+    const Vec2 p = position + velocity * time;
+    return {mirrored(p.x, room.x), mirrored(p.y, room.y)};
+  }
+
+ private:
+  static double mirrored(double x, double room) {
+    if (x > room) return std::max(2.0 * room - x, -room);
+    if (x < -room) return std::min(-2.0 * room - x, room);
+    return x;
+  }
 };
 
 /// Foresees all obstacles of `scene` into `out`, reusing its memory.

@@ -13,6 +13,8 @@ constexpr std::size_t kFieldPoints = 40;
 constexpr double kSpacing = 0.0125;          // [m] between preview points
 constexpr std::size_t kMaxPathPoints = 800;  // 10 m at that spacing
 constexpr std::size_t kReserve = kMaxPathPoints + 8;
+constexpr double kAtGoal = 0.95;  // of the goal's tolerance, where a robot turns to the wanted heading
+constexpr double kSlow = 0.08;   // [m/s] faster robots brake first: turning would take all of the wheel acceleration
 
 /// Curvature over two points each way, which the vertices of a coarse polyline do not upset.
 void smoothCurvature(std::span<const Vec2> p, std::vector<double>& curvature) {
@@ -43,6 +45,11 @@ void PreviewFollower::reset() {
 }
 
 Twist PreviewFollower::follow(const Guidance& guidance, const NavigationScene& scene) {
+  if (turnsAtGoal(scene)) {
+    started_ = true;
+    spinning_ = false;
+    return {0.0, params_.yaw_gain * math::wrapAngle(*scene.goal.heading - scene.self.pose.heading)};
+  }
   const double speed = std::max(0.0, bodyTwist(scene.self).linear);
   const double reach = params_.lookahead + params_.lookahead_time * speed;
   const bool timed = guidance.kind == GuidanceKind::kTimedPath;
@@ -56,6 +63,12 @@ Twist PreviewFollower::follow(const Guidance& guidance, const NavigationScene& s
         ahead.speed, std::sqrt(2.0 * params_.acceleration_share * scene.robot->wheel_acceleration * left));
   }
   return steer(ahead, scene, speed, timed);
+}
+
+bool PreviewFollower::turnsAtGoal(const NavigationScene& scene) const {
+  const NavigationGoal& goal = scene.goal;
+  return goal.heading && distance(scene.self.pose.position, goal.position) < kAtGoal * goal.tolerance &&
+         std::abs(bodyTwist(scene.self).linear) < kSlow;
 }
 
 PreviewFollower::Ahead PreviewFollower::aheadOnField(const Guidance& guidance, const NavigationScene& scene,

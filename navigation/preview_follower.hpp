@@ -20,7 +20,7 @@ struct PreviewParams {
 /// The follower that all methods share, so that methods are compared and not controllers. It looks at a
 /// polyline of what lies ahead (a path, or 40 points integrated through a heading field), steers at a point
 /// some centimetres ahead and drives as fast as the bends in the preview allow; a path that comes with its
-/// own speeds is driven at those.
+/// own speeds is driven at those. A slow robot at a goal with a wanted heading turns to it in place.
 class PreviewFollower final : public Follower {
  public:
   explicit PreviewFollower(PreviewParams params = {});
@@ -32,6 +32,7 @@ class PreviewFollower final : public Follower {
     Vec2 target;   ///< steering point
     double speed;  ///< [m/s] allowed now
   };
+  bool turnsAtGoal(const NavigationScene& scene) const;
   Ahead aheadOnField(const Guidance& guidance, const NavigationScene& scene, double speed, double reach);
   Ahead aheadOnPath(const Guidance& guidance, const NavigationScene& scene, double speed, double reach);
   void cachePath(const Guidance& guidance, const NavigationScene& scene);

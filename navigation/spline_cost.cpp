@@ -10,6 +10,8 @@ constexpr double kCrawl = 0.01;          // [m/s] plans never stand still on the
 constexpr double kSwingShare = 0.8;      // of the wheel acceleration that changing the yaw rate may take
 constexpr double kLeastShare = 0.1;      // of it that stays for the speed
 constexpr double kForeseen = 1.5;        // [s] motion further ahead is not worth planning for
+constexpr double kLeastAgreement = 0.5;  // cosine of a turn between samples; curvature does not see cusps
+constexpr double kFoldPrice = 3.0;       // [s]
 constexpr double kEndZone = 0.05;        // [m] at both ends that are not the plan's to choose
 constexpr double kWishPrice = 0.4;       // [s/m] driven with no clearance left
 constexpr double kBlockedPrice = 20.0;   // [s/m] driven at twice the least clearance too deep
@@ -30,28 +32,33 @@ double halfTurn(Vec2 a, Vec2 b) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * dot
 
 }  // namespace
 
-SplineScore SplineCost::operator()(const CubicSpline& spline) {
+SplineScore SplineCost::operator()(const CubicSpline& spline, double enough) {
   SplineScore score;
   if (spline.spans() == 0) return score;
   sample(spline);
   limitSpeeds();
   score.time = passTimes();
   score.cost = score.time + payEnds();
-  payClearance(score);
+  if (score.cost < enough) payClearance(score);
   return score;
 }
 
 void SplineCost::sample(const CubicSpline& spline) {
   count_ = spline.spans() * kPerSpan + 1;
   double last_speed = 0.0;
+  folds_ = 0.0;
   for (std::size_t i = 0; i < count_; ++i) {
     const std::size_t span = std::min(i / kPerSpan, spline.spans() - 1);
     const SplinePoint point = spline.at(span, kWeights[i - span * kPerSpan]);
     const double speed = std::max(norm(point.first), 1e-9);
     position_[i] = point.position;
-    along_[i] = point.first / speed;
-    curvature_[i] = cross(along_[i], point.second) / (speed * speed);
-    if (i > 0) step_[i - 1] = (last_speed + speed) / (2.0 * kPerSpan);
+    const double slowness = 1.0 / speed;
+    along_[i] = point.first * slowness;
+    curvature_[i] = cross(along_[i], point.second) * slowness * slowness;
+    if (i > 0) {
+      step_[i - 1] = (last_speed + speed) / (2.0 * kPerSpan);
+      folds_ += std::max(0.0, kLeastAgreement - dot(along_[i - 1], along_[i]));
+    }
     last_speed = speed;
   }
 }
@@ -61,7 +68,8 @@ void SplineCost::limitSpeeds() {
   const double h = limits.axle_track / 2;
   for (std::size_t i = 0; i < count_; ++i) {
     const double k = std::abs(curvature_[i]);
-    const double by_wheel = limits.max_speed / (1.0 + h * k);
+    const double inner = 1.0 / (1.0 + h * k);  // the robot's speed when the outer wheel's is 1
+    const double by_wheel = limits.max_speed * inner;
     const std::size_t next = std::min(i + 1, count_ - 1), from = next - 1;
     const double swing = h * std::abs(curvature_[next] - curvature_[from]) / std::max(step_[from], 1e-9);
     double square = by_wheel * by_wheel;
@@ -70,7 +78,7 @@ void SplineCost::limitSpeeds() {
       square = kSwingShare * limits.acceleration / swing;
     square_[i] = std::max(square, kCrawl * kCrawl);
     const double left = limits.acceleration - swing * square_[i];
-    room_[i] = std::max(left, kLeastShare * limits.acceleration) / (1.0 + h * k);
+    room_[i] = std::max(left, kLeastShare * limits.acceleration) * inner;
   }
 }
 
@@ -98,6 +106,7 @@ double SplineCost::passTimes() {
 double SplineCost::payEnds() const {
   const double start = std::sqrt(square_[0]);
   double price = kTooFastPrice * std::max(0.0, task_.limits.start_speed - start);
+  price += kFoldPrice * folds_;
   if (task_.start_direction) price += kStartTurnPrice * halfTurn(*task_.start_direction, along_[0]);
   if (task_.end_direction) price += kEndTurnPrice * halfTurn(*task_.end_direction, along_[count_ - 1]);
   return price;

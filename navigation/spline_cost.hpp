@@ -38,11 +38,12 @@ struct SplineScore {
 /// acceleration).
 class SplineCost {
  public:
-  static constexpr std::size_t kPerSpan = 5;
+  static constexpr std::size_t kPerSpan = 4;
   static constexpr std::size_t kMaxSamples = (CubicSpline::kMaxControls - 1) * kPerSpan + 1;
 
   explicit SplineCost(const SplineTask& task = {}) : task_(task) {}
-  SplineScore operator()(const CubicSpline& spline);
+  /// @param enough  a cost from which on the verdict may be left unfinished: the spline is not wanted then
+  SplineScore operator()(const CubicSpline& spline, double enough = std::numeric_limits<double>::infinity());
 
   const SplineTask& task() const { return task_; }
 
@@ -55,6 +56,7 @@ class SplineCost {
 
   SplineTask task_;
   std::size_t count_ = 0;
+  double folds_ = 0.0;  ///< turns between samples that are too sharp to be bends, summed
   std::array<Vec2, kMaxSamples> position_;
   std::array<Vec2, kMaxSamples> along_;
   std::array<double, kMaxSamples> curvature_;

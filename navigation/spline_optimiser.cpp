@@ -92,7 +92,7 @@ int SplineOptimiser::improve(SplineCost& cost, int evaluations) {
   if (!live(turn_)) next();
   while (used < evaluations && live(turn_)) {
     const CubicSpline candidate = moved(turn_, directions_[turn_].step);
-    const SplineScore score = cost(candidate);
+    const SplineScore score = cost(candidate, score_.cost);
     ++used;
     const bool better = score.cost < score_.cost;
     if (better) best_ = candidate, score_ = score;

@@ -31,19 +31,15 @@ SplineSeeder::SplineSeeder() {
 }
 
 bool SplineSeeder::search(const SeedRequest& request, const RobotModel& robot, const FieldGeometry& field,
-                          std::span<const ForecastDisc> discs) {
+                          std::span<const ForecastDisc> discs, Room room) {
   request_ = request;
   field_ = &field;
   const double lead = std::min(kLead, 0.3 * distance(request.start, request.goal));
   from_ = request.start_direction ? request.start + *request.start_direction * lead : request.start;
   to_ = request.end_direction ? request.goal - *request.end_direction * lead : request.goal;
-  bool found = false;
-  for (const double inflation : {robot.circumradius() + request.margin, robot.width / 2 + kNarrow}) {
-    wall_margin_ = inflation;
-    placeCircles(inflation, discs);
-    found = route({});
-    if (found) break;
-  }
+  wall_margin_ = room == Room::kTurning ? robot.circumradius() + request.margin : robot.width / 2 + kNarrow;
+  placeCircles(wall_margin_, discs);
+  const bool found = route({});
   passes_.clear();
   if (found) {
     passes_.insert(passes_.end(), graph_.passes().begin(), graph_.passes().end());

@@ -20,15 +20,21 @@ struct SeedRequest {
   double margin = 0.005;              ///< [m] that the shortest path keeps from the turning robot
 };
 
-/// Makes the splines that the optimisation begins with: the shortest way among the discs as it would be for
-/// the robot's circumscribed circle or, where that finds none, for its half width; and the shortest ways that
-/// pass one disc on the other side.
+/// Makes the splines that the optimisation begins with: the shortest way among the discs for the robot's
+/// circumscribed circle or for its half width, and the shortest ways that pass one disc on the other side.
 class SplineSeeder {
  public:
+  /// Room that the way leaves beside its middle.
+  enum class Room {
+    kTurning,   ///< the circumscribed circle and the request's margin: the robot can turn anywhere
+    kStraight,  ///< half the width and 2 mm: gaps have to be entered straight
+  };
   SplineSeeder();
-  /// Searches the shortest way; false when there is none (then the seeds are straight).
+  /// Searches the shortest way; false when there is none (then the seed is straight).
   bool search(const SeedRequest& request, const RobotModel& robot, const FieldGeometry& field,
-              std::span<const ForecastDisc> discs);
+              std::span<const ForecastDisc> discs, Room room);
+  /// Length [m] of the shortest way.
+  double length() const { return length_; }
   /// Discs that the shortest way bends around.
   std::size_t bends() const { return passes_.size(); }
   /// The shortest way's spline.

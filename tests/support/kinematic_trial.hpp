@@ -15,6 +15,7 @@ struct KinematicResult {
   bool touched = false;        ///< the robot's square overlapped an obstacle or left the field
   double time = 0.0;           ///< [s]
   double length = 0.0;         ///< [m]
+  bool own_fault = false;      ///< at the first overlap with an obstacle the robot drove at it faster than 2 cm/s
   double min_clearance = 1e9;  ///< [m] of the square to obstacles and walls
   double final_heading = 0.0;  ///< [rad]
   std::vector<Vec2> path;
@@ -38,6 +39,35 @@ inline double bodyWallClearance(const RobotModel& robot, const Pose2& pose, cons
   return least;
 }
 
+/// Moves a disc on, bouncing off the playing rectangle's walls.
+inline void moveDisc(DiscObstacle& o, const FieldGeometry& field, double h) {
+  o.position += o.velocity * h;
+  if (std::abs(o.position.x) > field.length / 2 - o.radius && o.position.x * o.velocity.x > 0.0)
+    o.velocity.x = -o.velocity.x;
+  if (std::abs(o.position.y) > field.width / 2 - o.radius && o.position.y * o.velocity.y > 0.0)
+    o.velocity.y = -o.velocity.y;
+}
+
+/// Ideal robot: the wheels follow commands within the wheel acceleration, sideways slip dies by Coulomb grip.
+struct KinematicRobot {
+  RobotState state;
+  double left = 0.0, right = 0.0;  ///< [m/s] of the rims
+
+  void step(const RobotModel& robot, WheelSpeeds wheels, double h) {
+    const double change = robot.wheel_acceleration * h;
+    left += std::clamp(wheels.left * robot.wheel_radius - left, -change, change);
+    right += std::clamp(wheels.right * robot.wheel_radius - right, -change, change);
+    state.angular_velocity = (right - left) / robot.axle_track;
+    state.pose.heading = math::wrapAngle(state.pose.heading + state.angular_velocity * h);
+    const Vec2 ux = math::unit(state.pose.heading);
+    double side = cross(ux, state.velocity);
+    side -= std::clamp(side, -robot.lateral_grip * h, robot.lateral_grip * h);
+    state.velocity = ux * ((left + right) / 2) + perp(ux) * side;
+    state.pose.position += state.velocity * h;
+    state.wheels = {left / robot.wheel_radius, right / robot.wheel_radius};
+  }
+};
+
 /// Drives `pilot` from `start` with an ideal robot: wheels follow commands within the wheel acceleration,
 /// sideways slip dies by Coulomb grip, 1 ms steps, 60 Hz control. No contacts: an overlap is only recorded.
 /// For tests without the physics world.
@@ -50,31 +80,21 @@ inline KinematicResult kinematicTrial(Pilot& pilot, const RobotModel& robot, con
   scene.field = &field;
   scene.robot = &robot;
   scene.goal = goal;
-  scene.self.pose = start;
-  double left = 0.0, right = 0.0;  // rim speeds
-  Vec2 velocity{};
+  KinematicRobot body;
+  body.state.pose = start;
   const double h = 1e-3;
   const int ticks = static_cast<int>(time_limit * 60.0);
   for (int tick = 0; tick < ticks; ++tick) {
     scene.tick = tick;
     scene.obstacles = obstacles;
+    scene.self = body.state;
     const WheelSpeeds wheels = pilot.drive(scene);
     const int steps = tick % 3 == 0 ? 16 : 17;  // 60 Hz in whole milliseconds on average
     for (int i = 0; i < steps; ++i) {
-      Pose2& pose = scene.self.pose;
-      const double change = robot.wheel_acceleration * h;
-      left += std::clamp(wheels.left * robot.wheel_radius - left, -change, change);
-      right += std::clamp(wheels.right * robot.wheel_radius - right, -change, change);
-      const double forward = (left + right) / 2;
-      scene.self.angular_velocity = (right - left) / robot.axle_track;
-      pose.heading = math::wrapAngle(pose.heading + scene.self.angular_velocity * h);
-      const Vec2 ux = math::unit(pose.heading);
-      double side = cross(ux, velocity);
-      side -= std::clamp(side, -robot.lateral_grip * h, robot.lateral_grip * h);
-      velocity = ux * forward + perp(ux) * side;
-      pose.position += velocity * h;
-      result.length += norm(velocity) * h;
-      for (DiscObstacle& o : obstacles) o.position += o.velocity * h;
+      body.step(robot, wheels, h);
+      const Pose2& pose = body.state.pose;
+      result.length += norm(body.state.velocity) * h;
+      for (DiscObstacle& o : obstacles) moveDisc(o, field, h);
       result.time += h;
       if (distance(pose.position, goal.position) <= goal.tolerance &&
           (!goal.heading ||
@@ -83,18 +103,21 @@ inline KinematicResult kinematicTrial(Pilot& pilot, const RobotModel& robot, con
         break;
       }
     }
-    scene.self.velocity = velocity;
-    scene.self.wheels = {left / robot.wheel_radius, right / robot.wheel_radius};
+    const Pose2& pose = body.state.pose;
     for (const DiscObstacle& o : obstacles) {
-      result.min_clearance =
-          std::min(result.min_clearance, bodyClearance(robot, scene.self.pose, o.position, o.radius));
+      const double clearance = bodyClearance(robot, pose, o.position, o.radius);
+      if (clearance < 0.0 && result.min_clearance >= 0.0) {
+        const Vec2 toward = unitOr(o.position - pose.position, {});
+        result.own_fault = dot(body.state.velocity, toward) > 0.02;
+      }
+      result.min_clearance = std::min(result.min_clearance, clearance);
     }
-    result.min_clearance = std::min(result.min_clearance, bodyWallClearance(robot, scene.self.pose, field));
-    result.path.push_back(scene.self.pose.position);
+    result.min_clearance = std::min(result.min_clearance, bodyWallClearance(robot, pose, field));
+    result.path.push_back(pose.position);
     if (result.reached) break;
   }
   result.touched = result.min_clearance < 0.0;
-  result.final_heading = scene.self.pose.heading;
+  result.final_heading = body.state.pose.heading;
   return result;
 }
 

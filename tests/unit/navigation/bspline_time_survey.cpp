@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "navigation/preview_follower.hpp"
 #include "navigation/registry.hpp"
 #include "navigation/tangent_graph_search.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
+#include "tests/support/suite_layouts.hpp"
 #include "tests/support/kinematic_trial.hpp"
 
 namespace fulbito {
@@ -23,6 +25,62 @@ std::string specification() {
   const char* s = std::getenv("NAV");
   return s ? s : kDefaultNavigator;
 }
+/// Wall time of each tick, to print; nothing depends on it.
+class Stopwatch final : public Follower, public Navigator {
+ public:
+  explicit Stopwatch(const std::string& text)
+      : choice_(*parseNavigator(text)), navigator_(*choice_.info->make(choice_.settings)) {}
+  void reset() override {
+    navigator_->reset();
+    follower_.reset();
+  }
+  Guidance plan(const NavigationScene& scene) override {
+    begin_ = std::chrono::steady_clock::now();
+    return navigator_->plan(scene);
+  }
+  Twist follow(const Guidance& guidance, const NavigationScene& scene) override {
+    const Twist twist = follower_.follow(guidance, scene);
+    micros.push_back(
+        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin_).count());
+    return twist;
+  }
+  std::vector<double> micros;
+
+ private:
+  NavigatorChoice choice_;
+  std::unique_ptr<Navigator> navigator_;
+  PreviewFollower follower_;
+  std::chrono::steady_clock::time_point begin_;
+};
+
+/// Hands a pilot the two roles of one stopwatch.
+struct Plans final : Navigator {
+  explicit Plans(Stopwatch& w) : watch(w) {}
+  void reset() override { watch.reset(); }
+  Guidance plan(const NavigationScene& scene) override { return watch.plan(scene); }
+  Stopwatch& watch;
+};
+struct Follows final : Follower {
+  explicit Follows(Stopwatch& w) : watch(w) {}
+  void reset() override {}
+  Twist follow(const Guidance& g, const NavigationScene& scene) override { return watch.follow(g, scene); }
+  Stopwatch& watch;
+};
+struct TimedPilot {
+  TimedPilot() : pilot(std::make_unique<Plans>(watch), std::make_unique<Follows>(watch)) {}
+  void print() {
+    std::sort(watch.micros.begin(), watch.micros.end());
+    double sum = 0;
+    // A tick that the operating system interrupted says nothing about the method.
+    for (double m : watch.micros) sum += m < 1000.0 ? m : 0.0;
+    const std::size_t n = watch.micros.size();
+    fmt::print("           us/tick mean {:.2f} p50 {:.2f} p99 {:.2f} max {:.1f}\n", sum / n, watch.micros[n / 2],
+               watch.micros[n * 99 / 100], watch.micros.back());
+  }
+  Stopwatch watch{specification()};
+  Pilot pilot;
+};
+
 int count(int fallback) {
   const char* s = std::getenv("COUNT");
   return s ? std::atoi(s) : fallback;
@@ -63,18 +121,134 @@ void add(Tally& t, const test::KinematicResult& r, double best, double speed, in
 }  // namespace
 
 TEST_CASE("survey N1", "[.][survey]") {
-  auto pilot = makePilot(*parseNavigator(specification()));
-  REQUIRE(pilot);
   for (double speed : {0.6, 1.0, 2.6}) {
+    TimedPilot timed;
     Tally t;
     const RobotModel robot = test::paperRobot(speed);
     for (int seed = 1; seed <= count(200); ++seed) {
       const auto layout = test::cornerLayout(seed);
-      const auto r = test::kinematicTrial(**pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
+      const auto r = test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
       add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.058), speed, seed);
     }
     print("N1", speed, t);
+    timed.print();
   }
+}
+
+TEST_CASE("survey N2", "[.][survey]") {
+  for (double speed : {0.6, 1.0, 2.6}) {
+    TimedPilot timed;
+    Tally t;
+    const RobotModel robot = test::paperRobot(speed);
+    for (int seed = 1; seed <= count(200); ++seed) {
+      const auto layout = test::shortLayout(seed);
+      const auto r = test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
+      add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.058), speed, seed);
+    }
+    print("N2", speed, t);
+    timed.print();
+  }
+}
+
+TEST_CASE("survey N3", "[.][survey]") {
+  for (double speed : {0.6, 1.0, 2.6}) {
+    TimedPilot timed;
+    Tally t;
+    const RobotModel robot = test::paperRobot(speed);
+    for (int seed = 1; seed <= count(200); ++seed) {
+      const auto layout = test::headingLayout(seed);
+      const auto r = test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
+      add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.058), speed, seed);
+    }
+    print("N3", speed, t);
+    timed.print();
+  }
+}
+
+TEST_CASE("survey N4", "[.][survey]") {
+  for (double speed : {0.6, 1.0, 2.6}) {
+    TimedPilot timed;
+    Tally t;
+    const RobotModel robot = test::paperRobot(speed);
+    for (int seed = 1; seed <= count(200); ++seed) {
+      const auto layout = test::wallLayout(seed);
+      const auto r = test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
+      add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.058), speed, seed);
+    }
+    print("N4", speed, t);
+    timed.print();
+  }
+}
+
+TEST_CASE("survey N5", "[.][survey]") {
+  for (double gap : {1.1, 1.3, 1.6}) {
+    for (double speed : {0.6, 1.0, 2.6}) {
+      TimedPilot timed;
+      Tally t;
+      const RobotModel robot = test::paperRobot(speed);
+      for (int seed = 1; seed <= count(200); ++seed) {
+        const auto layout = test::gapLayout(seed, gap * 0.075);
+        const auto r =
+            test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
+        add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.0395), speed, seed);
+      }
+      print(fmt::format("N5 gap {}", gap).c_str(), speed, t);
+      timed.print();
+    }
+  }
+}
+
+TEST_CASE("survey N6", "[.][survey]") {
+  for (double speed : {0.6, 1.0, 2.6}) {
+    TimedPilot timed;
+    Tally t;
+    int own = 0;
+    const RobotModel robot = test::paperRobot(speed);
+    for (int seed = 1; seed <= count(300); ++seed) {
+      const auto layout = test::movingLayout(seed);
+      const auto r = test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
+      add(t, r, shortest(layout.start.position, layout.goal.position, {}, 0.058), speed, seed);
+      if (r.own_fault) ++own;
+      if (r.own_fault && std::getenv("VERBOSE")) fmt::print("   own fault in {} with {} discs\n", seed, layout.obstacles.size());
+    }
+    print("N6", speed, t);
+    fmt::print("           own fault {:.2f} %\n", 100.0 * own / t.runs);
+    timed.print();
+  }
+}
+
+TEST_CASE("survey six robots", "[.][survey]") {
+  const RobotModel robot = test::paperRobot(1.2);
+  const FieldGeometry field;
+  const double radius = robot.circumradius();
+  std::vector<std::unique_ptr<TimedPilot>> pilots;
+  std::vector<test::KinematicRobot> bodies(6);
+  std::vector<NavigationGoal> goals(6);
+  Rng rng(1, Stream::kTest, 7);
+  const auto place = [&] { return Vec2{rng.uniform(-0.65, 0.65), rng.uniform(-0.55, 0.55)}; };
+  for (auto& body : bodies) pilots.push_back(std::make_unique<TimedPilot>()), body.state.pose.position = place();
+  for (auto& goal : goals) goal.position = place();
+  std::vector<DiscObstacle> others;
+  int arrivals = 0, overlaps = 0;
+  for (int tick = 0; tick < 6000; ++tick) {
+    std::vector<WheelSpeeds> wheels;
+    for (std::size_t i = 0; i < 6; ++i) {
+      others.clear();
+      for (std::size_t j = 0; j < 6; ++j) {
+        if (j == i) continue;
+        others.push_back({bodies[j].state.pose.position, radius, bodies[j].state.velocity});
+        if (distance(bodies[i].state.pose.position, others.back().position) < 0.075) ++overlaps;
+      }
+      if (distance(bodies[i].state.pose.position, goals[i].position) < 0.03) goals[i].position = place(), ++arrivals;
+      NavigationScene scene{tick, 1.0 / 60.0, bodies[i].state, goals[i], others, &field, &robot};
+      wheels.push_back(pilots[i]->pilot.drive(scene));
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+      for (int step = 0; step < 16; ++step) bodies[i].step(robot, wheels[i], 1.0 / 960.0);
+    }
+  }
+  fmt::print("six robots: {} arrivals in 100 s, overlapping pairs {:.2f} % of ticks\n", arrivals, overlaps / 2 / 60.0);
+  for (auto& pilot : pilots) pilot->print();
 }
 
 }  // namespace fulbito
