@@ -138,7 +138,7 @@ Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<ch
       }
     }
   }
-  if (!message.ends_with('.')) message += '.';
+  if (!message.ends_with('.') && !message.ends_with('?')) message += '.';
   return {ErrorCode::kUsage, fmt::format("{}{}{} See fulbito {}{}--help.", name, name.empty() ? "" : ": ", message, name,
                                          name.empty() ? "" : " ")};
 }
