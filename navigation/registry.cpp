@@ -8,9 +8,9 @@
 #include "navigation/bspline_time.hpp"
 #include "navigation/classic_follower.hpp"
 #include "navigation/dwa.hpp"
-#include "navigation/nearness_diagram.hpp"
 #include "navigation/hermite.hpp"
 #include "navigation/limit_cycle.hpp"
+#include "navigation/nearness_diagram.hpp"
 #include "navigation/preview_follower.hpp"
 #include "navigation/straight.hpp"
 #include "navigation/tangent_field.hpp"
@@ -24,18 +24,9 @@ namespace {
 const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
-      straightInfo(),
-      nearnessDiagramInfo(),
-      dwaInfo(),
-      vectorFieldInfo(),
-      univectorInfo(),
-      tangentFieldInfo(),
-      limitCycleInfo(),
-      bezierInfo(),
-      bezierRawInfo(),
-      hermiteInfo(),
-      tangentGraphInfo(),
-      bsplineTimeInfo(),
+      straightInfo(),   vectorFieldInfo(),     univectorInfo(),    tangentFieldInfo(),
+      limitCycleInfo(), nearnessDiagramInfo(), dwaInfo(),          bezierInfo(),
+      bezierRawInfo(),  hermiteInfo(),         tangentGraphInfo(), bsplineTimeInfo(),
   };
   return entries;
 }

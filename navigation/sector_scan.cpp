@@ -1,5 +1,6 @@
 #include "navigation/sector_scan.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
