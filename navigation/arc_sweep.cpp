@@ -1,10 +1,10 @@
 #include "navigation/arc_sweep.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "navigation/wall_lines.hpp"
 
 namespace fulbito {
 namespace {
@@ -51,19 +51,9 @@ void ArcSweep::addDisc(Vec2 centre, Vec2 velocity, double radius, double top_spe
 }
 
 void ArcSweep::addWalls(const FieldGeometry& field, const Pose2& pose, double radius, double top_speed) {
-  const double x = field.length / 2, y = field.width / 2, diagonal = 1.0 / std::sqrt(2.0);
-  const double cut = (x + y - field.corner) * diagonal;
-  const Vec2 ux = math::unit(pose.heading);
-  const auto add = [&](Vec2 outward, double offset) {
-    const double clearance = offset - dot(outward, pose.position);
-    if (clearance - radius > top_speed * horizon_) return;
-    walls_.push_back({{dot(ux, outward), cross(ux, outward)}, std::max(clearance - radius, kSliver)});
-  };
-  for (double sign : {-1.0, 1.0}) {
-    add({sign, 0.0}, x);
-    add({0.0, sign}, y);
-    add({sign * diagonal, diagonal}, cut);
-    add({sign * diagonal, -diagonal}, cut);
+  for (const WallLine& wall : wallLines(field, pose)) {
+    const double room = wall.clearance - radius;
+    if (room <= top_speed * horizon_) walls_.push_back({wall.outward, std::max(room, kSliver)});
   }
 }
 

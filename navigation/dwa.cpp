@@ -26,7 +26,7 @@ double Dwa::rimChange(const NavigationScene& scene, const Window& window, Twist 
 Guidance Dwa::plan(const NavigationScene& scene) {
   const Window window = windowOf(scene);
   sweep_.look(scene, params_.margin, scene.robot->maxSpeed());
-  const Twist wanted = choose(scene, window);
+  const Twist wanted = escape_.apply(scene, choose(scene, window));
   // Speed and yaw rate change together, as the ramp of the sweep has it; yaw first would put off braking.
   const double budget = scene.robot->wheel_acceleration * scene.dt;
   const double share = budget / std::max(budget, rimChange(scene, window, wanted));

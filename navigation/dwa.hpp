@@ -2,6 +2,7 @@
 
 #include "navigation/arc_sweep.hpp"
 #include "navigation/parameters.hpp"
+#include "navigation/wall_escape.hpp"
 
 namespace fulbito {
 
@@ -39,7 +40,7 @@ class Dwa final : public Navigator {
  public:
   using Params = DwaParams;
   explicit Dwa(Params params = {}) : params_(params) {}
-  void reset() override {}
+  void reset() override { escape_.reset(); }
   Guidance plan(const NavigationScene& scene) override;
 
  private:
@@ -59,6 +60,7 @@ class Dwa final : public Navigator {
 
   Params params_;
   ArcSweep sweep_;
+  WallEscape escape_;  ///< the sweep's circle does not see that a corner presses into a wall
 };
 
 NavigatorInfo dwaInfo();

@@ -36,6 +36,9 @@ const std::vector<NavigatorInfo>& registry() {
       tangentGraphInfo(),
       dwaInfo(),
       bsplineTimeInfo(),
+      straightInfo(),   vectorFieldInfo(),     univectorInfo(),    tangentFieldInfo(),
+      limitCycleInfo(), nearnessDiagramInfo(), dwaInfo(),          bezierInfo(),
+      bezierRawInfo(),  hermiteInfo(),         tangentGraphInfo(), bsplineTimeInfo(),
   };
   return entries;
 }

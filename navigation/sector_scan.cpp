@@ -1,22 +1,17 @@
 #include "navigation/sector_scan.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "engine/core/math.hpp"
+#include "navigation/wall_lines.hpp"
 
 namespace fulbito {
 namespace {
 
 constexpr double kTouching = 1e-4;  // [m] stands for "inside": 0 would have no direction
 constexpr double kFar = 1e3;        // [m] nothing beyond matters, and squares stay finite
-
-/// Straight wall in the robot frame.
-struct WallLine {
-  Vec2 outward;      // unit normal
-  double clearance;  // [m] of the robot's centre
-};
 
 void keepNearest(SectorHit& hit, double distance, Vec2 direction) {
   if (distance < hit.distance) hit = {distance, direction * distance};
@@ -40,26 +35,6 @@ void addDisc(const SectorCircle& circle, Vec2 centre, double radius, std::span<S
   const int facing = circle.sectorOf(math::angleOf(centre));
   keepNearest(hits[static_cast<std::size_t>(facing)], std::max(range - radius, kTouching),
               unitOr(centre, {1.0, 0.0}));
-}
-
-std::array<WallLine, 8> wallLines(const FieldGeometry& field, const Pose2& pose) {
-  const double x = field.length / 2, y = field.width / 2, diagonal = 1.0 / std::sqrt(2.0);
-  const double cut = (x + y - field.corner) * diagonal;
-  const std::array<WallLine, 8> world = {{{{1, 0}, x},
-                                          {{-1, 0}, x},
-                                          {{0, 1}, y},
-                                          {{0, -1}, y},
-                                          {{diagonal, diagonal}, cut},
-                                          {{-diagonal, diagonal}, cut},
-                                          {{diagonal, -diagonal}, cut},
-                                          {{-diagonal, -diagonal}, cut}}};
-  const Vec2 ux = math::unit(pose.heading);
-  std::array<WallLine, 8> seen{};
-  for (std::size_t k = 0; k < world.size(); ++k) {
-    const double clearance = world[k].clearance - dot(world[k].outward, pose.position);
-    seen[k] = {{dot(ux, world[k].outward), cross(ux, world[k].outward)}, std::max(clearance, kTouching)};
-  }
-  return seen;
 }
 
 void addWalls(const SectorCircle& circle, std::span<const WallLine> walls, std::span<SectorHit> hits) {
@@ -98,7 +73,8 @@ void scanScene(const SectorCircle& circle, const NavigationScene& scene, std::sp
     const Vec2 d = obstacle.position - pose.position;
     addDisc(circle, {dot(ux, d), cross(ux, d)}, obstacle.radius, hits);
   }
-  const auto walls = wallLines(*scene.field, pose);
+  auto walls = wallLines(*scene.field, pose);
+  for (WallLine& wall : walls) wall.clearance = std::max(wall.clearance, kTouching);
   addWalls(circle, walls, hits);
 }
 

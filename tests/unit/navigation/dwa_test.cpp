@@ -64,6 +64,16 @@ TEST_CASE("the dynamic window approach comes to rest at a goal where it shall st
   CHECK(slower.linear >= 0.8 - 5.0 / 60.0 - 1e-9);
 }
 
+TEST_CASE("the dynamic window approach backs out from a wall that it touches", "[unit]") {
+  const auto pilot = makePilot(*parseNavigator("dwa"));
+  NavigationGoal goal;
+  goal.position = {0.0, 0.1};
+  const auto run =
+      test::kinematicTrial(**pilot, test::paperRobot(1.0), {}, {{0.7124, 0.3}, 0.1}, goal, {}, 6.0);
+  CHECK(run.reached);
+  CHECK(run.min_clearance > -0.005);  // it starts 3.6 mm inside, corner first
+}
+
 TEST_CASE("the dynamic window approach gives way to a crossing ball that it would meet", "[unit]") {
   // Both would be at the origin after about one second.
   const auto pilot = makePilot(*parseNavigator("dwa"));

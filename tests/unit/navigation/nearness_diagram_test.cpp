@@ -41,6 +41,14 @@ double rayOntoBall(double range, double degrees) {
   return range * math::cos(degrees * kDegree) - std::sqrt(kBall * kBall - across * across);
 }
 
+/// y [m] where a run first crosses the line x = 0.
+double crossingOf(const test::KinematicResult& run) {
+  for (Vec2 p : run.path) {
+    if (p.x >= 0.0) return p.y;
+  }
+  return 1e9;
+}
+
 }  // namespace
 
 TEST_CASE("HSGR: with nothing near, the nearness diagram drives at the goal at full speed", "[unit]") {
@@ -191,28 +199,34 @@ TEST_CASE("the nearness diagram brakes for what is straight ahead even beyond it
   CHECK(floor.guidance.speed_cap == Approx(std::sqrt(2.0 * params.braking * 5.0 * room)));
 }
 
-TEST_CASE("the nearness diagram passes a gap of 1.3 to 1.6 robot widths in a row of balls", "[unit]") {
-  // A fence across the field: the balls' circles for an orbit overlap across the gap (2 (r + 5.3 cm) apart
-  // at least), so a field that goes round obstacles has to go round the whole row.
+TEST_CASE("the nearness diagram passes a gap of 1.3 to 1.6 robot widths that orbiting fields do not",
+          "[unit]") {
+  // Fig. 8 of Kim et al. 2006: a row of balls with one gap. The balls' orbits overlap across it.
   for (double share : {1.3, 1.45, 1.6}) {
     const double half_gap = share * 0.075 / 2;
     std::vector<DiscObstacle> balls;
-    for (int k = 0; k < 4; ++k) {
+    for (int k = 0; k < 3; ++k) {
       const double y = half_gap + kBall * (1 + 2 * k);
       balls.push_back({{0.0, y}, kBall, {}});
       balls.push_back({{0.0, -y}, kBall, {}});
     }
-    const auto pilot = makePilot(*parseNavigator("nearness-diagram"));
     NavigationGoal goal;
     goal.position = {0.5, -0.05};
-    const auto run =
-        test::kinematicTrial(**pilot, test::paperRobot(0.6), {}, {{-0.5, 0.08}, 0.0}, goal, balls);
-    INFO("gap " << share << " widths, clearance " << run.min_clearance << ", length " << run.length);
-    CHECK(run.reached);
-    CHECK_FALSE(run.touched);
-    CHECK(run.length < 1.15);
-    const double round = 2.0 * norm({0.5, half_gap + 8 * kBall});  // past the end of the row, without margin
-    CHECK(run.length < round);
+    const auto drive = [&](const char* method) {
+      const auto pilot = makePilot(*parseNavigator(method));
+      return test::kinematicTrial(**pilot, test::paperRobot(0.6), {}, {{-0.5, 0.08}, 0.0}, goal, balls);
+    };
+    INFO("gap of " << share << " widths");
+    const auto through = drive("nearness-diagram");
+    CHECK(through.reached);
+    CHECK_FALSE(through.touched);
+    CHECK(std::abs(crossingOf(through)) < half_gap);
+    for (const char* method : {"limit-cycle", "vector-field"}) {
+      INFO(method);
+      const auto other = drive(method);
+      const bool passes = other.reached && !other.touched && std::abs(crossingOf(other)) < half_gap;
+      CHECK_FALSE(passes);
+    }
   }
 }
 

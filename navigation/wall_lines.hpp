@@ -1,0 +1,20 @@
+#pragma once
+
+#include <array>
+
+#include "engine/core/field_geometry.hpp"
+#include "engine/core/values.hpp"
+
+namespace fulbito {
+
+/// A wall of the playing rectangle or of a corner triangle as an endless line, robot frame.
+struct WallLine {
+  Vec2 outward;            ///< unit normal away from the field
+  double clearance = 0.0;  ///< [m] of the robot's centre, negative beyond the wall
+};
+
+/// The eight walls that `wallClearance` knows, seen from `pose`. The field is where all clearances are
+/// positive; without corner triangles their lines touch the corners.
+std::array<WallLine, 8> wallLines(const FieldGeometry& field, const Pose2& pose);
+
+}  // namespace fulbito
