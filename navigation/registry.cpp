@@ -36,9 +36,6 @@ const std::vector<NavigatorInfo>& registry() {
       tangentGraphInfo(),
       dwaInfo(),
       bsplineTimeInfo(),
-      straightInfo(),   vectorFieldInfo(),     univectorInfo(),    tangentFieldInfo(),
-      limitCycleInfo(), nearnessDiagramInfo(), dwaInfo(),          bezierInfo(),
-      bezierRawInfo(),  hermiteInfo(),         tangentGraphInfo(), bsplineTimeInfo(),
   };
   return entries;
 }
