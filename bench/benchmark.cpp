@@ -86,17 +86,13 @@ double threadCpuSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// CPU seconds of one repetition; making the worlds does not count.
+// CPU seconds of one episode; making the world does not count.
 template <typename Run>
-double timeEpisodes(const Row& row, int episodes) {
-  double total = 0.0;
-  for (int episode = 0; episode < episodes; ++episode) {
-    Run run(row, episode);
-    const double start = threadCpuSeconds();
-    for (int tick = 0; tick < kEpisodeTicks; ++tick) run.tick();
-    total += threadCpuSeconds() - start;
-  }
-  return total;
+double timeEpisode(const Row& row, int episode) {
+  Run run(row, episode);
+  const double start = threadCpuSeconds();
+  for (int tick = 0; tick < kEpisodeTicks; ++tick) run.tick();
+  return threadCpuSeconds() - start;
 }
 
 template <typename Run>
@@ -121,15 +117,17 @@ double median(std::vector<double> values) {
 BenchScene measure(const Row& row, const BenchOptions& options) {
   std::vector<double> engine, bare, ratios;
   for (int i = 0; i < options.repetitions; ++i) {
-    // In turns, and each first in half of the repetitions: whatever else the machine does meets both.
-    if (i % 2 == 0) engine.push_back(timeEpisodes<EngineRun>(row, options.episodes));
-    bare.push_back(timeEpisodes<BareRun>(row, options.episodes));
-    if (i % 2 == 1) engine.push_back(timeEpisodes<EngineRun>(row, options.episodes));
-    ratios.push_back(bare.back() / engine.back());
+    double engine_time = 0.0, bare_time = 0.0;
+    // Episode by episode in turns: whatever else the machine does meets both.
+    for (int episode = 0; episode < options.episodes; ++episode) {
+      engine_time += timeEpisode<EngineRun>(row, episode);
+      bare_time += timeEpisode<BareRun>(row, episode);
+    }
+    engine.push_back(engine_time);
+    bare.push_back(bare_time);
+    ratios.push_back(bare_time / engine_time);
   }
   const double simulated = options.episodes * kEpisodeTicks * row.physics.controlPeriod();
-  // Contacts vary more from start to start than times do.
-  const int many = 4 * options.episodes;
   return {"3v3",
           row.physics.control_rate * row.physics.substeps,
           nameOf(row.load),
@@ -137,17 +135,20 @@ BenchScene measure(const Row& row, const BenchOptions& options) {
           simulated / median(bare),
           median(ratios),
           *std::min_element(ratios.begin(), ratios.end()),
-          meanContacts<EngineRun>(row, many),
-          meanContacts<BareRun>(row, many)};
+          meanContacts<EngineRun>(row, options.episodes),
+          meanContacts<BareRun>(row, options.episodes)};
 }
 
-// Wall seconds of a repetition on each of `threads` threads at once.
+// Wall seconds in which each of `threads` threads runs the same episodes.
 template <typename Run>
 double wallTime(const Row& row, int episodes, int threads) {
+  const auto work = [&] {
+    for (int episode = 0; episode < episodes; ++episode) timeEpisode<Run>(row, episode);
+  };
   const auto start = std::chrono::steady_clock::now();
   std::vector<std::thread> others;
-  for (int i = 1; i < threads; ++i) others.emplace_back([&] { timeEpisodes<Run>(row, episodes); });
-  timeEpisodes<Run>(row, episodes);
+  for (int i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
   for (std::thread& other : others) other.join();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -159,11 +160,13 @@ double scalingOf(const Row& row, int episodes) {
 }
 
 BenchScaling measureScaling(const Row& row, const BenchOptions& options) {
+  const int episodes = std::max(1, options.episodes / 4);
   std::vector<double> engine, bare, ratios;
-  for (int i = 0; i < options.repetitions; ++i) {
-    if (i % 2 == 0) engine.push_back(scalingOf<EngineRun>(row, options.episodes));
-    bare.push_back(scalingOf<BareRun>(row, options.episodes));
-    if (i % 2 == 1) engine.push_back(scalingOf<EngineRun>(row, options.episodes));
+  for (int i = 0; i < 2 * options.repetitions + 1; ++i) {
+    // Each goes first in every other repetition.
+    if (i % 2 == 0) engine.push_back(scalingOf<EngineRun>(row, episodes));
+    bare.push_back(scalingOf<BareRun>(row, episodes));
+    if (i % 2 == 1) engine.push_back(scalingOf<EngineRun>(row, episodes));
     ratios.push_back(engine.back() / bare.back());
   }
   return {row.physics.control_rate * row.physics.substeps, nameOf(row.load), median(engine), median(bare),

@@ -16,12 +16,15 @@ Drive::Drive(const RobotModel& robot, double step_period, double command_step)
     : model_(robot),
       command_step_(command_step),
       half_track_(robot.axle_track / 2),
+      per_radius_(1.0 / robot.wheel_radius),
       max_gain_(robot.wheel_acceleration * step_period),
       max_loss_(robot.wheel_braking * step_period),
       max_grip_(robot.longitudinal_grip * step_period),
       max_lateral_(robot.lateral_grip * step_period) {}
 
 void Drive::setCommand(WheelSpeeds command) {
+  if (command.left == command_.left && command.right == command_.right) return;
+  command_ = command;
   const WheelSpeeds wheels = roundedTo(saturate(model_, command), command_step_);
   const double left = wheels.left * model_.wheel_radius, right = wheels.right * model_.wheel_radius;
   const double half_difference = (right - left) / 2;
@@ -52,11 +55,11 @@ BodyMotion Drive::step(const BodyMotion& motion) {
           (right - left) / (2 * half_track_)};
 }
 
-WheelSpeeds Drive::encoders(const BodyMotion& motion) const {
-  const double turn = motion.yaw * half_track_;
-  const double left = left_.slips ? left_.rim : motion.forward - turn;
-  const double right = right_.slips ? right_.rim : motion.forward + turn;
-  return {left / model_.wheel_radius, right / model_.wheel_radius};
+WheelSpeeds Drive::encoders(double forward, double yaw) const {
+  const double turn = yaw * half_track_;
+  const double left = left_.slips ? left_.rim : forward - turn;
+  const double right = right_.slips ? right_.rim : forward + turn;
+  return {left * per_radius_, right * per_radius_};
 }
 
 }  // namespace fulbito

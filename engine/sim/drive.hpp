@@ -32,9 +32,9 @@ class Drive {
   /// What motors and floor change in the body's motion during one physics step.
   BodyMotion step(const BodyMotion& motion);
 
-  /// What the encoders read when the body moves so after the step: the ground's speed, or the wheel's own
-  /// while it slips [rad/s].
-  WheelSpeeds encoders(const BodyMotion& motion) const;
+  /// What the encoders read when the body then moves at `forward` [m/s] and `yaw` [rad/s]: the ground's
+  /// speed, or the wheel's own while it slips [rad/s].
+  WheelSpeeds encoders(double forward, double yaw) const;
 
  private:
   struct Wheel {
@@ -46,7 +46,9 @@ class Drive {
 
   RobotModel model_;
   double command_step_;
+  WheelSpeeds command_;
   double half_track_;
+  double per_radius_;   // [1/m]
   double max_gain_;     // [m/s] in one step, speeding up
   double max_loss_;     // [m/s] in one step, slowing down
   double max_grip_;     // [m/s] in one step, along the wheels

@@ -60,18 +60,18 @@ TEST_CASE("a motor stronger than the grip makes the wheel slip and its encoder r
     const BodyMotion change = drive.step(motion);
     CHECK(change.forward == Approx(10.0 * kStep));  // what the floor passes on
     motion.forward += change.forward;
-    CHECK(drive.encoders(motion).left == Approx(30.0 * kStep * i / robot.wheel_radius));
+    CHECK(drive.encoders(motion.forward, motion.yaw).left == Approx(30.0 * kStep * i / robot.wheel_radius));
   }
   for (int i = 0; i < 20; ++i) motion.forward += drive.step(motion).forward;
   CHECK(motion.forward == Approx(1.0));  // the floor has caught up
-  CHECK(drive.encoders(motion).right == Approx(50.0));
+  CHECK(drive.encoders(motion.forward, motion.yaw).right == Approx(50.0));
 }
 
 TEST_CASE("encoders read the ground's speed while the wheels hold", "[unit]") {
   Drive drive(plainRobot(), kStep, 0.0);
   drive.setCommand({50.0, 50.0});
   drive.step({0.4, 0.0, 2.0});
-  const WheelSpeeds read = drive.encoders({0.4, 0.0, 2.0});
+  const WheelSpeeds read = drive.encoders(0.4, 2.0);
   CHECK(read.left == Approx((0.4 - 0.08) / 0.02));
   CHECK(read.right == Approx((0.4 + 0.08) / 0.02));
 }
