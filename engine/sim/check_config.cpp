@@ -80,6 +80,8 @@ Result<void> checkPhysics(const PhysicsProfile& physics) {
       .range("position_iterations", physics.position_iterations, 1, 50)
       .range("restitution_threshold", physics.restitution_threshold, 0.0, 10.0)
       .range("wheel_command_step", physics.wheel_command_step, 0.0, 10.0)
+      .that(physics.wheel_command_step == 0.0 || physics.wheel_command_step >= 1e-6, "wheel_command_step",
+            "must be 0 or at least 1e-6")
       .result();
 }
 

@@ -72,7 +72,7 @@ void ContactLog::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) 
     }
   }
   pair.touched = tick_;
-  events_[pair.event].impulse += sum / units::kPerMetre;
+  events_[pair.event].impulse += sum * units::kMetres;
 }
 
 }  // namespace fulbito

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "engine/core/robot_model.hpp"
 #include "engine/core/values.hpp"
 
@@ -12,10 +14,20 @@ struct BodyMotion {
   double yaw = 0.0;       ///< [rad/s] counter-clockwise
 };
 
-/// Yaw rate that a robot reaches spinning in place, over that of ideal wheels, for rim speeds of
-/// +-`rim_speed` [m/s]: linear between the model's two measured points, constant outside; 1 where it has
-/// none.
-double spinRatio(const RobotModel& robot, double rim_speed);
+/// Yaw rate that a robot reaches spinning in place, over that of ideal wheels: linear in the rim speed
+/// between the model's two measured points, constant outside; 1 where the model has none.
+class SpinRatio {
+ public:
+  explicit SpinRatio(const RobotModel& robot);
+  /// @param rim_speed  [m/s] >= 0
+  double at(double rim_speed) const { return slow_ + slope_ * std::clamp(rim_speed - from_, 0.0, span_); }
+
+ private:
+  double from_ = 0.0;  // [m/s]
+  double span_ = 0.0;  // [m/s]
+  double slow_ = 1.0;
+  double slope_ = 0.0;  // [s/m]
+};
 
 /// Motors, wheels and tyres of one robot. Each wheel's motor pulls its rim toward the command with a limited
 /// acceleration; the floor passes on no more than the tyre's grip, beyond which the wheel slips; across the
@@ -32,9 +44,9 @@ class Drive {
   /// What motors and floor change in the body's motion during one physics step.
   BodyMotion step(const BodyMotion& motion);
 
-  /// What the encoders read when the body moves so after the step: the ground's speed, or the wheel's own
-  /// while it slips [rad/s].
-  WheelSpeeds encoders(const BodyMotion& motion) const;
+  /// What the encoders read when the body then moves at `forward` [m/s] and `yaw` [rad/s]: the ground's
+  /// speed, or the wheel's own while it slips [rad/s].
+  WheelSpeeds encoders(double forward, double yaw) const;
 
  private:
   struct Wheel {
@@ -42,15 +54,20 @@ class Drive {
     double rim = 0.0;     // [m/s], its own only while it slips
     bool slips = false;
   };
+  double rimTarget(double wheel_speed) const;
   double pull(Wheel& wheel, double ground) const;
 
-  RobotModel model_;
-  double command_step_;
-  double half_track_;
-  double max_gain_;     // [m/s] in one step, speeding up
-  double max_loss_;     // [m/s] in one step, slowing down
-  double max_grip_;     // [m/s] in one step, along the wheels
-  double max_lateral_;  // [m/s] in one step, across
+  SpinRatio spin_ratio_;
+  double max_wheel_speed_;
+  double command_step_;      // [rad/s], 0: not rounded
+  double per_command_step_;  // [s/rad]
+  double radius_;            // [m]
+  double half_track_;        // [m]
+  double per_radius_;        // [1/m]
+  double max_gain_;          // [m/s] in one step, speeding up
+  double max_loss_;          // [m/s] in one step, slowing down
+  double max_grip_;          // [m/s] in one step, along the wheels
+  double max_lateral_;       // [m/s] in one step, across
   Wheel left_;
   Wheel right_;
 };

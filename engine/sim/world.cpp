@@ -26,11 +26,6 @@ Vec2 direction(const b2Body& body) {
   return {static_cast<double>(q.c), static_cast<double>(q.s)};
 }
 
-BodyMotion motionOf(const b2Body& body) {
-  const Vec2 forward = direction(body), velocity = units::metres(body.GetLinearVelocity());
-  return {dot(forward, velocity), cross(forward, velocity), static_cast<double>(body.GetAngularVelocity())};
-}
-
 Pose2 poseOf(const b2Body& body) {
   return {units::metres(body.GetPosition()), math::wrapAngle(static_cast<double>(body.GetAngle()))};
 }
@@ -116,10 +111,11 @@ World::Impl::Impl(const WorldConfig& from)
 
 void World::Impl::driveRobots() {
   for (Robot& robot : robots) {
-    const BodyMotion change = robot.drive.step(motionOf(*robot.body));
-    const Vec2 forward = direction(*robot.body);
-    const Vec2 kick = forward * change.forward + perp(forward) * change.sideways;
     b2Body& body = *robot.body;
+    const Vec2 forward = direction(body), velocity = units::metres(body.GetLinearVelocity());
+    const BodyMotion change = robot.drive.step(
+        {dot(forward, velocity), cross(forward, velocity), static_cast<double>(body.GetAngularVelocity())});
+    const Vec2 kick = forward * change.forward + perp(forward) * change.sideways;
     body.ApplyLinearImpulseToCenter(body.GetMass() * units::vector(kick), true);
     body.ApplyAngularImpulse(body.GetInertia() * static_cast<float>(change.yaw), true);
   }
@@ -162,11 +158,12 @@ void World::Impl::stepOnce(double time) {
 
 void World::Impl::readState() {
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const b2Body& body = *robots[i].body;
-    unwindAngle(*robots[i].body);
-    state.robots[i] = {poseOf(body), units::metres(body.GetLinearVelocity()),
-                       static_cast<double>(body.GetAngularVelocity()),
-                       robots[i].drive.encoders(motionOf(body))};
+    b2Body& body = *robots[i].body;
+    unwindAngle(body);
+    const Vec2 velocity = units::metres(body.GetLinearVelocity());
+    const double yaw = static_cast<double>(body.GetAngularVelocity());
+    state.robots[i] = {poseOf(body), velocity, yaw,
+                       robots[i].drive.encoders(dot(direction(body), velocity), yaw)};
   }
   for (std::size_t i = 0; i < balls.size(); ++i) {
     state.balls[i].position = units::metres(balls[i]->GetPosition());

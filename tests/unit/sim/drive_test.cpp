@@ -60,34 +60,52 @@ TEST_CASE("a motor stronger than the grip makes the wheel slip and its encoder r
     const BodyMotion change = drive.step(motion);
     CHECK(change.forward == Approx(10.0 * kStep));  // what the floor passes on
     motion.forward += change.forward;
-    CHECK(drive.encoders(motion).left == Approx(30.0 * kStep * i / robot.wheel_radius));
+    CHECK(drive.encoders(motion.forward, motion.yaw).left == Approx(30.0 * kStep * i / robot.wheel_radius));
   }
   for (int i = 0; i < 20; ++i) motion.forward += drive.step(motion).forward;
   CHECK(motion.forward == Approx(1.0));  // the floor has caught up
-  CHECK(drive.encoders(motion).right == Approx(50.0));
+  CHECK(drive.encoders(motion.forward, motion.yaw).right == Approx(50.0));
 }
 
 TEST_CASE("encoders read the ground's speed while the wheels hold", "[unit]") {
   Drive drive(plainRobot(), kStep, 0.0);
   drive.setCommand({50.0, 50.0});
   drive.step({0.4, 0.0, 2.0});
-  const WheelSpeeds read = drive.encoders({0.4, 0.0, 2.0});
+  const WheelSpeeds read = drive.encoders(0.4, 2.0);
   CHECK(read.left == Approx((0.4 - 0.08) / 0.02));
   CHECK(read.right == Approx((0.4 + 0.08) / 0.02));
 }
 
 TEST_CASE("the measured spin ratio holds at its points, between and outside", "[unit]") {
   RobotModel robot = plainRobot();
-  CHECK(spinRatio(robot, 0.7) == 1.0);
+  CHECK(SpinRatio(robot).at(0.7) == 1.0);
   robot.spin_slow_speed = 0.4;
   robot.spin_slow_ratio = 0.9;
   robot.spin_fast_speed = 0.8;
   robot.spin_fast_ratio = 1.1;
-  CHECK(spinRatio(robot, 0.0) == Approx(0.9));
-  CHECK(spinRatio(robot, 0.4) == Approx(0.9));
-  CHECK(spinRatio(robot, 0.6) == Approx(1.0));
-  CHECK(spinRatio(robot, 0.8) == Approx(1.1));
-  CHECK(spinRatio(robot, 2.0) == Approx(1.1));
+  const SpinRatio ratio(robot);
+  CHECK(ratio.at(0.0) == Approx(0.9));
+  CHECK(ratio.at(0.4) == Approx(0.9));
+  CHECK(ratio.at(0.6) == Approx(1.0));
+  CHECK(ratio.at(0.8) == Approx(1.1));
+  CHECK(ratio.at(2.0) == Approx(1.1));
+}
+
+TEST_CASE("commands are limited, then rounded to the nearest step, away from zero in between", "[unit]") {
+  RobotModel robot = plainRobot();
+  robot.wheel_acceleration = robot.longitudinal_grip = 1e6;  // the rims follow at once
+  Drive drive(robot, kStep, 0.5);
+  const auto reached = [&](double command) {
+    drive.setCommand({command, command});
+    return drive.step({}).forward / robot.wheel_radius;
+  };
+  CHECK(reached(10.2) == Approx(10.0));
+  CHECK(reached(10.25) == Approx(10.5));
+  CHECK(reached(-10.25) == Approx(-10.5));
+  CHECK(reached(-10.2) == Approx(-10.0));
+  CHECK(reached(0.1) == 0.0);
+  CHECK(reached(1e9) == Approx(100.0));
+  CHECK(reached(-1e300) == Approx(-100.0));
 }
 
 TEST_CASE("a robot pushed sideways stops within the distance its grip gives", "[unit]") {
