@@ -27,18 +27,16 @@ constexpr double kEasyPace = 0.4;   // [m/s] that a waiting robot may set off wi
 constexpr double kCreep = 0.08;     // [m/s]
 constexpr double kPassing = 1.2;    // [m/s] through a goal with a wanted heading
 constexpr double kBrakeRoom = 0.1;  // [m]
-constexpr double kTurnTime = 0.25;     // [s] before a robot that faces aside speeds up; twice that if it faces back
-constexpr double kTightPass = 0.015;     // [m] by moving discs that waiting may better
+constexpr double kTurnTime =
+    0.25;  // [s] before a robot that faces aside speeds up; twice that if it faces back
+constexpr double kTightPass = 0.015;                // [m] by moving discs that waiting may better
 constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
-constexpr double kSoon = 0.5;       // [s] a conflict that is nearer is urgent
-constexpr int kCalmTicks = 20;      // least age of a plan that a distant conflict replaces
+constexpr int kConflictTicks = 8;                   // least age of a plan that a conflict replaces
+constexpr int kCalmTicks = 20;                      // age at which a plan that gives way is made anew
 
 }  // namespace
 
-BsplineTime::BsplineTime(Params params) : params_(params) {
-  now_.reserve(64);
-  planned_.reserve(64);
-}
+BsplineTime::BsplineTime(Params params) : params_(params) { planned_.reserve(64); }
 
 void BsplineTime::reset() {
   path_.clear();
@@ -68,8 +66,7 @@ bool BsplineTime::needsPlan(const NavigationScene& scene, double off_path) const
 }
 
 Guidance BsplineTime::plan(const NavigationScene& scene) {
-  forecast(scene, now_);
-  any_moves_ = std::any_of(now_.begin(), now_.end(), [](const ForecastDisc& d) { return d.moves; });
+  any_moves_ = forecast(scene, now_);
   ++age_;
   const double off_path = path_.advanceTo(scene.self.pose.position);
   if (needsPlan(scene, off_path)) {
@@ -140,12 +137,13 @@ void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& reques
   if (arrival == Arrival::kThrough) wanted.end_direction = math::unit(*scene.goal.heading);
   if (arrival == Arrival::kTurn) task_.end_direction = math::unit(*scene.goal.heading);
   cost_ = SplineCost(task_);
-  const bool found = seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kTurning);
+  const bool found =
+      seeder_.search(wanted, *scene.robot, *scene.field, planned_, SplineSeeder::Room::kTurning);
   const double length = found ? seeder_.length() : kInfinity;
   if (found) tryWays();
   if (found && seeder_.bends() == 0) return;
   // A gap that only a straight robot fits through is worth it where the way around is long.
-  if (seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kStraight)
+  if (seeder_.search(wanted, *scene.robot, *scene.field, planned_, SplineSeeder::Room::kStraight)
           ? seeder_.length() < kGapGain * length
           : !found) {
     tryWays();
@@ -233,7 +231,7 @@ double BsplineTime::guard(const NavigationScene& scene) {
 double BsplineTime::slowDown(const NavigationScene& scene) {
   double clear = conflictAt(scene, kInfinity);
   if (clear == kInfinity) return kInfinity;
-  if (age_ >= (clear < kSoon ? 8 : kCalmTicks)) {
+  if (age_ >= kConflictTicks) {
     makePlan(scene);
     clear = conflictAt(scene, kInfinity);
     if (clear == kInfinity) return kInfinity;

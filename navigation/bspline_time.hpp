@@ -65,10 +65,10 @@ class BsplineTime final : public Navigator {
   std::vector<ForecastDisc> now_;      ///< discs as foreseen at this tick
   std::vector<ForecastDisc> planned_;  ///< as the plan foresaw them
   NavigationGoal goal_;
+  bool any_moves_ = false;
   bool planned_once_ = false;
   bool braking_ = false;
-  double cap_ = 0.0;  ///< [m/s] that the last look at moving discs allowed
-  bool any_moves_ = false;
+  double cap_ = 0.0;             ///< [m/s] that the last look at moving discs allowed
   bool missed_heading_ = false;  ///< drove through the goal in the wrong heading: turn there
   int spent_ = 0;                ///< evaluations for this plan
   int age_ = 0;                  ///< ticks since the plan was made

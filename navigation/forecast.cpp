@@ -10,7 +10,8 @@ constexpr double kMoving = 0.03;  // [m/s]
 
 }  // namespace
 
-void forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out) {
+bool forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out) {
+  bool any_moves = false;
   out.clear();
   for (const DiscObstacle& o : scene.obstacles) {
     ForecastDisc disc;
@@ -21,8 +22,10 @@ void forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out) {
     // A disc in a goal or half in a wall keeps at least the room that it has.
     disc.room = {std::max(scene.field->length / 2 - o.radius, std::abs(o.position.x)),
                  std::max(scene.field->width / 2 - o.radius, std::abs(o.position.y))};
+    any_moves = any_moves || disc.moves;
     out.push_back(disc);
   }
+  return any_moves;
 }
 
 BodyShape bodyShape(const RobotModel& robot) { return {robot.length / 2, robot.width / 2}; }

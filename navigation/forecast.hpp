@@ -33,8 +33,8 @@ struct ForecastDisc {
   }
 };
 
-/// Foresees all obstacles of `scene` into `out`, reusing its memory.
-void forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out);
+/// Foresees all obstacles of `scene` into `out`, reusing its memory; returns whether any of them moves.
+bool forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out);
 
 /// Half sizes [m] of a robot's rectangle.
 struct BodyShape {
