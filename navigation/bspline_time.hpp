@@ -13,7 +13,7 @@ namespace fulbito {
 
 /// Shares, wishes and budgets of `bspline-time`.
 struct BsplineTimeParams {
-  double clearance = 0.05;          ///< [m] wish
+  double clearance = 0.055;          ///< [m] wish
   double least_clearance = 0.008;   ///< [m]
   double acceleration_share = 0.9;  ///< of the wheel acceleration
   double lateral_share = 0.75;      ///< of the lateral grip
