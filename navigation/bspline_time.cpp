@@ -29,6 +29,9 @@ constexpr double kPassing = 1.2;    // [m/s] through a goal with a wanted headin
 constexpr double kBrakeRoom = 0.1;  // [m]
 constexpr double kTurnTime =
     0.25;  // [s] before a robot that faces aside speeds up; twice that if it faces back
+constexpr double kDisplaced = 0.01;     // [m] that a disc at rest may be moved before a plan is looked at again
+constexpr double kWholePath = 20.0;     // [s]
+constexpr double kSoon = 0.8;           // [s] within which moving discs make the robot slow down
 constexpr double kTightPass = 0.015;                // [m] by moving discs that waiting may better
 constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
 constexpr int kConflictTicks = 8;                   // least age of a plan that a conflict replaces
@@ -210,10 +213,19 @@ void BsplineTime::refine() {
   }
 }
 
-double BsplineTime::conflictAt(const NavigationScene& scene, double top) const {
+bool BsplineTime::discsChanged() const {
+  if (now_.size() != planned_.size()) return true;
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    if (planned_[i].moves || distance(now_[i].position, planned_[i].position) > kDisplaced) return true;
+  }
+  return false;
+}
+
+double BsplineTime::conflictAt(const NavigationScene& scene, double top, double horizon) const {
   DrivePath::Ride ride;
   ride.speed = std::max(0.0, bodyTwist(scene.self).linear);
   ride.top = top;
+  ride.horizon = horizon;
   const double agreement = dot(path_.directionAhead(), math::unit(scene.self.pose.heading));
   ride.hold = kTurnTime * std::max(0.0, 1.0 - agreement);
   ride.end = path_.length() - scene.goal.tolerance;
@@ -222,24 +234,29 @@ double BsplineTime::conflictAt(const NavigationScene& scene, double top) const {
 }
 
 double BsplineTime::guard(const NavigationScene& scene) {
-  if (!any_moves_) return kInfinity;
+  if (!any_moves_) {
+    if (age_ >= kConflictTicks && discsChanged() && conflictAt(scene, kInfinity, kWholePath) < kInfinity) {
+      makePlan(scene);
+    }
+    return kInfinity;
+  }
   // While all is clear every second look is enough: a robot a tick, five centimetres at most.
   if (cap_ < kInfinity || age_ == 0 || scene.tick % 2 == 0) cap_ = slowDown(scene);
   return cap_;
 }
 
 double BsplineTime::slowDown(const NavigationScene& scene) {
-  double clear = conflictAt(scene, kInfinity);
+  double clear = conflictAt(scene, kInfinity, kSoon);
   if (clear == kInfinity) return kInfinity;
   if (age_ >= kConflictTicks) {
     makePlan(scene);
-    clear = conflictAt(scene, kInfinity);
+    clear = conflictAt(scene, kInfinity, kSoon);
     if (clear == kInfinity) return kInfinity;
   }
   double best_cap = kInfinity;
   const double pace = std::max(norm(scene.self.velocity), kEasyPace);
   for (const double cap : {0.6 * pace, 0.3 * pace, kCreep, 0.0}) {
-    const double until = conflictAt(scene, cap);
+    const double until = conflictAt(scene, cap, kSoon);
     if (until > clear) clear = until, best_cap = cap;
     if (until == kInfinity) break;
   }

@@ -52,7 +52,8 @@ class BsplineTime final : public Navigator {
   void refine();
   double guard(const NavigationScene& scene);
   double slowDown(const NavigationScene& scene);
-  double conflictAt(const NavigationScene& scene, double top) const;
+  bool discsChanged() const;
+  double conflictAt(const NavigationScene& scene, double top, double horizon) const;
 
   Params params_;
   SplineSeeder seeder_;

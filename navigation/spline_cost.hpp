@@ -27,7 +27,7 @@ struct SplineTask {
 struct SplineScore {
   double cost = std::numeric_limits<double>::infinity();  ///< [s] travel time and penalties
   double time = 0.0;                                      ///< [s]
-  double clearance = 0.0;  ///< [m] least of the rectangle at speed, a few centimetres at the ends left out
+  double clearance = 0.0;  ///< [m] least of the rectangle, the wish at most, a few centimetres at the ends left out
 };
 
 /// Travel time under wheel and grip limits, with penalties for little clearance, of a robot that drives
