@@ -32,6 +32,8 @@ constexpr double kTurnTime =
 constexpr double kDisplaced = 0.01;     // [m] that a disc at rest may be moved before a plan is looked at again
 constexpr double kWholePath = 20.0;     // [s]
 constexpr double kSoon = 0.8;           // [s] within which moving discs make the robot slow down
+constexpr double kBraceSpeed = 0.7;     // [m/s] from which it can stop in time
+constexpr double kBraceTime = 0.05;     // [s] beyond the time to stop
 constexpr double kTightPass = 0.015;                // [m] by moving discs that waiting may better
 constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
 constexpr int kConflictTicks = 8;                   // least age of a plan that a conflict replaces
@@ -227,7 +229,7 @@ double BsplineTime::conflictAt(const NavigationScene& scene, double top, double 
   ride.top = top;
   ride.horizon = horizon;
   const double agreement = dot(path_.directionAhead(), math::unit(scene.self.pose.heading));
-  ride.hold = kTurnTime * std::max(0.0, 1.0 - agreement);
+  ride.hold = kTurnTime * std::sqrt(std::max(0.0, 2.0 - 2.0 * agreement));
   ride.end = path_.length() - scene.goal.tolerance;
   ride.acceleration = params_.acceleration_share * scene.robot->wheel_acceleration;
   return path_.conflict(ride, task_.body, now_);
@@ -240,9 +242,22 @@ double BsplineTime::guard(const NavigationScene& scene) {
     }
     return kInfinity;
   }
+  // A touch that can no more be avoided shall at least not be the robot's doing.
+  if (braces(scene)) return cap_ = 0.0;
   // While all is clear every second look is enough: a robot a tick, five centimetres at most.
   if (cap_ < kInfinity || age_ == 0 || scene.tick % 2 == 0) cap_ = slowDown(scene);
   return cap_;
+}
+
+bool BsplineTime::braces(const NavigationScene& scene) const {
+  const double speed = norm(scene.self.velocity);
+  if (speed > kBraceSpeed) return false;
+  const Vec2 facing = math::unit(scene.self.pose.heading);
+  const double horizon = kBraceTime + speed / std::max(scene.robot->wheel_acceleration, 0.1);
+  return std::any_of(now_.begin(), now_.end(), [&](const ForecastDisc& disc) {
+    return disc.moves &&
+           meetsWithin(task_.body, scene.self.pose.position, facing, scene.self.velocity, disc, horizon);
+  });
 }
 
 double BsplineTime::slowDown(const NavigationScene& scene) {
