@@ -27,18 +27,21 @@ constexpr double kEasyPace = 0.4;   // [m/s] that a waiting robot may set off wi
 constexpr double kCreep = 0.08;     // [m/s]
 constexpr double kPassing = 1.2;    // [m/s] through a goal with a wanted heading
 constexpr double kBrakeRoom = 0.1;  // [m]
-constexpr double kTurnTime = 0.25;     // [s] before a robot that faces aside speeds up; twice that if it faces back
-constexpr double kTightPass = 0.015;     // [m] by moving discs that waiting may better
+constexpr double kTurnTime =
+    0.25;  // [s] before a robot that faces aside speeds up; twice that if it faces back
+constexpr double kDisplaced = 0.01;     // [m] that a disc at rest may be moved before a plan is looked at again
+constexpr double kWholePath = 20.0;     // [s]
+constexpr double kSoon = 0.8;           // [s] within which moving discs make the robot slow down
+constexpr double kBraceSpeed = 0.7;     // [m/s] from which it can stop in time
+constexpr double kBraceTime = 0.05;     // [s] beyond the time to stop
+constexpr double kTightPass = 0.015;                // [m] by moving discs that waiting may better
 constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
-constexpr double kSoon = 0.5;       // [s] a conflict that is nearer is urgent
-constexpr int kCalmTicks = 20;      // least age of a plan that a distant conflict replaces
+constexpr int kConflictTicks = 8;                   // least age of a plan that a conflict replaces
+constexpr int kCalmTicks = 20;                      // age at which a plan that gives way is made anew
 
 }  // namespace
 
-BsplineTime::BsplineTime(Params params) : params_(params) {
-  now_.reserve(64);
-  planned_.reserve(64);
-}
+BsplineTime::BsplineTime(Params params) : params_(params) { planned_.reserve(64); }
 
 void BsplineTime::reset() {
   path_.clear();
@@ -68,8 +71,7 @@ bool BsplineTime::needsPlan(const NavigationScene& scene, double off_path) const
 }
 
 Guidance BsplineTime::plan(const NavigationScene& scene) {
-  forecast(scene, now_);
-  any_moves_ = std::any_of(now_.begin(), now_.end(), [](const ForecastDisc& d) { return d.moves; });
+  any_moves_ = forecast(scene, now_);
   ++age_;
   const double off_path = path_.advanceTo(scene.self.pose.position);
   if (needsPlan(scene, off_path)) {
@@ -140,12 +142,13 @@ void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& reques
   if (arrival == Arrival::kThrough) wanted.end_direction = math::unit(*scene.goal.heading);
   if (arrival == Arrival::kTurn) task_.end_direction = math::unit(*scene.goal.heading);
   cost_ = SplineCost(task_);
-  const bool found = seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kTurning);
+  const bool found =
+      seeder_.search(wanted, *scene.robot, *scene.field, planned_, SplineSeeder::Room::kTurning);
   const double length = found ? seeder_.length() : kInfinity;
   if (found) tryWays();
   if (found && seeder_.bends() == 0) return;
   // A gap that only a straight robot fits through is worth it where the way around is long.
-  if (seeder_.search(wanted, *scene.robot, *scene.field, now_, SplineSeeder::Room::kStraight)
+  if (seeder_.search(wanted, *scene.robot, *scene.field, planned_, SplineSeeder::Room::kStraight)
           ? seeder_.length() < kGapGain * length
           : !found) {
     tryWays();
@@ -212,36 +215,63 @@ void BsplineTime::refine() {
   }
 }
 
-double BsplineTime::conflictAt(const NavigationScene& scene, double top) const {
+bool BsplineTime::discsChanged() const {
+  if (now_.size() != planned_.size()) return true;
+  for (std::size_t i = 0; i < now_.size(); ++i) {
+    if (planned_[i].moves || distance(now_[i].position, planned_[i].position) > kDisplaced) return true;
+  }
+  return false;
+}
+
+double BsplineTime::conflictAt(const NavigationScene& scene, double top, double horizon) const {
   DrivePath::Ride ride;
   ride.speed = std::max(0.0, bodyTwist(scene.self).linear);
   ride.top = top;
+  ride.horizon = horizon;
   const double agreement = dot(path_.directionAhead(), math::unit(scene.self.pose.heading));
-  ride.hold = kTurnTime * std::max(0.0, 1.0 - agreement);
+  ride.hold = kTurnTime * std::sqrt(std::max(0.0, 2.0 - 2.0 * agreement));
   ride.end = path_.length() - scene.goal.tolerance;
   ride.acceleration = params_.acceleration_share * scene.robot->wheel_acceleration;
   return path_.conflict(ride, task_.body, now_);
 }
 
 double BsplineTime::guard(const NavigationScene& scene) {
-  if (!any_moves_) return kInfinity;
+  if (!any_moves_) {
+    if (age_ >= kConflictTicks && discsChanged() && conflictAt(scene, kInfinity, kWholePath) < kInfinity) {
+      makePlan(scene);
+    }
+    return kInfinity;
+  }
+  // A touch that can no more be avoided shall at least not be the robot's doing.
+  if (braces(scene)) return cap_ = 0.0;
   // While all is clear every second look is enough: a robot a tick, five centimetres at most.
   if (cap_ < kInfinity || age_ == 0 || scene.tick % 2 == 0) cap_ = slowDown(scene);
   return cap_;
 }
 
+bool BsplineTime::braces(const NavigationScene& scene) const {
+  const double speed = norm(scene.self.velocity);
+  if (speed > kBraceSpeed) return false;
+  const Vec2 facing = math::unit(scene.self.pose.heading);
+  const double horizon = kBraceTime + speed / std::max(scene.robot->wheel_acceleration, 0.1);
+  return std::any_of(now_.begin(), now_.end(), [&](const ForecastDisc& disc) {
+    return disc.moves &&
+           meetsWithin(task_.body, scene.self.pose.position, facing, scene.self.velocity, disc, horizon);
+  });
+}
+
 double BsplineTime::slowDown(const NavigationScene& scene) {
-  double clear = conflictAt(scene, kInfinity);
+  double clear = conflictAt(scene, kInfinity, kSoon);
   if (clear == kInfinity) return kInfinity;
-  if (age_ >= (clear < kSoon ? 8 : kCalmTicks)) {
+  if (age_ >= kConflictTicks) {
     makePlan(scene);
-    clear = conflictAt(scene, kInfinity);
+    clear = conflictAt(scene, kInfinity, kSoon);
     if (clear == kInfinity) return kInfinity;
   }
   double best_cap = kInfinity;
   const double pace = std::max(norm(scene.self.velocity), kEasyPace);
   for (const double cap : {0.6 * pace, 0.3 * pace, kCreep, 0.0}) {
-    const double until = conflictAt(scene, cap);
+    const double until = conflictAt(scene, cap, kSoon);
     if (until > clear) clear = until, best_cap = cap;
     if (until == kInfinity) break;
   }

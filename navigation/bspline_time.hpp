@@ -13,7 +13,7 @@ namespace fulbito {
 
 /// Shares, wishes and budgets of `bspline-time`.
 struct BsplineTimeParams {
-  double clearance = 0.05;          ///< [m] wish
+  double clearance = 0.055;          ///< [m] wish
   double least_clearance = 0.008;   ///< [m]
   double acceleration_share = 0.9;  ///< of the wheel acceleration
   double lateral_share = 0.75;      ///< of the lateral grip
@@ -51,8 +51,10 @@ class BsplineTime final : public Navigator {
   void brake(const NavigationScene& scene, double speed);
   void refine();
   double guard(const NavigationScene& scene);
+  bool braces(const NavigationScene& scene) const;
   double slowDown(const NavigationScene& scene);
-  double conflictAt(const NavigationScene& scene, double top) const;
+  bool discsChanged() const;
+  double conflictAt(const NavigationScene& scene, double top, double horizon) const;
 
   Params params_;
   SplineSeeder seeder_;
@@ -65,10 +67,10 @@ class BsplineTime final : public Navigator {
   std::vector<ForecastDisc> now_;      ///< discs as foreseen at this tick
   std::vector<ForecastDisc> planned_;  ///< as the plan foresaw them
   NavigationGoal goal_;
+  bool any_moves_ = false;
   bool planned_once_ = false;
   bool braking_ = false;
-  double cap_ = 0.0;  ///< [m/s] that the last look at moving discs allowed
-  bool any_moves_ = false;
+  double cap_ = 0.0;             ///< [m/s] that the last look at moving discs allowed
   bool missed_heading_ = false;  ///< drove through the goal in the wrong heading: turn there
   int spent_ = 0;                ///< evaluations for this plan
   int age_ = 0;                  ///< ticks since the plan was made

@@ -13,8 +13,8 @@ constexpr std::size_t kReserve = (CubicSpline::kMaxControls - 1) * kPerSpan + 2;
 constexpr std::size_t kWindow = 24;       // points searched ahead of the last place
 constexpr double kRideStep = 1.0 / 30.0;  // [s] of a slow ride
 constexpr double kRideWay = 0.04;         // [m] at most between looks of a fast one
-constexpr double kBehind = 0.0;          // of the distance of a touch: discs further back only push
-constexpr std::size_t kAhead = 2;        // points
+constexpr double kBehind = 0.0;           // of the distance of a touch: discs further back only push
+constexpr std::size_t kAhead = 2;         // points
 constexpr double kOwnMotion = 0.02;       // [m/s] slower than that, the other one runs into the robot
 
 constexpr auto kWeights = [] {
@@ -104,13 +104,13 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
     speed += std::clamp(wanted - speed, -change, time > ride.hold ? change : 0.0);
     if (speed < kOwnMotion) return kNone;
     way += speed * step;
-    if (way > ride.end) return kNone;
     while (i + 1 < points_.size() && spacing_[i + 1] < way) ++i;
     const std::size_t next = std::min(i + 1, points_.size() - 1);
     const double gap = spacing_[next] - spacing_[i];
     const double part = gap > 0.0 ? std::min(1.0, (way - spacing_[i]) / gap) : 0.0;
     const Vec2 position = points_[i] + (points_[next] - points_[i]) * part;
     for (const ForecastDisc& disc : discs) {
+      if (way > ride.end && !disc.moves) continue;
       const Vec2 centre = disc.at(time);
       const double margin = ride.margin + (disc.moves ? ride.doubt * time : 0.0);
       const double near = reach + margin + disc.radius;

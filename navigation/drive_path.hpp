@@ -40,7 +40,7 @@ class DrivePath {
     double top = 1e9;           ///< [m/s] that the ride brakes or speeds up to
     double acceleration = 5.0;  ///< [m/s^2]
     double hold = 0.0;          ///< [s] that the robot turns before it can speed up
-    double end = 1e9;           ///< [m] along the path where the ride is over
+    double end = 1e9;           ///< [m] along the path where discs at rest are no matter any more
     double horizon = 0.8;       ///< [s]
     double margin = 0.006;      ///< [m] of clearance at once
     double doubt = 0.03;        ///< [m/s] that the margin to moving discs grows by

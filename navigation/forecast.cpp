@@ -6,11 +6,13 @@
 namespace fulbito {
 namespace {
 
-constexpr double kMoving = 0.03;  // [m/s]
+constexpr double kMoving = 0.03;      // [m/s]
+constexpr double kLook = 1.0 / 60.0;  // [s]
 
 }  // namespace
 
-void forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out) {
+bool forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out) {
+  bool any_moves = false;
   out.clear();
   for (const DiscObstacle& o : scene.obstacles) {
     ForecastDisc disc;
@@ -21,8 +23,10 @@ void forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out) {
     // A disc in a goal or half in a wall keeps at least the room that it has.
     disc.room = {std::max(scene.field->length / 2 - o.radius, std::abs(o.position.x)),
                  std::max(scene.field->width / 2 - o.radius, std::abs(o.position.y))};
+    any_moves = any_moves || disc.moves;
     out.push_back(disc);
   }
+  return any_moves;
 }
 
 BodyShape bodyShape(const RobotModel& robot) { return {robot.length / 2, robot.width / 2}; }
@@ -33,6 +37,17 @@ double discClearance(const BodyShape& body, Vec2 position, Vec2 along, Vec2 cent
   const double y = std::abs(cross(along, d)) - body.half_width;
   if (x > 0.0 && y > 0.0) return std::sqrt(x * x + y * y) - radius;
   return std::max(x, y) - radius;
+}
+
+bool meetsWithin(const BodyShape& body, Vec2 position, Vec2 along, Vec2 velocity, const ForecastDisc& disc,
+                 double horizon) {
+  const double reach = disc.radius + body.half_length + body.half_width +
+                       horizon * std::sqrt(squaredNorm(velocity - disc.velocity));
+  if (squaredNorm(disc.position - position) > reach * reach) return false;
+  for (double time = kLook; time < horizon + kLook; time += kLook) {
+    if (discClearance(body, position + velocity * time, along, disc.at(time), disc.radius) < 0.0) return true;
+  }
+  return false;
 }
 
 double wallClearance(const BodyShape& body, Vec2 position, Vec2 along, const FieldGeometry& field) {

@@ -33,8 +33,8 @@ struct ForecastDisc {
   }
 };
 
-/// Foresees all obstacles of `scene` into `out`, reusing its memory.
-void forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out);
+/// Foresees all obstacles of `scene` into `out`, reusing its memory; returns whether any of them moves.
+bool forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out);
 
 /// Half sizes [m] of a robot's rectangle.
 struct BodyShape {
@@ -47,7 +47,12 @@ BodyShape bodyShape(const RobotModel& robot);
 /// when they overlap.
 double discClearance(const BodyShape& body, Vec2 position, Vec2 along, Vec2 centre, double radius);
 
-/// The same to the nearest wall of the playing rectangle with its corner triangles.
+/// Whether the body, if it goes on with `velocity` [m/s] and keeps its direction, meets the disc within
+/// `horizon` [s].
+bool meetsWithin(const BodyShape& body, Vec2 position, Vec2 along, Vec2 velocity, const ForecastDisc& disc,
+                 double horizon);
+
+/// Clearance [m] of the body to the nearest wall of the playing rectangle with its corner triangles.
 double wallClearance(const BodyShape& body, Vec2 position, Vec2 along, const FieldGeometry& field);
 
 }  // namespace fulbito

@@ -13,6 +13,7 @@ constexpr std::size_t kFieldPoints = 40;
 constexpr double kSpacing = 0.0125;          // [m] between preview points
 constexpr std::size_t kMaxPathPoints = 800;  // 10 m at that spacing
 constexpr std::size_t kReserve = kMaxPathPoints + 8;
+constexpr double kUrgentYaw = 0.3;  // of the wheel acceleration for turning while a cap asks to brake
 constexpr double kAtGoal = 0.95;  // of the goal's tolerance, where a robot turns to the wanted heading
 constexpr double kSlow = 0.08;   // [m/s] faster robots brake first: turning would take all of the wheel acceleration
 
@@ -62,7 +63,15 @@ Twist PreviewFollower::follow(const Guidance& guidance, const NavigationScene& s
     ahead.speed = std::min(
         ahead.speed, std::sqrt(2.0 * params_.acceleration_share * scene.robot->wheel_acceleration * left));
   }
-  return steer(ahead, scene, speed, timed);
+  Twist wanted = steer(ahead, scene, speed, timed);
+  if (guidance.speed_cap < speed) {
+    // Slowing down for a cap is urgent: the yaw rate, which the limiter serves first, leaves room for it.
+    const double budget = scene.robot->wheel_acceleration * scene.dt;
+    const double swing = kUrgentYaw * 2.0 * budget / scene.robot->axle_track;
+    const double yaw_rate = scene.self.angular_velocity;
+    wanted.angular = std::clamp(wanted.angular, yaw_rate - swing, yaw_rate + swing);
+  }
+  return wanted;
 }
 
 bool PreviewFollower::turnsAtGoal(const NavigationScene& scene) const {

@@ -13,6 +13,7 @@ constexpr double kForeseen = 1.5;        // [s] motion further ahead is not wort
 constexpr double kLeastAgreement = 0.5;  // cosine of a turn between samples; curvature does not see cusps
 constexpr double kFoldPrice = 3.0;       // [s]
 constexpr double kEndZone = 0.05;        // [m] at both ends that are not the plan's to choose
+constexpr double kTight = 0.02;          // [m] below it the middle between samples is looked at too
 constexpr double kWishPrice = 0.4;       // [s/m] driven with no clearance left
 constexpr double kBlockedPrice = 20.0;   // [s/m] driven at twice the least clearance too deep
 constexpr double kTooFastPrice = 2.0;    // [s] per [m/s] that the start is too fast for the path
@@ -31,6 +32,12 @@ constexpr auto kWeights = [] {
 double halfTurn(Vec2 a, Vec2 b) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(a, b))); }
 
 }  // namespace
+
+SplineCost::SplineCost(const SplineTask& task) : task_(task) {
+  const BodyShape& body = task.body;
+  reach_ = task.clearance_wish +
+           std::sqrt(body.half_length * body.half_length + body.half_width * body.half_width);
+}
 
 SplineScore SplineCost::operator()(const CubicSpline& spline, double enough) {
   SplineScore score;
@@ -112,25 +119,35 @@ double SplineCost::payEnds() const {
   return price;
 }
 
+double SplineCost::clearanceAt(Vec2 position, Vec2 along, double time) const {
+  const double wish = task_.clearance_wish;
+  double clearance = wallClearance(task_.body, position, along, *task_.field);
+  // Walls stand still and are straight: half the wish is enough.
+  if (clearance > wish / 2) clearance = wish;
+  for (const ForecastDisc& disc : task_.discs) {
+    if (disc.moves && time > kForeseen) continue;
+    const Vec2 centre = disc.at(time);
+    const double near = reach_ + disc.radius;
+    if (squaredNorm(centre - position) > near * near) continue;
+    clearance = std::min(clearance, discClearance(task_.body, position, along, centre, disc.radius));
+  }
+  return clearance;
+}
+
+double SplineCost::clearanceAfter(std::size_t i) const {
+  const Vec2 bow = (along_[i] - along_[i + 1]) * (step_[i] / 8.0);
+  const Vec2 middle = (position_[i] + position_[i + 1]) / 2.0 + bow;
+  return clearanceAt(middle, unitOr(along_[i] + along_[i + 1], along_[i]), (time_[i] + time_[i + 1]) / 2.0);
+}
+
 void SplineCost::payClearance(SplineScore& score) const {
   const double wish = task_.clearance_wish, least = task_.clearance_least;
-  const double reach = wish + std::sqrt(task_.body.half_length * task_.body.half_length +
-                                        task_.body.half_width * task_.body.half_width);
   double way = 0.0, total = 0.0;
   for (std::size_t i = 0; i + 1 < count_; ++i) total += step_[i];
   score.clearance = 1e9;
   for (std::size_t i = 0; i < count_; ++i) {
-    double clearance = wallClearance(task_.body, position_[i], along_[i], *task_.field);
-    // Walls stand still and are straight: half the wish is enough.
-    if (clearance > wish / 2) clearance = wish;
-    for (const ForecastDisc& disc : task_.discs) {
-      if (disc.moves && time_[i] > kForeseen) continue;
-      const Vec2 centre = disc.at(time_[i]);
-      const double near = reach + disc.radius;
-      if (squaredNorm(centre - position_[i]) > near * near) continue;
-      clearance =
-          std::min(clearance, discClearance(task_.body, position_[i], along_[i], centre, disc.radius));
-    }
+    double clearance = clearanceAt(position_[i], along_[i], time_[i]);
+    if (clearance < kTight && i + 1 < count_) clearance = std::min(clearance, clearanceAfter(i));
     const double length = i + 1 < count_ ? step_[i] : step_[i - 1];
     if (clearance < wish) {
       const double missing = (wish - clearance) / wish;

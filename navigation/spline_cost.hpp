@@ -27,7 +27,7 @@ struct SplineTask {
 struct SplineScore {
   double cost = std::numeric_limits<double>::infinity();  ///< [s] travel time and penalties
   double time = 0.0;                                      ///< [s]
-  double clearance = 0.0;  ///< [m] least of the rectangle at speed, a few centimetres at the ends left out
+  double clearance = 0.0;  ///< [m] least of the rectangle, the wish at most, a few centimetres at the ends left out
 };
 
 /// Travel time under wheel and grip limits, with penalties for little clearance, of a robot that drives
@@ -41,7 +41,7 @@ class SplineCost {
   static constexpr std::size_t kPerSpan = 4;
   static constexpr std::size_t kMaxSamples = (CubicSpline::kMaxControls - 1) * kPerSpan + 1;
 
-  explicit SplineCost(const SplineTask& task = {}) : task_(task) {}
+  explicit SplineCost(const SplineTask& task = {});
   /// @param enough  a cost from which on the verdict may be left unfinished: the spline is not wanted then
   SplineScore operator()(const CubicSpline& spline, double enough = std::numeric_limits<double>::infinity());
 
@@ -51,10 +51,14 @@ class SplineCost {
   void sample(const CubicSpline& spline);
   void limitSpeeds();
   double passTimes();
+  double clearanceAt(Vec2 position, Vec2 along, double time) const;
+  /// Half way between samples `i` and `i + 1`.
+  double clearanceAfter(std::size_t i) const;
   void payClearance(SplineScore& score) const;
   double payEnds() const;
 
   SplineTask task_;
+  double reach_ = 0.0;  ///< [m] from the body's middle within which a disc's surface matters
   std::size_t count_ = 0;
   double folds_ = 0.0;  ///< turns between samples that are too sharp to be bends, summed
   std::array<Vec2, kMaxSamples> position_;

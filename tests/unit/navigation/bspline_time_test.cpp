@@ -1,12 +1,156 @@
 #include "navigation/bspline_time.hpp"
 
+#include "navigation/registry.hpp"
+#include "navigation/tangent_graph_search.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/kinematic_trial.hpp"
 #include "tests/support/navigator_properties.hpp"
+#include "tests/support/suite_layouts.hpp"
 
 namespace fulbito {
+namespace {
+
+/// Means over the trials that reached the goal untouched; seeds other than the survey's.
+struct Outcome {
+  int runs = 0, reached = 0, safe = 0, own_fault = 0;
+  double length_ratio = 0.0, time_ratio = 0.0, clearance = 0.0;
+};
+
+double shortest(const test::CornerLayout& layout) {
+  std::vector<Circle> circles;
+  for (const DiscObstacle& o : layout.obstacles) circles.push_back({o.position, o.radius + 0.058});
+  TangentGraph graph;
+  const bool found = graph.search(layout.start.position, layout.goal.position, circles);
+  return found ? graph.length() : distance(layout.start.position, layout.goal.position);
+}
+
+template <typename MakeLayout>
+Outcome drive(int runs, double speed, MakeLayout make) {
+  const auto pilot = makePilot(*parseNavigator("bspline-time"));
+  const RobotModel robot = test::paperRobot(speed);
+  Outcome out;
+  for (int run = 0; run < runs; ++run) {
+    const test::CornerLayout layout = make(static_cast<std::uint64_t>(40000 + run));
+    const auto r = test::kinematicTrial(**pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
+    ++out.runs;
+    out.reached += r.reached ? 1 : 0;
+    out.own_fault += r.own_fault ? 1 : 0;
+    if (!r.reached || r.touched) continue;
+    ++out.safe;
+    const double least = shortest(layout);
+    out.length_ratio += r.length / least;
+    out.time_ratio += r.time / (least / speed + speed / 10.0);
+    out.clearance += r.min_clearance;
+  }
+  const double safe = std::max(1, out.safe);
+  out.length_ratio /= safe, out.time_ratio /= safe, out.clearance /= safe;
+  return out;
+}
+
+NavigationScene sceneWith(const FieldGeometry& field, const RobotModel& robot) {
+  NavigationScene scene;
+  scene.field = &field;
+  scene.robot = &robot;
+  scene.self.pose.position = {-0.5, 0.0};
+  scene.goal.position = {0.5, 0.0};
+  return scene;
+}
+
+}  // namespace
 
 TEST_CASE("bspline-time keeps what every navigator promises", "[unit]") {
   test::checkNavigatorProperties("bspline-time");
+}
+
+TEST_CASE("bspline-time crosses corner layouts safely and near the limits", "[unit]") {
+  const double time_bars[] = {1.03, 1.05, 1.13}, speeds[] = {0.6, 1.0, 2.6};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Outcome out = drive(60, speeds[i], test::cornerLayout);
+    CAPTURE(speeds[i]);
+    CHECK(out.safe == out.runs);
+    CHECK(out.length_ratio <= 1.02);
+    CHECK(out.time_ratio <= time_bars[i]);
+    CHECK(out.clearance >= 0.02);
+  }
+}
+
+TEST_CASE("bspline-time drives short runs between the balls", "[unit]") {
+  for (double speed : {1.0, 2.6}) CHECK(drive(60, speed, test::shortLayout).safe == 60);
+}
+
+TEST_CASE("bspline-time arrives with the wanted heading from any heading", "[unit]") {
+  for (double speed : {1.0, 2.6}) CHECK(drive(60, speed, test::headingLayout).safe >= 59);
+}
+
+TEST_CASE("bspline-time reaches goals beside walls and discs", "[unit]") {
+  for (double speed : {1.0, 2.6}) CHECK(drive(60, speed, test::wallLayout).reached == 60);
+}
+
+TEST_CASE("bspline-time enters gaps that are narrower than its circumscribed circle", "[unit]") {
+  for (double speed : {1.0, 2.6}) {
+    const auto narrow = [](std::uint64_t seed) { return test::gapLayout(seed, 1.3 * 0.075); };
+    CHECK(drive(60, speed, narrow).safe >= 59);
+  }
+}
+
+TEST_CASE("bspline-time does not drive into moving discs", "[unit]") {
+  for (double speed : {1.0, 2.6}) {
+    const Outcome out = drive(200, speed, test::movingLayout);
+    CHECK(out.reached == out.runs);
+    CHECK(out.own_fault <= 1);
+  }
+}
+
+TEST_CASE("bspline-time comes out of a U-trap", "[unit]") {
+  const auto trap = [](std::uint64_t) {
+    test::CornerLayout layout;
+    layout.start = {{-0.1, 0.0}, 0.0};
+    layout.goal.position = {0.5, 0.0};
+    for (int i = -2; i <= 2; ++i) layout.obstacles.push_back({{0.1, 0.09 * i}, 0.045, {}});
+    for (int side : {-1, 1}) {
+      for (int i = 1; i <= 2; ++i) layout.obstacles.push_back({{0.1 - 0.09 * i, 0.18 * side}, 0.045, {}});
+    }
+    return layout;
+  };
+  CHECK(drive(1, 1.0, trap).safe == 1);
+}
+
+TEST_CASE("bspline-time keeps its plan and revision while nothing changes", "[unit]") {
+  const FieldGeometry field;
+  const RobotModel robot = test::paperRobot(1.0);
+  NavigationScene scene = sceneWith(field, robot);
+  BsplineTime navigator;
+  const std::uint64_t first = navigator.plan(scene).revision;
+  for (scene.tick = 1; scene.tick < 30; ++scene.tick) CHECK(navigator.plan(scene).revision == first);
+  scene.goal.position = {0.5, 0.3};
+  CHECK(navigator.plan(scene).revision != first);
+}
+
+TEST_CASE("bspline-time goes round a disc that is put in its way", "[unit]") {
+  const FieldGeometry field;
+  const RobotModel robot = test::paperRobot(1.0);
+  NavigationScene scene = sceneWith(field, robot);
+  BsplineTime navigator;
+  navigator.plan(scene);
+  const DiscObstacle disc{{0.0, 0.0}, 0.04, {}};
+  scene.obstacles = std::span<const DiscObstacle>(&disc, 1);
+  Guidance guidance;
+  for (scene.tick = 1; scene.tick < 60; ++scene.tick) guidance = navigator.plan(scene);
+  double least = 1e9;
+  for (Vec2 p : guidance.path) least = std::min(least, distance(p, disc.position));
+  CHECK(least > 0.04 + 0.0375 + 0.008);
+}
+
+TEST_CASE("bspline-time waits for a disc that it cannot pass", "[unit]") {
+  const FieldGeometry field;
+  const RobotModel robot = test::paperRobot(1.0);
+  NavigationScene scene = sceneWith(field, robot);
+  scene.self.velocity = {0.9, 0.0};
+  scene.self.wheels = {45.0, 45.0};
+  const DiscObstacle disc{{-0.20, -0.02}, 0.05, {-0.5, 0.0}};
+  scene.obstacles = std::span<const DiscObstacle>(&disc, 1);
+  BsplineTime navigator;
+  CHECK(navigator.plan(scene).speed_cap < 0.9);
 }
 
 }  // namespace fulbito
