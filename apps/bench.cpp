@@ -1,2 +1,68 @@
+#include "bench/benchmark.hpp"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include "apps/commands.hpp"
-namespace fulbito::app { int bench(const BenchOptions&) { return 1; } }
+#include "bench/scenes.hpp"
+#include "experiments/report.hpp"
+
+namespace fulbito::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string signatureText(std::uint64_t signature) { return fmt::format("{:016x}", signature); }
+
+Json sceneJson(const BenchScene& scene) {
+  return {{"name", scene.name},
+          {"rate_hz", scene.rate_hz},
+          {"load", scene.load},
+          {"engine_x_realtime", scene.engine_x_realtime},
+          {"bare_x_realtime", scene.bare_x_realtime},
+          {"ratio", scene.ratio},
+          {"ratio_min", scene.ratio_min},
+          {"engine_contacts", scene.engine_contacts},
+          {"bare_contacts", scene.bare_contacts}};
+}
+
+void printJson(const BenchReport& report) {
+  Json json = {{"schema_version", 1},
+               {"build", Json::parse(versionJson())},
+               {"signature", signatureText(report.signature)},
+               {"scenes", Json::array()},
+               {"two_threads", Json::array()}};
+  json["build"].erase("schema_version");
+  for (const BenchScene& scene : report.scenes) json["scenes"].push_back(sceneJson(scene));
+  for (const BenchScaling& row : report.scaling) {
+    json["two_threads"].push_back({{"rate_hz", row.rate_hz},
+                                   {"load", row.load},
+                                   {"engine_scaling", row.engine},
+                                   {"bare_scaling", row.bare},
+                                   {"ratio", row.ratio}});
+  }
+  std::puts(json.dump(2).c_str());
+}
+
+}  // namespace
+
+int bench(const BenchCommand& command) {
+  if (command.repetitions < 1 || command.repetitions > 1000 || command.episodes < 1 || command.episodes > 100000) {
+    return report({ErrorCode::kUsage, "bench: --repetitions must be 1 ... 1000, --episodes 1 ... 100000"});
+  }
+  if (command.signature_only) {
+    std::puts(signatureText(sceneSignature()).c_str());
+    return kOk;
+  }
+  const BenchReport report = runBenchmark({command.repetitions, command.episodes, true});
+  if (command.json) {
+    printJson(report);
+  } else {
+    fmt::print("{}\nsignature {}\n", toTable(report), signatureText(report.signature));
+  }
+  return kOk;
+}
+
+}  // namespace fulbito::app

@@ -49,10 +49,11 @@ struct ShowOptions {
   std::string name;
 };
 
-struct BenchOptions {
+struct BenchCommand {
   bool json = false;
   bool signature_only = false;
-  double seconds = 0.5;             ///< of each measurement
+  int repetitions = 5;  ///< of each row
+  int episodes = 48;    ///< of ten simulated seconds each in a repetition
 };
 
 /// @{ Each runs one command and returns its exit code; results go to stdout, all else to stderr.
@@ -61,7 +62,7 @@ int compare(const CompareOptions& options);
 int list(const ListOptions& options);
 int show(const ShowOptions& options);
 int version(bool json);
-int bench(const BenchOptions& options);
+int bench(const BenchCommand& command);
 /// @}
 
 /// Prints the error and returns its exit code.

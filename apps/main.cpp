@@ -20,7 +20,7 @@ struct Options {
   std::uint64_t only = 0;
   ListOptions list;
   ShowOptions show;
-  BenchOptions bench;
+  BenchCommand bench;
   bool version_json = false;
 };
 
@@ -98,7 +98,8 @@ void addRest(CLI::App& app, Options& options) {
 
   CLI::App* bench = app.add_subcommand("bench", "measure the engine against a bare Box2D loop in the same run");
   bench->footer("Examples:\n  fulbito bench\n  fulbito bench --signature\n  fulbito bench --json > bench.json");
-  bench->add_option("--seconds", options.bench.seconds, "length of each measurement [s], 0.05 ... 60")->capture_default_str();
+  bench->add_option("--repetitions", options.bench.repetitions, "of each row; medians are printed")->capture_default_str();
+  bench->add_option("--episodes", options.bench.episodes, "of 10 simulated seconds in a repetition")->capture_default_str();
   bench->add_flag("--signature", options.bench.signature_only, "print only the signature of the fixed scenes");
   bench->add_flag("--json", options.bench.json, "print JSON");
 

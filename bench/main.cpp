@@ -1,8 +1,0 @@
-#include <cstdio>
-
-#include "bench/benchmark.hpp"
-
-int main() {
-  std::fputs(fulbito::toTable(fulbito::runBenchmark({})).c_str(), stdout);
-  return 0;
-}
