@@ -33,7 +33,10 @@ double halfTurn(Vec2 a, Vec2 b) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * dot
 
 }  // namespace
 
-SplineCost::SplineCost(const SplineTask& task) : task_(task) {
+SplineCost::SplineCost(const SplineTask& task) { setTask(task); }
+
+void SplineCost::setTask(const SplineTask& task) {
+  task_ = task;
   const BodyShape& body = task.body;
   reach_ = task.clearance_wish +
            std::sqrt(body.half_length * body.half_length + body.half_width * body.half_width);
