@@ -20,7 +20,7 @@ constexpr double kDetour = 1.12;        // length of another way that is worth a
 constexpr double kGapGain = 0.97;       // length of a way through a narrow gap that is worth a try
 constexpr int kTrialEvaluations = 10;   // of a way on the other side
 constexpr std::size_t kTrialBends = 3;  // bends whose other side is tried
-constexpr int kMovingTrials = 6;        // the same among moving discs, where plans are short-lived
+constexpr int kMovingTrials = 4;        // the same among moving discs, where plans are short-lived
 constexpr std::size_t kMovingBends = 1;
 constexpr int kReplanTicks = 4;     // least age of a plan that is dropped
 constexpr double kEasyPace = 0.4;   // [m/s] that a waiting robot may set off with
@@ -29,12 +29,12 @@ constexpr double kPassing = 1.2;    // [m/s] through a goal with a wanted headin
 constexpr double kBrakeRoom = 0.1;  // [m]
 constexpr double kTurnTime =
     0.25;  // [s] before a robot that faces aside speeds up; twice that if it faces back
-constexpr double kDisplaced = 0.01;     // [m] that a disc at rest may be moved before a plan is looked at again
-constexpr double kWholePath = 20.0;     // [s]
-constexpr double kSoon = 0.8;           // [s] within which moving discs make the robot slow down
-constexpr double kBraceSpeed = 0.7;     // [m/s] from which it can stop in time
-constexpr double kBraceTime = 0.05;     // [s] beyond the time to stop
-constexpr double kTightPass = 0.015;                // [m] by moving discs that waiting may better
+constexpr double kDisplaced = 0.01;   // [m] that a disc at rest may be moved before a plan is looked at again
+constexpr double kWholePath = 20.0;   // [s]
+constexpr double kSoon = 0.8;         // [s] within which moving discs make the robot slow down
+constexpr double kBraceSpeed = 0.7;   // [m/s] from which it can stop in time
+constexpr double kBraceTime = 0.05;   // [s] beyond the time to stop
+constexpr double kTightPass = 0.015;  // [m] by moving discs that waiting may better
 constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
 constexpr int kConflictTicks = 8;                   // least age of a plan that a conflict replaces
 constexpr int kCalmTicks = 20;                      // age at which a plan that gives way is made anew
@@ -141,7 +141,7 @@ void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& reques
   task_.end_direction.reset();
   if (arrival == Arrival::kThrough) wanted.end_direction = math::unit(*scene.goal.heading);
   if (arrival == Arrival::kTurn) task_.end_direction = math::unit(*scene.goal.heading);
-  cost_ = SplineCost(task_);
+  cost_.setTask(task_);
   const bool found =
       seeder_.search(wanted, *scene.robot, *scene.field, planned_, SplineSeeder::Room::kTurning);
   const double length = found ? seeder_.length() : kInfinity;
@@ -187,7 +187,7 @@ void BsplineTime::trySlower() {
   task_ = best_task_;
   for (const double share : kSlower) {
     task_.limits.max_speed = share * best_task_.limits.max_speed;
-    cost_ = SplineCost(task_);
+    cost_.setTask(task_);
     tryCandidate(way);
     if (best_.score().clearance >= kTightPass) break;
   }
@@ -205,7 +205,7 @@ void BsplineTime::refine() {
   if (spent_ >= effort || best_.converged()) return;
   // The spans that the robot is in or about to enter keep their shape; a start at rest may still turn.
   if (path_.place() > 2) best_.freezeBefore(path_.span() + 3);
-  cost_ = SplineCost(best_task_);
+  cost_.setTask(best_task_);
   const double before = best_.score().cost;
   const int used = best_.improve(cost_, std::min(params_.evaluations, effort - spent_));
   spent_ = used > 0 ? spent_ + used : effort;
@@ -244,8 +244,8 @@ double BsplineTime::guard(const NavigationScene& scene) {
   }
   // A touch that can no more be avoided shall at least not be the robot's doing.
   if (braces(scene)) return cap_ = 0.0;
-  // While all is clear every second look is enough: a robot a tick, five centimetres at most.
-  if (cap_ < kInfinity || age_ == 0 || scene.tick % 2 == 0) cap_ = slowDown(scene);
+  // Every second look is enough: in a tick a robot goes five centimetres at most.
+  if (age_ == 0 || scene.tick % 2 == 0) cap_ = slowDown(scene);
   return cap_;
 }
 

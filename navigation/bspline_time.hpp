@@ -13,13 +13,13 @@ namespace fulbito {
 
 /// Shares, wishes and budgets of `bspline-time`.
 struct BsplineTimeParams {
-  double clearance = 0.055;          ///< [m] wish
+  double clearance = 0.055;         ///< [m] wish
   double least_clearance = 0.008;   ///< [m]
   double acceleration_share = 0.9;  ///< of the wheel acceleration
   double lateral_share = 0.75;      ///< of the lateral grip
   int evaluations = 16;             ///< a tick
   int effort = 480;                 ///< evaluations a plan, at most
-  int moving_effort = 16;           ///< the same among moving discs
+  int moving_effort = 10;           ///< the same among moving discs
 };
 
 /// Time-optimised cubic B-spline: the future work that Jung & Lee (2015) name, and the default method.

@@ -14,8 +14,9 @@ constexpr double kSpacing = 0.0125;          // [m] between preview points
 constexpr std::size_t kMaxPathPoints = 800;  // 10 m at that spacing
 constexpr std::size_t kReserve = kMaxPathPoints + 8;
 constexpr double kUrgentYaw = 0.3;  // of the wheel acceleration for turning while a cap asks to brake
-constexpr double kAtGoal = 0.95;  // of the goal's tolerance, where a robot turns to the wanted heading
-constexpr double kSlow = 0.08;   // [m/s] faster robots brake first: turning would take all of the wheel acceleration
+constexpr double kAtGoal = 0.95;    // of the goal's tolerance, where a robot turns to the wanted heading
+constexpr double kSlow =
+    0.08;  // [m/s] faster robots brake first: turning would take all of the wheel acceleration
 
 /// Curvature over two points each way, which the vertices of a coarse polyline do not upset.
 void smoothCurvature(std::span<const Vec2> p, std::vector<double>& curvature) {

@@ -33,10 +33,16 @@ double halfTurn(Vec2 a, Vec2 b) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * dot
 
 }  // namespace
 
-SplineCost::SplineCost(const SplineTask& task) : task_(task) {
+SplineCost::SplineCost(const SplineTask& task) { setTask(task); }
+
+void SplineCost::setTask(const SplineTask& task) {
+  task_ = task;
   const BodyShape& body = task.body;
   reach_ = task.clearance_wish +
            std::sqrt(body.half_length * body.half_length + body.half_width * body.half_width);
+  if (task.field == nullptr) return;
+  const double border = reach_ + task.field->corner;
+  inner_ = {task.field->length / 2 - border, task.field->width / 2 - border};
 }
 
 SplineScore SplineCost::operator()(const CubicSpline& spline, double enough) {
@@ -121,9 +127,12 @@ double SplineCost::payEnds() const {
 
 double SplineCost::clearanceAt(Vec2 position, Vec2 along, double time) const {
   const double wish = task_.clearance_wish;
-  double clearance = wallClearance(task_.body, position, along, *task_.field);
-  // Walls stand still and are straight: half the wish is enough.
-  if (clearance > wish / 2) clearance = wish;
+  double clearance = wish;
+  if (std::abs(position.x) > inner_.x || std::abs(position.y) > inner_.y) {
+    const double to_wall = wallClearance(task_.body, position, along, *task_.field);
+    // Walls stand still and are straight: half the wish is enough.
+    if (to_wall < wish / 2) clearance = to_wall;
+  }
   for (const ForecastDisc& disc : task_.discs) {
     if (disc.moves && time > kForeseen) continue;
     const Vec2 centre = disc.at(time);

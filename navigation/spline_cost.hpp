@@ -27,7 +27,8 @@ struct SplineTask {
 struct SplineScore {
   double cost = std::numeric_limits<double>::infinity();  ///< [s] travel time and penalties
   double time = 0.0;                                      ///< [s]
-  double clearance = 0.0;  ///< [m] least of the rectangle, the wish at most, a few centimetres at the ends left out
+  double clearance =
+      0.0;  ///< [m] least of the rectangle, the wish at most, a few centimetres at the ends left out
 };
 
 /// Travel time under wheel and grip limits, with penalties for little clearance, of a robot that drives
@@ -45,6 +46,8 @@ class SplineCost {
   /// @param enough  a cost from which on the verdict may be left unfinished: the spline is not wanted then
   SplineScore operator()(const CubicSpline& spline, double enough = std::numeric_limits<double>::infinity());
 
+  /// Judges by `task` from now on.
+  void setTask(const SplineTask& task);
   const SplineTask& task() const { return task_; }
 
  private:
@@ -58,6 +61,7 @@ class SplineCost {
   double payEnds() const;
 
   SplineTask task_;
+  Vec2 inner_;  ///< [m] |x| and |y| up to which walls are too far to matter
   double reach_ = 0.0;  ///< [m] from the body's middle within which a disc's surface matters
   std::size_t count_ = 0;
   double folds_ = 0.0;  ///< turns between samples that are too sharp to be bends, summed

@@ -12,10 +12,10 @@ namespace fulbito::test {
 /// Outcome of a trial with the kinematic robot below.
 struct KinematicResult {
   bool reached = false;
-  bool touched = false;        ///< the robot's square overlapped an obstacle or left the field
-  double time = 0.0;           ///< [s]
-  double length = 0.0;         ///< [m]
-  bool own_fault = false;      ///< at the first overlap with an obstacle the robot drove at it faster than 2 cm/s
+  bool touched = false;    ///< the robot's square overlapped an obstacle or left the field
+  double time = 0.0;       ///< [s]
+  double length = 0.0;     ///< [m]
+  bool own_fault = false;  ///< at the first overlap with an obstacle the robot drove at it faster than 2 cm/s
   double min_clearance = 1e9;  ///< [m] of the square to obstacles and walls
   double final_heading = 0.0;  ///< [rad]
   std::vector<Vec2> path;

@@ -141,16 +141,29 @@ TEST_CASE("bspline-time goes round a disc that is put in its way", "[unit]") {
   CHECK(least > 0.04 + 0.0375 + 0.008);
 }
 
-TEST_CASE("bspline-time waits for a disc that it cannot pass", "[unit]") {
+TEST_CASE("bspline-time slows down for discs that leave no way past them", "[unit]") {
   const FieldGeometry field;
   const RobotModel robot = test::paperRobot(1.0);
   NavigationScene scene = sceneWith(field, robot);
   scene.self.velocity = {0.9, 0.0};
   scene.self.wheels = {45.0, 45.0};
-  const DiscObstacle disc{{-0.20, -0.02}, 0.05, {-0.5, 0.0}};
+  std::vector<DiscObstacle> row;
+  for (int i = -4; i <= 4; ++i) row.push_back({{-0.25, 0.15 * i}, 0.07, {-0.1, 0.0}});
+  scene.obstacles = row;
+  BsplineTime navigator;
+  const Guidance guidance = navigator.plan(scene);
+  CHECK(std::min(guidance.speed_cap, guidance.speeds.front()) < 0.3);
+}
+
+TEST_CASE("bspline-time stands still for a touch that it cannot avoid", "[unit]") {
+  const FieldGeometry field;
+  const RobotModel robot = test::paperRobot(1.0);
+  NavigationScene scene = sceneWith(field, robot);
+  scene.self.velocity = {0.2, 0.0};
+  const DiscObstacle disc{{-0.38, 0.0}, 0.05, {-1.5, 0.0}};
   scene.obstacles = std::span<const DiscObstacle>(&disc, 1);
   BsplineTime navigator;
-  CHECK(navigator.plan(scene).speed_cap < 0.9);
+  CHECK(navigator.plan(scene).speed_cap == 0.0);
 }
 
 }  // namespace fulbito

@@ -81,7 +81,8 @@ TEST_CASE("moving one control point leaves spans alone that are further than two
   CubicSpline moved = spline;
   moved.set(5, {1.0, 0.3});
   for (std::size_t s = 0; s < spline.spans(); ++s) {
-    const double gap = distance(spline.at(s, splineWeights(0.5)).position, moved.at(s, splineWeights(0.5)).position);
+    const double gap =
+        distance(spline.at(s, splineWeights(0.5)).position, moved.at(s, splineWeights(0.5)).position);
     CHECK((gap > 0.0) == (s >= 3 && s <= 6));
   }
 }

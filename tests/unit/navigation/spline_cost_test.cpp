@@ -89,7 +89,8 @@ TEST_CASE("an unfinished verdict is still no better than what was enough", "[uni
 
 TEST_CASE("the optimiser never makes a spline worse and gets a crooked one nearly straight", "[unit]") {
   CubicSpline crooked = straight({-0.5, 0.0}, {0.5, 0.0});
-  for (std::size_t i = 1; i < 6; ++i) crooked.set(i, crooked.control(i) + Vec2{0.0, i % 2 == 0 ? 0.04 : -0.03});
+  for (std::size_t i = 1; i < 6; ++i)
+    crooked.set(i, crooked.control(i) + Vec2{0.0, i % 2 == 0 ? 0.04 : -0.03});
   SplineCost cost(task(2.6));
   SplineOptimiser optimiser;
   optimiser.start(crooked, 1, 1, 0.02);
