@@ -45,7 +45,7 @@ const std::vector<Suite>& suites() {
       {"clutter-1.1", "N5 with gaps of 1.1 robot widths", 300, both, kAll, kSquareClearance, clutter11Layout},
       {"clutter-1.6", "N5 with gaps of 1.6 robot widths", 300, both, kAll, kSquareClearance, clutter16Layout},
       {"u-trap", "N5: a U of obstacles between start and goal", 100, both, kAll, kSquareClearance, uTrapLayout},
-      {"moving", "N6: one to five obstacles crossing at 0.3 to 1.5 m/s", 300, both, kOwnMotion, 0.058, movingLayout},
+      {"moving", "N6: one to five obstacles crossing at 0.3 to 1.5 m/s, bouncing off the walls", 300, both, kOwnMotion, 0.058, movingLayout},
       {"cases", "named cases: the figures of Jung & Lee (2015)", static_cast<int>(namedCases().size()), {1.0}, kAll, 0.058, caseLayout},
   };
   return all;

@@ -143,6 +143,23 @@ Pose2 facingWall(Rng& rng, Vec2 toward) {
   return {position, math::wrapAngle(math::angleOf(-normal) + off)};
 }
 
+/// The way of a disc that goes straight on and is mirrored by the walls, as waypoints, at least `length` long.
+std::vector<Vec2> bouncingPath(Vec2 from, Vec2 direction, double radius, double length) {
+  const Vec2 room{field().length / 2 - radius, field().width / 2 - radius};
+  std::vector<Vec2> path = {from};
+  for (double travelled = 0.0; travelled < length;) {
+    const double to_x = direction.x != 0.0 ? (std::copysign(room.x, direction.x) - from.x) / direction.x : 1e9;
+    const double to_y = direction.y != 0.0 ? (std::copysign(room.y, direction.y) - from.y) / direction.y : 1e9;
+    const double step = std::min(to_x, to_y);
+    from += direction * step;
+    travelled += step;
+    path.push_back(from);
+    if (to_x <= to_y) direction.x = -direction.x;
+    if (to_y <= to_x) direction.y = -direction.y;
+  }
+  return path;
+}
+
 void scatterBalls(Rng& rng, Layout& layout, std::size_t count, double keep_clear) {
   while (layout.obstacles.size() < count) {
     const Vec2 p = anywhere(rng, 0.12);
@@ -277,18 +294,16 @@ Layout movingLayout(std::uint64_t seed, std::uint64_t index) {
   headAtGoal(layout);
   const std::size_t count = 1 + rng.below(5);
   while (layout.obstacles.size() < count) {
-    ObstacleSpec o = disc({}, rng.uniform(kRobotHalf, kRobotRadius));
+    ObstacleSpec o = disc({rng.uniform(-0.5, 0.5), rng.uniform(-0.58, 0.58)}, rng.uniform(kRobotHalf, kRobotRadius));
+    const Vec2 from = o.pose.position;
+    const bool apart = gapTo(layout.obstacles, from) >= o.radius + 0.02;
+    if (!apart || distance(from, layout.start.position) < 0.25 || distance(from, layout.goal) < 0.25) continue;
     o.motion = ObstacleMotion::kPath;
-    o.path = {{rng.uniform(-0.4, 0.4), -0.55}, {rng.uniform(-0.4, 0.4), 0.55}};
-    if (rng.below(2) == 0) std::swap(o.path[0], o.path[1]);
+    o.path_end = PathEnd::kStop;
     o.speed = rng.uniform(0.3, 1.5);
-    o.pose.position = o.path[0];
-    // Each starts somewhere on its way, the way itself is kept: the first waypoint moves to the starting place.
-    const Vec2 from = o.path[0] + (o.path[1] - o.path[0]) * rng.uniform(0.0, 0.9);
-    if (gapTo(layout.obstacles, from) < o.radius + 0.02) continue;
-    o.path = {from, o.path[1], o.path[0], from};
-    o.path_end = PathEnd::kCycle;
-    o.pose.position = from;
+    // Across the way, at least 30 degrees off it, up or down.
+    const double side = rng.below(2) == 0 ? 1.0 : -1.0;
+    o.path = bouncingPath(from, math::unit(side * rng.uniform(math::kPi / 6, math::kPi * 5 / 6)), o.radius, 30.0 * o.speed);
     layout.obstacles.push_back(std::move(o));
   }
   return layout;

@@ -26,7 +26,7 @@ Layout clutter13Layout(std::uint64_t seed, std::uint64_t index);
 Layout clutter16Layout(std::uint64_t seed, std::uint64_t index);
 /// N5: a U of robot-sized obstacles that opens toward the start, with the goal behind it (paper 001, Fig. 8 class).
 Layout uTrapLayout(std::uint64_t seed, std::uint64_t index);
-/// N6: one to five robot-sized obstacles that cross the way at 0.3 to 1.5 m/s, to and fro.
+/// N6: one to five robot-sized obstacles that cross the way at 0.3 to 1.5 m/s and bounce off the walls.
 Layout movingLayout(std::uint64_t seed, std::uint64_t index);
 /// @}
 
