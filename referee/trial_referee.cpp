@@ -10,6 +10,7 @@ namespace fulbito {
 namespace {
 
 constexpr double kOwnMotionSpeed = 0.02;     // [m/s] toward the contact point
+constexpr double kPushedFor = 0.5;           // [s] after a push a robot's motion is not its own
 constexpr double kCurvatureJump = 10.0;      // [1/m] in one tick
 constexpr double kCurvatureMinSpeed = 0.1;   // [m/s] below it a curvature means nothing
 constexpr double kRestDistance = 0.01;       // [m]
@@ -67,15 +68,23 @@ void TrialReferee::judgeContacts(std::span<const ContactEvent> contacts) {
     const BodyKind other = robot_first ? event.b.kind : event.a.kind;
     if (other == BodyKind::kBall) continue;
     score_.contact_impulse += event.impulse;
-    if (!event.began) continue;
     if (other == BodyKind::kWall) {
-      ++score_.wall_contacts;
-      continue;
+      score_.wall_contacts += event.began ? 1 : 0;
+    } else {
+      judgeObstacleContact(event);
     }
-    ++score_.obstacle_contacts;
-    const Vec2 toward = unitOr(event.point - last_.pose.position, {});
-    if (dot(last_.velocity, toward) > kOwnMotionSpeed) ++score_.own_contacts;
   }
+}
+
+void TrialReferee::judgeObstacleContact(const ContactEvent& event) {
+  const Vec2 toward = unitOr(event.point - last_.pose.position, {});
+  const bool driving = dot(last_.velocity, toward) > kOwnMotionSpeed;
+  const bool pushed = static_cast<double>(ticks_ - pushed_tick_) * dt_ <= kPushedFor;
+  if (event.began) {
+    ++score_.obstacle_contacts;
+    score_.own_contacts += driving && !pushed ? 1 : 0;
+  }
+  if (!driving || pushed) pushed_tick_ = ticks_;
 }
 
 void TrialReferee::measure(const WorldState& world, WheelSpeeds command) {

@@ -36,6 +36,7 @@ class TrialReferee {
 
  private:
   void judgeContacts(std::span<const ContactEvent> contacts);
+  void judgeObstacleContact(const ContactEvent& event);
   void measure(const WorldState& world, WheelSpeeds command);
   void watchProgress(const RobotState& robot);
   bool arrived(const RobotState& robot);
@@ -50,6 +51,7 @@ class TrialReferee {
   TrialScore score_;
   RobotState last_;
   int ticks_ = 0;
+  int pushed_tick_ = -1000000;  ///< last tick at which an obstacle pushed the robot
   double clearance_sum_ = 0.0;
   double jerk_sum_ = 0.0;
   std::optional<double> last_curvature_;

@@ -33,7 +33,8 @@ struct TrialScore {
   double time_limit = 0.0;           ///< [s] T*, see timeBound
   int obstacle_contacts = 0;         ///< contacts that began
   int wall_contacts = 0;
-  int own_contacts = 0;              ///< of the obstacle contacts: the robot moved faster than 2 cm/s toward the contact point
+  int own_contacts = 0;              ///< of the obstacle contacts: the robot moved faster than 2 cm/s toward the contact point,
+                                     ///< and no obstacle had pushed it in the half second before
   double contact_impulse = 0.0;      ///< [kg m/s] summed
   double min_clearance = 0.0;        ///< [m] of the true body to obstacles and walls
   double mean_clearance = 0.0;       ///< [m] over time

@@ -114,6 +114,22 @@ TEST_CASE("a contact is by own motion when the robot drove at it", "[unit]") {
   CHECK(referee.score().contact_impulse == Approx(0.02));
 }
 
+TEST_CASE("a robot that an obstacle throws at the next one did not drive there", "[unit]") {
+  Drive drive;
+  TrialReferee referee(drive.layout, drive.field, drive.robot, drive.rules, kDt);
+  const auto contact = [](double x) {
+    return ContactEvent{{BodyKind::kRobot, 0}, {BodyKind::kObstacle, 0}, {x, 0.0}, {1.0, 0.0}, 0.01, true};
+  };
+  drive.advance(referee, {0.0, 0.0}, {contact(-0.6)});  // hit from behind at rest
+  drive.advance(referee, {1.0, 0.0});
+  drive.advance(referee, {1.0, 0.0}, {contact(0.5)});   // flies into the next
+  CHECK(referee.score().obstacle_contacts == 2);
+  CHECK(referee.score().own_contacts == 0);
+  for (int i = 0; i < 40; ++i) drive.advance(referee, {0.1, 0.0});
+  drive.advance(referee, {0.1, 0.0}, {contact(0.5)});   // half a second later it drives by itself
+  CHECK(referee.score().own_contacts == 1);
+}
+
 TEST_CASE("a robot at rest is stuck, a slow one times out, one outside has left the field", "[unit]") {
   Drive drive;
   const TrialScore stuck = drive.run({0.0, 0.0});
