@@ -1,3 +1,4 @@
+// Private header of engine/core: not installed.
 #pragma once
 
 /// Exact sums and products as unevaluated sums of two doubles (Dekker, Numerische Mathematik 18, 1971).

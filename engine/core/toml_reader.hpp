@@ -1,3 +1,4 @@
+// Private header of engine/core: not installed.
 #pragma once
 
 #include <cstddef>

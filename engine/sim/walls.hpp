@@ -1,3 +1,4 @@
+// Private header of engine/sim: not installed.
 #pragma once
 
 #include <array>

@@ -1,3 +1,4 @@
+// Private header of replays/render: not installed.
 #pragma once
 
 #include <string>

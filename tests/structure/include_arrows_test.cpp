@@ -51,8 +51,8 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
   static const std::regex include(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
   const std::string folder = folderOf(path);
   const bool header = path.ends_with(".hpp");
-  // A header beside its sources that no other folder may see counts as a source.
-  const bool is_private = text.find("// Private header of ") != std::string::npos;
+  // A header that is not installed counts as a source.
+  const bool is_private = text.starts_with("// Private header of ");
   std::vector<std::string> found;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
