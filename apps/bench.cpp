@@ -1,11 +1,10 @@
-#include "bench/benchmark.hpp"
-
 #include <cstdio>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "bench/benchmark.hpp"
 #include "bench/scenes.hpp"
 #include "experiments/report.hpp"
 
@@ -49,7 +48,8 @@ void printJson(const BenchReport& report) {
 }  // namespace
 
 int bench(const BenchCommand& command) {
-  if (command.repetitions < 1 || command.repetitions > 1000 || command.episodes < 1 || command.episodes > 100000) {
+  if (command.repetitions < 1 || command.repetitions > 1000 || command.episodes < 1 ||
+      command.episodes > 100000) {
     return report({ErrorCode::kUsage, "bench: --repetitions must be 1 ... 1000, --episodes 1 ... 100000"});
   }
   if (command.signature_only) {

@@ -26,7 +26,7 @@ struct RunOptions {
   std::string physics = "standard";
   std::uint64_t seed = 2015;
   SensorModel sensors;
-  std::optional<std::string> png;   ///< empty: named after the layout
+  std::optional<std::string> png;  ///< empty: named after the layout
   std::string trace;
   bool json = false;
 };
@@ -34,7 +34,7 @@ struct RunOptions {
 struct CompareOptions {
   ComparisonConfig config;
   std::string out = "fulbito-out";
-  std::string tune;                 ///< empty: no tuning
+  std::string tune;  ///< empty: no tuning
   int tune_evaluations = 150;
   bool json = false;
 };

@@ -19,16 +19,21 @@ const std::vector<std::string> kKinds = {"navigators", "suites", "cases", "robot
 
 std::string typeName(const ParameterSpec& spec) {
   switch (spec.type) {
-    case ParameterSpec::Type::kNumber: return "number";
-    case ParameterSpec::Type::kInteger: return "integer";
-    case ParameterSpec::Type::kFlag: return "flag";
-    case ParameterSpec::Type::kChoice: return "choice";
+    case ParameterSpec::Type::kNumber:
+      return "number";
+    case ParameterSpec::Type::kInteger:
+      return "integer";
+    case ParameterSpec::Type::kFlag:
+      return "flag";
+    case ParameterSpec::Type::kChoice:
+      return "choice";
   }
   return "";
 }
 
 std::string valueText(const ParameterSpec& spec) {
-  if (spec.type == ParameterSpec::Type::kChoice) return spec.choices[static_cast<std::size_t>(spec.default_value)];
+  if (spec.type == ParameterSpec::Type::kChoice)
+    return spec.choices[static_cast<std::size_t>(spec.default_value)];
   if (spec.type == ParameterSpec::Type::kFlag) return spec.default_value != 0.0 ? "true" : "false";
   return fmt::format("{}", spec.default_value);
 }
@@ -46,12 +51,9 @@ Json parameterJson(const ParameterSpec& spec) {
 }
 
 Json navigatorJson(const NavigatorInfo& info) {
-  Json json = {{"name", info.name},
-               {"default", info.name == kDefaultNavigator},
-               {"summary", info.summary},
-               {"source", info.source},
-               {"plans_speed", info.plans_speed},
-               {"parameters", Json::array()}};
+  Json json = {
+      {"name", info.name},     {"default", info.name == kDefaultNavigator}, {"summary", info.summary},
+      {"source", info.source}, {"plans_speed", info.plans_speed},           {"parameters", Json::array()}};
   for (const ParameterSpec& spec : info.parameters) json["parameters"].push_back(parameterJson(spec));
   for (const ParameterSpec& spec : commonParameters()) json["parameters"].push_back(parameterJson(spec));
   return json;
@@ -64,7 +66,8 @@ void printParameter(const ParameterSpec& spec) {
   } else if (spec.type != ParameterSpec::Type::kFlag) {
     range = fmt::format("{} ... {}{}", spec.minimum, spec.maximum, spec.unit.empty() ? "" : " " + spec.unit);
   }
-  fmt::print("    {:<16} {:<9} {}{}{}\n", spec.name, valueText(spec), spec.doc, range.empty() ? "" : "; ", range);
+  fmt::print("    {:<16} {:<9} {}{}{}\n", spec.name, valueText(spec), spec.doc, range.empty() ? "" : "; ",
+             range);
 }
 
 void printNavigators() {
@@ -75,17 +78,22 @@ void printNavigators() {
   }
   fmt::print("every method also takes\n");
   for (const ParameterSpec& spec : commonParameters()) printParameter(spec);
-  fmt::print("* plans its own speeds. Set parameters like this: --navigator bezier:clearance=0.03,follower=classic\n");
+  fmt::print(
+      "* plans its own speeds. Set parameters like this: --navigator "
+      "bezier:clearance=0.03,follower=classic\n");
 }
 
 /// Name and one line of everything of a kind but navigators.
 std::vector<std::pair<std::string, std::string>> entries(const std::string& kind) {
   std::vector<std::pair<std::string, std::string>> list;
   if (kind == "suites") {
-    list.emplace_back(kPaperSuite, "the comparison of Jung & Lee (2015): corner, close-range and the figures' cases (default)");
+    list.emplace_back(
+        kPaperSuite,
+        "the comparison of Jung & Lee (2015): corner, close-range and the figures' cases (default)");
     for (const Suite& suite : suites()) list.emplace_back(suite.name, suite.summary);
   } else if (kind == "cases") {
-    for (const Layout& layout : namedCases()) list.emplace_back(layout.name, "layout for fulbito run --layout " + layout.name);
+    for (const Layout& layout : namedCases())
+      list.emplace_back(layout.name, "layout for fulbito run --layout " + layout.name);
   } else {
     for (const std::string& name : presetNames(kind)) {
       const std::string text = presetText(kind, name).value_or("");
@@ -101,7 +109,8 @@ void printJson(const std::string& kind) {
   if (kind == "navigators") {
     for (const NavigatorInfo& info : navigators()) json[kind].push_back(navigatorJson(info));
   } else {
-    for (const auto& [name, summary] : entries(kind)) json[kind].push_back({{"name", name}, {"summary", summary}});
+    for (const auto& [name, summary] : entries(kind))
+      json[kind].push_back({{"name", name}, {"summary", summary}});
   }
   std::puts(json.dump(2).c_str());
 }
@@ -110,8 +119,9 @@ void printJson(const std::string& kind) {
 
 int list(const ListOptions& options) {
   if (std::find(kKinds.begin(), kKinds.end(), options.kind) == kKinds.end()) {
-    return report({ErrorCode::kUsage, fmt::format("list: there is no kind '{}'; it is one of {}.{}", options.kind,
-                                                  fmt::join(kKinds, ", "), suggestion(options.kind, kKinds))});
+    return report(
+        {ErrorCode::kUsage, fmt::format("list: there is no kind '{}'; it is one of {}.{}", options.kind,
+                                        fmt::join(kKinds, ", "), suggestion(options.kind, kKinds))});
   }
   if (options.json) {
     printJson(options.kind);
@@ -147,8 +157,9 @@ int show(const ShowOptions& options) {
     std::fputs(text->c_str(), stdout);
     return kOk;
   }
-  return report({ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it is one of {}.{}", options.kind,
-                                                fmt::join(names, ", "), suggestion(options.kind, names))});
+  return report(
+      {ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it is one of {}.{}", options.kind,
+                                      fmt::join(names, ", "), suggestion(options.kind, names))});
 }
 
 int version(bool json) {
@@ -159,7 +170,8 @@ int version(bool json) {
   }
   const Json parsed = Json::parse(text);
   fmt::print("fulbito {} ({}, {}, Box2D {})\n", parsed["version"].get<std::string>(),
-             parsed["compiler"].get<std::string>(), parsed["type"].get<std::string>(), parsed["box2d"].get<std::string>());
+             parsed["compiler"].get<std::string>(), parsed["type"].get<std::string>(),
+             parsed["box2d"].get<std::string>());
   return kOk;
 }
 

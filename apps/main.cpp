@@ -25,8 +25,11 @@ struct Options {
 };
 
 void addSensors(CLI::App& command, SensorModel& sensors) {
-  command.add_option("--latency", sensors.latency_ticks, "age of observations in control ticks, 0 ... 60")->capture_default_str();
-  command.add_option("--noise", sensors.position_noise, "standard deviation of observed positions [m], 0 ... 0.1")
+  command.add_option("--latency", sensors.latency_ticks, "age of observations in control ticks, 0 ... 60")
+      ->capture_default_str();
+  command
+      .add_option("--noise", sensors.position_noise,
+                  "standard deviation of observed positions [m], 0 ... 0.1")
       ->capture_default_str();
 }
 
@@ -39,14 +42,18 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       "  fulbito run --navigator limit-cycle:mu=3 --layout fig7-close-obstacle --speed 0.6\n"
       "  fulbito run --layout my-layout.toml --trace trace.csv --json\n"
       "Names: fulbito list navigators, fulbito list suites, fulbito list cases.");
-  command->add_option("--navigator", run.navigator, "method, e.g. bezier:clearance=0.03")->capture_default_str();
-  command->add_option("--layout", run.layout, "TOML file, named case, or suite:number")->capture_default_str();
-  command->add_option("--speed", run.speed, "top speed of the wheels [m/s], 0.05 ... 10")->capture_default_str();
+  command->add_option("--navigator", run.navigator, "method, e.g. bezier:clearance=0.03")
+      ->capture_default_str();
+  command->add_option("--layout", run.layout, "TOML file, named case, or suite:number")
+      ->capture_default_str();
+  command->add_option("--speed", run.speed, "top speed of the wheels [m/s], 0.05 ... 10")
+      ->capture_default_str();
   command->add_option("--robot", run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", run.physics, "physics profile or TOML file")->capture_default_str();
   command->add_option("--seed", run.seed, "seed of layouts and noise")->capture_default_str();
   addSensors(*command, run.sensors);
-  command->add_option("--png", options.run_png, "write a picture (named after the layout if no FILE is given)")
+  command
+      ->add_option("--png", options.run_png, "write a picture (named after the layout if no FILE is given)")
       ->expected(0, 1)
       ->type_name("[FILE]");
   command->add_option("--trace", run.trace, "write one line a control tick; - for stdout")->type_name("FILE");
@@ -65,22 +72,27 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       "  fulbito compare --suite moving --trials 300 --json > moving.json\n"
       "  fulbito compare --suite corner --only 17 --out one     one layout again, with its picture\n"
       "  fulbito compare --tune tangent-field --speeds 1.0      tune a method, then judge it\n"
-      "Exit code 0 also when a figure is outside its band. Names: fulbito list suites, fulbito list navigators.");
+      "Exit code 0 also when a figure is outside its band. Names: fulbito list suites, fulbito list "
+      "navigators.");
   command->add_option("--suite", config.suite, "suite of layouts")->capture_default_str();
-  command->add_option("--navigators", config.navigators, "methods, e.g. bezier limit-cycle:mu=3 (default: the suite's)");
+  command->add_option("--navigators", config.navigators,
+                      "methods, e.g. bezier limit-cycle:mu=3 (default: the suite's)");
   command->add_option("--speeds", config.speeds, "top speeds [m/s] (default: the suite's)")->delimiter(',');
   command->add_option("--trials", config.trials, "layouts of each suite and speed (default: the suite's)");
   command->add_option("--seed", config.seed, "seed of layouts and noise")->capture_default_str();
   command->add_option("--jobs", config.jobs, "worker threads (default: all cores)");
   command->add_option("--only", options.only, "run this layout of the suite alone")->type_name("NUMBER");
-  command->add_option("--pictures", config.pictures, "layouts of each suite and speed that are drawn")->capture_default_str();
+  command->add_option("--pictures", config.pictures, "layouts of each suite and speed that are drawn")
+      ->capture_default_str();
   command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
   addSensors(*command, config.sensors);
-  command->add_option("--tune", compare.tune, "tune this method on other layouts first")->type_name("NAVIGATOR");
+  command->add_option("--tune", compare.tune, "tune this method on other layouts first")
+      ->type_name("NAVIGATOR");
   command->add_option("--tune-evaluations", compare.tune_evaluations, "parameter sets that the tuner tries")
       ->capture_default_str();
-  command->add_option("--out", compare.out, "folder for results.json, trials.csv and pictures")->capture_default_str();
+  command->add_option("--out", compare.out, "folder for results.json, trials.csv and pictures")
+      ->capture_default_str();
   command->add_flag("--json", compare.json, "print results.json instead of tables");
   return command;
 }
@@ -88,19 +100,27 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
 void addRest(CLI::App& app, Options& options) {
   CLI::App* list = app.add_subcommand("list", "list navigators, suites, cases, robots, physics or fields");
   list->footer("Examples:\n  fulbito list navigators\n  fulbito list suites --json");
-  list->add_option("kind", options.list.kind, "navigators, suites, cases, robots, physics or fields")->required();
+  list->add_option("kind", options.list.kind, "navigators, suites, cases, robots, physics or fields")
+      ->required();
   list->add_flag("--json", options.list.json, "print JSON");
 
   CLI::App* show = app.add_subcommand("show", "print a preset as the TOML file that it is");
-  show->footer("Examples:\n  fulbito show robot vsss > my-robot.toml\n  fulbito show case fig1-abrupt-turns > layout.toml");
+  show->footer(
+      "Examples:\n  fulbito show robot vsss > my-robot.toml\n  fulbito show case fig1-abrupt-turns > "
+      "layout.toml");
   show->add_option("kind", options.show.kind, "robot, physics, field or case")->required();
   show->add_option("name", options.show.name, "its name")->required();
 
-  CLI::App* bench = app.add_subcommand("bench", "measure the engine against a bare Box2D loop in the same run");
-  bench->footer("Examples:\n  fulbito bench\n  fulbito bench --signature\n  fulbito bench --json > bench.json");
-  bench->add_option("--repetitions", options.bench.repetitions, "of each row; medians are printed")->capture_default_str();
-  bench->add_option("--episodes", options.bench.episodes, "of 10 simulated seconds in a repetition")->capture_default_str();
-  bench->add_flag("--signature", options.bench.signature_only, "print only the signature of the fixed scenes");
+  CLI::App* bench =
+      app.add_subcommand("bench", "measure the engine against a bare Box2D loop in the same run");
+  bench->footer(
+      "Examples:\n  fulbito bench\n  fulbito bench --signature\n  fulbito bench --json > bench.json");
+  bench->add_option("--repetitions", options.bench.repetitions, "of each row; medians are printed")
+      ->capture_default_str();
+  bench->add_option("--episodes", options.bench.episodes, "of 10 simulated seconds in a repetition")
+      ->capture_default_str();
+  bench->add_flag("--signature", options.bench.signature_only,
+                  "print only the signature of the fixed scenes");
   bench->add_flag("--json", options.bench.json, "print JSON");
 
   CLI::App* version = app.add_subcommand("version", "print version and build");
@@ -133,18 +153,20 @@ Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<ch
     std::vector<std::string> flags;
     for (const CLI::Option* option : command.get_options({})) flags.push_back(option->get_name());
     for (const std::string word : words) {
-      const bool known = std::any_of(flags.begin(), flags.end(), [&](const std::string& f) { return word == f; });
+      const bool known =
+          std::any_of(flags.begin(), flags.end(), [&](const std::string& f) { return word == f; });
       if (word.starts_with("--") && !known && word.find('=') == std::string::npos) {
         message = fmt::format("there is no option '{}'.{}", word, suggestion(word, flags));
       }
     }
   }
   if (!message.ends_with('.') && !message.ends_with('?')) message += '.';
-  return {ErrorCode::kUsage, fmt::format("{}{}{} See fulbito {}{}--help.", name, name.empty() ? "" : ": ", message, name,
-                                         name.empty() ? "" : " ")};
+  return {ErrorCode::kUsage, fmt::format("{}{}{} See fulbito {}{}--help.", name, name.empty() ? "" : ": ",
+                                         message, name, name.empty() ? "" : " ")};
 }
 
-int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& compare_command, Options& options) {
+int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& compare_command,
+             Options& options) {
   if (app.got_subcommand("run")) {
     if (run_command.count("--png") > 0) options.run.png = options.run_png;
     return run(options.run);
@@ -160,13 +182,16 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
 }
 
 int mainWithoutCatch(int argc, char** argv) {
-  CLI::App app("Fulbito: a deterministic 2D robot-soccer simulator. This version compares navigation methods.", "fulbito");
+  CLI::App app(
+      "Fulbito: a deterministic 2D robot-soccer simulator. This version compares navigation methods.",
+      "fulbito");
   app.footer(
       "Examples:\n"
       "  fulbito compare                                        the comparison of Jung & Lee (2015)\n"
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
       "  fulbito list navigators\n"
-      "Exit codes: 0 ran, 2 usage, 3 bad input file, 5 cannot read or write, 70 internal error, 130 interrupted.");
+      "Exit codes: 0 ran, 2 usage, 3 bad input file, 5 cannot read or write, 70 internal error, 130 "
+      "interrupted.");
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
   Options options;

@@ -20,16 +20,21 @@ void onSignal(int signal) {
 int report(const Error& error) {
   std::fprintf(stderr, "fulbito: %s\n", error.message.c_str());
   switch (error.code) {
-    case ErrorCode::kUsage: return kUsage;
-    case ErrorCode::kBadInput: return kBadInput;
-    case ErrorCode::kIo: return kIo;
-    case ErrorCode::kInterrupted: return kInterrupted;
+    case ErrorCode::kUsage:
+      return kUsage;
+    case ErrorCode::kBadInput:
+      return kBadInput;
+    case ErrorCode::kIo:
+      return kIo;
+    case ErrorCode::kInterrupted:
+      return kInterrupted;
   }
   return kInternal;
 }
 
 std::int64_t now() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
       .count();
 }
 

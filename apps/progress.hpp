@@ -5,7 +5,8 @@
 
 namespace fulbito::app {
 
-/// Progress on stderr: a bar with the time left on a terminal, otherwise a plain line every ten seconds. Silent when `quiet`.
+/// Progress on stderr: a bar with the time left on a terminal, otherwise a plain line every ten seconds.
+/// Silent when `quiet`.
 class ProgressBar {
  public:
   ProgressBar(std::string what, bool quiet);

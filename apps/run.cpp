@@ -23,7 +23,8 @@ Result<Problem> suiteProblem(const std::string& text, std::size_t colon, std::ui
   if (!suite) return tl::unexpected<Error>(suite.error());
   const std::string number = text.substr(colon + 1);
   if (number.empty() || number.size() > 9 || number.find_first_not_of("0123456789") != std::string::npos) {
-    return fail(ErrorCode::kUsage, fmt::format("--layout: '{}' in '{}' is not the number of a layout", number, text));
+    return fail(ErrorCode::kUsage,
+                fmt::format("--layout: '{}' in '{}' is not the number of a layout", number, text));
   }
   const std::uint64_t index = std::stoull(number);
   return Problem{(*suite)->layout(seed, index), (*suite)->forbidden, (*suite)->limit_clearance, index};
@@ -34,7 +35,8 @@ Result<Problem> findProblem(const std::string& text, std::uint64_t seed) {
     if (named.name == text) return Problem{named, ForbiddenContacts::kAll, 0.058, 0};
   }
   const std::size_t colon = text.find(':');
-  if (colon != std::string::npos && text.find('/') == std::string::npos) return suiteProblem(text, colon, seed);
+  if (colon != std::string::npos && text.find('/') == std::string::npos)
+    return suiteProblem(text, colon, seed);
   auto layout = loadLayout(text);
   if (!layout) return tl::unexpected<Error>(layout.error());
   return Problem{std::move(*layout), ForbiddenContacts::kAll, 0.058, 0};
@@ -77,10 +79,11 @@ void printScore(const TrialConfig& config, const TrialResult& result) {
       "  turning    {:.2f} rad, {} curvature jumps, wheel jerk {:.0f} m/s^3\n"
       "  compute    {:.1f} us a tick median, {:.1f} p99, {:.1f} max\n"
       "  hash       {:016x}\n",
-      config.navigator.text, config.layout.name, config.robot.robot.maxSpeed(), config.seed, nameOf(s.outcome), s.time,
-      s.time_limit, s.timeRatio(), s.length, s.length_limit, s.lengthRatio(), s.obstacle_contacts, s.own_contacts,
-      s.wall_contacts, s.contact_impulse, 1000 * s.min_clearance, 1000 * s.mean_clearance, s.turning, s.curvature_jumps,
-      s.wheel_jerk, quantile(compute, 0.5), quantile(compute, 0.99), quantile(compute, 1.0), result.final_hash);
+      config.navigator.text, config.layout.name, config.robot.robot.maxSpeed(), config.seed,
+      nameOf(s.outcome), s.time, s.time_limit, s.timeRatio(), s.length, s.length_limit, s.lengthRatio(),
+      s.obstacle_contacts, s.own_contacts, s.wall_contacts, s.contact_impulse, 1000 * s.min_clearance,
+      1000 * s.mean_clearance, s.turning, s.curvature_jumps, s.wheel_jerk, quantile(compute, 0.5),
+      quantile(compute, 0.99), quantile(compute, 1.0), result.final_hash);
 }
 
 }  // namespace

@@ -43,16 +43,19 @@ Result<void> checkRanges(const ComparisonConfig& config) {
     }
   }
   if (config.trials < 0 || config.trials > kMaxTrials) {
-    return fail(ErrorCode::kUsage, fmt::format("--trials: {} is outside 1 ... {}", config.trials, kMaxTrials));
+    return fail(ErrorCode::kUsage,
+                fmt::format("--trials: {} is outside 1 ... {}", config.trials, kMaxTrials));
   }
   if (config.jobs < 0 || config.jobs > 1024) {
     return fail(ErrorCode::kUsage, fmt::format("--jobs: {} is outside 1 ... 1024", config.jobs));
   }
   if (config.sensors.latency_ticks < 0 || config.sensors.latency_ticks > 60) {
-    return fail(ErrorCode::kUsage, fmt::format("--latency: {} is outside 0 ... 60 ticks", config.sensors.latency_ticks));
+    return fail(ErrorCode::kUsage,
+                fmt::format("--latency: {} is outside 0 ... 60 ticks", config.sensors.latency_ticks));
   }
   if (!(config.sensors.position_noise >= 0.0 && config.sensors.position_noise <= 0.1)) {
-    return fail(ErrorCode::kUsage, fmt::format("--noise: {} is outside 0 ... 0.1 m", config.sensors.position_noise));
+    return fail(ErrorCode::kUsage,
+                fmt::format("--noise: {} is outside 0 ... 0.1 m", config.sensors.position_noise));
   }
   return {};
 }
@@ -90,12 +93,14 @@ Result<TrialRecord> runTask(const Comparison& comparison, const Task& task, cons
   if (!config) return tl::unexpected<Error>(config.error());
   auto result = runTrial(*config, clock);
   if (!result) {
-    return fail(result.error().code, fmt::format("{} at {} m/s, {}: {}", config->layout.name, block.speed,
-                                                 block.navigators[task.navigator].text, result.error().message));
+    return fail(result.error().code,
+                fmt::format("{} at {} m/s, {}: {}", config->layout.name, block.speed,
+                            block.navigators[task.navigator].text, result.error().message));
   }
   TrialRecord record{task.block, task.navigator, task.index, result->score, result->final_hash, {}, {}};
   record.compute_us.assign(result->compute_us.begin(), result->compute_us.end());
-  const bool drawn = comparison.config.only || task.index < static_cast<std::uint64_t>(comparison.config.pictures);
+  const bool drawn =
+      comparison.config.only || task.index < static_cast<std::uint64_t>(comparison.config.pictures);
   if (drawn) record.trace = std::move(result->trace);
   return record;
 }
@@ -191,10 +196,14 @@ Result<void> runComparison(Comparison& comparison, const Clock& clock, const Pro
   return {};
 }
 
-std::span<const TrialRecord> recordsOf(const Comparison& comparison, std::size_t block, std::size_t navigator) {
+std::span<const TrialRecord> recordsOf(const Comparison& comparison, std::size_t block,
+                                       std::size_t navigator) {
   std::size_t begin = 0;
-  const auto count = [&](const Block& b) { return comparison.config.only ? 1u : static_cast<std::size_t>(b.trials); };
-  for (std::size_t b = 0; b < block; ++b) begin += count(comparison.blocks[b]) * comparison.blocks[b].navigators.size();
+  const auto count = [&](const Block& b) {
+    return comparison.config.only ? 1u : static_cast<std::size_t>(b.trials);
+  };
+  for (std::size_t b = 0; b < block; ++b)
+    begin += count(comparison.blocks[b]) * comparison.blocks[b].navigators.size();
   const std::size_t each = count(comparison.blocks[block]);
   return std::span(comparison.records).subspan(begin + navigator * each, each);
 }

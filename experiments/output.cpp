@@ -2,9 +2,8 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-
 #include <fcntl.h>
+#include <filesystem>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -25,7 +24,8 @@ bool writeAll(int descriptor, const std::string& content) {
     if (n < 0) return false;
     written += static_cast<std::size_t>(n);
   }
-  return ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS;  // pipes and some file systems have no fsync
+  return ::fsync(descriptor) == 0 || errno == EINVAL ||
+         errno == EROFS;  // pipes and some file systems have no fsync
 }
 
 }  // namespace
@@ -34,7 +34,8 @@ Result<void> prepareFolder(const std::string& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return ioError("make the folder", folder, error.message());
-  if (!std::filesystem::is_directory(folder, error)) return ioError("write into", folder, "it is not a folder");
+  if (!std::filesystem::is_directory(folder, error))
+    return ioError("write into", folder, "it is not a folder");
   const std::string probe = folder + "/.fulbito-probe";
   auto written = writeFile(probe, "");
   if (!written) return ioError("write into the folder", folder, "no permission or no space");

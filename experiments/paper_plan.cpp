@@ -35,7 +35,8 @@ Result<Block> blockOf(const ComparisonConfig& config, const std::string& suite, 
   return block;
 }
 
-constexpr double kHung = 4.0;       // a run that needs more than this times T* has hung; the mean would be of the hanging
+constexpr double kHung =
+    4.0;  // a run that needs more than this times T* has hung; the mean would be of the hanging
 constexpr double kNeverHung = 1e9;
 
 struct Place {
@@ -43,7 +44,8 @@ struct Place {
   std::size_t navigator;
 };
 
-std::optional<Place> find(const Comparison& comparison, const std::string& suite, double speed, const std::string& text) {
+std::optional<Place> find(const Comparison& comparison, const std::string& suite, double speed,
+                          const std::string& text) {
   for (std::size_t b = 0; b < comparison.blocks.size(); ++b) {
     const Block& block = comparison.blocks[b];
     if (block.suite->name != suite || block.speed != speed) continue;
@@ -63,7 +65,9 @@ struct Band {
 std::string percent(const Interval& i) {
   return fmt::format("{:+.1f} % ({:+.1f} ... {:+.1f})", 100 * i.value, 100 * i.low, 100 * i.high);
 }
-std::string bandText(Band band) { return fmt::format("{:+.0f} ... {:+.0f} %", 100 * band.low, 100 * band.high); }
+std::string bandText(Band band) {
+  return fmt::format("{:+.0f} ... {:+.0f} %", 100 * band.low, 100 * band.high);
+}
 
 /// One claim that is a difference between the Bezier method and an opponent.
 struct DifferenceClaim {
@@ -80,20 +84,22 @@ struct DifferenceClaim {
   const char* time_reason;
 };
 
-void addRow(Comparison& comparison, const DifferenceClaim& claim, bool length, const PairedDifference& difference,
-            bool with_hung) {
+void addRow(Comparison& comparison, const DifferenceClaim& claim, bool length,
+            const PairedDifference& difference, bool with_hung) {
   const Interval& measured = length ? difference.length : difference.time;
   const Band band = length ? claim.length : claim.time;
   ReproductionRow row;
   row.id = with_hung ? fmt::format("{}, hung runs too", claim.id) : claim.id;
-  row.claim = fmt::format("{} of bezier against {} at {:.1f} m/s, {} safe pairs", length ? "distance" : "time", claim.what,
-                          claim.speed, difference.pairs);
+  row.claim = fmt::format("{} of bezier against {} at {:.1f} m/s, {} safe pairs",
+                          length ? "distance" : "time", claim.what, claim.speed, difference.pairs);
   row.paper = length ? claim.paper_length : claim.paper_time;
   row.ours = percent(measured);
   row.band = bandText(band);
   row.inside_band = band.contains(measured.value);
-  row.reason = with_hung ? "ablation: with the field's runs that hang before an obstacle for seconds and then come free"
-                         : (length ? claim.length_reason : claim.time_reason);
+  row.reason =
+      with_hung
+          ? "ablation: with the field's runs that hang before an obstacle for seconds and then come free"
+          : (length ? claim.length_reason : claim.time_reason);
   comparison.reproduction.push_back(std::move(row));
 }
 
@@ -120,7 +126,8 @@ void judgeCollisions(Comparison& comparison) {
   const auto rate = [&](Place place) {
     int collided = 0;
     const auto records = recordsOf(comparison, place.block, place.navigator);
-    for (const TrialRecord& r : records) collided += r.score.obstacle_contacts + r.score.wall_contacts > 0 ? 1 : 0;
+    for (const TrialRecord& r : records)
+      collided += r.score.obstacle_contacts + r.score.wall_contacts > 0 ? 1 : 0;
     return wilson(collided, static_cast<int>(records.size()));
   };
   const Interval raw_rate = rate(*raw), guarded_rate = rate(*guarded);
@@ -131,26 +138,61 @@ void judgeCollisions(Comparison& comparison) {
   comparison.reproduction.push_back(
       {"R4-d", "runs that touch something: bezier-raw, the method as printed, corner to corner", "not stated",
        share(raw_rate), "80 ... 90 %", raw_band.contains(raw_rate.value),
-       "the paper tests the curves for length only: the shortest of the 2^n curves alternates sides and cuts through the balls"});
+       "the paper tests the curves for length only: the shortest of the 2^n curves alternates sides and cuts "
+       "through the balls"});
   comparison.reproduction.push_back(
-      {"R4-d", "runs that touch something: bezier, with the collision test", "not stated", share(guarded_rate), "0 %",
-       guarded_rate.value == 0.0, "the guarded version keeps the robot's circle 2 cm away from every ball"});
+      {"R4-d", "runs that touch something: bezier, with the collision test", "not stated",
+       share(guarded_rate), "0 %", guarded_rate.value == 0.0,
+       "the guarded version keeps the robot's circle 2 cm away from every ball"});
 }
 
 constexpr DifferenceClaim kClaims[] = {
-    {"R4-a", "corner", 1.0, kUntunedField, "the untuned univector field", {-0.13, -0.07}, {-0.23, -0.15},
-     "-25.6 % (simulation)", "-19.3 % (simulation)",
-     "not reachable corner to corner: the shortest way is 1.1 % longer than the straight line, so the field would have to drive "
+    {"R4-a",
+     "corner",
+     1.0,
+     kUntunedField,
+     "the untuned univector field",
+     {-0.13, -0.07},
+     {-0.23, -0.15},
+     "-25.6 % (simulation)",
+     "-19.3 % (simulation)",
+     "not reachable corner to corner: the shortest way is 1.1 % longer than the straight line, so the field "
+     "would have to drive "
      "1.34 times the Bezier length",
      "the field's bends cost speed; an untuned field loses as much time as the paper says"},
-    {"R4-b", "corner", 1.0, kTunedField, "the time-tuned tangent field", {-0.04, 0.04}, {0.00, 0.12}, "not compared",
-     "not compared", "a tuned field drives as short as the Bezier curve", "at this speed the tuned field is faster: it passes the balls closer"},
-    {"R4-b", "corner", 2.6, kTunedField, "the time-tuned tangent field", {-0.04, 0.04}, {-0.22, -0.12}, "-25.6 %",
-     "-19.3 %", "a tuned field drives as short as the Bezier curve",
+    {"R4-b",
+     "corner",
+     1.0,
+     kTunedField,
+     "the time-tuned tangent field",
+     {-0.04, 0.04},
+     {0.00, 0.12},
+     "not compared",
+     "not compared",
+     "a tuned field drives as short as the Bezier curve",
+     "at this speed the tuned field is faster: it passes the balls closer"},
+    {"R4-b",
+     "corner",
+     2.6,
+     kTunedField,
+     "the time-tuned tangent field",
+     {-0.04, 0.04},
+     {-0.22, -0.12},
+     "-25.6 %",
+     "-19.3 %",
+     "a tuned field drives as short as the Bezier curve",
      "at the robot's full speed the smooth curve can be driven faster even than the best field"},
-    {"R4-c", "close-range", 0.6, kWideField, "the untuned wide ring field (classic law)", {-0.32, -0.21}, {-0.34, -0.24},
-     "-27.3 % (experiment)", "-23.5 % (experiment)",
-     "the paper's absolute figures imply runs of 0.6 to 0.7 m; at that range a wide untuned ring loses as much (not a statement "
+    {"R4-c",
+     "close-range",
+     0.6,
+     kWideField,
+     "the untuned wide ring field (classic law)",
+     {-0.32, -0.21},
+     {-0.34, -0.24},
+     "-27.3 % (experiment)",
+     "-23.5 % (experiment)",
+     "the paper's absolute figures imply runs of 0.6 to 0.7 m; at that range a wide untuned ring loses as "
+     "much (not a statement "
      "about tuned fields: see R4-a and R4-b)",
      "the paper's absolute figures imply runs of 0.6 to 0.7 m; see the row above"},
 };
@@ -165,10 +207,12 @@ Result<std::vector<Block>> paperBlocks(const ComparisonConfig& config) {
     if (!block) return tl::unexpected<Error>(block.error());
     blocks.push_back(std::move(*block));
   }
-  auto close = blockOf(config, "close-range", 0.6, {"bezier", "bezier-raw", "tangent-graph", kWideField}, false);
+  auto close =
+      blockOf(config, "close-range", 0.6, {"bezier", "bezier-raw", "tangent-graph", kWideField}, false);
   if (!close) return tl::unexpected<Error>(close.error());
   blocks.push_back(std::move(*close));
-  auto cases = blockOf(config, "cases", 1.0, {"vector-field", "univector", "limit-cycle", "bezier", kDefaultNavigator}, false);
+  auto cases = blockOf(config, "cases", 1.0,
+                       {"vector-field", "univector", "limit-cycle", "bezier", kDefaultNavigator}, false);
   if (!cases) return tl::unexpected<Error>(cases.error());
   blocks.push_back(std::move(*cases));
   return blocks;

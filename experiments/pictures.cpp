@@ -16,10 +16,12 @@ constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 std::string remarkOf(const TrialScore& score) {
   const std::string figures = fmt::format("{:.2f} s, {:.2f} m", score.time, score.length);
-  return score.success() ? figures : std::string(nameOf(score.outcome)) + (score.arrived ? ", " + figures : "");
+  return score.success() ? figures
+                         : std::string(nameOf(score.outcome)) + (score.arrived ? ", " + figures : "");
 }
 
-DrawnPath drawnPath(const std::string& label, const TrialScore& score, const std::vector<TraceRow>& trace, bool bodies) {
+DrawnPath drawnPath(const std::string& label, const TrialScore& score, const std::vector<TraceRow>& trace,
+                    bool bodies) {
   DrawnPath path;
   path.label = label;
   path.remark = remarkOf(score);
@@ -68,8 +70,8 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
       Bar bar;
       bar.label = s.navigator;
       bar.value = s.success.value > 0.0 ? s.*ratio : kNoValue;
-      bar.remark = s.success.value > 0.0 ? fmt::format("{:.0f} % solved", 100 * s.success.value)
-                                         : "none solved";
+      bar.remark =
+          s.success.value > 0.0 ? fmt::format("{:.0f} % solved", 100 * s.success.value) : "none solved";
       bar.colour = n;
       group.bars.push_back(std::move(bar));
     }
@@ -81,7 +83,8 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
 }  // namespace
 
 Result<void> writePathPicture(const std::string& file, const std::string& title, const TrialConfig& config,
-                              const std::vector<const TrialRecord*>& records, const std::vector<std::string>& labels) {
+                              const std::vector<const TrialRecord*>& records,
+                              const std::vector<std::string>& labels) {
   FieldPicture picture = pictureOf(title, config);
   for (std::size_t i = 0; i < records.size(); ++i) {
     picture.paths.push_back(drawnPath(labels[i], records[i]->score, records[i]->trace, false));
@@ -89,7 +92,8 @@ Result<void> writePathPicture(const std::string& file, const std::string& title,
   return save(drawFieldPicture(picture), file);
 }
 
-Result<void> writeTrialPicture(const std::string& file, const TrialConfig& config, const TrialResult& result) {
+Result<void> writeTrialPicture(const std::string& file, const TrialConfig& config,
+                               const TrialResult& result) {
   FieldPicture picture =
       pictureOf(fmt::format("{} at {:.1f} m/s", config.layout.name, config.robot.robot.maxSpeed()), config);
   TrialScore limit;
@@ -133,8 +137,10 @@ Result<std::vector<std::string>> writePictures(const Comparison& comparison, con
   }
   for (const auto& [name, title, axis, member] :
        {std::tuple{"time.png", "Time of successful runs", "time / T*", &SummaryRow::time_ratio},
-        std::tuple{"distance.png", "Distance of successful runs", "length / L*", &SummaryRow::length_ratio}}) {
-    auto written = add(name, save(drawBarChart(chartOf(comparison, title, axis, member)), folder + "/" + name));
+        std::tuple{"distance.png", "Distance of successful runs", "length / L*",
+                   &SummaryRow::length_ratio}}) {
+    auto written =
+        add(name, save(drawBarChart(chartOf(comparison, title, axis, member)), folder + "/" + name));
     if (!written) return tl::unexpected<Error>(written.error());
   }
   return files;

@@ -6,8 +6,8 @@
 
 namespace fulbito {
 
-/// The comparison as one JSON object (docs/results-format.md), pretty-printed with a final newline. Same seed: the same bytes on
-/// any number of threads, but for keys that begin with compute_ or wall_.
+/// The comparison as one JSON object (docs/results-format.md), pretty-printed with a final newline. Same
+/// seed: the same bytes on any number of threads, but for keys that begin with compute_ or wall_.
 std::string resultsJson(const Comparison& comparison, double wall_seconds);
 
 /// One trial as a JSON object.

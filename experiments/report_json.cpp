@@ -17,7 +17,8 @@ std::string hex(std::uint64_t value) { return fmt::format("{:016x}", value); }
 
 Json buildJson() {
   const BuildInfo& build = buildInfo();
-  return {{"version", build.version}, {"compiler", build.compiler}, {"type", build.type}, {"box2d", build.box2d}};
+  return {
+      {"version", build.version}, {"compiler", build.compiler}, {"type", build.type}, {"box2d", build.box2d}};
 }
 
 /// NaN has no place in JSON: null stands for "no value".
@@ -56,10 +57,14 @@ Json configJson(const Comparison& comparison) {
   Json navigators = Json::array(), speeds = Json::array();
   for (const std::string& n : c.navigators) navigators.push_back(n);
   for (double s : c.speeds) speeds.push_back(s);
-  Json config = {{"suite", c.suite},   {"seed", c.seed},
-                 {"trials", c.trials}, {"navigators", navigators},
-                 {"speeds", speeds},   {"robot", c.robot},
-                 {"physics", c.physics}, {"latency_ticks", c.sensors.latency_ticks},
+  Json config = {{"suite", c.suite},
+                 {"seed", c.seed},
+                 {"trials", c.trials},
+                 {"navigators", navigators},
+                 {"speeds", speeds},
+                 {"robot", c.robot},
+                 {"physics", c.physics},
+                 {"latency_ticks", c.sensors.latency_ticks},
                  {"noise_m", c.sensors.position_noise}};
   if (c.only) config["only"] = *c.only;
   return config;
@@ -90,12 +95,9 @@ Json scoreJson(const TrialScore& s) {
 }  // namespace
 
 std::string resultsJson(const Comparison& comparison, double wall_seconds) {
-  Json json = {{"schema_version", kSchemaVersion},
-               {"suite", comparison.config.suite},
-               {"seed", comparison.config.seed},
-               {"build", buildJson()},
-               {"config", configJson(comparison)},
-               {"summary", Json::array()}};
+  Json json = {{"schema_version", kSchemaVersion}, {"suite", comparison.config.suite},
+               {"seed", comparison.config.seed},   {"build", buildJson()},
+               {"config", configJson(comparison)}, {"summary", Json::array()}};
   for (const SummaryRow& row : comparison.summary) json["summary"].push_back(summaryJson(row));
   if (!comparison.reproduction.empty()) {
     json["reproduction"] = Json::array();

@@ -23,8 +23,10 @@ Sensing::Sight Sensing::look(const WorldState& world) {
   if (sigma > 0.0) {
     Pose2& pose = sight.robot.pose;
     pose.position += {noise_.normal(0.0, sigma), noise_.normal(0.0, sigma)};
-    pose.heading = math::wrapAngle(pose.heading + noise_.normal(0.0, 2.0 * sigma / config_.robot.robot.length));
-    for (DiscObstacle& disc : sight.discs) disc.position += {noise_.normal(0.0, sigma), noise_.normal(0.0, sigma)};
+    pose.heading =
+        math::wrapAngle(pose.heading + noise_.normal(0.0, 2.0 * sigma / config_.robot.robot.length));
+    for (DiscObstacle& disc : sight.discs)
+      disc.position += {noise_.normal(0.0, sigma), noise_.normal(0.0, sigma)};
   }
   return sight;
 }
@@ -52,8 +54,8 @@ RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds 
   const WheelSpeeds before = robot.wheels;
   robot.wheels.left += std::clamp(command.left - before.left, -change, change);
   robot.wheels.right += std::clamp(command.right - before.right, -change, change);
-  const Twist twist =
-      forwardKinematics(model, {(before.left + robot.wheels.left) / 2, (before.right + robot.wheels.right) / 2});
+  const Twist twist = forwardKinematics(
+      model, {(before.left + robot.wheels.left) / 2, (before.right + robot.wheels.right) / 2});
   const double middle = robot.pose.heading + twist.angular * dt / 2;
   robot.pose.position += math::unit(middle) * (twist.linear * dt);
   robot.pose.heading = math::wrapAngle(robot.pose.heading + twist.angular * dt);

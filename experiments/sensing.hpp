@@ -8,7 +8,8 @@
 
 namespace fulbito {
 
-/// The observation that a navigator gets: delayed, noisy, and rolled forward through the commands given meanwhile.
+/// The observation that a navigator gets: delayed, noisy, and rolled forward through the commands given
+/// meanwhile.
 class Sensing {
  public:
   Sensing(const TrialConfig& config);
@@ -40,7 +41,8 @@ class Sensing {
   std::vector<DiscObstacle> discs_;
 };
 
-/// State of `robot` one tick later when its wheels follow `command` as fast as its motors allow and do not slip.
+/// State of `robot` one tick later when its wheels follow `command` as fast as its motors allow and do not
+/// slip.
 RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt);
 
 }  // namespace fulbito

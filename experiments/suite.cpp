@@ -13,7 +13,8 @@ std::span<const EmbeddedFile> embeddedCases();
 
 namespace {
 
-constexpr double kSquareClearance = 0.0395;  // [m] half the robot's width + 2 mm, for gaps that are entered straight
+constexpr double kSquareClearance =
+    0.0395;  // [m] half the robot's width + 2 mm, for gaps that are entered straight
 
 Layout caseLayout(std::uint64_t, std::uint64_t index) { return namedCases()[index % namedCases().size()]; }
 
@@ -36,17 +37,40 @@ const std::vector<Suite>& suites() {
   using enum ForbiddenContacts;
   const std::vector<double> both = {1.0, 2.6};
   static const std::vector<Suite> all = {
-      {"corner", "N1: corner to corner past four tennis balls", 200, {0.6, 1.0, 2.6}, kAll, 0.058, cornerLayout},
+      {"corner",
+       "N1: corner to corner past four tennis balls",
+       200,
+       {0.6, 1.0, 2.6},
+       kAll,
+       0.058,
+       cornerLayout},
       {"short", "N2: 0.55 to 0.75 m past the same balls", 200, both, kAll, 0.058, shortLayout},
-      {"close-range", "R4-c: 0.58 to 0.72 m along the diagonal between the balls", 200, {0.6}, kAll, 0.058, closeRangeLayout},
-      {"heading", "N3: corner with any initial heading and an arrival heading", 200, both, kAll, 0.058, headingLayout},
-      {"walls", "N4: starts that touch walls and corners, goals near walls and obstacles", 100, both, kObstacles, 0.055, wallsLayout},
-      {"clutter", "N5: robot-sized obstacles, gaps of 1.3 robot widths", 300, both, kAll, kSquareClearance, clutter13Layout},
+      {"close-range",
+       "R4-c: 0.58 to 0.72 m along the diagonal between the balls",
+       200,
+       {0.6},
+       kAll,
+       0.058,
+       closeRangeLayout},
+      {"heading", "N3: corner with any initial heading and an arrival heading", 200, both, kAll, 0.058,
+       headingLayout},
+      {"walls", "N4: starts that touch walls and corners, goals near walls and obstacles", 100, both,
+       kObstacles, 0.055, wallsLayout},
+      {"clutter", "N5: robot-sized obstacles, gaps of 1.3 robot widths", 300, both, kAll, kSquareClearance,
+       clutter13Layout},
       {"clutter-1.1", "N5 with gaps of 1.1 robot widths", 300, both, kAll, kSquareClearance, clutter11Layout},
       {"clutter-1.6", "N5 with gaps of 1.6 robot widths", 300, both, kAll, kSquareClearance, clutter16Layout},
-      {"u-trap", "N5: a U of obstacles between start and goal", 100, both, kAll, kSquareClearance, uTrapLayout},
-      {"moving", "N6: one to five obstacles crossing at 0.3 to 1.5 m/s, bouncing off the walls", 300, both, kOwnMotion, 0.058, movingLayout},
-      {"cases", "named cases: the figures of Jung & Lee (2015)", static_cast<int>(namedCases().size()), {1.0}, kAll, 0.058, caseLayout},
+      {"u-trap", "N5: a U of obstacles between start and goal", 100, both, kAll, kSquareClearance,
+       uTrapLayout},
+      {"moving", "N6: one to five obstacles crossing at 0.3 to 1.5 m/s, bouncing off the walls", 300, both,
+       kOwnMotion, 0.058, movingLayout},
+      {"cases",
+       "named cases: the figures of Jung & Lee (2015)",
+       static_cast<int>(namedCases().size()),
+       {1.0},
+       kAll,
+       0.058,
+       caseLayout},
   };
   return all;
 }

@@ -13,7 +13,7 @@ namespace {
 constexpr double kBall = 0.0335;          // [m] radius of a tennis ball
 constexpr double kRobotHalf = 0.0375;     // [m] half side of the robot
 constexpr double kRobotRadius = 0.05303;  // [m] of the robot's circumscribed circle
-constexpr double kNear = 0.0865;          // [m] robot against ball: closer than this to the line is in the way
+constexpr double kNear = 0.0865;  // [m] robot against ball: closer than this to the line is in the way
 constexpr Vec2 kStart{0.12 - 0.75, 0.12 - 0.65};
 constexpr Vec2 kGoal{1.38 - 0.75, 1.18 - 0.65};
 
@@ -49,7 +49,8 @@ Vec2 anywhere(Rng& rng, double wall_margin) {
   }
 }
 
-/// Four tennis balls that do not overlap: two in the lower left, two in the upper right box of the paper's setting.
+/// Four tennis balls that do not overlap: two in the lower left, two in the upper right box of the paper's
+/// setting.
 std::vector<ObstacleSpec> fourBalls(Rng& rng) {
   std::vector<ObstacleSpec> balls;
   while (balls.size() < 4) {
@@ -119,7 +120,8 @@ Layout scatteredLayout(Rng& rng, const char* suite, std::uint64_t index, double 
   const std::size_t count = 6 + rng.below(5);
   while (layout.obstacles.size() < count) {
     const Vec2 p{rng.uniform(-0.45, 0.45), rng.uniform(-0.6, 0.6)};
-    const bool free = gapTo(layout.obstacles, p) >= gap + kRobotHalf && wallClearance(field(), p) >= gap + kRobotHalf;
+    const bool free =
+        gapTo(layout.obstacles, p) >= gap + kRobotHalf && wallClearance(field(), p) >= gap + kRobotHalf;
     const bool clear_ends = distance(p, layout.start.position) > 0.15 && distance(p, layout.goal) > 0.15;
     if (free && clear_ends) layout.obstacles.push_back(disc(p, kRobotHalf));
   }
@@ -143,13 +145,16 @@ Pose2 facingWall(Rng& rng, Vec2 toward) {
   return {position, math::wrapAngle(math::angleOf(-normal) + off)};
 }
 
-/// The way of a disc that goes straight on and is mirrored by the walls, as waypoints, at least `length` long.
+/// The way of a disc that goes straight on and is mirrored by the walls, as waypoints, at least `length`
+/// long.
 std::vector<Vec2> bouncingPath(Vec2 from, Vec2 direction, double radius, double length) {
   const Vec2 room{field().length / 2 - radius, field().width / 2 - radius};
   std::vector<Vec2> path = {from};
   for (double travelled = 0.0; travelled < length;) {
-    const double to_x = direction.x != 0.0 ? (std::copysign(room.x, direction.x) - from.x) / direction.x : 1e9;
-    const double to_y = direction.y != 0.0 ? (std::copysign(room.y, direction.y) - from.y) / direction.y : 1e9;
+    const double to_x =
+        direction.x != 0.0 ? (std::copysign(room.x, direction.x) - from.x) / direction.x : 1e9;
+    const double to_y =
+        direction.y != 0.0 ? (std::copysign(room.y, direction.y) - from.y) / direction.y : 1e9;
     const double step = std::min(to_x, to_y);
     from += direction * step;
     travelled += step;
@@ -163,7 +168,8 @@ std::vector<Vec2> bouncingPath(Vec2 from, Vec2 direction, double radius, double 
 void scatterBalls(Rng& rng, Layout& layout, std::size_t count, double keep_clear) {
   while (layout.obstacles.size() < count) {
     const Vec2 p = anywhere(rng, 0.12);
-    const bool clear = distance(p, layout.start.position) > keep_clear && distance(p, layout.goal) > keep_clear;
+    const bool clear =
+        distance(p, layout.start.position) > keep_clear && distance(p, layout.goal) > keep_clear;
     if (clear && gapTo(layout.obstacles, p) > 0.13 + kBall) layout.obstacles.push_back(disc(p, kBall));
   }
 }
@@ -181,7 +187,8 @@ Layout shortLayout(std::uint64_t seed, std::uint64_t index) {
   for (;;) {
     layout.obstacles = fourBalls(rng);
     layout.start.position = anywhere(rng, 0.08);
-    layout.goal = layout.start.position + math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.55, 0.75);
+    layout.goal =
+        layout.start.position + math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.55, 0.75);
     const bool on_field = wallClearance(field(), layout.goal) >= 0.08;
     const bool free = gapTo(layout.obstacles, layout.start.position) >= kRobotRadius + 0.02 &&
                       gapTo(layout.obstacles, layout.goal) >= kRobotRadius + 0.02;
@@ -246,7 +253,8 @@ Layout wallsLayout(std::uint64_t seed, std::uint64_t index) {
     case 2:  // the goal so near a wall that the robot just fits
       layout.goal = {rng.uniform(-0.5, 0.5), sy * (0.65 - rng.uniform(0.056, 0.07))};
       break;
-    default: break;
+    default:
+      break;
   }
   while (distance(layout.start.position, layout.goal) < 0.4) layout.goal = anywhere(rng, 0.20);
   scatterBalls(rng, layout, 3, 0.22);
@@ -264,9 +272,15 @@ Layout wallsLayout(std::uint64_t seed, std::uint64_t index) {
   return layout;
 }
 
-Layout clutter11Layout(std::uint64_t seed, std::uint64_t index) { return clutterLayout(seed, index, "clutter-1.1", 1.1); }
-Layout clutter13Layout(std::uint64_t seed, std::uint64_t index) { return clutterLayout(seed, index, "clutter", 1.3); }
-Layout clutter16Layout(std::uint64_t seed, std::uint64_t index) { return clutterLayout(seed, index, "clutter-1.6", 1.6); }
+Layout clutter11Layout(std::uint64_t seed, std::uint64_t index) {
+  return clutterLayout(seed, index, "clutter-1.1", 1.1);
+}
+Layout clutter13Layout(std::uint64_t seed, std::uint64_t index) {
+  return clutterLayout(seed, index, "clutter", 1.3);
+}
+Layout clutter16Layout(std::uint64_t seed, std::uint64_t index) {
+  return clutterLayout(seed, index, "clutter-1.6", 1.6);
+}
 
 Layout uTrapLayout(std::uint64_t seed, std::uint64_t index) {
   Rng rng(seed, Stream::kLayout, index + (std::uint64_t{8} << 32));
@@ -274,7 +288,8 @@ Layout uTrapLayout(std::uint64_t seed, std::uint64_t index) {
   const double y0 = rng.uniform(-0.15, 0.15), x0 = rng.uniform(0.0, 0.15);
   const double step = 2.0 * kRobotHalf + 0.02;
   const int back = 3 + static_cast<int>(rng.below(2));
-  for (int i = 0; i < back; ++i) layout.obstacles.push_back(disc({x0, y0 + (i - (back - 1) / 2.0) * step}, kRobotHalf));
+  for (int i = 0; i < back; ++i)
+    layout.obstacles.push_back(disc({x0, y0 + (i - (back - 1) / 2.0) * step}, kRobotHalf));
   for (int i = 1; i <= 2; ++i) {
     const double edge = ((back - 1) / 2.0 + 0.5) * step;
     layout.obstacles.push_back(disc({x0 - i * step, y0 + edge}, kRobotHalf));
@@ -294,16 +309,19 @@ Layout movingLayout(std::uint64_t seed, std::uint64_t index) {
   headAtGoal(layout);
   const std::size_t count = 1 + rng.below(5);
   while (layout.obstacles.size() < count) {
-    ObstacleSpec o = disc({rng.uniform(-0.5, 0.5), rng.uniform(-0.58, 0.58)}, rng.uniform(kRobotHalf, kRobotRadius));
+    ObstacleSpec o =
+        disc({rng.uniform(-0.5, 0.5), rng.uniform(-0.58, 0.58)}, rng.uniform(kRobotHalf, kRobotRadius));
     const Vec2 from = o.pose.position;
     const bool apart = gapTo(layout.obstacles, from) >= o.radius + 0.02;
-    if (!apart || distance(from, layout.start.position) < 0.25 || distance(from, layout.goal) < 0.25) continue;
+    if (!apart || distance(from, layout.start.position) < 0.25 || distance(from, layout.goal) < 0.25)
+      continue;
     o.motion = ObstacleMotion::kPath;
     o.path_end = PathEnd::kStop;
     o.speed = rng.uniform(0.3, 1.5);
     // Across the way, at least 30 degrees off it, up or down.
     const double side = rng.below(2) == 0 ? 1.0 : -1.0;
-    o.path = bouncingPath(from, math::unit(side * rng.uniform(math::kPi / 6, math::kPi * 5 / 6)), o.radius, 30.0 * o.speed);
+    o.path = bouncingPath(from, math::unit(side * rng.uniform(math::kPi / 6, math::kPi * 5 / 6)), o.radius,
+                          30.0 * o.speed);
     layout.obstacles.push_back(std::move(o));
   }
   return layout;

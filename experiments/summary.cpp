@@ -86,8 +86,8 @@ void summarise(Comparison& comparison) {
   }
 }
 
-PairedDifference compareSafePairs(const Comparison& comparison, std::size_t block, std::size_t a, std::size_t b,
-                                  double hung) {
+PairedDifference compareSafePairs(const Comparison& comparison, std::size_t block, std::size_t a,
+                                  std::size_t b, double hung) {
   const auto first = recordsOf(comparison, block, a), second = recordsOf(comparison, block, b);
   std::vector<double> length_a, length_b, time_a, time_b;
   for (std::size_t i = 0; i < first.size(); ++i) {

@@ -21,8 +21,8 @@ struct LimitPath {
   std::vector<Vec2> points;
 };
 
-/// L*: the shortest way of the robot's centre among the obstacles as they stand at the start. Without one (or where only
-/// moving obstacles are in the way, whose gaps open) it is the straight line.
+/// L*: the shortest way of the robot's centre among the obstacles as they stand at the start. Without one (or
+/// where only moving obstacles are in the way, whose gaps open) it is the straight line.
 LimitPath limitPath(const TrialConfig& config) {
   const Layout& layout = config.layout;
   std::vector<DiscObstacle> discs;
@@ -30,10 +30,12 @@ LimitPath limitPath(const TrialConfig& config) {
     if (spec.motion == ObstacleMotion::kFixed) appendDiscs(spec, {spec.pose, {}}, discs);
   }
   std::vector<Circle> circles;
-  for (const DiscObstacle& disc : discs) circles.push_back({disc.position, disc.radius + config.limit_clearance});
+  for (const DiscObstacle& disc : discs)
+    circles.push_back({disc.position, disc.radius + config.limit_clearance});
   TangentGraph graph;
   LimitPath limit;
-  if (graph.search(layout.start.position, layout.goal, circles, &config.field, config.robot.robot.width / 2)) {
+  if (graph.search(layout.start.position, layout.goal, circles, &config.field,
+                   config.robot.robot.width / 2)) {
     limit.length = graph.length();
     graph.sample(kLimitSpacing, limit.points);
   } else {
@@ -60,7 +62,8 @@ NavigationGoal goalOf(const Layout& layout) {
 TrialRules rulesOf(const TrialConfig& config, double length_limit) {
   TrialRules rules;
   rules.length_limit = length_limit;
-  rules.time_limit = timeBound(length_limit, config.robot.robot.maxSpeed(), config.robot.robot.wheel_acceleration);
+  rules.time_limit =
+      timeBound(length_limit, config.robot.robot.maxSpeed(), config.robot.robot.wheel_acceleration);
   rules.forbidden = config.forbidden;
   return rules;
 }
@@ -72,10 +75,12 @@ Result<void> check(const TrialConfig& config) {
     return fail(ErrorCode::kUsage, fmt::format("speed: {} is outside 0.05 ... 10 m/s", speed));
   }
   if (config.sensors.latency_ticks < 0 || config.sensors.latency_ticks > 60) {
-    return fail(ErrorCode::kUsage, fmt::format("latency: {} is outside 0 ... 60 ticks", config.sensors.latency_ticks));
+    return fail(ErrorCode::kUsage,
+                fmt::format("latency: {} is outside 0 ... 60 ticks", config.sensors.latency_ticks));
   }
   if (!(config.sensors.position_noise >= 0.0 && config.sensors.position_noise <= 0.1)) {
-    return fail(ErrorCode::kUsage, fmt::format("noise: {} is outside 0 ... 0.1 m", config.sensors.position_noise));
+    return fail(ErrorCode::kUsage,
+                fmt::format("noise: {} is outside 0 ... 0.1 m", config.sensors.position_noise));
   }
   return {};
 }
@@ -142,7 +147,8 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock) {
     sensing.observe(world->state());
     over = referee.observe(world->state(), world->contacts(), command);
     hash.add(world->state());
-    result.trace.push_back({static_cast<double>(world->state().tick) * dt, world->state().robots.front(), command});
+    result.trace.push_back(
+        {static_cast<double>(world->state().tick) * dt, world->state().robots.front(), command});
   }
   result.score = referee.score();
   result.final_hash = hash.value();

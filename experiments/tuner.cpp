@@ -11,8 +11,9 @@
 namespace fulbito {
 namespace {
 
-constexpr std::uint64_t kTrainingSeedOffset = 1000003;  // training layouts are not those that the method is judged on
-constexpr double kLocalSpread = 0.1;                    // of a parameter's range, near the best
+constexpr std::uint64_t kTrainingSeedOffset =
+    1000003;                          // training layouts are not those that the method is judged on
+constexpr double kLocalSpread = 0.1;  // of a parameter's range, near the best
 
 using Point = std::vector<double>;
 
@@ -31,7 +32,8 @@ Result<Space> spaceOf(const std::string& specification) {
     if (!held && spec.type == ParameterSpec::Type::kNumber) space.parameters.push_back(spec);
   }
   if (space.parameters.empty()) {
-    return fail(ErrorCode::kUsage, fmt::format("--tune: '{}' has no numeric parameter to tune", specification));
+    return fail(ErrorCode::kUsage,
+                fmt::format("--tune: '{}' has no numeric parameter to tune", specification));
   }
   return space;
 }
@@ -56,7 +58,8 @@ Point draw(const Space& space, Rng& rng, const Point& best, bool local) {
   for (std::size_t i = 0; i < space.parameters.size(); ++i) {
     const ParameterSpec& spec = space.parameters[i];
     const double range = spec.maximum - spec.minimum;
-    const double value = local ? best[i] + rng.normal(0.0, kLocalSpread * range) : rng.uniform(spec.minimum, spec.maximum);
+    const double value =
+        local ? best[i] + rng.normal(0.0, kLocalSpread * range) : rng.uniform(spec.minimum, spec.maximum);
     point.push_back(std::clamp(value, spec.minimum, spec.maximum));
   }
   return point;

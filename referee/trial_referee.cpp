@@ -9,15 +9,16 @@
 namespace fulbito {
 namespace {
 
-constexpr double kOwnMotionSpeed = 0.02;     // [m/s] toward the contact point
-constexpr double kPushedFor = 0.5;           // [s] after a push a robot's motion is not its own
-constexpr double kCurvatureJump = 10.0;      // [1/m] in one tick
-constexpr double kCurvatureMinSpeed = 0.1;   // [m/s] below it a curvature means nothing
-constexpr double kRestDistance = 0.01;       // [m]
-constexpr double kRestTurn = 0.35;           // [rad] 20 degrees
-constexpr double kOutside = -0.01;           // [m] beyond the contour at which a robot's centre has left the field
+constexpr double kOwnMotionSpeed = 0.02;    // [m/s] toward the contact point
+constexpr double kPushedFor = 0.5;          // [s] after a push a robot's motion is not its own
+constexpr double kCurvatureJump = 10.0;     // [1/m] in one tick
+constexpr double kCurvatureMinSpeed = 0.1;  // [m/s] below it a curvature means nothing
+constexpr double kRestDistance = 0.01;      // [m]
+constexpr double kRestTurn = 0.35;          // [rad] 20 degrees
+constexpr double kOutside = -0.01;  // [m] beyond the contour at which a robot's centre has left the field
 
-/// Share of the step from `a` to `b` after which the circle about `centre` is entered; 1 when only `b` is inside.
+/// Share of the step from `a` to `b` after which the circle about `centre` is entered; 1 when only `b` is
+/// inside.
 double entry(Vec2 a, Vec2 b, Vec2 centre, double radius) {
   const Vec2 d = b - a, f = a - centre;
   const double qa = dot(d, d), qb = dot(f, d), qc = dot(f, f) - radius * radius;
@@ -39,7 +40,8 @@ TrialReferee::TrialReferee(const Layout& layout, const FieldGeometry& field, con
   rest_pose_ = layout.start;
 }
 
-bool TrialReferee::observe(const WorldState& world, std::span<const ContactEvent> contacts, WheelSpeeds command) {
+bool TrialReferee::observe(const WorldState& world, std::span<const ContactEvent> contacts,
+                           WheelSpeeds command) {
   const RobotState& robot = world.robots.front();
   ++ticks_;
   judgeContacts(contacts);
@@ -128,7 +130,8 @@ void TrialReferee::watchProgress(const RobotState& robot) {
 bool TrialReferee::arrived(const RobotState& robot) {
   const Vec2 from = last_.pose.position, to = robot.pose.position;
   // A fast robot may cross the circle within a tick: the segment counts, not only its end.
-  const double along = std::clamp(dot(layout_.goal - from, to - from) / std::max(squaredNorm(to - from), 1e-18), 0.0, 1.0);
+  const double along =
+      std::clamp(dot(layout_.goal - from, to - from) / std::max(squaredNorm(to - from), 1e-18), 0.0, 1.0);
   if (distance(from + (to - from) * along, layout_.goal) > layout_.goal_tolerance) return false;
   if (layout_.goal_heading) {
     const double error = math::wrapAngle(robot.pose.heading - *layout_.goal_heading);
@@ -144,9 +147,12 @@ bool TrialReferee::arrived(const RobotState& robot) {
 
 bool TrialReferee::spoiled() const {
   switch (rules_.forbidden) {
-    case ForbiddenContacts::kAll: return score_.obstacle_contacts + score_.wall_contacts > 0;
-    case ForbiddenContacts::kObstacles: return score_.obstacle_contacts > 0;
-    case ForbiddenContacts::kOwnMotion: return score_.own_contacts > 0;
+    case ForbiddenContacts::kAll:
+      return score_.obstacle_contacts + score_.wall_contacts > 0;
+    case ForbiddenContacts::kObstacles:
+      return score_.obstacle_contacts > 0;
+    case ForbiddenContacts::kOwnMotion:
+      return score_.own_contacts > 0;
   }
   return true;
 }

@@ -21,13 +21,15 @@ struct TrialRules {
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;
 };
 
-/// Watches one navigation trial, tick by tick, and scores it. Pure: sees values only, reads no clock, draws no numbers.
+/// Watches one navigation trial, tick by tick, and scores it. Pure: sees values only, reads no clock, draws
+/// no numbers.
 class TrialReferee {
  public:
-  TrialReferee(const Layout& layout, const FieldGeometry& field, const RobotModel& robot, const TrialRules& rules,
-               double dt);
+  TrialReferee(const Layout& layout, const FieldGeometry& field, const RobotModel& robot,
+               const TrialRules& rules, double dt);
 
-  /// Looks at the world after a tick. The robot is the world's robot 0; `command` is what drove it in this tick.
+  /// Looks at the world after a tick. The robot is the world's robot 0; `command` is what drove it in this
+  /// tick.
   /// @return true when the trial is over
   bool observe(const WorldState& world, std::span<const ContactEvent> contacts, WheelSpeeds command);
 

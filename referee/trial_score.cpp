@@ -6,11 +6,16 @@ namespace fulbito {
 
 std::string_view nameOf(TrialOutcome outcome) {
   switch (outcome) {
-    case TrialOutcome::kReached: return "reached";
-    case TrialOutcome::kCollided: return "collided";
-    case TrialOutcome::kStuck: return "stuck";
-    case TrialOutcome::kTimedOut: return "timed-out";
-    case TrialOutcome::kLeftField: return "left-field";
+    case TrialOutcome::kReached:
+      return "reached";
+    case TrialOutcome::kCollided:
+      return "collided";
+    case TrialOutcome::kStuck:
+      return "stuck";
+    case TrialOutcome::kTimedOut:
+      return "timed-out";
+    case TrialOutcome::kLeftField:
+      return "left-field";
   }
   return "unknown";
 }

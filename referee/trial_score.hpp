@@ -6,9 +6,9 @@ namespace fulbito {
 
 /// How a navigation trial ended.
 enum class TrialOutcome {
-  kReached,    ///< arrived (with the heading, where one is wanted) without a contact that the rules forbid
-  kCollided,   ///< touched what the rules forbid; the run went on, so that the rest of the score is known
-  kStuck,      ///< did not move or turn for `TrialRules::stuck_after`
+  kReached,   ///< arrived (with the heading, where one is wanted) without a contact that the rules forbid
+  kCollided,  ///< touched what the rules forbid; the run went on, so that the rest of the score is known
+  kStuck,     ///< did not move or turn for `TrialRules::stuck_after`
   kTimedOut,
   kLeftField,
 };
@@ -26,31 +26,32 @@ enum class ForbiddenContacts {
 /// The figures of one navigation trial.
 struct TrialScore {
   TrialOutcome outcome = TrialOutcome::kTimedOut;
-  bool arrived = false;              ///< was at the goal in the end, also after a contact
-  double time = 0.0;                 ///< [s] until arrival, interpolated within the last tick, or until the end of the trial
-  double length = 0.0;               ///< [m] driven
-  double length_limit = 0.0;         ///< [m] L*, shortest possible
-  double time_limit = 0.0;           ///< [s] T*, see timeBound
-  int obstacle_contacts = 0;         ///< contacts that began
+  bool arrived = false;  ///< was at the goal in the end, also after a contact
+  double time = 0.0;  ///< [s] until arrival, interpolated within the last tick, or until the end of the trial
+  double length = 0.0;        ///< [m] driven
+  double length_limit = 0.0;  ///< [m] L*, shortest possible
+  double time_limit = 0.0;    ///< [s] T*, see timeBound
+  int obstacle_contacts = 0;  ///< contacts that began
   int wall_contacts = 0;
-  int own_contacts = 0;              ///< of the obstacle contacts: the robot moved faster than 2 cm/s toward the contact point,
-                                     ///< and no obstacle had pushed it in the half second before
-  double contact_impulse = 0.0;      ///< [kg m/s] summed
-  double min_clearance = 0.0;        ///< [m] of the true body to obstacles and walls
-  double mean_clearance = 0.0;       ///< [m] over time
-  double turning = 0.0;              ///< [rad] sum of |change of heading|
-  int curvature_jumps = 0;           ///< ticks at which the driven curvature changed by more than 10 /m at over 0.1 m/s
-  double wheel_jerk = 0.0;           ///< [m/s^3] RMS of the commanded rim speeds' second difference
-  double heading_error = 0.0;        ///< [rad] at arrival, where a heading is wanted; else 0
-  double longest_stuck = 0.0;        ///< [s] longest time without moving 1 cm or turning 20 degrees
+  int own_contacts = 0;  ///< of the obstacle contacts: the robot moved faster than 2 cm/s toward the contact
+                         ///< point, and no obstacle had pushed it in the half second before
+  double contact_impulse = 0.0;  ///< [kg m/s] summed
+  double min_clearance = 0.0;    ///< [m] of the true body to obstacles and walls
+  double mean_clearance = 0.0;   ///< [m] over time
+  double turning = 0.0;          ///< [rad] sum of |change of heading|
+  int curvature_jumps =
+      0;  ///< ticks at which the driven curvature changed by more than 10 /m at over 0.1 m/s
+  double wheel_jerk = 0.0;     ///< [m/s^3] RMS of the commanded rim speeds' second difference
+  double heading_error = 0.0;  ///< [rad] at arrival, where a heading is wanted; else 0
+  double longest_stuck = 0.0;  ///< [s] longest time without moving 1 cm or turning 20 degrees
 
   bool success() const { return outcome == TrialOutcome::kReached; }
   double lengthRatio() const { return length / length_limit; }
   double timeRatio() const { return time / time_limit; }
 };
 
-/// Least time [s] for `length` [m] from rest with no stop at the end: `L/v + v/2a`, or `sqrt(2L/a)` when the top speed is not
-/// reached (docs/scoring.md; the form of paper 000, Table 4).
+/// Least time [s] for `length` [m] from rest with no stop at the end: `L/v + v/2a`, or `sqrt(2L/a)` when the
+/// top speed is not reached (docs/scoring.md; the form of paper 000, Table 4).
 double timeBound(double length, double max_speed, double acceleration);
 
 }  // namespace fulbito

@@ -16,9 +16,10 @@ struct BodyId {
   friend bool operator==(BodyId, BodyId) = default;
 };
 
-/// Two bodies that touched during a control tick. Events come in the order of (a, b), never in the engine's own order.
+/// Two bodies that touched during a control tick. Events come in the order of (a, b), never in the engine's
+/// own order.
 struct ContactEvent {
-  BodyId a;              ///< the body that comes first in the order walls, robots, balls, obstacles
+  BodyId a;  ///< the body that comes first in the order walls, robots, balls, obstacles
   BodyId b;
   Vec2 point;            ///< [m] world frame, at the first impulse of the tick
   Vec2 normal;           ///< unit, from a to b

@@ -47,7 +47,9 @@ double axisGap(const Rectangle& a, const Corners& b) {
 
 Rectangle bodyOf(const RobotModel& robot, const Pose2& pose) { return {pose, robot.length, robot.width}; }
 
-double clearance(const Rectangle& body, Vec2 centre, double radius) { return pointClearance(body, centre) - radius; }
+double clearance(const Rectangle& body, Vec2 centre, double radius) {
+  return pointClearance(body, centre) - radius;
+}
 
 double clearance(const Rectangle& a, const Rectangle& b) {
   const Corners corners_a = cornersOf(a), corners_b = cornersOf(b);

@@ -1,11 +1,10 @@
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -39,14 +38,18 @@ struct Sandbox {
   Sandbox& operator=(const Sandbox&) = delete;
 
   Output run(const std::string& arguments) const {
-    const std::string command = "cd '" + path.string() + "' && '" FULBITO_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    const std::string command =
+        "cd '" + path.string() + "' && '" FULBITO_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
     const int status = std::system(command.c_str());
-    Output output{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(path / "out.txt"), contentOf(path / "err.txt")};
+    Output output{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(path / "out.txt"),
+                  contentOf(path / "err.txt")};
     fs::remove(path / "out.txt");
     fs::remove(path / "err.txt");
     return output;
   }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name, std::ios::binary) << text; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+  }
 };
 
 /// Removes what is measured: keys that begin with compute_ or wall_.
@@ -95,8 +98,10 @@ TEST_CASE("wrong words are usage errors with a suggestion, and say nothing on st
   expect("comapre", "there is no command 'comapre'. Did you mean 'compare'?");
   expect("compare --trails 3", "Did you mean '--trials'?");
   expect("compare --suite cornr", "Did you mean 'corner'?");
-  expect("compare --suite corner --navigators bezir", "there is no navigator 'bezir'. Did you mean 'bezier'?");
-  expect("compare --suite corner --navigators bezier:clearance=9", "parameter 'clearance': '9' is not a number from");
+  expect("compare --suite corner --navigators bezir",
+         "there is no navigator 'bezir'. Did you mean 'bezier'?");
+  expect("compare --suite corner --navigators bezier:clearance=9",
+         "parameter 'clearance': '9' is not a number from");
   expect("compare --suite corner --navigators bezier:clearance", "is not of the form name=value");
   expect("compare --suite corner --trials abc", "--trials");
   expect("compare --suite corner --trials -4", "--trials");
@@ -140,7 +145,8 @@ TEST_CASE("bad input files are named with line and key", "[cli]") {
 TEST_CASE("an output folder that cannot be written is found before work begins", "[cli]") {
   const Sandbox box;
   box.write("file", "x");
-  const Output output = box.run("compare --suite corner --navigators bezier --trials 1 --speeds 1 --out file/below");
+  const Output output =
+      box.run("compare --suite corner --navigators bezier --trials 1 --speeds 1 --out file/below");
   CHECK(output.code == 5);
   CHECK(output.out.empty());
   CHECK(output.err.find("file/below") != std::string::npos);
@@ -172,14 +178,16 @@ TEST_CASE("a layout of one's own is driven", "[cli]") {
   const Output shown = box.run("show case fig1-abrupt-turns");
   REQUIRE(shown.code == 0);
   box.write("mine.toml", shown.out);
-  const Output named = box.run("run --layout fig1-abrupt-turns --json"), own = box.run("run --layout mine.toml --json");
+  const Output named = box.run("run --layout fig1-abrupt-turns --json"),
+               own = box.run("run --layout mine.toml --json");
   REQUIRE(own.code == 0);
   CHECK(Json::parse(own.out)["final_hash"] == Json::parse(named.out)["final_hash"]);
 }
 
 TEST_CASE("compare writes results, trials and pictures, the same for any number of jobs", "[cli]") {
   const Sandbox box;
-  const std::string common = "compare --suite corner --navigators bezier straight --speeds 1.0,2.6 --trials 3 --pictures 1 --json ";
+  const std::string common =
+      "compare --suite corner --navigators bezier straight --speeds 1.0,2.6 --trials 3 --pictures 1 --json ";
   const Output one = box.run(common + "--jobs 1 --out one"), two = box.run(common + "--jobs 3 --out two");
   REQUIRE(one.code == 0);
   Json a = Json::parse(one.out), b = Json::parse(two.out);
@@ -198,7 +206,8 @@ TEST_CASE("compare writes results, trials and pictures, the same for any number 
 
 TEST_CASE("compare prints tables, and one layout again with --only", "[cli]") {
   const Sandbox box;
-  const Output output = box.run("compare --suite short --navigators bezier --speeds 1 --trials 20 --only 17 --out o");
+  const Output output =
+      box.run("compare --suite short --navigators bezier --speeds 1 --trials 20 --only 17 --out o");
   CHECK(output.code == 0);
   CHECK(output.out.find("### short at 1.0 m/s, 1 layout") != std::string::npos);
   CHECK(fs::exists(box.path / "o/short-17-1.0.png"));
@@ -207,18 +216,21 @@ TEST_CASE("compare prints tables, and one layout again with --only", "[cli]") {
 TEST_CASE("latency, noise, physics and robot can be chosen", "[cli]") {
   const Sandbox box;
   const Output output = box.run(
-      "run --latency 3 --noise 0.001 --physics faithful --robot vsss --speed 1.0 --seed 5 --layout corner:1 --json");
+      "run --latency 3 --noise 0.001 --physics faithful --robot vsss --speed 1.0 --seed 5 --layout corner:1 "
+      "--json");
   REQUIRE(output.code == 0);
   CHECK(Json::parse(output.out)["physics"] == "faithful");
   const Output again = box.run(
-      "run --latency 3 --noise 0.001 --physics faithful --robot vsss --speed 1.0 --seed 5 --layout corner:1 --json");
+      "run --latency 3 --noise 0.001 --physics faithful --robot vsss --speed 1.0 --seed 5 --layout corner:1 "
+      "--json");
   CHECK(Json::parse(output.out)["final_hash"] == Json::parse(again.out)["final_hash"]);
 }
 
 TEST_CASE("list and show print every kind, as text and JSON", "[cli]") {
   const Sandbox box;
   for (const char* kind : {"navigators", "suites", "cases", "robots", "physics", "fields"}) {
-    const Output text = box.run(std::string("list ") + kind), json = box.run(std::string("list ") + kind + " --json");
+    const Output text = box.run(std::string("list ") + kind),
+                 json = box.run(std::string("list ") + kind + " --json");
     CHECK(text.code == 0);
     CHECK(Json::parse(json.out)[kind].size() >= 3);
   }
@@ -256,7 +268,8 @@ TEST_CASE("Ctrl-C ends a comparison with exit code 130 and nothing half-written"
         std::freopen("/dev/null", "w", stderr) == nullptr) {
       ::_exit(99);
     }
-    ::execl(FULBITO_PROGRAM, "fulbito", "compare", "--suite", "corner", "--trials", "20000", "--out", "o", nullptr);
+    ::execl(FULBITO_PROGRAM, "fulbito", "compare", "--suite", "corner", "--trials", "20000", "--out", "o",
+            nullptr);
     ::_exit(99);
   }
   while (!fs::exists(box.path / "o")) ::usleep(10000);

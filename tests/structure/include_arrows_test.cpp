@@ -12,7 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Who may include whom: each folder may use itself, the folders named here and what those may use is not implied.
+/// Who may include whom: each folder may use itself, the folders named here and what those may use is not
+/// implied.
 const std::map<std::string, std::set<std::string>> kArrows = {
     {"engine/core", {}},
     {"engine/sim", {"engine/core"}},
@@ -21,10 +22,12 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"replays/render", {"engine/core"}},
     {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
-    {"apps", {"engine/core", "engine/sim", "navigation", "referee", "replays/render", "experiments", "bench"}},
+    {"apps",
+     {"engine/core", "engine/sim", "navigation", "referee", "replays/render", "experiments", "bench"}},
 };
 
-/// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp` and Eigen alone.
+/// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp`
+/// and Eigen alone.
 const std::map<std::string, std::set<std::string>> kLibraries = {
     {"engine/core", {"fmt", "tl", "toml++", "Random123", "xxhash.h"}},
     {"engine/sim", {"box2d", "fmt"}},
@@ -36,8 +39,10 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"apps", {"fmt", "nlohmann", "CLI"}},
 };
 
-const std::set<std::string> kKnownLibraries = {"fmt",  "tl",   "toml++",    "Random123",           "xxhash.h", "box2d",  "SDL.h",
-                                               "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h",    "nlohmann", "CLI", "Eigen"};
+const std::set<std::string> kKnownLibraries = {
+    "fmt",   "tl",       "toml++", "Random123", "xxhash.h",
+    "box2d", "SDL.h",    "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
+    "png.h", "nlohmann", "CLI",    "Eigen"};
 
 std::string folderOf(const std::string& path) {
   std::string best;
@@ -61,7 +66,8 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
     const std::string target = match[2];
     if (match[1] == "\"") {
       const std::string other = folderOf(target);
-      if (other.empty() || (other != folder && kArrows.at(folder).count(other) == 0)) found.push_back(path + " -> " + target);
+      if (other.empty() || (other != folder && kArrows.at(folder).count(other) == 0))
+        found.push_back(path + " -> " + target);
       continue;
     }
     const std::string library = target.substr(0, target.find('/'));
@@ -85,7 +91,8 @@ TEST_CASE("includes follow the arrows of the architecture", "[unit]") {
       const std::string path = fs::relative(entry.path(), FULBITO_SOURCE_DIR);
       if (folderOf(path) != folder) continue;
       std::ifstream in(entry.path());
-      for (const std::string& v : violations(path, {std::istreambuf_iterator<char>(in), {}})) found.push_back(v);
+      for (const std::string& v : violations(path, {std::istreambuf_iterator<char>(in), {}}))
+        found.push_back(v);
       ++files;
     }
   }

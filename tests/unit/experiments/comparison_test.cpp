@@ -43,11 +43,13 @@ TEST_CASE("results are the same bytes on any number of threads", "[unit]") {
 
 TEST_CASE("results.json has the documented keys", "[unit]") {
   const auto json = nlohmann::json::parse(resultsJson(ran(small("corner")), 1.5));
-  for (const char* key : {"schema_version", "suite", "seed", "build", "config", "summary", "wall_seconds"}) CHECK(json.contains(key));
+  for (const char* key : {"schema_version", "suite", "seed", "build", "config", "summary", "wall_seconds"})
+    CHECK(json.contains(key));
   REQUIRE(json["summary"].size() == 2);
-  for (const char* key : {"suite", "speed", "navigator", "trials", "success_rate", "success_low", "success_high", "contacts",
-                          "safe_pairs", "length_ratio", "time_ratio", "time_ratio_all", "path_length_m", "time_s",
-                          "min_clearance_m", "compute_us_p50", "compute_us_p99"}) {
+  for (const char* key :
+       {"suite", "speed", "navigator", "trials", "success_rate", "success_low", "success_high", "contacts",
+        "safe_pairs", "length_ratio", "time_ratio", "time_ratio_all", "path_length_m", "time_s",
+        "min_clearance_m", "compute_us_p50", "compute_us_p99"}) {
     CHECK(json["summary"][0].contains(key));
   }
   CHECK(json["summary"][1]["navigator"] == "bezier");
@@ -58,7 +60,8 @@ TEST_CASE("a failure counts as eight times the bound in time_ratio_all", "[unit]
   const Comparison comparison = ran(small("corner"));
   const SummaryRow& straight = comparison.summary[0];
   double expected = 0.0;
-  for (const TrialRecord& r : recordsOf(comparison, 0, 0)) expected += r.score.success() ? r.score.timeRatio() : 8.0;
+  for (const TrialRecord& r : recordsOf(comparison, 0, 0))
+    expected += r.score.success() ? r.score.timeRatio() : 8.0;
   CHECK(straight.success.value < 1.0);
   CHECK(straight.time_ratio_all == Approx(expected / 4));
 }
@@ -77,7 +80,9 @@ TEST_CASE("safe pairs are the layouts that both solved", "[unit]") {
   const Comparison comparison = ran(small("corner"));
   int both = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    both += recordsOf(comparison, 0, 0)[i].score.success() && recordsOf(comparison, 0, 1)[i].score.success() ? 1 : 0;
+    both += recordsOf(comparison, 0, 0)[i].score.success() && recordsOf(comparison, 0, 1)[i].score.success()
+                ? 1
+                : 0;
   }
   CHECK(comparison.summary[0].safe_pairs == both);
   CHECK(compareSafePairs(comparison, 0, 1, 0).pairs == both);

@@ -79,7 +79,8 @@ TEST_CASE("boxes are covered by discs", "[unit]") {
   std::vector<DiscObstacle> discs;
   appendDiscs(box, {{{0.5, 0.5}, math::kPi / 2}, {}}, discs);
   REQUIRE(discs.size() == 3);
-  for (Vec2 corner : {Vec2{0.45, 0.35}, Vec2{0.55, 0.35}, Vec2{0.45, 0.65}, Vec2{0.55, 0.65}, Vec2{0.55, 0.45}}) {
+  for (Vec2 corner :
+       {Vec2{0.45, 0.35}, Vec2{0.55, 0.35}, Vec2{0.45, 0.65}, Vec2{0.55, 0.65}, Vec2{0.55, 0.45}}) {
     double nearest = 1e9;
     for (const DiscObstacle& d : discs) nearest = std::min(nearest, distance(d.position, corner) - d.radius);
     CHECK(nearest < 1e-12);

@@ -47,13 +47,15 @@ TEST_CASE("corner layouts are the paper's setting", "[unit]") {
   }
 }
 
-TEST_CASE("the barrier of a clutter layout has one gap of the stated width and no other that a robot fits", "[unit]") {
+TEST_CASE("the barrier of a clutter layout has one gap of the stated width and no other that a robot fits",
+          "[unit]") {
   for (std::uint64_t i = 0; i < 40; i += 2) {
     const Layout layout = clutter13Layout(5, i);
     int passable = 0;
     double widest = 0.0;
     for (std::size_t k = 1; k < layout.obstacles.size(); ++k) {
-      const double gap = distance(layout.obstacles[k].pose.position, layout.obstacles[k - 1].pose.position) - 0.075;
+      const double gap =
+          distance(layout.obstacles[k].pose.position, layout.obstacles[k - 1].pose.position) - 0.075;
       passable += gap >= 0.075 ? 1 : 0;
       widest = std::max(widest, gap);
     }
@@ -65,8 +67,9 @@ TEST_CASE("the barrier of a clutter layout has one gap of the stated width and n
 TEST_CASE("the paper's figures are all there as named cases", "[unit]") {
   std::set<std::string> names;
   for (const Layout& layout : namedCases()) names.insert(layout.name);
-  for (const char* name : {"fig1-abrupt-turns", "fig2a-ball-in-offset", "fig2b-repulsion-after-passing", "fig3-needless-motion",
-                           "fig4-wall", "fig5-corner", "fig6-two-turns", "fig7-close-obstacle", "fig8-close-obstacles"}) {
+  for (const char* name :
+       {"fig1-abrupt-turns", "fig2a-ball-in-offset", "fig2b-repulsion-after-passing", "fig3-needless-motion",
+        "fig4-wall", "fig5-corner", "fig6-two-turns", "fig7-close-obstacle", "fig8-close-obstacles"}) {
     CHECK(names.count(name) == 1);
   }
 }

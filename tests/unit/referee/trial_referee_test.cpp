@@ -85,7 +85,8 @@ TEST_CASE("arrival with the wrong heading does not count where a heading is want
 TEST_CASE("a contact spoils a trial as its rules say", "[unit]") {
   Drive drive;
   const ContactEvent wall{{BodyKind::kWall, 0}, {BodyKind::kRobot, 0}, {-0.6, 0.0}, {1.0, 0.0}, 0.02, true};
-  const ContactEvent obstacle{{BodyKind::kRobot, 0}, {BodyKind::kObstacle, 0}, {-0.6, 0.0}, {-1.0, 0.0}, 0.03, true};
+  const ContactEvent obstacle{
+      {BodyKind::kRobot, 0}, {BodyKind::kObstacle, 0}, {-0.6, 0.0}, {-1.0, 0.0}, 0.03, true};
   CHECK(drive.run({1.0, 0.0}, {wall}).outcome == TrialOutcome::kCollided);
   CHECK(drive.run({1.0, 0.0}, {obstacle}).outcome == TrialOutcome::kCollided);
   drive.rules.forbidden = ForbiddenContacts::kObstacles;
@@ -102,7 +103,8 @@ TEST_CASE("a contact spoils a trial as its rules say", "[unit]") {
 TEST_CASE("a contact is by own motion when the robot drove at it", "[unit]") {
   Drive drive;
   TrialReferee referee(drive.layout, drive.field, drive.robot, drive.rules, kDt);
-  const ContactEvent ahead{{BodyKind::kRobot, 0}, {BodyKind::kObstacle, 0}, {0.0, 0.0}, {1.0, 0.0}, 0.01, true};
+  const ContactEvent ahead{
+      {BodyKind::kRobot, 0}, {BodyKind::kObstacle, 0}, {0.0, 0.0}, {1.0, 0.0}, 0.01, true};
   drive.advance(referee, {1.0, 0.0});
   drive.advance(referee, {1.0, 0.0}, {ahead});
   CHECK(referee.score().own_contacts == 1);
@@ -122,11 +124,11 @@ TEST_CASE("a robot that an obstacle throws at the next one did not drive there",
   };
   drive.advance(referee, {0.0, 0.0}, {contact(-0.6)});  // hit from behind at rest
   drive.advance(referee, {1.0, 0.0});
-  drive.advance(referee, {1.0, 0.0}, {contact(0.5)});   // flies into the next
+  drive.advance(referee, {1.0, 0.0}, {contact(0.5)});  // flies into the next
   CHECK(referee.score().obstacle_contacts == 2);
   CHECK(referee.score().own_contacts == 0);
   for (int i = 0; i < 40; ++i) drive.advance(referee, {0.1, 0.0});
-  drive.advance(referee, {0.1, 0.0}, {contact(0.5)});   // half a second later it drives by itself
+  drive.advance(referee, {0.1, 0.0}, {contact(0.5)});  // half a second later it drives by itself
   CHECK(referee.score().own_contacts == 1);
 }
 
