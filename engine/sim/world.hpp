@@ -51,23 +51,23 @@ struct BodyId {
   friend bool operator==(BodyId, BodyId) = default;
 };
 
-/// Two bodies that touched during a control tick. Events come in the order of (a, b), never in the engine's
-/// own order.
+/// Two bodies that pressed on each other during a control tick: being near without force is no contact. One
+/// event a pair and tick, in the order of (a, b), never in the engine's own order.
 struct ContactEvent {
   BodyId a;  ///< the body that comes first in the order walls, robots, balls, obstacles
   BodyId b;
   Vec2 point;            ///< [m] world frame, at the first impulse of the tick
   Vec2 normal;           ///< unit, from a to b
   double impulse = 0.0;  ///< [kg m/s] along the normal, summed over the tick
-  bool began = false;    ///< the two did not touch at the end of the tick before
+  bool began = false;    ///< the two did not touch in the tick before, with or without force
 };
 
 /// A fixed-step rigid-body world: walls, goals, corner triangles, robots, balls and obstacles.
 /// Reset means: make a new one. Single-threaded; separate worlds may run on separate threads.
 class World {
  public:
-  /// Errors: kUsage or kBadInput naming the value that is out of range (positions must be finite and inside
-  /// the field).
+  /// Errors: kBadInput naming the robot, ball or obstacle (counted from 0), the value and its range; positions
+  /// must be inside the field. Bodies may overlap: the engine pushes them apart.
   static Result<World> create(const WorldConfig& config);
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
