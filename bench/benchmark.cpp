@@ -189,7 +189,7 @@ std::string toTable(const BenchReport& report) {
   std::string text = fmt::format("{:<6}{:>6} {:<8}{:>10}{:>10}{:>8}{:>8}{:>10}{:>10}\n", "scene", "Hz",
                                  "load", "engine x", "bare x", "ratio", "min", "contacts", "bare");
   for (const BenchScene& s : report.scenes) {
-    text += fmt::format("{:<6}{:>6} {:<8}{:>10.0f}{:>10.0f}{:>8.3f}{:>8.3f}{:>10.2f}{:>10.2f}\n", s.name,
+    text += fmt::format("{:<6}{:>6} {:<8}{:>10.0f}{:>10.0f}{:>8.3f}{:>8.3f}{:>10.3f}{:>10.3f}\n", s.name,
                         s.rate_hz, s.load, s.engine_x_realtime, s.bare_x_realtime, s.ratio, s.ratio_min,
                         s.engine_contacts, s.bare_contacts);
   }

@@ -15,7 +15,7 @@ struct BallModel {
   double roll_deceleration = 0.14;  ///< [m/s^2] while rolling
   double stop_speed = 0.01;         ///< [m/s] below this a rolling ball rests
   double wall_restitution = 0.50;   ///< speed kept along the normal at a wall, before the spin settles
-  double wall_spin_keep = 0.30;     ///< share of the spin along the normal that survives an impact
+  double wall_spin_keep = 0.306;    ///< share of the spin along the normal that survives an impact
   double robot_restitution = 0.04;  ///< against robots and obstacles
   double friction = 0.1;            ///< against everything
 };

@@ -46,8 +46,8 @@ struct WorldConfig {
 /// Reset means: make a new one. Single-threaded; separate worlds may run on separate threads.
 class World {
  public:
-  /// Errors: kUsage or kBadInput naming the value that is out of range (positions must be finite and inside
-  /// the field).
+  /// Errors: kBadInput naming the robot, ball or obstacle (counted from 0), the value and its range;
+  /// positions must be inside the field. Bodies may overlap: the engine pushes them apart.
   static Result<World> create(const WorldConfig& config);
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
