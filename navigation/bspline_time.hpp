@@ -43,6 +43,7 @@ class BsplineTime final : public Navigator {
 
   bool goalMoved(const NavigationScene& scene) const;
   bool needsPlan(const NavigationScene& scene, double off_path) const;
+  SeedRequest setTask(const NavigationScene& scene, double speed);
   void makePlan(const NavigationScene& scene);
   void choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival);
   void tryWays();
