@@ -37,7 +37,7 @@ constexpr double kBraceGap = 0.003;   // [m] nearer than that it is touched alre
 constexpr double kBraceTime = 0.05;   // [s] beyond the time to stop
 constexpr double kTightPass = 0.015;  // [m] by moving discs that waiting may better
 constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
-constexpr int kConflictTicks = 8;                   // least age of a plan that a conflict replaces
+constexpr int kConflictTicks = 10;                   // least age of a plan that a conflict replaces
 constexpr int kCalmTicks = 20;                      // age at which a plan that gives way is made anew
 
 }  // namespace
