@@ -19,8 +19,8 @@ constexpr double kMeanSpeed = 0.6;      // of the top speed, to guess where movi
 constexpr double kFirstStep = 0.02;     // [m] of the pattern search
 constexpr double kDetour = 1.12;        // length of another way that is worth a try
 constexpr double kGapGain = 0.97;       // length of a way through a narrow gap that is worth a try
-constexpr int kTrialEvaluations = 10;   // of a way on the other side
-constexpr std::size_t kTrialBends = 3;  // bends whose other side is tried
+constexpr int kTrialEvaluations = 6;   // of a way on the other side
+constexpr std::size_t kTrialBends = 2;  // bends whose other side is tried
 constexpr int kMovingTrials = 4;        // the same among moving discs, where plans are short-lived
 constexpr std::size_t kMovingBends = 1;
 constexpr int kReplanTicks = 4;       // least age of a plan that is dropped
@@ -147,8 +147,11 @@ void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& reques
                            : arrival == Arrival::kThrough               ? kPassing
                                                                         : 1e9;
   task_.end_direction.reset();
-  if (arrival == Arrival::kThrough) wanted.end_direction = math::unit(*scene.goal.heading);
-  if (arrival == Arrival::kTurn) task_.end_direction = math::unit(*scene.goal.heading);
+  if (scene.goal.heading) {
+    const Vec2 direction = math::unit(*scene.goal.heading);
+    if (arrival == Arrival::kThrough) wanted.end_direction = direction;
+    if (arrival == Arrival::kTurn) task_.end_direction = direction;
+  }
   cost_.setTask(task_);
   const bool found =
       seeder_.search(wanted, *scene.robot, *scene.field, planned_, SplineSeeder::Room::kTurning);
