@@ -19,7 +19,7 @@ constexpr double kMeanSpeed = 0.6;      // of the top speed, to guess where movi
 constexpr double kFirstStep = 0.02;     // [m] of the pattern search
 constexpr double kDetour = 1.12;        // length of another way that is worth a try
 constexpr double kGapGain = 0.97;       // length of a way through a narrow gap that is worth a try
-constexpr int kTrialEvaluations = 6;   // of a way on the other side
+constexpr int kTrialEvaluations = 6;    // of a way on the other side
 constexpr std::size_t kTrialBends = 2;  // bends whose other side is tried
 constexpr int kMovingTrials = 4;        // the same among moving discs, where plans are short-lived
 constexpr std::size_t kMovingBends = 1;
@@ -37,7 +37,7 @@ constexpr double kBraceGap = 0.003;   // [m] nearer than that it is touched alre
 constexpr double kBraceTime = 0.05;   // [s] beyond the time to stop
 constexpr double kTightPass = 0.015;  // [m] by moving discs that waiting may better
 constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
-constexpr int kConflictTicks = 10;                   // least age of a plan that a conflict replaces
+constexpr int kConflictTicks = 8;                   // least age of a plan that a conflict replaces
 constexpr int kCalmTicks = 20;                      // age at which a plan that gives way is made anew
 
 }  // namespace
