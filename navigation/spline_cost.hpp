@@ -61,7 +61,7 @@ class SplineCost {
   double payEnds() const;
 
   SplineTask task_;
-  Vec2 inner_;  ///< [m] |x| and |y| up to which walls are too far to matter
+  Vec2 inner_;          ///< [m] |x| and |y| up to which walls are too far to matter
   double reach_ = 0.0;  ///< [m] from the body's middle within which a disc's surface matters
   std::size_t count_ = 0;
   double folds_ = 0.0;  ///< turns between samples that are too sharp to be bends, summed
