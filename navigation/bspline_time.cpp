@@ -15,24 +15,25 @@ constexpr double kAtRest = 0.15;        // [m/s] slower than that a start may tu
 constexpr double kArrived = 0.9;        // of the goal's tolerance
 constexpr double kOffPath = 0.03;       // [m] from the path that asks for a new plan
 constexpr double kSharpTurn = 0.26;     // cosine of the turn that is better made at rest
+constexpr double kMeanSpeed = 0.6;      // of the top speed, to guess where moving discs are met
 constexpr double kFirstStep = 0.02;     // [m] of the pattern search
 constexpr double kDetour = 1.12;        // length of another way that is worth a try
 constexpr double kGapGain = 0.97;       // length of a way through a narrow gap that is worth a try
-constexpr int kTrialEvaluations = 10;   // of a way on the other side
-constexpr std::size_t kTrialBends = 3;  // bends whose other side is tried
+constexpr int kTrialEvaluations = 6;    // of a way on the other side
+constexpr std::size_t kTrialBends = 2;  // bends whose other side is tried
 constexpr int kMovingTrials = 4;        // the same among moving discs, where plans are short-lived
 constexpr std::size_t kMovingBends = 1;
-constexpr int kReplanTicks = 4;     // least age of a plan that is dropped
-constexpr double kEasyPace = 0.4;   // [m/s] that a waiting robot may set off with
-constexpr double kCreep = 0.08;     // [m/s]
-constexpr double kPassing = 1.2;    // [m/s] through a goal with a wanted heading
-constexpr double kBrakeRoom = 0.1;  // [m]
-constexpr double kTurnTime =
-    0.25;  // [s] before a robot that faces aside speeds up; twice that if it faces back
+constexpr int kReplanTicks = 4;       // least age of a plan that is dropped
+constexpr double kEasyPace = 0.4;     // [m/s] that a waiting robot may set off with
+constexpr double kCreep = 0.08;       // [m/s]
+constexpr double kPassing = 1.2;      // [m/s] through a goal with a wanted heading
+constexpr double kBrakeRoom = 0.1;    // [m]
+constexpr double kTurnTime = 0.25;    // [s] a radian, before a robot that faces aside speeds up
 constexpr double kDisplaced = 0.01;   // [m] that a disc at rest may be moved before a plan is looked at again
 constexpr double kWholePath = 20.0;   // [s]
 constexpr double kSoon = 0.8;         // [s] within which moving discs make the robot slow down
 constexpr double kBraceSpeed = 0.7;   // [m/s] from which it can stop in time
+constexpr double kBraceGap = 0.003;   // [m] nearer than that it is touched already and shall come free
 constexpr double kBraceTime = 0.05;   // [s] beyond the time to stop
 constexpr double kTightPass = 0.015;  // [m] by moving discs that waiting may better
 constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
@@ -41,7 +42,10 @@ constexpr int kCalmTicks = 20;                      // age at which a plan that 
 
 }  // namespace
 
-BsplineTime::BsplineTime(Params params) : params_(params) { planned_.reserve(64); }
+BsplineTime::BsplineTime(Params params) : params_(params) {
+  now_.reserve(64);
+  planned_.reserve(64);
+}
 
 void BsplineTime::reset() {
   path_.clear();
@@ -90,6 +94,26 @@ Guidance BsplineTime::plan(const NavigationScene& scene) {
   return guidance;
 }
 
+SeedRequest BsplineTime::setTask(const NavigationScene& scene, double speed) {
+  const Vec2 facing = math::unit(scene.self.pose.heading);
+  const bool moving = speed > kAtRest && dot(scene.self.velocity, facing) > 0.0;
+  task_.limits = speedLimits(*scene.robot, params_.acceleration_share, params_.lateral_share);
+  task_.limits.start_speed = moving ? speed : 0.0;
+  task_.body = bodyShape(*scene.robot);
+  task_.clearance_wish = params_.clearance;
+  task_.clearance_least = params_.least_clearance;
+  task_.field = scene.field;
+  task_.discs = planned_;
+  task_.start_direction = moving ? std::nullopt : std::optional(facing);
+
+  SeedRequest request;
+  request.start = scene.self.pose.position;
+  if (moving) request.start_direction = scene.self.velocity / speed;
+  request.goal = scene.goal.position;
+  request.speed = kMeanSpeed * scene.robot->maxSpeed();
+  return request;
+}
+
 void BsplineTime::makePlan(const NavigationScene& scene) {
   goal_ = scene.goal;
   planned_once_ = true;
@@ -100,23 +124,7 @@ void BsplineTime::makePlan(const NavigationScene& scene) {
   ++revision_;
 
   const double speed = norm(scene.self.velocity);
-  const Vec2 facing = math::unit(scene.self.pose.heading);
-  const bool moving = speed > kAtRest && dot(scene.self.velocity, facing) > 0.0;
-  SeedRequest request;
-  request.start = scene.self.pose.position;
-  if (moving) request.start_direction = scene.self.velocity / speed;
-  request.goal = scene.goal.position;
-  request.speed = 0.6 * scene.robot->maxSpeed();
-
-  task_.limits = speedLimits(*scene.robot, params_.acceleration_share, params_.lateral_share);
-  task_.limits.start_speed = moving ? speed : 0.0;
-  task_.body = bodyShape(*scene.robot);
-  task_.clearance_wish = params_.clearance;
-  task_.clearance_least = params_.least_clearance;
-  task_.field = scene.field;
-  task_.discs = planned_;
-  task_.start_direction = moving ? std::nullopt : std::optional(facing);
-
+  const SeedRequest request = setTask(scene, speed);
   best_ = {};
   if (!scene.goal.heading) {
     choose(scene, request, Arrival::kFree);
@@ -125,7 +133,7 @@ void BsplineTime::makePlan(const NavigationScene& scene) {
     choose(scene, request, Arrival::kTurn);
   }
   if (any_moves_ && best_.score().clearance < kTightPass) trySlower();
-  if (moving && best_.best().controls() > 2) {
+  if (request.start_direction && best_.best().controls() > 2) {
     const Vec2 first = unitOr(best_.best().control(2) - best_.best().control(1), *request.start_direction);
     if (dot(first, *request.start_direction) < kSharpTurn) return brake(scene, speed);
   }
@@ -139,8 +147,11 @@ void BsplineTime::choose(const NavigationScene& scene, const SeedRequest& reques
                            : arrival == Arrival::kThrough               ? kPassing
                                                                         : 1e9;
   task_.end_direction.reset();
-  if (arrival == Arrival::kThrough) wanted.end_direction = math::unit(*scene.goal.heading);
-  if (arrival == Arrival::kTurn) task_.end_direction = math::unit(*scene.goal.heading);
+  if (scene.goal.heading) {
+    const Vec2 direction = math::unit(*scene.goal.heading);
+    if (arrival == Arrival::kThrough) wanted.end_direction = direction;
+    if (arrival == Arrival::kTurn) task_.end_direction = direction;
+  }
   cost_.setTask(task_);
   const bool found =
       seeder_.search(wanted, *scene.robot, *scene.field, planned_, SplineSeeder::Room::kTurning);
@@ -255,7 +266,9 @@ bool BsplineTime::braces(const NavigationScene& scene) const {
   const Vec2 facing = math::unit(scene.self.pose.heading);
   const double horizon = kBraceTime + speed / std::max(scene.robot->wheel_acceleration, 0.1);
   return std::any_of(now_.begin(), now_.end(), [&](const ForecastDisc& disc) {
-    return disc.moves &&
+    const double gap =
+        discClearance(task_.body, scene.self.pose.position, facing, disc.position, disc.radius);
+    return disc.moves && gap > kBraceGap &&
            meetsWithin(task_.body, scene.self.pose.position, facing, scene.self.velocity, disc, horizon);
   });
 }

@@ -19,7 +19,7 @@ struct BsplineTimeParams {
   double lateral_share = 0.75;      ///< of the lateral grip
   int evaluations = 16;             ///< a tick
   int effort = 480;                 ///< evaluations a plan, at most
-  int moving_effort = 10;           ///< the same among moving discs
+  int moving_effort = 6;            ///< the same among moving discs
 };
 
 /// Time-optimised cubic B-spline: the future work that Jung & Lee (2015) name, and the default method.
@@ -43,6 +43,7 @@ class BsplineTime final : public Navigator {
 
   bool goalMoved(const NavigationScene& scene) const;
   bool needsPlan(const NavigationScene& scene, double off_path) const;
+  SeedRequest setTask(const NavigationScene& scene, double speed);
   void makePlan(const NavigationScene& scene);
   void choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival);
   void tryWays();

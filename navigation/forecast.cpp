@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kMoving = 0.03;      // [m/s]
 constexpr double kLook = 1.0 / 60.0;  // [s]
+constexpr double kMostHorizon = 2.0;  // [s]
 
 }  // namespace
 
@@ -44,7 +45,9 @@ bool meetsWithin(const BodyShape& body, Vec2 position, Vec2 along, Vec2 velocity
   const double reach = disc.radius + body.half_length + body.half_width +
                        horizon * std::sqrt(squaredNorm(velocity - disc.velocity));
   if (squaredNorm(disc.position - position) > reach * reach) return false;
-  for (double time = kLook; time < horizon + kLook; time += kLook) {
+  const int looks = 1 + static_cast<int>(std::min(horizon, kMostHorizon) / kLook);
+  for (int look = 1; look <= looks; ++look) {
+    const double time = kLook * look;
     if (discClearance(body, position + velocity * time, along, disc.at(time), disc.radius) < 0.0) return true;
   }
   return false;
