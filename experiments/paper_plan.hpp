@@ -17,6 +17,8 @@ inline constexpr const char* kUntunedField = "univector:goal=bearing,k0=0,d_min=
 inline constexpr const char* kTunedField = "tangent-field:offset=0.0784,range=5.56,hysteresis=0.239";
 inline constexpr const char* kWideField = "vector-field:offset=0.10,width=0.20,follower=classic";
 
+inline constexpr const char* kClassicBezier = "bezier:follower=classic";
+
 /// Blocks of the suite: all methods from corner to corner at 0.6, 1.0 and 2.6 m/s with the opponents of R4-a
 /// and R4-b, the close-range runs of R4-c, and the named cases of Figs 1-8. Errors: kUsage.
 Result<std::vector<Block>> paperBlocks(const ComparisonConfig& config);

@@ -14,7 +14,8 @@ namespace fulbito {
 Layout cornerLayout(std::uint64_t seed, std::uint64_t index);
 /// N2: 0.55 to 0.75 m past the same balls.
 Layout shortLayout(std::uint64_t seed, std::uint64_t index);
-/// R4-c: 0.58 to 0.72 m along the diagonal, between the balls of the lower left and the upper right.
+/// R4-c: the corner layout shrunk about the middle to 0.58 to 0.72 m, the size that the paper's figures
+/// imply, with balls of full size and 15 cm from start and goal to any ball's centre.
 Layout closeRangeLayout(std::uint64_t seed, std::uint64_t index);
 /// N3: N1 with any initial heading and an arrival heading to meet within 10 degrees.
 Layout headingLayout(std::uint64_t seed, std::uint64_t index);

@@ -24,18 +24,9 @@ namespace {
 const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
-      straightInfo(),
-      vectorFieldInfo(),
-      univectorInfo(),
-      tangentFieldInfo(),
-      limitCycleInfo(),
-      nearnessDiagramInfo(),
-      bezierInfo(),
-      bezierRawInfo(),
-      hermiteInfo(),
-      tangentGraphInfo(),
-      dwaInfo(),
-      bsplineTimeInfo(),
+      straightInfo(),   vectorFieldInfo(),     univectorInfo(), tangentFieldInfo(),
+      limitCycleInfo(), nearnessDiagramInfo(), bezierInfo(),    bezierRawInfo(),
+      hermiteInfo(),    tangentGraphInfo(),    dwaInfo(),       bsplineTimeInfo(),
   };
   return entries;
 }

@@ -16,8 +16,8 @@ struct BodyId {
   friend bool operator==(BodyId, BodyId) = default;
 };
 
-/// Two bodies that pressed on each other during a control tick: being near without force is no contact. One event a
-/// pair and tick, in the order of (a, b), never in the engine's own order.
+/// Two bodies that pressed on each other during a control tick: being near without force is no contact. One
+/// event a pair and tick, in the order of (a, b), never in the engine's own order.
 struct ContactEvent {
   BodyId a;  ///< the body that comes first in the order walls, robots, balls, obstacles
   BodyId b;
