@@ -32,7 +32,7 @@ double entry(Vec2 a, Vec2 b, Vec2 centre, double radius) {
 
 TrialReferee::TrialReferee(const Layout& layout, const FieldGeometry& field, const RobotModel& robot,
                            const TrialRules& rules, double dt)
-    : layout_(layout), field_(field), model_(robot), rules_(rules), dt_(dt) {
+    : layout_(layout), field_(field), contour_(innerContour(field)), model_(robot), rules_(rules), dt_(dt) {
   score_.length_limit = rules.length_limit;
   score_.time_limit = rules.time_limit;
   score_.min_clearance = 1e9;
@@ -159,7 +159,7 @@ bool TrialReferee::spoiled() const {
 
 double TrialReferee::leastClearance(const WorldState& world) const {
   const Rectangle body = bodyOf(model_, world.robots.front().pose);
-  double least = clearance(body, field_);
+  double least = clearance(body, contour_);
   for (std::size_t i = 0; i < layout_.obstacles.size(); ++i) {
     least = std::min(least, clearance(body, layout_.obstacles[i], world.obstacles[i].pose));
   }

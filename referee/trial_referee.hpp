@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/core/contact.hpp"
 #include "engine/core/field_geometry.hpp"
@@ -47,6 +48,7 @@ class TrialReferee {
 
   const Layout layout_;
   const FieldGeometry field_;
+  const std::vector<Vec2> contour_;
   const RobotModel model_;
   const TrialRules rules_;
   const double dt_;

@@ -43,6 +43,21 @@ double axisGap(const Rectangle& a, const Corners& b) {
   return gap;
 }
 
+/// Distance of `p` to the closed contour: positive inside, negative outside.
+double depthInside(std::span<const Vec2> contour, Vec2 p) {
+  double least = std::numeric_limits<double>::infinity();
+  bool inside = false;
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const Vec2 a = contour[i], b = contour[(i + 1) % contour.size()];
+    const Vec2 edge = b - a;
+    const double along = std::clamp(dot(p - a, edge) / squaredNorm(edge), 0.0, 1.0);
+    least = std::min(least, distance(p, a + edge * along));
+    // A ray along +x crosses the edge.
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+  }
+  return inside ? least : -least;
+}
+
 }  // namespace
 
 Rectangle bodyOf(const RobotModel& robot, const Pose2& pose) { return {pose, robot.length, robot.width}; }
@@ -67,9 +82,11 @@ double clearance(const Rectangle& body, const ObstacleSpec& obstacle, const Pose
   return clearance(body, Rectangle{pose, obstacle.length, obstacle.width});
 }
 
-double clearance(const Rectangle& body, const FieldGeometry& field) {
+double clearance(const Rectangle& body, std::span<const Vec2> contour) {
   double least = std::numeric_limits<double>::infinity();
-  for (Vec2 corner : cornersOf(body)) least = std::min(least, wallClearance(field, corner));
+  for (Vec2 corner : cornersOf(body)) least = std::min(least, depthInside(contour, corner));
+  // A goal post can stand between two corners.
+  for (Vec2 post : contour) least = std::min(least, pointClearance(body, post));
   return least;
 }
 

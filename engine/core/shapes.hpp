@@ -1,6 +1,7 @@
 #pragma once
 
-#include "engine/core/field_geometry.hpp"
+#include <span>
+
 #include "engine/core/layout.hpp"
 #include "engine/core/robot_model.hpp"
 #include "engine/core/values.hpp"
@@ -25,7 +26,8 @@ double clearance(const Rectangle& a, const Rectangle& b);
 /// Distance [m] from the body to an obstacle that now is at `pose`.
 double clearance(const Rectangle& body, const ObstacleSpec& obstacle, const Pose2& pose);
 
-/// Least `wallClearance` of the body's corners [m]: exact, as the field without its goals is convex.
-double clearance(const Rectangle& body, const FieldGeometry& field);
+/// Distance [m] from the body to the walls along `contour` (see innerContour), goals included; negative by
+/// how far a corner is behind a wall.
+double clearance(const Rectangle& body, std::span<const Vec2> contour);
 
 }  // namespace fulbito

@@ -158,8 +158,8 @@ TEST_CASE("clearance, turning, curvature jumps and jerk are measured", "[unit]")
   CHECK(score.turning == Approx(5 * 6.0 * kDt));
   CHECK(score.curvature_jumps == 1);
   CHECK(score.wheel_jerk == Approx(0.2 * drive.robot.wheel_radius * 3600.0));
-  // Least after the first tick, to the left wall: the robot drives away from it.
-  CHECK(score.min_clearance == Approx(0.75 - 0.5 + 0.5 * kDt - 0.0375));
+  // Least after the first tick, to the posts of the left goal: the robot drives away from it.
+  CHECK(score.min_clearance == Approx(norm({0.75 - 0.5 + 0.5 * kDt - 0.0375, 0.20 - 0.0375})));
   CHECK(score.mean_clearance >= score.min_clearance);
 }
 
@@ -172,8 +172,13 @@ TEST_CASE("distances between shapes are exact, also where they overlap", "[unit]
   CHECK(clearance(square, turned) == Approx(2.0 - std::sqrt(2.0)));
   CHECK(clearance(square, Rectangle{{{1.5, 0.0}, 0.0}, 2.0, 2.0}) == Approx(-0.5));
   CHECK(clearance(square, Rectangle{{{3.0, 3.0}, 0.0}, 2.0, 2.0}) == Approx(std::sqrt(2.0)));
-  const FieldGeometry field;
-  CHECK(clearance(Rectangle{{{0.70, 0.0}, 0.0}, 0.075, 0.075}, field) == Approx(0.75 - 0.70 - 0.0375));
+  const std::vector<Vec2> walls = innerContour(FieldGeometry{});
+  CHECK(clearance(Rectangle{{{0.70, 0.4}, 0.0}, 0.075, 0.075}, walls) == Approx(0.75 - 0.70 - 0.0375));
+  CHECK(clearance(Rectangle{{{0.74, 0.4}, 0.0}, 0.075, 0.075}, walls) == Approx(-0.0275));
+  // In the goal mouth the walls are the goal's: its back at 0.85 m, its post at (0.75, 0.20) m.
+  CHECK(clearance(Rectangle{{{0.75, 0.0}, 0.0}, 0.075, 0.075}, walls) == Approx(0.85 - 0.75 - 0.0375));
+  CHECK(clearance(Rectangle{{{0.75, 0.16}, 0.0}, 0.075, 0.075}, walls) == Approx(0.0025));
+  CHECK(clearance(Rectangle{{{0.75, 0.17}, 0.0}, 0.075, 0.075}, walls) < 0.0);
 }
 
 }  // namespace fulbito
