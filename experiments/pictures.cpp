@@ -1,5 +1,6 @@
 #include "experiments/pictures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -63,6 +64,7 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
   chart.reference = 1.0;
   chart.reference_label = "limit";
   std::size_t row = 0;
+  std::vector<std::string> seen;  // a method has one colour in all groups
   for (const Block& block : comparison.blocks) {
     BarGroup group{fmt::format("{} at {:.1f} m/s", block.suite->name, block.speed), {}};
     for (std::size_t n = 0; n < block.navigators.size(); ++n) {
@@ -72,7 +74,8 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
       bar.value = s.success.value > 0.0 ? s.*ratio : kNoValue;
       bar.remark =
           s.success.value > 0.0 ? fmt::format("{:.0f} % solved", 100 * s.success.value) : "none solved";
-      bar.colour = n;
+      bar.colour = static_cast<std::size_t>(std::find(seen.begin(), seen.end(), s.navigator) - seen.begin());
+      if (bar.colour == seen.size()) seen.push_back(s.navigator);
       group.bars.push_back(std::move(bar));
     }
     chart.groups.push_back(std::move(group));
