@@ -40,6 +40,19 @@ DrawnPath drawnPath(const std::string& label, const TrialScore& score, const std
   return path;
 }
 
+/// The way of a moving obstacle in the first `seconds`: all of a long trial's would fill the field.
+void shorten(ObstacleSpec& obstacle, double seconds) {
+  if (obstacle.motion != ObstacleMotion::kPath || obstacle.path_end != PathEnd::kStop) return;
+  double left = obstacle.speed * seconds;
+  for (std::size_t i = 1; i < obstacle.path.size(); ++i) {
+    left -= distance(obstacle.path[i - 1], obstacle.path[i]);
+    if (left > 0.0) continue;
+    obstacle.path.resize(i + 1);
+    obstacle.path.back() = positionAt(obstacle, seconds);
+    return;
+  }
+}
+
 FieldPicture pictureOf(const std::string& title, const TrialConfig& config) {
   FieldPicture picture;
   picture.title = title;
@@ -47,6 +60,13 @@ FieldPicture pictureOf(const std::string& title, const TrialConfig& config) {
   picture.robot = config.robot.robot;
   picture.layout = config.layout;
   return picture;
+}
+
+/// Draws the obstacles' ways for as long as the longest of the paths took.
+void limitMotion(FieldPicture& picture, double dt) {
+  std::size_t ticks = 1;
+  for (const DrawnPath& path : picture.paths) ticks = std::max(ticks, path.points.size());
+  for (ObstacleSpec& obstacle : picture.layout.obstacles) shorten(obstacle, static_cast<double>(ticks) * dt);
 }
 
 Result<void> save(Result<Canvas> canvas, const std::string& file) {
@@ -92,6 +112,7 @@ Result<void> writePathPicture(const std::string& file, const std::string& title,
   for (std::size_t i = 0; i < records.size(); ++i) {
     picture.paths.push_back(drawnPath(labels[i], records[i]->score, records[i]->trace, false));
   }
+  limitMotion(picture, config.physics.controlPeriod());
   return save(drawFieldPicture(picture), file);
 }
 
@@ -104,6 +125,7 @@ Result<void> writeTrialPicture(const std::string& file, const TrialConfig& confi
   limit.time = result.score.time_limit;
   limit.length = result.score.length_limit;
   picture.paths.push_back(drawnPath(config.navigator.text, result.score, result.trace, true));
+  limitMotion(picture, config.physics.controlPeriod());
   DrawnPath shortest;
   shortest.label = "limit L*, T*";
   shortest.remark = remarkOf(limit);
