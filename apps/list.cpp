@@ -8,7 +8,6 @@
 #include "engine/core/presets.hpp"
 #include "engine/core/suggest.hpp"
 #include "experiments/paper_plan.hpp"
-#include "experiments/report.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -130,48 +129,6 @@ int list(const ListOptions& options) {
   } else {
     for (const auto& [name, summary] : entries(options.kind)) fmt::print("{:<30} {}\n", name, summary);
   }
-  return kOk;
-}
-
-int show(const ShowOptions& options) {
-  static const std::vector<std::pair<std::string, std::string>> kinds = {
-      {"robot", "robots"}, {"physics", "physics"}, {"field", "fields"}, {"case", "cases"}};
-  std::vector<std::string> names;
-  for (const auto& [singular, plural] : kinds) {
-    names.push_back(singular);
-    if (options.kind != singular) continue;
-    if (plural == "cases") {
-      std::vector<std::string> cases;
-      for (const Layout& layout : namedCases()) {
-        if (layout.name == options.name) {
-          std::fputs(toToml(layout).c_str(), stdout);
-          return kOk;
-        }
-        cases.push_back(layout.name);
-      }
-      return report({ErrorCode::kUsage,
-                     fmt::format("there is no case '{}'.{}", options.name, suggestion(options.name, cases))});
-    }
-    const auto text = presetText(plural, options.name);
-    if (!text) return report(text.error());
-    std::fputs(text->c_str(), stdout);
-    return kOk;
-  }
-  return report(
-      {ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it is one of {}.{}", options.kind,
-                                      fmt::join(names, ", "), suggestion(options.kind, names))});
-}
-
-int version(bool json) {
-  const std::string text = versionJson();
-  if (json) {
-    std::fputs(text.c_str(), stdout);
-    return kOk;
-  }
-  const Json parsed = Json::parse(text);
-  fmt::print("fulbito {} ({}, {}, Box2D {})\n", parsed["version"].get<std::string>(),
-             parsed["compiler"].get<std::string>(), parsed["type"].get<std::string>(),
-             parsed["box2d"].get<std::string>());
   return kOk;
 }
 
