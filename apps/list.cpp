@@ -82,6 +82,20 @@ void printNavigators() {
       "bezier:clearance=0.03,follower=classic\n");
 }
 
+/// The first sentence of the comment that a preset file begins with.
+std::string firstSentence(const std::string& text) {
+  std::string sentence;
+  for (std::size_t begin = 0; text.compare(begin, 2, "# ") == 0;) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    sentence += (sentence.empty() ? "" : " ") + text.substr(begin + 2, end - begin - 2);
+    const std::size_t stop = sentence.find(". ");
+    if (stop != std::string::npos) return sentence.substr(0, stop);
+    begin = std::min(end + 1, text.size());
+  }
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
 /// Name and one line of everything of a kind but navigators.
 std::vector<std::pair<std::string, std::string>> entries(const std::string& kind) {
   std::vector<std::pair<std::string, std::string>> list;
@@ -95,9 +109,7 @@ std::vector<std::pair<std::string, std::string>> entries(const std::string& kind
       list.emplace_back(layout.name, "layout for fulbito run --layout " + layout.name);
   } else {
     for (const std::string& name : presetNames(kind)) {
-      const std::string text = presetText(kind, name).value_or("");
-      const std::size_t end = text.find('\n');
-      list.emplace_back(name, text.starts_with("# ") ? text.substr(2, end - 2) : "");
+      list.emplace_back(name, firstSentence(presetText(kind, name).value_or("")));
     }
   }
   return list;

@@ -36,8 +36,9 @@ int show(const ShowOptions& options) {
   if (options.kind == "physics") return showPreset("physics", options.name);
   if (options.kind == "field") return showPreset("fields", options.name);
   if (options.kind == "case") return showCase(options.name);
-  return report({ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it is one of {}.{}", options.kind,
-                                                fmt::join(kinds, ", "), suggestion(options.kind, kinds))});
+  return report(
+      {ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it is one of {}.{}", options.kind,
+                                      fmt::join(kinds, ", "), suggestion(options.kind, kinds))});
 }
 
 }  // namespace fulbito::app
