@@ -71,10 +71,10 @@ int bench(const BenchCommand& command) {
     printJson(benchmark, *crowd);
   } else {
     fmt::print(
-        "{}\nsix robots navigated by {}: {:.2f} us a robot and tick on average, p99 {:.1f}, max {:.0f} "
-        "({} goals reached in a minute, {} contacts)\nsignature {}\n",
-        toTable(benchmark), kDefaultNavigator, crowd->compute_us_mean, crowd->compute_us_p99,
-        crowd->compute_us_max, crowd->arrivals, crowd->contacts, signatureText(benchmark.signature));
+        "six robots navigated by {}: {:.2f} us a robot and tick on average, p99 {:.1f}, max {:.0f} "
+        "({} goals reached in a minute, {} contacts)\n{}",
+        kDefaultNavigator, crowd->compute_us_mean, crowd->compute_us_p99, crowd->compute_us_max,
+        crowd->arrivals, crowd->contacts, toTable(benchmark));
   }
   return kOk;
 }

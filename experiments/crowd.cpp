@@ -34,7 +34,8 @@ WorldConfig kickOff(const RobotPreset& robot, const FieldGeometry& field, const 
   config.physics = physics;
   for (std::size_t i = 0; i < kRobots; ++i) {
     const double side = i % 2 == 0 ? -1.0 : 1.0;
-    config.robots.push_back({robot.robot, {{side * 0.3, 0.3 * (static_cast<double>(i / 2) - 1.0)}, 0.0}, {}, 0.0});
+    config.robots.push_back(
+        {robot.robot, {{side * 0.3, 0.3 * (static_cast<double>(i / 2) - 1.0)}, 0.0}, {}, 0.0});
   }
   config.balls.push_back({robot.ball, {}, {}, {}});
   return config;
@@ -50,8 +51,8 @@ void seeOthers(const WorldState& world, std::size_t self, double radius, std::ve
 /// The robots' errands, driven tick by tick.
 class Crowd {
  public:
-  Crowd(const RobotPreset& robot, const FieldGeometry& field, const PhysicsProfile& physics, std::uint64_t seed,
-        const Clock& clock)
+  Crowd(const RobotPreset& robot, const FieldGeometry& field, const PhysicsProfile& physics,
+        std::uint64_t seed, const Clock& clock)
       : robot_(robot.robot),
         field_(field),
         clock_(clock),
@@ -62,7 +63,9 @@ class Crowd {
     scene_.robot = &robot_;
   }
 
-  void add(std::unique_ptr<Pilot> pilot) { errands_.push_back({std::move(pilot), randomPlace(rng_, field_), 0}); }
+  void add(std::unique_ptr<Pilot> pilot) {
+    errands_.push_back({std::move(pilot), randomPlace(rng_, field_), 0});
+  }
 
   /// Commands of all robots for the world's next tick.
   std::span<const WheelSpeeds> drive(const WorldState& world) {
