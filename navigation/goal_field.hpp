@@ -24,7 +24,7 @@ struct GoalFieldParams {
   double guide = 0.02;                ///< d [m] of the posture field's guide point beyond the goal
 };
 
-/// Hyperbolic-spiral move-to-goal field (Lim et al., IFAC 2008; docs/navigation-fields.md): direction [rad]
+/// Hyperbolic-spiral move-to-goal field (Lim et al., IFAC 2008; docs/navigators.md): direction [rad]
 /// at `p` of curves that reach `goal` with heading `arrival` [rad]. Left of the approach line it is a spiral
 /// about a centre `radius` to the goal's left, right of it the mirror image, and a weighted sum of the two in
 /// the strip between.

@@ -8,9 +8,9 @@
 namespace fulbito {
 
 /// Improves a spline by deterministic pattern search (Hooke & Jeeves 1961, one direction a move): control
-/// points move across the seed path, one by one and as bumps three to seven wide. Every direction has a step
-/// of its own that grows where it helps and halves where it does not. The work can be spread over many calls;
-/// the result never gets worse.
+/// points move across the seed path, one by one and as bumps five and nine wide. Every direction has a step
+/// of its own that grows where it helps, is turned about where it does not, and shrinks where neither way
+/// helps. The work can be spread over many calls; the result never gets worse.
 class SplineOptimiser {
  public:
   /// Begins anew from `seed`; its first and last `fixed_*` control points never move.

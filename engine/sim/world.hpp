@@ -53,8 +53,8 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// Runs one control tick. Commands are rounded to the profile's step, saturated, NaN becomes 0; robots
-  /// beyond the span's end keep their wheels braked. Allocates nothing once warm.
+  /// Runs one control tick. NaN becomes 0, then commands are saturated and rounded to the profile's step;
+  /// robots beyond the span's end get 0: their wheels brake. Allocates nothing once warm.
   void step(std::span<const WheelSpeeds> commands);
 
   /// State after the last tick.
