@@ -6,6 +6,7 @@
 #include "apps/commands.hpp"
 #include "bench/benchmark.hpp"
 #include "bench/scenes.hpp"
+#include "experiments/crowd.hpp"
 #include "experiments/report.hpp"
 
 namespace fulbito::app {
@@ -27,7 +28,7 @@ Json sceneJson(const BenchScene& scene) {
           {"bare_contacts", scene.bare_contacts}};
 }
 
-void printJson(const BenchReport& report) {
+void printJson(const BenchReport& report, const CrowdResult& crowd) {
   Json json = {{"schema_version", 1},
                {"build", Json::parse(versionJson())},
                {"signature", signatureText(report.signature)},
@@ -42,6 +43,13 @@ void printJson(const BenchReport& report) {
                                    {"bare_scaling", row.bare},
                                    {"ratio", row.ratio}});
   }
+  json["navigation"] = {{"navigator", kDefaultNavigator},
+                        {"robots", 6},
+                        {"arrivals", crowd.arrivals},
+                        {"contacts", crowd.contacts},
+                        {"compute_us_mean", crowd.compute_us_mean},
+                        {"compute_us_p99", crowd.compute_us_p99},
+                        {"compute_us_max", crowd.compute_us_max}};
   std::puts(json.dump(2).c_str());
 }
 
@@ -56,11 +64,17 @@ int bench(const BenchCommand& command) {
     std::puts(signatureText(sceneSignature()).c_str());
     return kOk;
   }
-  const BenchReport report = runBenchmark({command.repetitions, command.episodes, true});
+  const auto crowd = runCrowd({}, now);
+  if (!crowd) return report(crowd.error());
+  const BenchReport benchmark = runBenchmark({command.repetitions, command.episodes, true});
   if (command.json) {
-    printJson(report);
+    printJson(benchmark, *crowd);
   } else {
-    fmt::print("{}\nsignature {}\n", toTable(report), signatureText(report.signature));
+    fmt::print(
+        "six robots navigated by {}: {:.2f} us a robot and tick on average, p99 {:.1f}, max {:.0f} "
+        "({} goals reached in a minute, {} contacts)\n{}",
+        kDefaultNavigator, crowd->compute_us_mean, crowd->compute_us_p99, crowd->compute_us_max,
+        crowd->arrivals, crowd->contacts, toTable(benchmark));
   }
   return kOk;
 }

@@ -8,7 +8,6 @@
 #include "engine/core/presets.hpp"
 #include "engine/core/suggest.hpp"
 #include "experiments/paper_plan.hpp"
-#include "experiments/report.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -83,6 +82,20 @@ void printNavigators() {
       "bezier:clearance=0.03,follower=classic\n");
 }
 
+/// The first sentence of the comment that a preset file begins with.
+std::string firstSentence(const std::string& text) {
+  std::string sentence;
+  for (std::size_t begin = 0; text.compare(begin, 2, "# ") == 0;) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    sentence += (sentence.empty() ? "" : " ") + text.substr(begin + 2, end - begin - 2);
+    const std::size_t stop = sentence.find(". ");
+    if (stop != std::string::npos) return sentence.substr(0, stop);
+    begin = std::min(end + 1, text.size());
+  }
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
 /// Name and one line of everything of a kind but navigators.
 std::vector<std::pair<std::string, std::string>> entries(const std::string& kind) {
   std::vector<std::pair<std::string, std::string>> list;
@@ -96,9 +109,7 @@ std::vector<std::pair<std::string, std::string>> entries(const std::string& kind
       list.emplace_back(layout.name, "layout for fulbito run --layout " + layout.name);
   } else {
     for (const std::string& name : presetNames(kind)) {
-      const std::string text = presetText(kind, name).value_or("");
-      const std::size_t end = text.find('\n');
-      list.emplace_back(name, text.starts_with("# ") ? text.substr(2, end - 2) : "");
+      list.emplace_back(name, firstSentence(presetText(kind, name).value_or("")));
     }
   }
   return list;
@@ -130,48 +141,6 @@ int list(const ListOptions& options) {
   } else {
     for (const auto& [name, summary] : entries(options.kind)) fmt::print("{:<30} {}\n", name, summary);
   }
-  return kOk;
-}
-
-int show(const ShowOptions& options) {
-  static const std::vector<std::pair<std::string, std::string>> kinds = {
-      {"robot", "robots"}, {"physics", "physics"}, {"field", "fields"}, {"case", "cases"}};
-  std::vector<std::string> names;
-  for (const auto& [singular, plural] : kinds) {
-    names.push_back(singular);
-    if (options.kind != singular) continue;
-    if (plural == "cases") {
-      std::vector<std::string> cases;
-      for (const Layout& layout : namedCases()) {
-        if (layout.name == options.name) {
-          std::fputs(toToml(layout).c_str(), stdout);
-          return kOk;
-        }
-        cases.push_back(layout.name);
-      }
-      return report({ErrorCode::kUsage,
-                     fmt::format("there is no case '{}'.{}", options.name, suggestion(options.name, cases))});
-    }
-    const auto text = presetText(plural, options.name);
-    if (!text) return report(text.error());
-    std::fputs(text->c_str(), stdout);
-    return kOk;
-  }
-  return report(
-      {ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it is one of {}.{}", options.kind,
-                                      fmt::join(names, ", "), suggestion(options.kind, names))});
-}
-
-int version(bool json) {
-  const std::string text = versionJson();
-  if (json) {
-    std::fputs(text.c_str(), stdout);
-    return kOk;
-  }
-  const Json parsed = Json::parse(text);
-  fmt::print("fulbito {} ({}, {}, Box2D {})\n", parsed["version"].get<std::string>(),
-             parsed["compiler"].get<std::string>(), parsed["type"].get<std::string>(),
-             parsed["box2d"].get<std::string>());
   return kOk;
 }
 

@@ -99,8 +99,8 @@ Result<TrialRecord> runTask(const Comparison& comparison, const Task& task, cons
   }
   TrialRecord record{task.block, task.navigator, task.index, result->score, result->final_hash, {}, {}};
   record.compute_us.assign(result->compute_us.begin(), result->compute_us.end());
-  const bool drawn =
-      comparison.config.only || task.index < static_cast<std::uint64_t>(comparison.config.pictures);
+  const bool drawn = comparison.config.only || block.suite->always_drawn ||
+                     task.index < static_cast<std::uint64_t>(comparison.config.pictures);
   if (drawn) record.trace = std::move(result->trace);
   return record;
 }

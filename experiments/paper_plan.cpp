@@ -231,7 +231,9 @@ Result<std::vector<Block>> paperBlocks(const ComparisonConfig& config) {
   if (!close) return tl::unexpected<Error>(close.error());
   blocks.push_back(std::move(*close));
   auto cases = blockOf(config, "cases", 1.0,
-                       {"vector-field", "univector", "limit-cycle", "bezier", kDefaultNavigator}, false);
+                       {"vector-field", "vector-field:follower=classic", "univector", "limit-cycle",
+                        "limit-cycle:follower=classic", "bezier", kDefaultNavigator},
+                       false);
   if (!cases) return tl::unexpected<Error>(cases.error());
   blocks.push_back(std::move(*cases));
   return blocks;

@@ -1,5 +1,6 @@
 #include "experiments/pictures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +40,19 @@ DrawnPath drawnPath(const std::string& label, const TrialScore& score, const std
   return path;
 }
 
+/// The way of a moving obstacle in the first `seconds`: all of a long trial's would fill the field.
+void shorten(ObstacleSpec& obstacle, double seconds) {
+  if (obstacle.motion != ObstacleMotion::kPath || obstacle.path_end != PathEnd::kStop) return;
+  double left = obstacle.speed * seconds;
+  for (std::size_t i = 1; i < obstacle.path.size(); ++i) {
+    left -= distance(obstacle.path[i - 1], obstacle.path[i]);
+    if (left > 0.0) continue;
+    obstacle.path.resize(i + 1);
+    obstacle.path.back() = positionAt(obstacle, seconds);
+    return;
+  }
+}
+
 FieldPicture pictureOf(const std::string& title, const TrialConfig& config) {
   FieldPicture picture;
   picture.title = title;
@@ -46,6 +60,13 @@ FieldPicture pictureOf(const std::string& title, const TrialConfig& config) {
   picture.robot = config.robot.robot;
   picture.layout = config.layout;
   return picture;
+}
+
+/// Draws the obstacles' ways for as long as the longest of the paths took.
+void limitMotion(FieldPicture& picture, double dt) {
+  std::size_t ticks = 1;
+  for (const DrawnPath& path : picture.paths) ticks = std::max(ticks, path.points.size());
+  for (ObstacleSpec& obstacle : picture.layout.obstacles) shorten(obstacle, static_cast<double>(ticks) * dt);
 }
 
 Result<void> save(Result<Canvas> canvas, const std::string& file) {
@@ -63,6 +84,7 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
   chart.reference = 1.0;
   chart.reference_label = "limit";
   std::size_t row = 0;
+  std::vector<std::string> seen;  // a method has one colour in all groups
   for (const Block& block : comparison.blocks) {
     BarGroup group{fmt::format("{} at {:.1f} m/s", block.suite->name, block.speed), {}};
     for (std::size_t n = 0; n < block.navigators.size(); ++n) {
@@ -72,7 +94,8 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
       bar.value = s.success.value > 0.0 ? s.*ratio : kNoValue;
       bar.remark =
           s.success.value > 0.0 ? fmt::format("{:.0f} % solved", 100 * s.success.value) : "none solved";
-      bar.colour = n;
+      bar.colour = static_cast<std::size_t>(std::find(seen.begin(), seen.end(), s.navigator) - seen.begin());
+      if (bar.colour == seen.size()) seen.push_back(s.navigator);
       group.bars.push_back(std::move(bar));
     }
     chart.groups.push_back(std::move(group));
@@ -89,6 +112,7 @@ Result<void> writePathPicture(const std::string& file, const std::string& title,
   for (std::size_t i = 0; i < records.size(); ++i) {
     picture.paths.push_back(drawnPath(labels[i], records[i]->score, records[i]->trace, false));
   }
+  limitMotion(picture, config.physics.controlPeriod());
   return save(drawFieldPicture(picture), file);
 }
 
@@ -101,6 +125,7 @@ Result<void> writeTrialPicture(const std::string& file, const TrialConfig& confi
   limit.time = result.score.time_limit;
   limit.length = result.score.length_limit;
   picture.paths.push_back(drawnPath(config.navigator.text, result.score, result.trace, true));
+  limitMotion(picture, config.physics.controlPeriod());
   DrawnPath shortest;
   shortest.label = "limit L*, T*";
   shortest.remark = remarkOf(limit);

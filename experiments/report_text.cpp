@@ -14,12 +14,12 @@ std::string cell(bool present, double value, int digits) {
 void appendRow(std::string& out, const SummaryRow& row) {
   const bool any = row.success.value > 0.0;
   out += fmt::format(
-      "| {}{} | {:.1f} % ({:.1f}-{:.1f}) | {} | {} | {} | {} | {:.3f} | {} | {} | {:.1f} | {:.1f} / {:.1f} "
-      "|\n",
+      "| {}{} | {:.1f} % ({:.1f}-{:.1f}) | {} | {} | {} | {} | {:.3f} | {} | {} | {:.1f} | {:.1f} / {:.1f} / "
+      "{:.0f} |\n",
       row.navigator, row.plans_speed ? " *" : "", 100 * row.success.value, 100 * row.success.low,
       100 * row.success.high, row.contacts, row.safe_pairs, cell(any, row.length_ratio, 3),
       cell(any, row.time_ratio, 3), row.time_ratio_all, cell(any, row.path_length, 3), cell(any, row.time, 3),
-      1000 * row.min_clearance, row.compute_us_p50, row.compute_us_p99);
+      1000 * row.min_clearance, row.compute_us_p50, row.compute_us_p99, row.compute_us_max);
 }
 
 void appendBlock(std::string& out, const Comparison& comparison, const Block& block, std::size_t& next) {
@@ -29,7 +29,7 @@ void appendBlock(std::string& out, const Comparison& comparison, const Block& bl
   out +=
       "| navigator | success (95 %) | contacts | safe pairs | L/L* | T/T* | T/T* all | length m | time s | "
       "least gap mm | "
-      "us a tick p50 / p99 |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "us a tick p50 / p99 / max |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (std::size_t n = 0; n < block.navigators.size(); ++n) appendRow(out, comparison.summary[next++]);
 }
 

@@ -18,6 +18,7 @@ struct Suite {
   std::vector<double> speeds;  ///< [m/s] default top speeds
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;
   double limit_clearance = 0.058;  ///< [m] see TrialConfig
+  bool always_drawn = false;       ///< a picture of every layout, whatever the number asked for
   /// Layout number `index` of a seed: a pure function of the two.
   Layout (*layout)(std::uint64_t seed, std::uint64_t index) = nullptr;
 };
