@@ -108,10 +108,10 @@ void judgeDifference(Comparison& comparison, const DifferenceClaim& claim) {
   const auto bezier = find(comparison, claim.suite, claim.speed, claim.bezier);
   const auto opponent = find(comparison, claim.suite, claim.speed, claim.opponent);
   if (!bezier || !opponent) return;
-  const auto differenceWith = [&](double hung) {
+  const auto difference_with = [&](double hung) {
     return compareSafePairs(comparison, bezier->block, bezier->navigator, opponent->navigator, hung);
   };
-  const PairedDifference prompt = differenceWith(kHung), all = differenceWith(kNeverHung);
+  const PairedDifference prompt = difference_with(kHung), all = difference_with(kNeverHung);
   addRow(comparison, claim, true, prompt, false);
   addRow(comparison, claim, false, prompt, false);
   if (all.pairs == prompt.pairs) return;

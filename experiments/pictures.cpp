@@ -140,6 +140,7 @@ Result<std::vector<std::string>> writePictures(const Comparison& comparison, con
     if (written) files.push_back(name);
     return written;
   };
+  const auto file_of = [&](const std::string& name) { return folder + "/" + name; };
   for (std::size_t b = 0; b < comparison.blocks.size(); ++b) {
     const Block& block = comparison.blocks[b];
     const std::size_t layouts = recordsOf(comparison, b, 0).size();
@@ -156,7 +157,7 @@ Result<std::vector<std::string>> writePictures(const Comparison& comparison, con
       if (!config) return tl::unexpected<Error>(config.error());
       const std::string name = fmt::format("{}-{:.1f}.png", config->layout.name, block.speed);
       const std::string title = fmt::format("{} at {:.1f} m/s", config->layout.name, block.speed);
-      auto written = add(name, writePathPicture(folder + "/" + name, title, *config, records, labels));
+      auto written = add(name, writePathPicture(file_of(name), title, *config, records, labels));
       if (!written) return tl::unexpected<Error>(written.error());
     }
   }
@@ -164,8 +165,7 @@ Result<std::vector<std::string>> writePictures(const Comparison& comparison, con
        {std::tuple{"time.png", "Time of successful runs", "time / T*", &SummaryRow::time_ratio},
         std::tuple{"distance.png", "Distance of successful runs", "length / L*",
                    &SummaryRow::length_ratio}}) {
-    auto written =
-        add(name, save(drawBarChart(chartOf(comparison, title, axis, member)), folder + "/" + name));
+    auto written = add(name, save(drawBarChart(chartOf(comparison, title, axis, member)), file_of(name)));
     if (!written) return tl::unexpected<Error>(written.error());
   }
   return files;
