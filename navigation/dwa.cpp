@@ -36,7 +36,6 @@ Guidance Dwa::plan(const NavigationScene& scene) {
   Guidance guidance;
   guidance.kind = GuidanceKind::kWheels;
   guidance.wheels = saturate(*scene.robot, inverseKinematics(*scene.robot, limited));
-  guidance.stuck = wanted.linear == 0.0 && std::abs(wanted.angular) < 1e-9;
   return guidance;
 }
 

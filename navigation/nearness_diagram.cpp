@@ -36,7 +36,6 @@ Guidance NearnessDiagram::plan(const NavigationScene& scene) {
   guidance.kind = GuidanceKind::kField;
   guidance.field = this;
   guidance.speed_cap = std::min(motion_.speed_share * scene.robot->maxSpeed(), brakingSpeed(scene));
-  guidance.stuck = motion_.situation == NearnessSituation::kStuck;
   return guidance;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "navigation/polyline.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -11,13 +13,6 @@ constexpr double kEndReach = 0.10;    // [m] around an end where its own wall di
 constexpr double kGiveWay = 0.01;     // [m] of clearance given up for an end that has less than wanted
 constexpr double kPlanShare = 0.8;    // of the top speed that a robot keeps on average
 constexpr double kRestSpeed = 0.005;  // [m/s] slower obstacles are at rest
-
-double squaredDistanceToSegment(Vec2 a, Vec2 b, Vec2 p) {
-  const Vec2 edge = b - a, to = p - a;
-  const double square = squaredNorm(edge);
-  const double part = square > 0.0 ? std::clamp(dot(to, edge) / square, 0.0, 1.0) : 0.0;
-  return squaredNorm(to - edge * part);
-}
 
 }  // namespace
 
@@ -91,14 +86,6 @@ bool PathGuard::clear(std::span<const Vec2> path) const {
     }
   }
   return true;
-}
-
-double distanceToPath(std::span<const Vec2> path, Vec2 p) {
-  double least = 1e300;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    least = std::min(least, squaredDistanceToSegment(path[i - 1], path[i], p));
-  }
-  return std::sqrt(least);
 }
 
 }  // namespace fulbito

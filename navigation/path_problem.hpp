@@ -47,7 +47,4 @@ class PathGuard {
   std::vector<Circle> discs_;
 };
 
-/// Distance [m] from `p` to the polyline.
-double distanceToPath(std::span<const Vec2> path, Vec2 p);
-
 }  // namespace fulbito

@@ -18,19 +18,6 @@ constexpr double kAtGoal = 0.95;    // of the goal's tolerance, where a robot tu
 constexpr double kSlow =
     0.08;  // [m/s] faster robots brake first: turning would take all of the wheel acceleration
 
-/// Curvature over two points each way, which the vertices of a coarse polyline do not upset.
-void smoothCurvature(std::span<const Vec2> p, std::vector<double>& curvature) {
-  const std::size_t n = p.size();
-  curvature.assign(n, 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t reach = std::min({std::size_t{2}, i, n - 1 - i});
-    if (reach == 0) continue;
-    const Vec2 a = p[i] - p[i - reach], b = p[i + reach] - p[i], c = p[i + reach] - p[i - reach];
-    const double product = norm(a) * norm(b) * norm(c);
-    if (product > 1e-15) curvature[i] = 2.0 * cross(a, b) / product;
-  }
-}
-
 }  // namespace
 
 PreviewFollower::PreviewFollower(PreviewParams params) : params_(params) {
@@ -143,7 +130,8 @@ void PreviewFollower::cachePath(const Guidance& guidance, const NavigationScene&
 }
 
 void PreviewFollower::timeCached(const NavigationScene& scene, double end_speed) {
-  smoothCurvature(points_, curvature_);
+  curvature_.resize(points_.size());
+  pathCurvature(points_, curvature_);
   speeds_.assign(points_.size(), 0.0);
   SpeedLimits limits = speedLimits(*scene.robot, params_.acceleration_share, params_.lateral_share);
   limits.start_speed = 1e9;  // the limiter takes care of speeding up

@@ -20,7 +20,9 @@ struct SpeedLimits {
 /// reserve.
 SpeedLimits speedLimits(const RobotModel& robot, double acceleration_share, double lateral_share);
 
-/// Curvature [1/m] at each point of a polyline by the circle through its neighbours; the ends copy theirs.
+/// Curvature [1/m] at each point of a polyline by the circle through the points two before and after it,
+/// which the vertices of a coarse polyline do not upset; next to the ends one before and after, 0 at the
+/// ends.
 /// @param curvature  same size as `path`
 void pathCurvature(std::span<const Vec2> path, std::span<double> curvature);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "navigation/angles.hpp"
+#include "engine/core/math.hpp"
 
 namespace fulbito {
 namespace {
