@@ -34,4 +34,12 @@ struct Guidance {
   double speed_cap = std::numeric_limits<double>::infinity();  ///< [m/s] the robot shall not be faster now
 };
 
+/// Guidance by `field`, which must stay valid as long.
+inline Guidance guidanceBy(const HeadingField& field) {
+  Guidance guidance;
+  guidance.kind = GuidanceKind::kField;
+  guidance.field = &field;
+  return guidance;
+}
+
 }  // namespace fulbito

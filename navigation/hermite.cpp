@@ -69,8 +69,7 @@ void Hermite::placeJoints(const NavigationScene& scene) {
   for (const CirclePass& pass : tangent_path_.passes()) {
     const Vec2 centre = tangent_path_.centreOf(pass), spoke = pass.entry - centre;
     const double side = static_cast<double>(pass.side);
-    const math::SinCos half = math::sinCos(side * pass.sweep / 2);
-    const Vec2 middle = spoke * half.cos + perp(spoke) * half.sin;
+    const Vec2 middle = outOfFrame(spoke, math::unit(side * pass.sweep / 2));
     joints_.push_back({centre + middle, perp(unitOr(middle, {1.0, 0.0})) * side});
   }
   if (!(tangent_path_.target() == goal)) {

@@ -16,6 +16,10 @@ constexpr double kRestSpeed = 0.005;  // [m/s] slower obstacles are at rest
 
 }  // namespace
 
+bool isMoving(const DiscObstacle& obstacle) {
+  return squaredNorm(obstacle.velocity) > kRestSpeed * kRestSpeed;
+}
+
 double meetingTime(const DiscObstacle& obstacle, Vec2 robot, double speed, double horizon) {
   // |d + v t| = speed t, its smaller positive root in the form that has no difference of near numbers.
   const Vec2 d = obstacle.position - robot;
@@ -29,8 +33,7 @@ void predictObstacles(const NavigationScene& scene, double horizon, std::vector<
   out.clear();
   const double speed = kPlanShare * scene.robot->maxSpeed();
   for (const DiscObstacle& o : scene.obstacles) {
-    const bool moves = squaredNorm(o.velocity) > kRestSpeed * kRestSpeed;
-    const double time = moves ? meetingTime(o, scene.self.pose.position, speed, horizon) : 0.0;
+    const double time = isMoving(o) ? meetingTime(o, scene.self.pose.position, speed, horizon) : 0.0;
     out.push_back({o.position + o.velocity * time, o.radius});
   }
 }

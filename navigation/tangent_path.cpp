@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/math.hpp"
+#include "navigation/speed_profile.hpp"
 
 namespace fulbito {
 namespace {
@@ -61,7 +62,7 @@ double TangentPath::speedCap(const NavigationScene& scene) const {
     return std::numeric_limits<double>::infinity();
   }
   const double left = std::max(0.0, distance(scene.self.pose.position, target_) - kTurningRoom);
-  return kCrawl + std::sqrt(2.0 * kBrakingShare * scene.robot->wheel_acceleration * left);
+  return kCrawl + stoppingSpeed(kBrakingShare * scene.robot->wheel_acceleration, left);
 }
 
 bool TangentPath::onFinalStraight(const NavigationScene& scene) const {
