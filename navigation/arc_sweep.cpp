@@ -38,8 +38,8 @@ void ArcSweep::look(const NavigationScene& scene, double margin, double top_spee
   const Vec2 ux = math::unit(pose.heading);
   const double radius = scene.robot->circumradius() + margin;
   for (const DiscObstacle& obstacle : scene.obstacles) {
-    const Vec2 d = obstacle.position - pose.position, v = obstacle.velocity;
-    addDisc({dot(ux, d), cross(ux, d)}, {dot(ux, v), cross(ux, v)}, obstacle.radius + radius, top_speed);
+    addDisc(intoFrame(ux, obstacle.position - pose.position), intoFrame(ux, obstacle.velocity),
+            obstacle.radius + radius, top_speed);
   }
   addWalls(*scene.field, pose, radius, top_speed);
 }
@@ -80,13 +80,13 @@ double ArcSweep::freeTime(const RampedArc& arc) const {
     const int end = ramping ? ramp : chords_;
     const Twist twist = ramping ? arc.ramp : arc.cruise;
     const Vec2 first = poseOnArc(twist, step).position;
-    const math::SinCos turn = math::sinCos(twist.angular * step);
+    const Vec2 turn = math::unit(twist.angular * step);
     for (; chord < end; ++chord) {
-      const Vec2 move = along * first.x + perp(along) * first.y;
+      const Vec2 move = outOfFrame(along, first);
       const double share = contactOnChord(at, move, chord);
       if (share <= 1.0) return (chord + share) * step;
       at += move;
-      along = along * turn.cos + perp(along) * turn.sin;
+      along = outOfFrame(along, turn);
     }
   }
   return horizon_;
@@ -97,8 +97,7 @@ Pose2 RampedArc::poseAt(double time) const {
   if (time <= ramp_time) return first;
   const Pose2 second = poseOnArc(cruise, time - ramp_time);
   const Vec2 ux = math::unit(first.heading);
-  return {first.position + ux * second.position.x + perp(ux) * second.position.y,
-          math::wrapAngle(first.heading + second.heading)};
+  return {first.position + outOfFrame(ux, second.position), math::wrapAngle(first.heading + second.heading)};
 }
 
 double RampedArc::lengthAt(double time) const {

@@ -1,69 +1,47 @@
 #include "navigation/bezier.hpp"
 
-#include <algorithm>
 #include <array>
-
-#include "navigation/yield_speed.hpp"
+#include <limits>
 
 namespace fulbito {
 namespace {
 
 constexpr double kLeastClearance = 0.005;  // [m]
-constexpr double kSpacing = 0.01;          // [m] of a tangent graph path
-constexpr std::size_t kReservedPoints = 1024;
 
 }  // namespace
 
 Bezier::Bezier(Params params)
-    : params_(params),
+    : PathNavigator(params),
+      clearance_(params.clearance),
       tangent_path_({.hysteresis = params.hysteresis}),
-      planner_({.alpha = params.alpha, .all_sides = params.all_sides, .hysteresis = params.hysteresis}) {
-  path_.reserve(kReservedPoints);
-}
+      planner_({.alpha = params.alpha, .all_sides = params.all_sides, .hysteresis = params.hysteresis}) {}
 
-void Bezier::reset() {
-  tangent_path_.reset();
-  monitor_.reset();
-  blocked_ = on_tangent_path_ = false;
-}
+void Bezier::forget() { tangent_path_.reset(); }
 
-Guidance Bezier::plan(const NavigationScene& scene) {
-  predictObstacles(scene, params_.horizon, bodies_);
-  if (params_.replan == Replan::kTick || monitor_.due(scene, bodies_, path_)) {
-    replan(scene);
-    monitor_.planned(scene, bodies_);
-    ++revision_;
-  }
-  Guidance guidance;
-  guidance.kind = GuidanceKind::kPath;
-  guidance.path = path_;
-  guidance.revision = revision_;
-  guidance.stuck = blocked_;
-  guidance.speed_cap = yieldSpeed(scene, path_, params_.yield);
-  if (on_tangent_path_) guidance.speed_cap = std::min(guidance.speed_cap, tangent_path_.speedCap(scene));
-  return guidance;
-}
-
-void Bezier::replan(const NavigationScene& scene) {
+void Bezier::makePath(const NavigationScene& scene, std::span<const Circle> bodies, std::vector<Vec2>& path) {
   ++counts_.plans;
-  blocked_ = tangent_path_.plan(scene, bodies_) == TangentPath::Outcome::kNone;
-  on_tangent_path_ = blocked_ || !findCurve(scene);
+  const bool blocked = tangent_path_.plan(scene, bodies) == TangentPath::Outcome::kNone;
+  on_tangent_path_ = blocked || !findCurve(scene, bodies);
   if (!on_tangent_path_) {
-    path_.assign(planner_.path().begin(), planner_.path().end());
+    path.assign(planner_.path().begin(), planner_.path().end());
     return;
   }
-  ++(blocked_ ? counts_.blocked : counts_.tangent);
-  tangent_path_.sample(kSpacing, path_);
+  ++(blocked ? counts_.blocked : counts_.tangent);
+  tangent_path_.sample(path);
 }
 
-bool Bezier::findCurve(const NavigationScene& scene) {
+double Bezier::speedCap(const NavigationScene& scene) const {
+  return on_tangent_path_ ? tangent_path_.speedCap(scene) : std::numeric_limits<double>::infinity();
+}
+
+bool Bezier::findCurve(const NavigationScene& scene, std::span<const Circle> bodies) {
   std::array<double, BezierPlanner::kMostClearances> clearances{};
   std::size_t count = 0;
-  clearances[count++] = params_.clearance;
-  for (double less : {params_.clearance / 2, kLeastClearance}) {
+  clearances[count++] = clearance_;
+  for (double less : {clearance_ / 2, kLeastClearance}) {
     if (less < clearances[count - 1] && less >= kLeastClearance) clearances[count++] = less;
   }
-  const auto kept = planner_.plan(scene, bodies_, tangent_path_, {clearances.data(), count});
+  const auto kept = planner_.plan(scene, bodies, tangent_path_, {clearances.data(), count});
   if (kept && *kept > 0) ++counts_.tight;
   return kept.has_value();
 }
@@ -73,13 +51,12 @@ NavigatorInfo bezierInfo() {
   return describeNavigator<P, Bezier>(
       "bezier", "the shortest Bezier curve round the obstacles that is clear of them",
       "paper 004, with a collision test",
-      {number("clearance", &P::clearance, 0.0, 0.2, "m", "kept beside the robot's circumscribed circle"),
-       number("alpha", &P::alpha, -0.5, 0.5, "m", "added to the length A = 3 r that selects obstacles"),
-       flag("all_sides", &P::all_sides, "compare all choices of sides, not only the shortest path's"),
-       number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "share by which other sides must be shorter"),
-       number("horizon", &P::horizon, 0.0, 2.0, "s", "farthest look ahead at moving obstacles"),
-       number("yield", &P::yield, 0.0, 2.0, "s", "look ahead for slowing down before obstacles; 0 = never"),
-       choice("replan", &P::replan, {"change", "tick"}, "when to plan again")});
+      withPathParameters<P>(
+          {number("clearance", &P::clearance, 0.0, 0.2, "m", "kept beside the robot's circumscribed circle"),
+           number("alpha", &P::alpha, -0.5, 0.5, "m", "added to the length A = 3 r that selects obstacles"),
+           flag("all_sides", &P::all_sides, "compare all choices of sides, not only the shortest path's"),
+           number("hysteresis", &P::hysteresis, 0.0, 1.0, "",
+                  "share by which other sides must be shorter")}));
 }
 
 }  // namespace fulbito

@@ -1,24 +1,21 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include "navigation/bezier_planner.hpp"
-#include "navigation/parameters.hpp"
-#include "navigation/replan_monitor.hpp"
+#include "navigation/path_navigator.hpp"
 
 namespace fulbito {
 
-/// Drives the guarded Bezier curve (`BezierPlanner`). Plans when the scene changes or the robot strays.
+/// Drives the guarded Bezier curve (`BezierPlanner`).
 /// Where no curve keeps the clearance, half of it and then 5 mm are tried, then the tangent graph's path is
 /// driven; `counts()` tells how often.
-class Bezier final : public Navigator {
+class Bezier final : public PathNavigator {
  public:
-  struct Params {
-    double clearance = 0.02;  ///< [m] beside the robot's circumscribed circle
-    double alpha = 0.0;       ///< [m], see BezierPlannerParams
-    bool all_sides = false;   ///< see BezierPlannerParams
-    double hysteresis = 0.03;
-    double horizon = 0.5;  ///< [s] farthest look ahead at moving obstacles
-    double yield = 1.0;    ///< [s] look ahead of yieldSpeed
-    Replan replan = Replan::kChange;
+  struct Params : PathNavigatorParams {
+    double clearance = 0.02;   ///< [m] beside the robot's circumscribed circle
+    double alpha = 0.0;        ///< [m], see BezierPlannerParams
+    bool all_sides = false;    ///< see BezierPlannerParams
+    double hysteresis = 0.03;  ///< see BezierPlannerParams
   };
   /// How the plans since the construction came out.
   struct Counts {
@@ -28,22 +25,18 @@ class Bezier final : public Navigator {
     std::uint64_t blocked = 0;  ///< no way at all
   };
   explicit Bezier(Params params);
-  void reset() override;
-  Guidance plan(const NavigationScene& scene) override;
   const Counts& counts() const { return counts_; }
 
  private:
-  void replan(const NavigationScene& scene);
-  bool findCurve(const NavigationScene& scene);
+  void forget() override;
+  void makePath(const NavigationScene& scene, std::span<const Circle> bodies,
+                std::vector<Vec2>& path) override;
+  double speedCap(const NavigationScene& scene) const override;
+  bool findCurve(const NavigationScene& scene, std::span<const Circle> bodies);
 
-  Params params_;
+  double clearance_;
   TangentPath tangent_path_;
   BezierPlanner planner_;
-  ReplanMonitor monitor_;
-  std::vector<Circle> bodies_;
-  std::vector<Vec2> path_;
-  std::uint64_t revision_ = 0;
-  bool blocked_ = false;
   bool on_tangent_path_ = false;
   Counts counts_;
 };

@@ -52,12 +52,6 @@ Vec2 bezierPoint(std::span<const Vec2> control, std::size_t index) {
   return point;
 }
 
-double polylineLength(std::span<const Vec2> points) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
-  return length;
-}
-
 Vec2 acrossLine(Vec2 robot, Vec2 obstacle) { return perp(unitOr(obstacle - robot, {1.0, 0.0})); }
 
 SafeEnds safeEnds(Vec2 robot, const Circle& obstacle, double alpha) {

@@ -1,3 +1,4 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include <array>
@@ -17,9 +18,6 @@ void sampleBezier(std::span<const Vec2> control, BezierSamples& out);
 
 /// The sample with index `index` alone.
 Vec2 bezierPoint(std::span<const Vec2> control, std::size_t index);
-
-/// Sum of the chords [m].
-double polylineLength(std::span<const Vec2> points);
 
 /// Unit vector across the line from `robot` to an obstacle, to the left: (-sin phi, cos phi) with
 /// phi = atan2(O - H). Paper 004 (1) with erratum E24; where it prints theta = pi - phi the segment AB is not

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/math.hpp"
+#include "navigation/polyline.hpp"
 
 namespace fulbito {
 namespace {
@@ -26,12 +27,6 @@ Circle enclosing(const Circle& a, const Circle& b) {
   if (apart + a.radius <= b.radius) return b;
   const double radius = (apart + a.radius + b.radius) / 2;
   return {a.centre + (b.centre - a.centre) * ((radius - a.radius) / apart), radius};
-}
-
-double squaredDistanceToLine(Vec2 from, Vec2 to, Vec2 p) {
-  const double square = squaredNorm(to - from);
-  const double part = square > 0.0 ? std::clamp(dot(p - from, to - from) / square, 0.0, 1.0) : 0.0;
-  return squaredNorm(from + (to - from) * part - p);
 }
 
 /// Whether the last stretch has the arrival heading within half of its tolerance. A curve that reaches it at
@@ -108,7 +103,7 @@ bool BezierPlanner::addNearest(const NavigationScene& scene, std::span<const Cir
   double least = kInfinity;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (std::find(selected_.begin(), selected_.end(), i) != selected_.end()) continue;
-    const double away = squaredDistanceToLine(robot, goal, bodies[i].centre);
+    const double away = squaredDistanceToSegment(robot, goal, bodies[i].centre);
     if (away < least) least = away, best = i;
   }
   if (best == bodies.size()) return false;
@@ -122,7 +117,7 @@ int BezierPlanner::seededSide(const NavigationScene& scene, const TangentPath& s
   Vec2 from = scene.self.pose.position;
   double least = kInfinity, turn = 0.0;
   const auto look = [&](Vec2 to) {
-    const double away = squaredDistanceToLine(from, to, centre);
+    const double away = squaredDistanceToSegment(from, to, centre);
     if (away < least) least = away, turn = cross(to - from, centre - from);
     from = to;
   };

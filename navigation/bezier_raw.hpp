@@ -1,8 +1,8 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include "navigation/bezier_curve.hpp"
-#include "navigation/parameters.hpp"
-#include "navigation/replan_monitor.hpp"
+#include "navigation/path_navigator.hpp"
 
 namespace fulbito {
 
@@ -11,7 +11,7 @@ namespace fulbito {
 /// comparison's baseline; `bezier` is the one to drive with. An arrival heading is not looked at.
 ///
 /// Of more than eight obstacles on the line the eight nearest to the robot count.
-class BezierRaw final : public Navigator {
+class BezierRaw final : public PathNavigator {
  public:
   struct Params {
     double tbp = 0.33;         ///< [m] of a control point from its obstacle: 130 pixels
@@ -20,22 +20,20 @@ class BezierRaw final : public Navigator {
     Replan replan = Replan::kChange;
   };
   explicit BezierRaw(Params params);
-  void reset() override;
-  Guidance plan(const NavigationScene& scene) override;
 
  private:
-  void choose(const NavigationScene& scene);
-  double curve(const NavigationScene& scene, std::uint32_t sides, BezierSamples& out) const;
+  void forget() override;
+  void makePath(const NavigationScene& scene, std::span<const Circle> bodies,
+                std::vector<Vec2>& path) override;
+  double curve(const NavigationScene& scene, std::span<const Circle> bodies, std::uint32_t sides,
+               BezierSamples& out) const;
 
   Params params_;
-  ReplanMonitor monitor_;
-  std::vector<Circle> obstacles_;
   std::vector<std::size_t> selected_;
   std::vector<std::size_t> kept_selected_;  ///< selection for which `kept_sides_` was chosen
   std::uint32_t kept_sides_ = 0;            ///< bit i: selected obstacle i is passed at its end B
-  BezierSamples path_{};
+  BezierSamples shortest_{};
   BezierSamples trial_{};
-  std::uint64_t revision_ = 0;
 };
 
 NavigatorInfo bezierRawInfo();

@@ -90,7 +90,6 @@ Guidance BsplineTime::plan(const NavigationScene& scene) {
   guidance.path = path_.points();
   guidance.speeds = path_.speeds();
   guidance.revision = revision_;
-  guidance.stuck = !braking_ && best_.score().clearance < 0.0;
   return guidance;
 }
 

@@ -1,3 +1,4 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include <array>
@@ -21,6 +22,14 @@ constexpr SplineWeights splineWeights(double u) {
            (-3.0 * u * u * u + 3.0 * u * u + 3.0 * u + 1.0) / 6.0, u * u * u / 6.0},
           {-w * w / 2.0, (3.0 * u * u - 4.0 * u) / 2.0, (-3.0 * u * u + 2.0 * u + 1.0) / 2.0, u * u / 2.0},
           {w, 3.0 * u - 2.0, -3.0 * u + 1.0, u}};
+}
+
+/// The weights at `u` = 0, 1 / pieces ... 1.
+template <std::size_t pieces>
+constexpr std::array<SplineWeights, pieces + 1> splineWeightTable() {
+  std::array<SplineWeights, pieces + 1> table{};
+  for (std::size_t i = 0; i <= pieces; ++i) table[i] = splineWeights(static_cast<double>(i) / pieces);
+  return table;
 }
 
 /// A place on a spline with its derivatives by the span's parameter.

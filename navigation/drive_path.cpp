@@ -1,7 +1,6 @@
 #include "navigation/drive_path.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,15 +12,10 @@ constexpr std::size_t kReserve = (CubicSpline::kMaxControls - 1) * kPerSpan + 2;
 constexpr std::size_t kWindow = 24;       // points searched ahead of the last place
 constexpr double kRideStep = 1.0 / 30.0;  // [s] of a slow ride
 constexpr double kRideWay = 0.04;         // [m] at most between looks of a fast one
-constexpr double kBehind = 0.0;           // of the distance of a touch: discs further back only push
 constexpr std::size_t kAhead = 2;         // points
 constexpr double kOwnMotion = 0.02;       // [m/s] slower than that, the other one runs into the robot
 
-constexpr auto kWeights = [] {
-  std::array<SplineWeights, kPerSpan> table{};
-  for (std::size_t i = 0; i < kPerSpan; ++i) table[i] = splineWeights(static_cast<double>(i) / kPerSpan);
-  return table;
-}();
+constexpr auto kWeights = splineWeightTable<kPerSpan>();
 
 }  // namespace
 
@@ -52,9 +46,9 @@ void DrivePath::build(const CubicSpline& spline, SpeedLimits limits) {
     curvature_.push_back(curvature(point));
   };
   for (std::size_t s = 0; s < spline.spans(); ++s) {
-    for (const SplineWeights& weights : kWeights) put(spline.at(s, weights));
+    for (std::size_t i = 0; i < kPerSpan; ++i) put(spline.at(s, kWeights[i]));
   }
-  if (spline.spans() > 0) put(spline.at(spline.spans() - 1, splineWeights(1.0)));
+  if (spline.spans() > 0) put(spline.at(spline.spans() - 1, kWeights.back()));
   speeds_.resize(points_.size());
   limits.start_speed = 1e9;
   timePath(points_, curvature_, limits, speeds_);
@@ -92,8 +86,7 @@ std::size_t DrivePath::span() const { return place_ / kPerSpan; }
 double DrivePath::conflict(const Ride& ride, const BodyShape& body,
                            std::span<const ForecastDisc> discs) const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  const double reach =
-      ride.margin + std::sqrt(body.half_length * body.half_length + body.half_width * body.half_width);
+  const double reach = ride.margin + body.circumradius();
   double speed = ride.speed, way = points_.empty() ? 0.0 : spacing_[place_];
   std::size_t i = place_;
   double time = 0.0;
@@ -116,7 +109,7 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
       const double near = reach + margin + disc.radius;
       if (squaredNorm(centre - position) > near * near) continue;
       // Driving away from a disc that touches the robot already is the cure, not a conflict.
-      if (dot(along_[i], centre - position) <= kBehind * (disc.radius + body.half_length)) continue;
+      if (dot(along_[i], centre - position) <= 0.0) continue;
       if (discClearance(body, position, along_[i], centre, disc.radius) < margin) return time;
     }
   }

@@ -6,6 +6,7 @@
 
 #include "engine/core/math.hpp"
 #include "navigation/limiter.hpp"
+#include "navigation/speed_profile.hpp"
 
 namespace fulbito {
 namespace {
@@ -36,16 +37,15 @@ Guidance Dwa::plan(const NavigationScene& scene) {
   Guidance guidance;
   guidance.kind = GuidanceKind::kWheels;
   guidance.wheels = saturate(*scene.robot, inverseKinematics(*scene.robot, limited));
-  guidance.stuck = wanted.linear == 0.0 && std::abs(wanted.angular) < 1e-9;
   return guidance;
 }
 
 Dwa::Window Dwa::windowOf(const NavigationScene& scene) const {
   const RobotModel& robot = *scene.robot;
   const Pose2& pose = scene.self.pose;
-  const Vec2 ux = math::unit(pose.heading), to_goal = scene.goal.position - pose.position;
+  const Vec2 to_goal = scene.goal.position - pose.position;
   Window window;
-  window.goal = {dot(ux, to_goal), cross(ux, to_goal)};
+  window.goal = intoFrame(math::unit(pose.heading), to_goal);
   window.top_speed = robot.maxSpeed();
   window.reach = robot.wheel_acceleration * params_.window;
   const double top_turn = 2.0 * robot.maxSpeed() / robot.axle_track;
@@ -55,7 +55,7 @@ Dwa::Window Dwa::windowOf(const NavigationScene& scene) const {
   if (scene.goal.stop) {
     const double left = std::max(0.0, norm(to_goal) - scene.goal.tolerance / 2);
     window.top_speed =
-        std::min(window.top_speed, std::sqrt(2.0 * params_.braking * robot.wheel_acceleration * left));
+        std::min(window.top_speed, stoppingSpeed(params_.braking * robot.wheel_acceleration, left));
   }
   return window;
 }

@@ -1,11 +1,11 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include <algorithm>
 #include <span>
 #include <vector>
 
-#include "engine/core/field_geometry.hpp"
-#include "engine/core/robot_model.hpp"
+#include "navigation/body_clearance.hpp"
 #include "navigation/scene.hpp"
 
 namespace fulbito {
@@ -36,23 +36,9 @@ struct ForecastDisc {
 /// Foresees all obstacles of `scene` into `out`, reusing its memory; returns whether any of them moves.
 bool forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out);
 
-/// Half sizes [m] of a robot's rectangle.
-struct BodyShape {
-  double half_length = 0.0375;
-  double half_width = 0.0375;
-};
-BodyShape bodyShape(const RobotModel& robot);
-
-/// Clearance [m] of the body at `position`, its x axis along the unit vector `along`, to a disc; negative
-/// when they overlap.
-double discClearance(const BodyShape& body, Vec2 position, Vec2 along, Vec2 centre, double radius);
-
 /// Whether the body, if it goes on with `velocity` [m/s] and keeps its direction, meets the disc within
 /// `horizon` [s].
 bool meetsWithin(const BodyShape& body, Vec2 position, Vec2 along, Vec2 velocity, const ForecastDisc& disc,
                  double horizon);
-
-/// Clearance [m] of the body to the nearest wall of the playing rectangle with its corner triangles.
-double wallClearance(const BodyShape& body, Vec2 position, Vec2 along, const FieldGeometry& field);
 
 }  // namespace fulbito

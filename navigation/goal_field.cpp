@@ -18,8 +18,7 @@ double spiralTurn(double rho, double radius, double smoothness) {
 }  // namespace
 
 double spiralHeading(Vec2 p, Vec2 goal, double arrival, double radius, double smoothness) {
-  const Vec2 along = math::unit(arrival), offset = p - goal;
-  const Vec2 local{dot(along, offset), cross(along, offset)};
+  const Vec2 local = intoFrame(math::unit(arrival), p - goal);
   const auto about = [&](double side) {
     const Vec2 from_centre{local.x, local.y - side * radius};
     return math::angleOf(from_centre) + side * spiralTurn(norm(from_centre), radius, smoothness);

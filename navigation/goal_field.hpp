@@ -1,3 +1,4 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include <optional>
@@ -51,7 +52,7 @@ class GoalField {
 
 /// Adds the parameters `goal`, `de`, `kr`, `n` and `guide` of the member `goal_field` of `P`.
 template <typename P>
-void addGoalFieldParameters(std::vector<Parameter<P>>& parameters) {
+std::vector<Parameter<P>> withGoalFieldParameters(std::vector<Parameter<P>> parameters) {
   const GoalFieldParams defaults = P{}.goal_field;
   const auto add = [&](std::string name, double GoalFieldParams::* member, double low, double high,
                        std::string unit, std::string doc) {
@@ -79,6 +80,7 @@ void addGoalFieldParameters(std::vector<Parameter<P>>& parameters) {
   add("kr", &GoalFieldParams::spiral_smoothness, 0.0, 1.0, "m", "smoothness of the spiral field");
   add("n", &GoalFieldParams::sharpness, 1.0, 20.0, "", "sharpness of the posture field");
   add("guide", &GoalFieldParams::guide, 0.001, 0.3, "m", "posture field's guide point beyond the goal");
+  return parameters;
 }
 
 }  // namespace fulbito

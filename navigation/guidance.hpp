@@ -27,13 +27,19 @@ enum class GuidanceKind {
 struct Guidance {
   GuidanceKind kind = GuidanceKind::kField;
   const HeadingField* field = nullptr;
-  std::span<const Vec2>
-      path;  ///< [m] from about the robot's place to the goal, at least 2 points, any spacing
+  std::span<const Vec2> path;      ///< [m] robot's place to goal, at least 2 points, any spacing
   std::span<const double> speeds;  ///< [m/s] at each path point
   std::uint64_t revision = 0;      ///< changes whenever `path` or `speeds` do, so that followers can cache
   WheelSpeeds wheels;              ///< [rad/s]
   double speed_cap = std::numeric_limits<double>::infinity();  ///< [m/s] the robot shall not be faster now
-  bool stuck = false;  ///< the method sees no way; the robot shall stop or turn as given
 };
+
+/// Guidance by `field`, which must stay valid as long.
+inline Guidance guidanceBy(const HeadingField& field) {
+  Guidance guidance;
+  guidance.kind = GuidanceKind::kField;
+  guidance.field = &field;
+  return guidance;
+}
 
 }  // namespace fulbito

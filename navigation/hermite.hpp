@@ -1,7 +1,8 @@
+// Private header of navigation: not installed.
 #pragma once
 
-#include "navigation/parameters.hpp"
-#include "navigation/replan_monitor.hpp"
+#include "navigation/path_navigator.hpp"
+#include "navigation/path_problem.hpp"
 #include "navigation/tangent_path.hpp"
 
 namespace fulbito {
@@ -14,15 +15,12 @@ void appendHermite(Vec2 a, Vec2 da, Vec2 b, Vec2 db, double spacing, std::vector
 /// joint in the middle of each arc, along the circle, so that a curve begins to turn before the circle and
 /// ends after it. Ends along an arrival heading. The same guard as the Bezier method's tests the curve; while
 /// it touches, the circles of the shortest path are made larger, up to 4 cm; then that path itself is driven.
-class Hermite final : public Navigator {
+class Hermite final : public PathNavigator {
  public:
-  struct Params {
-    double clearance = 0.01;  ///< [m] beside the robot's circumscribed circle
-    double tension = 1.0;     ///< of the joints: length of a derivative over the chord
-    double hysteresis = 0.03;
-    double horizon = 0.5;  ///< [s] farthest look ahead at moving obstacles
-    double yield = 1.0;    ///< [s] look ahead of yieldSpeed
-    Replan replan = Replan::kChange;
+  struct Params : PathNavigatorParams {
+    double clearance = 0.01;   ///< [m] beside the robot's circumscribed circle
+    double tension = 1.0;      ///< of the joints: length of a derivative over the chord
+    double hysteresis = 0.03;  ///< see TangentPathParams
   };
   /// How the plans since the construction came out.
   struct Counts {
@@ -31,8 +29,6 @@ class Hermite final : public Navigator {
     std::uint64_t blocked = 0;  ///< no way at all
   };
   explicit Hermite(Params params);
-  void reset() override;
-  Guidance plan(const NavigationScene& scene) override;
   const Counts& counts() const { return counts_; }
 
  private:
@@ -40,19 +36,18 @@ class Hermite final : public Navigator {
     Vec2 place;
     Vec2 direction;
   };
-  void replan(const NavigationScene& scene);
+  void forget() override;
+  void makePath(const NavigationScene& scene, std::span<const Circle> bodies,
+                std::vector<Vec2>& path) override;
+  double speedCap(const NavigationScene& scene) const override;
   void placeJoints(const NavigationScene& scene);
-  void drawCurve();
+  void drawCurve(std::vector<Vec2>& path) const;
 
-  Params params_;
+  double clearance_;
+  double tension_;
   TangentPath tangent_path_;
   PathGuard guard_;
-  ReplanMonitor monitor_;
-  std::vector<Circle> bodies_;
   std::vector<Joint> joints_;
-  std::vector<Vec2> path_;
-  std::uint64_t revision_ = 0;
-  bool blocked_ = false;
   bool on_tangent_path_ = false;
   Counts counts_;
 };

@@ -38,10 +38,7 @@ Guidance LimitCycle::plan(const NavigationScene& scene) {
       scene.self.pose.position, goal_,
       {.hysteresis = params_.hysteresis, .inside = scene.field, .wall_margin = robot_radius});
   decidePosture(scene);
-  Guidance guidance;
-  guidance.kind = GuidanceKind::kField;
-  guidance.field = this;
-  return guidance;
+  return guidanceBy(*this);
 }
 
 void LimitCycle::decidePosture(const NavigationScene& scene) {

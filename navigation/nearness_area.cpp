@@ -69,7 +69,7 @@ bool isNavigable(const NearnessView& view, Vec2 target) {
   std::size_t lefts = 0, rights = 0;
   for (const SectorHit& hit : view.hits) {
     const double x = dot(along, hit.point), y = cross(along, hit.point);
-    if (!(hit.distance < 1e300) || x < 0.0 || x >= range || std::abs(y) > width) continue;
+    if (hit.isEmpty() || x < 0.0 || x >= range || std::abs(y) > width) continue;
     if (distance(hit.point, target) < view.radius) return false;
     if (y >= 0.0) {
       left[lefts++] = hit.point;

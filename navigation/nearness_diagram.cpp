@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/math.hpp"
+#include "navigation/speed_profile.hpp"
 
 namespace fulbito {
 
@@ -21,22 +22,18 @@ Guidance NearnessDiagram::plan(const NavigationScene& scene) {
                  [&](const SectorHit& hit) { return hit.distance <= params_.range ? hit : kEmpty; });
 
   const Pose2& pose = scene.self.pose;
-  const Vec2 ux = math::unit(pose.heading), to_goal = scene.goal.position - pose.position;
   NearnessView view;
   view.circle = &circle_;
   view.hits = diagram_;
-  view.goal = {dot(ux, to_goal), cross(ux, to_goal)};
+  view.goal = intoFrame(math::unit(pose.heading), scene.goal.position - pose.position);
   view.radius = scene.robot->width / 2 + params_.gap_margin;
   view.security = params_.security;
   view.wide_rule = params_.wide_region;
   motion_ = decideNearness(view, {scene.robot->length, scene.robot->width, params_.margin});
 
   direction_ = math::wrapAngle(pose.heading + motion_.direction);
-  Guidance guidance;
-  guidance.kind = GuidanceKind::kField;
-  guidance.field = this;
+  Guidance guidance = guidanceBy(*this);
   guidance.speed_cap = std::min(motion_.speed_share * scene.robot->maxSpeed(), brakingSpeed(scene));
-  guidance.stuck = motion_.situation == NearnessSituation::kStuck;
   return guidance;
 }
 
@@ -47,7 +44,7 @@ double NearnessDiagram::brakingSpeed(const NavigationScene& scene) const {
     if (hit.point.x > 0.0 && std::abs(hit.point.y) < half_width) room = std::min(room, hit.point.x);
   }
   room = std::max(0.0, room - scene.robot->length / 2);
-  return std::sqrt(2.0 * params_.braking * scene.robot->wheel_acceleration * room);
+  return stoppingSpeed(params_.braking * scene.robot->wheel_acceleration, room);
 }
 
 NavigatorInfo nearnessDiagramInfo() {

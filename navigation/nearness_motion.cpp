@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kSlowest = 0.2;  // share of the top speed that low safety leaves
 
-bool isEmpty(const SectorHit& hit) { return !(hit.distance < 1e300); }
-
 NearnessMotion turnTowardGoal(const NearnessView& view) {
   NearnessMotion motion;
   motion.direction = view.goal.y >= 0.0 ? math::kPi / 2 : -math::kPi / 2;
@@ -47,7 +45,7 @@ bool isBesideRear(const NearnessHull& hull, Vec2 p) {
 /// A rear corner swings out on the side away from the turn.
 void applyEmergency(const NearnessView& view, const NearnessHull& hull, NearnessMotion& motion) {
   for (const SectorHit& hit : view.hits) {
-    if (isEmpty(hit)) continue;
+    if (hit.isEmpty()) continue;
     motion.blocked = motion.blocked || isInFront(hull, hit.point);
     const bool towards = motion.direction * hit.point.y < 0.0;
     motion.turn_cut = motion.turn_cut || (towards && isBesideRear(hull, hit.point));
@@ -70,7 +68,7 @@ SecurityZone securityZone(const NearnessView& view, const NearnessHull& hull, do
   double nearest = 1.0;
   for (int i = 0; i < view.circle->count(); ++i) {
     const SectorHit& hit = view.hits[static_cast<std::size_t>(i)];
-    if (isEmpty(hit) || hit.distance > horizon) continue;
+    if (hit.isEmpty() || hit.distance > horizon) continue;
     const Vec2 bearing = view.circle->direction(i);
     const double free = std::max(0.0, hit.distance - hull.reach(bearing)) / view.security;
     if (free >= 1.0) continue;

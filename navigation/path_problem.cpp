@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "navigation/polyline.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -12,14 +14,11 @@ constexpr double kGiveWay = 0.01;     // [m] of clearance given up for an end th
 constexpr double kPlanShare = 0.8;    // of the top speed that a robot keeps on average
 constexpr double kRestSpeed = 0.005;  // [m/s] slower obstacles are at rest
 
-double squaredDistanceToSegment(Vec2 a, Vec2 b, Vec2 p) {
-  const Vec2 edge = b - a, to = p - a;
-  const double square = squaredNorm(edge);
-  const double part = square > 0.0 ? std::clamp(dot(to, edge) / square, 0.0, 1.0) : 0.0;
-  return squaredNorm(to - edge * part);
-}
-
 }  // namespace
+
+bool isMoving(const DiscObstacle& obstacle) {
+  return squaredNorm(obstacle.velocity) > kRestSpeed * kRestSpeed;
+}
 
 double meetingTime(const DiscObstacle& obstacle, Vec2 robot, double speed, double horizon) {
   // |d + v t| = speed t, its smaller positive root in the form that has no difference of near numbers.
@@ -34,8 +33,7 @@ void predictObstacles(const NavigationScene& scene, double horizon, std::vector<
   out.clear();
   const double speed = kPlanShare * scene.robot->maxSpeed();
   for (const DiscObstacle& o : scene.obstacles) {
-    const bool moves = squaredNorm(o.velocity) > kRestSpeed * kRestSpeed;
-    const double time = moves ? meetingTime(o, scene.self.pose.position, speed, horizon) : 0.0;
+    const double time = isMoving(o) ? meetingTime(o, scene.self.pose.position, speed, horizon) : 0.0;
     out.push_back({o.position + o.velocity * time, o.radius});
   }
 }
@@ -91,14 +89,6 @@ bool PathGuard::clear(std::span<const Vec2> path) const {
     }
   }
   return true;
-}
-
-double distanceToPath(std::span<const Vec2> path, Vec2 p) {
-  double least = 1e300;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    least = std::min(least, squaredDistanceToSegment(path[i - 1], path[i], p));
-  }
-  return std::sqrt(least);
 }
 
 }  // namespace fulbito

@@ -1,3 +1,4 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include <span>
@@ -7,6 +8,10 @@
 #include "navigation/scene.hpp"
 
 namespace fulbito {
+
+/// Whether an obstacle is faster than 5 mm/s. (`forecast` asks for 3 cm/s: a plan that is refined over many
+/// ticks loses more by being made anew than by such a drift.)
+bool isMoving(const DiscObstacle& obstacle);
 
 /// Where and when a moving obstacle is expected to be met: the time [s] after which a robot that drives at
 /// `speed` [m/s] straight at it reaches it, at most `horizon` [s].
@@ -46,8 +51,5 @@ class PathGuard {
   double goal_margin_ = 0.0;
   std::vector<Circle> discs_;
 };
-
-/// Distance [m] from `p` to the polyline.
-double distanceToPath(std::span<const Vec2> path, Vec2 p);
 
 }  // namespace fulbito

@@ -1,17 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
-#include "engine/core/vec2.hpp"
+#include "navigation/polyline.hpp"
 
 namespace fulbito {
-
-/// A place on a polyline.
-struct PathPlace {
-  std::size_t segment = 0;  ///< between points `segment` and `segment + 1`
-  double fraction = 0.0;    ///< 0 ... 1 of that segment
-};
 
 /// Keeps the place of a robot on a path from tick to tick, so that a path that crosses or nears itself is not
 /// short-cut and the search costs a few segments a tick.
@@ -27,10 +20,5 @@ class PathTracker {
   std::uint64_t revision_ = 0;
   PathPlace place_;
 };
-
-/// The point at `place`.
-Vec2 pointAt(std::span<const Vec2> path, PathPlace place);
-/// The place `length` [m] further along; the last point when the path ends before.
-PathPlace advance(std::span<const Vec2> path, PathPlace place, double length);
 
 }  // namespace fulbito

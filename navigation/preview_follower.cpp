@@ -18,19 +18,6 @@ constexpr double kAtGoal = 0.95;    // of the goal's tolerance, where a robot tu
 constexpr double kSlow =
     0.08;  // [m/s] faster robots brake first: turning would take all of the wheel acceleration
 
-/// Curvature over two points each way, which the vertices of a coarse polyline do not upset.
-void smoothCurvature(std::span<const Vec2> p, std::vector<double>& curvature) {
-  const std::size_t n = p.size();
-  curvature.assign(n, 0.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t reach = std::min({std::size_t{2}, i, n - 1 - i});
-    if (reach == 0) continue;
-    const Vec2 a = p[i] - p[i - reach], b = p[i + reach] - p[i], c = p[i + reach] - p[i - reach];
-    const double product = norm(a) * norm(b) * norm(c);
-    if (product > 1e-15) curvature[i] = 2.0 * cross(a, b) / product;
-  }
-}
-
 }  // namespace
 
 PreviewFollower::PreviewFollower(PreviewParams params) : params_(params) {
@@ -61,8 +48,8 @@ Twist PreviewFollower::follow(const Guidance& guidance, const NavigationScene& s
   if (scene.goal.stop) {
     const double left =
         std::max(0.0, distance(scene.self.pose.position, scene.goal.position) - scene.goal.tolerance / 2);
-    ahead.speed = std::min(
-        ahead.speed, std::sqrt(2.0 * params_.acceleration_share * scene.robot->wheel_acceleration * left));
+    ahead.speed = std::min(ahead.speed,
+                           stoppingSpeed(params_.acceleration_share * scene.robot->wheel_acceleration, left));
   }
   Twist wanted = steer(ahead, scene, speed, timed);
   if (guidance.speed_cap < speed) {
@@ -98,7 +85,7 @@ PreviewFollower::Ahead PreviewFollower::aheadOnField(const Guidance& guidance, c
     // Beyond the goal the field turns back on itself: go on straight.
     arrived = arrived || distance(p, scene.goal.position) < kSpacing;
   }
-  timeCached(scene, 1e9);
+  timeCached(scene);
   const double from = std::min(speed * scene.dt / kSpacing, static_cast<double>(kFieldPoints - 1));
   const auto index = static_cast<std::size_t>(from);
   const double part = from - static_cast<double>(index);
@@ -137,20 +124,19 @@ void PreviewFollower::cachePath(const Guidance& guidance, const NavigationScene&
     points_.push_back(pointAt(guidance.path, place));
     if (place.segment + 2 >= guidance.path.size() && place.fraction >= 1.0) break;
   }
-  timeCached(scene, 1e9);
+  timeCached(scene);
   cached_ = true;
   cached_revision_ = guidance.revision;
 }
 
-void PreviewFollower::timeCached(const NavigationScene& scene, double end_speed) {
-  smoothCurvature(points_, curvature_);
+void PreviewFollower::timeCached(const NavigationScene& scene) {
+  curvature_.resize(points_.size());
+  pathCurvature(points_, curvature_);
   speeds_.assign(points_.size(), 0.0);
   SpeedLimits limits = speedLimits(*scene.robot, params_.acceleration_share, params_.lateral_share);
-  limits.start_speed = 1e9;  // the limiter takes care of speeding up
-  limits.end_speed = end_speed;
+  // Speeding up is the limiter's business, braking is what the preview is for.
+  limits.start_speed = 1e9;
   timePath(points_, curvature_, limits, speeds_);
-  // The forward pass limits speeding up from bends, which the limiter does too; braking is what the preview
-  // is for.
 }
 
 Twist PreviewFollower::steer(const Ahead& ahead, const NavigationScene& scene, double speed, bool timed) {

@@ -36,7 +36,7 @@ class PreviewFollower final : public Follower {
   Ahead aheadOnField(const Guidance& guidance, const NavigationScene& scene, double speed, double reach);
   Ahead aheadOnPath(const Guidance& guidance, const NavigationScene& scene, double speed, double reach);
   void cachePath(const Guidance& guidance, const NavigationScene& scene);
-  void timeCached(const NavigationScene& scene, double end_speed);
+  void timeCached(const NavigationScene& scene);
   Twist steer(const Ahead& ahead, const NavigationScene& scene, double speed, bool timed);
 
   PreviewParams params_;

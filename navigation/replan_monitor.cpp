@@ -1,6 +1,6 @@
 #include "navigation/replan_monitor.hpp"
 
-#include "navigation/path_problem.hpp"
+#include "navigation/polyline.hpp"
 
 namespace fulbito {
 namespace {

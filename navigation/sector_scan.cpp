@@ -70,8 +70,7 @@ void scanScene(const SectorCircle& circle, const NavigationScene& scene, std::sp
   const Pose2& pose = scene.self.pose;
   const Vec2 ux = math::unit(pose.heading);
   for (const DiscObstacle& obstacle : scene.obstacles) {
-    const Vec2 d = obstacle.position - pose.position;
-    addDisc(circle, {dot(ux, d), cross(ux, d)}, obstacle.radius, hits);
+    addDisc(circle, intoFrame(ux, obstacle.position - pose.position), obstacle.radius, hits);
   }
   auto walls = wallLines(*scene.field, pose);
   for (WallLine& wall : walls) wall.clearance = std::max(wall.clearance, kTouching);

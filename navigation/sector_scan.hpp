@@ -1,3 +1,4 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include <span>
@@ -41,6 +42,8 @@ class SectorCircle {
 struct SectorHit {
   double distance = 0.0;  ///< [m] > 0; infinity where the sector is empty
   Vec2 point;             ///< [m] robot frame; only where `distance` is finite
+
+  bool isEmpty() const { return !(distance < 1e300); }
 };
 
 /// Nearest point of discs and walls (the playing rectangle with its corner triangles) in every sector, exact:

@@ -25,16 +25,12 @@ SpeedLimits speedLimits(const RobotModel& robot, double acceleration_share, doub
 
 void pathCurvature(std::span<const Vec2> path, std::span<double> curvature) {
   const std::size_t count = path.size();
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    const Vec2 a = path[i] - path[i - 1], b = path[i + 1] - path[i], c = path[i + 1] - path[i - 1];
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t reach = std::min({std::size_t{2}, i, count - 1 - i});
+    const Vec2 a = path[i] - path[i - reach], b = path[i + reach] - path[i],
+               c = path[i + reach] - path[i - reach];
     const double product = norm(a) * norm(b) * norm(c);
     curvature[i] = product > 1e-15 ? 2.0 * cross(a, b) / product : 0.0;
-  }
-  if (count >= 3) {
-    curvature[0] = curvature[1];
-    curvature[count - 1] = curvature[count - 2];
-  } else {
-    for (double& k : curvature) k = 0.0;
   }
 }
 

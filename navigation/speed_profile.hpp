@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "engine/core/robot_model.hpp"
@@ -20,7 +21,12 @@ struct SpeedLimits {
 /// reserve.
 SpeedLimits speedLimits(const RobotModel& robot, double acceleration_share, double lateral_share);
 
-/// Curvature [1/m] at each point of a polyline by the circle through its neighbours; the ends copy theirs.
+/// Highest speed [m/s] from which a robot that slows down by `deceleration` [m/s^2] stops within `way` [m].
+inline double stoppingSpeed(double deceleration, double way) { return std::sqrt(2.0 * deceleration * way); }
+
+/// Curvature [1/m] at each point of a polyline by the circle through the points two before and after it,
+/// which the vertices of a coarse polyline do not upset; next to the ends one before and after, 0 at the
+/// ends.
 /// @param curvature  same size as `path`
 void pathCurvature(std::span<const Vec2> path, std::span<double> curvature);
 

@@ -20,13 +20,7 @@ constexpr double kTooFastPrice = 2.0;    // [s] per [m/s] that the start is too 
 constexpr double kStartTurnPrice = 0.2;  // [s] half a turn at the start
 constexpr double kEndTurnPrice = 0.5;    // [s] half a turn at the goal, with settling
 
-constexpr auto kWeights = [] {
-  std::array<SplineWeights, SplineCost::kPerSpan + 1> table{};
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    table[i] = splineWeights(static_cast<double>(i) / SplineCost::kPerSpan);
-  }
-  return table;
-}();
+constexpr auto kWeights = splineWeightTable<SplineCost::kPerSpan>();
 
 /// 0 for equal directions, 1 for opposite ones: sine of half the angle between unit vectors.
 double halfTurn(Vec2 a, Vec2 b) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(a, b))); }
@@ -37,9 +31,7 @@ SplineCost::SplineCost(const SplineTask& task) { setTask(task); }
 
 void SplineCost::setTask(const SplineTask& task) {
   task_ = task;
-  const BodyShape& body = task.body;
-  reach_ = task.clearance_wish +
-           std::sqrt(body.half_length * body.half_length + body.half_width * body.half_width);
+  reach_ = task.clearance_wish + task.body.circumradius();
   if (task.field == nullptr) return;
   const double border = reach_ + task.field->corner;
   inner_ = {task.field->length / 2 - border, task.field->width / 2 - border};

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "navigation/path_tracker.hpp"
+#include "navigation/polyline.hpp"
 
 namespace fulbito {
 namespace {
@@ -15,12 +15,6 @@ constexpr double kLead = 0.08;        // [m] that a given direction is kept at m
 constexpr double kNarrow = 0.002;     // [m] beside a robot that enters a gap straight
 constexpr double kForeseen = 2.0;     // [s]
 constexpr double kFlipPenalty = 2.0;  // [m] for the side that is not wanted
-
-double wayLength(std::span<const Vec2> way) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) length += distance(way[i - 1], way[i]);
-  return length;
-}
 
 }  // namespace
 
@@ -48,7 +42,7 @@ bool SplineSeeder::search(const SeedRequest& request, const RobotModel& robot, c
     way_.push_back(from_);
     way_.push_back(to_);
   }
-  length_ = wayLength(way_);
+  length_ = polylineLength(way_);
   makeSpline(shortest_);
   return found;
 }
@@ -58,7 +52,7 @@ bool SplineSeeder::otherSide(std::size_t bend, double excess, CubicSpline& out) 
   CirclePass flipped = passes_[bend];
   flipped.side = -flipped.side;
   if (!route({std::span<const CirclePass>(&flipped, 1), kFlipPenalty})) return false;
-  if (wayLength(way_) > excess * length_) return false;
+  if (polylineLength(way_) > excess * length_) return false;
   makeSpline(out);
   return true;
 }
@@ -89,7 +83,7 @@ bool SplineSeeder::route(SidePreference preference) {
 }
 
 void SplineSeeder::makeSpline(CubicSpline& out) const {
-  const double length = wayLength(way_);
+  const double length = polylineLength(way_);
   const auto wanted = static_cast<std::size_t>(std::min(length / kSpan, 1e3)) + 1;
   const std::size_t ends = (request_.start_direction ? 1 : 0) + (request_.end_direction ? 1 : 0);
   const std::size_t spans = std::clamp(wanted, kLeastSpans - ends, CubicSpline::kMaxControls - 1 - ends);

@@ -1,3 +1,4 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include <optional>

@@ -6,10 +6,7 @@ namespace fulbito {
 
 Guidance Straight::plan(const NavigationScene& scene) {
   goal_ = scene.goal.position;
-  Guidance guidance;
-  guidance.kind = GuidanceKind::kField;
-  guidance.field = this;
-  return guidance;
+  return guidanceBy(*this);
 }
 
 double Straight::heading(Vec2 p) const { return math::angleOf(goal_ - p); }

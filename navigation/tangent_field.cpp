@@ -14,10 +14,7 @@ Guidance TangentField::plan(const NavigationScene& scene) {
   }
   circles_.join();
   circles_.decideSides(scene.self.pose.position, scene.goal.position, {.hysteresis = params_.hysteresis});
-  Guidance guidance;
-  guidance.kind = GuidanceKind::kField;
-  guidance.field = this;
-  return guidance;
+  return guidanceBy(*this);
 }
 
 double TangentField::heading(Vec2 p) const {
@@ -32,15 +29,14 @@ double TangentField::heading(Vec2 p) const {
 
 NavigatorInfo tangentFieldInfo() {
   using P = TangentField::Params;
-  std::vector<Parameter<P>> parameters = {
-      number("offset", &P::offset, 0.01, 1.0, "m", "radius of the circle about a ball-sized obstacle"),
-      number("range", &P::range, 0.0, 10.0, "m", "obstacles with their centre farther away do not act yet"),
-      number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad", "by which the other side must be better"),
-  };
-  addGoalFieldParameters(parameters);
   return describeNavigator<P, TangentField>(
       "tangent-field", "tangents of circles about the obstacles in the way",
-      "textbook rule; strong baseline of the fields", std::move(parameters));
+      "textbook rule; strong baseline of the fields",
+      withGoalFieldParameters<P>(
+          {number("offset", &P::offset, 0.01, 1.0, "m", "radius of the circle about a ball-sized obstacle"),
+           number("range", &P::range, 0.0, 10.0, "m",
+                  "obstacles with their centre farther away do not act yet"),
+           number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad", "by which the other side must be better")}));
 }
 
 }  // namespace fulbito

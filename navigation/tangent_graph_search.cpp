@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/math.hpp"
+#include "navigation/wall_lines.hpp"
 
 namespace fulbito {
 namespace {
@@ -109,21 +110,11 @@ void TangentGraph::place(Vec2 start, Vec2 goal, std::span<const Circle> circles)
 }
 
 void TangentGraph::placeWalls(const FieldGeometry& bounds, double margin) {
-  const double x = bounds.length / 2, y = bounds.width / 2;
-  addWall({1.0, 0.0}, x - margin);
-  addWall({0.0, 1.0}, y - margin);
-  addWall({-1.0, 0.0}, x - margin);
-  addWall({0.0, -1.0}, y - margin);
-  if (bounds.corner <= 0.0) return;
-  const double half = std::sqrt(0.5);
-  for (Vec2 diagonal : {Vec2{half, half}, Vec2{-half, half}, Vec2{-half, -half}, Vec2{half, -half}}) {
-    addWall(diagonal, (x + y - bounds.corner) * half - margin);
+  for (const WallLine& line : wallLines(bounds)) {
+    const Vec2 outward = line.outward;
+    const double offset = std::max({line.clearance - margin, dot(outward, start_), dot(outward, goal_)});
+    walls_[wall_count_++] = {outward, offset, math::angleOf(outward)};
   }
-}
-
-void TangentGraph::addWall(Vec2 outward, double offset) {
-  offset = std::max({offset, dot(outward, start_), dot(outward, goal_)});
-  walls_[wall_count_++] = {outward, offset, math::angleOf(outward)};
 }
 
 // The ends of an arc are known to be free, so an arc runs into another disc or a wall only if it passes the
@@ -281,10 +272,10 @@ void TangentGraph::sample(double spacing, std::vector<Vec2>& out) const {
     straight(pass.entry);
     const Vec2 centre = ports_[2 * pass.circle].centre;
     const double pieces = pieceCount(pass.radius * pass.sweep, spacing);
-    const math::SinCos step = math::sinCos(static_cast<double>(pass.side) * pass.sweep / pieces);
+    const Vec2 step = math::unit(static_cast<double>(pass.side) * pass.sweep / pieces);
     Vec2 spoke = pass.entry - centre;
     for (double i = 1.0; i < pieces; i += 1.0) {
-      spoke = spoke * step.cos + perp(spoke) * step.sin;
+      spoke = outOfFrame(spoke, step);
       out.push_back(centre + spoke);
     }
     out.push_back(pass.exit);

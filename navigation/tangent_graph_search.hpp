@@ -86,7 +86,6 @@ class TangentGraph {
 
   void place(Vec2 start, Vec2 goal, std::span<const Circle> circles);
   void placeWalls(const FieldGeometry& bounds, double margin);
-  void addWall(Vec2 outward, double offset);
   void findBlockers();
   void prefer(const SidePreference& preference);
   void makeTangents(std::size_t from);

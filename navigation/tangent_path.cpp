@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/core/math.hpp"
+#include "navigation/speed_profile.hpp"
 
 namespace fulbito {
 namespace {
@@ -19,6 +20,7 @@ constexpr double kTurningRoom = 0.045;   // [m] before and after a turn on the s
 constexpr double kBrakingShare = 0.5;    // of the wheels' acceleration
 constexpr double kOnStraight = 0.015;    // [m] beside the final straight that count as on it
 constexpr double kAlong = 0.9;           // cosine of the heading that counts as along it
+constexpr double kSpacing = 0.01;        // [m] of the sampled points
 constexpr std::size_t kReservedPasses = 32;
 
 }  // namespace
@@ -60,7 +62,7 @@ double TangentPath::speedCap(const NavigationScene& scene) const {
     return std::numeric_limits<double>::infinity();
   }
   const double left = std::max(0.0, distance(scene.self.pose.position, target_) - kTurningRoom);
-  return kCrawl + std::sqrt(2.0 * kBrakingShare * scene.robot->wheel_acceleration * left);
+  return kCrawl + stoppingSpeed(kBrakingShare * scene.robot->wheel_acceleration, left);
 }
 
 bool TangentPath::onFinalStraight(const NavigationScene& scene) const {
@@ -119,10 +121,10 @@ Vec2 TangentPath::addGate(const NavigationScene& scene, double bend) {
   return goal_ - along * approach_;
 }
 
-void TangentPath::sample(double spacing, std::vector<Vec2>& out) const {
+void TangentPath::sample(std::vector<Vec2>& out) const {
   out.clear();
   if (found_) {
-    graph_.sample(spacing, out);
+    graph_.sample(kSpacing, out);
   } else {
     out.push_back(start_);
   }

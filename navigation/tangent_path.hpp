@@ -1,3 +1,4 @@
+// Private header of navigation: not installed.
 #pragma once
 
 #include <optional>
@@ -56,8 +57,8 @@ class TangentPath {
   /// reaches without the wanted heading; infinite on other paths. The shared follower slows down in bends,
   /// which a turn on the spot is not.
   double speedCap(const NavigationScene& scene) const;
-  /// The path as points at most `spacing` [m] apart, from the robot to the goal.
-  void sample(double spacing, std::vector<Vec2>& out) const;
+  /// The path as points at most 1 cm apart but for the final straight, from the robot to the goal.
+  void sample(std::vector<Vec2>& out) const;
 
  private:
   Outcome choose(const NavigationScene& scene, std::span<const Circle> bodies, double wanted);

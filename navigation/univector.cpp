@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "navigation/angles.hpp"
+#include "engine/core/math.hpp"
 
 namespace fulbito {
 namespace {
@@ -31,10 +31,7 @@ Guidance Univector::plan(const NavigationScene& scene) {
     sources_.push_back({o.position, params_.k0 * (o.velocity - scene.self.velocity), extra, delta});
   }
   if (params_.hold_side) holdSide(scene);
-  Guidance guidance;
-  guidance.kind = GuidanceKind::kField;
-  guidance.field = this;
-  return guidance;
+  return guidanceBy(*this);
 }
 
 Univector::Influence Univector::nearest(Vec2 p) const {
@@ -80,19 +77,17 @@ void Univector::holdSide(const NavigationScene& scene) {
 
 NavigatorInfo univectorInfo() {
   using P = Univector::Params;
-  std::vector<Parameter<P>> parameters = {
-      number("d_min", &P::d_min, 0.0, 1.0, "m",
-             "distance from a ball-sized obstacle's centre up to which the field points straight away"),
-      number("delta", &P::delta, 0.001, 1.0, "m",
-             "width of the Gaussian that weighs the obstacle beyond d_min"),
-      number("k0", &P::k0, 0.0, 1.0, "s", "shift of the virtual obstacle per relative velocity"),
-      flag("hold_side", &P::hold_side, "in front of an obstacle keep the turning side for 0.3 s"),
-      flag("shrink", &P::shrink, "narrow the Gaussian of obstacles near the goal"),
-      flag("ignore_beyond", &P::ignore_beyond, "obstacles farther than the goal do not act"),
-  };
-  addGoalFieldParameters(parameters);
-  return describeNavigator<P, Univector>("univector", "univector field with virtual obstacles",
-                                         "Kim, Kim & Kwon 2001; Lim et al. 2008", std::move(parameters));
+  return describeNavigator<P, Univector>(
+      "univector", "univector field with virtual obstacles", "Kim, Kim & Kwon 2001; Lim et al. 2008",
+      withGoalFieldParameters<P>(
+          {number("d_min", &P::d_min, 0.0, 1.0, "m",
+                  "distance from a ball-sized obstacle's centre up to which the field points straight away"),
+           number("delta", &P::delta, 0.001, 1.0, "m",
+                  "width of the Gaussian that weighs the obstacle beyond d_min"),
+           number("k0", &P::k0, 0.0, 1.0, "s", "shift of the virtual obstacle per relative velocity"),
+           flag("hold_side", &P::hold_side, "in front of an obstacle keep the turning side for 0.3 s"),
+           flag("shrink", &P::shrink, "narrow the Gaussian of obstacles near the goal"),
+           flag("ignore_beyond", &P::ignore_beyond, "obstacles farther than the goal do not act")}));
 }
 
 }  // namespace fulbito

@@ -12,10 +12,7 @@ Guidance VectorField::plan(const NavigationScene& scene) {
   for (const DiscObstacle& o : scene.obstacles) {
     rings_.push_back({o.position, params_.offset + extraSize(o, *scene.robot)});
   }
-  Guidance guidance;
-  guidance.kind = GuidanceKind::kField;
-  guidance.field = this;
-  return guidance;
+  return guidanceBy(*this);
 }
 
 double VectorField::heading(Vec2 p) const {
@@ -33,14 +30,12 @@ double VectorField::heading(Vec2 p) const {
 
 NavigatorInfo vectorFieldInfo() {
   using P = VectorField::Params;
-  std::vector<Parameter<P>> parameters = {
-      number("offset", &P::offset, 0.0, 1.0, "m",
-             "distance from a ball-sized obstacle's centre up to which the field points straight away"),
-      number("width", &P::width, 0.0, 1.0, "m", "over which the field goes over to the goal field"),
-  };
-  addGoalFieldParameters(parameters);
-  return describeNavigator<P, VectorField>("vector-field", "repulsive ring about the nearest obstacle",
-                                           "paper 004, Figs 1-2", std::move(parameters));
+  return describeNavigator<P, VectorField>(
+      "vector-field", "repulsive ring about the nearest obstacle", "paper 004, Figs 1-2",
+      withGoalFieldParameters<P>(
+          {number("offset", &P::offset, 0.0, 1.0, "m",
+                  "distance from a ball-sized obstacle's centre up to which the field points straight away"),
+           number("width", &P::width, 0.0, 1.0, "m", "over which the field goes over to the goal field")}));
 }
 
 }  // namespace fulbito

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "navigation/path_problem.hpp"
 #include "navigation/path_tracker.hpp"
 
 namespace fulbito {
@@ -13,7 +14,6 @@ namespace {
 constexpr std::array<double, 5> kShares = {1.0, 0.7, 0.45, 0.2, 0.0};
 constexpr double kStep = 0.025;             // [s]
 constexpr double kApart = 0.01;             // [m] beside the circumscribed circle
-constexpr double kRestSpeed = 0.005;        // [m/s] slower obstacles are at rest
 constexpr double kAccelerationShare = 0.6;  // of the wheels', as the follower keeps it
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -21,7 +21,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 bool meets(const NavigationScene& scene, Vec2 p, double t) {
   const double radius = scene.robot->circumradius() + kApart;
   return std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [&](const DiscObstacle& o) {
-    if (squaredNorm(o.velocity) < kRestSpeed * kRestSpeed) return false;
+    if (!isMoving(o)) return false;
     const double apart = std::min(radius + o.radius, distance(scene.self.pose.position, o.position));
     return squaredNorm(o.position + o.velocity * t - p) < apart * apart;
   });
@@ -43,9 +43,7 @@ double meetingAt(const NavigationScene& scene, std::span<const Vec2> path, PathP
 }  // namespace
 
 double yieldSpeed(const NavigationScene& scene, std::span<const Vec2> path, double horizon) {
-  const bool moving = std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const auto& o) {
-    return squaredNorm(o.velocity) >= kRestSpeed * kRestSpeed;
-  });
+  const bool moving = std::any_of(scene.obstacles.begin(), scene.obstacles.end(), isMoving);
   if (!moving || path.size() < 2) return kInfinity;
   PathTracker tracker;
   const PathPlace here = tracker.locate(path, 0, scene.self.pose.position);

@@ -39,6 +39,10 @@ constexpr Vec2 perp(Vec2 a) { return {-a.y, a.x}; }
 constexpr double squaredNorm(Vec2 a) { return dot(a, a); }
 inline double norm(Vec2 a) { return std::sqrt(dot(a, a)); }
 inline double distance(Vec2 a, Vec2 b) { return norm(a - b); }
+/// @{ Components of `v` in the frame whose x axis is the unit vector `x_axis`, and back.
+constexpr Vec2 intoFrame(Vec2 x_axis, Vec2 v) { return {dot(x_axis, v), cross(x_axis, v)}; }
+constexpr Vec2 outOfFrame(Vec2 x_axis, Vec2 v) { return x_axis * v.x + perp(x_axis) * v.y; }
+/// @}
 /// Unit vector of `a`, or `fallback` where `a` is zero or not finite.
 inline Vec2 unitOr(Vec2 a, Vec2 fallback) {
   const double length = norm(a);

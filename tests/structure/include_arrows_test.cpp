@@ -100,6 +100,28 @@ TEST_CASE("includes follow the arrows of the architecture", "[unit]") {
   for (const std::string& v : found) FAIL_CHECK(v);
 }
 
+TEST_CASE("installed headers include installed headers only", "[unit]") {
+  static const std::regex include("#include \"([^\"]+)\"");
+  const fs::path root = FULBITO_SOURCE_DIR;
+  const auto textOf = [](const fs::path& path) {
+    std::ifstream in(path);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  int headers = 0;
+  for (const auto& [folder, unused] : kArrows) {
+    for (const auto& entry : fs::directory_iterator(root / folder)) {
+      const std::string text = textOf(entry.path());
+      if (entry.path().extension() != ".hpp" || text.starts_with("// Private header of ")) continue;
+      ++headers;
+      for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {
+        INFO(entry.path() << " -> " << (*it)[1]);
+        CHECK_FALSE(textOf(root / (*it)[1].str()).starts_with("// Private header of "));
+      }
+    }
+  }
+  CHECK(headers > 30);
+}
+
 TEST_CASE("the walk finds a wrong arrow", "[unit]") {
   CHECK(violations("engine/core/x.cpp", "#include \"engine/sim/world.hpp\"\n").size() == 1);
   CHECK(violations("referee/x.cpp", "#include \"navigation/scene.hpp\"\n").size() == 1);

@@ -1,6 +1,7 @@
 #include "navigation/bezier.hpp"
 
 #include "navigation/bezier_raw.hpp"
+#include "navigation/polyline.hpp"
 #include "navigation/registry.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"

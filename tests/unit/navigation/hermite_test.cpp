@@ -1,5 +1,6 @@
 #include "navigation/hermite.hpp"
 
+#include "navigation/polyline.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
 #include "tests/support/navigator_properties.hpp"
