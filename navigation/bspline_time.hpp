@@ -1,27 +1,13 @@
 // Private header of navigation: not installed.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <vector>
 
 #include "navigation/drive_path.hpp"
 #include "navigation/parameters.hpp"
-#include "navigation/spline_optimiser.hpp"
-#include "navigation/spline_seed.hpp"
+#include "navigation/spline_planner.hpp"
 
 namespace fulbito {
-
-/// Shares, wishes and budgets of `bspline-time`.
-struct BsplineTimeParams {
-  double clearance = 0.055;         ///< [m] wish
-  double least_clearance = 0.008;   ///< [m]
-  double acceleration_share = 0.9;  ///< of the wheel acceleration
-  double lateral_share = 0.75;      ///< of the lateral grip
-  int evaluations = 16;             ///< a tick
-  int effort = 480;                 ///< evaluations a plan, at most
-  int moving_effort = 6;            ///< the same among moving discs
-};
 
 /// Time-optimised cubic B-spline: the future work that Jung & Lee (2015) name, and the default method.
 ///
@@ -39,17 +25,9 @@ class BsplineTime final : public Navigator {
   Guidance plan(const NavigationScene& scene) override;
 
  private:
-  /// Ways to arrive with a wanted heading.
-  enum class Arrival { kFree, kThrough, kTurn };
-
   bool goalMoved(const NavigationScene& scene) const;
   bool needsPlan(const NavigationScene& scene, double off_path) const;
-  SeedRequest setTask(const NavigationScene& scene, double speed);
   void makePlan(const NavigationScene& scene);
-  void choose(const NavigationScene& scene, const SeedRequest& request, Arrival arrival);
-  void tryWays();
-  void trySlower();
-  void tryCandidate(const CubicSpline& seed);
   void brake(const NavigationScene& scene, double speed);
   void refine();
   double guard(const NavigationScene& scene);
@@ -59,12 +37,7 @@ class BsplineTime final : public Navigator {
   double conflictAt(const NavigationScene& scene, double top, double horizon) const;
 
   Params params_;
-  SplineSeeder seeder_;
-  SplineCost cost_;
-  SplineOptimiser best_;       ///< of the current plan
-  SplineOptimiser candidate_;  ///< another way under trial
-  SplineTask task_;
-  SplineTask best_task_;
+  SplinePlanner planner_;
   DrivePath path_;
   std::vector<ForecastDisc> now_;      ///< discs as foreseen at this tick
   std::vector<ForecastDisc> planned_;  ///< as the plan foresaw them
@@ -74,7 +47,6 @@ class BsplineTime final : public Navigator {
   bool braking_ = false;
   double cap_ = 0.0;             ///< [m/s] that the last look at moving discs allowed
   bool missed_heading_ = false;  ///< drove through the goal in the wrong heading: turn there
-  int spent_ = 0;                ///< evaluations for this plan
   int age_ = 0;                  ///< ticks since the plan was made
   std::uint64_t revision_ = 0;
 };

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <vector>
 
 #include "engine/core/math.hpp"
+#include "engine/core/shapes.hpp"
 #include "navigation/pilot.hpp"
 
 namespace fulbito::test {
@@ -19,15 +21,8 @@ struct KinematicResult {
   double min_clearance = 1e9;  ///< [m] of the square to obstacles and walls
   double final_heading = 0.0;  ///< [rad]
   std::vector<Vec2> path;
+  std::vector<double> tick_micros;  ///< [us] wall time of each `drive`, to print; nothing depends on it
 };
-
-/// Distance [m] from a disc to the robot's rectangle, negative when they overlap.
-inline double bodyClearance(const RobotModel& robot, const Pose2& pose, Vec2 centre, double radius) {
-  const Vec2 ux = math::unit(pose.heading), d = centre - pose.position;
-  const double x = std::abs(dot(d, ux)) - robot.length / 2, y = std::abs(cross(ux, d)) - robot.width / 2;
-  const double outside = norm({std::max(x, 0.0), std::max(y, 0.0)});
-  return (outside > 0.0 ? outside : std::max(x, y)) - radius;
-}
 
 /// Clearance of the robot's corners to the field's walls.
 inline double bodyWallClearance(const RobotModel& robot, const Pose2& pose, const FieldGeometry& field) {
@@ -48,7 +43,9 @@ inline void moveDisc(DiscObstacle& o, const FieldGeometry& field, double h) {
     o.velocity.y = -o.velocity.y;
 }
 
-/// Ideal robot: the wheels follow commands within the wheel acceleration, sideways slip dies by Coulomb grip.
+/// Ideal robot: the wheels follow commands within the wheel acceleration, and Coulomb friction pulls the
+/// body's velocity to that of the wheels, along and across them within an ellipse of the two grips. The
+/// velocity never overshoots the wheels', so that no turn makes the robot faster than both were.
 struct KinematicRobot {
   RobotState state;
   double left = 0.0, right = 0.0;  ///< [m/s] of the rims
@@ -60,17 +57,18 @@ struct KinematicRobot {
     state.angular_velocity = (right - left) / robot.axle_track;
     state.pose.heading = math::wrapAngle(state.pose.heading + state.angular_velocity * h);
     const Vec2 ux = math::unit(state.pose.heading);
-    double side = cross(ux, state.velocity);
-    side -= std::clamp(side, -robot.lateral_grip * h, robot.lateral_grip * h);
-    state.velocity = ux * ((left + right) / 2) + perp(ux) * side;
+    const Vec2 slip = ux * ((left + right) / 2) - state.velocity;
+    const double along = dot(ux, slip) / robot.longitudinal_grip,
+                 across = cross(ux, slip) / robot.lateral_grip;
+    const double needed = norm({along, across});  // [s] of all the grip
+    state.velocity += slip * (needed > h ? h / needed : 1.0);
     state.pose.position += state.velocity * h;
     state.wheels = {left / robot.wheel_radius, right / robot.wheel_radius};
   }
 };
 
-/// Drives `pilot` from `start` with an ideal robot: wheels follow commands within the wheel acceleration,
-/// sideways slip dies by Coulomb grip, 1 ms steps, 60 Hz control. No contacts: an overlap is only recorded.
-/// For tests without the physics world.
+/// Drives `pilot` from `start` with a KinematicRobot in 1 ms steps, 60 Hz control. No contacts: an overlap is
+/// only recorded. For tests without the physics world.
 inline KinematicResult kinematicTrial(Pilot& pilot, const RobotModel& robot, const FieldGeometry& field,
                                       Pose2 start, const NavigationGoal& goal,
                                       std::vector<DiscObstacle> obstacles, double time_limit = 15.0) {
@@ -88,7 +86,10 @@ inline KinematicResult kinematicTrial(Pilot& pilot, const RobotModel& robot, con
     scene.tick = tick;
     scene.obstacles = obstacles;
     scene.self = body.state;
+    const auto begin = std::chrono::steady_clock::now();
     const WheelSpeeds wheels = pilot.drive(scene);
+    const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - begin;
+    result.tick_micros.push_back(spent.count());
     const int steps = tick % 3 == 0 ? 16 : 17;  // 60 Hz in whole milliseconds on average
     for (int i = 0; i < steps; ++i) {
       body.step(robot, wheels, h);
@@ -105,12 +106,12 @@ inline KinematicResult kinematicTrial(Pilot& pilot, const RobotModel& robot, con
     }
     const Pose2& pose = body.state.pose;
     for (const DiscObstacle& o : obstacles) {
-      const double clearance = bodyClearance(robot, pose, o.position, o.radius);
-      if (clearance < 0.0 && result.min_clearance >= 0.0) {
+      const double gap = clearance(bodyOf(robot, pose), o.position, o.radius);
+      if (gap < 0.0 && result.min_clearance >= 0.0) {
         const Vec2 toward = unitOr(o.position - pose.position, {});
         result.own_fault = dot(body.state.velocity, toward) > 0.02;
       }
-      result.min_clearance = std::min(result.min_clearance, clearance);
+      result.min_clearance = std::min(result.min_clearance, gap);
     }
     result.min_clearance = std::min(result.min_clearance, bodyWallClearance(robot, pose, field));
     result.path.push_back(pose.position);

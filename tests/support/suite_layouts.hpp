@@ -111,4 +111,19 @@ inline CornerLayout movingLayout(std::uint64_t seed) {
   return layout;
 }
 
+/// One to five robot-sized discs that cross a straight run along the field.
+inline CornerLayout crossingLayout(std::uint64_t seed) {
+  Rng rng(seed, Stream::kTest, 9);
+  CornerLayout layout;
+  layout.start = {{-0.63, 0.0}, 0.0};
+  layout.goal.position = {0.63, 0.0};
+  for (int i = 1 + static_cast<int>(rng.below(5)); i > 0; --i) {
+    const double side = rng.below(2) == 0 ? 1.0 : -1.0;
+    layout.obstacles.push_back({{rng.uniform(-0.4, 0.5), side * rng.uniform(0.3, 0.6)},
+                                0.0375,
+                                {rng.uniform(-0.2, 0.2), -side * rng.uniform(0.3, 1.0)}});
+  }
+  return layout;
+}
+
 }  // namespace fulbito::test

@@ -1,229 +1,46 @@
-// Hidden surveys of the default navigator: `navigation_test "[survey]"` prints the tables.
-#include <algorithm>
+// Hidden surveys of the default navigator, or of the one that NAV names, over COUNT layouts a row:
+// `navigation_test "[survey]"` prints the tables.
 #include <chrono>
 #include <cstdlib>
 
 #include <fmt/format.h>
 
-#include "navigation/preview_follower.hpp"
 #include "navigation/registry.hpp"
-#include "navigation/tangent_graph_search.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/corner_layout.hpp"
 #include "tests/support/kinematic_trial.hpp"
 #include "tests/support/suite_layouts.hpp"
+#include "tests/support/survey.hpp"
 
 namespace fulbito {
 namespace {
 
-struct Tally {
-  int runs = 0, reached = 0, safe = 0;
-  double length = 0, time = 0, clearance = 0, worst_time = 0;
-};
-
 std::string specification() {
-  const char* s = std::getenv("NAV");
-  return s ? s : kDefaultNavigator;
-}
-/// Wall time of each tick, to print; nothing depends on it.
-class Stopwatch final : public Follower, public Navigator {
- public:
-  explicit Stopwatch(const std::string& text)
-      : choice_(*parseNavigator(text)), navigator_(*choice_.info->make(choice_.settings)) {}
-  void reset() override {
-    navigator_->reset();
-    follower_.reset();
-  }
-  Guidance plan(const NavigationScene& scene) override {
-    begin_ = std::chrono::steady_clock::now();
-    return navigator_->plan(scene);
-  }
-  Twist follow(const Guidance& guidance, const NavigationScene& scene) override {
-    const Twist twist = follower_.follow(guidance, scene);
-    micros.push_back(
-        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin_).count());
-    return twist;
-  }
-  std::vector<double> micros;
-
- private:
-  NavigatorChoice choice_;
-  std::unique_ptr<Navigator> navigator_;
-  PreviewFollower follower_;
-  std::chrono::steady_clock::time_point begin_;
-};
-
-/// Hands a pilot the two roles of one stopwatch.
-struct Plans final : Navigator {
-  explicit Plans(Stopwatch& w) : watch(w) {}
-  void reset() override { watch.reset(); }
-  Guidance plan(const NavigationScene& scene) override { return watch.plan(scene); }
-  Stopwatch& watch;
-};
-struct Follows final : Follower {
-  explicit Follows(Stopwatch& w) : watch(w) {}
-  void reset() override {}
-  Twist follow(const Guidance& g, const NavigationScene& scene) override { return watch.follow(g, scene); }
-  Stopwatch& watch;
-};
-struct TimedPilot {
-  TimedPilot() : pilot(std::make_unique<Plans>(watch), std::make_unique<Follows>(watch)) {}
-  void print() {
-    std::sort(watch.micros.begin(), watch.micros.end());
-    double sum = 0;
-    // A tick that the operating system interrupted says nothing about the method.
-    for (double m : watch.micros) sum += m < 1000.0 ? m : 0.0;
-    const std::size_t n = watch.micros.size();
-    fmt::print("           us/tick mean {:.2f} p50 {:.2f} p99 {:.2f} max {:.1f}\n",
-               sum / static_cast<double>(n), watch.micros[n / 2], watch.micros[n * 99 / 100],
-               watch.micros.back());
-  }
-  Stopwatch watch{specification()};
-  Pilot pilot;
-};
-
-int count(int fallback) {
-  const char* s = std::getenv("COUNT");
-  return s ? std::atoi(s) : fallback;
+  const char* text = std::getenv("NAV");
+  return text != nullptr ? text : kDefaultNavigator;
 }
 
-double shortest(Vec2 start, Vec2 goal, const std::vector<DiscObstacle>& obstacles, double clearance) {
-  std::vector<Circle> circles;
-  for (const auto& o : obstacles) circles.push_back({o.position, o.radius + clearance});
-  TangentGraph graph;
-  return graph.search(start, goal, circles) ? graph.length() : distance(start, goal);
-}
-
-void print(const char* name, double speed, const Tally& t) {
-  const double n = std::max(1, t.safe);
-  fmt::print(
-      "{:10} {:4.1f}  reached {:5.1f} %  safe {:5.1f} %  L/L* {:.4f}  T/T* {:.4f} (worst {:.3f})  clear "
-      "{:.4f}\n",
-      name, speed, 100.0 * t.reached / t.runs, 100.0 * t.safe / t.runs, t.length / n, t.time / n,
-      t.worst_time, t.clearance / n);
-}
-
-void add(Tally& t, const test::KinematicResult& r, double best, double speed, int seed) {
-  ++t.runs;
-  if (r.reached) ++t.reached;
-  const double bound = best >= speed * speed / 10 ? best / speed + speed / 10.0 : std::sqrt(2 * best / 5);
-  if (r.reached && !r.touched) {
-    ++t.safe;
-    t.length += r.length / best;
-    t.time += r.time / bound;
-    t.worst_time = std::max(t.worst_time, r.time / bound);
-    t.clearance += r.min_clearance;
-  } else if (std::getenv("VERBOSE")) {
-    fmt::print("  seed {} reached {} clearance {:.4f} time {:.2f} end {:.3f} {:.3f} heading {:.2f}\n", seed,
-               r.reached, r.min_clearance, r.time, r.path.back().x, r.path.back().y, r.final_heading);
-  }
+void print(const std::string& name, test::LayoutMaker layout, double limit_clearance = 0.058) {
+  test::SurveyTask task;
+  task.layout = std::move(layout);
+  task.first_seed = 1;
+  task.limit_clearance = limit_clearance;
+  if (const char* text = std::getenv("COUNT")) task.runs = std::atoi(text);
+  test::printSurvey(name, specification(), std::move(task));
 }
 
 }  // namespace
 
-TEST_CASE("survey N1", "[.][survey]") {
-  for (double speed : {0.6, 1.0, 2.6}) {
-    TimedPilot timed;
-    Tally t;
-    const RobotModel robot = test::paperRobot(speed);
-    for (int seed = 1; seed <= count(200); ++seed) {
-      const auto layout = test::cornerLayout(seed);
-      const auto r =
-          test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
-      add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.058), speed, seed);
-    }
-    print("N1", speed, t);
-    timed.print();
-  }
-}
-
-TEST_CASE("survey N2", "[.][survey]") {
-  for (double speed : {0.6, 1.0, 2.6}) {
-    TimedPilot timed;
-    Tally t;
-    const RobotModel robot = test::paperRobot(speed);
-    for (int seed = 1; seed <= count(200); ++seed) {
-      const auto layout = test::shortLayout(seed);
-      const auto r =
-          test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
-      add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.058), speed, seed);
-    }
-    print("N2", speed, t);
-    timed.print();
-  }
-}
-
-TEST_CASE("survey N3", "[.][survey]") {
-  for (double speed : {0.6, 1.0, 2.6}) {
-    TimedPilot timed;
-    Tally t;
-    const RobotModel robot = test::paperRobot(speed);
-    for (int seed = 1; seed <= count(200); ++seed) {
-      const auto layout = test::headingLayout(seed);
-      const auto r =
-          test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
-      add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.058), speed, seed);
-    }
-    print("N3", speed, t);
-    timed.print();
-  }
-}
-
-TEST_CASE("survey N4", "[.][survey]") {
-  for (double speed : {0.6, 1.0, 2.6}) {
-    TimedPilot timed;
-    Tally t;
-    const RobotModel robot = test::paperRobot(speed);
-    for (int seed = 1; seed <= count(200); ++seed) {
-      const auto layout = test::wallLayout(seed);
-      const auto r =
-          test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
-      add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.058), speed, seed);
-    }
-    print("N4", speed, t);
-    timed.print();
-  }
-}
-
+TEST_CASE("survey N1", "[.][survey]") { print("N1", test::cornerLayout); }
+TEST_CASE("survey N2", "[.][survey]") { print("N2", test::shortLayout); }
+TEST_CASE("survey N3", "[.][survey]") { print("N3", test::headingLayout); }
+TEST_CASE("survey N4", "[.][survey]") { print("N4", test::wallLayout); }
 TEST_CASE("survey N5", "[.][survey]") {
   for (double gap : {1.1, 1.3, 1.6}) {
-    for (double speed : {0.6, 1.0, 2.6}) {
-      TimedPilot timed;
-      Tally t;
-      const RobotModel robot = test::paperRobot(speed);
-      for (int seed = 1; seed <= count(200); ++seed) {
-        const auto layout = test::gapLayout(seed, gap * 0.075);
-        const auto r =
-            test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
-        add(t, r, shortest(layout.start.position, layout.goal.position, layout.obstacles, 0.0395), speed,
-            seed);
-      }
-      print(fmt::format("N5 gap {}", gap).c_str(), speed, t);
-      timed.print();
-    }
+    const auto layout = [gap](std::uint64_t seed) { return test::gapLayout(seed, gap * 0.075); };
+    print(fmt::format("N5 gap {}", gap), layout, 0.0395);
   }
 }
-
-TEST_CASE("survey N6", "[.][survey]") {
-  for (double speed : {0.6, 1.0, 2.6}) {
-    TimedPilot timed;
-    Tally t;
-    int own = 0;
-    const RobotModel robot = test::paperRobot(speed);
-    for (int seed = 1; seed <= count(300); ++seed) {
-      const auto layout = test::movingLayout(seed);
-      const auto r =
-          test::kinematicTrial(timed.pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
-      add(t, r, shortest(layout.start.position, layout.goal.position, {}, 0.058), speed, seed);
-      if (r.own_fault) ++own;
-      if (r.own_fault && std::getenv("VERBOSE"))
-        fmt::print("   own fault in {} with {} discs\n", seed, layout.obstacles.size());
-    }
-    print("N6", speed, t);
-    fmt::print("           own fault {:.2f} %\n", 100.0 * own / t.runs);
-    timed.print();
-  }
-}
+TEST_CASE("survey N6", "[.][survey]") { print("N6", test::movingLayout); }
 
 TEST_CASE("survey six robots", "[.][survey]") {
   const RobotModel robot = test::paperRobot(1.2);

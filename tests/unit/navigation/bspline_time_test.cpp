@@ -1,50 +1,21 @@
 #include "navigation/bspline_time.hpp"
 
-#include "navigation/registry.hpp"
-#include "navigation/tangent_graph_search.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/kinematic_trial.hpp"
 #include "tests/support/navigator_properties.hpp"
 #include "tests/support/suite_layouts.hpp"
+#include "tests/support/survey.hpp"
 
 namespace fulbito {
 namespace {
 
-/// Means over the trials that reached the goal untouched; seeds other than the survey's.
-struct Outcome {
-  int runs = 0, reached = 0, safe = 0, own_fault = 0;
-  double length_ratio = 0.0, time_ratio = 0.0, clearance = 0.0;
-};
-
-double shortest(const test::CornerLayout& layout) {
-  std::vector<Circle> circles;
-  for (const DiscObstacle& o : layout.obstacles) circles.push_back({o.position, o.radius + 0.058});
-  TangentGraph graph;
-  const bool found = graph.search(layout.start.position, layout.goal.position, circles);
-  return found ? graph.length() : distance(layout.start.position, layout.goal.position);
-}
-
-template <typename MakeLayout>
-Outcome drive(int runs, double speed, MakeLayout make) {
-  const auto pilot = makePilot(*parseNavigator("bspline-time"));
-  const RobotModel robot = test::paperRobot(speed);
-  Outcome out;
-  for (int run = 0; run < runs; ++run) {
-    const test::CornerLayout layout = make(static_cast<std::uint64_t>(40000 + run));
-    const auto r = test::kinematicTrial(**pilot, robot, {}, layout.start, layout.goal, layout.obstacles);
-    ++out.runs;
-    out.reached += r.reached ? 1 : 0;
-    out.own_fault += r.own_fault ? 1 : 0;
-    if (!r.reached || r.touched) continue;
-    ++out.safe;
-    const double least = shortest(layout);
-    out.length_ratio += r.length / least;
-    out.time_ratio += r.time / (least / speed + speed / 10.0);
-    out.clearance += r.min_clearance;
-  }
-  const double safe = std::max(1, out.safe);
-  out.length_ratio /= safe, out.time_ratio /= safe, out.clearance /= safe;
-  return out;
+/// Seeds other than the survey's.
+test::Survey drive(int runs, double speed, test::LayoutMaker layout) {
+  test::SurveyTask task;
+  task.layout = std::move(layout);
+  task.speed = speed;
+  task.first_seed = 40000;
+  task.runs = runs;
+  return test::survey("bspline-time", task);
 }
 
 NavigationScene sceneWith(const FieldGeometry& field, const RobotModel& robot) {
@@ -65,11 +36,11 @@ TEST_CASE("bspline-time keeps what every navigator promises", "[unit]") {
 TEST_CASE("bspline-time crosses corner layouts safely and near the limits", "[unit]") {
   const double time_bars[] = {1.03, 1.05, 1.13}, speeds[] = {0.6, 1.0, 2.6};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Outcome out = drive(60, speeds[i], test::cornerLayout);
+    const test::Survey out = drive(60, speeds[i], test::cornerLayout);
     CAPTURE(speeds[i]);
     CHECK(out.safe == out.runs);
-    CHECK(out.length_ratio <= 1.02);
-    CHECK(out.time_ratio <= time_bars[i]);
+    CHECK(out.over_shortest <= 1.02);
+    CHECK(out.over_bound <= time_bars[i]);
     CHECK(out.clearance >= 0.02);
   }
 }
@@ -95,7 +66,7 @@ TEST_CASE("bspline-time enters gaps that are narrower than its circumscribed cir
 
 TEST_CASE("bspline-time does not drive into moving discs", "[unit]") {
   for (double speed : {1.0, 2.6}) {
-    const Outcome out = drive(200, speed, test::movingLayout);
+    const test::Survey out = drive(200, speed, test::movingLayout);
     CHECK(out.reached == out.runs);
     CHECK(out.own_fault <= 1);
   }

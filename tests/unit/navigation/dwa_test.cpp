@@ -1,9 +1,12 @@
 #include "navigation/dwa.hpp"
 
-#include "engine/core/math.hpp"
+#include <cstdio>
+
+#include "navigation/registry.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/corner_survey.hpp"
+#include "tests/support/kinematic_trial.hpp"
 #include "tests/support/navigator_properties.hpp"
+#include "tests/support/survey.hpp"
 
 namespace fulbito {
 namespace {
@@ -14,9 +17,13 @@ double tuningCost(const std::string& specification) {
   constexpr int kLayouts = 25;
   double cost = 0.0;
   for (double speed : {0.6, 1.0, 2.6}) {
-    const test::CornerSurvey s = test::surveyCorners(specification, speed, 9000, kLayouts);
+    test::SurveyTask task;
+    task.speed = speed;
+    task.first_seed = 9000;
+    task.runs = kLayouts;
+    const test::Survey s = test::survey(specification, task);
     const double bound = 1.65 / speed + speed / 10.0;
-    cost += (s.safe * (s.time / bound + s.length) + 8.0 * (kLayouts - s.safe)) / (3.0 * kLayouts);
+    cost += (s.safe * (s.time / bound + s.over_straight) + 8.0 * (kLayouts - s.safe)) / (3.0 * kLayouts);
   }
   return cost;
 }
@@ -29,10 +36,13 @@ TEST_CASE("the dynamic window approach keeps what every navigator promises", "[u
 
 TEST_CASE("the dynamic window approach is safe on corner layouts", "[unit]") {
   for (double speed : {0.6, 1.0, 2.6}) {
-    const test::CornerSurvey survey = test::surveyCorners("dwa", speed, 0, 40);
-    INFO("speed " << speed << ", safe " << survey.safe << " of 40, L " << survey.length);
+    test::SurveyTask task;
+    task.speed = speed;
+    task.runs = 40;
+    const test::Survey survey = test::survey("dwa", task);
+    INFO("speed " << speed << ", safe " << survey.safe << " of 40, L " << survey.over_straight);
     CHECK(survey.safe >= 39);
-    CHECK(survey.length < 1.10);
+    CHECK(survey.over_straight < 1.10);
   }
 }
 
@@ -92,8 +102,8 @@ TEST_CASE("the dynamic window approach gives way to a crossing ball that it woul
 }
 
 TEST_CASE("survey of the dynamic window approach on corner layouts", "[.][survey]") {
-  test::printCornerSurvey("dwa");
-  std::printf("p99 of a tick %.1f us\n", test::tickTime99("dwa"));
+  test::printSurvey("dwa", "dwa", {});
+  test::printPlanningTime("dwa", 9);
 }
 TEST_CASE("weights of the dynamic window approach on layouts apart from the survey's", "[.][tune]") {
   for (const char* preview : {"0.25", "0.3", "0.4"}) {

@@ -3,26 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "navigation/registry.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
-#include "tests/support/kinematic_trial.hpp"
+#include "tests/support/survey.hpp"
 
 // Not a test but a table: `navigation_test [survey]` prints how the field methods fare with the kinematic
 // robot.
 namespace fulbito {
 namespace {
 
-constexpr int kLayouts = 200;
 constexpr double kRoomAtEnds = 0.15;  // [m] between a ball's centre and the ends of a short run
-
-struct Row {
-  int runs = 0;
-  int safe = 0;
-  int hung = 0;
-  double length = 0.0;  ///< over the straight line, mean of safe runs
-  double time = 0.0;    ///< [s] mean of safe runs
-};
 
 /// A run of `length` [m] with the corner layout's places drawn together to it, the balls' size kept; none
 /// where the balls then overlap or leave no room at the ends.
@@ -41,31 +31,18 @@ std::optional<test::CornerLayout> shortened(test::CornerLayout layout, double le
   return layout;
 }
 
-Row survey(const std::string& specification, double speed, double run_length) {
-  const auto choice = parseNavigator(specification);
-  REQUIRE(choice);
-  auto pilot = makePilot(*choice);
-  REQUIRE(pilot);
-  Row row;
-  for (std::uint64_t seed = 0; row.runs < kLayouts; ++seed) {
-    test::CornerLayout layout = test::cornerLayout(seed);
-    if (run_length > 0.0) {
-      const auto shorter = shortened(layout, run_length);
-      if (!shorter) continue;
-      layout = *shorter;
+/// The layouts of which a run of `length` [m] can be made, one after the other.
+test::LayoutMaker shortRuns(double length) {
+  return [length, seed = std::uint64_t{0}](std::uint64_t) mutable {
+    for (;;) {
+      if (const auto layout = shortened(test::cornerLayout(seed++), length)) return *layout;
     }
-    ++row.runs;
-    const auto result = test::kinematicTrial(**pilot, test::paperRobot(speed), {}, layout.start, layout.goal,
-                                             layout.obstacles);
-    if (!result.reached) ++row.hung;
-    if (!result.reached || result.touched) continue;
-    ++row.safe;
-    row.length += result.length / distance(layout.start.position, layout.goal.position);
-    row.time += result.time;
-  }
-  row.length /= std::max(row.safe, 1);
-  row.time /= std::max(row.safe, 1);
-  return row;
+  };
+}
+
+void print(const test::Survey& s) {
+  std::printf(" | %3.0f %3.0f %.3f %.3f", 100.0 * s.safe / s.runs, 100.0 * (s.runs - s.reached) / s.runs,
+              s.over_straight, s.time);
 }
 
 }  // namespace
@@ -95,9 +72,9 @@ TEST_CASE("survey of the field methods corner to corner", "[.][survey]") {
   for (const std::string& specification : specifications) {
     std::printf("%-80s", specification.c_str());
     for (double speed : {0.6, 1.0, 2.6}) {
-      const Row row = survey(specification, speed, 0.0);
-      std::printf(" | %3.0f %3.0f %.3f %.3f", 100.0 * row.safe / kLayouts, 100.0 * row.hung / kLayouts,
-                  row.length, row.time);
+      test::SurveyTask task;
+      task.speed = speed;
+      print(test::survey(specification, task));
     }
     std::printf("\n");
   }
@@ -108,9 +85,12 @@ TEST_CASE("survey of short runs with the wide ring", "[.][survey]") {
     for (const char* width : {"0.10", "0.15", "0.20"}) {
       const std::string specification =
           std::string("vector-field:offset=0.10,follower=classic,width=") + width;
-      const Row row = survey(specification, 0.6, length);
-      std::printf("%-60s %.2f m | %3.0f %3.0f %.3f %.3f\n", specification.c_str(), length,
-                  100.0 * row.safe / kLayouts, 100.0 * row.hung / kLayouts, row.length, row.time);
+      test::SurveyTask task;
+      task.layout = shortRuns(length);
+      task.speed = 0.6;
+      std::printf("%-60s %.2f m", specification.c_str(), length);
+      print(test::survey(specification, task));
+      std::printf("\n");
     }
   }
 }

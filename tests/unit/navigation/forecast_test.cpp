@@ -1,9 +1,6 @@
 #include "navigation/forecast.hpp"
 
-#include "engine/core/math.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/corner_layout.hpp"
-#include "tests/support/kinematic_trial.hpp"
 
 namespace fulbito {
 namespace {
@@ -37,28 +34,6 @@ TEST_CASE("a disc is foreseen to come back mirrored from a wall", "[unit]") {
 TEST_CASE("a disc that hardly moves is taken to stand", "[unit]") {
   const ForecastDisc disc = foreseen({{0.1, 0.1}, 0.05, {0.02, 0.0}});
   CHECK(disc.at(5.0) == Vec2{0.1, 0.1});
-}
-
-TEST_CASE("body clearance to a disc agrees with the trial's own measure at any heading", "[unit]") {
-  const RobotModel robot;
-  Rng rng(3, Stream::kTest);
-  for (int i = 0; i < 200; ++i) {
-    const Pose2 pose{{rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5)}, rng.uniform(-3.0, 3.0)};
-    const Vec2 centre{rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5)};
-    CHECK(discClearance(bodyShape(robot), pose.position, math::unit(pose.heading), centre, 0.03) ==
-          Approx(test::bodyClearance(robot, pose, centre, 0.03)).margin(1e-12));
-  }
-}
-
-TEST_CASE("body clearance to the walls is that of its nearest corner", "[unit]") {
-  const RobotModel robot;
-  const FieldGeometry field;
-  Rng rng(4, Stream::kTest);
-  for (int i = 0; i < 500; ++i) {
-    const Pose2 pose{{rng.uniform(-0.7, 0.7), rng.uniform(-0.6, 0.6)}, rng.uniform(-3.0, 3.0)};
-    CHECK(wallClearance(bodyShape(robot), pose.position, math::unit(pose.heading), field) ==
-          Approx(test::bodyWallClearance(robot, pose, field)).margin(1e-9));
-  }
 }
 
 }  // namespace fulbito

@@ -1,9 +1,13 @@
 #include "navigation/nearness_diagram.hpp"
 
+#include <cstdio>
+
 #include "engine/core/math.hpp"
+#include "navigation/registry.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/support/corner_survey.hpp"
+#include "tests/support/kinematic_trial.hpp"
 #include "tests/support/navigator_properties.hpp"
+#include "tests/support/survey.hpp"
 
 namespace fulbito {
 namespace {
@@ -234,23 +238,28 @@ TEST_CASE("the nearness diagram keeps what every navigator promises", "[unit]") 
 
 TEST_CASE("the nearness diagram is safe on corner layouts", "[unit]") {
   for (double speed : {0.6, 1.0}) {
-    const test::CornerSurvey survey = test::surveyCorners("nearness-diagram", speed, 0, 40);
-    INFO("safe " << survey.safe << " of 40, L " << survey.length);
+    test::SurveyTask task;
+    task.speed = speed;
+    task.runs = 40;
+    const test::Survey survey = test::survey("nearness-diagram", task);
+    INFO("safe " << survey.safe << " of 40, L " << survey.over_straight);
     CHECK(survey.safe >= 38);
-    CHECK(survey.length < 1.13);
+    CHECK(survey.over_straight < 1.13);
   }
 }
 
 TEST_CASE("survey of the nearness diagram on corner layouts", "[.][survey]") {
-  test::printCornerSurvey("nearness-diagram");
-  std::printf("p99 of a tick %.1f us\n", test::tickTime99("nearness-diagram"));
+  test::printSurvey("nearness-diagram", "nearness-diagram", {});
+  test::printPlanningTime("nearness-diagram", 9);
 }
 
 TEST_CASE("braking shares of the nearness diagram on layouts apart from the survey's", "[.][tune]") {
   for (const char* braking : {"0.15", "0.2", "0.25", "0.3", "0.4", "0.6"}) {
     for (double speed : {1.0, 2.6}) {
-      const auto s =
-          test::surveyCorners(std::string("nearness-diagram:braking=") + braking, speed, 5000, 200);
+      test::SurveyTask task;
+      task.speed = speed;
+      task.first_seed = 5000;
+      const test::Survey s = test::survey(std::string("nearness-diagram:braking=") + braking, task);
       std::printf("braking %s at %.1f m/s: safe %5.1f %%, T %.3f s\n", braking, speed, s.safe / 2.0, s.time);
     }
   }
