@@ -11,7 +11,6 @@ namespace fulbito {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 constexpr double kArrived = 0.9;     // of the goal's tolerance
 constexpr double kOffPath = 0.03;    // [m] from the path that asks for a new plan
 constexpr int kReplanTicks = 4;      // least age of a plan that is dropped
@@ -42,6 +41,8 @@ void BsplineTime::reset() {
   missed_heading_ = false;
 }
 
+// Looser than ReplanMonitor: a plan that was improved over many ticks is worth more than one made in a tick,
+// and a goal far away may drift.
 bool BsplineTime::goalMoved(const NavigationScene& scene) const {
   const NavigationGoal& goal = scene.goal;
   const double slack = 0.5 * goal.tolerance + 0.05 * distance(scene.self.pose.position, goal.position);

@@ -64,7 +64,8 @@ void SplineSeeder::placeCircles(double inflation, std::span<const ForecastDisc> 
     Vec2 centre = disc.position;
     if (disc.moves) {
       // Where it is when a robot on the straight way comes nearest to it; if that is far, it is in nobody's
-      // way.
+      // way. (`predictObstacles` asks where it could be met by a robot that makes for it, which keeps every
+      // disc in the scene: the safe guess for a path that is not timed.)
       const Vec2 apart = disc.position - from_, closing = velocity - disc.velocity;
       const double square = squaredNorm(closing);
       const double time = square > 1e-9 ? std::clamp(dot(apart, closing) / square, 0.0, kForeseen) : 0.0;

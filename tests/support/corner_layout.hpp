@@ -45,6 +45,18 @@ inline CornerLayout cornerLayout(std::uint64_t seed) {
   }
 }
 
+/// A scene at the layout's start; views the arguments.
+inline NavigationScene sceneOf(const CornerLayout& layout, const FieldGeometry& field,
+                               const RobotModel& robot) {
+  NavigationScene scene;
+  scene.field = &field;
+  scene.robot = &robot;
+  scene.self.pose = layout.start;
+  scene.goal = layout.goal;
+  scene.obstacles = layout.obstacles;
+  return scene;
+}
+
 /// The robot of the comparison (paper-004) with its top speed set.
 inline RobotModel paperRobot(double speed) {
   RobotModel robot;

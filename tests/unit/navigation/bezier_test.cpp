@@ -19,17 +19,6 @@ double clearance(std::span<const Vec2> path, std::span<const DiscObstacle> obsta
   return least;
 }
 
-NavigationScene sceneOf(const test::CornerLayout& layout, const FieldGeometry& field,
-                        const RobotModel& robot) {
-  NavigationScene scene;
-  scene.field = &field;
-  scene.robot = &robot;
-  scene.self.pose = layout.start;
-  scene.goal = layout.goal;
-  scene.obstacles = layout.obstacles;
-  return scene;
-}
-
 }  // namespace
 
 TEST_CASE("bezier keeps what every navigator promises", "[unit]") {
@@ -46,7 +35,7 @@ TEST_CASE("without obstacles on the line the curves are straight", "[unit]") {
   const RobotModel robot = test::paperRobot(1.0);
   test::CornerLayout layout = test::cornerLayout(1);
   layout.obstacles.clear();
-  const NavigationScene scene = sceneOf(layout, field, robot);
+  const NavigationScene scene = test::sceneOf(layout, field, robot);
   const double straight = distance(layout.start.position, layout.goal.position);
   Bezier bezier({});
   BezierRaw raw({});
@@ -59,7 +48,7 @@ TEST_CASE("bezier-raw takes the shortest of all choices of sides", "[unit]") {
   const RobotModel robot = test::paperRobot(1.0);
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const test::CornerLayout layout = test::cornerLayout(seed);
-    const NavigationScene scene = sceneOf(layout, field, robot);
+    const NavigationScene scene = test::sceneOf(layout, field, robot);
     std::vector<Circle> obstacles;
     for (const DiscObstacle& o : layout.obstacles) obstacles.push_back({o.position, o.radius});
     std::vector<std::size_t> selected;
@@ -89,7 +78,7 @@ TEST_CASE("the guarded curve keeps its clearance where the printed method mostly
   const int layouts = 200;
   for (int seed = 0; seed < layouts; ++seed) {
     const test::CornerLayout layout = test::cornerLayout(static_cast<std::uint64_t>(seed));
-    const NavigationScene scene = sceneOf(layout, field, robot);
+    const NavigationScene scene = test::sceneOf(layout, field, robot);
     bezier.reset();
     const auto path = bezier.plan(scene).path;
     CHECK(clearance(path, layout.obstacles) >= robot.circumradius() + 0.02 - 1e-9);
@@ -116,7 +105,7 @@ TEST_CASE("comparing all sides never gives a longer curve than the seeded sides"
   Bezier all(params), seeded({});
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const test::CornerLayout layout = test::cornerLayout(seed);
-    const NavigationScene scene = sceneOf(layout, field, robot);
+    const NavigationScene scene = test::sceneOf(layout, field, robot);
     all.reset();
     seeded.reset();
     CHECK(polylineLength(all.plan(scene).path) <= polylineLength(seeded.plan(scene).path) + 1e-12);

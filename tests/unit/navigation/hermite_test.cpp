@@ -30,12 +30,7 @@ TEST_CASE("the Hermite path keeps its clearance", "[unit]") {
   Hermite hermite({});
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const test::CornerLayout layout = test::cornerLayout(seed);
-    NavigationScene scene;
-    scene.field = &field;
-    scene.robot = &robot;
-    scene.self.pose = layout.start;
-    scene.goal = layout.goal;
-    scene.obstacles = layout.obstacles;
+    const NavigationScene scene = test::sceneOf(layout, field, robot);
     hermite.reset();
     const auto path = hermite.plan(scene).path;
     CHECK(path.front() == layout.start.position);
