@@ -30,6 +30,7 @@ LimitPath limitPath(const TrialConfig& config) {
     if (spec.motion == ObstacleMotion::kFixed) appendDiscs(spec, {spec.pose, {}}, discs);
   }
   std::vector<Circle> circles;
+  circles.reserve(discs.size());
   for (const DiscObstacle& disc : discs)
     circles.push_back({disc.position, disc.radius + config.limit_clearance});
   TangentGraph graph;

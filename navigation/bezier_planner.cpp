@@ -31,8 +31,8 @@ Circle enclosing(const Circle& a, const Circle& b) {
 
 /// Whether the last stretch has the arrival heading within half of its tolerance. A curve that reaches it at
 /// the very end only is one that a robot with its lag misses.
-bool arrivesAlong(std::span<const Vec2> path, const NavigationGoal& goal) {
-  const Vec2 along = math::unit(*goal.heading);
+bool arrivesAlong(std::span<const Vec2> path, const NavigationGoal& goal, double heading) {
+  const Vec2 along = math::unit(heading);
   const double least = math::cos(goal.heading_tolerance / 2);
   for (std::size_t i = path.size() - 1; i > 0; --i) {
     if (distance(path[i], goal.position) > kSettled) return true;
@@ -152,17 +152,17 @@ bool BezierPlanner::tryEnds(const NavigationScene& scene, std::span<Vec2> contro
     control[count++] = scene.goal.position;
     return tryCurve(scene, control.first(count));
   }
+  const Vec2 along = math::unit(*scene.goal.heading);
   bool inside = false;
   for (double lead : kLeads) {
-    const std::size_t all = addArrival(scene, lead, control, count);
+    const std::size_t all = addArrival(scene.goal.position, along, lead, control, count);
     inside = tryCurve(scene, control.first(all)) || inside;
   }
   return inside;
 }
 
-std::size_t BezierPlanner::addArrival(const NavigationScene& scene, double lead, std::span<Vec2> control,
+std::size_t BezierPlanner::addArrival(Vec2 goal, Vec2 along, double lead, std::span<Vec2> control,
                                       std::size_t count) const {
-  const Vec2 goal = scene.goal.position, along = math::unit(*scene.goal.heading);
   const Vec2 last = control[count - 1], left = goal - last;
   const double before = dot(left, along), beside = cross(along, last - goal);
   // Close behind the goal the point must not lie behind the robot, or the curve would turn back.
@@ -192,7 +192,7 @@ bool BezierPlanner::tryCurve(const NavigationScene& scene, std::span<const Vec2>
 
 void BezierPlanner::keepIfBest(const NavigationScene& scene, std::span<const Vec2> control) {
   sampleBezier(control, trial_);
-  if (scene.goal.heading && !arrivesAlong(trial_, scene.goal)) return;
+  if (scene.goal.heading && !arrivesAlong(trial_, scene.goal, *scene.goal.heading)) return;
   const double length = polylineLength(trial_);
   for (std::size_t i = 0; i < open_levels_; ++i) {
     Level& level = levels_[i];

@@ -72,7 +72,7 @@ class BezierPlanner {
   bool tryCurve(const NavigationScene& scene, std::span<const Vec2> control);
   bool tryEnds(const NavigationScene& scene, std::span<Vec2> control, std::size_t count);
   void keepIfBest(const NavigationScene& scene, std::span<const Vec2> control);
-  std::size_t addArrival(const NavigationScene& scene, double lead, std::span<Vec2> control,
+  std::size_t addArrival(Vec2 goal, Vec2 along, double lead, std::span<Vec2> control,
                          std::size_t count) const;
 
   BezierPlannerParams params_;

@@ -20,7 +20,7 @@ constexpr std::array<double, 6> kExtras = {0.0, 0.004, 0.008, 0.014, 0.024, 0.04
 
 void appendHermite(Vec2 a, Vec2 da, Vec2 b, Vec2 db, double spacing, std::vector<Vec2>& out) {
   const double pieces = std::clamp(std::floor(distance(a, b) / spacing) + 1.0, 8.0, kMostPieces);
-  for (double i = 1.0; i < pieces; i += 1.0) {
+  for (int i = 1; i < pieces; ++i) {
     const double t = i / pieces, s = 1.0 - t;
     out.push_back(a * (s * s * (1.0 + 2.0 * t)) + da * (s * s * t) + b * (t * t * (1.0 + 2.0 * s)) -
                   db * (t * t * s));
@@ -72,7 +72,7 @@ void Hermite::placeJoints(const NavigationScene& scene) {
     const Vec2 middle = outOfFrame(spoke, math::unit(side * pass.sweep / 2));
     joints_.push_back({centre + middle, perp(unitOr(middle, {1.0, 0.0})) * side});
   }
-  if (!(tangent_path_.target() == goal)) {
+  if (scene.goal.heading && !(tangent_path_.target() == goal)) {
     joints_.push_back({tangent_path_.target(), math::unit(*scene.goal.heading)});
   }
   joints_.push_back({goal, {}});

@@ -106,10 +106,10 @@ Result<std::size_t> findParameter(const std::vector<ParameterSpec>& specs, const
 /// Builds the registry's entry of a navigator class `N` that is made from its parameter struct `P`.
 template <typename P, typename N>
 NavigatorInfo describeNavigator(const std::string& name, std::string summary, std::string source,
-                                const std::vector<Parameter<P>>& parameters, bool plans_speed = false) {
+                                std::vector<Parameter<P>> parameters, bool plans_speed = false) {
   NavigatorInfo info{name, std::move(summary), std::move(source), plans_speed, {}, {}};
   for (const auto& parameter : parameters) info.parameters.push_back(parameter.spec);
-  info.make = [name, parameters, specs = info.parameters](
+  info.make = [name, parameters = std::move(parameters), specs = info.parameters](
                   const std::vector<Setting>& settings) -> Result<std::unique_ptr<Navigator>> {
     P values;
     for (const Setting& setting : settings) {

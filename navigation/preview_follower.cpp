@@ -34,7 +34,7 @@ void PreviewFollower::reset() {
 }
 
 Twist PreviewFollower::follow(const Guidance& guidance, const NavigationScene& scene) {
-  if (turnsAtGoal(scene)) {
+  if (scene.goal.heading && slowAtGoal(scene)) {
     started_ = true;
     spinning_ = false;
     return {0.0, params_.yaw_gain * math::wrapAngle(*scene.goal.heading - scene.self.pose.heading)};
@@ -62,9 +62,9 @@ Twist PreviewFollower::follow(const Guidance& guidance, const NavigationScene& s
   return wanted;
 }
 
-bool PreviewFollower::turnsAtGoal(const NavigationScene& scene) const {
+bool PreviewFollower::slowAtGoal(const NavigationScene& scene) const {
   const NavigationGoal& goal = scene.goal;
-  return goal.heading && distance(scene.self.pose.position, goal.position) < kAtGoal * goal.tolerance &&
+  return distance(scene.self.pose.position, goal.position) < kAtGoal * goal.tolerance &&
          std::abs(bodyTwist(scene.self).linear) < kSlow;
 }
 

@@ -32,7 +32,7 @@ class PreviewFollower final : public Follower {
     Vec2 target;   ///< steering point
     double speed;  ///< [m/s] allowed now
   };
-  bool turnsAtGoal(const NavigationScene& scene) const;
+  bool slowAtGoal(const NavigationScene& scene) const;
   Ahead aheadOnField(const Guidance& guidance, const NavigationScene& scene, double speed, double reach);
   Ahead aheadOnPath(const Guidance& guidance, const NavigationScene& scene, double speed, double reach);
   void cachePath(const Guidance& guidance, const NavigationScene& scene);

@@ -264,7 +264,7 @@ void TangentGraph::sample(double spacing, std::vector<Vec2>& out) const {
   const auto straight = [&](Vec2 to) {
     const Vec2 from = out.back();
     const double pieces = pieceCount(distance(from, to), spacing);
-    for (double i = 1.0; i < pieces; i += 1.0) out.push_back(from + (to - from) * (i / pieces));
+    for (int i = 1; i < pieces; ++i) out.push_back(from + (to - from) * (i / pieces));
     out.push_back(to);
   };
   out.push_back(start_);
@@ -274,7 +274,7 @@ void TangentGraph::sample(double spacing, std::vector<Vec2>& out) const {
     const double pieces = pieceCount(pass.radius * pass.sweep, spacing);
     const Vec2 step = math::unit(static_cast<double>(pass.side) * pass.sweep / pieces);
     Vec2 spoke = pass.entry - centre;
-    for (double i = 1.0; i < pieces; i += 1.0) {
+    for (int i = 1; i < pieces; ++i) {
       spoke = outOfFrame(spoke, step);
       out.push_back(centre + spoke);
     }

@@ -75,6 +75,8 @@ bool TangentPath::onFinalStraight(const NavigationScene& scene) const {
 
 bool TangentPath::searchWithHeading(const NavigationScene& scene, std::span<const Circle> bodies,
                                     double inflation) {
+  if (!scene.goal.heading) return false;
+  along_ = math::unit(*scene.goal.heading);
   approach_ = approachLength(scene);
   if (approach_ < kLeastApproach) return false;
   for (double bend : {params_.bend, params_.bend / 2, 0.0}) {
@@ -88,7 +90,7 @@ bool TangentPath::search(const NavigationScene& scene, std::span<const Circle> b
                          std::optional<double> bend) {
   circles_.clear();
   for (const Circle& body : bodies) circles_.push_back({body.centre, body.radius + inflation});
-  target_ = bend ? addGate(scene, *bend) : goal_;
+  target_ = bend ? addGate(*bend) : goal_;
   const double penalty = params_.hysteresis * distance(start_, target_);
   found_ =
       graph_.search(start_, target_, circles_, scene.field, scene.robot->circumradius(), {passes_, penalty});
@@ -100,25 +102,23 @@ bool TangentPath::search(const NavigationScene& scene, std::span<const Circle> b
 
 /// The wanted length, or less so that the robot can turn where the straight begins.
 double TangentPath::approachLength(const NavigationScene& scene) const {
-  const Vec2 along = math::unit(*scene.goal.heading);
   const double room = scene.robot->circumradius() + kBesideWall;
   double length = params_.approach;
-  while (length >= kLeastApproach && wallClearance(*scene.field, goal_ - along * length) < room) {
+  while (length >= kLeastApproach && wallClearance(*scene.field, goal_ - along_ * length) < room) {
     length -= kApproachStep;
   }
   return length;
 }
 
 // The discs overlap a little, so that the gate between them is a notch open to the rear only.
-Vec2 TangentPath::addGate(const NavigationScene& scene, double bend) {
-  const Vec2 along = math::unit(*scene.goal.heading);
-  const Vec2 gate = goal_ - along * (approach_ - bend * kCreaseSin),
-             aside = perp(along) * (bend * kCreaseCos);
+Vec2 TangentPath::addGate(double bend) {
+  const Vec2 gate = goal_ - along_ * (approach_ - bend * kCreaseSin),
+             aside = perp(along_) * (bend * kCreaseCos);
   if (bend > 0.0) {
     circles_.push_back({gate + aside, bend});
     circles_.push_back({gate - aside, bend});
   }
-  return goal_ - along * approach_;
+  return goal_ - along_ * approach_;
 }
 
 void TangentPath::sample(std::vector<Vec2>& out) const {

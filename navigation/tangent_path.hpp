@@ -66,7 +66,7 @@ class TangentPath {
   bool search(const NavigationScene& scene, std::span<const Circle> bodies, double inflation,
               std::optional<double> bend = {});
   double approachLength(const NavigationScene& scene) const;
-  Vec2 addGate(const NavigationScene& scene, double bend);
+  Vec2 addGate(double bend);
   bool onFinalStraight(const NavigationScene& scene) const;
 
   TangentPathParams params_;
@@ -74,6 +74,7 @@ class TangentPath {
   std::vector<Circle> circles_;
   std::vector<CirclePass> passes_;
   Vec2 start_, goal_, target_;
+  Vec2 along_;             ///< direction of the final straight
   double approach_ = 0.0;  ///< [m] length of the final straight
   bool corner_ = false;
   Outcome outcome_ = Outcome::kNone;

@@ -32,10 +32,12 @@ double meetingAt(const NavigationScene& scene, std::span<const Vec2> path, PathP
                  double horizon) {
   const double change = kAccelerationShare * scene.robot->wheel_acceleration * kStep;
   double speed = norm(scene.self.velocity);
-  for (double t = kStep; t <= horizon; t += kStep) {
+  double t = kStep;
+  while (t <= horizon) {
     speed += std::clamp(target - speed, -change, change);
     place = advance(path, place, speed * kStep);
     if (meets(scene, pointAt(path, place), t)) return t;
+    t += kStep;
   }
   return kInfinity;
 }
