@@ -66,7 +66,7 @@ const std::vector<Suite>& suites() {
        clutter16Layout},
       {"u-trap", "N5: a U of obstacles between start and goal", 100, both, kAll, kSquareClearance, false,
        uTrapLayout},
-      {"moving", "N6: one to five obstacles crossing at 0.3 to 1.5 m/s, bouncing off the walls", 300, both,
+      {"moving", "N6: one to five obstacles crossing at 0.3 to 1.5 m/s, bouncing off the walls", 1000, both,
        kOwnMotion, 0.058, false, movingLayout},
       {"cases",
        "named cases: the figures of Jung & Lee (2015)",
