@@ -8,6 +8,7 @@
 
 #include "apps/commands.hpp"
 #include "engine/core/suggest.hpp"
+#include "experiments/build_info.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -192,6 +193,7 @@ int mainWithoutCatch(int argc, char** argv) {
       "  fulbito list navigators\n"
       "Exit codes: 0 ran, 2 usage, 3 bad input file, 5 cannot read or write, 70 internal error, 130 "
       "interrupted.");
+  app.set_version_flag("--version", buildInfo().version);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
   Options options;
@@ -201,7 +203,7 @@ int mainWithoutCatch(int argc, char** argv) {
   if (const auto error = wrongCommand(app, argc, argv)) return report(*error);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
+  } catch (const CLI::Success& help) {  // --help, --version
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     return report(parseError(app, error, {argv + 1, argv + argc}));

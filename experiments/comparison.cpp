@@ -46,6 +46,10 @@ Result<void> checkRanges(const ComparisonConfig& config) {
     return fail(ErrorCode::kUsage,
                 fmt::format("--trials: {} is outside 1 ... {}", config.trials, kMaxTrials));
   }
+  if (config.pictures < 0 || config.pictures > kMaxTrials) {
+    return fail(ErrorCode::kUsage,
+                fmt::format("--pictures: {} is outside 0 ... {}", config.pictures, kMaxTrials));
+  }
   if (config.jobs < 0 || config.jobs > 1024) {
     return fail(ErrorCode::kUsage, fmt::format("--jobs: {} is outside 1 ... 1024", config.jobs));
   }

@@ -12,7 +12,8 @@ namespace fulbito {
 namespace {
 
 constexpr std::uint64_t kTrainingSeedOffset =
-    1000003;                          // training layouts are not those that the method is judged on
+    1000003;  // training layouts are not those that the method is judged on
+constexpr int kMostEvaluations = 100000;
 constexpr double kLocalSpread = 0.1;  // of a parameter's range, near the best
 
 using Point = std::vector<double>;
@@ -68,6 +69,10 @@ Point draw(const Space& space, Rng& rng, const Point& best, bool local) {
 }  // namespace
 
 Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, const Progress& progress) {
+  if (config.evaluations < 1 || config.evaluations > kMostEvaluations) {
+    return fail(ErrorCode::kUsage, fmt::format("--tune-evaluations: {} is outside 1 ... {}",
+                                               config.evaluations, kMostEvaluations));
+  }
   const auto space = spaceOf(config.navigator);
   if (!space) return tl::unexpected<Error>(space.error());
   ComparisonConfig training = base;

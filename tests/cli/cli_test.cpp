@@ -107,6 +107,10 @@ TEST_CASE("wrong words are usage errors with a suggestion, and say nothing on st
   expect("compare --suite corner --trials -4", "--trials");
   expect("compare --suite corner --speeds 99", "--speeds: 99 is outside");
   expect("compare --suite corner --jobs -1", "--jobs");
+  expect("compare --suite corner --pictures -1", "--pictures: -1 is outside");
+  expect("compare --suite corner --tune tangent-field --tune-evaluations 0 --out o",
+         "--tune-evaluations: 0 is outside");
+  expect("compare --suite corner --tune straight --out o", "has no numeric parameter to tune");
   expect("run --robot vss", "Did you mean 'vsss'?");
   expect("run --physics standrad", "Did you mean 'standard'?");
   expect("run --layout corner:x", "is not the number of a layout");
