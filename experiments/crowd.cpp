@@ -34,8 +34,9 @@ WorldConfig kickOff(const RobotPreset& robot, const FieldGeometry& field, const 
   config.physics = physics;
   for (std::size_t i = 0; i < kRobots; ++i) {
     const double side = i % 2 == 0 ? -1.0 : 1.0;
+    const std::size_t row = i / 2;
     config.robots.push_back(
-        {robot.robot, {{side * 0.3, 0.3 * (static_cast<double>(i / 2) - 1.0)}, 0.0}, {}, 0.0});
+        {robot.robot, {{side * 0.3, 0.3 * (static_cast<double>(row) - 1.0)}, 0.0}, {}, 0.0});
   }
   config.balls.push_back({robot.ball, {}, {}, {}});
   return config;
