@@ -4,7 +4,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/progress.hpp"
-#include "experiments/output.hpp"
+#include "engine/core/output_file.hpp"
 #include "experiments/paper_plan.hpp"
 #include "experiments/pictures.hpp"
 #include "experiments/report.hpp"

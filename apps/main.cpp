@@ -8,7 +8,7 @@
 
 #include "apps/commands.hpp"
 #include "engine/core/suggest.hpp"
-#include "experiments/build_info.hpp"
+#include "engine/core/build_info.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
-#include "experiments/output.hpp"
+#include "engine/core/output_file.hpp"
 #include "experiments/pictures.hpp"
 #include "experiments/report.hpp"
 

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
-#include "experiments/build_info.hpp"
+#include "engine/core/build_info.hpp"
 #include "experiments/report.hpp"
 
 namespace fulbito::app {

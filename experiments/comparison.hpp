@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/statistics.hpp"
+#include "engine/core/statistics.hpp"
 #include "experiments/suite.hpp"
 #include "experiments/trial.hpp"
 

@@ -5,7 +5,7 @@
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
 #include "engine/sim/world.hpp"
-#include "experiments/statistics.hpp"
+#include "engine/core/statistics.hpp"
 
 namespace fulbito {
 namespace {

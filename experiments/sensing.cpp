@@ -49,20 +49,4 @@ void Sensing::commanded(WheelSpeeds command) {
   ++given_;
 }
 
-RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt) {
-  const double change = model.wheel_acceleration * dt / model.wheel_radius;
-  const WheelSpeeds before = robot.wheels;
-  robot.wheels.left += std::clamp(command.left - before.left, -change, change);
-  robot.wheels.right += std::clamp(command.right - before.right, -change, change);
-  const Twist twist = forwardKinematics(
-      model, {(before.left + robot.wheels.left) / 2, (before.right + robot.wheels.right) / 2});
-  const double middle = robot.pose.heading + twist.angular * dt / 2;
-  robot.pose.position += math::unit(middle) * (twist.linear * dt);
-  robot.pose.heading = math::wrapAngle(robot.pose.heading + twist.angular * dt);
-  const Twist end = forwardKinematics(model, robot.wheels);
-  robot.velocity = math::unit(robot.pose.heading) * end.linear;
-  robot.angular_velocity = end.angular;
-  return robot;
-}
-
 }  // namespace fulbito

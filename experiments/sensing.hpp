@@ -41,8 +41,4 @@ class Sensing {
   std::vector<DiscObstacle> discs_;
 };
 
-/// State of `robot` one tick later when its wheels follow `command` as fast as its motors allow and do not
-/// slip.
-RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt);
-
 }  // namespace fulbito

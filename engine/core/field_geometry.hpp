@@ -26,8 +26,13 @@ struct FieldGeometry {
   double wall_thickness = 0.05;        ///< [m] of the simulated bodies
   double goal_area_width = 0.70;       ///< [m]
   double goal_area_depth = 0.15;       ///< [m]
+  double goal_area_arc_width = 0.20;   ///< [m] chord of the arc in front of the goal area; 0 = no arc
+  double goal_area_arc_depth = 0.05;   ///< [m] how far the arc reaches beyond the area's front line
+  double big_area_width = 0.0;         ///< [m] of the penalty area of the larger games; 0 = none
+  double big_area_depth = 0.0;         ///< [m]
   double centre_circle_radius = 0.20;  ///< [m]
   double penalty_mark = 0.375;         ///< [m] distance from the centre along x; 0 = not drawn
+  Vec2 free_ball_mark{0.375, 0.40};    ///< [m] in the first quadrant, the other three mirrored; 0 = none
 
   bool hasGoals() const { return goal_width > 0.0 && goal_depth > 0.0; }
 };

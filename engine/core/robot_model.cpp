@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/math.hpp"
+
 namespace fulbito {
 
 double RobotModel::circumradius() const { return 0.5 * std::sqrt(length * length + width * width); }
@@ -30,6 +32,22 @@ WheelSpeeds roundedTo(WheelSpeeds wheels, double step) {
     return std::isfinite(multiple) ? multiple : w;  // far beyond any wheel, the quotient overflows
   };
   return {rounded(wheels.left), rounded(wheels.right)};
+}
+
+RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt) {
+  const double change = model.wheel_acceleration * dt / model.wheel_radius;
+  const WheelSpeeds before = robot.wheels;
+  robot.wheels.left += std::clamp(command.left - before.left, -change, change);
+  robot.wheels.right += std::clamp(command.right - before.right, -change, change);
+  const Twist twist = forwardKinematics(
+      model, {(before.left + robot.wheels.left) / 2, (before.right + robot.wheels.right) / 2});
+  const double middle = robot.pose.heading + twist.angular * dt / 2;
+  robot.pose.position += math::unit(middle) * (twist.linear * dt);
+  robot.pose.heading = math::wrapAngle(robot.pose.heading + twist.angular * dt);
+  const Twist end = forwardKinematics(model, robot.wheels);
+  robot.velocity = math::unit(robot.pose.heading) * end.linear;
+  robot.angular_velocity = end.angular;
+  return robot;
 }
 
 }  // namespace fulbito

@@ -13,7 +13,7 @@ template <typename T, std::size_t labels, std::size_t numbers>
 constexpr bool kHasOnly = sizeof(T) == labels * sizeof(std::string) + numbers * sizeof(double);
 static_assert(kHasOnly<RobotModel, 1, 16>);
 static_assert(kHasOnly<BallModel, 0, 10>);
-static_assert(kHasOnly<FieldGeometry, 1, 10>);
+static_assert(kHasOnly<FieldGeometry, 1, 16>);
 
 }  // namespace
 
@@ -79,8 +79,13 @@ Schema schemaOf(FieldGeometry& f) {
       {"wall_thickness", &f.wall_thickness, 0.005, 1.0, "m", "of the simulated bodies"},
       {"goal_area_width", &f.goal_area_width, 0.0, 20.0, "m", "marking; 0 = not drawn"},
       {"goal_area_depth", &f.goal_area_depth, 0.0, 20.0, "m", "marking"},
+      {"goal_area_arc_width", &f.goal_area_arc_width, 0.0, 20.0, "m", "chord of the area's arc; 0 = no arc"},
+      {"goal_area_arc_depth", &f.goal_area_arc_depth, 0.0, 20.0, "m", "of the arc beyond the area's front"},
+      {"big_area_width", &f.big_area_width, 0.0, 20.0, "m", "of larger games; 0 = none"},
+      {"big_area_depth", &f.big_area_depth, 0.0, 20.0, "m", "of larger games"},
       {"centre_circle_radius", &f.centre_circle_radius, 0.0, 10.0, "m", "marking; 0 = not drawn"},
       {"penalty_mark", &f.penalty_mark, 0.0, 10.0, "m", "from the centre along x; 0 = not drawn"},
+      {"free_ball_mark", &f.free_ball_mark, 0.0, 10.0, "m", "in the first quadrant; [0, 0] = none"},
   };
 }
 

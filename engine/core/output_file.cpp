@@ -1,4 +1,4 @@
-#include "experiments/output.hpp"
+#include "engine/core/output_file.hpp"
 
 #include <cerrno>
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "experiments/statistics.hpp"
+#include "engine/core/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "experiments/build_info.hpp"
+#include "engine/core/build_info.hpp"
 
 namespace fulbito {
 
