@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
-#include "engine/core/suggest.hpp"
 #include "engine/core/build_info.hpp"
+#include "engine/core/suggest.hpp"
 
 namespace fulbito::app {
 namespace {

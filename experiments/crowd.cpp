@@ -4,8 +4,8 @@
 
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
-#include "engine/sim/world.hpp"
 #include "engine/core/statistics.hpp"
+#include "engine/sim/world.hpp"
 
 namespace fulbito {
 namespace {

@@ -16,7 +16,7 @@ packages=(
   g++ cmake ninja-build git ca-certificates binutils pkg-config
   libbox2d-dev libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core libpng-dev
   libfmt-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
-  librandom123-dev libxxhash-dev
+  librandom123-dev libxxhash-dev libzstd-dev
   catch2 libmpfr-dev libgmp-dev
 )
 ci_packages=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck)

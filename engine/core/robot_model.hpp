@@ -46,7 +46,6 @@ WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels);
 /// Rounds both wheels to multiples of `step` [rad/s]; step <= 0 leaves them.
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step);
 
-
 /// State of `robot` one tick of `dt` [s] later when its wheels follow `command` as fast as its motors allow
 /// and do not slip.
 RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt);

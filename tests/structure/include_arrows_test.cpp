@@ -18,12 +18,16 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"engine/core", {}},
     {"engine/sim", {"engine/core"}},
     {"navigation", {"engine/core"}},
+    {"strategies", {"engine/core", "navigation"}},
     {"referee", {"engine/core"}},
+    {"replays", {"engine/core"}},
+    {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
     {"replays/render", {"engine/core"}},
     {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
-     {"engine/core", "engine/sim", "navigation", "referee", "replays/render", "experiments", "bench"}},
+     {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match",
+      "replays/render", "experiments", "bench"}},
 };
 
 /// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp`
@@ -32,7 +36,10 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"engine/core", {"fmt", "tl", "toml++", "Random123", "xxhash.h"}},
     {"engine/sim", {"box2d", "fmt"}},
     {"navigation", {"fmt"}},
-    {"referee", {}},
+    {"strategies", {"fmt"}},
+    {"referee", {"fmt"}},
+    {"replays", {"fmt", "nlohmann", "zstd.h", "xxhash.h"}},
+    {"match", {"fmt", "nlohmann"}},
     {"replays/render", {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "fmt"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
@@ -42,7 +49,7 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
 const std::set<std::string> kKnownLibraries = {
     "fmt",   "tl",       "toml++", "Random123", "xxhash.h",
     "box2d", "SDL.h",    "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
-    "png.h", "nlohmann", "CLI",    "Eigen"};
+    "png.h", "nlohmann", "CLI",    "Eigen",     "zstd.h"};
 
 std::string folderOf(const std::string& path) {
   std::string best;

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+
+#include "engine/sim/world.hpp"
+#include "match/match_config.hpp"
+#include "referee/match_referee.hpp"
+#include "strategies/team_command.hpp"
+
+namespace fulbito {
+
+/// One tick of play as it happened. Views stay valid during the call only.
+struct MatchTick {
+  Tick tick = 0;                          ///< of the match, after the step
+  std::span<const RobotId> ids;           ///< of the robots on the field
+  std::span<const WheelSpeeds> commands;  ///< that were applied, rounded, in the order of `ids`
+  const WorldState* world = nullptr;      ///< after the step
+  std::span<const ContactEvent> contacts;
+  std::span<const GameEvent> events;  ///< of this tick
+  const RefereeState* referee = nullptr;
+  PerTeam<const TeamCommand*> decisions{};  ///< of both teams, each in its own frame
+};
+
+/// The beginning of a play: a new world from a placed state.
+struct PlayStart {
+  Tick tick = 0;                 ///< of the match
+  RestartCall call;              ///< how play begins
+  Placement placement;           ///< where all stand after repairs
+  std::span<const RobotId> ids;  ///< of the world's robots
+  const WorldConfig* world = nullptr;
+  std::span<const GameEvent> events;  ///< of the restart itself, such as repaired placements
+  const RefereeState* referee = nullptr;
+};
+
+/// Something that watches a match: a recorder, statistics, an event stream. The match's result never depends
+/// on who watches.
+class MatchObserver {
+ public:
+  virtual ~MatchObserver() = default;
+  virtual void matchBegins(const MatchConfig&) {}
+  virtual void playBegins(const PlayStart&) {}
+  virtual void ticked(const MatchTick&) {}
+  virtual void matchEnds(const RefereeState&, Tick) {}
+};
+
+}  // namespace fulbito

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "engine/core/team.hpp"
+#include "engine/core/values.hpp"
+
+namespace fulbito {
+
+/// Where ball and robots stand, in the world's frame. A robot without a pose is not on the field.
+struct Placement {
+  Vec2 ball;
+  Vec2 ball_velocity;  ///< [m/s] 0 at every restart of the rules
+  PerTeam<std::array<std::optional<Pose2>, kMaxTeamSize>> robots;
+};
+
+}  // namespace fulbito

@@ -1,0 +1,93 @@
+#include "strategies/team_pilots.hpp"
+
+#include <algorithm>
+
+#include "navigation/limiter.hpp"
+
+namespace fulbito {
+
+Result<TeamPilots> TeamPilots::create(const MatchInfo& info, std::span<const NavigatorChoice> navigators) {
+  TeamPilots team;
+  team.info_ = info;
+  team.slowed_ = info.robot;
+  team.drivers_.resize(static_cast<std::size_t>(info.team_size));
+  for (Driver& driver : team.drivers_) {
+    for (const NavigatorChoice& choice : navigators) {
+      auto pilot = makePilot(choice);
+      if (!pilot) return tl::unexpected<Error>(pilot.error());
+      driver.pilots.push_back(std::move(*pilot));
+    }
+  }
+  team.discs_.reserve(2 * kMaxTeamSize + 1);
+  team.reset();
+  return team;
+}
+
+void TeamPilots::reset() {
+  for (Driver& driver : drivers_) {
+    for (auto& pilot : driver.pilots) pilot->reset();
+    driver.last = -1;
+  }
+}
+
+std::array<WheelSpeeds, kMaxTeamSize> TeamPilots::drive(const Observation& observation,
+                                                        const TeamCommand& command) {
+  std::array<WheelSpeeds, kMaxTeamSize> wheels{};
+  for (std::size_t i = 0; i < drivers_.size(); ++i) {
+    if (!observation.own[i].present) continue;
+    const RobotCommand& wanted = command.robots[i];
+    if (wanted.kind == RobotCommand::Kind::kGoTo) {
+      wheels[i] = goTo(observation, static_cast<int>(i), wanted.go_to);
+      continue;
+    }
+    drivers_[i].last = -1;
+    if (wanted.kind == RobotCommand::Kind::kWheels) {
+      wheels[i] = wanted.wheels;
+    } else {
+      const Twist twist =
+          limitTwist(info_.robot, bodyTwist(observation.own[i].state), wanted.twist, observation.dt);
+      wheels[i] = inverseKinematics(info_.robot, twist);
+    }
+  }
+  return wheels;
+}
+
+WheelSpeeds TeamPilots::goTo(const Observation& observation, int robot, const GoTo& go_to) {
+  Driver& driver = drivers_[static_cast<std::size_t>(robot)];
+  if (go_to.navigator >= driver.pilots.size()) return {};
+  Pilot& pilot = *driver.pilots[go_to.navigator];
+  if (driver.last != go_to.navigator) pilot.reset();
+  driver.last = go_to.navigator;
+
+  discs_.clear();
+  const double radius = info_.robot.circumradius();
+  const auto see = [&](const std::array<ObservedRobot, kMaxTeamSize>& robots, int except) {
+    for (int i = 0; i < observation.team_size; ++i) {
+      const ObservedRobot& seen = robots[static_cast<std::size_t>(i)];
+      if (seen.present && i != except) {
+        discs_.push_back({seen.state.pose.position, radius, seen.state.velocity});
+      }
+    }
+  };
+  if (go_to.avoid_mates) see(observation.own, robot);
+  if (go_to.avoid_opponents) see(observation.opponents, -1);
+  if (go_to.avoid_ball) {
+    discs_.push_back({observation.ball.position, info_.ball.radius, observation.ball.velocity});
+  }
+  slowed_.max_wheel_speed =
+      std::clamp(go_to.speed_limit / info_.robot.wheel_radius, 0.0, info_.robot.max_wheel_speed);
+  NavigationScene scene;
+  scene.tick = observation.tick;
+  scene.dt = observation.dt;
+  scene.self = observation.own[static_cast<std::size_t>(robot)].state;
+  scene.goal.position = go_to.position;
+  scene.goal.heading = go_to.heading;
+  scene.goal.tolerance = go_to.tolerance;
+  scene.goal.stop = go_to.stop;
+  scene.obstacles = discs_;
+  scene.field = &info_.field;
+  scene.robot = &slowed_;
+  return pilot.drive(scene);
+}
+
+}  // namespace fulbito

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "navigation/pilot.hpp"
+#include "navigation/registry.hpp"
+#include "strategies/observation.hpp"
+#include "strategies/team_command.hpp"
+
+namespace fulbito {
+
+/// The navigation stage of one team: turns its command into wheel speeds. Every robot has a pilot of its own
+/// for each of the strategy's navigators; a pilot that was not used in the tick before starts anew.
+class TeamPilots {
+ public:
+  /// Errors: as `makePilot`.
+  static Result<TeamPilots> create(const MatchInfo& info, std::span<const NavigatorChoice> navigators);
+  /// Forgets everything: play was begun anew.
+  void reset();
+  /// Wheel speeds [rad/s] of every robot, 0 for absent ones and for `kGoTo` without such a navigator.
+  /// kWheels are passed on as they are, even when they are not finite: what to do then is the match's policy.
+  std::array<WheelSpeeds, kMaxTeamSize> drive(const Observation& observation, const TeamCommand& command);
+
+ private:
+  struct Driver {
+    std::vector<std::unique_ptr<Pilot>> pilots;
+    int last = -1;  ///< pilot of the tick before
+  };
+  WheelSpeeds goTo(const Observation& observation, int robot, const GoTo& go_to);
+
+  MatchInfo info_;
+  double ball_radius_ = 0.0;
+  std::vector<Driver> drivers_;
+  std::vector<DiscObstacle> discs_;
+  RobotModel slowed_;  ///< the robot with the speed limit of the moment
+};
+
+}  // namespace fulbito
