@@ -4,11 +4,12 @@
 
 #include "engine/core/suggest.hpp"
 #include "strategies/chaser.hpp"
+#include "strategies/libero.hpp"
 
 namespace fulbito {
 
 std::span<const TeamInfo> teams() {
-  static const std::vector<TeamInfo> entries = {chaserInfo()};
+  static const std::vector<TeamInfo> entries = {chaserInfo(), liberoInfo()};
   return entries;
 }
 
