@@ -3,6 +3,7 @@
 #include <string>
 
 #include "engine/core/result.hpp"
+#include "referee/detector_rules.hpp"
 
 namespace fulbito {
 
@@ -12,6 +13,11 @@ struct Rules {
   std::string field = "vsss-3v3";  ///< preset of the field that it is played on
   int team_size = 3;
   double half_seconds = 300.0;  ///< [s] of play
+  GoalRules goal;
+  StuckRules stuck;
+  AreaRules areas;
+  KeeperRules keeper;
+  FoulRules fouls;
 };
 
 }  // namespace fulbito
