@@ -11,6 +11,7 @@
 #include "referee/match_view.hpp"
 #include "referee/placement.hpp"
 #include "referee/rules.hpp"
+#include "referee/scoreboard.hpp"
 
 namespace fulbito {
 
@@ -31,6 +32,7 @@ struct RefereeSetup {
   double dt = 1.0 / 60.0;  ///< [s] control period
   std::uint64_t seed = 0;  ///< of the match: coin tosses
   Side blue_side = Side::kLeft;
+  Scoreboard scoreboard;  ///< how the match stands at its beginning
 };
 
 /// What the referee knows between ticks: a plain value.
