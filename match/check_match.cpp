@@ -35,9 +35,10 @@ Result<void> checkStart(const MatchConfig& config) {
       if (!robots[i]) continue;
       anyone = true;
       if (i >= static_cast<std::size_t>(config.rules.team_size)) {
-        return fail(ErrorCode::kUsage,
-                    fmt::format("start state: {} has a robot {}, but the rules '{}' have {} a team, counted from 0",
-                                nameOf(team), i, config.rules.name, config.rules.team_size));
+        return fail(
+            ErrorCode::kUsage,
+            fmt::format("start state: {} has a robot {}, but the rules '{}' have {} a team, counted from 0",
+                        nameOf(team), i, config.rules.name, config.rules.team_size));
       }
     }
   }
@@ -63,8 +64,8 @@ Result<void> checkMatch(const MatchConfig& config) {
     }
   }
   if (auto r = range("team size of the rules", config.rules.team_size, 1, kMaxTeamSize, ""); !r) return r;
-  for (const auto& checked : {validate(config.field), validate(config.robot.robot), validate(config.robot.ball),
-                              validate(config.physics)}) {
+  for (const auto& checked : {validate(config.field), validate(config.robot.robot),
+                              validate(config.robot.ball), validate(config.physics)}) {
     if (!checked) return checked;
   }
   if (!config.field.hasGoals()) {

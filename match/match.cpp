@@ -80,7 +80,7 @@ Result<Play> Match::Impl::placed(const RestartCall& call) {
   if (call.kind == RestartKind::kGiven) return makePlay(config, call, call.defaults);
   std::vector<GameEvent> repairs;
   Placement placement = placementOf(call, referee, {&seats[0].strategy(), &seats[1].strategy()}, repairs);
-  misplace(placement, config.placement_error, misplacing);
+  misplace(placement, call, referee, config.placement_error, misplacing);
   auto made = makePlay(config, call, placement);
   if (made) made->events = std::move(repairs);
   return made;

@@ -10,7 +10,7 @@ namespace fulbito {
 
 /// What one team did that the match's policy had to answer (docs/matches.md). Nothing here ends a match.
 struct TeamFaults {
-  std::int64_t not_finite = 0;    ///< robots' commands with a NaN or infinity: that robot stopped for the tick
+  std::int64_t not_finite = 0;  ///< robots' commands with a NaN or infinity: that robot stopped for the tick
   std::int64_t no_navigator = 0;  ///< robots' commands by a navigator that the team lacks: stopped as well
   std::int64_t saturated = 0;     ///< robots' commands beyond motors or field, which were cut: no fault
   std::int64_t overruns = 0;      ///< decisions above the allowance: the one before was held

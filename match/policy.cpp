@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kBeyondField = 0.5;  // [m] a robot may be sent through the ball at a wall, not farther
+constexpr double kBeyondField = 0.5;      // [m] a robot may be sent through the ball at a wall, not farther
 constexpr double kLeastTolerance = 1e-4;  // [m]
 
 bool finite(const GoTo& go_to) {

@@ -14,46 +14,40 @@ TeamPlacement inTeamFrame(Side side, const TeamPlacement& poses) {
   return turned;
 }
 
-// The proposal in the world's frame: the default where the team proposes nothing, and nobody where the rule
-// has nobody.
-TeamPlacement proposed(const PlacementRequest& request, Side side, Strategy& team) {
-  TeamPlacement wanted = request.defaults;
-  if (const auto proposal = team.place(request)) {
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (wanted[i] && (*proposal)[i]) wanted[i] = (*proposal)[i];
-    }
-  }
-  return inTeamFrame(side, wanted);
-}
-
 }  // namespace
 
 Placement placementOf(const RestartCall& call, const MatchReferee& referee, PerTeam<Strategy*> teams,
-                      std::vector<GameEvent>&) {
+                      std::vector<GameEvent>& events) {
+  Proposals proposals;
   Placement placement = call.defaults;
-  std::optional<TeamPlacement> first;
   for (const TeamId team : {call.team, other(call.team)}) {
-    const Side blue = referee.state().blue_side;
-    const Side side = team == TeamId::kBlue ? blue : opposite(blue);
+    const Side side = referee.state().sideOf(team);
     PlacementRequest request;
     request.kind = call.kind;
     request.ours = team == call.team;
-    request.ball = inTeamFrame(side, call.defaults.ball);
-    request.defaults = inTeamFrame(side, call.defaults.robots[indexOf(team)]);
-    if (first) request.opponents = inTeamFrame(side, *first);
-    placement.robots[indexOf(team)] = proposed(request, side, *teams[indexOf(team)]);
-    first = placement.robots[indexOf(team)];
+    request.ball = inTeamFrame(side, call.ball);
+    request.defaults = inTeamFrame(side, defaultPoses(call, team));
+    if (!request.ours) request.opponents = inTeamFrame(side, placement.robots[indexOf(call.team)]);
+    const auto proposal = teams[indexOf(team)]->place(request);
+    if (proposal) proposals[indexOf(team)] = inTeamFrame(side, *proposal);
+    if (!request.ours) continue;
+    // The others are shown where the first team will really stand.
+    std::vector<GameEvent> told_again_later;
+    placement = place(referee.setup(), referee.state(), call, proposals, told_again_later);
   }
-  return placement;
+  return place(referee.setup(), referee.state(), call, proposals, events);
 }
 
-void misplace(Placement& placement, const PlacementError& error, Rng& random) {
+void misplace(Placement& placement, const RestartCall& call, const MatchReferee& referee,
+              const PlacementError& error, Rng& random) {
   for (auto& team : placement.robots) {
     for (std::optional<Pose2>& pose : team) {
       if (!pose) continue;
-      pose->position += {random.uniform(-error.position, error.position),
-                         random.uniform(-error.position, error.position)};
+      const Pose2 exact = *pose;
+      pose->position.x += random.uniform(-error.position, error.position);
+      pose->position.y += random.uniform(-error.position, error.position);
       pose->heading = math::wrapAngle(pose->heading + random.uniform(-error.heading, error.heading));
+      if (!legalPlacement(referee.setup(), referee.state(), call, placement)) pose = exact;
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "engine/sim/world.hpp"
 #include "match/match_config.hpp"
 #include "referee/match_referee.hpp"
+#include "referee/restart_placement.hpp"
 #include "strategies/strategy.hpp"
 
 namespace fulbito {
@@ -24,8 +25,10 @@ struct Play {
 Placement placementOf(const RestartCall& call, const MatchReferee& referee, PerTeam<Strategy*> teams,
                       std::vector<GameEvent>& events);
 
-/// Moves and turns every robot a little, as nobody places one exactly.
-void misplace(Placement& placement, const PlacementError& error, Rng& random);
+/// Moves and turns every robot a little, as nobody places one exactly; a robot that the rule leaves no room
+/// for it stays as it was.
+void misplace(Placement& placement, const RestartCall& call, const MatchReferee& referee,
+              const PlacementError& error, Rng& random);
 
 /// The world that a placement makes. Errors: as `World::create`.
 Result<Play> makePlay(const MatchConfig& config, const RestartCall& call, const Placement& placement);

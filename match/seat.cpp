@@ -83,8 +83,7 @@ void Seat::fillReferee(const Moment& moment) {
 }
 
 void Seat::sense(const Moment& moment) {
-  const Side blue = moment.referee->blue_side;
-  const Side side = team_ == TeamId::kBlue ? blue : opposite(blue);
+  const Side side = moment.referee->sideOf(team_);
   observation_.tick = moment.tick - latency_ticks_;
   if (vision_) {
     const Sight& sight = vision_->see(*moment.world);

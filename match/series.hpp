@@ -29,7 +29,7 @@ struct LegRecord {
 
 /// Two matches: the unit of the statistics.
 struct PairRecord {
-  std::uint64_t seed = 0;          ///< of both matches
+  std::uint64_t seed = 0;         ///< of both matches
   std::array<LegRecord, 2> legs;  ///< A plays blue in the first, yellow in the second
 
   int goalsOfA() const { return legs[0].score[0] + legs[1].score[1]; }

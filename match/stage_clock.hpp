@@ -19,7 +19,7 @@ class StageClock {
     if (profile_ != nullptr) last_ = now_();
   }
   /// What ran since the last call belongs to this stage.
-  void lap(std::int64_t MatchProfile::*stage) {
+  void lap(std::int64_t MatchProfile::* stage) {
     if (profile_ == nullptr) return;
     const std::int64_t now = now_();
     profile_->*stage += now - last_;

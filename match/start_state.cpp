@@ -8,9 +8,9 @@
 namespace fulbito {
 namespace {
 
-constexpr double kFar = 20.0;        // [m]
-constexpr double kMaxSpeed = 50.0;   // [m/s]
-constexpr double kMaxPlay = 1e5;     // [s]
+constexpr double kFar = 20.0;       // [m]
+constexpr double kMaxSpeed = 50.0;  // [m/s]
+constexpr double kMaxPlay = 1e5;    // [s]
 
 /// A robot as it stands in a file.
 struct StartRobot {
@@ -28,7 +28,8 @@ Schema robotSchema(StartRobot& robot) {
   return {{"team", choice(robot.team, {"blue", "yellow"}), 0, 0, "", "", true},
           {"number", &robot.number, 0, kMaxTeamSize - 1, "", "in the team, from 0", true},
           {"position", &robot.pose.position, -kFar, kFar, "m", "", true},
-          {"heading", Heading{&robot.pose.heading}, -36000.0, 36000.0, "rad", "counter-clockwise from +x", false}};
+          {"heading", Heading{&robot.pose.heading}, -36000.0, 36000.0, "rad", "counter-clockwise from +x",
+           false}};
 }
 
 Schema boardSchema(Scoreboard& board) {
@@ -46,8 +47,8 @@ Result<void> readRobots(const ConfigDocument& document, Placement& placement) {
     if (auto read = document.readElement("robot", i, robotSchema(robot)); !read) return read;
     auto& place = placement.robots[indexOf(robot.team)][static_cast<std::size_t>(robot.number)];
     if (place) {
-      return document.locate(
-          {"robot", i, "number", fmt::format("= {} of {} is there already", robot.number, nameOf(robot.team))});
+      return document.locate({"robot", i, "number",
+                              fmt::format("= {} of {} is there already", robot.number, nameOf(robot.team))});
     }
     place = robot.pose;
   }
@@ -61,9 +62,9 @@ Result<StartState> parseStartState(std::string_view text, const std::string& ori
   auto document = ConfigDocument::parse(text, origin, kTables);
   if (!document) return tl::unexpected<Error>(document.error());
   StartState start;
-  for (const auto& read : {document->read("ball", ballSchema(start.placement), true),
-                           readRobots(*document, start.placement),
-                           document->read("match", boardSchema(start.scoreboard), false)}) {
+  for (const auto& read :
+       {document->read("ball", ballSchema(start.placement), true), readRobots(*document, start.placement),
+        document->read("match", boardSchema(start.scoreboard), false)}) {
     if (!read) return tl::unexpected<Error>(read.error());
   }
   return start;

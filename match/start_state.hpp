@@ -17,9 +17,8 @@ struct StartState {
 
 /// Reads a start state. Tables, all positions in the world's frame (blue defends the goal at -x):
 /// [ball] position (required), velocity; any number of [[robot]] team = "blue" | "yellow", number,
-/// position (all required), heading or heading_deg; [match] blue, yellow (score), period, play_seconds. Robots
-/// that are not listed are not on the field.
-/// Errors: kIo; kBadInput as `file:line: table.key ...`.
+/// position (all required), heading or heading_deg; [match] blue, yellow (score), period, play_seconds.
+/// Robots that are not listed are not on the field. Errors: kIo; kBadInput as `file:line: table.key ...`.
 Result<StartState> loadStartState(const std::string& file);
 
 /// The same from text; `origin` stands for the file name in errors.
