@@ -87,7 +87,10 @@ void Match::Impl::begin(const RestartCall& call) {
   if (!made) return;
   world.emplace(std::move(*made));
   commands.assign(ids.size(), {});
-  for (Seat& seat : seats) seat.pilots.reset();
+  for (Seat& seat : seats) {
+    seat.pilots.reset();
+    seat.observation.sent.fill({});
+  }
   referee.restarted(call, placement, tick);
   const PlayStart start{tick, call, placement, ids, &world->config(), events, &referee.state()};
   for (MatchObserver* observer : observers) observer->playBegins(start);
@@ -128,6 +131,7 @@ void Match::Impl::actuate(TeamId team, const std::array<WheelSpeeds, kMaxTeamSiz
     if (ids[i].team != team) continue;
     commands[i] =
         roundedTo(saturate(config.robot.robot, wheels[ids[i].number]), config.physics.wheel_command_step);
+    seats[indexOf(team)].observation.sent[ids[i].number] = commands[i];
   }
 }
 
