@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/math.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -13,38 +15,39 @@ Vec2 placeAt(const InterceptionRequest& request, Vec2 robot, Vec2 ball) {
 }
 
 /// Time [s] that the robot lacks at `t`: negative when it is there before the ball.
-double lack(const BallPrediction& ball, const RobotPace& pace, const RobotState& robot,
+double lack(const BallPrediction& prediction, const RobotPace& pace, const Runner& robot,
             const InterceptionRequest& request, double t) {
-  const Vec2 place = placeAt(request, robot.pose.position, ball.positionAt(t));
-  const double free_way = distance(place, robot.pose.position);
+  const Vec2 ball = prediction.positionAt(t);
+  const Vec2 place = placeAt(request, robot.position, ball);
   // Nearer than the standoff when there is no side to keep: it touches already.
-  if (!request.aim && dot(place - robot.pose.position, ball.positionAt(t) - robot.pose.position) <= 0.0) {
-    return request.delay - t;
-  }
-  return (free_way > 1e-6 ? timeToReach(pace, robot, place) : 0.0) + request.delay - t;
+  const bool touches = !request.aim && dot(place - robot.position, ball - robot.position) <= 0.0;
+  return (touches ? 0.0 : timeToReach(pace, robot, place)) + request.delay - t;
 }
 
 }  // namespace
 
 std::optional<Interception> intercept(const BallPrediction& ball, const RobotPace& pace,
                                       const RobotState& robot, const InterceptionRequest& request) {
-  constexpr double kLeastStep = 1.0 / 60.0;  // [s]
+  constexpr double kLeastStep = 1.0 / 60.0, kCloseEnough = 0.01;  // [s]
   constexpr int kMaxSteps = 24;
-  const auto meeting = [&](double t) {
+  const Runner runner{robot.pose.position, math::unit(robot.pose.heading), robot.velocity};
+  const auto meeting = [&](double t) -> std::optional<Interception> {
+    if (t > request.horizon) return std::nullopt;
     const Vec2 place = ball.positionAt(t);
     return Interception{t, place, placeAt(request, robot.pose.position, place)};
   };
-  double t = 0.0, missing = lack(ball, pace, robot, request, 0.0);
+  double t = 0.0, missing = lack(ball, pace, runner, request, 0.0);
+  double closing = 0.0;  // of the missing time, per second of waiting
   if (missing <= 0.0) return meeting(0.0);
   for (int i = 0; i < kMaxSteps && t < request.horizon; ++i) {
     // A ball that rests is a fixed target.
-    if (t >= ball.endOfMotion())
-      return t + missing <= request.horizon ? std::optional(meeting(t + missing)) : std::nullopt;
-    const double ball_speed = norm(ball.velocityAt(t));
-    const double step = std::max(kLeastStep, missing * pace.speed / (pace.speed + ball_speed));
+    if (missing < kCloseEnough || t >= ball.endOfMotion()) return meeting(t + missing);
+    // A ball that comes closes the gap faster than it would by waiting, one that runs away slower.
+    const double step = std::max(kLeastStep, closing > 0.0 ? missing / closing : 0.5 * missing);
     const double next = std::min(t + step, request.horizon);
-    const double still = lack(ball, pace, robot, request, next);
+    const double still = lack(ball, pace, runner, request, next);
     if (still <= 0.0) return meeting(t + (next - t) * missing / (missing - still));
+    closing = (missing - still) / (next - t);
     t = next, missing = still;
   }
   return std::nullopt;
