@@ -40,6 +40,8 @@ class BallPrediction {
   struct Stretch {
     double begin = 0.0;  ///< [s] from now
     EvenMotion motion;   ///< time 0 is `begin`
+    Vec2 spin;           ///< [m/s] at `begin`
+    Vec2 spin_change;    ///< [m/s^2]
     int bounces = 0;     ///< off walls, so far
   };
 
@@ -62,15 +64,17 @@ class BallPrediction {
   };
   std::optional<Block> blockBy(std::span<const BallBlocker> blockers, double ball_radius);
 
-  Vec2 positionAt(double t) const;  ///< [m] `t` seconds from now, t >= 0
-  Vec2 velocityAt(double t) const;  ///< [m/s]
+  Vec2 positionAt(double t) const;   ///< [m] `t` seconds from now, t >= 0
+  Vec2 velocityAt(double t) const;   ///< [m/s]
+  BallState ballAt(double t) const;  ///< with its spin
   int bouncesBefore(double t) const;
   /// How far the prediction can be trusted: 0.7 for each bounce before (STRATEGY 2.2).
   double confidenceAt(double t) const;
   /// When the ball comes to rest [s], or the horizon where it rolls longer.
   double endOfMotion() const { return stretches_[static_cast<std::size_t>(count_ - 1)].begin; }
   Vec2 endOfWay() const { return stretches_[static_cast<std::size_t>(count_ - 1)].motion.position; }
-  /// First passage, at or after `from` [s], of the line through `point` in the direction of its unit `normal`.
+  /// First passage, at or after `from` [s], of the line through `point` in the direction of its unit
+  /// `normal`.
   std::optional<Crossing> crossing(Vec2 point, Vec2 normal, double from = 0.0) const;
   /// All stretches in order, at least one.
   std::span<const Stretch> stretches() const { return {stretches_.data(), static_cast<std::size_t>(count_)}; }

@@ -44,17 +44,16 @@ bool BallWalls::isFree(Vec2 p, double margin) const {
   return x < half_length_ && y < half_width_ && std::abs(p.x) + std::abs(p.y) + 1.5 * margin < half_diagonal_;
 }
 
-bool BallWalls::staysFree(const EvenMotion& motion, double duration) const {
-  // The rectangle with cut corners is convex; a parabola leaves its chord by no more than this.
-  const double bulge = norm(motion.acceleration) * duration * duration / 8.0;
-  return isFree(motion.position) && isFree(motion.positionAt(duration), bulge);
-}
-
 std::optional<BallWalls::Hit> BallWalls::firstHit(const EvenMotion& motion, double duration) const {
-  if (staysFree(motion, duration)) return std::nullopt;
+  // A parabola leaves its chord by no more than this; the rectangle with cut corners is convex.
+  const double bulge = norm(motion.acceleration) * duration * duration / 8.0;
+  const Vec2 end = motion.positionAt(duration);
+  if (isFree(motion.position) && isFree(end, bulge)) return std::nullopt;
   std::optional<Hit> first;
   double until = duration;
-  for (const Line& line : lines_) meetLine(line, motion, first, until);
+  for (const Line& line : lines_) {
+    if (dot(end - line.begin, line.normal) <= bulge) meetLine(line, motion, first, until);
+  }
   for (const Vec2 post : posts_) meetPost(post, motion, first, until);
   return first;
 }
@@ -64,8 +63,8 @@ void BallWalls::meetLine(const Line& line, const EvenMotion& motion, std::option
   constexpr double kDeepest = 0.01;  // [m] farther behind a wall it is another wall's ball
   const double height = dot(motion.position - line.begin, line.normal);
   if (height < -kDeepest) return;
-  const auto time = timeOfFall(height, dot(motion.velocity, line.normal),
-                               dot(motion.acceleration, line.normal), until);
+  const auto time =
+      timeOfFall(height, dot(motion.velocity, line.normal), dot(motion.acceleration, line.normal), until);
   if (!time || (first && *time >= until)) return;
   const double along = cross(line.normal, line.begin - motion.positionAt(*time));
   if (along < 0.0 || along > line.length) return;
