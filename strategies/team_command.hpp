@@ -18,11 +18,11 @@ struct GoTo {
   std::optional<double> heading;  ///< [rad] wanted on arrival
   bool stop = false;              ///< come to rest there; otherwise pass at speed
   double speed_limit = std::numeric_limits<double>::infinity();  ///< [m/s]
-  bool avoid_ball = false;       ///< the ball is an obstacle too
+  bool avoid_ball = false;                                       ///< the ball is an obstacle too
   bool avoid_mates = true;
   bool avoid_opponents = true;
-  double tolerance = 0.03;       ///< [m]
-  std::uint8_t navigator = 0;    ///< which of the strategy's navigators drives
+  double tolerance = 0.03;     ///< [m]
+  std::uint8_t navigator = 0;  ///< which of the strategy's navigators drives
 };
 
 /// What one robot shall do until the next decision.
@@ -59,6 +59,9 @@ struct TeamCommand {
   /// in these, so that a slow machine changes no result.
   std::int64_t work = 0;
   std::vector<DebugDrawing> drawings;  ///< left empty unless wanted
+  /// What each robot plays, as the team numbers its roles from 1; 0: not told. Nothing in a match depends on
+  /// it: drills count how often roles change hands.
+  std::array<std::uint8_t, kMaxTeamSize> roles{};
 };
 
 }  // namespace fulbito
