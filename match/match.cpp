@@ -82,7 +82,8 @@ void Match::Impl::begin(const RestartCall& call) {
       setup.robots.push_back({config.robot.robot, *pose, {}, 0.0});
     }
   }
-  setup.balls.push_back({config.robot.ball, placement.ball, placement.ball_velocity, {}});
+  setup.balls.push_back(
+      {config.robot.ball, placement.ball, placement.ball_velocity, placement.ball_velocity});
   auto made = World::create(setup);
   if (!made) return;
   world.emplace(std::move(*made));
@@ -159,7 +160,13 @@ bool Match::step() {
   if (!m.begun) {
     m.begun = true;
     for (MatchObserver* observer : m.observers) observer->matchBegins(m.config);
-    m.begin(m.referee.open());
+    RestartCall first = m.referee.open();
+    if (m.config.start) {
+      first.kind = RestartKind::kGiven;
+      first.ball = m.config.start->ball;
+      first.defaults = *m.config.start;
+    }
+    m.begin(first);
   }
   for (const TeamId team : kTeams) m.observe(team);
   for (const TeamId team : kTeams) {
