@@ -126,8 +126,8 @@ void Match::Impl::observe(TeamId team) {
 void Match::Impl::actuate(TeamId team, const std::array<WheelSpeeds, kMaxTeamSize>& wheels) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (ids[i].team != team) continue;
-    commands[i] = roundedTo(saturate(config.robot.robot, wheels[ids[i].number]),
-                            config.physics.wheel_command_step);
+    commands[i] =
+        roundedTo(saturate(config.robot.robot, wheels[ids[i].number]), config.physics.wheel_command_step);
   }
 }
 

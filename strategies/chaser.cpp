@@ -38,7 +38,10 @@ class Chaser final : public Strategy {
 }  // namespace
 
 TeamInfo chaserInfo() {
-  return {"chaser", "everyone drives straight at the ball", {}, false,
+  return {"chaser",
+          "everyone drives straight at the ball",
+          {},
+          false,
           [](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
             return std::unique_ptr<Strategy>(std::make_unique<Chaser>());
           }};

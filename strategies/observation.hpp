@@ -39,8 +39,8 @@ struct Observation {
   int team_size = 3;
   std::array<ObservedRobot, kMaxTeamSize> own;
   std::array<ObservedRobot, kMaxTeamSize> opponents;
-  BallState ball;         ///< spin is not observed and stays 0
-  bool playing = true;    ///< false while a restart waits for its signal
+  BallState ball;                               ///< spin is not observed and stays 0
+  bool playing = true;                          ///< false while a restart waits for its signal
   RestartKind restart = RestartKind::kKickOff;  ///< how the present play was begun
   bool restart_is_ours = false;                 ///< the team takes it (a free ball: it attacks that half)
   double since_restart = 0.0;                   ///< [s] of play

@@ -25,11 +25,11 @@ struct PlacementRequest {
 /// A task of a drill, which asks for one skill of the team's first robot instead of a whole game.
 struct Exercise {
   enum class Kind : std::uint8_t {
-    kReachPose,     ///< come to rest at `target` with `heading`
-    kTurn,          ///< turn to `heading` in place
-    kReachBall,     ///< be behind the resting ball at `heading`, moving on through it at `speed`
-    kPush,          ///< push the ball along `heading` at `speed`
-    kPredictBall,   ///< say where the ball will be `horizon` seconds from now (see `answer`)
+    kReachPose,    ///< come to rest at `target` with `heading`
+    kTurn,         ///< turn to `heading` in place
+    kReachBall,    ///< be behind the resting ball at `heading`, moving on through it at `speed`
+    kPush,         ///< push the ball along `heading` at `speed`
+    kPredictBall,  ///< say where the ball will be `horizon` seconds from now (see `answer`)
   };
   Kind kind = Kind::kReachPose;
   Vec2 target;

@@ -18,11 +18,11 @@ struct GoTo {
   std::optional<double> heading;  ///< [rad] wanted on arrival
   bool stop = false;              ///< come to rest there; otherwise pass at speed
   double speed_limit = std::numeric_limits<double>::infinity();  ///< [m/s]
-  bool avoid_ball = false;       ///< the ball is an obstacle too
+  bool avoid_ball = false;                                       ///< the ball is an obstacle too
   bool avoid_mates = true;
   bool avoid_opponents = true;
-  double tolerance = 0.03;       ///< [m]
-  std::uint8_t navigator = 0;    ///< which of the strategy's navigators drives
+  double tolerance = 0.03;     ///< [m]
+  std::uint8_t navigator = 0;  ///< which of the strategy's navigators drives
 };
 
 /// What one robot shall do until the next decision.
