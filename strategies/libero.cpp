@@ -103,6 +103,7 @@ TeamInfo liberoInfo() {
           "the flagship: striker, support and keeper who read the game",
           {},
           false,
+          {},
           [](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
             return std::unique_ptr<Strategy>(std::make_unique<Libero>(Settings{}));
           }};
