@@ -11,6 +11,7 @@
 #include "engine/core/team.hpp"
 #include "referee/placement.hpp"
 #include "referee/rules.hpp"
+#include "referee/scoreboard.hpp"
 
 namespace fulbito {
 
@@ -34,6 +35,7 @@ struct RefereeSetup {
   std::uint64_t seed = 0;  ///< of the match: coin tosses
   Side blue_side = Side::kLeft;
   PerTeam<bool> present{true, true};  ///< false: the team did not come (law 7.3)
+  Scoreboard scoreboard;              ///< how the match stands at its beginning
 };
 
 /// Number of a period in `RefereeState::period` and `GameEvent::period`.
@@ -58,15 +60,16 @@ struct RobotRecord {
 
 /// What the referee knows between ticks: a plain value.
 struct RefereeState {
-  int period = 1;         ///< 1, 2: halves; 3: overtime; 4: shoot-out
-  int part = 1;           ///< of the overtime: 1, 2 ...
-  Tick play_ticks = 0;    ///< of play in this period (of overtime: in this part; of the shoot-out: in this kick)
-  Tick match_ticks = 0;   ///< of play in the match so far
-  bool playing = false;   ///< false while a restart waits for its signal
+  int period = 1;  ///< 1, 2: halves; 3: overtime; 4: shoot-out
+  int part = 1;    ///< of the overtime: 1, 2 ...
+  Tick play_ticks =
+      0;  ///< of play in this period (of overtime: in this part; of the shoot-out: in this kick)
+  Tick match_ticks = 0;  ///< of play in the match so far
+  bool playing = false;  ///< false while a restart waits for its signal
   bool ended = false;
   PerTeam<int> score{};
-  std::optional<TeamId> winner;  ///< once ended: empty after a draw
-  Side blue_side = Side::kLeft;  ///< which goal blue defends now
+  std::optional<TeamId> winner;           ///< once ended: empty after a draw
+  Side blue_side = Side::kLeft;           ///< which goal blue defends now
   TeamId first_kick_off = TeamId::kBlue;  ///< who began period 1
   RestartCall last;                       ///< how play was last begun
   Tick play_began = 0;                    ///< tick of the match: of the signal
