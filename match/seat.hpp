@@ -34,10 +34,9 @@ class Seat {
   TeamCommand decide() { return strategy_->decide(observation_); }
   /// Wheel speeds of the team's robots by the decision that holds, before they are cut and rounded.
   std::array<WheelSpeeds, kMaxTeamSize> drive() { return pilots_.drive(observation_, policy_.command()); }
-  /// What a robot is really told, which the team will see as sent.
-  WheelSpeeds tell(std::uint8_t robot, WheelSpeeds wanted) {
-    return observation_.sent[robot] = policy_.actuated(wanted);
-  }
+
+  /// What a robot was really told: part of the next observation.
+  void told(std::uint8_t number, WheelSpeeds command) { observation_.sent[number] = command; }
 
   CommandPolicy& policy() { return policy_; }
   const CommandPolicy& policy() const { return policy_; }
