@@ -6,6 +6,9 @@
 
 #include "engine/core/suggest.hpp"
 #include "strategies/chaser.hpp"
+#include "strategies/classic.hpp"
+#include "strategies/idle.hpp"
+#include "strategies/random_team.hpp"
 
 namespace fulbito {
 namespace {
@@ -15,7 +18,7 @@ constexpr const char* kNavigatorSetting = "navigator";
 }  // namespace
 
 std::span<const TeamInfo> teams() {
-  static const std::vector<TeamInfo> entries = {chaserInfo()};
+  static const std::vector<TeamInfo> entries = {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo()};
   return entries;
 }
 

@@ -79,8 +79,9 @@ WheelSpeeds TeamPilots::driveRobot(const Observation& observation, int robot, co
 }
 
 void TeamPilots::chooseFront(Driver& driver, const RobotState& robot, const GoTo& go_to) const {
-  // Of a fast robot turning round costs less than stopping; near a right angle either end is as good (STRATEGY 2.4).
-  constexpr double kSlow = 0.3;              // [m/s]
+  // Of a fast robot turning round costs less than stopping; near a right angle either end is as good
+  // (STRATEGY 2.4).
+  constexpr double kSlow = 0.3;                // [m/s]
   constexpr double kClearly = math::kPi / 12;  // [rad] beyond a right angle
   if (!go_to.either_front) {
     driver.backward = false;
@@ -91,7 +92,8 @@ void TeamPilots::chooseFront(Driver& driver, const RobotState& robot, const GoTo
   const double wanted =
       wantedDirection(*driver.pilots[go_to.navigator], planned, robot.pose.position, go_to.position);
   const double heading = robot.pose.heading + (driver.backward ? math::kPi : 0.0);
-  if (std::abs(math::wrapAngle(wanted - heading)) > math::kPi / 2 + kClearly) driver.backward = !driver.backward;
+  if (std::abs(math::wrapAngle(wanted - heading)) > math::kPi / 2 + kClearly)
+    driver.backward = !driver.backward;
 }
 
 WheelSpeeds TeamPilots::goTo(const Observation& observation, int robot, const GoTo& go_to) {
