@@ -11,7 +11,8 @@ RestartCall repeated(const RefereeSetup& setup, const RefereeState& state) {
   RestartCall call = state.last;
   for (const TeamId team : kTeams) {
     for (int n = 0; n < kMaxTeamSize; ++n) {
-      if (!fielded(setup, state, team, n)) call.defaults.robots[indexOf(team)][static_cast<std::size_t>(n)].reset();
+      if (!fielded(setup, state, team, n))
+        call.defaults.robots[indexOf(team)][static_cast<std::size_t>(n)].reset();
     }
   }
   return call;

@@ -50,8 +50,8 @@ bool exhausted(const ShootOutRules& rules, const ShootOutState& s) {
   return s.taken[0] >= rules.max_kicks && s.taken[1] >= rules.max_kicks;
 }
 
-std::optional<KickEnd> observeKick(const RefereeSetup& setup, const RefereeState& state, const BallState& ball,
-                                   ShootOutState& s) {
+std::optional<KickEnd> observeKick(const RefereeSetup& setup, const RefereeState& state,
+                                   const BallState& ball, ShootOutState& s) {
   const ShootOutRules& rules = setup.rules.shoot_out;
   const double toward_goal = -ownSign(state, state.last.team);
   const double x = toward_goal * ball.position.x;

@@ -22,7 +22,7 @@ bool exhausted(const ShootOutRules& rules, const ShootOutState& shoot_out);
 enum class KickEnd { kGoal, kTime, kRest, kLeftArea, kMidfield };
 
 /// Takes in one tick of the kick of `state.last.team`, `state.play_ticks` into it; a value when it is over.
-std::optional<KickEnd> observeKick(const RefereeSetup& setup, const RefereeState& state, const BallState& ball,
-                                   ShootOutState& shoot_out);
+std::optional<KickEnd> observeKick(const RefereeSetup& setup, const RefereeState& state,
+                                   const BallState& ball, ShootOutState& shoot_out);
 
 }  // namespace fulbito
