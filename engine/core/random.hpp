@@ -17,6 +17,7 @@ enum class Stream : std::uint32_t {
   kBootstrap = 5,
   kTest = 6,
   kWheelCommands = 7,  ///< random drivers of benchmarks and tests
+  kCoinToss = 12,      ///< a referee's tosses: first kick-offs, ties without end
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of
