@@ -5,9 +5,9 @@
 
 namespace fulbito {
 
-/// Law 8.2: more attackers than allowed in the opponents' goal area (or big area), where the rules say so only
-/// if one beyond the first takes part: it touched the ball or the keeper within `part_seconds`.
+/// Law 8.2: more attackers than allowed in the opponents' goal area (or big area), where the rules say so
+/// only if one beyond the first takes part: it touched the ball or the keeper within `part_seconds`.
 std::optional<AreaFoul> detectAttackers(const DetectorInput& input, const TouchMemory& touches,
-                                       const PresenceMemory& presence);
+                                        const PresenceMemory& presence);
 
 }  // namespace fulbito

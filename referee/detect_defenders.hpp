@@ -9,6 +9,6 @@ namespace fulbito {
 /// rules say so only if one beyond the first takes part: it touched the ball or an opponent within
 /// `part_seconds`.
 std::optional<AreaFoul> detectDefenders(const DetectorInput& input, const TouchMemory& touches,
-                                       const PresenceMemory& presence);
+                                        const PresenceMemory& presence);
 
 }  // namespace fulbito

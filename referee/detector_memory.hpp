@@ -38,9 +38,9 @@ struct Run {
 
 /// Who touched what when.
 struct TouchMemory {
-  RobotTicks ball;      ///< the robot touched the ball
-  RobotTicks opponent;  ///< the robot touched a robot of the other team
-  RobotTicks keeper;    ///< the robot touched the other team's keeper
+  RobotTicks ball;                      ///< the robot touched the ball
+  RobotTicks opponent;                  ///< the robot touched a robot of the other team
+  RobotTicks keeper;                    ///< the robot touched the other team's keeper
   std::array<Run, kMostRobots> pushed;  ///< opponents pressed it toward the goal of its half; sum in kg m/s
 };
 
@@ -54,9 +54,9 @@ struct StuckMemory {
 
 /// Since when robots are in the areas, and who keeps the goal.
 struct PresenceMemory {
-  RobotTicks goal_area;      ///< it came in; kLongAgo while outside
-  RobotTicks big_area;       ///< the same
-  RobotTicks excused_until;  ///< it was pushed in while disputing
+  RobotTicks goal_area;                        ///< it came in; kLongAgo while outside
+  RobotTicks big_area;                         ///< the same
+  RobotTicks excused_until;                    ///< it was pushed in while disputing
   PerTeam<std::optional<std::size_t>> keeper;  ///< index in the view
 };
 
@@ -73,7 +73,7 @@ struct AreaFoul {
 struct PendingFoul {
   AreaFoul foul;
   Tick since = 0;
-  Tick ticks = 0;         ///< for how many it was seen
+  Tick ticks = 0;          ///< for how many it was seen
   bool with_ball = false;  ///< the ball has been in the area meanwhile
 };
 
