@@ -64,17 +64,21 @@ TEST_CASE("the second leg exchanges the seats: points and goals follow the team"
   config.match.teams[1] = still.choice();
   const auto series = playSeries(config);
   REQUIRE(series);
+  int wins = 0, draws = 0;
   for (const PairRecord& pair : series->pairs) {
-    CHECK(pair.legs[0].score[0] > pair.legs[0].score[1]);
-    CHECK(pair.legs[1].score[1] > pair.legs[1].score[0]);
-    CHECK(pair.points() == 1.0);
-    CHECK(pair.goalsOfA() == pair.legs[0].score[0] + pair.legs[1].score[1]);
+    const PerTeam<int>&first = pair.legs[0].score, &second = pair.legs[1].score;
+    CHECK(first[0] >= first[1]);  // who stands still scores nothing but by the other's mistake
+    CHECK(second[1] >= second[0]);
+    CHECK(pair.goalsOfA() == first[0] + second[1]);
+    CHECK(pair.goalsOfB() == first[1] + second[0]);
+    wins += (first[0] > first[1] ? 1 : 0) + (second[1] > second[0] ? 1 : 0);
+    draws += (first[0] == first[1] ? 1 : 0) + (second[1] == second[0] ? 1 : 0);
   }
-  CHECK(series->wins == 4);
-  CHECK(series->points_share.value == 1.0);
-  CHECK(series->points_share.low < 1.0);
-  CHECK(series->goal_difference.value ==
-        Approx((series->goals_for - series->goals_against) / 4.0));
+  CHECK(series->wins == wins);
+  CHECK(series->draws == draws);
+  CHECK(wins > 0);
+  CHECK(series->points_share.value == Approx((wins + 0.5 * draws) / 4));
+  CHECK(series->goal_difference.value == Approx((series->goals_for - series->goals_against) / 4.0));
 }
 
 TEST_CASE("a series that is stopped keeps the pairs that are complete without a gap", "[unit]") {
