@@ -60,8 +60,9 @@ struct RobotRecord {
 
 /// What the referee knows between ticks: a plain value.
 struct RefereeState {
-  int period = 1;  ///< 1, 2: halves; 3: overtime; 4: shoot-out
-  int part = 1;    ///< of the overtime: 1, 2 ...
+  Tick last_tick = 0;  ///< of the match, that the referee saw last
+  int period = 1;      ///< 1, 2: halves; 3: overtime; 4: shoot-out
+  int part = 1;        ///< of the overtime: 1, 2 ...
   Tick play_ticks =
       0;  ///< of play in this period (of overtime: in this part; of the shoot-out: in this kick)
   Tick match_ticks = 0;  ///< of play in the match so far
