@@ -66,17 +66,19 @@ std::string eventsOf(const Log& log) {
 
 }  // namespace
 
-TEST_CASE("a robot whose command is not finite stands still, is counted and told of ever less often", "[unit]") {
+TEST_CASE("a robot whose command is not finite stands still, is counted and told of ever less often",
+          "[unit]") {
   GoTo nowhere;
   nowhere.position = {0.0, kNaN};
   GoTo no_heading;
   no_heading.heading = kInfinity;
   GoTo no_speed;
   no_speed.speed_limit = kNaN;
-  const RobotCommand bad = GENERATE_COPY(
-      RobotCommand::byWheels({kNaN, 1.0}), RobotCommand::byWheels({1.0, -kInfinity}),
-      RobotCommand::byTwist({kNaN, 0.0}), RobotCommand::byTwist({0.0, kInfinity}),
-      RobotCommand::drivingTo(nowhere), RobotCommand::drivingTo(no_heading), RobotCommand::drivingTo(no_speed));
+  const RobotCommand bad =
+      GENERATE_COPY(RobotCommand::byWheels({kNaN, 1.0}), RobotCommand::byWheels({1.0, -kInfinity}),
+                    RobotCommand::byTwist({kNaN, 0.0}), RobotCommand::byTwist({0.0, kInfinity}),
+                    RobotCommand::drivingTo(nowhere), RobotCommand::drivingTo(no_heading),
+                    RobotCommand::drivingTo(no_speed));
   const Played played([&](const Observation&) { return first(bad); }, {*parseNavigator("straight")});
   CHECK(played.faults.not_finite == 100);
   CHECK(played.faults.rejected() == 100);
