@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/drill.hpp"
 #include "engine/core/build_info.hpp"
 #include "engine/core/suggest.hpp"
 
@@ -22,6 +23,7 @@ struct Options {
   ListOptions list;
   ShowOptions show;
   BenchCommand bench;
+  DrillCommand drill;
   bool version_json = false;
 };
 
@@ -179,6 +181,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("list")) return list(options.list);
   if (app.got_subcommand("show")) return show(options.show);
   if (app.got_subcommand("bench")) return bench(options.bench);
+  if (app.got_subcommand("drill")) return drill(options.drill);
   return version(options.version_json);
 }
 
@@ -200,6 +203,7 @@ int mainWithoutCatch(int argc, char** argv) {
   const CLI::App* run_command = addRun(app, options);
   const CLI::App* compare_command = addCompare(app, options);
   addRest(app, options);
+  addDrill(app, options.drill);
   if (const auto error = wrongCommand(app, argc, argv)) return report(*error);
   try {
     app.parse(argc, argv);
