@@ -99,7 +99,11 @@ class Libero final : public Strategy {
 }  // namespace
 
 TeamInfo liberoInfo() {
-  return {"libero", "the flagship: striker, support and keeper who read the game", {}, false, {},
+  return {"libero",
+          "the flagship: striker, support and keeper who read the game",
+          {},
+          false,
+          {},
           [](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
             return std::unique_ptr<Strategy>(std::make_unique<Libero>(Settings{}));
           }};

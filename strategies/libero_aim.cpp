@@ -21,7 +21,8 @@ Wall nearestWall(const Pitch& pitch, Vec2 p) {
   // In front of a goal's mouth there is no wall.
   const double end = pitch.half_length - std::abs(p.x);
   if (std::abs(p.y) > pitch.goal_half && end < wall.gap) wall = {end, {-sx, 0.0}};
-  const double cut = (pitch.half_length + pitch.half_width - pitch.corner - std::abs(p.x) - std::abs(p.y)) / std::sqrt(2.0);
+  const double cut =
+      (pitch.half_length + pitch.half_width - pitch.corner - std::abs(p.x) - std::abs(p.y)) / std::sqrt(2.0);
   if (cut < wall.gap) wall = {cut, Vec2{-sx, -sy} / std::sqrt(2.0)};
   return wall;
 }

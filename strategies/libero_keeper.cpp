@@ -50,7 +50,8 @@ Twist clear(const Picture& picture, const RobotState& self, Vec2 ball) {
   const Vec2 target{-pitch.half_length + 0.35, out * pitch.half_width};
   const Aim aim = aimAt(pitch, ball, target);
   int side = 0;
-  const double heading = approachHeading(self.pose.position, aim.contact, math::angleOf(aim.direction), 0.09, 1.0, side);
+  const double heading =
+      approachHeading(self.pose.position, aim.contact, math::angleOf(aim.direction), 0.09, 1.0, side);
   return alongHeading(pitch, self, heading, pitch.speed);
 }
 

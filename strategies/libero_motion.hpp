@@ -7,12 +7,12 @@ namespace fulbito::libero {
 
 /// How sharply a robot turns toward the wanted heading.
 struct Steering {
-  double gain = 16.0;          ///< [1/s] yaw rate for a heading error
-  double slow_down = 2.0;      ///< power of the cosine of the error that slows the robot while it turns
+  double gain = 16.0;      ///< [1/s] yaw rate for a heading error
+  double slow_down = 2.0;  ///< power of the cosine of the error that slows the robot while it turns
 };
 
-/// Time [s] in which `robot` can be at `target`, turn and ramp included; either end may lead. The formula of the
-/// reference page (2.1), with the speed that the robot already has.
+/// Time [s] in which `robot` can be at `target`, turn and ramp included; either end may lead. The formula of
+/// the reference page (2.1), with the speed that the robot already has.
 double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target);
 
 /// Drives along `heading` [rad] at `speed` [m/s] with whichever end takes the smaller turn; a moving robot
@@ -24,7 +24,8 @@ Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, 
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading);
 
 /// A place to be: comes to rest there, then turns an end to `heading`.
-Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double heading, double heading_from = 0.02);
+Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double heading,
+             double heading_from = 0.02);
 
 /// Drives through `place` at speed.
 Twist passThrough(const Pitch& pitch, const RobotState& robot, Vec2 place, double speed);

@@ -32,7 +32,8 @@ Vec2 Pitch::inside(Vec2 p, double margin) const {
   p.x = std::clamp(p.x, -x, x);
   p.y = std::clamp(p.y, -y, y);
   // The corner cut: |x| + |y| may not exceed the line that lies `margin` inside it.
-  const double beyond = std::abs(p.x) + std::abs(p.y) - (half_length + half_width - corner - margin * std::sqrt(2.0));
+  const double beyond =
+      std::abs(p.x) + std::abs(p.y) - (half_length + half_width - corner - margin * std::sqrt(2.0));
   if (beyond > 0.0) p -= Vec2{std::copysign(beyond / 2, p.x), std::copysign(beyond / 2, p.y)};
   return p;
 }

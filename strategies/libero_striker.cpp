@@ -8,10 +8,10 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kRound = 0.105;     // [m] circle on which to come round the ball
-constexpr double kSharpness = 2.0;   // n of the field
-constexpr double kTouch = 0.075;     // [m] centre to centre where the ball is about touched
-constexpr double kSpinTime = 0.45;   // [s]
+constexpr double kRound = 0.105;    // [m] circle on which to come round the ball
+constexpr double kSharpness = 2.0;  // n of the field
+constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
+constexpr double kSpinTime = 0.45;  // [s]
 
 Twist spin(StrikerMemory& memory, double dt) {
   memory.spin_left -= dt;
@@ -21,7 +21,8 @@ Twist spin(StrikerMemory& memory, double dt) {
 
 /// Robot and ball press on something and nothing moves.
 void watchJam(const Picture& picture, const RobotState& robot, Vec2 rel, StrikerMemory& memory) {
-  const bool slow = squaredNorm(picture.ball.now().velocity) < 0.08 * 0.08 && squaredNorm(robot.velocity) < 0.12 * 0.12;
+  const bool slow =
+      squaredNorm(picture.ball.now().velocity) < 0.08 * 0.08 && squaredNorm(robot.velocity) < 0.12 * 0.12;
   const bool near = squaredNorm(rel) < kTouch * kTouch;
   memory.jammed = slow && near ? memory.jammed + picture.seen.dt : 0.0;
   memory.locked = std::max(0.0, memory.locked - picture.seen.dt);
@@ -46,7 +47,8 @@ Interception interception(const Picture& picture, const RobotState& robot) {
     if (needed <= time || i == BallForecast::kSteps) {
       if (i == 0) return {needed, ball};
       const double early = time - needed;
-      const double at = late > 0.0 && early > 0.0 ? time - 2 * BallForecast::kStep * early / (early + late) : time;
+      const double at =
+          late > 0.0 && early > 0.0 ? time - 2 * BallForecast::kStep * early / (early + late) : time;
       return {std::max(at, needed - 0.1), picture.ball.at(at)};
     }
     late = needed - time;
@@ -54,7 +56,8 @@ Interception interception(const Picture& picture, const RobotState& robot) {
   return {};
 }
 
-double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius, double sharpness, int& side) {
+double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius, double sharpness,
+                       int& side) {
   const Vec2 way = contact - robot;
   const double d = norm(way);
   const double bearing = math::angleOf(way);
@@ -87,7 +90,8 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
     return spin(memory, picture.seen.dt);
   }
   const double direction = math::angleOf(aim.direction);
-  const double heading = approachHeading(self.pose.position + self.velocity * 0.04, aim.contact, direction, kRound, kSharpness, memory.side);
+  const double heading = approachHeading(self.pose.position + self.velocity * 0.04, aim.contact, direction,
+                                         kRound, kSharpness, memory.side);
   return alongHeading(pitch, self, heading, pitch.speed);
 }
 
