@@ -62,7 +62,7 @@ class Soak {
   void play(std::size_t first, std::size_t last, int jobs) {
     next_ = first;
     std::vector<std::jthread> workers;
-    for (int i = 0; i < jobs; ++i) {
+    for (int job = 0; job < jobs; ++job) {
       workers.emplace_back([this, last] {
         for (std::size_t i = next_++; i < last; i = next_++) playOne(i);
       });
