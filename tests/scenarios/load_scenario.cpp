@@ -118,13 +118,11 @@ struct Reader {
     ExpectedEvent e;
     std::string team, restart, restart_team;
     int robot_number = 0;
-    const Schema schema = {{"clause", &e.clause, 1, 40, "", "", true},
-                           {"team", &team, 1, 10, "", ""},
-                           {"robot", &robot_number, 0, 10, "", ""},
-                           {"restart", &restart, 1, 20, "", ""},
-                           {"restart_team", &restart_team, 1, 10, "", ""},
-                           {"from", &e.from, 0, kLong, "s", ""},
-                           {"until", &e.until, 0, kLong, "s", "", true}};
+    const Schema schema = {
+        {"clause", &e.clause, 1, 40, "", "", true},     {"team", &team, 1, 10, "", ""},
+        {"robot", &robot_number, -1, 10, "", ""},       {"restart", &restart, 1, 20, "", ""},
+        {"restart_team", &restart_team, 1, 10, "", ""}, {"from", &e.from, 0, kLong, "s", ""},
+        {"until", &e.until, 0, kLong, "s", "", true}};
     if (auto done = document.readElement("expect", i, schema); !done) return done;
     if (has("expect", i, "team")) e.team = words.team(team);
     if (has("expect", i, "robot")) e.robot = robot_number;
@@ -159,10 +157,10 @@ Result<void> readHead(const ConfigDocument& document, Words& words, const std::s
   auto loaded = loadRules(rules.ends_with(".toml") ? folder + "/" + rules : rules);
   if (!loaded) return tl::unexpected<Error>(loaded.error());
   s.rules = *loaded;
-  return document.read("ball",
-                       {{"position", &s.ball, -kFar, kFar, "m", ""},
-                        {"velocity", &s.ball_velocity, -kFast, kFast, "m/s", ""}},
-                       false);
+  return document.read(
+      "ball",
+      {{"position", &s.ball, -kFar, kFar, "m", ""}, {"velocity", &s.ball_velocity, -kFast, kFast, "m/s", ""}},
+      false);
 }
 
 }  // namespace
@@ -177,10 +175,12 @@ Result<Scenario> loadScenario(const std::string& folder, const std::string& name
   Scenario scenario;
   scenario.name = name;
   Words words(path);
-  if (auto done = readHead(*document, words, folder, scenario); !done) return tl::unexpected<Error>(done.error());
+  if (auto done = readHead(*document, words, folder, scenario); !done)
+    return tl::unexpected<Error>(done.error());
   Reader reader{*document, words, scenario};
-  for (const auto& [table, read] : {std::pair{"robot", &Reader::robot}, std::pair{"move", &Reader::move},
-                                    std::pair{"contact", &Reader::contact}, std::pair{"expect", &Reader::expect}}) {
+  for (const auto& [table, read] :
+       {std::pair{"robot", &Reader::robot}, std::pair{"move", &Reader::move},
+        std::pair{"contact", &Reader::contact}, std::pair{"expect", &Reader::expect}}) {
     if (auto done = reader.each(table, read); !done) return tl::unexpected<Error>(done.error());
   }
   if (!words.error().empty()) return fail(ErrorCode::kBadInput, words.error());

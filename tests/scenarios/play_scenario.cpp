@@ -119,6 +119,7 @@ void Play::begin() {
   }
   RestartCall call;
   call.kind = RestartKind::kGiven;
+  if (!scenario_.robots.empty()) call.team = scenario_.robots.front().id.team;
   Placement placement;
   placement.ball = scenario_.ball;
   placement.ball_velocity = scenario_.ball_velocity;
@@ -237,7 +238,7 @@ bool fits(const ExpectedEvent& e, const Called& c, double time) {
   constexpr double kEps = 1e-9;
   if (e.clause != c.event.clause || time < e.from - kEps || time > e.until + kEps) return false;
   if (e.team && e.team != c.event.team) return false;
-  if (e.robot && (!c.event.robot || *e.robot != *c.event.robot)) return false;
+  if (e.robot && *e.robot != (c.event.robot ? *c.event.robot : -1)) return false;
   if (e.restart && e.restart != c.restart) return false;
   return !e.restart_team || e.restart_team == c.restart_team;
 }
@@ -261,7 +262,8 @@ std::string Play::verdict() const {
   }
   for (std::size_t i = 0; i < called_.size(); ++i) {
     if (!used[i] && forbidden(scenario_.forbid, called_[i].event.clause)) wrong += "unwanted: ";
-    if (!used[i]) wrong += forbidden(scenario_.forbid, called_[i].event.clause) ? describe(called_[i]) + "\n" : "";
+    if (!used[i])
+      wrong += forbidden(scenario_.forbid, called_[i].event.clause) ? describe(called_[i]) + "\n" : "";
     if (called_[i].event.margin < 0.0) wrong += "negative margin: " + describe(called_[i]) + "\n";
   }
   const PerTeam<int>& score = referee_.state().score;

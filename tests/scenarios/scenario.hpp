@@ -33,12 +33,12 @@ struct ScenarioRobot {
 
 /// What a body does from a time on. What is not given stays as it is.
 struct ScenarioMove {
-  double at = 0.0;                      ///< [s]
-  std::optional<RobotId> robot;         ///< none: the ball
-  std::optional<WheelSpeeds> wheels;    ///< physics
-  std::optional<Vec2> position;         ///< kinematic: jumps there
-  std::optional<double> heading;        ///< kinematic
-  std::optional<Vec2> velocity;         ///< kinematic
+  double at = 0.0;                    ///< [s]
+  std::optional<RobotId> robot;       ///< none: the ball
+  std::optional<WheelSpeeds> wheels;  ///< physics
+  std::optional<Vec2> position;       ///< kinematic: jumps there
+  std::optional<double> heading;      ///< kinematic
+  std::optional<Vec2> velocity;       ///< kinematic
 };
 
 /// Kinematic: two bodies press on each other in each tick of a time.
@@ -53,7 +53,7 @@ struct ScenarioContact {
 struct ExpectedEvent {
   std::string clause;
   std::optional<TeamId> team;
-  std::optional<int> robot;
+  std::optional<int> robot;            ///< -1: no robot may be named
   std::optional<RestartKind> restart;  ///< that play goes on with
   std::optional<TeamId> restart_team;
   double from = 0.0, until = 0.0;  ///< [s]
@@ -72,7 +72,7 @@ struct Scenario {
   std::optional<TeamId> absent;
   std::optional<Vec2> score;  ///< blue's and yellow's in the end
   Vec2 ball, ball_velocity;
-  std::vector<ScenarioRobot> robots;
+  std::vector<ScenarioRobot> robots;  ///< of a given start the first one's team counts as who began
   std::vector<ScenarioMove> moves;
   std::vector<ScenarioContact> contacts;
   std::vector<ExpectedEvent> expected;

@@ -1,7 +1,8 @@
+#include "tests/scenarios/scenario.hpp"
+
 #include <algorithm>
 #include <filesystem>
 
-#include "tests/scenarios/scenario.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito::test {
