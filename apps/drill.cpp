@@ -24,9 +24,8 @@ Result<int> drillNumber(const std::vector<Drill>& drills, const std::string& wor
     if (is_number ? drill.number == number : drill.name == word) return drill.number;
     names.push_back(drill.name);
   }
-  return fail(ErrorCode::kUsage,
-              fmt::format("--drill: there is no drill '{}'.{} See fulbito drill --list.", word,
-                          suggestion(word, names)));
+  return fail(ErrorCode::kUsage, fmt::format("--drill: there is no drill '{}'.{} See fulbito drill --list.",
+                                             word, suggestion(word, names)));
 }
 
 int listDrills(const std::vector<Drill>& drills) {
@@ -51,7 +50,8 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
   command->add_option("--seed", options.run.seed, "seed of starts and matches")->capture_default_str();
   command->add_option("--jobs", options.run.jobs, "worker threads (default: all cores)");
   command->add_option("--robot", options.run.robot, "robot preset or TOML file")->capture_default_str();
-  command->add_option("--physics", options.run.physics, "physics profile or TOML file")->capture_default_str();
+  command->add_option("--physics", options.run.physics, "physics profile or TOML file")
+      ->capture_default_str();
   command->add_option("--drills", options.folder, "take the *.toml files of this folder instead")
       ->type_name("FOLDER");
   command->add_flag("--json", options.json, "print JSON");
@@ -68,7 +68,8 @@ int drill(DrillCommand options) {
     drills = std::move(*loaded);
   }
   if (options.list) return listDrills(drills);
-  if (options.team.empty()) return report({ErrorCode::kUsage, "drill: which team? See fulbito drill --help."});
+  if (options.team.empty())
+    return report({ErrorCode::kUsage, "drill: which team? See fulbito drill --help."});
   auto team = parseTeam(options.team);
   if (!team) return report(team.error());
   options.run.team = std::move(*team);

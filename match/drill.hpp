@@ -41,9 +41,9 @@ struct DrillStart {
   double speed_max = 0.0;
   double distance_min = 0.0;  ///< [m] of the ball from the point it rolls toward, instead of `ball`
   double distance_max = 0.0;
-  double savable = 0.0;  ///< that many times the least savable distance is added to the distance
-  double angle = 0.0;    ///< [rad] largest angle between the ball's way and the goal's normal
-  int bounces = -1;      ///< only trials with that many of the ball against walls count; -1: all
+  double savable = 0.0;     ///< that many times the least savable distance is added to the distance
+  double angle = 0.0;       ///< [rad] largest angle between the ball's way and the goal's normal
+  int bounces = -1;         ///< only trials with that many of the ball against walls count; -1: all
   double target_min = 0.0;  ///< [m] distance of the task's target
   double target_max = 0.0;
   double turn_min = 0.0;  ///< [rad] angle between the robot's heading and the task's
@@ -57,13 +57,13 @@ struct DrillRobot {
   TeamId team = TeamId::kBlue;  ///< blue stands for the team under test
   int number = -1;              ///< in its team; -1: the next one
   DrillRole plays = DrillRole::kTeam;
-  std::string start;         ///< only in the start of that name; empty: in all
-  std::vector<Vec2> at;      ///< [m] places that are taken in turn
-  Vec2 spread;               ///< [m] uniformly to either side
-  bool from_ball = false;    ///< `at` counts from the ball
-  bool behind_ball = false;  ///< and along the line from the ball to the opponents' goal, which is its x
-  bool face_ball = false;    ///< `heading` counts from the direction of the ball
-  double heading = 0.0;      ///< [rad]
+  std::string start;            ///< only in the start of that name; empty: in all
+  std::vector<Vec2> at;         ///< [m] places that are taken in turn
+  Vec2 spread;                  ///< [m] uniformly to either side
+  bool from_ball = false;       ///< `at` counts from the ball
+  bool behind_ball = false;     ///< and along the line from the ball to the opponents' goal, which is its x
+  bool face_ball = false;       ///< `heading` counts from the direction of the ball
+  double heading = 0.0;         ///< [rad]
   double heading_spread = 0.0;  ///< [rad] uniformly to either side
 };
 
@@ -83,9 +83,9 @@ enum class DrillCondition : std::uint8_t {
 /// A condition that ends a trial, well or badly.
 struct DrillEnd {
   DrillCondition what = DrillCondition::kGoal;
-  std::string start;     ///< only in the start of that name; empty: in all
-  double value = 0.0;    ///< see DrillCondition
-  double within = 1e9;   ///< [s] no more after that
+  std::string start;    ///< only in the start of that name; empty: in all
+  double value = 0.0;   ///< see DrillCondition
+  double within = 1e9;  ///< [s] no more after that
 };
 
 /// What is measured in a trial or a match.
@@ -130,22 +130,22 @@ struct Drill {
   std::string what;    ///< one line
   std::string source;  ///< where the bar comes from
   std::string rules = "vsss-3v3";
-  bool referee = true;       ///< false: nothing but a goal stops play
-  int trials = 400;          ///< or matches, or half of them where pairs are played
-  double duration = 10.0;    ///< [s]
-  double after = 0.0;        ///< [s] that are still watched after a success
-  double latency = 0.05;     ///< [s] T of the least savable distance
-  double acceleration = 5.0;  ///< [m/s^2] of the same
-  double tolerance = 0.015;   ///< [m] of a task
+  bool referee = true;                ///< false: nothing but a goal stops play
+  int trials = 400;                   ///< or matches, or half of them where pairs are played
+  double duration = 10.0;             ///< [s]
+  double after = 0.0;                 ///< [s] that are still watched after a success
+  double latency = 0.05;              ///< [s] T of the least savable distance
+  double acceleration = 5.0;          ///< [m/s^2] of the same
+  double tolerance = 0.015;           ///< [m] of a task
   double heading_tolerance = 0.1396;  ///< [rad] of a task
   std::vector<DrillStart> starts;
   std::vector<DrillRobot> robots;
   std::vector<DrillEnd> successes;
   std::vector<DrillEnd> failures;
   std::vector<DrillBar> bars;
-  std::string match_opponent;  ///< whole matches against that team ("itself"); empty: trials
+  std::string match_opponent;   ///< whole matches against that team ("itself"); empty: trials
   double half_seconds = 300.0;  ///< of such a match
-  std::vector<int> repeats;  ///< drills that are repeated under the sight below, and compared
+  std::vector<int> repeats;     ///< drills that are repeated under the sight below, and compared
   VisionModel sight;
   VisionModel sight_before;
 };
@@ -159,12 +159,12 @@ const std::vector<Drill>& builtInDrills();
 
 /// What came of one trial.
 struct DrillTrial {
-  int start = 0;         ///< index of the drill's start
-  bool counted = true;   ///< false: it was not the situation that was asked for
-  bool offered = true;   ///< false: the team knows no such skill
+  int start = 0;        ///< index of the drill's start
+  bool counted = true;  ///< false: it was not the situation that was asked for
+  bool offered = true;  ///< false: the team knows no such skill
   bool success = false;
-  double time = std::numeric_limits<double>::infinity();  ///< [s]
-  double ideal = 0.0;                                     ///< [s]
+  double time = std::numeric_limits<double>::infinity();   ///< [s]
+  double ideal = 0.0;                                      ///< [s]
   double error = std::numeric_limits<double>::infinity();  ///< [m]
   bool on_target = false;
   bool own_goal = false;
@@ -175,8 +175,8 @@ struct DrillTrial {
 /// One bar with what was measured.
 struct DrillVerdict {
   DrillBar bar;
-  int count = 0;    ///< of trials or matches
-  Interval value;   ///< with its 95 % interval, where it has one
+  int count = 0;   ///< of trials or matches
+  Interval value;  ///< with its 95 % interval, where it has one
   bool passed = false;
 };
 

@@ -102,9 +102,9 @@ Schema schemaOf(DrillEnd& e) {
 Schema schemaOf(DrillBar& b) {
   return {
       {"value",
-       choice(b.value, {"success", "time", "excess", "error", "on-target", "own-goal", "conceded", "illegal",
-                        "early-goal", "area-foul", "own-stall", "switch", "flap", "win", "margin", "bias",
-                        "kept"}),
+       choice(b.value,
+              {"success", "time", "excess", "error", "on-target", "own-goal", "conceded", "illegal",
+               "early-goal", "area-foul", "own-stall", "switch", "flap", "win", "margin", "bias", "kept"}),
        0, 0, "", "", true},
       {"statistic", choice(b.statistic, {"rate", "count", "mean", "median", "p95"}), 0, 0, "", "", true},
       {"start", &b.start, 0, kLongName, "", "only of that start"},
@@ -155,7 +155,8 @@ std::optional<Flaw> startFlaw(const DrillStart& start, int index) {
   if (start.speed_max < start.speed_min) return Flaw{"start", index, "speed_max", "is less than speed_min"};
   if (start.distance_max < start.distance_min)
     return Flaw{"start", index, "distance_max", "is less than distance_min"};
-  if (start.target_max < start.target_min) return Flaw{"start", index, "target_max", "is less than target_min"};
+  if (start.target_max < start.target_min)
+    return Flaw{"start", index, "target_max", "is less than target_min"};
   if (start.speed_max > 0.0 && start.toward.empty())
     return Flaw{"start", index, "toward", "is missing: the ball moves"};
   return std::nullopt;
@@ -236,7 +237,8 @@ Result<std::vector<Drill>> loadDrills(const std::string& folder) {
   for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
     if (it->path().extension() == ".toml") files.push_back(it->path().string());
   }
-  if (error) return fail(ErrorCode::kIo, fmt::format("cannot read the folder {}: {}", folder, error.message()));
+  if (error)
+    return fail(ErrorCode::kIo, fmt::format("cannot read the folder {}: {}", folder, error.message()));
   if (files.empty()) return fail(ErrorCode::kIo, fmt::format("{} has no *.toml files", folder));
   std::sort(files.begin(), files.end());
   std::vector<Drill> drills;

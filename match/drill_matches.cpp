@@ -7,9 +7,9 @@
 namespace fulbito {
 namespace {
 
-constexpr double kEarly = 5.0;         // [s] after a restart
-constexpr double kFlap = 0.3;          // [s] between two changes of one role
-constexpr double kFullMatch = 600.0;   // [s] of play: what "per match" means
+constexpr double kEarly = 5.0;        // [s] after a restart
+constexpr double kFlap = 0.3;         // [s] between two changes of one role
+constexpr double kFullMatch = 600.0;  // [s] of play: what "per match" means
 
 /// Counts, for the tested team, what the bars of whole matches ask for.
 class MatchTally final : public MatchObserver {
@@ -64,7 +64,8 @@ class MatchTally final : public MatchObserver {
   /// A switch: a role that was somebody's is another robot's now.
   void followRoles(const TeamCommand& command, Tick now) {
     const auto& roles = command.roles;
-    if (std::any_of(roles.begin(), roles.end(), [](auto role) { return role != 0; })) tally_.roles_told = true;
+    if (std::any_of(roles.begin(), roles.end(), [](auto role) { return role != 0; }))
+      tally_.roles_told = true;
     if (roles == roles_) return;
     if (tally_.roles_told && known_) {
       ++tally_.switches;
@@ -80,14 +81,16 @@ class MatchTally final : public MatchObserver {
   DrillMatch tally_;
   double dt_ = 1.0 / 60.0;
   Tick began_ = 0;
-  Tick event_ = 0;      ///< when the last contact of a robot with the ball began, or play did
+  Tick event_ = 0;  ///< when the last contact of a robot with the ball began, or play did
   Tick switched_ = -1000;
   bool own_touch_last_ = false;
   bool known_ = false;
   std::array<std::uint8_t, kMaxTeamSize> roles_{};
 };
 
-double perMatch(const DrillMatch& m, int count) { return m.seconds > 0.0 ? count * kFullMatch / m.seconds : 0.0; }
+double perMatch(const DrillMatch& m, int count) {
+  return m.seconds > 0.0 ? count * kFullMatch / m.seconds : 0.0;
+}
 
 double valueOf(const DrillMatch& m, DrillMeasure measure) {
   switch (measure) {
@@ -133,7 +136,7 @@ double bias(const std::vector<DrillMatch>& matches) {
 }
 
 Interval measured(const DrillBar& bar, const std::vector<DrillMatch>& matches) {
-  const auto sum = [&](int DrillMatch::*part) {
+  const auto sum = [&](int DrillMatch::* part) {
     int total = 0;
     for (const DrillMatch& m : matches) total += m.*part;
     return total;
@@ -161,7 +164,8 @@ Interval measured(const DrillBar& bar, const std::vector<DrillMatch>& matches) {
 
 }  // namespace
 
-Result<DrillMatch> playDrillMatch(const DrillRun& run, const Drill& drill, const MatchConfig& base, int index) {
+Result<DrillMatch> playDrillMatch(const DrillRun& run, const Drill& drill, const MatchConfig& base,
+                                  int index) {
   const TeamId seat = index % 2 == 0 ? TeamId::kBlue : TeamId::kYellow;
   MatchConfig config = base;
   config.seed = run.options.seed + static_cast<std::uint64_t>(index / 2);

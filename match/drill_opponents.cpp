@@ -8,12 +8,12 @@
 namespace fulbito {
 namespace {
 
-constexpr double kTurnGain = 10.0;      // [1/s] yaw rate per heading error
-constexpr double kApproachGain = 8.0;   // [1/s] speed per distance left
-constexpr double kKeeperLine = 0.055;   // [m] the keeper's centre before the goal line
-constexpr double kKeeperReach = 0.16;   // [m] of its centre off the middle
-constexpr double kBehind = 0.09;        // [m] robot's centre behind the ball when it begins to push
-constexpr double kAlong = 0.03;         // [m] sideways error at which a presser pushes
+constexpr double kTurnGain = 10.0;     // [1/s] yaw rate per heading error
+constexpr double kApproachGain = 8.0;  // [1/s] speed per distance left
+constexpr double kKeeperLine = 0.055;  // [m] the keeper's centre before the goal line
+constexpr double kKeeperReach = 0.16;  // [m] of its centre off the middle
+constexpr double kBehind = 0.09;       // [m] robot's centre behind the ball when it begins to push
+constexpr double kAlong = 0.03;        // [m] sideways error at which a presser pushes
 
 /// Straight at a point with whichever end is nearer.
 Twist driveAt(const RobotState& robot, Vec2 target, double top_speed, bool stop) {
@@ -35,7 +35,8 @@ Twist keep(const MatchInfo& info, const RobotState& robot, Vec2 ball) {
   if (std::abs(off.x) > 0.03) return driveAt(robot, {line, wanted}, info.robot.maxSpeed(), true);
   const double facing = robot.pose.heading < 0.0 ? -math::kPi / 2 : math::kPi / 2;
   const double forward = facing < 0.0 ? -off.y : off.y;
-  const double speed = std::clamp(2.0 * kApproachGain * forward, -info.robot.maxSpeed(), info.robot.maxSpeed());
+  const double speed =
+      std::clamp(2.0 * kApproachGain * forward, -info.robot.maxSpeed(), info.robot.maxSpeed());
   return {speed, kTurnGain * math::wrapAngle(facing - robot.pose.heading)};
 }
 
@@ -61,8 +62,8 @@ class Scripted final : public Strategy {
     TeamCommand command;
     for (std::size_t i = 0; i < roles_.size(); ++i) {
       if (!observation.own[i].present) continue;
-      command.robots[i] = RobotCommand::byTwist(
-          move(roles_[i], observation.own[i].state, observation.ball.position));
+      command.robots[i] =
+          RobotCommand::byTwist(move(roles_[i], observation.own[i].state, observation.ball.position));
     }
     return command;
   }

@@ -9,10 +9,10 @@
 namespace fulbito {
 namespace {
 
-constexpr const char* kMeasures[] = {"success",   "time",       "excess",    "error",     "on target",
-                                     "own goals", "conceded",   "illegal",   "early goals", "area fouls",
-                                     "own stalls", "switches/s", "flaps",    "won",       "goals ahead",
-                                     "side bias", "kept"};
+constexpr const char* kMeasures[] = {"success",    "time",       "excess",  "error",       "on target",
+                                     "own goals",  "conceded",   "illegal", "early goals", "area fouls",
+                                     "own stalls", "switches/s", "flaps",   "won",         "goals ahead",
+                                     "side bias",  "kept"};
 constexpr const char* kStatistics[] = {"rate", "count", "mean", "median", "p95"};
 
 const char* nameOf(DrillMeasure measure) { return kMeasures[static_cast<std::size_t>(measure)]; }
@@ -57,7 +57,8 @@ std::string what(const DrillBar& bar) {
   }
   if (!std::isfinite(bar.within)) return text;
   const bool length = bar.value == DrillMeasure::kError;
-  return text + (length ? fmt::format(" <= {:.3g} cm", 100.0 * bar.within) : fmt::format(" <= {:.3g} s", bar.within));
+  return text + (length ? fmt::format(" <= {:.3g} cm", 100.0 * bar.within)
+                        : fmt::format(" <= {:.3g} s", bar.within));
 }
 
 std::string verdictOf(const DrillReport& report) {
@@ -98,8 +99,9 @@ std::string drillTable(const std::vector<DrillReport>& reports, const DrillOptio
     }
     bool first = true;
     for (const DrillVerdict& verdict : report.verdicts) {
-      out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", first ? title : "", what(verdict.bar), verdict.count,
-                         measured(verdict), asked(verdict.bar), verdict.passed ? "passed" : "failed");
+      out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", first ? title : "", what(verdict.bar),
+                         verdict.count, measured(verdict), asked(verdict.bar),
+                         verdict.passed ? "passed" : "failed");
       first = false;
     }
   }

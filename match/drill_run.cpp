@@ -56,12 +56,13 @@ Result<std::vector<DrillTrial>> playTrials(const DrillRun& run, const Drill& dri
   const auto base = drillMatch(run, drill);
   if (!base) return tl::unexpected<Error>(base.error());
   std::vector<DrillTrial> trials(static_cast<std::size_t>(trialsOf(run.options, drill)));
-  const auto played = inParallel(run.options.jobs, trials.size(), counter, [&](std::size_t i) -> Result<void> {
-    auto trial = playTrial(run, drill, *base, static_cast<int>(i));
-    if (!trial) return tl::unexpected<Error>(trial.error());
-    trials[i] = *trial;
-    return {};
-  });
+  const auto played =
+      inParallel(run.options.jobs, trials.size(), counter, [&](std::size_t i) -> Result<void> {
+        auto trial = playTrial(run, drill, *base, static_cast<int>(i));
+        if (!trial) return tl::unexpected<Error>(trial.error());
+        trials[i] = *trial;
+        return {};
+      });
   if (!played) return tl::unexpected<Error>(played.error());
   return trials;
 }
@@ -86,12 +87,13 @@ Result<void> runMatches(const DrillRun& run, DrillReport& report, Counter& count
   const auto base = drillMatch(run, report.drill);
   if (!base) return tl::unexpected<Error>(base.error());
   std::vector<DrillMatch> matches(static_cast<std::size_t>(trialsOf(run.options, report.drill)));
-  const auto played = inParallel(run.options.jobs, matches.size(), counter, [&](std::size_t i) -> Result<void> {
-    auto match = playDrillMatch(run, report.drill, *base, static_cast<int>(i));
-    if (!match) return tl::unexpected<Error>(match.error());
-    matches[i] = *match;
-    return {};
-  });
+  const auto played =
+      inParallel(run.options.jobs, matches.size(), counter, [&](std::size_t i) -> Result<void> {
+        auto match = playDrillMatch(run, report.drill, *base, static_cast<int>(i));
+        if (!match) return tl::unexpected<Error>(match.error());
+        matches[i] = *match;
+        return {};
+      });
   if (!played) return played;
   const bool roles = std::any_of(report.drill.bars.begin(), report.drill.bars.end(), [](const DrillBar& bar) {
     return bar.value == DrillMeasure::kSwitch || bar.value == DrillMeasure::kFlap;
@@ -174,7 +176,8 @@ Result<std::vector<DrillReport>> runDrills(const std::vector<Drill>& drills, con
   std::vector<const Drill*> asked;
   Counter counter{progress};
   for (const Drill& drill : drills) {
-    if (!numbers.empty() && std::find(numbers.begin(), numbers.end(), drill.number) == numbers.end()) continue;
+    if (!numbers.empty() && std::find(numbers.begin(), numbers.end(), drill.number) == numbers.end())
+      continue;
     if (auto checked = checkRepeats(drills, drill); !checked) return tl::unexpected<Error>(checked.error());
     asked.push_back(&drill);
     counter.total += workOf(options, drill);

@@ -51,9 +51,9 @@ class SceneDraw {
 
   void drawBall(const DrillStart& start, Placement& placement) {
     const double speed = fulbito::draw(rng_, start.speed_min, start.speed_max);
-    const Vec2 aim = start.toward.empty()
-                         ? Vec2{}
-                         : start.toward.front() + (start.toward.back() - start.toward.front()) * rng_.uniform();
+    const Vec2 aim = start.toward.empty() ? Vec2{}
+                                          : start.toward.front() +
+                                                (start.toward.back() - start.toward.front()) * rng_.uniform();
     if (start.ball.empty()) {
       const double side = aim.x < 0.0 ? 1.0 : -1.0;
       const double distance = fulbito::draw(rng_, start.distance_min, start.distance_max) +
@@ -182,14 +182,15 @@ Result<DrillScene> drawScene(const Drill& drill, const FieldGeometry& field, con
   scene.start = index % starts;
   const int round = index / starts;
   const DrillStart& start = drill.starts[static_cast<std::size_t>(scene.start)];
-  Rng rng(seed, Stream::kDrill, (static_cast<std::uint64_t>(drill.number) << 32) + static_cast<std::uint64_t>(index));
+  Rng rng(seed, Stream::kDrill,
+          (static_cast<std::uint64_t>(drill.number) << 32) + static_cast<std::uint64_t>(index));
   // Four trials in a row share a place: both hands, both sides.
   SceneDraw drawing(drill, field, robot, rng, round / 4);
   int draws = 0;
   while (!drawing.draw(start, scene)) {
     if (++draws == kMaxDraws) {
-      return fail(ErrorCode::kBadInput, fmt::format("{}: start '{}' leaves no room for all bodies", drill.file,
-                                                    start.name));
+      return fail(ErrorCode::kBadInput,
+                  fmt::format("{}: start '{}' leaves no room for all bodies", drill.file, start.name));
     }
   }
   if (round % 2 == 1) mirror(scene);

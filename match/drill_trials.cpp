@@ -25,6 +25,9 @@ int sizeFor(const Drill& drill, int size) {
 
 Result<MatchConfig> drillMatch(const DrillRun& run, const Drill& drill) {
   MatchConfig config;
+  auto rules = loadRules(drill.rules);
+  if (!rules) return tl::unexpected<Error>(rules.error());
+  config.rules = std::move(*rules);
   auto field = loadField(config.rules.field);
   if (!field) return tl::unexpected<Error>(field.error());
   config.field = std::move(*field);
@@ -140,7 +143,8 @@ std::vector<DrillVerdict> judgeTrials(const Drill& drill, const std::vector<Dril
     std::vector<double> values;
     for (const DrillTrial& trial : trials) {
       const std::string& start = drill.starts[static_cast<std::size_t>(trial.start)].name;
-      if (trial.counted && (bar.start.empty() || bar.start == start)) values.push_back(valueOf(trial, bar.value));
+      if (trial.counted && (bar.start.empty() || bar.start == start))
+        values.push_back(valueOf(trial, bar.value));
     }
     DrillVerdict verdict;
     verdict.bar = bar;

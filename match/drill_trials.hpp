@@ -36,7 +36,8 @@ struct DrillMatch {
 };
 
 /// Plays match `index`: two in a row have one seed and exchanged sides.
-Result<DrillMatch> playDrillMatch(const DrillRun& run, const Drill& drill, const MatchConfig& base, int index);
+Result<DrillMatch> playDrillMatch(const DrillRun& run, const Drill& drill, const MatchConfig& base,
+                                  int index);
 
 /// @{ The drill's bars, judged.
 std::vector<DrillVerdict> judgeTrials(const Drill& drill, const std::vector<DrillTrial>& trials);

@@ -43,9 +43,8 @@ DrillWatch::DrillWatch(const Drill& drill, const DrillScene& scene, const FieldG
 
 void DrillWatch::playBegins(const PlayStart& start) {
   if (begun_) {  // the referee placed everything anew
-    const bool to_last = std::any_of(drill_.successes.begin(), drill_.successes.end(), [](const DrillEnd& end) {
-      return end.what == DrillCondition::kLasted;
-    });
+    const bool to_last = std::any_of(drill_.successes.begin(), drill_.successes.end(),
+                                     [](const DrillEnd& end) { return end.what == DrillCondition::kLasted; });
     if (to_last && !done_ && !at_fault_ && goal_ == 0) succeed(duration_);
     finish();
     return;
@@ -57,7 +56,8 @@ void DrillWatch::playBegins(const PlayStart& start) {
 }
 
 DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
-  const Side side = scene_.seat == TeamId::kBlue ? tick.referee->blue_side : opposite(tick.referee->blue_side);
+  const Side side =
+      scene_.seat == TeamId::kBlue ? tick.referee->blue_side : opposite(tick.referee->blue_side);
   Now now;
   now.time = static_cast<double>(tick.tick) * dt_;
   now.ball = inTeamFrame(side, tick.world->balls.front());

@@ -11,8 +11,8 @@ namespace fulbito {
 /// Judges one trial from the true world, in the tested team's frame.
 class DrillWatch final : public MatchObserver {
  public:
-  DrillWatch(const Drill& drill, const DrillScene& scene, const FieldGeometry& field, const RobotPreset& robot,
-             const ExerciseLog& log);
+  DrillWatch(const Drill& drill, const DrillScene& scene, const FieldGeometry& field,
+             const RobotPreset& robot, const ExerciseLog& log);
 
   void playBegins(const PlayStart& start) override;
   void ticked(const MatchTick& tick) override;
@@ -26,10 +26,10 @@ class DrillWatch final : public MatchObserver {
   struct Now {
     double time = 0.0;  ///< [s] since the start
     BallState ball;
-    RobotState robot;  ///< the tested team's first
-    bool touched = false;    ///< by the tested team in this tick
-    bool by_first = false;   ///< by its first robot
-    int walls = 0;           ///< contacts of the ball with walls that began
+    RobotState robot;       ///< the tested team's first
+    bool touched = false;   ///< by the tested team in this tick
+    bool by_first = false;  ///< by its first robot
+    int walls = 0;          ///< contacts of the ball with walls that began
   };
   Now look(const MatchTick& tick);
   bool holds(const DrillEnd& end, const Now& now) const;
@@ -57,13 +57,13 @@ class DrillWatch final : public MatchObserver {
   bool begun_ = false;
   bool done_ = false;
   bool own_touch_last_ = false;
-  int goal_ = 0;             ///< 1: in the opponents' goal, -1: in the own
-  bool at_fault_ = false;    ///< the referee stopped play because of the tested team
-  bool touched_ = false;     ///< ever, by the tested team
+  int goal_ = 0;           ///< 1: in the opponents' goal, -1: in the own
+  bool at_fault_ = false;  ///< the referee stopped play because of the tested team
+  bool touched_ = false;   ///< ever, by the tested team
   int bounces_ = 0;
   double inside_since_ = -1.0;
   double drift_ = 0.0;
-  RobotState before_;        ///< the first robot one tick ago
+  RobotState before_;  ///< the first robot one tick ago
   Vec2 ball_start_;
   DrillTrial trial_;
 };

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/core/result.hpp"
+#include "referee/detector_rules.hpp"
 #include "referee/period_rules.hpp"
 #include "referee/restart_rules.hpp"
 
@@ -25,6 +26,11 @@ struct Rules {
   FreeKickRules free_kick;
   PenaltyRules penalty;
   GoalKickRules goal_kick;
+  GoalRules goal;
+  StuckRules stuck;
+  AreaRules areas;
+  KeeperRules keeper;
+  FoulRules fouls;
 };
 
 /// Reads a profile: the name of a preset or the path of a TOML file. A key that the file lacks keeps the

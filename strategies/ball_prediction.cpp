@@ -131,8 +131,8 @@ std::optional<BallPrediction::Crossing> BallPrediction::crossing(Vec2 point, Vec
                             stretch.motion.acceleration};
     const double before = dot(point - motion.position, normal);
     if (before < 0.0) continue;
-    const auto time = timeOfFall(before, -dot(motion.velocity, normal), -dot(motion.acceleration, normal),
-                                 lasts - skipped);
+    const auto time =
+        timeOfFall(before, -dot(motion.velocity, normal), -dot(motion.acceleration, normal), lasts - skipped);
     if (!time) continue;
     return Crossing{stretch.begin + skipped + *time, motion.positionAt(*time), motion.velocityAt(*time),
                     stretch.bounces};

@@ -70,7 +70,8 @@ class BallPrediction {
   /// When the ball comes to rest [s], or the horizon where it rolls longer.
   double endOfMotion() const { return stretches_[static_cast<std::size_t>(count_ - 1)].begin; }
   Vec2 endOfWay() const { return stretches_[static_cast<std::size_t>(count_ - 1)].motion.position; }
-  /// First passage, at or after `from` [s], of the line through `point` in the direction of its unit `normal`.
+  /// First passage, at or after `from` [s], of the line through `point` in the direction of its unit
+  /// `normal`.
   std::optional<Crossing> crossing(Vec2 point, Vec2 normal, double from = 0.0) const;
   /// All stretches in order, at least one.
   std::span<const Stretch> stretches() const { return {stretches_.data(), static_cast<std::size_t>(count_)}; }

@@ -64,8 +64,8 @@ void BallWalls::meetLine(const Line& line, const EvenMotion& motion, std::option
   constexpr double kDeepest = 0.01;  // [m] farther behind a wall it is another wall's ball
   const double height = dot(motion.position - line.begin, line.normal);
   if (height < -kDeepest) return;
-  const auto time = timeOfFall(height, dot(motion.velocity, line.normal),
-                               dot(motion.acceleration, line.normal), until);
+  const auto time =
+      timeOfFall(height, dot(motion.velocity, line.normal), dot(motion.acceleration, line.normal), until);
   if (!time || (first && *time >= until)) return;
   const double along = cross(line.normal, line.begin - motion.positionAt(*time));
   if (along < 0.0 || along > line.length) return;

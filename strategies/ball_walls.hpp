@@ -13,18 +13,16 @@ struct EvenMotion {
   Vec2 velocity;      ///< [m/s]
   Vec2 acceleration;  ///< [m/s^2]
 
-  constexpr Vec2 positionAt(double t) const {
-    return position + velocity * t + acceleration * (0.5 * t * t);
-  }
+  constexpr Vec2 positionAt(double t) const { return position + velocity * t + acceleration * (0.5 * t * t); }
   constexpr Vec2 velocityAt(double t) const { return velocity + acceleration * t; }
 };
 
-/// Least t in [0, `duration`] at which `height + speed t + acceleration t^2 / 2` comes down through 0; at once
-/// when it is already below and falls.
+/// Least t in [0, `duration`] at which `height + speed t + acceleration t^2 / 2` comes down through 0; at
+/// once when it is already below and falls.
 std::optional<double> timeOfFall(double height, double speed, double acceleration, double duration);
 
-/// The field's walls as the centre of a ball meets them: the contour with goals, corner cuts and posts, shrunk
-/// by the ball's radius. Made once a match.
+/// The field's walls as the centre of a ball meets them: the contour with goals, corner cuts and posts,
+/// shrunk by the ball's radius. Made once a match.
 class BallWalls {
  public:
   BallWalls() = default;
@@ -36,7 +34,8 @@ class BallWalls {
   };
   /// The first touch within `duration` [s], where one is.
   std::optional<Hit> firstHit(const EvenMotion& motion, double duration) const;
-  /// Whether a ball centre at `p` is on the playing rectangle and more than `margin` [m] from touching a wall.
+  /// Whether a ball centre at `p` is on the playing rectangle and more than `margin` [m] from touching a
+  /// wall.
   bool isFree(Vec2 p, double margin = 0.0) const;
 
  private:

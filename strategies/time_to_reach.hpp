@@ -6,9 +6,9 @@ namespace fulbito {
 
 /// How fast a robot is, in the few numbers that estimates need.
 struct RobotPace {
-  double speed = 1.2;          ///< [m/s] top speed
-  double acceleration = 6.0;   ///< [m/s^2] of the body: the lesser of motors and grip
-  double track = 0.0775;       ///< [m]
+  double speed = 1.2;         ///< [m/s] top speed
+  double acceleration = 6.0;  ///< [m/s^2] of the body: the lesser of motors and grip
+  double track = 0.0775;      ///< [m]
 
   RobotPace() = default;
   explicit RobotPace(const RobotModel& robot);

@@ -22,7 +22,8 @@ struct Setting3v3 {
 
 double percentile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  return values.empty() ? 0.0
+                        : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 /// Errors [m] one second ahead, by bounces before.
@@ -57,9 +58,9 @@ TEST_CASE("the ball is foreseen one second ahead", "[unit]") {
     const auto errors = errorsOneSecondAhead(s, spin_share);
     for (std::size_t bounces = 0; bounces < 3; ++bounces) {
       WARN("spin " << spin_share << ", " << bounces << " bounces, " << errors[bounces].size()
-                            << " balls: median " << 1000 * percentile(errors[bounces], 0.5) << " mm, 95 % "
-                            << 1000 * percentile(errors[bounces], 0.95) << " mm, worst "
-                            << 1000 * percentile(errors[bounces], 1.0) << " mm");
+                   << " balls: median " << 1000 * percentile(errors[bounces], 0.5) << " mm, 95 % "
+                   << 1000 * percentile(errors[bounces], 0.95) << " mm, worst "
+                   << 1000 * percentile(errors[bounces], 1.0) << " mm");
     }
     CHECK(percentile(errors[0], 1.0) < 0.02);  // the bars of drill 5
     CHECK(percentile(errors[1], 0.95) < 0.05);
