@@ -151,7 +151,9 @@ void Match::Impl::advance() {
   for (const TeamId team : kTeams) wheels[indexOf(team)] = seats[indexOf(team)].drive();
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const RobotId id = play->ids[i];
-    commands[i] = seats[indexOf(id.team)].policy().actuated(wheels[indexOf(id.team)][id.number]);
+    Seat& seat = seats[indexOf(id.team)];
+    commands[i] = seat.policy().actuated(wheels[indexOf(id.team)][id.number]);
+    seat.told(id.number, commands[i]);
   }
   stages.lap(&MatchProfile::navigate);
   play->world.step(commands);

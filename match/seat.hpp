@@ -35,6 +35,9 @@ class Seat {
   /// Wheel speeds of the team's robots by the decision that holds, before they are cut and rounded.
   std::array<WheelSpeeds, kMaxTeamSize> drive() { return pilots_.drive(observation_, policy_.command()); }
 
+  /// What a robot was really told: part of the next observation.
+  void told(std::uint8_t number, WheelSpeeds command) { observation_.sent[number] = command; }
+
   CommandPolicy& policy() { return policy_; }
   const CommandPolicy& policy() const { return policy_; }
   Strategy& strategy() { return *strategy_; }

@@ -35,8 +35,14 @@ struct Rolling {
             (speed - model.stop_speed) / model.roll_deceleration};
   }
 
-  void advance(const EvenMotion& motion, double time, bool to_the_end) {
+  Vec2 spinChange() const {
     const BallModel& model = course.ball;
+    if (slides)
+      return slip_direction * (model.slide_deceleration * model.roll_keep / (1.0 - model.roll_keep));
+    return unitOr(ball.velocity, {}) * -model.roll_deceleration;
+  }
+
+  void advance(const EvenMotion& motion, double time, bool to_the_end) {
     ball.position = motion.positionAt(time);
     ball.velocity = motion.velocityAt(time);
     if (!slides) {
@@ -45,8 +51,7 @@ struct Rolling {
     } else if (to_the_end) {
       ball.spin = ball.velocity;
     } else {
-      const double gain = model.slide_deceleration * model.roll_keep / (1.0 - model.roll_keep);
-      ball.spin += slip_direction * (gain * time);
+      ball.spin += spinChange() * time;
     }
   }
 
@@ -68,7 +73,7 @@ struct Rolling {
 }  // namespace
 
 void BallPrediction::rest(double time, Vec2 position, int bounces) {
-  stretches_[static_cast<std::size_t>(count_++)] = {time, {position, {}, {}}, bounces};
+  stretches_[static_cast<std::size_t>(count_++)] = {time, {position, {}, {}}, {}, {}, bounces};
 }
 
 void BallPrediction::predict(const BallCourse& course, const BallState& ball, double horizon) {
@@ -80,7 +85,8 @@ void BallPrediction::predict(const BallCourse& course, const BallState& ball, do
     const auto [motion, lasts] = rolling.stretch();
     if (lasts == kForever && motion.velocity == Vec2{}) break;
     const double left = std::min(lasts, horizon - time);
-    stretches_[static_cast<std::size_t>(count_++)] = {time, motion, bounces};
+    stretches_[static_cast<std::size_t>(count_++)] = {time, motion, rolling.ball.spin, rolling.spinChange(),
+                                                      bounces};
     const auto hit = course.walls.firstHit(motion, left);
     const double spent = hit ? hit->time : left;
     rolling.advance(motion, spent, !hit && left == lasts);
@@ -111,6 +117,13 @@ Vec2 BallPrediction::positionAt(double t) const {
 Vec2 BallPrediction::velocityAt(double t) const {
   const Stretch& stretch = stretchAt(t);
   return stretch.motion.velocityAt(t - stretch.begin);
+}
+
+BallState BallPrediction::ballAt(double t) const {
+  const Stretch& stretch = stretchAt(t);
+  const double since = t - stretch.begin;
+  return {stretch.motion.positionAt(since), stretch.motion.velocityAt(since),
+          stretch.spin + stretch.spin_change * since};
 }
 
 int BallPrediction::bouncesBefore(double t) const { return stretchAt(t).bounces; }

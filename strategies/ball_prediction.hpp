@@ -40,6 +40,8 @@ class BallPrediction {
   struct Stretch {
     double begin = 0.0;  ///< [s] from now
     EvenMotion motion;   ///< time 0 is `begin`
+    Vec2 spin;           ///< [m/s] at `begin`
+    Vec2 spin_change;    ///< [m/s^2]
     int bounces = 0;     ///< off walls, so far
   };
 
@@ -62,8 +64,9 @@ class BallPrediction {
   };
   std::optional<Block> blockBy(std::span<const BallBlocker> blockers, double ball_radius);
 
-  Vec2 positionAt(double t) const;  ///< [m] `t` seconds from now, t >= 0
-  Vec2 velocityAt(double t) const;  ///< [m/s]
+  Vec2 positionAt(double t) const;   ///< [m] `t` seconds from now, t >= 0
+  Vec2 velocityAt(double t) const;   ///< [m/s]
+  BallState ballAt(double t) const;  ///< with its spin
   int bouncesBefore(double t) const;
   /// How far the prediction can be trusted: 0.7 for each bounce before (STRATEGY 2.2).
   double confidenceAt(double t) const;

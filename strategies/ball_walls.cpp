@@ -44,17 +44,16 @@ bool BallWalls::isFree(Vec2 p, double margin) const {
   return x < half_length_ && y < half_width_ && std::abs(p.x) + std::abs(p.y) + 1.5 * margin < half_diagonal_;
 }
 
-bool BallWalls::staysFree(const EvenMotion& motion, double duration) const {
-  // The rectangle with cut corners is convex; a parabola leaves its chord by no more than this.
-  const double bulge = norm(motion.acceleration) * duration * duration / 8.0;
-  return isFree(motion.position) && isFree(motion.positionAt(duration), bulge);
-}
-
 std::optional<BallWalls::Hit> BallWalls::firstHit(const EvenMotion& motion, double duration) const {
-  if (staysFree(motion, duration)) return std::nullopt;
+  // A parabola leaves its chord by no more than this; the rectangle with cut corners is convex.
+  const double bulge = norm(motion.acceleration) * duration * duration / 8.0;
+  const Vec2 end = motion.positionAt(duration);
+  if (isFree(motion.position) && isFree(end, bulge)) return std::nullopt;
   std::optional<Hit> first;
   double until = duration;
-  for (const Line& line : lines_) meetLine(line, motion, first, until);
+  for (const Line& line : lines_) {
+    if (dot(end - line.begin, line.normal) <= bulge) meetLine(line, motion, first, until);
+  }
   for (const Vec2 post : posts_) meetPost(post, motion, first, until);
   return first;
 }

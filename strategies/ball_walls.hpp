@@ -44,7 +44,6 @@ class BallWalls {
     Vec2 normal;
     double length = 0.0;
   };
-  bool staysFree(const EvenMotion& motion, double duration) const;
   void meetLine(const Line& line, const EvenMotion& motion, std::optional<Hit>& first, double& until) const;
   void meetPost(Vec2 post, const EvenMotion& motion, std::optional<Hit>& first, double& until) const;
 

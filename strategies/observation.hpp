@@ -41,7 +41,9 @@ struct Observation {
   int team_size = 3;
   std::array<ObservedRobot, kMaxTeamSize> own;
   std::array<ObservedRobot, kMaxTeamSize> opponents;
-  BallState ball;                               ///< spin is not observed and stays 0
+  BallState ball;  ///< spin is not observed and stays 0
+  /// What the own robots were told in the tick before, whatever the picture's age [rad/s]; 0 at a restart.
+  std::array<WheelSpeeds, kMaxTeamSize> sent;
   bool playing = true;                          ///< false while a restart waits for its signal
   RestartKind restart = RestartKind::kKickOff;  ///< how the present play was begun
   bool restart_is_ours = false;                 ///< the team takes it (a free ball: it attacks that half)

@@ -29,14 +29,24 @@ double timeToTurn(const RobotPace& pace, double angle) {
   return 2.0 * std::sqrt(angle * pace.track / (2.0 * pace.acceleration));
 }
 
+double foldedAngle(double sine, double cosine) {
+  const double s = std::abs(sine), c = std::abs(cosine);
+  return s * (math::kPi / 2) / (s + (math::kPi / 2) * c) * (1.0 + 0.57 * s * c);
+}
+
 double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target, double arrival_turn) {
+  return timeToReach(pace, {robot.pose.position, math::unit(robot.pose.heading), robot.velocity}, target,
+                     arrival_turn);
+}
+
+double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target, double arrival_turn) {
   constexpr double kWayPerTurn = 0.08;  // [m/rad]
   constexpr double kShareOfTurn = 0.7;  // of a turn in place: the rest goes on while the robot drives
-  const Vec2 way = target - robot.pose.position;
+  const Vec2 way = target - robot.position;
   const double length = norm(way);
   if (length < 1e-6) return 0.0;
-  const Vec2 ahead = way / length, facing = math::unit(robot.pose.heading);
-  const double turn = math::atan2(std::abs(cross(facing, ahead)), std::abs(dot(facing, ahead)));
+  const Vec2 ahead = way / length;
+  const double turn = foldedAngle(cross(robot.facing, ahead), dot(robot.facing, ahead));
   // A turn toward a target nearer than the body's own swing is not needed.
   const double needed = turn * std::min(1.0, length / 0.05);
   return kShareOfTurn * timeToTurn(pace, needed) +
