@@ -61,7 +61,9 @@ Schema schemaOf(DrillStart& s) {
       {"distance_max", &s.distance_max, 0.0, kFar, "m", "of the ball from that point"},
       {"savable", &s.savable, 0.0, 10.0, "", "least savable distances added to it"},
       {"angle", Angle{&s.angle}, 0.0, 89.0, "", "largest one between the ball's way and the goal's normal"},
+      {"enters", &s.enters, 0, 1, "", "the ball goes into the own goal if nobody touches it"},
       {"bounces", &s.bounces, -1, 100, "", "of the ball against walls; -1: any"},
+      {"decided", &s.decided, 0, 1, "", "trials without success and failure do not count"},
       {"target_min", &s.target_min, 0.0, kFar, "m", "distance of the task's target"},
       {"target_max", &s.target_max, 0.0, kFar, "m", "distance of the task's target"},
       {"turn_min", Angle{&s.turn_min}, -180.0, 180.0, "", "from the robot's heading to the task's"},
@@ -90,8 +92,8 @@ Schema schemaOf(DrillRobot& r) {
 Schema schemaOf(DrillEnd& e) {
   return {
       {"what",
-       choice(e.what, {"goal", "conceded", "touched", "gained", "off-wall", "away", "near-mouth", "cleared",
-                       "lasted"}),
+       choice(e.what, {"goal", "conceded", "touched", "gained", "driven", "off-wall", "away", "near-mouth",
+                       "cleared", "lasted"}),
        0, 0, "", "", true},
       {"start", &e.start, 0, kLongName, "", "only in that start"},
       {"value", &e.value, 0.0, kFar, "m", ""},

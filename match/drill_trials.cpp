@@ -40,7 +40,7 @@ Result<MatchConfig> drillMatch(const DrillRun& run, const Drill& drill) {
 }
 
 Result<DrillTrial> playTrial(const DrillRun& run, const Drill& drill, const MatchConfig& base, int index) {
-  const auto scene = drawScene(drill, base.field, run.robot, run.options.seed, index);
+  const auto scene = drawScene(drill, base, run.options.seed, index);
   if (!scene) return tl::unexpected<Error>(scene.error());
   const DrillStart& start = drill.starts[static_cast<std::size_t>(scene->start)];
   ExerciseLog log;

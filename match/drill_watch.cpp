@@ -68,6 +68,7 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
     if (contact.b.kind != BodyKind::kBall) continue;
     if (contact.a.kind == BodyKind::kWall && contact.began) ++now.walls;
     if (contact.a.kind != BodyKind::kRobot) continue;
+    met_ = true;
     const RobotId id = tick.ids[contact.a.index];
     own_touch_last_ = id.team == scene_.seat;
     now.touched = now.touched || own_touch_last_;
@@ -136,6 +137,8 @@ bool DrillWatch::holds(const DrillEnd& end, const Now& now) const {
       return now.touched;
     case DrillCondition::kGained:
       return ball.x - ball_start_.x >= end.value;
+    case DrillCondition::kDriven:
+      return ball_start_.x - ball.x >= end.value;
     case DrillCondition::kOffWall:
       return wallClearance(field_, ball) >= end.value;
     case DrillCondition::kAway:
@@ -158,6 +161,7 @@ bool DrillWatch::any(const std::vector<DrillEnd>& ends, const Now& now) const {
 
 void DrillWatch::judgePlay(const Now& now) {
   if (any(drill_.failures, now)) {
+    failed_ = true;
     finish();
   } else if (any(drill_.successes, now)) {
     succeed(now.time);
@@ -241,7 +245,7 @@ void DrillWatch::judgePrediction(const Now& now) {
   const double due = static_cast<double>(log_.asked) * dt_ + scene_.exercise.horizon;
   if (now.time < due - dt_ / 2) return;
   trial_.error = distance(log_.answer, now.ball.position);
-  trial_.counted = start_.bounces < 0 || bounces_ == start_.bounces;
+  trial_.counted = !met_ && (start_.bounces < 0 || bounces_ == start_.bounces);
   if (trial_.error <= drill_.tolerance) succeed(now.time);
   finish();
 }
@@ -256,6 +260,7 @@ void DrillWatch::finish() { done_ = true; }
 DrillTrial DrillWatch::trial(double ideal) const {
   DrillTrial trial = trial_;
   trial.ideal = ideal;
+  if (start_.decided && !trial.success && !failed_) trial.counted = false;
   if (trial.success) trial.stopped_by = {};
   return trial;
 }

@@ -60,6 +60,8 @@ class DrillWatch final : public MatchObserver {
   int goal_ = 0;           ///< 1: in the opponents' goal, -1: in the own
   bool at_fault_ = false;  ///< the referee stopped play because of the tested team
   bool touched_ = false;   ///< ever, by the tested team
+  bool met_ = false;       ///< any robot touched the ball
+  bool failed_ = false;    ///< a condition of failure came true
   int bounces_ = 0;
   double inside_since_ = -1.0;
   double drift_ = 0.0;
