@@ -41,7 +41,8 @@ double keeperSide(const RefereeSetup& setup, const Stoppage& stoppage, double ow
   return side;
 }
 
-/// Free balls lie on the mark of the ball's quarter: 1 is x > 0 and y > 0, the axes belong to the negative side.
+/// Free balls lie on the mark of the ball's quarter: 1 is x > 0 and y > 0, the axes belong to the negative
+/// side.
 Vec2 quarterMark(const FieldGeometry& field, Vec2 ball) {
   return {ball.x > 0.0 ? field.free_ball_mark.x : -field.free_ball_mark.x,
           ball.y > 0.0 ? field.free_ball_mark.y : -field.free_ball_mark.y};

@@ -28,7 +28,8 @@ Schema periodSchema(Rules& r) {
        "who begins; the toss comes from the match's random stream; law 6"},
       {"swap_kick_off", &p.swap_kick_off, 0, 0, "",
        "the other team begins the second half; law 6, the league program: false"},
-      {"swap_sides", &p.swap_sides, 0, 0, "", "sides change at half-time; law 6: true, league program: false"},
+      {"swap_sides", &p.swap_sides, 0, 0, "",
+       "sides change at half-time; law 6: true, league program: false"},
       {"mercy_goals", &p.mercy_goals, 0, 1000, "goals", "lead that ends the match, 0 = none; league option"},
       {"tie_break", choice(p.tie_break, {"none", "overtime", "shoot-out", "overtime+shoot-out"}), 0, 0, "",
        "after a level match; law 7.2 for ties that must be broken: overtime+shoot-out"},
@@ -49,7 +50,8 @@ Schema schemaOf(ShootOutRules& s) {
       {"kick_seconds", &s.kick_seconds, 0.1, kLongestWait, "s", "a kick lasts at most; law 7.2: 30"},
       {"ends_at_rest", &s.ends_at_rest, 0, 0, "", "a kick ends when the ball rests; league program"},
       {"rest_speed", &s.rest_speed, 0, 1, "m/s", "at most this is rest; ours"},
-      {"rest_seconds", &s.rest_seconds, 0, kLongestWait, "s", "of rest that end a kick, once it was moved; ours"},
+      {"rest_seconds", &s.rest_seconds, 0, kLongestWait, "s",
+       "of rest that end a kick, once it was moved; ours"},
       {"ends_leaving_area", &s.ends_leaving_area, 0, 0, "",
        "a kick ends when the ball leaves the goal area backwards; law 7.2"},
       {"ends_past_midfield", &s.ends_past_midfield, 0, 0, "",
@@ -77,7 +79,8 @@ Schema schemaOf(RestartRules& r) {
        "kept between bodies where a placement is repaired; league program: a tenth of a robot"},
       {"false_start_distance", &r.false_start_distance, 0.001, 1, "m",
        "from its place: the robot has moved; law 9 without number, ours"},
-      {"false_start_release", &r.false_start_release, 0, 1, "m", "nearer than this it is back; hysteresis, ours"},
+      {"false_start_release", &r.false_start_release, 0, 1, "m",
+       "nearer than this it is back; hysteresis, ours"},
       {"false_start_seconds", &r.false_start_seconds, 0, kLongestWait, "s", "that it must be away; ours"},
       {"escalation", &r.escalation, 0, 0, "", "after the warnings law 9 escalates; else repeat; law 9: true"},
       {"warnings", &r.warnings, 0, 100, "", "repeats without punishment; law 9: 1"},
@@ -129,8 +132,9 @@ Schema schemaOf(PenaltyRules& p) {
 }
 
 Schema schemaOf(GoalKickRules& g) {
-  Schema schema{{"ball", &g.ball, 0, kFarthest, "m",
-                 "in the taker's half, on its keeper's side of y; league program, law 13: anywhere in the area"}};
+  Schema schema{
+      {"ball", &g.ball, 0, kFarthest, "m",
+       "in the taker's half, on its keeper's side of y; league program, law 13: anywhere in the area"}};
   append(schema, g.places, "league program; the keeper's y follows the ball's side");
   return schema;
 }
@@ -138,7 +142,8 @@ Schema schemaOf(GoalKickRules& g) {
 std::optional<Flaw> tableFlaw(const PlaceTable& places, const char* table) {
   const auto tooMany = [&](const std::vector<Vec2>& list, const char* key) -> std::optional<Flaw> {
     if (list.size() <= kMaxTeamSize) return std::nullopt;
-    return Flaw{table, -1, key, fmt::format("has {} places; at most {} are allowed", list.size(), kMaxTeamSize)};
+    return Flaw{table, -1, key,
+                fmt::format("has {} places; at most {} are allowed", list.size(), kMaxTeamSize)};
   };
   if (auto flaw = tooMany(places.taker, "taker")) return flaw;
   return tooMany(places.other, "other");
@@ -182,8 +187,9 @@ std::optional<Flaw> findFlaw(const Rules& rules) {
                             restart.false_start_distance)};
   }
   if (rules.shoot_out.max_kicks < rules.shoot_out.kicks) {
-    return Flaw{"shoot_out", -1, "max_kicks",
-                fmt::format("= {} must be at least kicks = {}", rules.shoot_out.max_kicks, rules.shoot_out.kicks)};
+    return Flaw{
+        "shoot_out", -1, "max_kicks",
+        fmt::format("= {} must be at least kicks = {}", rules.shoot_out.max_kicks, rules.shoot_out.kicks)};
   }
   return std::nullopt;
 }
