@@ -32,6 +32,8 @@ enum class DrillRole : std::uint8_t {
 struct DrillStart {
   std::string name = "all";
   DrillTask task = DrillTask::kPlay;
+  int restart = -1;          ///< `RestartKind` that play begins with; -1: none that is told
+  bool ours = true;          ///< the tested team takes it
   std::string opponents;     ///< team specification, "itself", or empty: the robots' own roles
   double duration = 0.0;     ///< [s] instead of the drill's; 0: the drill's
   std::vector<Vec2> ball;    ///< [m] places that trials take in turn
@@ -172,6 +174,7 @@ struct DrillTrial {
   bool on_target = false;
   bool own_goal = false;
   bool conceded = false;
+  int illegal = 0;              ///< robots of the tested team whose proposed places had to be repaired
   std::string_view stopped_by;  ///< rule by which the referee ended it, static lifetime
 };
 

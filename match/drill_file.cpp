@@ -50,6 +50,12 @@ Schema schemaOf(DrillStart& s) {
       {"name", Label{&s.name}, 1, kLongName, "", ""},
       {"task", choice(s.task, {"play", "reach-pose", "turn", "reach-ball", "push", "predict-ball"}), 0, 0, "",
        "what the team is asked for"},
+      {"restart",
+       Choice{{"none", "kick-off", "free-ball", "free-kick", "penalty", "goal-kick"},
+              [&s] { return s.restart + 1; },
+              [&s](int index) { s.restart = index - 1; }},
+       0, 0, "", "that play begins with; without robots of the drill's own, the referee places all"},
+      {"ours", &s.ours, 0, 1, "", "the tested team takes it"},
       {"opponents", &s.opponents, 0, kLongText, "", "a team, or 'itself'"},
       {"duration", &s.duration, 0.0, 600.0, "s", "instead of the drill's"},
       {"ball", &s.ball, -kFar, kFar, "m", "places"},
@@ -153,7 +159,8 @@ std::optional<Flaw> unknownStart(const Drill& drill, const std::string& table, c
 }
 
 std::optional<Flaw> startFlaw(const DrillStart& start, int index) {
-  if (start.ball.empty() && start.toward.empty()) return Flaw{"start", index, "ball", "is missing"};
+  if (start.restart < 0 && start.ball.empty() && start.toward.empty())
+    return Flaw{"start", index, "ball", "is missing"};
   if (start.speed_max < start.speed_min) return Flaw{"start", index, "speed_max", "is less than speed_min"};
   if (start.distance_max < start.distance_min)
     return Flaw{"start", index, "distance_max", "is less than distance_min"};

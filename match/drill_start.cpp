@@ -8,6 +8,7 @@
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
 #include "engine/sim/world.hpp"
+#include "referee/restart_call.hpp"
 #include "strategies/team_frame.hpp"
 
 namespace fulbito {
@@ -91,6 +92,7 @@ class SceneDraw {
     const Vec2 aim = start.toward.empty() ? Vec2{}
                                           : start.toward.front() +
                                                 (start.toward.back() - start.toward.front()) * rng_.uniform();
+    if (start.ball.empty() && start.toward.empty()) return;  // the rule knows
     if (start.ball.empty()) {
       const double side = aim.x < 0.0 ? 1.0 : -1.0;
       const double distance = fulbito::draw(rng_, start.distance_min, start.distance_max) +
@@ -241,6 +243,29 @@ Result<DrillScene> drawScene(const Drill& drill, const MatchConfig& match, std::
   if (round % 2 == 1) mirror(scene);
   scene.seat = (round / 2) % 2 == 0 ? TeamId::kBlue : TeamId::kYellow;
   return scene;
+}
+
+bool placedByReferee(const DrillStart& start, const DrillScene& scene) {
+  const auto& own = scene.placement.robots[indexOf(TeamId::kBlue)];
+  return start.restart >= 0 &&
+         std::none_of(own.begin(), own.end(), [](const auto& pose) { return pose.has_value(); });
+}
+
+RestartCall openingOf(const DrillStart& start, const DrillScene& scene, const MatchConfig& match) {
+  RefereeSetup setup;
+  setup.rules = match.rules;
+  setup.field = match.field;
+  setup.robot = match.robot.robot;
+  setup.ball = match.robot.ball;
+  setup.dt = match.physics.controlPeriod();
+  Stoppage stoppage;
+  stoppage.kind = static_cast<RestartKind>(start.restart);
+  stoppage.team = start.ours ? scene.seat : other(scene.seat);
+  stoppage.ball = seated(scene.placement, scene.seat).ball;
+  RestartCall call = makeCall(setup, {}, stoppage);
+  // The rule gives a free ball to who attacks that half; the drill names whom it means.
+  if (call.kind != RestartKind::kFreeBall) call.team = stoppage.team;
+  return call;
 }
 
 Placement seated(const Placement& placement, TeamId seat) {

@@ -16,6 +16,18 @@ namespace {
 
 constexpr double kEndless = 3600.0;  // [s] halves of trials: their own time ends them
 
+/// Rules without laws but that of the goal.
+void callNothing(Rules& rules) {
+  rules.stuck.seconds = kEndless;
+  rules.stuck.area_seconds = kEndless;
+  rules.areas.attackers = false;
+  rules.areas.defenders = false;
+  rules.keeper.holding = false;
+  rules.keeper.charged = false;
+  rules.fouls.push = false;
+  rules.fouls.holding = false;
+}
+
 int sizeFor(const Drill& drill, int size) {
   for (const DrillRobot& robot : drill.robots) size = std::max(size, robot.number + 1);
   return size;
@@ -36,6 +48,7 @@ Result<MatchConfig> drillMatch(const DrillRun& run, const Drill& drill) {
   config.rules.team_size = sizeFor(drill, config.rules.team_size);
   config.rules.half_seconds = drill.match_opponent.empty() ? kEndless : drill.half_seconds;
   config.vision = drill.sight;
+  if (!drill.referee) callNothing(config.rules);
   return config;
 }
 
@@ -60,7 +73,8 @@ Result<DrillTrial> playTrial(const DrillRun& run, const Drill& drill, const Matc
     opponents = std::move(*choice);
   }
   config.seed = run.options.seed + static_cast<std::uint64_t>(index);
-  config.start = seated(scene->placement, scene->seat);
+  if (start.restart >= 0) config.opening = openingOf(start, *scene, base);
+  if (!placedByReferee(start, *scene)) config.start = seated(scene->placement, scene->seat);
   auto match = Match::create(config);
   if (!match) return tl::unexpected<Error>(match.error());
   DrillWatch watch(drill, *scene, base.field, run.robot, log);
@@ -96,6 +110,8 @@ double valueOf(const DrillTrial& trial, DrillMeasure measure) {
       return trial.own_goal ? 1.0 : 0.0;
     case DrillMeasure::kConceded:
       return trial.conceded ? 1.0 : 0.0;
+    case DrillMeasure::kIllegal:
+      return trial.illegal;
     default:
       return trial.success ? 1.0 : 0.0;
   }

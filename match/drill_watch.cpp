@@ -51,8 +51,13 @@ void DrillWatch::playBegins(const PlayStart& start) {
   }
   begun_ = true;
   dt_ = start.world->physics.controlPeriod();
-  const auto& first = scene_.placement.robots[indexOf(TeamId::kBlue)][0];
+  const Placement placed = seated(start.placement, scene_.seat);
+  ball_start_ = placed.ball;
+  const auto& first = placed.robots[indexOf(TeamId::kBlue)][0];
   if (first) before_.pose = *first;
+  for (const GameEvent& event : start.events) {
+    if (event.clause == "placement" && event.team == scene_.seat) ++trial_.illegal;
+  }
 }
 
 DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
@@ -81,7 +86,7 @@ void DrillWatch::ticked(const MatchTick& tick) {
   if (done_) return;
   const Now now = look(tick);
   bounces_ += now.walls;
-  hear(tick, now);
+  hear(tick);
   follow(now);
   if (!trial_.success) {
     if (start_.task == DrillTask::kPlay) {
@@ -95,18 +100,15 @@ void DrillWatch::ticked(const MatchTick& tick) {
   if (goal_ != 0 || now.time >= end - dt_ / 2) finish();
 }
 
-/// Goals, by the referee's call or by the ball's place, and other calls.
-void DrillWatch::hear(const MatchTick& tick, const Now& now) {
+/// What the referee calls.
+void DrillWatch::hear(const MatchTick& tick) {
   for (const GameEvent& event : tick.events) {
     if (event.clause == "goal" && event.team) {
       goal_ = *event.team == scene_.seat ? 1 : -1;
-    } else if (trial_.stopped_by.empty()) {
+    } else if (event.clause != "kick-off") {
       trial_.stopped_by = event.clause;
       at_fault_ = event.team == scene_.seat;
     }
-  }
-  if (std::abs(now.ball.position.x) > field_.length / 2 + robot_.ball.radius) {
-    goal_ = now.ball.position.x > 0.0 ? 1 : -1;
   }
 }
 

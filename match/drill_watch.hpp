@@ -44,7 +44,7 @@ class DrillWatch final : public MatchObserver {
   void succeed(double time);
   void finish();
   bool alignedWith(const RobotState& robot, double heading, bool either_end) const;
-  void hear(const MatchTick& tick, const Now& now);
+  void hear(const MatchTick& tick);
 
   const Drill& drill_;
   const DrillScene& scene_;
