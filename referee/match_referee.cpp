@@ -11,7 +11,12 @@ constexpr double kKickOffPlaces[3] = {0.675, 0.2, 0.4};  // [m] keeper, attacker
 
 }  // namespace
 
-MatchReferee::MatchReferee(const RefereeSetup& setup) : setup_(setup) { state_.blue_side = setup.blue_side; }
+MatchReferee::MatchReferee(const RefereeSetup& setup) : setup_(setup) {
+  state_.blue_side = setup.blue_side;
+  state_.score = setup.scoreboard.score;
+  state_.period = setup.scoreboard.period;
+  state_.play_ticks = static_cast<Tick>(std::floor(setup.scoreboard.play_seconds / setup.dt + 0.5));
+}
 
 RestartCall MatchReferee::open() { return kickOff(TeamId::kBlue); }
 

@@ -8,11 +8,14 @@
 
 namespace fulbito {
 
+/// Poses of one team's robots by their number. A robot without a pose is not on the field.
+using TeamPoses = std::array<std::optional<Pose2>, kMaxTeamSize>;
+
 /// Where ball and robots stand, in the world's frame. A robot without a pose is not on the field.
 struct Placement {
   Vec2 ball;
   Vec2 ball_velocity;  ///< [m/s] 0 at every restart of the rules
-  PerTeam<std::array<std::optional<Pose2>, kMaxTeamSize>> robots;
+  PerTeam<TeamPoses> robots;
 };
 
 }  // namespace fulbito

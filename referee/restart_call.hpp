@@ -1,0 +1,34 @@
+// Private header of referee: not installed.
+#pragma once
+
+#include <optional>
+
+#include "referee/match_view.hpp"
+#include "referee/referee_state.hpp"
+
+/// From a stoppage to the rules' own placement: ball spots and default tables.
+namespace fulbito {
+
+/// -1 for the team that defends the left goal, +1 for the other: the sign of x of its own goal.
+inline double ownSign(const RefereeState& state, TeamId team) {
+  return state.sideOf(team) == Side::kLeft ? -1.0 : 1.0;
+}
+
+/// What decides where a restart is.
+struct Stoppage {
+  RestartKind kind = RestartKind::kKickOff;
+  TeamId team = TeamId::kBlue;      ///< who takes it; ignored of a free ball
+  Vec2 ball;                        ///< [m] where the ball was
+  const MatchView* view = nullptr;  ///< where the robots were; null at the beginning of a match
+};
+
+/// The restart with its ball spot, the team of a free ball, the delay, and the places of the rules.
+RestartCall makeCall(const RefereeSetup& setup, const RefereeState& state, const Stoppage& stoppage);
+
+/// A penalty of the shoot-out: kicker and keeper alone on the field.
+RestartCall makeShootOutCall(const RefereeSetup& setup, const RefereeState& state, TeamId kicker);
+
+/// Whether the robot takes part at the next restart: it is in the team and not sent off.
+bool fielded(const RefereeSetup& setup, const RefereeState& state, TeamId team, int number);
+
+}  // namespace fulbito

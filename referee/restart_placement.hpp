@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "referee/game_event.hpp"
+#include "referee/referee_state.hpp"
+
+namespace fulbito {
+
+/// The teams' wishes at a restart, world frame. A robot without a pose leaves its place to the rules.
+using Proposals = PerTeam<std::optional<TeamPoses>>;
+
+/// Where everyone stands at the restart. Robots for which `call.defaults` has no pose stay off the field. The
+/// team of the call places first: where it stands does not depend on what the other proposes, so that a
+/// caller may place with one proposal, show the result to the other team, and place again with both. A pose
+/// that is not finite, not allowed by the rule or not free is replaced by the nearest legal free one; `log`
+/// gets a `placement` event for each replaced proposal. Never fails: the result is legal and nobody overlaps
+/// (a robot for which the field has no room at all is left out). The same arguments give the same result.
+Placement place(const RefereeSetup& setup, const RefereeState& state, const RestartCall& call,
+                const Proposals& proposals, std::vector<GameEvent>& log);
+
+/// What is wrong with a placement.
+struct PlacementFlaw {
+  TeamId team = TeamId::kBlue;
+  std::uint8_t robot = 0;
+  std::string_view reason;  ///< such as "overlaps a robot"; static lifetime
+};
+
+/// The first thing in which a placement breaks the rule of its restart.
+std::optional<PlacementFlaw> findPlacementFlaw(const RefereeSetup& setup, const RefereeState& state,
+                                               const RestartCall& call, const Placement& placement);
+/// Whether there is none.
+bool legalPlacement(const RefereeSetup& setup, const RefereeState& state, const RestartCall& call,
+                    const Placement& placement);
+
+/// The poses that the rules give to a team, world frame: what a team is shown when it is asked for wishes.
+inline const TeamPoses& defaultPoses(const RestartCall& call, TeamId team) {
+  return call.defaults.robots[indexOf(team)];
+}
+
+}  // namespace fulbito
