@@ -11,8 +11,8 @@ enum class BallPart { kWhole, kCentre };
 /// [goal] Law 7.1.
 struct GoalRules {
   BallPart ball = BallPart::kWhole;  ///< what must be past the line
-  double scorer_seconds = 5.0;       ///< [s] the scorer's last touch is at most this long ago; else none is named
-  bool attack_foul_voids = true;     ///< a goal after a foul of the attackers (8.2) is a goal kick
+  double scorer_seconds = 5.0;  ///< [s] the scorer's last touch is at most this long ago; else none is named
+  bool attack_foul_voids = true;  ///< a goal after a foul of the attackers (8.2) is a goal kick
 };
 
 /// What tells that the ball is stuck.
@@ -33,68 +33,69 @@ struct StuckRules {
   double speed = 0.1;            ///< [m/s] of measure kSpeed: at most this begins a count
   double release_speed = 0.15;   ///< [m/s] above this a count may end: hysteresis
   double release_seconds = 0.1;  ///< [s] that it must be above, without a break, to end the count
-  double dispute_lengths = 1.5;  ///< [robot lengths] a robot whose centre is within this of the ball disputes it
+  double dispute_lengths =
+      1.5;  ///< [robot lengths] a robot whose centre is within this of the ball disputes it
   UndisputedCall undisputed = UndisputedCall::kPenalty;
 };
 
 /// [areas] Laws 8.2 and 8.3.
 struct AreaRules {
-  bool arc = true;                                ///< the goal area includes its arc
-  double hysteresis = 0.002;                      ///< [m] a robot inside counts until the grown area is left
-  double part_seconds = 0.5;                      ///< [s] contact this recent is taking part
-  bool attackers = true;                          ///< whether 8.2 is called at all
-  int attackers_max = 1;                          ///< robots allowed in the opponents' goal area
-  BodyPart attackers_part = BodyPart::kAnyPart;   ///< what counts as inside
-  bool attackers_need_ball = false;               ///< the ball must be in the area too
-  bool attackers_take_part = true;                ///< a robot beyond the first must take part
-  double attackers_wait = 0.0;                    ///< [s] for a goal, or for the ball to leave, before the call
-  int big_attackers_max = 3;                      ///< robots allowed in the opponents' big area
-  bool defenders = true;                          ///< whether 8.3 is called at all
-  int defenders_max = 1;                          ///< robots allowed in the own goal area with the ball
-  BodyPart defenders_part = BodyPart::kHalf;      ///< what counts as inside
-  bool defenders_take_part = true;                ///< a robot beyond the first must take part
-  double defenders_wait = 1.0;                    ///< [s] for a goal, or for the ball to leave, before the call
-  int big_defenders_max = 3;                      ///< robots allowed in the own big area with the ball
-  bool pushed_excused = true;                     ///< a robot pushed in while disputing does not count
-  double pushed_seconds = 0.5;                    ///< [s] before it came in
-  double pushed_impulse = 0.01;                   ///< [kg m/s] toward the goal, in that time
-  double excuse_seconds = 3.0;                    ///< [s] that it has for leaving
-  double cool_down = 0.5;                         ///< [s] after play began without a call of these laws
+  bool arc = true;                               ///< the goal area includes its arc
+  double hysteresis = 0.002;                     ///< [m] a robot inside counts until the grown area is left
+  double part_seconds = 0.5;                     ///< [s] contact this recent is taking part
+  bool attackers = true;                         ///< whether 8.2 is called at all
+  int attackers_max = 1;                         ///< robots allowed in the opponents' goal area
+  BodyPart attackers_part = BodyPart::kAnyPart;  ///< what counts as inside
+  bool attackers_need_ball = false;              ///< the ball must be in the area too
+  bool attackers_take_part = true;               ///< a robot beyond the first must take part
+  double attackers_wait = 0.0;                ///< [s] for a goal, or for the ball to leave, before the call
+  int big_attackers_max = 3;                  ///< robots allowed in the opponents' big area
+  bool defenders = true;                      ///< whether 8.3 is called at all
+  int defenders_max = 1;                      ///< robots allowed in the own goal area with the ball
+  BodyPart defenders_part = BodyPart::kHalf;  ///< what counts as inside
+  bool defenders_take_part = true;            ///< a robot beyond the first must take part
+  double defenders_wait = 1.0;                ///< [s] for a goal, or for the ball to leave, before the call
+  int big_defenders_max = 3;                  ///< robots allowed in the own big area with the ball
+  bool pushed_excused = true;                 ///< a robot pushed in while disputing does not count
+  double pushed_seconds = 0.5;                ///< [s] before it came in
+  double pushed_impulse = 0.01;               ///< [kg m/s] toward the goal, in that time
+  double excuse_seconds = 3.0;                ///< [s] that it has for leaving
+  double cool_down = 0.5;                     ///< [s] after play began without a call of these laws
 };
 
 /// [keeper] Laws 2.2.3, 8.1 and 13.
 struct KeeperRules {
-  bool holding = true;            ///< whether holding the ball too long is called
-  double hold_seconds = 10.0;     ///< [s] of undisputed control
-  double control_gap = 0.01;      ///< [m] between body and ball, up to which the keeper controls it
-  double release_seconds = 0.5;   ///< [s] without control that end the count
-  double dispute_lengths = 1.5;   ///< [robot lengths] an opponent this near to the ball challenges
-  bool charged = true;            ///< whether charging and blocking are called
-  double charge_seconds = 0.2;    ///< [s] that the contact must last
-  double charge_impulse = 0.02;   ///< [kg m/s] that it must give in all
-  double charge_release = 0.05;   ///< [s] without contact that end it
-  double part_seconds = 0.5;      ///< [s] a robot that touched the ball this recently disputes it
-  double cool_down = 0.5;         ///< [s] after play began without a call of these laws
+  bool holding = true;           ///< whether holding the ball too long is called
+  double hold_seconds = 10.0;    ///< [s] of undisputed control
+  double control_gap = 0.01;     ///< [m] between body and ball, up to which the keeper controls it
+  double release_seconds = 0.5;  ///< [s] without control that end the count
+  double dispute_lengths = 1.5;  ///< [robot lengths] an opponent this near to the ball challenges
+  bool charged = true;           ///< whether charging and blocking are called
+  double charge_seconds = 0.2;   ///< [s] that the contact must last
+  double charge_impulse = 0.02;  ///< [kg m/s] that it must give in all
+  double charge_release = 0.05;  ///< [s] without contact that end it
+  double part_seconds = 0.5;     ///< [s] a robot that touched the ball this recently disputes it
+  double cool_down = 0.5;        ///< [s] after play began without a call of these laws
 };
 
 /// [fouls] Law 8.1.
 struct FoulRules {
-  bool push = false;              ///< whether pushing away from the ball is called
-  double push_seconds = 0.5;      ///< [s] that the contact must last
-  double push_impulse = 0.04;     ///< [kg m/s] that it must give in all
-  double push_speed = 0.10;       ///< [m/s] at which the other robot is moved at least
-  double push_distance = 0.15;    ///< [m] from the ball to both robots' centres at least
-  double push_release = 0.05;     ///< [s] without contact that end it
-  double part_seconds = 0.5;      ///< [s] a robot that touched the ball this recently disputes it
-  bool holding = true;            ///< whether holding by others than the keeper is called
-  double hidden_share = 0.30;     ///< of the ball that a robot may hide
-  double hidden_seconds = 1.0;    ///< [s] that it must hide more
-  double pinned_seconds = 0.0;    ///< [s] that a robot may pin an undisputed ball; 0 = as long as it likes
-  double pinned_gap = 0.005;      ///< [m] between body and ball, up to which it is pinned
-  double pinned_speed = 0.1;      ///< [m/s] up to which it is pinned
-  double holding_release = 0.2;   ///< [s] without holding that end it
-  double dispute_lengths = 1.5;   ///< [robot lengths] an opponent this near to the ball disputes it
-  double cool_down = 0.5;         ///< [s] after play began without a call of this law
+  bool push = false;             ///< whether pushing away from the ball is called
+  double push_seconds = 0.5;     ///< [s] that the contact must last
+  double push_impulse = 0.04;    ///< [kg m/s] that it must give in all
+  double push_speed = 0.10;      ///< [m/s] at which the other robot is moved at least
+  double push_distance = 0.15;   ///< [m] from the ball to both robots' centres at least
+  double push_release = 0.05;    ///< [s] without contact that end it
+  double part_seconds = 0.5;     ///< [s] a robot that touched the ball this recently disputes it
+  bool holding = true;           ///< whether holding by others than the keeper is called
+  double hidden_share = 0.30;    ///< of the ball that a robot may hide
+  double hidden_seconds = 1.0;   ///< [s] that it must hide more
+  double pinned_seconds = 0.0;   ///< [s] that a robot may pin an undisputed ball; 0 = as long as it likes
+  double pinned_gap = 0.005;     ///< [m] between body and ball, up to which it is pinned
+  double pinned_speed = 0.1;     ///< [m/s] up to which it is pinned
+  double holding_release = 0.2;  ///< [s] without holding that end it
+  double dispute_lengths = 1.5;  ///< [robot lengths] an opponent this near to the ball disputes it
+  double cool_down = 0.5;        ///< [s] after play began without a call of this law
 };
 
 }  // namespace fulbito

@@ -8,11 +8,11 @@
 namespace fulbito {
 
 /// @{ The keys of one table, bound to `value`.
-Schema schemaOf(GoalRules& value);   ///< [goal]
-Schema schemaOf(StuckRules& value);  ///< [stuck]
-Schema schemaOf(AreaRules& value);   ///< [areas]
-Schema schemaOf(KeeperRules& value); ///< [keeper]
-Schema schemaOf(FoulRules& value);   ///< [fouls]
+Schema schemaOf(GoalRules& value);    ///< [goal]
+Schema schemaOf(StuckRules& value);   ///< [stuck]
+Schema schemaOf(AreaRules& value);    ///< [areas]
+Schema schemaOf(KeeperRules& value);  ///< [keeper]
+Schema schemaOf(FoulRules& value);    ///< [fouls]
 /// @}
 
 /// @{ The first flaw of a table: out of its limits, or two values at odds.

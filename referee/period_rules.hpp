@@ -16,9 +16,9 @@ enum class TieBreak {
 /// [periods] Laws 5 and 7.2. The length of a half is `Rules::half_seconds`.
 struct PeriodRules {
   FirstKickOff first_kick_off = FirstKickOff::kToss;  ///< toss: from the match's own random stream
-  bool swap_kick_off = true;        ///< the other team begins the second half
-  bool swap_sides = false;          ///< sides change at half-time
-  int mercy_goals = 0;              ///< lead that ends the match; 0 = none does
+  bool swap_kick_off = true;                          ///< the other team begins the second half
+  bool swap_sides = false;                            ///< sides change at half-time
+  int mercy_goals = 0;                                ///< lead that ends the match; 0 = none does
   TieBreak tie_break = TieBreak::kNone;
   int overtime_parts = 1;           ///< periods of overtime
   double overtime_seconds = 180.0;  ///< [s] of play in each
@@ -35,13 +35,13 @@ enum class ShootOutOrder {
 struct ShootOutRules {
   int kicks = 3;  ///< regular kicks of each team; then sudden death in pairs
   ShootOutOrder order = ShootOutOrder::kAlternating;
-  int max_kicks = 20;                ///< of each team; then the toss decides
-  double kick_seconds = 30.0;        ///< [s] a kick lasts at most
-  bool ends_at_rest = true;          ///< a kick ends when the ball rests
-  double rest_speed = 0.02;          ///< [m/s] at most this is rest
-  double rest_seconds = 1.0;         ///< [s] of rest that end the kick, once the ball has been moved
-  bool ends_leaving_area = true;     ///< a kick ends when the ball leaves the goal area again, backwards
-  bool ends_past_midfield = true;    ///< a kick ends when the ball passes the half-way line backwards
+  int max_kicks = 20;              ///< of each team; then the toss decides
+  double kick_seconds = 30.0;      ///< [s] a kick lasts at most
+  bool ends_at_rest = true;        ///< a kick ends when the ball rests
+  double rest_speed = 0.02;        ///< [m/s] at most this is rest
+  double rest_seconds = 1.0;       ///< [s] of rest that end the kick, once the ball has been moved
+  bool ends_leaving_area = true;   ///< a kick ends when the ball leaves the goal area again, backwards
+  bool ends_past_midfield = true;  ///< a kick ends when the ball passes the half-way line backwards
 };
 
 /// What happens when a team is not there.

@@ -162,7 +162,8 @@ std::string_view zoneFault(const RestartScene& scene, RestartPart part, const Pl
   const Vec2 p = body.centre;
   switch (zone) {
     case Zone::kAwayFromBall:
-      if (distance(p, scene.ball) < scene.rules->free_ball.distance - kRounding) return "is too near to the ball";
+      if (distance(p, scene.ball) < scene.rules->free_ball.distance - kRounding)
+        return "is too near to the ball";
       return {};
     case Zone::kOutsideTakersArea:
       return inTakersArea(*scene.field, body) ? "is in the kicking team's goal area" : "";

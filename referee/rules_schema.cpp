@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/team.hpp"
+#include "referee/detector_schema.hpp"
 
 namespace fulbito {
 namespace {
@@ -28,7 +29,8 @@ Schema periodSchema(Rules& r) {
        "who begins; the toss comes from the match's random stream; law 6"},
       {"swap_kick_off", &p.swap_kick_off, 0, 0, "",
        "the other team begins the second half; law 6, the league program: false"},
-      {"swap_sides", &p.swap_sides, 0, 0, "", "sides change at half-time; law 6: true, league program: false"},
+      {"swap_sides", &p.swap_sides, 0, 0, "",
+       "sides change at half-time; law 6: true, league program: false"},
       {"mercy_goals", &p.mercy_goals, 0, 1000, "goals", "lead that ends the match, 0 = none; league option"},
       {"tie_break", choice(p.tie_break, {"none", "overtime", "shoot-out", "overtime+shoot-out"}), 0, 0, "",
        "after a level match; law 7.2 for ties that must be broken: overtime+shoot-out"},
@@ -49,7 +51,8 @@ Schema schemaOf(ShootOutRules& s) {
       {"kick_seconds", &s.kick_seconds, 0.1, kLongestWait, "s", "a kick lasts at most; law 7.2: 30"},
       {"ends_at_rest", &s.ends_at_rest, 0, 0, "", "a kick ends when the ball rests; league program"},
       {"rest_speed", &s.rest_speed, 0, 1, "m/s", "at most this is rest; ours"},
-      {"rest_seconds", &s.rest_seconds, 0, kLongestWait, "s", "of rest that end a kick, once it was moved; ours"},
+      {"rest_seconds", &s.rest_seconds, 0, kLongestWait, "s",
+       "of rest that end a kick, once it was moved; ours"},
       {"ends_leaving_area", &s.ends_leaving_area, 0, 0, "",
        "a kick ends when the ball leaves the goal area backwards; law 7.2"},
       {"ends_past_midfield", &s.ends_past_midfield, 0, 0, "",
@@ -77,7 +80,8 @@ Schema schemaOf(RestartRules& r) {
        "kept between bodies where a placement is repaired; league program: a tenth of a robot"},
       {"false_start_distance", &r.false_start_distance, 0.001, 1, "m",
        "from its place: the robot has moved; law 9 without number, ours"},
-      {"false_start_release", &r.false_start_release, 0, 1, "m", "nearer than this it is back; hysteresis, ours"},
+      {"false_start_release", &r.false_start_release, 0, 1, "m",
+       "nearer than this it is back; hysteresis, ours"},
       {"false_start_seconds", &r.false_start_seconds, 0, kLongestWait, "s", "that it must be away; ours"},
       {"escalation", &r.escalation, 0, 0, "", "after the warnings law 9 escalates; else repeat; law 9: true"},
       {"warnings", &r.warnings, 0, 100, "", "repeats without punishment; law 9: 1"},
@@ -129,8 +133,9 @@ Schema schemaOf(PenaltyRules& p) {
 }
 
 Schema schemaOf(GoalKickRules& g) {
-  Schema schema{{"ball", &g.ball, 0, kFarthest, "m",
-                 "in the taker's half, on its keeper's side of y; league program, law 13: anywhere in the area"}};
+  Schema schema{
+      {"ball", &g.ball, 0, kFarthest, "m",
+       "in the taker's half, on its keeper's side of y; league program, law 13: anywhere in the area"}};
   append(schema, g.places, "league program; the keeper's y follows the ball's side");
   return schema;
 }
@@ -138,7 +143,8 @@ Schema schemaOf(GoalKickRules& g) {
 std::optional<Flaw> tableFlaw(const PlaceTable& places, const char* table) {
   const auto tooMany = [&](const std::vector<Vec2>& list, const char* key) -> std::optional<Flaw> {
     if (list.size() <= kMaxTeamSize) return std::nullopt;
-    return Flaw{table, -1, key, fmt::format("has {} places; at most {} are allowed", list.size(), kMaxTeamSize)};
+    return Flaw{table, -1, key,
+                fmt::format("has {} places; at most {} are allowed", list.size(), kMaxTeamSize)};
   };
   if (auto flaw = tooMany(places.taker, "taker")) return flaw;
   return tooMany(places.other, "other");
@@ -150,6 +156,14 @@ std::optional<Flaw> placesFlaw(const Rules& rules) {
   if (auto flaw = tableFlaw(rules.free_kick.places, "free_kick")) return flaw;
   if (auto flaw = tableFlaw(rules.penalty.places, "penalty")) return flaw;
   return tableFlaw(rules.goal_kick.places, "goal_kick");
+}
+
+std::optional<Flaw> detectorFlaw(const Rules& rules) {
+  if (auto flaw = findFlaw(rules.goal)) return flaw;
+  if (auto flaw = findFlaw(rules.stuck)) return flaw;
+  if (auto flaw = findFlaw(rules.areas)) return flaw;
+  if (auto flaw = findFlaw(rules.keeper)) return flaw;
+  return findFlaw(rules.fouls);
 }
 
 }  // namespace
@@ -166,6 +180,11 @@ std::vector<RulesTable> tablesOf(Rules& r) {
       {"free_kick", "Law 11.", schemaOf(r.free_kick)},
       {"penalty", "Law 12. The mark is the field's.", schemaOf(r.penalty)},
       {"goal_kick", "Law 13.", schemaOf(r.goal_kick)},
+      {"goal", "Law 7.1.", schemaOf(r.goal)},
+      {"stuck", "Laws 13 and 14: the ball that nobody can move.", schemaOf(r.stuck)},
+      {"areas", "Laws 8.2 and 8.3: too many robots in a goal area.", schemaOf(r.areas)},
+      {"keeper", "Laws 2.2.3, 8.1 and 13: the keeper.", schemaOf(r.keeper)},
+      {"fouls", "Law 8.1: pushing and holding.", schemaOf(r.fouls)},
   };
 }
 
@@ -175,6 +194,7 @@ std::optional<Flaw> findFlaw(const Rules& rules) {
     if (auto flaw = rangeFlaw(table.schema, table.name)) return flaw;
   }
   if (auto flaw = placesFlaw(rules)) return flaw;
+  if (auto flaw = detectorFlaw(rules)) return flaw;
   const RestartRules& restart = rules.restart;
   if (restart.false_start_release > restart.false_start_distance) {
     return Flaw{"restart", -1, "false_start_release",
@@ -182,8 +202,9 @@ std::optional<Flaw> findFlaw(const Rules& rules) {
                             restart.false_start_distance)};
   }
   if (rules.shoot_out.max_kicks < rules.shoot_out.kicks) {
-    return Flaw{"shoot_out", -1, "max_kicks",
-                fmt::format("= {} must be at least kicks = {}", rules.shoot_out.max_kicks, rules.shoot_out.kicks)};
+    return Flaw{
+        "shoot_out", -1, "max_kicks",
+        fmt::format("= {} must be at least kicks = {}", rules.shoot_out.max_kicks, rules.shoot_out.kicks)};
   }
   return std::nullopt;
 }

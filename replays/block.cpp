@@ -19,8 +19,7 @@ std::uint64_t appendBlock(BlockType type, Codec codec, std::size_t raw_size, Byt
   writer.fixed(static_cast<std::uint32_t>(payload.size()));
   writer.fixed(static_cast<std::uint32_t>(raw_size));
   out.append(payload);
-  const std::uint64_t checksum =
-      XXH3_64bits_withSeed(out.data() + begin + 8, out.size() - begin - 8, seed);
+  const std::uint64_t checksum = XXH3_64bits_withSeed(out.data() + begin + 8, out.size() - begin - 8, seed);
   Bytes bytes;
   ByteWriter(bytes).fixed(checksum);
   out.replace(begin, bytes.size(), bytes);

@@ -17,7 +17,10 @@
 namespace fulbito {
 
 /// As in a PNG file: not text, and broken by any change of line ends.
-inline constexpr BytesView kMagic{"\x89" "FBR\r\n\x1a\n", 8};
+inline constexpr BytesView kMagic{
+    "\x89"
+    "FBR\r\n\x1a\n",
+    8};
 inline constexpr BytesView kEndMagic{"FBR.END\n", 8};
 inline constexpr std::size_t kPrologueSize = 12;  ///< magic and version
 inline constexpr std::size_t kBlockHeadSize = 24;

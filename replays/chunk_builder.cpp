@@ -176,8 +176,7 @@ void ChunkBuilder::drawing(const RecordedDrawing& drawing) {
   ByteWriter out(drawings_.bytes);
   out.signedVarint(drawing.tick - first_tick_);
   out.byte(static_cast<std::uint8_t>(2 * static_cast<unsigned>(drawing.kind) + indexOf(drawing.team)));
-  for (const double value :
-       {drawing.from.x, drawing.from.y, drawing.to.x, drawing.to.y, drawing.radius}) {
+  for (const double value : {drawing.from.x, drawing.from.y, drawing.to.x, drawing.to.y, drawing.radius}) {
     out.signedVarint(placeSteps(value));
   }
   out.text(drawing.text);
@@ -236,10 +235,9 @@ void ChunkBuilder::pack(Compressor& compressor, Bytes& out) {
   sections_.clear();
   putList(idOf(SectionId::kPlays), play_list_, compressor);
   putColumns(idOf(SectionId::kCommands), commands_, compressor);
-  for (const auto& [id, bytes] : {std::pair{SectionId::kCommands, &exact_commands_},
-                                  std::pair{SectionId::kTickHashes, &hashes_},
-                                  std::pair{SectionId::kPlaying, &runs_},
-                                  std::pair{SectionId::kChecks, &checks_}}) {
+  for (const auto& [id, bytes] :
+       {std::pair{SectionId::kCommands, &exact_commands_}, std::pair{SectionId::kTickHashes, &hashes_},
+        std::pair{SectionId::kPlaying, &runs_}, std::pair{SectionId::kChecks, &checks_}}) {
     const BytesView part = *bytes;
     if (!part.empty()) putSection(idOf(id), {&part, 1}, compressor);
   }

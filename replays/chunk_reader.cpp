@@ -229,9 +229,9 @@ class ChunkParser {
       if (robot > 0) event.robot = static_cast<std::uint8_t>(robot - 1);
       event.clause = in.text();
       event.law = in.text();
-      readNumbers({&event.play_time, &event.place.x, &event.place.y, &event.value, &event.threshold,
-                   &event.margin},
-                  in);
+      readNumbers(
+          {&event.play_time, &event.place.x, &event.place.y, &event.value, &event.threshold, &event.margin},
+          in);
     });
   }
 

@@ -15,16 +15,17 @@ constexpr int kPredictors = 3;
 
 std::uint32_t predict(int predictor, std::uint32_t last, std::uint32_t second_last) {
   switch (static_cast<Predictor>(predictor)) {
-    case Predictor::kLast: return last;
-    case Predictor::kLine: return 2 * last - second_last;
-    case Predictor::kNone: break;
+    case Predictor::kLast:
+      return last;
+    case Predictor::kLine:
+      return 2 * last - second_last;
+    case Predictor::kNone:
+      break;
   }
   return 0;
 }
 
-std::uint32_t folded(std::uint32_t difference) {
-  return (difference << 1) ^ (~(difference >> 31) + 1);
-}
+std::uint32_t folded(std::uint32_t difference) { return (difference << 1) ^ (~(difference >> 31) + 1); }
 std::uint32_t unfolded(std::uint32_t value) { return (value >> 1) ^ (~(value & 1) + 1); }
 
 /// The predictor that leaves least, by the sum of what it leaves.
@@ -43,7 +44,8 @@ int bestPredictor(const Columns& table, std::size_t column) {
 }
 
 /// Appends what a predictor leaves of one column; all its bits in one.
-std::uint32_t leave(const Columns& table, std::size_t column, int predictor, std::vector<std::uint32_t>& left) {
+std::uint32_t leave(const Columns& table, std::size_t column, int predictor,
+                    std::vector<std::uint32_t>& left) {
   std::uint32_t last = 0, second_last = 0, all = 0;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const auto value = static_cast<std::uint32_t>(table.at(column, row));

@@ -73,7 +73,8 @@ class Fields {
     if (!value->is_array() || value->size() > most) {
       return complain(key, fmt::format("is not a list of at most {} items", most));
     }
-    for (std::size_t i = 0; i < value->size(); ++i) each((*value)[i], fmt::format("{}{}[{}]", where_, key, i));
+    for (std::size_t i = 0; i < value->size(); ++i)
+      each((*value)[i], fmt::format("{}{}[{}]", where_, key, i));
   }
   template <typename Each>
   void entries(const char* key, const Each& each) {
@@ -186,7 +187,8 @@ double figureOf(const Json& json) { return json.is_number() ? json.get<double>()
 
 std::optional<std::string> flawOf(const RecordingHeader& header) {
   if (header.control_rate < 1 || header.control_rate > 1000) return "control_rate is outside 1 ... 1000 Hz";
-  if (header.sample_every < 1 || header.sample_every > 1000) return "sample_every is outside 1 ... 1000 ticks";
+  if (header.sample_every < 1 || header.sample_every > 1000)
+    return "sample_every is outside 1 ... 1000 ticks";
   if (header.chunk_ticks < 1 || header.chunk_ticks > kMaxChunkTicks) {
     return fmt::format("chunk_ticks is outside 1 ... {} ticks", kMaxChunkTicks);
   }

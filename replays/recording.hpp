@@ -14,9 +14,9 @@
 #include "engine/core/team.hpp"
 #include "engine/core/values.hpp"
 
-/// What a recording (`.fbr`, docs/recordings.md) holds, as plain values. It says how everything began and what
-/// drove every robot, so that a reader can play all of it again and prove that it gets the same states; and,
-/// at the full level, where everything was, so that a viewer needs no physics.
+/// What a recording (`.fbr`, docs/recordings.md) holds, as plain values. It says how everything began and
+/// what drove every robot, so that a reader can play all of it again and prove that it gets the same states;
+/// and, at the full level, where everything was, so that a viewer needs no physics.
 namespace fulbito {
 
 /// Version of the file format that this library writes and reads.
@@ -60,10 +60,10 @@ struct RecordingRecipe {
 struct RecordingHeader {
   RecordingKind kind = RecordingKind::kMatch;
   RecordingLevel level = RecordingLevel::kFull;
-  int control_rate = 60;       ///< [Hz] ticks a second, 1 ... 1000
-  double command_step = 0.01;  ///< [rad/s] commands are multiples of it; 0: any number
-  int sample_every = 2;        ///< ticks between sampled states
-  int chunk_ticks = 300;       ///< ticks that are lost at most when the file is cut
+  int control_rate = 60;             ///< [Hz] ticks a second, 1 ... 1000
+  double command_step = 0.01;        ///< [rad/s] commands are multiples of it; 0: any number
+  int sample_every = 2;              ///< ticks between sampled states
+  int chunk_ticks = 300;             ///< ticks that are lost at most when the file is cut
   std::vector<RecordedBody> bodies;  ///< robots, then balls, then obstacles
   RecordingRecipe recipe;
   BuildInfo build;
@@ -93,7 +93,7 @@ struct RecordedPlay {
   Tick play_ticks = 0;  ///< of play so far in this period
   PerTeam<int> score{};
   Side blue_side = Side::kLeft;
-  std::uint64_t hash = 0;            ///< running hash before the play's first tick
+  std::uint64_t hash = 0;             ///< running hash before the play's first tick
   std::vector<RecordedStart> starts;  ///< one a body of the header
 };
 
@@ -164,7 +164,7 @@ struct RecordingResult {
   bool complete = true;  ///< false: stopped before its own end
   PerTeam<int> score{};
   std::uint64_t final_hash = 0;                          ///< running hash after the last tick
-  std::string outcome;                                   ///< of a trial: a TrialOutcome's name; of a match: blue, yellow or draw
+  std::string outcome;  ///< of a trial: a TrialOutcome's name; of a match: blue, yellow or draw
   std::vector<std::pair<std::string, double>> figures;  ///< by name
 };
 

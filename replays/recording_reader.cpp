@@ -48,10 +48,14 @@ Result<std::string> bytesOf(const std::string& name) {
 
 std::string nameOf(BlockType type) {
   switch (type) {
-    case BlockType::kHeader: return "header";
-    case BlockType::kChunk: return "chunk";
-    case BlockType::kResult: return "result";
-    case BlockType::kIndex: return "index";
+    case BlockType::kHeader:
+      return "header";
+    case BlockType::kChunk:
+      return "chunk";
+    case BlockType::kResult:
+      return "result";
+    case BlockType::kIndex:
+      return "index";
   }
   return "unknown block";
 }
@@ -88,7 +92,8 @@ struct RecordingReader::Impl {
   Step readHeader() {
     const auto block = blockAt(bytes, kPrologueSize, blockSeed(0, 0));
     if (!block) {
-      return bad(block.error() == BlockFlaw::kCut ? "cut before the end of its header" : "its header is damaged");
+      return bad(block.error() == BlockFlaw::kCut ? "cut before the end of its header"
+                                                  : "its header is damaged");
     }
     if (block->type != BlockType::kHeader) return badBlock(*block, "a header was expected");
     const auto text = textOf(*block);
@@ -124,10 +129,14 @@ struct RecordingReader::Impl {
 
   Step take(const Block& block) {
     switch (block.type) {
-      case BlockType::kChunk: return takeChunk(block);
-      case BlockType::kResult: return takeResult(block);
-      case BlockType::kIndex: return takeIndex(block);
-      case BlockType::kHeader: break;
+      case BlockType::kChunk:
+        return takeChunk(block);
+      case BlockType::kResult:
+        return takeResult(block);
+      case BlockType::kIndex:
+        return takeIndex(block);
+      case BlockType::kHeader:
+        break;
     }
     return badBlock(block, "it does not belong there");
   }

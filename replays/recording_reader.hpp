@@ -14,8 +14,8 @@ struct RecordingReadOptions {
   bool salvage = false;  ///< of a damaged file, what precedes the damage is read as if it were cut there
 };
 
-/// Reads a recording. All checksums and the order of chunks are checked when it is opened; a chunk is unpacked
-/// when it is asked for.
+/// Reads a recording. All checksums and the order of chunks are checked when it is opened; a chunk is
+/// unpacked when it is asked for.
 class RecordingReader {
  public:
   /// Errors: kIo; kBadInput naming the file, the block and its place, for what is no recording, of another

@@ -6,6 +6,7 @@
 
 #include "engine/core/suggest.hpp"
 #include "strategies/chaser.hpp"
+#include "strategies/libero.hpp"
 
 namespace fulbito {
 namespace {
@@ -15,7 +16,7 @@ constexpr const char* kNavigatorSetting = "navigator";
 }  // namespace
 
 std::span<const TeamInfo> teams() {
-  static const std::vector<TeamInfo> entries = {chaserInfo()};
+  static const std::vector<TeamInfo> entries = {chaserInfo(), liberoInfo()};
   return entries;
 }
 

@@ -15,7 +15,8 @@ Columns tableOf(const std::vector<std::vector<std::int32_t>>& columns) {
   Columns table(columns.size(), columns.front().size() + 3);
   for (std::size_t row = 0; row < columns.front().size(); ++row) {
     table.addRow();
-    for (std::size_t column = 0; column < columns.size(); ++column) table.at(column, row) = columns[column][row];
+    for (std::size_t column = 0; column < columns.size(); ++column)
+      table.at(column, row) = columns[column][row];
   }
   return table;
 }

@@ -54,7 +54,8 @@ TEST_CASE("a recording that was cut anywhere reads up to its last whole chunk", 
     last = reader->ticks();
     Tick expected = 0;
     for (std::size_t i = 1; i < blocks.size(); ++i) {
-      if (blocks[i].type == BlockType::kChunk && blocks[i].end() <= size) expected = i == 4 ? 70 : 20 * Tick(i);
+      if (blocks[i].type == BlockType::kChunk && blocks[i].end() <= size)
+        expected = i == 4 ? 70 : 20 * Tick(i);
     }
     REQUIRE(reader->ticks() == expected);
   }
@@ -112,7 +113,8 @@ TEST_CASE("a chunk with any content and a right checksum gives values or an erro
       refused += readChunk(payload, header) ? 0 : 1;
     }
     for (int trial = 0; trial < 2000; ++trial) {
-      std::string payload(block.payload.substr(0, rng.below(static_cast<std::uint32_t>(block.payload.size()))));
+      std::string payload(
+          block.payload.substr(0, rng.below(static_cast<std::uint32_t>(block.payload.size()))));
       for (std::uint32_t i = rng.below(8); i > 0 && !payload.empty(); --i) {
         payload[rng.below(static_cast<std::uint32_t>(payload.size()))] = static_cast<char>(rng.bits32());
       }

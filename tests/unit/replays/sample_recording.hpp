@@ -63,8 +63,9 @@ class Teller {
       if (tick % 23 == 0) play(tick, tick == 23);
       step(tick);
       if (tick % 7 == 0) event(tick + 1);
-      if (tick % 9 == 0) writer_.add(RecordedDrawing{tick + 1, TeamId::kYellow, RecordedDrawing::Kind::kText,
-                                                     {0.1234, -0.5}, {}, 0.25, "pass"});
+      if (tick % 9 == 0)
+        writer_.add(RecordedDrawing{
+            tick + 1, TeamId::kYellow, RecordedDrawing::Kind::kText, {0.1234, -0.5}, {}, 0.25, "pass"});
     }
     if (!finish) return;
     told_.result.ticks = ticks;
