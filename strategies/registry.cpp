@@ -20,7 +20,7 @@ constexpr const char* kNavigatorSetting = "navigator";
 
 std::span<const TeamInfo> teams() {
   static const std::vector<TeamInfo> entries = {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(),
-                                              liberoInfo()};
+                                                liberoInfo()};
   return entries;
 }
 
