@@ -59,6 +59,11 @@ class Libero final : public Strategy {
     if (ours && keeper_ >= 0) {
       // The keeper's alone: beside the area, off the way of those who come, ready for what comes out.
       const double side = ball_.now().position.y >= 0.0 ? 1.0 : -1.0;
+      Vec2 follower;
+      if (rank == 0 && 0 > 0 && followerInArea(picture, follower)) {
+        ++rank;
+        return passThrough(pitch_, picture.own(robot), follower, pitch_.speed);
+      }
       const Vec2 wait = rank++ == 0 ? Vec2{-pitch_.half_length + 0.5, side * 0.45}
                                     : Vec2{-pitch_.half_length + 0.5, -side * 0.3};
       return supportTo(picture, robot, wait);
@@ -67,6 +72,21 @@ class Libero final : public Strategy {
     place = outOfOwnArea(pitch_, place, 0.07);
     if (inTheirArea(pitch_, ball_.now().position, 0.1)) place = outOfTheirArea(pitch_, place, 0.08);
     return supportTo(picture, robot, place);
+  }
+
+  /// An opponent who follows another into our area, the farther one from the ball: it may not take part.
+  bool followerInArea(const Picture& picture, Vec2& place) const {
+    int inside = 0;
+    double farthest = 0.0;
+    for (int i = 0; i < picture.seen.team_size; ++i) {
+      if (!picture.opponentPresent(i)) continue;
+      const Vec2 body = picture.opponent(i).pose.position;
+      if (!inOwnArea(pitch_, body, 0.04)) continue;
+      ++inside;
+      const double from_ball = squaredNorm(body - ball_.now().position);
+      if (from_ball > farthest) farthest = from_ball, place = body;
+    }
+    return inside >= 2;
   }
 
   Twist legal(const Picture& picture, int robot, Twist wanted) const {

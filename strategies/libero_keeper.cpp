@@ -32,6 +32,15 @@ bool crossing(const Picture& picture, double line, double& y) {
 Twist slideTo(const Picture& picture, const RobotState& self, double line, double y) {
   const Pitch& pitch = picture.pitch;
   const double dx = line - self.pose.position.x, dy = y - self.pose.position.y;
+  const Vec2 rel = picture.ball.now().position - self.pose.position;
+  if (dx > 0.02 && 1 > 0 && squaredNorm(rel) < 0.13 * 0.13 && rel.x > 0.0) {
+    // Pushed into the goal with the ball before it: stay side on and before the ball, turning would let it
+    // in.
+    const double along = self.pose.heading >= 0.0 ? math::kPi / 2 : -math::kPi / 2;
+    const double ahead = picture.ball.at(0.05).y - self.pose.position.y;
+    return {std::copysign(1.0, self.pose.heading) * std::clamp(15.0 * ahead, -pitch.speed, pitch.speed),
+            std::clamp(12.0 * foldedError(along, self.pose.heading), -8.0, 8.0)};
+  }
   if (std::abs(dx) > 0.06 || std::abs(dy) > 0.35) return restAt(pitch, self, {line, y}, math::kPi / 2);
   const double fast = std::min(pitch.speed, std::sqrt(2.0 * 0.8 * pitch.acceleration * std::abs(dy)));
   const double speed = std::copysign(std::min(fast, 20.0 * std::abs(dy)), dy);

@@ -169,6 +169,11 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
       squaredNorm(rel) > 0.055 * 0.055) {
     return passThrough(pitch, self, now.position, pitch.speed);
   }
+  if (picture.seen.restart == RestartKind::kFreeBall && picture.seen.since_restart < 0.25 &&
+      squaredNorm(rel) > 0.055 * 0.055) {
+    return passThrough(pitch, self, now.position + Vec2{0.0, 0.03 * std::copysign(1.0, now.position.y)},
+                       pitch.speed);
+  }
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
   const Vec2 ball = close ? now.position + now.velocity * 0.03 : meet.ball;
@@ -176,7 +181,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   Aim aim = aimAt(pitch, ball, {pitch.half_length + 0.02, memory.mouth});
   const bool pinned = aim.wall && squaredNorm(rel) < 0.085 * 0.085 && squaredNorm(now.velocity) < 0.2 * 0.2 &&
                       dot(unitOr(rel, {}), aim.direction) < 0.5;
-  if (now.position.x > 0.2 && (memory.jammed > 0.35 || pinned) && memory.locked <= 0.0) {
+  if (now.position.x > 9.0 && (memory.jammed > 0.35 || pinned) && memory.locked <= 0.0) {
     memory.spin_left = kSpinTime;
     memory.jammed = 0.0;
     memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
@@ -185,7 +190,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   if (!aim.wall) aim.direction = blow(aim.direction, now.velocity);
   if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory);
   return driveThrough(pitch, self, aim.contact, aim.direction, pitch.speed,
-                      kRound + 0.0 * std::min(2, crowdAt(picture, now.position)), memory);
+                      kRound + 0.03 * std::min(2, crowdAt(picture, now.position)), memory);
 }
 
 }  // namespace fulbito::libero
