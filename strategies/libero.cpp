@@ -23,14 +23,12 @@ class Libero final : public Strategy {
     spin_.reset();
     striker_ = -1;
     strike_ = {};
-    keep_ = {};
   }
 
   TeamCommand decide(const Observation& observation) override {
     if (observation.since_restart < observation.dt / 2) {
       spin_.reset();
       strike_ = {};
-      keep_ = {};
       held_ = 1.0;
     }
     ball_.compute(pitch_, spin_.update(pitch_, observation.ball));
@@ -53,7 +51,7 @@ class Libero final : public Strategy {
 
  private:
   Twist play(const Picture& picture, int robot, int& rank) {
-    if (robot == keeper_) return keep(picture, robot, keep_);
+    if (robot == keeper_) return keep(picture, robot);
     const bool ours = inOwnArea(pitch_, ball_.at(0.2), 0.0);
     if (robot == striker_ && !(ours && keeper_ >= 0)) return strike(picture, robot, strike_);
     if (ours && keeper_ >= 0) {
@@ -131,7 +129,6 @@ class Libero final : public Strategy {
   int striker_ = -1;
   double held_ = 1.0;  // [s] since the striker was chosen
   StrikerMemory strike_;
-  KeeperMemory keep_;
 };
 
 }  // namespace
