@@ -22,6 +22,7 @@ struct RestartCall {
   Tick delay = 0;               ///< from the placement to the signal, in ticks
   bool defenders_back = false;  ///< law 9: the other team stands no farther than its own area's edge
   Placement defaults;           ///< the rules' own placement
+  PerTeam<TeamPoses> stays;     ///< of a free ball where robots stay: where each would without taking a mark
 };
 
 /// What the referee works with during the whole match.

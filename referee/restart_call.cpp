@@ -118,6 +118,7 @@ void stayAtFreeBall(const RefereeSetup& setup, const RefereeState& state, const 
     pose.position = movedBack(pose.position, call.ball, own, setup.rules.free_ball.distance);
     call.defaults.robots[indexOf(id.team)][id.number] = pose;
   }
+  call.stays = call.defaults.robots;
   if (!setup.rules.free_ball.take_marks) return;
   for (const TeamId team : kTeams) {
     const double own = ownSign(state, team);
