@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/drill.hpp"
 #include "apps/rules.hpp"
 #include "engine/core/build_info.hpp"
 #include "engine/core/suggest.hpp"
@@ -24,6 +25,7 @@ struct Options {
   ShowOptions show;
   BenchCommand bench;
   RulesOptions rules;
+  DrillCommand drill;
   bool version_json = false;
 };
 
@@ -183,6 +185,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("show")) return show(options.show);
   if (app.got_subcommand("bench")) return bench(options.bench);
   if (app.got_subcommand("rules")) return rules(options.rules);
+  if (app.got_subcommand("drill")) return drill(options.drill);
   return version(options.version_json);
 }
 
@@ -205,6 +208,7 @@ int mainWithoutCatch(int argc, char** argv) {
   const CLI::App* compare_command = addCompare(app, options);
   addRest(app, options);
   addRules(app, options.rules);
+  addDrill(app, options.drill);
   if (const auto error = wrongCommand(app, argc, argv)) return report(*error);
   try {
     app.parse(argc, argv);

@@ -34,6 +34,9 @@ MatchReferee::MatchReferee(const RefereeSetup& setup) : setup_(setup) {
   for (const TeamId team : kTeams) {
     if (!setup.present[indexOf(other(team))] && setup.present[indexOf(team)]) state_.first_kick_off = team;
   }
+  state_.score = setup.scoreboard.score;
+  state_.period = setup.scoreboard.period;
+  state_.play_ticks = ticksOf(setup.scoreboard.play_seconds, setup.dt);
 }
 
 TeamId MatchReferee::toss(std::uint64_t index) const {

@@ -11,6 +11,7 @@
 #include "engine/core/team.hpp"
 #include "referee/placement.hpp"
 #include "referee/rules.hpp"
+#include "referee/scoreboard.hpp"
 
 namespace fulbito {
 
@@ -35,6 +36,7 @@ struct RefereeSetup {
   std::uint64_t seed = 0;  ///< of the match: coin tosses
   Side blue_side = Side::kLeft;
   PerTeam<bool> present{true, true};  ///< false: the team did not come (law 7.3)
+  Scoreboard scoreboard;              ///< how the match stands at its beginning
 };
 
 /// Number of a period in `RefereeState::period` and `GameEvent::period`.
