@@ -106,8 +106,7 @@ std::optional<RestartCall> MatchReferee::observe(const MatchView& view, Events& 
   const bool nobody = !setup_.present[0] && !setup_.present[1];
   const bool one = setup_.present[0] != setup_.present[1];
   if (nobody || (one && setup_.rules.walk_over.mode == WalkOver::kForfeit)) return walkOver(view, events);
-  if (const auto finding = detect(view, setup_, state_, memory_, events))
-    return conclude(*finding, view, events);
+  if (const auto finding = detect(view, setup_, state_, memory_)) return conclude(*finding, view, events);
   if (state_.play_ticks >= periodTicks()) return endPeriod(view, events);
   return std::nullopt;
 }
