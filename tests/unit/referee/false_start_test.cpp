@@ -32,7 +32,8 @@ bool jump(PaperMatch& match, TeamId team, std::uint8_t number = 1) {
 /// Brings the match to a restart of this kind for blue.
 PaperMatch at(RestartKind kind) {
   PaperMatch match(waiting());
-  match.begin(makeCall(match.referee.setup(), match.referee.state(), {kind, TeamId::kBlue, {0.3, 0.3}, nullptr}));
+  match.begin(
+      makeCall(match.referee.setup(), match.referee.state(), {kind, TeamId::kBlue, {0.3, 0.3}, nullptr}));
   return match;
 }
 
@@ -111,7 +112,8 @@ TEST_CASE("defenders that move at a kick-off go back to their area", "[unit]") {
   }
 }
 
-TEST_CASE("a keeper that moves at a penalty gets a card, then stays out for a while or until a goal", "[unit]") {
+TEST_CASE("a keeper that moves at a penalty gets a card, then stays out for a while or until a goal",
+          "[unit]") {
   PaperMatch match = at(RestartKind::kPenalty);
   const auto& keeper = match.referee.state().robots[indexOf(TeamId::kYellow)][0];
   jump(match, TeamId::kYellow, 0);

@@ -150,7 +150,7 @@ TEST_CASE("a shoot-out by table: order of the kicks, early ends, sudden death", 
   struct Row {
     ShootOutOrder order;
     int kicks;
-    std::string hits;   // of all kicks in order: x hit, - miss
+    std::string hits;            // of all kicks in order: x hit, - miss
     std::string order_of_kicks;  // f the first team, s the second
     char winner;
   };

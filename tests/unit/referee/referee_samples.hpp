@@ -29,8 +29,7 @@ class PaperMatch {
   void begin(const RestartCall& next) {
     call = next;
     ++restarts;
-    const Placement placement =
-        place(referee.setup(), referee.state(), call, {}, events);
+    const Placement placement = place(referee.setup(), referee.state(), call, {}, events);
     ids.clear();
     robots.clear();
     for (const TeamId team : kTeams) {

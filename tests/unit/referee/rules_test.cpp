@@ -74,8 +74,8 @@ TEST_CASE("a bad profile is refused with file, line, key and range", "[unit]") {
   CHECK(errorOf("[rules]\n[shoot_out]\nkicks = 30\n").find("x.toml:2: shoot_out.max_kicks") == 0);
   CHECK(errorOf("[rules]\n[restart]\nfalse_start_release = 0.5\n") ==
         "x.toml:3: restart.false_start_release = 0.5 must be at most false_start_distance = 0.02");
-  CHECK(errorOf("[rules]\n[goal_kick]\ntaker = [[0.1, 0.2], [1, 2], 3]\n").find("x.toml:3: goal_kick.taker[2]") ==
-        0);
+  CHECK(errorOf("[rules]\n[goal_kick]\ntaker = [[0.1, 0.2], [1, 2], 3]\n")
+            .find("x.toml:3: goal_kick.taker[2]") == 0);
   CHECK(errorOf("[rules]\n[goal_kick]\ntaker = [[0.1, nan]]\n").find("x.toml:3: goal_kick.taker[0]") == 0);
   CHECK(errorOf("[rules]\n[referee]\n").find("x.toml:2: 'referee' is not a table of this file.") == 0);
   std::string many = "[rules]\n[kick_off]\ntaker = [[0, 0]";
