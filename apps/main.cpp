@@ -24,8 +24,8 @@ struct Options {
   ListOptions list;
   ShowOptions show;
   BenchCommand bench;
-  RulesOptions rules;
   DrillCommand drill;
+  RulesOptions rules;
   bool version_json = false;
 };
 
@@ -184,8 +184,8 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("list")) return list(options.list);
   if (app.got_subcommand("show")) return show(options.show);
   if (app.got_subcommand("bench")) return bench(options.bench);
-  if (app.got_subcommand("rules")) return rules(options.rules);
   if (app.got_subcommand("drill")) return drill(options.drill);
+  if (app.got_subcommand("rules")) return rules(options.rules);
   return version(options.version_json);
 }
 
@@ -207,8 +207,8 @@ int mainWithoutCatch(int argc, char** argv) {
   const CLI::App* run_command = addRun(app, options);
   const CLI::App* compare_command = addCompare(app, options);
   addRest(app, options);
-  addRules(app, options.rules);
   addDrill(app, options.drill);
+  addRules(app, options.rules);
   if (const auto error = wrongCommand(app, argc, argv)) return report(*error);
   try {
     app.parse(argc, argv);
