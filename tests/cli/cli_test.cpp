@@ -249,7 +249,9 @@ TEST_CASE("list and show print every kind, as text and JSON", "[cli]") {
 
 TEST_CASE("profiles of rules are listed, shown, and checked with file, line, key and range", "[cli]") {
   const Sandbox box;
-  for (const auto& entry : Json::parse(box.run("list rules --json").out)["rules"]) {
+  const Json listed = Json::parse(box.run("list rules --json").out);
+  REQUIRE(listed["rules"].size() == 4);
+  for (const Json& entry : listed["rules"]) {
     const std::string name = entry["name"];
     const Output shown = box.run("rules show " + name);
     CHECK(shown.code == 0);
