@@ -1,25 +1,17 @@
 #include "match/match.hpp"
 
+#include <utility>
+
 #include "engine/core/hash.hpp"
-#include "strategies/team_frame.hpp"
-#include "strategies/team_pilots.hpp"
+#include "match/check_match.hpp"
+#include "match/restart.hpp"
+#include "match/seat.hpp"
+#include "match/stage_clock.hpp"
 
 namespace fulbito {
 namespace {
 
-MatchInfo infoOf(const MatchConfig& config, TeamId team) {
-  MatchInfo info;
-  info.field = config.field;
-  info.robot = config.robot.robot;
-  info.ball = config.robot.ball;
-  info.physics = config.physics;
-  info.team_size = config.rules.team_size;
-  info.half_seconds = config.rules.half_seconds;
-  info.observation_age = config.vision.latency_ticks * config.physics.controlPeriod();
-  info.position_noise = config.vision.position_noise;
-  info.seed = config.seed * 2 + indexOf(team);
-  return info;
-}
+constexpr std::size_t kRoomForEvents = 64;
 
 RefereeSetup setupOf(const MatchConfig& config) {
   RefereeSetup setup;
@@ -29,106 +21,181 @@ RefereeSetup setupOf(const MatchConfig& config) {
   setup.ball = config.robot.ball;
   setup.dt = config.physics.controlPeriod();
   setup.seed = config.seed;
+  setup.scoreboard = config.scoreboard;
   return setup;
 }
 
-/// A team with its navigation stage and its last decision.
-struct Seat {
-  std::unique_ptr<Strategy> strategy;
-  TeamPilots pilots;
-  Observation observation;
-  TeamCommand command;
-};
+RestartCall givenStart(const Placement& placement) {
+  RestartCall call;
+  call.kind = RestartKind::kGiven;
+  call.ball = placement.ball;
+  call.defaults = placement;
+  return call;
+}
 
 }  // namespace
 
 struct Match::Impl {
-  explicit Impl(const MatchConfig& c) : config(c), referee(setupOf(c)) {}
-
-  Side sideOf(TeamId team) const {
-    const Side blue = referee.state().blue_side;
-    return team == TeamId::kBlue ? blue : opposite(blue);
+  explicit Impl(const MatchConfig& from)
+      : config(from), referee(setupOf(from)), misplacing(from.seed, Stream::kPlacement) {
+    events.reserve(kRoomForEvents);
+    seats.reserve(kTeams.size());
   }
-  void begin(const RestartCall& call);
-  void observe(TeamId team);
-  void actuate(TeamId team, const std::array<WheelSpeeds, kMaxTeamSize>& wheels);
+
+  Result<void> open();
+  void start();
+  void announce();
+  void sense();
+  void decide();
+  void advance();
+  std::optional<RestartCall> judge();
+  void prepare(const RestartCall& call);
+  void report();
+  void begin(Play&& play);
+
+  Result<Play> placed(const RestartCall& call);
+  Moment moment() const { return {tick, &play->world.state(), play->ids, &referee.state()}; }
+  GameEvent eventNow() const;
 
   MatchConfig config;
   MatchReferee referee;
+  Rng misplacing;
   std::vector<Seat> seats;
-  std::optional<World> world;
-  std::vector<RobotId> ids;
+  std::optional<Play> play;
+  std::optional<Play> next;  ///< the play that follows the tick which is being reported
   std::vector<WheelSpeeds> commands;
   std::vector<GameEvent> events;
   std::vector<MatchObserver*> observers;
   Tick tick = 0;
   StateHash hash;
-  bool begun = false;
+  std::optional<Error> abandoned;
+  StageClock stages;
+  MatchClock watchdog;
+  std::int64_t decision_limit = 0;
+  bool started = false;
   bool ended = false;
 };
 
-void Match::Impl::begin(const RestartCall& call) {
-  events.clear();
-  const Placement& placement = call.defaults;
-  WorldConfig setup;
-  setup.field = config.field;
-  setup.physics = config.physics;
-  ids.clear();
-  for (const TeamId team : kTeams) {
-    for (int i = 0; i < config.rules.team_size; ++i) {
-      const auto& pose = placement.robots[indexOf(team)][static_cast<std::size_t>(i)];
-      if (!pose) continue;
-      ids.push_back({team, static_cast<std::uint8_t>(i)});
-      setup.robots.push_back({config.robot.robot, *pose, {}, 0.0});
-    }
+Result<Play> Match::Impl::placed(const RestartCall& call) {
+  if (call.kind == RestartKind::kGiven) return makePlay(config, call, call.defaults);
+  std::vector<GameEvent> repairs;
+  Placement placement = placementOf(call, referee, {&seats[0].strategy(), &seats[1].strategy()}, repairs);
+  misplace(placement, call, referee, config.placement_error, misplacing);
+  auto made = makePlay(config, call, placement);
+  if (made) made->events = std::move(repairs);
+  return made;
+}
+
+Result<void> Match::Impl::open() {
+  const RestartCall kick_off = referee.open();
+  auto first = placed(config.start ? givenStart(*config.start) : kick_off);
+  if (!first) {
+    return fail(first.error().code,
+                (config.start ? "start state: " : "first restart: ") + first.error().message);
   }
-  setup.balls.push_back({config.robot.ball, placement.ball, placement.ball_velocity, {}});
-  auto made = World::create(setup);
-  if (!made) return;
-  world.emplace(std::move(*made));
-  commands.assign(ids.size(), {});
-  for (Seat& seat : seats) seat.pilots.reset();
-  referee.restarted(call, placement, tick);
-  const PlayStart start{tick, call, placement, ids, &world->config(), events, &referee.state()};
+  begin(std::move(*first));
+  return {};
+}
+
+void Match::Impl::begin(Play&& from) {
+  play.emplace(std::move(from));
+  commands.assign(play->ids.size(), {});
+  referee.restarted(play->call, play->placement, tick);
+  for (Seat& seat : seats) seat.reset(moment());
+}
+
+void Match::Impl::announce() {
+  const PlayStart start{tick,         play->call,      play->placement, play->ids, &play->world.config(),
+                        play->events, &referee.state()};
   for (MatchObserver* observer : observers) observer->playBegins(start);
+  stages.lap(&MatchProfile::record);
 }
 
-void Match::Impl::observe(TeamId team) {
-  Observation& seen = seats[indexOf(team)].observation;
+void Match::Impl::start() {
+  if (started) return;
+  started = true;
+  for (MatchObserver* observer : observers) observer->matchBegins(config);
+  announce();
+}
+
+GameEvent Match::Impl::eventNow() const {
   const RefereeState& state = referee.state();
-  const Side side = sideOf(team);
-  const WorldState& now = world->state();
-  seen.tick = tick;
-  seen.dt = config.physics.controlPeriod();
-  seen.team_size = config.rules.team_size;
-  for (auto* robots : {&seen.own, &seen.opponents}) {
-    for (ObservedRobot& robot : *robots) robot.present = false;
-  }
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    auto& robots = ids[i].team == team ? seen.own : seen.opponents;
-    ObservedRobot& robot = robots[ids[i].number];
-    robot.present = true;
-    robot.state = inTeamFrame(side, now.robots[i]);
-    if (ids[i].team != team) robot.state.wheels = {};
-  }
-  seen.ball = inTeamFrame(side, now.balls.front());
-  seen.ball.spin = {};
-  seen.playing = state.playing;
-  seen.restart = state.last.kind;
-  seen.restart_is_ours = state.last.team == team;
-  seen.since_restart = static_cast<double>(tick - state.play_began) * seen.dt;
-  seen.period = state.period;
-  seen.remaining = config.rules.half_seconds - static_cast<double>(state.play_ticks) * seen.dt;
-  seen.own_score = state.score[indexOf(team)];
-  seen.opponent_score = state.score[indexOf(other(team))];
+  GameEvent event;
+  event.tick = tick;
+  event.play_time = static_cast<double>(state.play_ticks) * config.physics.controlPeriod();
+  event.period = static_cast<std::uint8_t>(state.period);
+  event.place = play->world.state().balls.front().position;
+  return event;
 }
 
-void Match::Impl::actuate(TeamId team, const std::array<WheelSpeeds, kMaxTeamSize>& wheels) {
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (ids[i].team != team) continue;
-    commands[i] =
-        roundedTo(saturate(config.robot.robot, wheels[ids[i].number]), config.physics.wheel_command_step);
+void Match::Impl::sense() {
+  const Moment now = moment();
+  for (Seat& seat : seats) seat.sense(now);
+  stages.lap(&MatchProfile::sense);
+}
+
+void Match::Impl::decide() {
+  const GameEvent now = eventNow();
+  for (Seat& seat : seats) {
+    const std::int64_t begun = watchdog ? watchdog() : 0;
+    TeamCommand decision = seat.decide();
+    const bool late = watchdog && watchdog() - begun > decision_limit;
+    stages.lap(&MatchProfile::decide);
+    seat.policy().take(std::move(decision), late, now, events);
+    stages.lap(&MatchProfile::navigate);
   }
+}
+
+void Match::Impl::advance() {
+  PerTeam<std::array<WheelSpeeds, kMaxTeamSize>> wheels;
+  for (const TeamId team : kTeams) wheels[indexOf(team)] = seats[indexOf(team)].drive();
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const RobotId id = play->ids[i];
+    Seat& seat = seats[indexOf(id.team)];
+    commands[i] = seat.policy().actuated(wheels[indexOf(id.team)][id.number]);
+    seat.told(id.number, commands[i]);
+  }
+  stages.lap(&MatchProfile::navigate);
+  play->world.step(commands);
+  ++tick;
+  hash.add(play->world.state());
+  stages.lap(&MatchProfile::step);
+}
+
+std::optional<RestartCall> Match::Impl::judge() {
+  const WorldState& world = play->world.state();
+  const MatchView view{tick, play->ids, world.robots, world.balls.front(), play->world.contacts()};
+  auto call = referee.observe(view, events);
+  stages.lap(&MatchProfile::referee);
+  return call;
+}
+
+void Match::Impl::prepare(const RestartCall& call) {
+  auto made = placed(call);
+  if (made) {
+    next.emplace(std::move(*made));
+  } else {
+    abandoned = made.error();
+    GameEvent event = eventNow();
+    event.clause = "match.abandoned";
+    event.law = "policy";
+    events.push_back(event);
+  }
+  stages.lap(&MatchProfile::restart);
+}
+
+void Match::Impl::report() {
+  const MatchTick done{tick,
+                       play->ids,
+                       commands,
+                       &play->world.state(),
+                       play->world.contacts(),
+                       events,
+                       &referee.state(),
+                       {&seats[0].policy().command(), &seats[1].policy().command()},
+                       hash.value()};
+  for (MatchObserver* observer : observers) observer->ticked(done);
+  stages.lap(&MatchProfile::record);
 }
 
 Match::Match(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -137,57 +204,52 @@ Match& Match::operator=(Match&&) noexcept = default;
 Match::~Match() = default;
 
 Result<Match> Match::create(const MatchConfig& config) {
+  if (auto checked = checkMatch(config); !checked) return tl::unexpected<Error>(checked.error());
   auto impl = std::make_unique<Impl>(config);
   for (const TeamId team : kTeams) {
-    auto strategy = makeTeam(config.teams[indexOf(team)]);
-    if (!strategy) return tl::unexpected<Error>(strategy.error());
-    const MatchInfo info = infoOf(config, team);
-    (*strategy)->begin(info);
-    auto pilots = TeamPilots::create(info, (*strategy)->navigators());
-    if (!pilots) return tl::unexpected<Error>(pilots.error());
-    impl->seats.push_back({std::move(*strategy), std::move(*pilots), {}, {}});
+    auto seat = Seat::create(config, team);
+    if (!seat) {
+      return fail(seat.error().code, std::string(nameOf(team)) + " team: " + seat.error().message);
+    }
+    impl->seats.push_back(std::move(*seat));
   }
+  if (auto opened = impl->open(); !opened) return tl::unexpected<Error>(opened.error());
   return Match(std::move(impl));
 }
 
 void Match::watch(MatchObserver& observer) { impl_->observers.push_back(&observer); }
-void Match::measure(const MatchClock&, MatchProfile&) {}
+
+void Match::measure(const MatchClock& now, MatchProfile& profile) { impl_->stages.start(now, profile); }
+
+void Match::limitDecisionTime(const MatchClock& now, std::int64_t limit) {
+  impl_->watchdog = now;
+  impl_->decision_limit = limit;
+}
 
 bool Match::step() {
   Impl& m = *impl_;
   if (m.ended) return false;
-  if (!m.begun) {
-    m.begun = true;
-    for (MatchObserver* observer : m.observers) observer->matchBegins(m.config);
-    m.begin(m.referee.open());
-  }
-  for (const TeamId team : kTeams) m.observe(team);
-  for (const TeamId team : kTeams) {
-    Seat& seat = m.seats[indexOf(team)];
-    seat.command = seat.strategy->decide(seat.observation);
-    m.actuate(team, seat.pilots.drive(seat.observation, seat.command));
-  }
-  m.world->step(m.commands);
-  ++m.tick;
-  m.hash.add(m.world->state());
+  m.stages.begin();
+  m.start();
   m.events.clear();
-  const MatchView view{m.tick, m.ids, m.world->state().robots, m.world->state().balls.front(),
-                       m.world->contacts()};
-  const auto call = m.referee.observe(view, m.events);
-  const MatchTick done{m.tick,
-                       m.ids,
-                       m.commands,
-                       &m.world->state(),
-                       m.world->contacts(),
-                       m.events,
-                       &m.referee.state(),
-                       {&m.seats[0].command, &m.seats[1].command}};
-  for (MatchObserver* observer : m.observers) observer->ticked(done);
-  if (m.referee.state().ended) {
+  m.sense();
+  m.decide();
+  m.advance();
+  const auto call = m.judge();
+  const bool over = m.referee.state().ended;
+  if (call && !over) m.prepare(*call);
+  m.report();
+  m.stages.countTick();
+  if (over || m.abandoned) {
     finish();
     return false;
   }
-  if (call) m.begin(*call);
+  if (m.next) {
+    m.begin(std::move(*m.next));
+    m.next.reset();
+    m.stages.lap(&MatchProfile::restart);
+    m.announce();
+  }
   return true;
 }
 
@@ -197,9 +259,18 @@ void Match::finish() {
   for (MatchObserver* observer : impl_->observers) observer->matchEnds(impl_->referee.state(), impl_->tick);
 }
 
+const MatchConfig& Match::config() const { return impl_->config; }
 const RefereeState& Match::referee() const { return impl_->referee.state(); }
-const WorldState& Match::world() const { return impl_->world->state(); }
+const WorldState& Match::world() const { return impl_->play->world.state(); }
+std::span<const RobotId> Match::ids() const { return impl_->play->ids; }
 Tick Match::tick() const { return impl_->tick; }
+double Match::seconds() const {
+  return static_cast<double>(impl_->tick) * impl_->config.physics.controlPeriod();
+}
 std::uint64_t Match::hash() const { return impl_->hash.value(); }
+
+MatchFaults Match::faults() const {
+  return {{impl_->seats[0].policy().faults(), impl_->seats[1].policy().faults()}, impl_->abandoned};
+}
 
 }  // namespace fulbito

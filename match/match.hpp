@@ -2,8 +2,9 @@
 
 #include <functional>
 #include <memory>
-#include <vector>
+#include <span>
 
+#include "match/match_faults.hpp"
 #include "match/match_observer.hpp"
 
 namespace fulbito {
@@ -13,13 +14,28 @@ using MatchClock = std::function<std::int64_t()>;
 
 /// Where the wall time of a match went [ns].
 struct MatchProfile {
-  std::int64_t sense = 0, decide = 0, navigate = 0, step = 0, referee = 0, record = 0;
+  std::int64_t sense = 0;     ///< what the teams see
+  std::int64_t decide = 0;    ///< the teams' strategies
+  std::int64_t navigate = 0;  ///< their navigators, and the policy for commands
+  std::int64_t step = 0;      ///< physics and the hash of its state
+  std::int64_t referee = 0;
+  std::int64_t restart = 0;  ///< placing, and building worlds
+  std::int64_t record = 0;   ///< all who watch
+  std::int64_t ticks = 0;
+
+  std::int64_t total() const { return sense + decide + navigate + step + referee + restart + record; }
 };
 
 /// One match: sense, decide, navigate, actuate, step, referee, record, tick by tick.
+///
+///     auto match = Match::create(config);
+///     if (!match) return match.error();
+///     match->watch(recorder);
+///     while (match->step()) {}
 class Match {
  public:
-  /// Errors: kUsage or kBadInput of teams, rules and models.
+  /// Places the first play; the world can be looked at before the first step.
+  /// Errors: kUsage or kBadInput of teams, rules, models, ranges and the start state.
   static Result<Match> create(const MatchConfig& config);
   Match(Match&&) noexcept;
   Match& operator=(Match&&) noexcept;
@@ -27,18 +43,31 @@ class Match {
 
   /// Watches from now on; must outlive the match. To be called before the first `step`.
   void watch(MatchObserver& observer);
-  /// Measures where time goes; costs clock readings. To be called before the first `step`.
+  /// Measures where time goes; costs clock readings. `profile` must outlive the match. To be called before
+  /// the first `step`.
   void measure(const MatchClock& now, MatchProfile& profile);
-  /// Plays one control tick; false when the match is over.
+  /// A watchdog against hanging teams: a decision that takes longer than `limit` [ns] is not carried out, the
+  /// one before is held. Off unless called; what it does depends on the machine's speed, so that such a match
+  /// can be repeated only from its recording.
+  void limitDecisionTime(const MatchClock& now, std::int64_t limit);
+
+  /// Plays one control tick; false when the match is over. Allocates nothing once warm, but at restarts.
   bool step();
-  /// Ends the match as it stands: observers are told.
+  /// Ends the match as it stands: those who watch are told. Also called by the last `step`.
   void finish();
 
+  const MatchConfig& config() const;
   const RefereeState& referee() const;
   const WorldState& world() const;
+  /// Of the world's robots.
+  std::span<const RobotId> ids() const;
+  /// Played so far; never reset.
   Tick tick() const;
+  /// [s] simulated so far.
+  double seconds() const;
   /// Hash over the states of all ticks so far.
   std::uint64_t hash() const;
+  MatchFaults faults() const;
 
  private:
   struct Impl;

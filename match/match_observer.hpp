@@ -18,7 +18,8 @@ struct MatchTick {
   std::span<const ContactEvent> contacts;
   std::span<const GameEvent> events;  ///< of this tick
   const RefereeState* referee = nullptr;
-  PerTeam<const TeamCommand*> decisions{};  ///< of both teams, each in its own frame
+  PerTeam<const TeamCommand*> decisions{};  ///< that were carried out, each in its team's frame
+  std::uint64_t hash = 0;                   ///< over the states of all ticks so far: `Match::hash`
 };
 
 /// The beginning of a play: a new world from a placed state.

@@ -1,5 +1,6 @@
 #include "navigation/parameters.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -46,6 +47,21 @@ Result<std::size_t> findParameter(const std::vector<ParameterSpec>& specs, const
   }
   return fail(ErrorCode::kUsage,
               fmt::format("'{}' has no parameter '{}'.{}", owner, name, suggestion(name, names)));
+}
+
+Result<std::vector<Setting>> parseSettings(const std::string& text, const std::string& whole) {
+  std::vector<Setting> settings;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string item = text.substr(begin, end - begin);
+    const std::size_t equals = item.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      return fail(ErrorCode::kUsage, fmt::format("'{}' in '{}' is not of the form name=value", item, whole));
+    }
+    settings.push_back({item.substr(0, equals), item.substr(equals + 1)});
+    begin = end + 1;
+  }
+  return settings;
 }
 
 }  // namespace fulbito

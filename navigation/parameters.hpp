@@ -88,6 +88,9 @@ struct Setting {
 /// or choices.
 Result<double> parseParameter(const ParameterSpec& spec, const std::string& text);
 
+/// Takes `name=value,name=value` apart. `whole` is quoted in errors (kUsage).
+Result<std::vector<Setting>> parseSettings(const std::string& text, const std::string& whole);
+
 /// What the registry knows of one navigation method.
 struct NavigatorInfo {
   std::string name;
@@ -103,21 +106,39 @@ struct NavigatorInfo {
 Result<std::size_t> findParameter(const std::vector<ParameterSpec>& specs, const std::string& name,
                                   const std::string& owner);
 
+/// The documentation of all `parameters`.
+template <typename P>
+std::vector<ParameterSpec> specsOf(const std::vector<Parameter<P>>& parameters) {
+  std::vector<ParameterSpec> specs;
+  for (const auto& parameter : parameters) specs.push_back(parameter.spec);
+  return specs;
+}
+
+/// Sets in `values` what `settings` say. Errors: kUsage; `owner` is named in them.
+template <typename P>
+Result<void> applySettings(const std::vector<Parameter<P>>& parameters, const std::vector<Setting>& settings,
+                           const std::string& owner, P& values) {
+  const std::vector<ParameterSpec> specs = specsOf(parameters);
+  for (const Setting& setting : settings) {
+    const auto index = findParameter(specs, setting.name, owner);
+    if (!index) return tl::unexpected<Error>(index.error());
+    const auto value = parseParameter(specs[*index], setting.value);
+    if (!value) return tl::unexpected<Error>(value.error());
+    parameters[*index].set(values, *value);
+  }
+  return {};
+}
+
 /// Builds the registry's entry of a navigator class `N` that is made from its parameter struct `P`.
 template <typename P, typename N>
 NavigatorInfo describeNavigator(const std::string& name, std::string summary, std::string source,
                                 std::vector<Parameter<P>> parameters, bool plans_speed = false) {
-  NavigatorInfo info{name, std::move(summary), std::move(source), plans_speed, {}, {}};
-  for (const auto& parameter : parameters) info.parameters.push_back(parameter.spec);
-  info.make = [name, parameters = std::move(parameters), specs = info.parameters](
+  NavigatorInfo info{name, std::move(summary), std::move(source), plans_speed, specsOf(parameters), {}};
+  info.make = [name, parameters = std::move(parameters)](
                   const std::vector<Setting>& settings) -> Result<std::unique_ptr<Navigator>> {
     P values;
-    for (const Setting& setting : settings) {
-      const auto index = findParameter(specs, setting.name, name);
-      if (!index) return tl::unexpected<Error>(index.error());
-      const auto value = parseParameter(specs[*index], setting.value);
-      if (!value) return tl::unexpected<Error>(value.error());
-      parameters[*index].set(values, *value);
+    if (auto done = applySettings(parameters, settings, name, values); !done) {
+      return tl::unexpected<Error>(done.error());
     }
     return std::unique_ptr<Navigator>(std::make_unique<N>(values));
   };

@@ -45,22 +45,6 @@ const std::vector<ParameterSpec>& common() {
   return specs;
 }
 
-Result<std::vector<Setting>> parseSettings(const std::string& specification, std::size_t begin) {
-  std::vector<Setting> settings;
-  while (begin <= specification.size()) {
-    const std::size_t end = std::min(specification.find(',', begin), specification.size());
-    const std::string item = specification.substr(begin, end - begin);
-    const std::size_t equals = item.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      return fail(ErrorCode::kUsage,
-                  fmt::format("'{}' in '{}' is not of the form name=value", item, specification));
-    }
-    settings.push_back({item.substr(0, equals), item.substr(equals + 1)});
-    begin = end + 1;
-  }
-  return settings;
-}
-
 }  // namespace
 
 std::span<const NavigatorInfo> navigators() { return registry(); }
@@ -82,7 +66,7 @@ Result<NavigatorChoice> parseNavigator(const std::string& specification) {
                 fmt::format("there is no navigator '{}'.{}", name, suggestion(name, names)));
   }
   if (colon != std::string::npos) {
-    auto settings = parseSettings(specification, colon + 1);
+    auto settings = parseSettings(specification.substr(colon + 1), specification);
     if (!settings) return tl::unexpected<Error>(settings.error());
     for (Setting& setting : *settings) {
       if (setting.name != common().front().name) {

@@ -34,6 +34,9 @@ MatchReferee::MatchReferee(const RefereeSetup& setup) : setup_(setup) {
   for (const TeamId team : kTeams) {
     if (!setup.present[indexOf(other(team))] && setup.present[indexOf(team)]) state_.first_kick_off = team;
   }
+  state_.score = setup.scoreboard.score;
+  state_.period = setup.scoreboard.period;
+  state_.play_ticks = ticksOf(setup.scoreboard.play_seconds, setup.dt);
 }
 
 TeamId MatchReferee::toss(std::uint64_t index) const {
@@ -139,7 +142,8 @@ std::optional<RestartCall> MatchReferee::conclude(const Finding& finding, const 
   // Where time is up the period's end is the only call.
   if (state_.play_ticks >= periodTicks()) return endPeriod(view, events);
   callBack(false);
-  return makeCall(setup_, state_, {finding.restart, finding.restart_team, finding.ball, &view});
+  return makeCall(setup_, state_, {finding.restart, finding.restart_team, finding.ball, &view,
+                                   memory_.presence.keeper[indexOf(finding.restart_team)]});
 }
 
 std::optional<RestartCall> MatchReferee::concludeGoal(const Finding& finding, const MatchView& view,

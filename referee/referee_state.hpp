@@ -11,6 +11,7 @@
 #include "engine/core/team.hpp"
 #include "referee/placement.hpp"
 #include "referee/rules.hpp"
+#include "referee/scoreboard.hpp"
 
 namespace fulbito {
 
@@ -22,6 +23,7 @@ struct RestartCall {
   Tick delay = 0;               ///< from the placement to the signal, in ticks
   bool defenders_back = false;  ///< law 9: the other team stands no farther than its own area's edge
   Placement defaults;           ///< the rules' own placement
+  PerTeam<TeamPoses> stays;     ///< of a free ball where robots stay: where each would without taking a mark
 };
 
 /// What the referee works with during the whole match.
@@ -34,6 +36,7 @@ struct RefereeSetup {
   std::uint64_t seed = 0;  ///< of the match: coin tosses
   Side blue_side = Side::kLeft;
   PerTeam<bool> present{true, true};  ///< false: the team did not come (law 7.3)
+  Scoreboard scoreboard;              ///< how the match stands at its beginning
 };
 
 /// Number of a period in `RefereeState::period` and `GameEvent::period`.

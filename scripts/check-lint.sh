@@ -9,5 +9,6 @@ fi
 build=build/${1:-release}
 [ -f "$build/compile_commands.json" ] || { echo "check-lint.sh: configure first: cmake --preset ${1:-release}" >&2; exit 2; }
 git ls-files -z 'scripts/*.sh' 'tests/**/*.sh' .ci/run | xargs -0 shellcheck
-git ls-files -z 'engine/*.cpp' 'navigation/*.cpp' 'referee/*.cpp' 'replays/*.cpp' 'experiments/*.cpp' 'bench/*.cpp' |
+git ls-files -z 'engine/*.cpp' 'navigation/*.cpp' 'strategies/*.cpp' 'referee/*.cpp' 'replays/*.cpp' 'match/*.cpp' \
+    'experiments/*.cpp' 'bench/*.cpp' |
   xargs -0 -n 1 -P "$(nproc)" clang-tidy-19 -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option

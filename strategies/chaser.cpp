@@ -42,6 +42,7 @@ TeamInfo chaserInfo() {
           "everyone drives straight at the ball",
           {},
           false,
+          {},
           [](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
             return std::unique_ptr<Strategy>(std::make_unique<Chaser>());
           }};

@@ -20,10 +20,12 @@ struct MatchInfo {
   BallModel ball;
   PhysicsProfile physics;
   int team_size = 3;
-  double half_seconds = 300.0;   ///< [s] of play in one half
-  double observation_age = 0.0;  ///< [s] nominal age of every observation
-  double position_noise = 0.0;   ///< [m] standard deviation of observed positions
-  std::uint64_t seed = 0;        ///< for the team's own random stream
+  double half_seconds = 300.0;     ///< [s] of play in one half
+  double observation_age = 0.0;    ///< [s] nominal age of every observation
+  double position_noise = 0.0;     ///< [m] standard deviation of observed positions
+  double heading_noise = 0.0;      ///< [rad] standard deviation of observed headings
+  std::int64_t decision_work = 0;  ///< most `TeamCommand::work` of a decision; 0: any
+  std::uint64_t seed = 0;          ///< for the team's own random stream
 };
 
 /// A robot as the team sees it.
@@ -39,7 +41,9 @@ struct Observation {
   int team_size = 3;
   std::array<ObservedRobot, kMaxTeamSize> own;
   std::array<ObservedRobot, kMaxTeamSize> opponents;
-  BallState ball;                               ///< spin is not observed and stays 0
+  BallState ball;  ///< spin is not observed and stays 0
+  /// What the own robots were told in the tick before, whatever the picture's age [rad/s]; 0 at a restart.
+  std::array<WheelSpeeds, kMaxTeamSize> sent;
   bool playing = true;                          ///< false while a restart waits for its signal
   RestartKind restart = RestartKind::kKickOff;  ///< how the present play was begun
   bool restart_is_ours = false;                 ///< the team takes it (a free ball: it attacks that half)

@@ -1,29 +1,61 @@
 #include "strategies/registry.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "engine/core/suggest.hpp"
 #include "strategies/chaser.hpp"
+#include "strategies/libero.hpp"
 
 namespace fulbito {
+namespace {
+
+constexpr const char* kNavigatorSetting = "navigator";
+
+}  // namespace
 
 std::span<const TeamInfo> teams() {
-  static const std::vector<TeamInfo> entries = {chaserInfo()};
+  static const std::vector<TeamInfo> entries = {chaserInfo(), liberoInfo()};
   return entries;
 }
 
 Result<TeamChoice> parseTeam(const std::string& specification) {
+  const std::size_t colon = specification.find(':');
+  const std::string name = specification.substr(0, colon);
+  TeamChoice choice;
+  choice.text = specification;
   std::vector<std::string> names;
-  const std::string name = specification.substr(0, specification.find(':'));
   for (const TeamInfo& info : teams()) {
-    if (info.name == name) return TeamChoice{&info, specification, {}};
+    if (info.name == name) choice.info = &info;
     names.push_back(info.name);
   }
-  return fail(ErrorCode::kUsage, fmt::format("there is no team '{}'.{}", name, suggestion(name, names)));
+  if (choice.info == nullptr) {
+    return fail(ErrorCode::kUsage, fmt::format("there is no team '{}'.{}", name, suggestion(name, names)));
+  }
+  if (colon != std::string::npos) {
+    auto settings = parseSettings(specification.substr(colon + 1), specification);
+    if (!settings) return tl::unexpected<Error>(settings.error());
+    choice.settings = std::move(*settings);
+  }
+  // Making one now reports a wrong parameter before anything runs.
+  const auto trial = makeTeam(choice);
+  if (!trial) return tl::unexpected<Error>(trial.error());
+  return choice;
 }
 
 Result<std::unique_ptr<Strategy>> makeTeam(const TeamChoice& choice) {
   return choice.info->make(choice.settings);
+}
+
+Result<NavigatorChoice> takeNavigator(std::vector<Setting>& settings, const std::string& default_navigator) {
+  std::string specification = default_navigator;
+  for (const Setting& setting : settings) {
+    if (setting.name == kNavigatorSetting) specification = setting.value;
+  }
+  std::erase_if(settings, [](const Setting& setting) { return setting.name == kNavigatorSetting; });
+  std::replace(specification.begin(), specification.end(), '+', ',');
+  return parseNavigator(specification);
 }
 
 }  // namespace fulbito

@@ -10,6 +10,7 @@ Result<TeamPilots> TeamPilots::create(const MatchInfo& info, std::span<const Nav
   TeamPilots team;
   team.info_ = info;
   team.slowed_ = info.robot;
+  team.foresight_ = Foresight(info);
   team.drivers_.resize(static_cast<std::size_t>(info.team_size));
   for (Driver& driver : team.drivers_) {
     for (const NavigatorChoice& choice : navigators) {
@@ -32,24 +33,21 @@ void TeamPilots::reset() {
 
 std::array<WheelSpeeds, kMaxTeamSize> TeamPilots::drive(const Observation& observation,
                                                         const TeamCommand& command) {
+  const Observation& now = info_.observation_age > 0.0 ? foresight_.update(observation) : observation;
   std::array<WheelSpeeds, kMaxTeamSize> wheels{};
   for (std::size_t i = 0; i < drivers_.size(); ++i) {
-    if (!observation.own[i].present) continue;
-    const RobotCommand& wanted = command.robots[i];
-    if (wanted.kind == RobotCommand::Kind::kGoTo) {
-      wheels[i] = goTo(observation, static_cast<int>(i), wanted.go_to);
-      continue;
-    }
-    drivers_[i].last = -1;
-    if (wanted.kind == RobotCommand::Kind::kWheels) {
-      wheels[i] = wanted.wheels;
-    } else {
-      const Twist twist =
-          limitTwist(info_.robot, bodyTwist(observation.own[i].state), wanted.twist, observation.dt);
-      wheels[i] = inverseKinematics(info_.robot, twist);
-    }
+    if (now.own[i].present) wheels[i] = driveRobot(now, static_cast<int>(i), command.robots[i]);
   }
   return wheels;
+}
+
+WheelSpeeds TeamPilots::driveRobot(const Observation& observation, int robot, const RobotCommand& wanted) {
+  if (wanted.kind == RobotCommand::Kind::kGoTo) return goTo(observation, robot, wanted.go_to);
+  const auto i = static_cast<std::size_t>(robot);
+  drivers_[i].last = -1;
+  if (wanted.kind == RobotCommand::Kind::kWheels) return wanted.wheels;
+  const Twist now = bodyTwist(observation.own[i].state);
+  return inverseKinematics(info_.robot, limitTwist(info_.robot, now, wanted.twist, observation.dt));
 }
 
 WheelSpeeds TeamPilots::goTo(const Observation& observation, int robot, const GoTo& go_to) {

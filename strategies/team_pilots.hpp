@@ -5,13 +5,15 @@
 
 #include "navigation/pilot.hpp"
 #include "navigation/registry.hpp"
+#include "strategies/foresight.hpp"
 #include "strategies/observation.hpp"
 #include "strategies/team_command.hpp"
 
 namespace fulbito {
 
 /// The navigation stage of one team: turns its command into wheel speeds. Every robot has a pilot of its own
-/// for each of the strategy's navigators; a pilot that was not used in the tick before starts anew.
+/// for each of the strategy's navigators; a pilot that was not used in the tick before starts anew. Old
+/// observations are made current first.
 class TeamPilots {
  public:
   /// Errors: as `makePilot`.
@@ -27,10 +29,11 @@ class TeamPilots {
     std::vector<std::unique_ptr<Pilot>> pilots;
     int last = -1;  ///< pilot of the tick before
   };
+  WheelSpeeds driveRobot(const Observation& observation, int robot, const RobotCommand& wanted);
   WheelSpeeds goTo(const Observation& observation, int robot, const GoTo& go_to);
 
   MatchInfo info_;
-  double ball_radius_ = 0.0;
+  Foresight foresight_;
   std::vector<Driver> drivers_;
   std::vector<DiscObstacle> discs_;
   RobotModel slowed_;  ///< the robot with the speed limit of the moment

@@ -17,6 +17,10 @@ enum class Stream : std::uint32_t {
   kBootstrap = 5,
   kTest = 6,
   kWheelCommands = 7,  ///< random drivers of benchmarks and tests
+  kVision = 8,         ///< what the teams of a match see wrongly, indexed by seat
+  kPlacement = 9,      ///< how exactly robots stand at a match's restarts
+  kSeries = 10,        ///< seeds of a series' pairs
+  kDrill = 20,         ///< starts of drills
   kCoinToss = 12,      ///< a referee's tosses: first kick-offs, ties without end
 };
 

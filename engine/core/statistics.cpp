@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "engine/core/random.hpp"
@@ -13,14 +14,55 @@ constexpr double kZ95 = 1.959963984540054;  // two-sided 95 % point of the norma
 constexpr int kResamples = 10000;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
+/// Wilson's interval about the rate `p` of `n` trials, which need not be whole.
+Interval scoreInterval(double p, double n) {
+  const double z2 = kZ95 * kZ95;
+  const double centre = (p + z2 / (2 * n)) / (1 + z2 / n);
+  const double half = kZ95 * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n)) / (1 + z2 / n);
+  return {p, std::max(0.0, centre - half), std::min(1.0, centre + half)};
+}
+
+/// Two-sided 95 % point of Student's t: exact for few degrees of freedom, else by the Cornish-Fisher
+/// expansion (Abramowitz & Stegun 26.7.5), right to 4 digits from there on.
+double studentT95(std::size_t freedom) {
+  constexpr double kExact[] = {12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622};
+  if (freedom <= std::size(kExact)) return kExact[freedom - 1];
+  const double z = kZ95, z3 = z * z * z, z5 = z3 * z * z, n = static_cast<double>(freedom);
+  const double z7 = z5 * z * z, z9 = z7 * z * z;
+  return z + (z3 + z) / (4 * n) + (5 * z5 + 16 * z3 + 3 * z) / (96 * n * n) +
+         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * n * n * n) +
+         (79 * z9 + 776 * z7 + 1482 * z5 - 1920 * z3 - 945 * z) / (92160 * n * n * n * n);
+}
+
+double squaredDeviations(std::span<const double> values, double about) {
+  double sum = 0.0;
+  for (double v : values) sum += (v - about) * (v - about);
+  return sum;
+}
+
 }  // namespace
 
 Interval wilson(int successes, int trials) {
   if (trials == 0) return {0.0, 0.0, 1.0};
-  const double n = trials, p = successes / n, z2 = kZ95 * kZ95;
-  const double centre = (p + z2 / (2 * n)) / (1 + z2 / n);
-  const double half = kZ95 * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n)) / (1 + z2 / n);
-  return {p, std::max(0.0, centre - half), std::min(1.0, centre + half)};
+  return scoreInterval(static_cast<double>(successes) / trials, trials);
+}
+
+Interval meanInterval(std::span<const double> values) {
+  const double centre = mean(values);
+  if (values.size() < 2) return {centre, kNaN, kNaN};
+  const double n = static_cast<double>(values.size());
+  const double error = std::sqrt(squaredDeviations(values, centre) / (n - 1) / n);
+  const double half = studentT95(values.size() - 1) * error;
+  return {centre, centre - half, centre + half};
+}
+
+Interval shareInterval(std::span<const double> shares) {
+  if (shares.empty()) return {0.0, 0.0, 1.0};
+  const double n = static_cast<double>(shares.size()), p = mean(shares);
+  const double most = p * (1 - p);  // the variance of a rate
+  if (!(most > 0.0)) return scoreInterval(p, n);
+  const double variance = (squaredDeviations(shares, p) + most) / n;
+  return scoreInterval(p, n * most / variance);
 }
 
 Interval pairedRelativeDifference(std::span<const double> a, std::span<const double> b, std::uint64_t seed) {

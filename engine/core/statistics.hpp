@@ -16,6 +16,15 @@ struct Interval {
 /// Wilson score interval of a rate (E. B. Wilson, 1927); 0 of 0 gives 0 with the interval 0 ... 1.
 Interval wilson(int successes, int trials);
 
+/// Mean of values from a distribution of any spread, with Student's t interval. NaN bounds below 2 values.
+Interval meanInterval(std::span<const double> values);
+
+/// Mean of shares between 0 and 1, such as the points of pairs of matches, with a Wilson score interval for
+/// the effective number of trials: as many as would give a rate with the variance that was measured (Kish's
+/// design effect). Unlike Student's t it keeps within 0 ... 1 and has a width where all values are equal: the
+/// variance counts one more value that varies as much as a rate can. Below 1 value: 0 with 0 ... 1.
+Interval shareInterval(std::span<const double> shares);
+
 /// Ratio of means `sum(a) / sum(b) - 1` over pairs, with a percentile bootstrap over pairs (10,000 resamples
 /// of `seed`). Empty input gives NaN.
 Interval pairedRelativeDifference(std::span<const double> a, std::span<const double> b, std::uint64_t seed);
