@@ -142,8 +142,9 @@ std::optional<RestartCall> MatchReferee::conclude(const Finding& finding, const 
   // Where time is up the period's end is the only call.
   if (state_.play_ticks >= periodTicks()) return endPeriod(view, events);
   callBack(false);
-  return makeCall(setup_, state_, {finding.restart, finding.restart_team, finding.ball, &view,
-                                   memory_.presence.keeper[indexOf(finding.restart_team)]});
+  return makeCall(setup_, state_,
+                  {finding.restart, finding.restart_team, finding.ball, &view,
+                   memory_.presence.keeper[indexOf(finding.restart_team)]});
 }
 
 std::optional<RestartCall> MatchReferee::concludeGoal(const Finding& finding, const MatchView& view,

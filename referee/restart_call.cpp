@@ -55,8 +55,7 @@ Vec2 ballSpot(const RefereeSetup& setup, const RefereeState& state, const Stoppa
     case RestartKind::kPenalty:
       return {-own * setup.field.penalty_mark, 0.0};
     case RestartKind::kGoalKick:
-      return {own * setup.rules.goal_kick.ball.x,
-              keeperSide(stoppage) * setup.rules.goal_kick.ball.y};
+      return {own * setup.rules.goal_kick.ball.x, keeperSide(stoppage) * setup.rules.goal_kick.ball.y};
     case RestartKind::kKickOff:
       return {};
     case RestartKind::kGiven:

@@ -27,9 +27,10 @@ Scenario scene(Vec2 ball, double seconds) {
   Scenario s;
   s.ball = ball;
   s.seconds = seconds;
-  s.robots = {{{TeamId::kBlue, 0}, {{-0.70, 0.0}, 0.0}, {}}, {kBlue1, {{-0.30, 0.30}, 0.0}, {}},
-              {kBlue2, {{-0.30, -0.30}, 0.0}, {}},           {kYellow0, {{0.70, -0.05}, 0.0}, {}},
-              {kYellow1, {{0.10, 0.50}, 0.0}, {}},           {{TeamId::kYellow, 2}, {{0.10, -0.50}, 0.0}, {}}};
+  s.robots = {
+      {{TeamId::kBlue, 0}, {{-0.70, 0.0}, 0.0}, {}}, {kBlue1, {{-0.30, 0.30}, 0.0}, {}},
+      {kBlue2, {{-0.30, -0.30}, 0.0}, {}},           {kYellow0, {{0.70, -0.05}, 0.0}, {}},
+      {kYellow1, {{0.10, 0.50}, 0.0}, {}},           {{TeamId::kYellow, 2}, {{0.10, -0.50}, 0.0}, {}}};
   return s;
 }
 
@@ -70,7 +71,8 @@ void check(const Sweep& sweep, const std::vector<int>& steps) {
 void checkMillimetres(const Sweep& sweep) { check(sweep, {-3, -2, -1, 1, 2, 3}); }
 void checkTicks(const Sweep& sweep) { check(sweep, {-3, -2, -1, 0, 1, 2, 3}); }
 
-/// Two attackers in the area from the start but for the second, which jumps to `place`; then it plays the ball.
+/// Two attackers in the area from the start but for the second, which jumps to `place`; then it plays the
+/// ball.
 Scenario secondAttackerAt(Vec2 place, double heading = 0.0) {
   Scenario s = scene({0.66, 0.30}, 1.5);
   robot(s, kBlue1).pose.position = {0.65, 0.20};
@@ -136,20 +138,18 @@ Scenario lyingUntil(Vec2 ball, double seconds) {
 }  // namespace
 
 TEST_CASE("the goal line, to the millimetre", "[scenarios]") {
-  checkMillimetres({clause::kGoal, [](double k) { return scene({0.75 + kRadius + k * kMillimetre, 0.1}, 0.1); }});
+  checkMillimetres(
+      {clause::kGoal, [](double k) { return scene({0.75 + kRadius + k * kMillimetre, 0.1}, 0.1); }});
 }
 
 TEST_CASE("any part of an attacker in the area, to the millimetre", "[scenarios]") {
   const auto deg45 = 0.78539816339744831;
-  checkMillimetres({clause::kAttackers, [](double k) {
-                      return secondAttackerAt({0.60 - kHalf + k * kMillimetre, -0.30});
-                    }});
-  checkMillimetres({clause::kAttackers, [](double k) {
-                      return secondAttackerAt({0.68, -0.35 - kHalf + k * kMillimetre});
-                    }});
-  checkMillimetres({clause::kAttackers, [](double k) {
-                      return secondAttackerAt({0.55 - kHalf + k * kMillimetre, 0.0});
-                    }});
+  checkMillimetres({clause::kAttackers,
+                    [](double k) { return secondAttackerAt({0.60 - kHalf + k * kMillimetre, -0.30}); }});
+  checkMillimetres({clause::kAttackers,
+                    [](double k) { return secondAttackerAt({0.68, -0.35 - kHalf + k * kMillimetre}); }});
+  checkMillimetres(
+      {clause::kAttackers, [](double k) { return secondAttackerAt({0.55 - kHalf + k * kMillimetre, 0.0}); }});
   checkMillimetres({clause::kAttackers, [&](double k) {
                       return secondAttackerAt({0.55 - kHalf * std::sqrt(2.0) + k * kMillimetre, 0.0}, deg45);
                     }});
@@ -160,13 +160,14 @@ TEST_CASE("any part of an attacker in the area, to the millimetre", "[scenarios]
 
 TEST_CASE("half of a defender in the area, to the millimetre", "[scenarios]") {
   const auto deg30 = 0.52359877559829887;
-  checkMillimetres({clause::kDefenders, [](double k) { return secondDefenderAt({0.60 + k * kMillimetre, 0.25}); }});
-  checkMillimetres({clause::kDefenders, [](double k) { return secondDefenderAt({0.68, 0.35 - k * kMillimetre}); }});
+  checkMillimetres(
+      {clause::kDefenders, [](double k) { return secondDefenderAt({0.60 + k * kMillimetre, 0.25}); }});
+  checkMillimetres(
+      {clause::kDefenders, [](double k) { return secondDefenderAt({0.68, 0.35 - k * kMillimetre}); }});
   for (const double y : {0.0, 0.06, 0.10}) {
     const double x = halfwayIn(y, deg30);
-    checkMillimetres({clause::kDefenders, [&](double k) {
-                        return secondDefenderAt({x + k * kMillimetre, y}, deg30);
-                      }});
+    checkMillimetres(
+        {clause::kDefenders, [&](double k) { return secondDefenderAt({x + k * kMillimetre, y}, deg30); }});
   }
 }
 
@@ -186,9 +187,8 @@ TEST_CASE("the ball in the area, to the millimetre", "[scenarios]") {
                       s.ball = {0.60 + k * kMillimetre, 0.30};
                       return s;
                     }});
-  checkMillimetres({clause::kPenaltyStuck, [](double k) {
-                      return scene({0.55 + k * kMillimetre, 0.0}, 10.5);
-                    }});
+  checkMillimetres(
+      {clause::kPenaltyStuck, [](double k) { return scene({0.55 + k * kMillimetre, 0.0}, 10.5); }});
 }
 
 TEST_CASE("who disputes a stuck ball, to the millimetre", "[scenarios]") {
@@ -217,7 +217,8 @@ TEST_CASE("the keeper's control of the ball, to the millimetre", "[scenarios]") 
 TEST_CASE("how much of the ball is hidden, to the millimetre", "[scenarios]") {
   double depth = 0.0;
   while (shareOfDisc(kHalf, kHalf, {kHalf + kRadius - depth, 0.0}, kRadius) < 0.30) depth += 1e-6;
-  checkMillimetres({clause::kFreeKickHolding, [&](double k) { return holdingWith(depth + k * kMillimetre, 2.0); }});
+  checkMillimetres(
+      {clause::kFreeKickHolding, [&](double k) { return holdingWith(depth + k * kMillimetre, 2.0); }});
 }
 
 TEST_CASE("how far from the ball a push is, to the millimetre", "[scenarios]") {
@@ -234,7 +235,8 @@ TEST_CASE("how far from the ball a push is, to the millimetre", "[scenarios]") {
 TEST_CASE("for how long a ball is stuck, to the tick", "[scenarios]") {
   // The first tick of play counts as 0: the ball must lie there in 601 of them.
   checkTicks({clause::kFreeBall, [](double k) { return lyingUntil({0.10, 0.20}, 10.0 + (k + 2) * kTick); }});
-  checkTicks({clause::kPenaltyStuck, [](double k) { return lyingUntil({0.68, 0.20}, 10.0 + (k + 2) * kTick); }});
+  checkTicks(
+      {clause::kPenaltyStuck, [](double k) { return lyingUntil({0.68, 0.20}, 10.0 + (k + 2) * kTick); }});
 }
 
 TEST_CASE("for how long the keeper holds the ball, to the tick", "[scenarios]") {
