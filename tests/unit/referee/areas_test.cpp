@@ -94,10 +94,11 @@ TEST_CASE("a goal's frame is a rotation of the other's", "[unit]") {
 TEST_CASE("the report counts by team and side, and by what the rules count", "[unit]") {
   const FieldGeometry field;
   const RobotModel robot;
-  const std::vector<RobotId> ids = {{TeamId::kBlue, 0}, {TeamId::kBlue, 1}, {TeamId::kYellow, 0}, {TeamId::kYellow, 1}};
+  const std::vector<RobotId> ids = {
+      {TeamId::kBlue, 0}, {TeamId::kBlue, 1}, {TeamId::kYellow, 0}, {TeamId::kYellow, 1}};
   std::vector<RobotState> robots(4);
   robots[0].pose.position = {-0.70, 0.0};
-  robots[1].pose.position = {0.57, 0.25};   // 7.5 mm of it inside: any part, not half
+  robots[1].pose.position = {0.57, 0.25};  // 7.5 mm of it inside: any part, not half
   robots[2].pose.position = {0.70, 0.0};
   robots[3].pose.position = {0.595, -0.25};  // less than half
   BallState ball;
