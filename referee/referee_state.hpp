@@ -66,8 +66,9 @@ struct RefereeState {
   int part = 1;        ///< of the overtime: 1, 2 ...
   Tick play_ticks =
       0;  ///< of play in this period (of overtime: in this part; of the shoot-out: in this kick)
-  Tick match_ticks = 0;  ///< of play in the match so far
-  bool playing = false;  ///< false while a restart waits for its signal
+  Tick period_ticks = 0;  ///< of play that the period lasts, counted as `play_ticks`
+  Tick match_ticks = 0;   ///< of play in the match so far
+  bool playing = false;   ///< false while a restart waits for its signal
   bool ended = false;
   PerTeam<int> score{};
   std::optional<TeamId> winner;           ///< once ended: empty after a draw

@@ -90,8 +90,9 @@ std::optional<std::size_t> Placer::markTaker(TeamId team, const TeamPoses& wishe
   const double own = team == call_.team ? 1.0 : -1.0;
   const Vec2 mark = scene_.ball + Vec2{own * setup_.rules.free_ball.distance, 0.0};
   for (std::size_t n = 0; n < wishes.size(); ++n) {
-    if (!wishes[n] || !sensible(*wishes[n]) || !defaultPoses(call_, team)[n]) continue;
-    if (distance(mirrored(wishes[n]->position), mark) <= kSameSpot) return n;
+    const std::optional<Pose2>& wish = wishes[n];
+    if (!wish || !sensible(*wish) || !defaultPoses(call_, team)[n]) continue;
+    if (distance(mirrored(wish->position), mark) <= kSameSpot) return n;
   }
   return std::nullopt;
 }
@@ -108,14 +109,13 @@ std::vector<Standing> Placer::wishes(TeamId team, const std::optional<TeamPoses>
     robot.id = {team, static_cast<std::uint8_t>(n)};
     robot.part.takes = team == call_.team;
     Pose2 pose = taker ? stay : *own;
-    if (proposal && (*proposal)[n]) {
-      const Pose2& wish = *(*proposal)[n];
+    if (const std::optional<Pose2> wish = proposal ? (*proposal)[n] : std::nullopt) {
       robot.proposed = true;
-      robot.wish = wish.position;
-      const bool allowed = !fixed || taker == n || distance(wish.position, pose.position) <= kSameSpot ||
-                           distance(wish.position, stay.position) <= kSameSpot;
-      robot.changed = !sensible(wish) || !allowed;
-      if (!robot.changed) pose = {wish.position, math::wrapAngle(wish.heading)};
+      robot.wish = wish->position;
+      const bool allowed = !fixed || taker == n || distance(wish->position, pose.position) <= kSameSpot ||
+                           distance(wish->position, stay.position) <= kSameSpot;
+      robot.changed = !sensible(*wish) || !allowed;
+      if (!robot.changed) pose = {wish->position, math::wrapAngle(wish->heading)};
     }
     robot.heading = pose.heading;
     robot.body = bodyAt(pose);
@@ -169,7 +169,7 @@ void Placer::search(const Standing& robot, bool in_zone, double step, int rings,
   if (!in_zone) open.kind = RestartKind::kGiven;
   const double gap = std::max(setup_.rules.restart.robot_gap, kLeastGap);
   PlacedBody body = robot.body;
-  const auto tryAt = [&](int i, int j) {
+  const auto try_at = [&](int i, int j) {
     body.centre = base + Vec2{i * step, j * step};
     body.centre = intoZone(open, robot.part, body);
     const double d = distance(body.centre, robot.body.centre);
@@ -183,7 +183,7 @@ void Placer::search(const Standing& robot, bool in_zone, double step, int rings,
     if (best.distance < (ring - 1) * step) return;
     for (int i = -ring; i <= ring; ++i) {
       const int stride = std::abs(i) == ring || ring == 0 ? 1 : 2 * ring;
-      for (int j = -ring; j <= ring; j += stride) tryAt(i, j);
+      for (int j = -ring; j <= ring; j += stride) try_at(i, j);
     }
   }
 }
@@ -207,11 +207,12 @@ bool Placer::settle(Standing& robot) {
 std::vector<Standing> Placer::standing(TeamId team, const TeamPoses& poses) const {
   std::vector<Standing> robots;
   for (std::size_t n = 0; n < poses.size(); ++n) {
-    if (!poses[n]) continue;
+    const std::optional<Pose2>& pose = poses[n];
+    if (!pose) continue;
     Standing robot;
     robot.id = {team, static_cast<std::uint8_t>(n)};
     robot.part.takes = team == call_.team;
-    robot.body = bodyAt(*poses[n]);
+    robot.body = bodyAt(*pose);
     robots.push_back(robot);
   }
   assignRoles(robots);

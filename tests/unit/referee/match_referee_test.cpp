@@ -1,5 +1,6 @@
 #include "referee/match_referee.hpp"
 
+#include "engine/core/random.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/referee/referee_samples.hpp"
 
@@ -293,6 +294,40 @@ TEST_CASE("restart delays hold the clock until the signal", "[unit]") {
   match.step();
   CHECK(match.referee.state().playing);
   CHECK(match.count("false-start") == 0);
+}
+
+TEST_CASE("whatever happens, play restarts legally, one call a tick, and the match ends in time", "[unit]") {
+  for (const std::string profile : {"vsss-3v3", "vsss-5v5", "league-program-2021", "training"}) {
+    RefereeSetup setup = setupOf(profile);
+    setup.rules.half_seconds = 60.0;
+    setup.rules.periods.tie_break = TieBreak::kBoth;
+    setup.rules.periods.overtime_seconds = 5.0;
+    for (setup.seed = 1; setup.seed <= 5; ++setup.seed) {
+      Rng rng(setup.seed, Stream::kTest);
+      PaperMatch match(setup);
+      match.wander = false;
+      const double x = setup.field.length / 2, y = setup.field.width / 2;
+      while (!match.referee.state().ended) {
+        // The ball jumps now and then, seldom into a goal; robots jump too.
+        if (rng.below(200) == 0) match.ball.position = {rng.uniform(-x, x), rng.uniform(-y, y)};
+        if (rng.below(1500) == 0) match.score(kTeams[rng.below(2)]);
+        for (RobotState& robot : match.robots) {
+          if (rng.below(100) == 0) robot.pose.position = {rng.uniform(-x, x), rng.uniform(-y, y)};
+        }
+        if (match.referee.state().ended) break;
+        const PerTeam<int> before = match.referee.state().score;
+        const int goals = match.count("goal");
+        const bool called = match.step();
+        const PerTeam<int> after = match.referee.state().score;
+        REQUIRE(after[0] + after[1] - before[0] - before[1] == match.count("goal") - goals);
+        if (called && !match.referee.state().ended) {
+          REQUIRE(legalPlacement(setup, match.referee.state(), match.call, match.referee.state().placed));
+        }
+        REQUIRE(match.tick < 60 * (2 * 60 + 2 * 5 + 40 * 31));
+      }
+      CHECK(match.count("full-time") == 1);
+    }
+  }
 }
 
 TEST_CASE("a copy of the referee goes on alike", "[unit]") {

@@ -1,5 +1,7 @@
 #include "referee/rules.hpp"
 
+#include "engine/core/presets.hpp"
+#include "referee/check_places.hpp"
 #include "referee/rules_schema.hpp"
 #include "tests/support/catch.hpp"
 
@@ -81,6 +83,19 @@ TEST_CASE("a bad profile is refused with file, line, key and range", "[unit]") {
   std::string many = "[rules]\n[kick_off]\ntaker = [[0, 0]";
   for (int i = 0; i < 11; ++i) many += ", [0, 0]";
   CHECK(errorOf(many + "]\n") == "x.toml:3: kick_off.taker has 12 places; at most 11 are allowed");
+}
+
+TEST_CASE("places that the laws do not allow are told, and the embedded profiles have none", "[unit]") {
+  for (const std::string& name : rulesPresetNames()) {
+    const Rules rules = *loadRules(name);
+    CHECK(findBadPlaces(rules, *loadField(rules.field), RobotModel()).empty());
+  }
+  Rules rules;
+  rules.penalty.places.other[2] = {0.1, 0.4};
+  rules.goal_kick.places.taker[1] = {0.8, 0.8};
+  CHECK(findBadPlaces(rules, FieldGeometry(), RobotModel()) ==
+        std::vector<std::string>{"penalty: robot 2 of the other team is not beyond the half-way line",
+                                 "goal-kick: robot 1 of the taking team is not on the field"});
 }
 
 TEST_CASE("an unknown profile is a usage error with a suggestion", "[unit]") {
