@@ -8,13 +8,15 @@
 #include "engine/core/presets.hpp"
 #include "engine/core/suggest.hpp"
 #include "experiments/paper_plan.hpp"
+#include "referee/rules.hpp"
 
 namespace fulbito::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string> kKinds = {"navigators", "suites", "cases", "robots", "physics", "fields"};
+const std::vector<std::string> kKinds = {"navigators", "suites", "cases", "robots",
+                                         "physics",    "fields", "rules"};
 
 std::string typeName(const ParameterSpec& spec) {
   switch (spec.type) {
@@ -107,6 +109,10 @@ std::vector<std::pair<std::string, std::string>> entries(const std::string& kind
   } else if (kind == "cases") {
     for (const Layout& layout : namedCases())
       list.emplace_back(layout.name, "layout for fulbito run --layout " + layout.name);
+  } else if (kind == "rules") {
+    for (const std::string& name : rulesPresetNames()) {
+      list.emplace_back(name, firstSentence(rulesPresetText(name).value_or("")));
+    }
   } else {
     for (const std::string& name : presetNames(kind)) {
       list.emplace_back(name, firstSentence(presetText(kind, name).value_or("")));

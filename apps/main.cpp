@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/drill.hpp"
+#include "apps/rules.hpp"
 #include "engine/core/build_info.hpp"
 #include "engine/core/suggest.hpp"
 
@@ -22,6 +24,8 @@ struct Options {
   ListOptions list;
   ShowOptions show;
   BenchCommand bench;
+  DrillCommand drill;
+  RulesOptions rules;
   bool version_json = false;
 };
 
@@ -99,9 +103,10 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
 }
 
 void addRest(CLI::App& app, Options& options) {
-  CLI::App* list = app.add_subcommand("list", "list navigators, suites, cases, robots, physics or fields");
+  CLI::App* list =
+      app.add_subcommand("list", "list navigators, suites, cases, robots, physics, fields or rules");
   list->footer("Examples:\n  fulbito list navigators\n  fulbito list suites --json");
-  list->add_option("kind", options.list.kind, "navigators, suites, cases, robots, physics or fields")
+  list->add_option("kind", options.list.kind, "navigators, suites, cases, robots, physics, fields or rules")
       ->required();
   list->add_flag("--json", options.list.json, "print JSON");
 
@@ -109,7 +114,7 @@ void addRest(CLI::App& app, Options& options) {
   show->footer(
       "Examples:\n  fulbito show robot vsss > my-robot.toml\n  fulbito show case fig1-abrupt-turns > "
       "layout.toml");
-  show->add_option("kind", options.show.kind, "robot, physics, field or case")->required();
+  show->add_option("kind", options.show.kind, "robot, physics, field, rules or case")->required();
   show->add_option("name", options.show.name, "its name")->required();
 
   CLI::App* bench =
@@ -179,6 +184,8 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("list")) return list(options.list);
   if (app.got_subcommand("show")) return show(options.show);
   if (app.got_subcommand("bench")) return bench(options.bench);
+  if (app.got_subcommand("drill")) return drill(options.drill);
+  if (app.got_subcommand("rules")) return rules(options.rules);
   return version(options.version_json);
 }
 
@@ -200,6 +207,8 @@ int mainWithoutCatch(int argc, char** argv) {
   const CLI::App* run_command = addRun(app, options);
   const CLI::App* compare_command = addCompare(app, options);
   addRest(app, options);
+  addDrill(app, options.drill);
+  addRules(app, options.rules);
   if (const auto error = wrongCommand(app, argc, argv)) return report(*error);
   try {
     app.parse(argc, argv);

@@ -5,6 +5,7 @@
 #include "apps/commands.hpp"
 #include "engine/core/presets.hpp"
 #include "engine/core/suggest.hpp"
+#include "referee/rules.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -31,10 +32,16 @@ int showPreset(const std::string& kind, const std::string& name) {
 }  // namespace
 
 int show(const ShowOptions& options) {
-  static const std::vector<std::string> kinds = {"robot", "physics", "field", "case"};
+  static const std::vector<std::string> kinds = {"robot", "physics", "field", "rules", "case"};
   if (options.kind == "robot") return showPreset("robots", options.name);
   if (options.kind == "physics") return showPreset("physics", options.name);
   if (options.kind == "field") return showPreset("fields", options.name);
+  if (options.kind == "rules") {
+    const auto text = rulesPresetText(options.name);
+    if (!text) return report(text.error());
+    std::fputs(text->c_str(), stdout);
+    return kOk;
+  }
   if (options.kind == "case") return showCase(options.name);
   return report(
       {ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it is one of {}.{}", options.kind,

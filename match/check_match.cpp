@@ -64,7 +64,7 @@ Result<void> checkMatch(const MatchConfig& config) {
     }
   }
   if (auto r = range("team size of the rules", config.rules.team_size, 1, kMaxTeamSize, ""); !r) return r;
-  for (const auto& checked : {validate(config.field), validate(config.robot.robot),
+  for (const auto& checked : {validate(config.rules), validate(config.field), validate(config.robot.robot),
                               validate(config.robot.ball), validate(config.physics)}) {
     if (!checked) return checked;
   }

@@ -65,7 +65,8 @@ Result<Play> makePlay(const MatchConfig& config, const RestartCall& call, const 
       setup.robots.push_back({config.robot.robot, *pose, {}, 0.0});
     }
   }
-  setup.balls.push_back({config.robot.ball, placement.ball, placement.ball_velocity, {}});
+  setup.balls.push_back(
+      {config.robot.ball, placement.ball, placement.ball_velocity, placement.ball_velocity});
   auto world = World::create(setup);
   if (!world) return tl::unexpected<Error>(world.error());
   return Play{call, placement, std::move(ids), std::move(*world), {}};

@@ -1,7 +1,5 @@
 #include "referee/detect_goal.hpp"
 
-#include <algorithm>
-
 #include "referee/detector_support.hpp"
 
 namespace fulbito {
@@ -11,8 +9,7 @@ namespace {
 std::optional<std::uint8_t> scorerOf(const DetectorInput& in, TeamId team, const TouchMemory& touches) {
   Tick last = in.view.tick - ticksOf(in.setup.rules.goal.scorer_seconds, in.setup.dt) - 1;
   std::optional<std::uint8_t> scorer;
-  const std::size_t count = std::min(in.view.ids.size(), kMostRobots);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < robotsIn(in.view); ++i) {
     if (in.view.ids[i].team != team || touches.ball[i] <= last) continue;
     last = touches.ball[i];
     scorer = in.view.ids[i].number;
@@ -27,14 +24,11 @@ std::optional<Finding> detectGoal(const DetectorInput& in, const TouchMemory& to
   const double beyond = std::abs(ball.x) - in.setup.field.length / 2;
   const double needed = in.setup.rules.goal.ball == BallPart::kWhole ? in.setup.ball.radius : 0.0;
   if (beyond <= needed || std::abs(ball.y) >= in.setup.field.goal_width / 2) return std::nullopt;
-  const TeamId conceded = defenderOf(in.state, ball.x < 0.0 ? Side::kLeft : Side::kRight);
-  Finding goal;
-  goal.event = makeEvent(in, clause::kGoal, "7.1");
-  measure(goal.event, beyond, needed);
+  const TeamId conceded = defenderOf(in.state, halfOf(ball));
+  Finding goal = makeCall(in, clause::kGoal, "7.1", RestartKind::kKickOff, conceded);
+  measure(goal, beyond, needed);
   goal.event.team = other(conceded);
   goal.event.robot = scorerOf(in, other(conceded), touches);
-  goal.restart = RestartKind::kKickOff;
-  goal.restart_team = conceded;
   return goal;
 }
 

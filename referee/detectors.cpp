@@ -1,33 +1,49 @@
 #include "referee/detectors.hpp"
 
+#include "referee/decide_area_fouls.hpp"
 #include "referee/detect_goal.hpp"
+#include "referee/detect_holding.hpp"
+#include "referee/detect_keeper_charged.hpp"
+#include "referee/detect_keeper_holding.hpp"
+#include "referee/detect_push.hpp"
 #include "referee/detect_stuck_ball.hpp"
 #include "referee/detector_support.hpp"
+#include "referee/note_presence.hpp"
 
 namespace fulbito {
 namespace {
 
-void noteTouches(const MatchView& view, TouchMemory& touches) {
-  for (const ContactEvent& contact : view.contacts) {
-    if (contact.a.kind != BodyKind::kRobot || contact.b.kind != BodyKind::kBall) continue;
-    if (contact.a.index < kMostRobots) touches.ball[contact.a.index] = view.tick;
+/// What may be called besides goals, in order of priority. All of them look at every tick, as they count.
+std::optional<Finding> detectFouls(const DetectorInput& in, DetectorMemory& memory) {
+  const auto area_foul = decideAreaFouls(in, memory.area_fouls);
+  const auto charged = detectKeeperCharged(in, memory.touches, memory.presence, memory.keeper);
+  const auto holding_keeper = detectKeeperHolding(in, memory.presence, memory.keeper);
+  const auto holding = detectHolding(in, memory.presence, memory.fouls);
+  const auto push = detectPush(in, memory.touches, memory.fouls);
+  const auto stuck = detectStuckBall(in, memory.stuck);
+  for (const auto* call : {&area_foul, &charged, &holding_keeper, &holding, &push, &stuck}) {
+    if (*call) return *call;
   }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Finding> detect(const DetectorInput& input, DetectorMemory& memory, std::vector<GameEvent>&) {
-  noteTouches(input.view, memory.touches);
-  memory.areas = input.areas;
-  if (auto goal = detectGoal(input, memory.touches)) return goal;
-  return detectStuckBall(input, memory.stuck);
+std::optional<Finding> detect(const DetectorInput& in, DetectorMemory& memory) {
+  memory.areas = in.areas;
+  noteTouches(in, memory.presence, memory.touches);
+  if (in.state.period == kShootOutPeriod) return detectGoal(in, memory.touches);
+  notePresence(in, memory.touches, memory.presence);
+  noteAreaFouls(in, memory.touches, memory.presence, memory.area_fouls);
+  if (auto goal = detectGoal(in, memory.touches)) return decideGoal(in, *goal, memory.area_fouls);
+  return detectFouls(in, memory);
 }
 
 std::optional<Finding> detect(const MatchView& view, const RefereeSetup& setup, const RefereeState& state,
-                              DetectorMemory& memory, std::vector<GameEvent>& events) {
+                              DetectorMemory& memory) {
   const AreaReport areas =
       reportAreas(view, setup.field, setup.robot, setup.rules.areas, state.blue_side, memory.areas);
-  return detect(DetectorInput{view, setup, state, areas}, memory, events);
+  return detect(DetectorInput{view, setup, state, areas}, memory);
 }
 
 }  // namespace fulbito

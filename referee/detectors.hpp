@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "engine/core/restart_kind.hpp"
 #include "referee/areas.hpp"
@@ -32,14 +31,13 @@ struct Finding {
 };
 
 /// Looks at one tick of play with every detector that the rules switch on, in a fixed order of priority:
-/// goal (with the fouls that void it), attackers, defenders, keeper charged, keeper holding, holding, push,
-/// stuck ball. What is recorded besides is appended to `events`; the finding's own event is not.
-/// `memory` starts empty at every restart. Pure: no clock, no randomness.
+/// goal (with the fouls that void it), attackers and defenders, keeper charged, keeper holding, holding,
+/// push, stuck ball; of a shoot-out's kick goals only. `memory` starts empty at every restart. Pure: no
+/// clock, no randomness, no allocation.
 std::optional<Finding> detect(const MatchView& view, const RefereeSetup& setup, const RefereeState& state,
-                              DetectorMemory& memory, std::vector<GameEvent>& events);
+                              DetectorMemory& memory);
 
-/// The same with the areas counted by the caller.
-std::optional<Finding> detect(const DetectorInput& input, DetectorMemory& memory,
-                              std::vector<GameEvent>& events);
+/// The same with the areas counted by the caller (see reportAreas; hysteresis: `memory.areas`).
+std::optional<Finding> detect(const DetectorInput& input, DetectorMemory& memory);
 
 }  // namespace fulbito

@@ -1,13 +1,26 @@
 #include "referee/match_referee.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <cstdlib>
 
-#include "engine/core/math.hpp"
+#include "engine/core/random.hpp"
+#include "referee/false_start.hpp"
+#include "referee/restart_call.hpp"
+#include "referee/shoot_out.hpp"
+#include "referee/ticks.hpp"
 
 namespace fulbito {
 namespace {
 
-constexpr double kKickOffPlaces[3] = {0.675, 0.2, 0.4};  // [m] keeper, attacker, supporter
+/// What a toss is for: each has its own place in the stream.
+enum Toss : std::uint64_t { kFirstKickOff, kOvertimeKickOff, kFirstKick, kEndlessShootOut, kFalseStart };
+
+int lead(const RefereeState& state) { return std::abs(state.score[0] - state.score[1]); }
+
+std::optional<TeamId> ahead(const PerTeam<int>& score) {
+  if (score[0] == score[1]) return std::nullopt;
+  return score[0] > score[1] ? TeamId::kBlue : TeamId::kYellow;
+}
 
 }  // namespace
 
@@ -16,61 +29,257 @@ MatchReferee::MatchReferee(const RefereeSetup& setup) : setup_(setup) {
   state_.score = setup.scoreboard.score;
   state_.period = setup.scoreboard.period;
   state_.play_ticks = static_cast<Tick>(std::floor(setup.scoreboard.play_seconds / setup.dt + 0.5));
+  const FirstKickOff first = setup.rules.periods.first_kick_off;
+  state_.first_kick_off = first == FirstKickOff::kToss   ? toss(kFirstKickOff)
+                          : first == FirstKickOff::kBlue ? TeamId::kBlue
+                                                         : TeamId::kYellow;
+  // Against an absent team there is nobody to share the kick-offs with.
+  for (const TeamId team : kTeams) {
+    if (!setup.present[indexOf(other(team))] && setup.present[indexOf(team)]) state_.first_kick_off = team;
+  }
 }
 
-RestartCall MatchReferee::open() { return kickOff(TeamId::kBlue); }
+TeamId MatchReferee::toss(std::uint64_t index) const {
+  return Rng(setup_.seed, Stream::kCoinToss, index).below(2) == 0 ? TeamId::kBlue : TeamId::kYellow;
+}
 
-RestartCall MatchReferee::kickOff(TeamId team) const {
-  RestartCall call;
-  call.kind = RestartKind::kKickOff;
-  call.team = team;
-  for (const TeamId t : kTeams) {
-    const Side side = t == TeamId::kBlue ? state_.blue_side : opposite(state_.blue_side);
-    const double sign = side == Side::kLeft ? -1.0 : 1.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      call.defaults.robots[indexOf(t)][i] =
-          Pose2{{sign * kKickOffPlaces[i], 0.0}, side == Side::kLeft ? 0.0 : -math::kPi};
+RestartCall MatchReferee::open() { return kickOff(state_.first_kick_off, nullptr); }
+
+RestartCall MatchReferee::kickOff(TeamId team, const MatchView* view) const {
+  if (!setup_.present[indexOf(team)]) team = other(team);
+  return makeCall(setup_, state_, {RestartKind::kKickOff, team, {}, view});
+}
+
+void MatchReferee::restarted(const RestartCall& call, const Placement& placement, Tick tick) {
+  state_.last = call;
+  state_.placed = placement;
+  state_.last_tick = tick;
+  state_.play_began = tick + call.delay;
+  state_.playing = call.delay == 0;
+  state_.announce = call.kind == RestartKind::kKickOff;
+  state_.false_start_ticks = 0;
+  if (state_.playing) state_.false_starts = {};
+  if (state_.period == kShootOutPeriod) {
+    state_.play_ticks = 0;
+    state_.shoot_out.still_ticks = 0;
+    state_.shoot_out.entered_area = false;
+  }
+  memory_ = {};
+}
+
+Tick MatchReferee::periodTicks() const {
+  const Rules& rules = setup_.rules;
+  double seconds = rules.half_seconds;
+  if (state_.period == kOvertimePeriod) seconds = rules.periods.overtime_seconds;
+  if (state_.period == kShootOutPeriod) seconds = rules.shoot_out.kick_seconds;
+  if (!setup_.present[0] || !setup_.present[1]) seconds = rules.walk_over.seconds;
+  return std::max<Tick>(1, ticksOf(seconds, setup_.dt));
+}
+
+double MatchReferee::remaining() const {
+  return static_cast<double>(std::max<Tick>(0, periodTicks() - state_.play_ticks)) * setup_.dt;
+}
+
+GameEvent MatchReferee::eventOf(const MatchView& view, std::string_view clause, std::string_view law) const {
+  GameEvent event;
+  event.tick = view.tick;
+  event.play_time = static_cast<double>(state_.play_ticks) * setup_.dt;
+  event.period = static_cast<std::uint8_t>(state_.period);
+  event.clause = clause;
+  event.law = law;
+  event.place = view.ball.position;
+  return event;
+}
+
+std::optional<RestartCall> MatchReferee::observe(const MatchView& view, Events& events) {
+  state_.last_tick = view.tick;
+  if (state_.ended) return std::nullopt;
+  if (!state_.playing) return waitForSignal(view, events);
+  ++state_.play_ticks;
+  ++state_.match_ticks;
+  if (state_.announce) {
+    state_.announce = false;
+    events.push_back(eventOf(view, "kick-off", "6"));
+    events.back().team = state_.last.team;
+  }
+  if (state_.period == kShootOutPeriod) return kick(view, events);
+  const bool nobody = !setup_.present[0] && !setup_.present[1];
+  const bool one = setup_.present[0] != setup_.present[1];
+  if (nobody || (one && setup_.rules.walk_over.mode == WalkOver::kForfeit)) return walkOver(view, events);
+  if (const auto finding = detect(view, setup_, state_, memory_)) return conclude(*finding, view, events);
+  if (state_.play_ticks >= periodTicks()) return endPeriod(view, events);
+  return std::nullopt;
+}
+
+std::optional<RestartCall> MatchReferee::waitForSignal(const MatchView& view, Events& events) {
+  const RestartRules& rules = setup_.rules.restart;
+  const int repeats = state_.false_starts[0] + state_.false_starts[1];
+  if (!rules.hold_robots && repeats < rules.max_repeats) {
+    const TeamId tie = toss(kFalseStart + static_cast<std::uint64_t>(view.tick));
+    if (const auto fault = observeFalseStart(setup_, view, state_, state_.false_start_ticks, tie)) {
+      ++state_.false_starts[indexOf(fault->robot.team)];
+      GameEvent event = eventOf(view, "false-start", "9");
+      event.team = fault->robot.team;
+      event.robot = fault->robot.number;
+      event.value = fault->moved;
+      event.threshold = rules.false_start_distance;
+      event.margin = event.value - event.threshold;
+      events.push_back(event);
+      return punish(setup_, state_, *fault, view);
     }
   }
+  if (view.tick >= state_.play_began) {
+    state_.playing = true;
+    state_.false_starts = {};
+  }
+  return std::nullopt;
+}
+
+std::optional<RestartCall> MatchReferee::conclude(const Finding& finding, const MatchView& view,
+                                                  Events& events) {
+  events.push_back(finding.event);
+  if (finding.event.clause == clause::kGoal) return concludeGoal(finding, view, events);
+  // Where time is up the period's end is the only call.
+  if (state_.play_ticks >= periodTicks()) return endPeriod(view, events);
+  callBack(false);
+  return makeCall(setup_, state_, {finding.restart, finding.restart_team, finding.ball, &view});
+}
+
+std::optional<RestartCall> MatchReferee::concludeGoal(const Finding& finding, const MatchView& view,
+                                                      Events& events) {
+  const TeamId scorer = finding.event.team.value_or(other(finding.restart_team));
+  ++state_.score[indexOf(scorer)];
+  const PeriodRules& rules = setup_.rules.periods;
+  if (state_.period == kOvertimePeriod && rules.golden_goal) {
+    finish(view, events);
+    return std::nullopt;
+  }
+  if (rules.mercy_goals > 0 && lead(state_) >= rules.mercy_goals) {
+    GameEvent event = eventOf(view, "mercy", "");
+    event.team = scorer;
+    event.value = lead(state_);
+    event.threshold = rules.mercy_goals;
+    events.push_back(event);
+    finish(view, events);
+    return std::nullopt;
+  }
+  if (state_.play_ticks >= periodTicks()) return endPeriod(view, events);
+  callBack(setup_.rules.restart.card_until_goal);
+  RestartCall call = kickOff(other(scorer), &view);
+  call.delay = ticksOf(setup_.rules.restart.goal_delay, setup_.dt);
   return call;
 }
 
-std::optional<RestartCall> MatchReferee::observe(const MatchView& view, std::vector<GameEvent>& events) {
-  ++state_.play_ticks;
-  const double time = static_cast<double>(state_.play_ticks) * setup_.dt;
-  const double beyond = std::abs(view.ball.position.x) - setup_.field.length / 2;
-  GameEvent event;
-  event.tick = view.tick;
-  event.play_time = time;
-  event.period = static_cast<std::uint8_t>(state_.period);
-  event.place = view.ball.position;
-  if (beyond > setup_.ball.radius) {
-    const Side goal = view.ball.position.x < 0.0 ? Side::kLeft : Side::kRight;
-    const TeamId conceded = goal == state_.blue_side ? TeamId::kBlue : TeamId::kYellow;
-    ++state_.score[indexOf(other(conceded))];
-    event.clause = "goal";
-    event.law = "7.1";
-    event.team = other(conceded);
-    events.push_back(event);
-    return kickOff(conceded);
+/// Robots that were sent off and may play again; all of them after a goal and between periods.
+void MatchReferee::callBack(bool all) {
+  for (auto& team : state_.robots) {
+    for (RobotRecord& robot : team) {
+      if (robot.out && (all || state_.match_ticks >= robot.back_after)) robot.out = false;
+    }
   }
-  if (time < setup_.rules.half_seconds) return std::nullopt;
-  event.clause = "half";
-  event.law = "5";
-  events.push_back(event);
-  if (state_.period == 2) {
-    state_.ended = true;
-    return std::nullopt;
-  }
-  state_.period = 2;
-  state_.play_ticks = 0;
-  return kickOff(TeamId::kYellow);
 }
 
-void MatchReferee::restarted(const RestartCall& call, const Placement&, Tick tick) {
-  state_.playing = true;
-  state_.last = call;
-  state_.play_began = tick;
+std::optional<RestartCall> MatchReferee::walkOver(const MatchView& view, Events& events) {
+  for (const TeamId team : kTeams) {
+    if (setup_.present[indexOf(team)]) continue;
+    GameEvent event = eventOf(view, "walk-over", "7.3");
+    event.team = team;
+    event.value = state_.score[indexOf(other(team))];
+    events.push_back(event);
+  }
+  const WalkOverRules& rules = setup_.rules.walk_over;
+  const PerTeam<int> reached = state_.score;
+  for (const TeamId team : kTeams) {
+    if (setup_.present[indexOf(team)]) continue;
+    const bool alone = setup_.present[indexOf(other(team))];
+    state_.score[indexOf(team)] =
+        alone ? rules.absent_score - reached[indexOf(other(team))] : rules.both_absent_score;
+  }
+  finish(view, events);
+  return std::nullopt;
+}
+
+std::optional<RestartCall> MatchReferee::endPeriod(const MatchView& view, Events& events) {
+  if (!setup_.present[0] || !setup_.present[1]) return walkOver(view, events);
+  if (state_.period == 1) {
+    events.push_back(eventOf(view, "half", "5"));
+    state_.period = 2;
+    state_.play_ticks = 0;
+    if (setup_.rules.periods.swap_sides) state_.blue_side = opposite(state_.blue_side);
+    callBack(true);
+    const TeamId first = state_.first_kick_off;
+    return kickOff(setup_.rules.periods.swap_kick_off ? other(first) : first, &view);
+  }
+  if (state_.period == kOvertimePeriod && state_.part < setup_.rules.periods.overtime_parts &&
+      !(setup_.rules.periods.golden_goal && lead(state_) > 0)) {
+    return beginOvertime(state_.part + 1, view, events);
+  }
+  return afterRegularTime(view, events);
+}
+
+std::optional<RestartCall> MatchReferee::afterRegularTime(const MatchView& view, Events& events) {
+  const TieBreak tie = setup_.rules.periods.tie_break;
+  const bool level = lead(state_) == 0;
+  if (level && state_.period == 2 && (tie == TieBreak::kOvertime || tie == TieBreak::kBoth)) {
+    return beginOvertime(1, view, events);
+  }
+  if (level && (tie == TieBreak::kShootOut || tie == TieBreak::kBoth)) return beginShootOut(view, events);
+  finish(view, events);
+  return std::nullopt;
+}
+
+RestartCall MatchReferee::beginOvertime(int part, const MatchView& view, Events& events) {
+  GameEvent event = eventOf(view, "overtime", "7.2");
+  event.value = part;
+  events.push_back(event);
+  state_.period = kOvertimePeriod;
+  state_.part = part;
+  state_.play_ticks = 0;
+  if (setup_.rules.periods.swap_sides) state_.blue_side = opposite(state_.blue_side);
+  callBack(true);
+  const TeamId first = toss(kOvertimeKickOff);
+  return kickOff(part % 2 == 1 ? first : other(first), &view);
+}
+
+RestartCall MatchReferee::beginShootOut(const MatchView& view, Events& events) {
+  events.push_back(eventOf(view, "shoot-out", "7.2"));
+  state_.period = kShootOutPeriod;
+  state_.play_ticks = 0;
+  state_.shoot_out = {};
+  state_.shoot_out.first = toss(kFirstKick);
+  callBack(true);
+  return makeShootOutCall(setup_, state_, state_.shoot_out.first);
+}
+
+std::optional<RestartCall> MatchReferee::kick(const MatchView& view, Events& events) {
+  const auto end = observeKick(setup_, state_, view.ball, state_.shoot_out);
+  if (!end) return std::nullopt;
+  const TeamId kicker = state_.last.team;
+  ShootOutState& shoot_out = state_.shoot_out;
+  ++shoot_out.taken[indexOf(kicker)];
+  if (*end == KickEnd::kGoal) ++shoot_out.goals[indexOf(kicker)];
+  GameEvent event = eventOf(view, "shoot-out", "7.2");
+  event.team = kicker;
+  event.value = *end == KickEnd::kGoal ? 1.0 : 0.0;
+  events.push_back(event);
+  const ShootOutRules& rules = setup_.rules.shoot_out;
+  const auto winner = leader(rules, shoot_out);
+  if (!winner && !exhausted(rules, shoot_out)) {
+    return makeShootOutCall(setup_, state_, nextKicker(rules, shoot_out));
+  }
+  state_.winner = winner ? *winner : toss(kEndlessShootOut);
+  finish(view, events);
+  return std::nullopt;
+}
+
+void MatchReferee::finish(const MatchView& view, Events& events) {
+  state_.ended = true;
+  state_.playing = false;
+  if (!state_.winner) state_.winner = ahead(state_.score);
+  GameEvent event = eventOf(view, "full-time", "5");
+  event.team = state_.winner;
+  event.value = lead(state_);
+  events.push_back(event);
 }
 
 }  // namespace fulbito

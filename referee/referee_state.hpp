@@ -73,6 +73,7 @@ struct RefereeState {
   Side blue_side = Side::kLeft;           ///< which goal blue defends now
   TeamId first_kick_off = TeamId::kBlue;  ///< who began period 1
   RestartCall last;                       ///< how play was last begun
+  Placement placed;                       ///< where all stood then
   Tick play_began = 0;                    ///< tick of the match: of the signal
   bool announce = false;                  ///< the next tick of play tells of the kick-off
   PerTeam<int> false_starts{};            ///< at this restart and those that it led to

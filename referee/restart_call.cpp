@@ -41,11 +41,12 @@ double keeperSide(const RefereeSetup& setup, const Stoppage& stoppage, double ow
   return side;
 }
 
-/// Free balls lie on the mark of the ball's quarter: 1 is x > 0 and y > 0, the axes belong to the negative
-/// side.
+/// Free balls lie on the mark of the ball's quarter; from the field's long axis they go to the attackers'
+/// left.
 Vec2 quarterMark(const FieldGeometry& field, Vec2 ball) {
-  return {ball.x > 0.0 ? field.free_ball_mark.x : -field.free_ball_mark.x,
-          ball.y > 0.0 ? field.free_ball_mark.y : -field.free_ball_mark.y};
+  const double x = ball.x > 0.0 ? 1.0 : -1.0;
+  const double y = ball.y > 0.0 ? 1.0 : ball.y < 0.0 ? -1.0 : x;
+  return {x * field.free_ball_mark.x, y * field.free_ball_mark.y};
 }
 
 Vec2 ballSpot(const RefereeSetup& setup, const RefereeState& state, const Stoppage& stoppage) {

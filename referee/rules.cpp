@@ -16,12 +16,19 @@ namespace fulbito {
 /// The profiles that are part of the library; written by the build.
 std::span<const EmbeddedFile> embeddedRules();
 
-Result<Rules> parseRules(std::string_view text, const std::string& origin) {
+namespace {
+
+struct RulesFile {
+  ConfigDocument document;
+  Rules rules;
+};
+
+Result<RulesFile> readRules(std::string_view text, const std::string& origin) {
   Rules rules;
   const std::vector<RulesTable> tables = tablesOf(rules);
   std::vector<std::string> names;
   for (const RulesTable& table : tables) names.push_back(table.name);
-  const auto document = ConfigDocument::parse(text, origin, names);
+  auto document = ConfigDocument::parse(text, origin, names);
   if (!document) return tl::unexpected<Error>(document.error());
   rules.name = document->fallbackName();
   for (const RulesTable& table : tables) {
@@ -30,7 +37,30 @@ Result<Rules> parseRules(std::string_view text, const std::string& origin) {
     }
   }
   if (const auto flaw = findFlaw(rules)) return document->locate(*flaw);
-  return rules;
+  return RulesFile{std::move(*document), rules};
+}
+
+/// The field that the profile names must be there; a relative path counts from the profile's folder.
+Result<Rules> withField(RulesFile file, const std::string& path) {
+  std::string& field = file.rules.field;
+  const std::size_t slash = path.rfind('/');
+  if (isFileName(field) && !field.starts_with('/') && slash != std::string::npos) {
+    field = path.substr(0, slash + 1) + field;
+  }
+  const auto loaded = loadField(field);
+  if (loaded) return std::move(file.rules);
+  Error error =
+      file.document.locate({"rules", -1, "field", "cannot be used: " + loaded.error().message}).value();
+  if (loaded.error().code == ErrorCode::kIo) error.code = ErrorCode::kIo;
+  return tl::unexpected<Error>(std::move(error));
+}
+
+}  // namespace
+
+Result<Rules> parseRules(std::string_view text, const std::string& origin) {
+  auto file = readRules(text, origin);
+  if (!file) return tl::unexpected<Error>(file.error());
+  return std::move(file->rules);
 }
 
 Result<Rules> loadRules(const std::string& name_or_file) {
@@ -46,7 +76,9 @@ Result<Rules> loadRules(const std::string& name_or_file) {
   }
   const auto text = readTextFile(name_or_file, kMaxTomlBytes);
   if (!text) return tl::unexpected<Error>(text.error());
-  return parseRules(*text, name_or_file);
+  auto file = readRules(*text, name_or_file);
+  if (!file) return tl::unexpected<Error>(file.error());
+  return withField(std::move(*file), name_or_file);
 }
 
 Result<void> validate(const Rules& rules) { return asResult(findFlaw(rules)); }

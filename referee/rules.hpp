@@ -36,8 +36,9 @@ struct Rules {
 /// Reads a profile: the name of a preset or the path of a TOML file. A key that the file lacks keeps the
 /// default of `Rules`; a missing name becomes the file's. Errors: kUsage for an unknown name (with a
 /// suggestion), kIo for a file that cannot be read, kBadInput as `file:line: table.key ...` with the range.
+/// A field that is a relative path counts from the profile's folder and must load.
 Result<Rules> loadRules(const std::string& name_or_file);
-/// The same from text; `origin` stands for the file name in errors.
+/// The same from text; `origin` stands for the file name in errors. Opens no field.
 Result<Rules> parseRules(std::string_view text, const std::string& origin);
 /// Checks ranges and consistency; the error names the key.
 Result<void> validate(const Rules& rules);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/team.hpp"
+#include "referee/detector_schema.hpp"
 
 namespace fulbito {
 namespace {
@@ -157,6 +158,14 @@ std::optional<Flaw> placesFlaw(const Rules& rules) {
   return tableFlaw(rules.goal_kick.places, "goal_kick");
 }
 
+std::optional<Flaw> detectorFlaw(const Rules& rules) {
+  if (auto flaw = findFlaw(rules.goal)) return flaw;
+  if (auto flaw = findFlaw(rules.stuck)) return flaw;
+  if (auto flaw = findFlaw(rules.areas)) return flaw;
+  if (auto flaw = findFlaw(rules.keeper)) return flaw;
+  return findFlaw(rules.fouls);
+}
+
 }  // namespace
 
 std::vector<RulesTable> tablesOf(Rules& r) {
@@ -171,6 +180,11 @@ std::vector<RulesTable> tablesOf(Rules& r) {
       {"free_kick", "Law 11.", schemaOf(r.free_kick)},
       {"penalty", "Law 12. The mark is the field's.", schemaOf(r.penalty)},
       {"goal_kick", "Law 13.", schemaOf(r.goal_kick)},
+      {"goal", "Law 7.1.", schemaOf(r.goal)},
+      {"stuck", "Laws 13 and 14: the ball that nobody can move.", schemaOf(r.stuck)},
+      {"areas", "Laws 8.2 and 8.3: too many robots in a goal area.", schemaOf(r.areas)},
+      {"keeper", "Laws 2.2.3, 8.1 and 13: the keeper.", schemaOf(r.keeper)},
+      {"fouls", "Law 8.1: pushing and holding.", schemaOf(r.fouls)},
   };
 }
 
@@ -180,6 +194,7 @@ std::optional<Flaw> findFlaw(const Rules& rules) {
     if (auto flaw = rangeFlaw(table.schema, table.name)) return flaw;
   }
   if (auto flaw = placesFlaw(rules)) return flaw;
+  if (auto flaw = detectorFlaw(rules)) return flaw;
   const RestartRules& restart = rules.restart;
   if (restart.false_start_release > restart.false_start_distance) {
     return Flaw{"restart", -1, "false_start_release",

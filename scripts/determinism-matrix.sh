@@ -1,16 +1,16 @@
 #!/bin/bash
-# Builds the engine and one hash program with several compilers and levels, runs each with and without the
-# processor's fused multiply-add, and compares every scene's hash with tests/determinism/golden.txt.
+# Builds the engine, all that matches need, and two hash programs with several compilers and levels, runs each
+# with and without the processor's fused multiply-add, and compares every scene's hash with
+# tests/determinism/golden.txt and every match's with tests/determinism/golden_matches.txt.
 #
 #   scripts/determinism-matrix.sh            all builds
 #   scripts/determinism-matrix.sh gcc-O2     only those named
-#   UPDATE_GOLDEN=1 scripts/determinism-matrix.sh   writes the golden file from the first build, then compares
+#   UPDATE_GOLDEN=1 scripts/determinism-matrix.sh   writes the golden files from the first build, then compares
 #
 # Exit code 0: all equal; 1: some differ; 2: a build failed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-golden=tests/determinism/golden.txt
 sanitizers="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 builds=(
   "gcc-O2|g++|-O2 -DNDEBUG"
@@ -46,6 +46,21 @@ verdict() {  # expected-file printed-file
   if cmp -s "$1" "$2"; then echo same; else echo DIFFERS; fi
 }
 
+compare() {  # build what program golden-file
+  local golden=tests/determinism/$4 out=$folder/$3 plain masked
+  "$folder/$3" > "$out.plain.txt"
+  GLIBC_TUNABLES=$no_fma "$folder/$3" > "$out.masked.txt"
+  if [ "${UPDATE_GOLDEN:-0}" = 1 ]; then cp "$out.plain.txt" "$golden"; fi
+  plain=$(verdict "$golden" "$out.plain.txt")
+  masked=$(verdict "$golden" "$out.masked.txt")
+  printf '%-16s %-12s %-10s %-10s\n' "$1" "$2" "$plain" "$masked"
+  if [ "$plain$masked" != samesame ]; then
+    failures=1
+    diff "$golden" "$out.plain.txt" || true
+    diff "$golden" "$out.masked.txt" || true
+  fi
+}
+
 mkdir -p build/matrix
 failures=0
 trig=build/matrix/trig.txt
@@ -60,20 +75,9 @@ for entry in "${builds[@]}"; do
     exit 2
   fi
   folder=build/matrix/$name/tests/determinism
-  "$folder/hash_program" > "$folder/plain.txt"
-  GLIBC_TUNABLES=$no_fma "$folder/hash_program" > "$folder/masked.txt"
-  if [ "${UPDATE_GOLDEN:-0}" = 1 ]; then
-    cp "$folder/plain.txt" "$golden"
-    UPDATE_GOLDEN=0
-  fi
-  plain=$(verdict "$golden" "$folder/plain.txt")
-  masked=$(verdict "$golden" "$folder/masked.txt")
-  printf '%-16s %-12s %-10s %-10s\n' "$name" scenes "$plain" "$masked"
-  if [ "$plain$masked" != samesame ]; then
-    failures=1
-    diff "$golden" "$folder/plain.txt" || true
-    diff "$golden" "$folder/masked.txt" || true
-  fi
+  compare "$name" scenes hash_program golden.txt
+  compare "$name" matches match_hash_program golden_matches.txt
+  UPDATE_GOLDEN=0
   # Once is enough: the C library is the same for every build.
   if [ ! -e "$trig" ]; then
     "$folder/trig_program" > "$trig"

@@ -8,6 +8,7 @@
 #include "strategies/chaser.hpp"
 #include "strategies/classic.hpp"
 #include "strategies/idle.hpp"
+#include "strategies/libero.hpp"
 #include "strategies/random_team.hpp"
 
 namespace fulbito {
@@ -18,7 +19,8 @@ constexpr const char* kNavigatorSetting = "navigator";
 }  // namespace
 
 std::span<const TeamInfo> teams() {
-  static const std::vector<TeamInfo> entries = {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo()};
+  static const std::vector<TeamInfo> entries = {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(),
+                                                liberoInfo()};
   return entries;
 }
 

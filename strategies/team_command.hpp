@@ -61,6 +61,9 @@ struct TeamCommand {
   /// in these, so that a slow machine changes no result.
   std::int64_t work = 0;
   std::vector<DebugDrawing> drawings;  ///< left empty unless wanted
+  /// What each robot plays, as the team numbers its roles from 1; 0: not told. Nothing in a match depends on
+  /// it: drills count how often roles change hands.
+  std::array<std::uint8_t, kMaxTeamSize> roles{};
 };
 
 }  // namespace fulbito

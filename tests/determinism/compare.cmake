@@ -9,6 +9,6 @@ if("$ENV{UPDATE_GOLDEN}" STREQUAL "1")
 endif()
 file(READ ${GOLDEN} golden)
 if(NOT printed STREQUAL golden)
-  message(FATAL_ERROR "The scenes' hashes differ from ${GOLDEN}.\nexpected:\n${golden}\nprinted:\n${printed}"
-    "If the engine's behaviour was meant to change, run again with UPDATE_GOLDEN=1.")
+  message(FATAL_ERROR "The hashes differ from ${GOLDEN}.\nexpected:\n${golden}\nprinted:\n${printed}"
+    "If the behaviour was meant to change, run again with UPDATE_GOLDEN=1.")
 endif()

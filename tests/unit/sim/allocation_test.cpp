@@ -1,42 +1,11 @@
 // Counts every allocation of the program: Box2D uses malloc, the library operator new, and both end here.
-#include <atomic>
-#include <cstddef>
 #include <cstdlib>
 #include <vector>
 
 #include "engine/core/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/malloc_counter.hpp"
 #include "tests/support/worlds.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-extern "C" {
-// NOLINTBEGIN(bugprone-reserved-identifier): glibc's own names for what is replaced here
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
-
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  ++allocations;
-  return __libc_calloc(count, size);
-}
-void* realloc(void* old, std::size_t size) {
-  ++allocations;
-  return __libc_realloc(old, size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-// NOLINTEND(bugprone-reserved-identifier)
-}
 
 using namespace fulbito;
 using namespace fulbito::test;
@@ -51,25 +20,25 @@ long allocationsIn(World& world, Load load, int warm_up, int ticks) {
   std::vector<WheelSpeeds> commands(world.config().robots.size());
   long before = 0;
   for (int tick = 0; tick < warm_up + ticks; ++tick) {
-    if (tick == warm_up) before = allocations;
+    if (tick == warm_up) before = mallocCount();
     for (std::size_t i = 0; i < commands.size(); ++i) {
       commands[i] = load == Load::kChase ? chase(world.state().robots[i], world.state().balls[0].position)
                                          : WheelSpeeds{rng.uniform(-46.0, 46.0), rng.uniform(-46.0, 46.0)};
     }
     world.step(commands);
   }
-  return allocations - before;
+  return mallocCount() - before;
 }
 
 }  // namespace
 
 TEST_CASE("the counter sees what malloc and operator new allocate", "[unit]") {
-  const long before = allocations;
+  const long before = mallocCount();
   void* volatile raw = std::malloc(10);  // volatile: the compiler may not drop the pair
   std::free(raw);
   std::vector<int>* volatile made = new std::vector<int>(100);
   delete made;
-  CHECK(allocations - before >= 3);
+  CHECK(mallocCount() - before >= 3);
 }
 
 TEST_CASE("a warm world's ticks allocate nothing", "[unit]") {

@@ -1,0 +1,57 @@
+#include "apps/rules.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/commands.hpp"
+#include "referee/rules.hpp"
+
+namespace fulbito::app {
+namespace {
+
+int showRules(const std::string& name_or_file) {
+  const auto loaded = loadRules(name_or_file);
+  if (!loaded) return report(loaded.error());
+  // A preset's own text has its remarks; a file is shown whole, with the keys that it leaves to the defaults.
+  const std::vector<std::string> presets = rulesPresetNames();
+  const bool preset = std::find(presets.begin(), presets.end(), name_or_file) != presets.end();
+  const std::string text = preset ? rulesPresetText(name_or_file).value_or("") : toToml(*loaded);
+  std::fputs(text.c_str(), stdout);
+  return kOk;
+}
+
+int checkRules(const std::string& file) {
+  const auto loaded = loadRules(file);
+  if (!loaded) return report(loaded.error());
+  fmt::print("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
+             loaded->team_size, loaded->field);
+  return kOk;
+}
+
+}  // namespace
+
+CLI::App* addRules(CLI::App& app, RulesOptions& options) {
+  CLI::App* command = app.add_subcommand("rules", "print or check a profile of rules");
+  command->footer(
+      "Examples:\n"
+      "  fulbito rules show vsss-3v3                 every number, with its source\n"
+      "  fulbito rules show training > mine.toml     a profile to change\n"
+      "  fulbito rules check mine.toml");
+  command->require_subcommand(1);
+  command->add_subcommand("show", "print every number of a profile with its source")
+      ->add_option("name", options.show, "profile or TOML file")
+      ->required();
+  command->add_subcommand("check", "say what is wrong with a profile: file, line, key and range")
+      ->add_option("file", options.check, "TOML file or profile")
+      ->required();
+  return command;
+}
+
+int rules(const RulesOptions& options) {
+  return options.show.empty() ? checkRules(options.check) : showRules(options.show);
+}
+
+}  // namespace fulbito::app

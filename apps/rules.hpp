@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace fulbito::app {
+
+/// What `fulbito rules` was asked.
+struct RulesOptions {
+  std::string show;   ///< preset or file whose numbers are printed
+  std::string check;  ///< file that is checked
+};
+
+/// Adds `rules` with its parts `show` and `check`.
+CLI::App* addRules(CLI::App& app, RulesOptions& options);
+
+/// Runs the part that was given and returns its exit code.
+int rules(const RulesOptions& options);
+
+}  // namespace fulbito::app

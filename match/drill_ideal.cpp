@@ -1,0 +1,74 @@
+#include "match/drill_ideal.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math.hpp"
+#include "engine/sim/world.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr double kLongest = 5.0;  // [s] after which an interception is given up
+
+/// The first time at which a robot can be at the ball, which rolls on a field without robots.
+double timeToMeet(const DrillScene& scene, const MatchConfig& config) {
+  const auto& pose = scene.placement.robots[indexOf(TeamId::kBlue)][0];
+  if (!pose) return 0.0;
+  WorldConfig alone;
+  alone.field = config.field;
+  alone.physics = config.physics;
+  const Vec2 velocity = scene.placement.ball_velocity;
+  alone.balls.push_back({config.robot.ball, scene.placement.ball, velocity, velocity});
+  auto world = World::create(alone);
+  if (!world) return 0.0;
+  const double reach = config.robot.robot.length / 2 + config.robot.ball.radius;
+  const double dt = config.physics.controlPeriod();
+  double time = 0.0;
+  while (time < kLongest) {
+    const Vec2 way = world->state().balls.front().position - pose->position;
+    const double bearing = math::wrapAngle(math::angleOf(way) - pose->heading);
+    if (timeToReach(config.robot.robot, std::max(0.0, norm(way) - reach), bearing) <= time) break;
+    world->step({});
+    time = static_cast<double>(world->state().tick) * dt;
+  }
+  return time;
+}
+
+bool isRace(const Drill& drill) {
+  return std::any_of(drill.successes.begin(), drill.successes.end(),
+                     [](const DrillEnd& end) { return end.what == DrillCondition::kTouched; });
+}
+
+}  // namespace
+
+double timeToReach(const RobotModel& robot, double distance, double bearing) {
+  const double folded = std::min(std::abs(bearing), math::kPi - std::abs(bearing));
+  const double a = robot.wheel_acceleration;
+  const double v = robot.maxSpeed();
+  const double turn = 1.4 * std::sqrt(folded * robot.axle_track / (2.0 * a));
+  return turn + (distance < v * v / (2.0 * a) ? std::sqrt(2.0 * distance / a) : distance / v + v / (2.0 * a));
+}
+
+double timeToTurn(const RobotModel& robot, double angle) {
+  const double rim = std::abs(angle) * robot.axle_track / 2.0;
+  return 2.0 * std::sqrt(rim / robot.wheel_acceleration);
+}
+
+double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig& config) {
+  const auto& pose = scene.placement.robots[indexOf(TeamId::kBlue)][0];
+  if (!pose) return 0.0;
+  const double turn = math::wrapAngle(scene.exercise.heading - pose->heading);
+  switch (drill.starts[static_cast<std::size_t>(scene.start)].task) {
+    case DrillTask::kReachPose:
+      return timeToReach(config.robot.robot, distance(scene.exercise.target, pose->position), turn);
+    case DrillTask::kTurn:
+      return timeToTurn(config.robot.robot, turn);
+    case DrillTask::kPlay:
+      return isRace(drill) ? timeToMeet(scene, config) : 0.0;
+    default:
+      return 0.0;
+  }
+}
+
+}  // namespace fulbito

@@ -1,0 +1,71 @@
+// Private header of match: not installed.
+#pragma once
+
+#include "match/drill.hpp"
+#include "match/drill_opponents.hpp"
+#include "match/drill_start.hpp"
+#include "match/match_observer.hpp"
+
+namespace fulbito {
+
+/// Judges one trial from the true world, in the tested team's frame.
+class DrillWatch final : public MatchObserver {
+ public:
+  DrillWatch(const Drill& drill, const DrillScene& scene, const FieldGeometry& field,
+             const RobotPreset& robot, const ExerciseLog& log);
+
+  void playBegins(const PlayStart& start) override;
+  void ticked(const MatchTick& tick) override;
+
+  /// Nothing more can change.
+  bool done() const { return done_; }
+  /// The verdict; `ideal` is the least time [s] that the caller knows of.
+  DrillTrial trial(double ideal) const;
+
+ private:
+  struct Now {
+    double time = 0.0;  ///< [s] since the start
+    BallState ball;
+    RobotState robot;       ///< the tested team's first
+    bool touched = false;   ///< by the tested team in this tick
+    bool by_first = false;  ///< by its first robot
+    int walls = 0;          ///< contacts of the ball with walls that began
+  };
+  Now look(const MatchTick& tick);
+  bool holds(const DrillEnd& end, const Now& now) const;
+  bool any(const std::vector<DrillEnd>& ends, const Now& now) const;
+  void judgePlay(const Now& now);
+  void judgeTask(const Now& now);
+  void judgeStay(const Now& now, bool inside);
+  void judgeTouch(const Now& now);
+  void judgePush(const Now& now);
+  void judgePrediction(const Now& now);
+  void follow(const Now& now);
+  void succeed(double time);
+  void finish();
+  bool alignedWith(const RobotState& robot, double heading, bool either_end) const;
+  void hear(const MatchTick& tick, const Now& now);
+
+  const Drill& drill_;
+  const DrillScene& scene_;
+  const DrillStart& start_;
+  const FieldGeometry& field_;
+  const RobotPreset& robot_;
+  const ExerciseLog& log_;
+  double dt_ = 1.0 / 60.0;
+  double duration_ = 0.0;
+  bool begun_ = false;
+  bool done_ = false;
+  bool own_touch_last_ = false;
+  int goal_ = 0;           ///< 1: in the opponents' goal, -1: in the own
+  bool at_fault_ = false;  ///< the referee stopped play because of the tested team
+  bool touched_ = false;   ///< ever, by the tested team
+  int bounces_ = 0;
+  double inside_since_ = -1.0;
+  double drift_ = 0.0;
+  RobotState before_;  ///< the first robot one tick ago
+  Vec2 ball_start_;
+  DrillTrial trial_;
+};
+
+}  // namespace fulbito

@@ -1,0 +1,76 @@
+#include "referee/detect_holding.hpp"
+
+#include "engine/core/math.hpp"
+#include "referee/ball_gap.hpp"
+#include "referee/detector_support.hpp"
+#include "referee/note_presence.hpp"
+
+namespace fulbito {
+namespace {
+
+/// The share of the ball that the robot covers; 0 where a bound shows that it is no more than allowed.
+double hiddenShare(const DetectorInput& in, std::size_t i, double gap) {
+  const double radius = in.setup.ball.radius;
+  // A strip of the disc's full diameter is more than what a body that reaches in by -gap can cover.
+  if (-gap * 2.0 <= in.setup.rules.fouls.hidden_share * math::kPi * radius) return 0.0;
+  const Pose2& pose = in.view.robots[i].pose;
+  const Vec2 ball = intoFrame(math::unit(pose.heading), in.view.ball.position - pose.position);
+  return shareOfDisc(in.setup.robot.length / 2, in.setup.robot.width / 2, ball, radius);
+}
+
+bool pins(const DetectorInput& in, std::size_t i, double gap) {
+  const FoulRules& rules = in.setup.rules.fouls;
+  const double most = rules.pinned_speed * rules.pinned_speed;
+  if (rules.pinned_seconds <= 0.0 || gap > rules.pinned_gap) return false;
+  if (squaredNorm(in.view.ball.velocity) > most || squaredNorm(in.view.robots[i].velocity) > most) {
+    return false;
+  }
+  return !disputes(in, other(in.view.ids[i].team), rules.dispute_lengths);
+}
+
+Finding callOf(const DetectorInput& in, std::size_t i) {
+  const RobotId robot = in.view.ids[i];
+  const bool in_own_area = at(in.areas, in.state.sideOf(robot.team)).ball;
+  Finding call =
+      in_own_area ? makeCall(in, clause::kPenaltyHolding, "8.1", RestartKind::kPenalty, other(robot.team))
+                  : makeCall(in, clause::kFreeKickHolding, "8.1", RestartKind::kFreeKick, other(robot.team));
+  blame(call, robot);
+  return call;
+}
+
+std::optional<Finding> holdingBy(const DetectorInput& in, std::size_t i, double gap, FoulMemory& memory) {
+  const FoulRules& rules = in.setup.rules.fouls;
+  const Tick release = ticksOf(rules.holding_release, in.setup.dt), now = in.view.tick;
+  const double share = hiddenShare(in, i, gap);
+  if (share > rules.hidden_share) memory.hidden[i].add(now, release);
+  if (pins(in, i, gap)) memory.pinned[i].add(now, release);
+  if (memory.hidden[i].ticks(now) > ticksOf(rules.hidden_seconds, in.setup.dt)) {
+    Finding call = callOf(in, i);
+    measure(call, share, rules.hidden_share);
+    return call;
+  }
+  if (memory.pinned[i].ticks(now) > ticksOf(rules.pinned_seconds, in.setup.dt)) {
+    Finding call = callOf(in, i);
+    measureTicks(in, call, memory.pinned[i].ticks(now), rules.pinned_seconds);
+    return call;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Finding> detectHolding(const DetectorInput& in, const PresenceMemory& presence,
+                                     FoulMemory& memory) {
+  const FoulRules& rules = in.setup.rules.fouls;
+  if (!rules.holding || !cooledDown(in, rules.cool_down)) return std::nullopt;
+  const double most = rules.pinned_seconds > 0.0 ? rules.pinned_gap : 0.0;
+  for (std::size_t i = 0; i < robotsIn(in.view); ++i) {
+    const auto gap =
+        ballGap(in.setup.robot, in.view.robots[i].pose, in.setup.ball, in.view.ball.position, most);
+    if (!gap || keepsGoal(in, i, presence)) continue;
+    if (auto call = holdingBy(in, i, *gap, memory)) return call;
+  }
+  return std::nullopt;
+}
+
+}  // namespace fulbito

@@ -1,0 +1,53 @@
+// Private header of replays: not installed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "replays/byte_io.hpp"
+
+namespace fulbito {
+
+/// A table of whole numbers, kept column by column: each column is one quantity over time.
+class Columns {
+ public:
+  Columns() = default;
+  Columns(std::size_t columns, std::size_t capacity) : columns_(columns), capacity_(capacity) {
+    values_.resize(columns * capacity);
+  }
+
+  std::size_t columns() const { return columns_; }
+  std::size_t rows() const { return rows_; }
+  void clear() { rows_ = 0; }
+  /// Makes one more row; all its values must be set.
+  std::size_t addRow() { return rows_++; }
+  std::int32_t& at(std::size_t column, std::size_t row) { return values_[column * capacity_ + row]; }
+  std::int32_t at(std::size_t column, std::size_t row) const { return values_[column * capacity_ + row]; }
+
+ private:
+  std::size_t columns_ = 0, capacity_ = 0, rows_ = 0;
+  std::vector<std::int32_t> values_;
+};
+
+/// Bytes that general compression shortens well: every column as what is left after a prediction from its own
+/// past, split into planes of equal significance.
+struct PackedColumns {
+  Bytes bytes;
+  std::vector<std::size_t> ends;    ///< where each plane ends
+  std::vector<std::uint32_t> left;  ///< memory for what predictions leave
+};
+
+/// Packs into `out`, whose memory is used again.
+void packColumns(const Columns& table, PackedColumns& out);
+
+/// The most bytes that such a table may take.
+std::size_t maxPackedSize(std::size_t columns, std::size_t rows);
+
+/// Reverses `packColumns`. Empty when the bytes are not those of such a table.
+std::optional<Columns> unpackColumns(BytesView bytes, std::size_t columns, std::size_t rows);
+
+/// `value / step` as the nearest whole number; 0 for what is not finite or too large.
+std::int32_t wholeSteps(double value, double step);
+
+}  // namespace fulbito

@@ -1,0 +1,54 @@
+#include "replays/recording.hpp"
+
+#include <algorithm>
+
+#include "engine/core/hash.hpp"
+
+namespace fulbito {
+namespace {
+
+class ShortHash {
+ public:
+  ShortHash& add(Vec2 v) {
+    hash_.add(v.x);
+    return add(v.y);
+  }
+  ShortHash& add(double value) {
+    hash_.add(value);
+    return *this;
+  }
+  std::uint16_t value() const { return static_cast<std::uint16_t>(hash_.value()); }
+
+ private:
+  StateHash hash_;
+};
+
+}  // namespace
+
+int countOf(const RecordingHeader& header, BodyKind kind) {
+  return static_cast<int>(std::count_if(header.bodies.begin(), header.bodies.end(),
+                                        [kind](const RecordedBody& body) { return body.kind == kind; }));
+}
+
+BodyHash bodyHash(const RobotState& robot) {
+  ShortHash place, motion;
+  place.add(robot.pose.position).add(robot.pose.heading);
+  motion.add(robot.velocity).add(robot.angular_velocity).add(robot.wheels.left).add(robot.wheels.right);
+  return {place.value(), motion.value()};
+}
+
+BodyHash bodyHash(const BallState& ball) {
+  ShortHash place, motion;
+  place.add(ball.position);
+  motion.add(ball.velocity).add(ball.spin);
+  return {place.value(), motion.value()};
+}
+
+BodyHash bodyHash(const ObstacleState& obstacle) {
+  ShortHash place, motion;
+  place.add(obstacle.pose.position).add(obstacle.pose.heading);
+  motion.add(obstacle.velocity);
+  return {place.value(), motion.value()};
+}
+
+}  // namespace fulbito

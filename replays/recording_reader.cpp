@@ -1,0 +1,242 @@
+#include "replays/recording_reader.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "replays/block.hpp"
+#include "replays/chunk.hpp"
+#include "replays/header_json.hpp"
+
+namespace fulbito {
+namespace {
+
+/// The largest file that is read: 1 GiB, which is more than ten days of 3v3.
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
+/// The most that a header, a result or an index may unpack to.
+constexpr std::size_t kMaxTextBytes = std::size_t{8} << 20;
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+Result<std::string> bytesOf(const std::string& name) {
+  const auto cannotRead = [&name](int reason) {
+    return fail(ErrorCode::kIo,
+                fmt::format("cannot read '{}': {}", name, std::generic_category().message(reason)));
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(name, ignored)) return cannotRead(EISDIR);
+  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(name.c_str(), "rb"));
+  if (file == nullptr) return cannotRead(errno);
+  std::string bytes;
+  std::array<char, 65536> part;
+  while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get())) {
+    if (bytes.size() + count > kMaxFileBytes) {
+      return fail(ErrorCode::kBadInput,
+                  fmt::format("{}: larger than {} bytes, the most that is read", name, kMaxFileBytes));
+    }
+    bytes.append(part.data(), count);
+  }
+  if (std::ferror(file.get()) != 0) return cannotRead(errno);
+  return bytes;
+}
+
+std::string nameOf(BlockType type) {
+  switch (type) {
+    case BlockType::kHeader:
+      return "header";
+    case BlockType::kChunk:
+      return "chunk";
+    case BlockType::kResult:
+      return "result";
+    case BlockType::kIndex:
+      return "index";
+  }
+  return "unknown block";
+}
+
+}  // namespace
+
+struct RecordingReader::Impl {
+  struct Place {
+    ChunkPlace place;
+    BytesView payload;
+  };
+  using Step = Result<void>;
+
+  Impl(std::string content, std::string name) : bytes(std::move(content)), origin(std::move(name)) {}
+
+  tl::unexpected<Error> bad(const std::string& what) const {
+    return fail(ErrorCode::kBadInput, fmt::format("{}: {}", origin, what));
+  }
+  tl::unexpected<Error> badBlock(const Block& block, const std::string& what) const {
+    return bad(fmt::format("the {} at byte {} is bad: {}", nameOf(block.type), block.offset, what));
+  }
+
+  Step readPrologue() {
+    if (!BytesView(bytes).starts_with(kMagic)) return bad("not a recording (.fbr) of this program");
+    ByteReader in(BytesView(bytes).substr(kMagic.size()));
+    const auto version = in.fixed<std::uint32_t>();
+    if (!in.good()) return bad("cut before its header");
+    if (version != kRecordingVersion) {
+      return bad(fmt::format("format version {}; this program reads version {}", version, kRecordingVersion));
+    }
+    return {};
+  }
+
+  Step readHeader() {
+    const auto block = blockAt(bytes, kPrologueSize, blockSeed(0, 0));
+    if (!block) {
+      return bad(block.error() == BlockFlaw::kCut ? "cut before the end of its header"
+                                                  : "its header is damaged");
+    }
+    if (block->type != BlockType::kHeader) return badBlock(*block, "a header was expected");
+    const auto text = textOf(*block);
+    if (!text) return badBlock(*block, "it cannot be unpacked");
+    auto read = headerFromJson(*text);
+    if (!read) return badBlock(*block, read.error());
+    header = std::move(*read);
+    header_checksum = block->checksum;
+    next = block->end();
+    return {};
+  }
+
+  std::optional<Bytes> textOf(const Block& block) const {
+    if (block.raw_size > kMaxTextBytes) return std::nullopt;
+    return unpack(static_cast<std::uint8_t>(block.codec), block.payload, block.raw_size);
+  }
+
+  /// Everything after the header, up to the end or the first flaw.
+  Step readBlocks() {
+    for (std::uint64_t number = 1; next < bytes.size(); ++number) {
+      const auto block = blockAt(bytes, next, blockSeed(header_checksum, number));
+      if (!block) {
+        // A finished file ends in its end mark, so there no block can have been cut.
+        if (block.error() == BlockFlaw::kCut && !BytesView(bytes).ends_with(kEndMagic)) return {};
+        return bad(fmt::format("damaged at byte {}, after {} good blocks", next, number));
+      }
+      if (auto taken = take(*block); !taken) return taken;
+      next = block->end();
+      if (block->type == BlockType::kIndex) return readFooter(*block);
+    }
+    return {};
+  }
+
+  Step take(const Block& block) {
+    switch (block.type) {
+      case BlockType::kChunk:
+        return takeChunk(block);
+      case BlockType::kResult:
+        return takeResult(block);
+      case BlockType::kIndex:
+        return takeIndex(block);
+      case BlockType::kHeader:
+        break;
+    }
+    return badBlock(block, "it does not belong there");
+  }
+
+  Step takeChunk(const Block& block) {
+    if (result) return badBlock(block, "it follows the result");
+    if (block.codec != 0) return badBlock(block, "unknown codec");
+    const auto head = readChunkHead(block.payload, header);
+    if (!head) return badBlock(block, head.error());
+    if (head->first_tick != ticks || head->plays_before != plays) {
+      return badBlock(block, "it does not follow the chunk before it");
+    }
+    ticks += head->ticks;
+    plays += head->plays;
+    chunks.push_back({{block.offset, static_cast<std::uint64_t>(head->first_tick),
+                       static_cast<std::uint64_t>(head->ticks)},
+                      block.payload});
+    return {};
+  }
+
+  Step takeResult(const Block& block) {
+    if (result) return badBlock(block, "there are two");
+    const auto text = textOf(block);
+    if (!text) return badBlock(block, "it cannot be unpacked");
+    auto read = resultFromJson(*text);
+    if (!read) return badBlock(block, read.error());
+    if (read->ticks != ticks) return badBlock(block, "it counts other ticks than the chunks hold");
+    result = std::move(*read);
+    return {};
+  }
+
+  Step takeIndex(const Block& block) {
+    if (!result) return badBlock(block, "there is no result before it");
+    const auto text = textOf(block);
+    const auto places = text ? readIndex(*text) : std::nullopt;
+    bool same = places && places->size() == chunks.size();
+    for (std::size_t i = 0; same && i < chunks.size(); ++i) same = (*places)[i] == chunks[i].place;
+    if (!same) return badBlock(block, "it does not agree with the chunks");
+    return {};
+  }
+
+  Step readFooter(const Block& index) {
+    const BytesView left = BytesView(bytes).substr(next);
+    const Bytes footer = footerBytes(index.offset, index.checksum);
+    if (left.size() < footer.size() && BytesView(footer).starts_with(left)) return {};
+    if (left != footer) return bad(fmt::format("damaged at byte {}, in its last bytes", next));
+    finished = true;
+    return {};
+  }
+
+  const std::string bytes;
+  const std::string origin;
+  RecordingHeader header;
+  std::uint64_t header_checksum = 0;
+  std::size_t next = 0;
+  std::vector<Place> chunks;
+  Tick ticks = 0;
+  std::int64_t plays = 0;
+  std::optional<RecordingResult> result;
+  bool finished = false;
+};
+
+RecordingReader::RecordingReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+RecordingReader::RecordingReader(RecordingReader&&) noexcept = default;
+RecordingReader& RecordingReader::operator=(RecordingReader&&) noexcept = default;
+RecordingReader::~RecordingReader() = default;
+
+Result<RecordingReader> RecordingReader::open(const std::string& file, RecordingReadOptions options) {
+  auto bytes = bytesOf(file);
+  if (!bytes) return tl::unexpected<Error>(bytes.error());
+  return parse(std::move(*bytes), file, options);
+}
+
+Result<RecordingReader> RecordingReader::parse(std::string bytes, const std::string& origin,
+                                               RecordingReadOptions options) {
+  auto impl = std::make_unique<Impl>(std::move(bytes), origin);
+  if (auto read = impl->readPrologue(); !read) return tl::unexpected<Error>(read.error());
+  if (auto read = impl->readHeader(); !read) return tl::unexpected<Error>(read.error());
+  if (auto read = impl->readBlocks(); !read && !options.salvage) return tl::unexpected<Error>(read.error());
+  return RecordingReader(std::move(impl));
+}
+
+const RecordingHeader& RecordingReader::header() const { return impl_->header; }
+bool RecordingReader::finished() const { return impl_->finished; }
+const std::optional<RecordingResult>& RecordingReader::result() const { return impl_->result; }
+Tick RecordingReader::ticks() const { return impl_->ticks; }
+std::size_t RecordingReader::chunkCount() const { return impl_->chunks.size(); }
+std::size_t RecordingReader::sizeInBytes() const { return impl_->bytes.size(); }
+
+Tick RecordingReader::firstTick(std::size_t index) const {
+  return static_cast<Tick>(impl_->chunks[index].place.first_tick);
+}
+
+Result<RecordedChunk> RecordingReader::chunk(std::size_t index) const {
+  auto read = readChunk(impl_->chunks[index].payload, impl_->header);
+  if (!read) {
+    return impl_->bad(
+        fmt::format("the chunk at byte {} is bad: {}", impl_->chunks[index].place.offset, read.error()));
+  }
+  return std::move(*read);
+}
+
+}  // namespace fulbito

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/core/result.hpp"
+#include "replays/recording.hpp"
+
+namespace fulbito {
+
+/// How strict a reader is.
+struct RecordingReadOptions {
+  bool salvage = false;  ///< of a damaged file, what precedes the damage is read as if it were cut there
+};
+
+/// Reads a recording. All checksums and the order of chunks are checked when it is opened; a chunk is
+/// unpacked when it is asked for.
+class RecordingReader {
+ public:
+  /// Errors: kIo; kBadInput naming the file, the block and its place, for what is no recording, of another
+  /// version, or damaged. A file that was cut is no error: see `finished`.
+  static Result<RecordingReader> open(const std::string& file, RecordingReadOptions options = {});
+  /// The same from bytes in memory; `origin` stands for the file's name in errors.
+  static Result<RecordingReader> parse(std::string bytes, const std::string& origin,
+                                       RecordingReadOptions options = {});
+  RecordingReader(RecordingReader&&) noexcept;
+  RecordingReader& operator=(RecordingReader&&) noexcept;
+  ~RecordingReader();
+
+  const RecordingHeader& header() const;
+  /// Whether the recording was finished; false: it was cut, and its last seconds may be missing.
+  bool finished() const;
+  /// Of a finished recording.
+  const std::optional<RecordingResult>& result() const;
+  /// Ticks in all chunks.
+  Tick ticks() const;
+  std::size_t chunkCount() const;
+  /// First tick of a chunk, `index` below `chunkCount`.
+  Tick firstTick(std::size_t index) const;
+  /// A chunk, `index` below `chunkCount`. Errors: kBadInput.
+  Result<RecordedChunk> chunk(std::size_t index) const;
+  std::size_t sizeInBytes() const;
+
+ private:
+  struct Impl;
+  explicit RecordingReader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fulbito

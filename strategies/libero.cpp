@@ -1,0 +1,112 @@
+#include "strategies/libero.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "strategies/libero_areas.hpp"
+#include "strategies/libero_keeper.hpp"
+#include "strategies/libero_striker.hpp"
+#include "strategies/libero_support.hpp"
+
+namespace fulbito {
+namespace {
+
+using namespace libero;
+
+class Libero final : public Strategy {
+ public:
+  explicit Libero(Settings settings) : settings_(settings) {}
+
+  void begin(const MatchInfo& info) override {
+    pitch_ = Pitch(info);
+    spin_.reset();
+    striker_ = -1;
+    strike_ = {};
+    keep_ = {};
+  }
+
+  TeamCommand decide(const Observation& observation) override {
+    if (observation.since_restart < observation.dt / 2) {
+      spin_.reset();
+      strike_ = {};
+      keep_ = {};
+      held_ = 1.0;
+    }
+    ball_.compute(pitch_, spin_.update(pitch_, observation.ball));
+    const Picture picture{observation, pitch_, settings_, ball_};
+    chooseKeeper(picture);
+    chooseStriker(picture);
+    TeamCommand command;
+    int rank = 0;
+    for (int i = 0; i < observation.team_size; ++i) {
+      if (!picture.ownPresent(i)) continue;
+      command.robots[static_cast<std::size_t>(i)] = RobotCommand::byTwist(play(picture, i, rank));
+    }
+    return command;
+  }
+
+ private:
+  Twist play(const Picture& picture, int robot, int& rank) {
+    if (robot == keeper_) return keep(picture, robot, keep_);
+    const bool ours = inOwnArea(pitch_, ball_.at(0.2), 0.0);
+    if (robot == striker_ && !(ours && keeper_ >= 0)) return strike(picture, robot, strike_);
+    Vec2 place = supportPlace(picture, {}, rank++);
+    place = outOfOwnArea(pitch_, place, 0.07);
+    if (inTheirArea(pitch_, ball_.now().position, 0.1)) place = outOfTheirArea(pitch_, place, 0.08);
+    return supportTo(picture, robot, place);
+  }
+
+  /// The first robot on the field keeps goal; a lone one only while a shot comes.
+  void chooseKeeper(const Picture& picture) {
+    int present = 0;
+    keeper_ = -1;
+    for (int i = picture.seen.team_size - 1; i >= 0; --i) {
+      if (picture.ownPresent(i)) ++present, keeper_ = i;
+    }
+    if (present == 1 && !mustSave(picture, keeper_)) keeper_ = -1;
+  }
+
+  void chooseStriker(const Picture& picture) {
+    held_ += picture.seen.dt;
+    int best = -1;
+    double least = 1e9;
+    for (int i = 0; i < picture.seen.team_size; ++i) {
+      if (i == keeper_ || !picture.ownPresent(i)) continue;
+      const Interception meet = interception(picture, picture.own(i));
+      double cost = meet.time;
+      if (picture.own(i).pose.position.x > meet.ball.x) cost += 0.3;
+      if (i == striker_) cost -= 0.2;
+      if (cost < least) least = cost, best = i;
+    }
+    if (best == striker_) return;
+    if (striker_ >= 0 && striker_ != keeper_ && picture.ownPresent(striker_) && held_ < 0.4) return;
+    striker_ = best;
+    strike_ = {};
+    held_ = 0.0;
+  }
+
+  Settings settings_;
+  Pitch pitch_;
+  SpinTracker spin_;
+  BallForecast ball_;
+  int keeper_ = -1;
+  int striker_ = -1;
+  double held_ = 1.0;  // [s] since the striker was chosen
+  StrikerMemory strike_;
+  KeeperMemory keep_;
+};
+
+}  // namespace
+
+TeamInfo liberoInfo() {
+  return {"libero",
+          "the flagship: striker, support and keeper who read the game",
+          {},
+          false,
+          {},
+          [](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
+            return std::unique_ptr<Strategy>(std::make_unique<Libero>(Settings{}));
+          }};
+}
+
+}  // namespace fulbito

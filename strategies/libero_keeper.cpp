@@ -1,0 +1,112 @@
+#include "strategies/libero_keeper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math.hpp"
+#include "strategies/libero_striker.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+constexpr double kDepth = 0.05;   // [m] of the keeper's centre before the goal line
+constexpr double kReach = 0.165;  // [m] most |y| on the line
+
+/// y where the free ball crosses the line within `horizon` seconds; false when it does not.
+bool crossing(const Picture& picture, double line, double& y) {
+  Vec2 before = picture.ball.sample(0);
+  if (picture.ball.resting() || before.x < line) return false;
+  for (int i = 1; i <= 24; ++i) {
+    const Vec2 after = picture.ball.sample(i);
+    if (after.x <= line) {
+      const double part = (before.x - line) / std::max(1e-9, before.x - after.x);
+      y = before.y + (after.y - before.y) * part;
+      return true;
+    }
+    before = after;
+  }
+  return false;
+}
+
+/// One-dimensional, along the line; the body stays parallel to it.
+Twist slideTo(const Picture& picture, const RobotState& self, double line, double y) {
+  const Pitch& pitch = picture.pitch;
+  const double dx = line - self.pose.position.x, dy = y - self.pose.position.y;
+  if (std::abs(dx) > 0.06 || std::abs(dy) > 0.35) return restAt(pitch, self, {line, y}, math::kPi / 2);
+  const double fast = std::min(pitch.speed, std::sqrt(2.0 * 0.8 * pitch.acceleration * std::abs(dy)));
+  const double speed = std::copysign(std::min(fast, 20.0 * std::abs(dy)), dy);
+  // A small lean brings the robot back onto the line while it moves along it.
+  const double lean = std::clamp(dx * 6.0, -0.4, 0.4) * std::min(1.0, std::abs(speed) / 0.2);
+  const double along = speed >= 0.0 ? math::kPi / 2 - lean : -math::kPi / 2 + lean;
+  const double error = foldedError(along, self.pose.heading);
+  const double face = std::abs(math::wrapAngle(along - self.pose.heading)) > math::kPi / 2 ? -1.0 : 1.0;
+  return {face * std::abs(speed) * std::max(0.0, math::cos(error)), std::clamp(18.0 * error, -20.0, 20.0)};
+}
+
+/// Pushes a ball that lies near out to the side, from the goal's side.
+Twist clear(const Picture& picture, const RobotState& self, Vec2 ball) {
+  const Pitch& pitch = picture.pitch;
+  const double out = ball.y >= self.pose.position.y ? 1.0 : -1.0;
+  const Vec2 target{-pitch.half_length + 0.35, out * pitch.half_width};
+  const Aim aim = aimAt(pitch, ball, target);
+  int side = 0;
+  const double heading =
+      approachHeading(self.pose.position, aim.contact, math::angleOf(aim.direction), 0.09, 1.0, side);
+  return alongHeading(pitch, self, heading, pitch.speed);
+}
+
+}  // namespace
+
+double keeperPlace(const Picture& picture, double line) {
+  const Pitch& pitch = picture.pitch;
+  double y = 0.0;
+  if (crossing(picture, line + pitch.ball_radius, y) && std::abs(y) < pitch.goal_half + 0.05) {
+    return std::clamp(y, -kReach, kReach);
+  }
+  const Vec2 ball = picture.ball.at(0.05);
+  const double depth = std::max(ball.x + pitch.half_length, kDepth);
+  const double k = line + pitch.half_length;
+  y = std::clamp(ball.y, -1.0, 1.0) * k / depth;
+  return std::clamp(y, -kReach, kReach);
+}
+
+bool mustSave(const Picture& picture, int robot) {
+  const Pitch& pitch = picture.pitch;
+  double y = 0.0;
+  if (!crossing(picture, -pitch.half_length, y) || std::abs(y) > pitch.goal_half + 0.02) return false;
+  return picture.own(robot).pose.position.x < -pitch.half_length + 0.3 &&
+         picture.ball.now().position.x > picture.own(robot).pose.position.x;
+}
+
+Twist keep(const Picture& picture, int robot, KeeperMemory& memory) {
+  const RobotState& self = picture.own(robot);
+  const Pitch& pitch = picture.pitch;
+  const double line = -pitch.half_length + kDepth;
+  const BallState& ball = picture.ball.now();
+  const Vec2 rel = ball.position - self.pose.position;
+  memory.locked = std::max(0.0, memory.locked - picture.seen.dt);
+  if (memory.spin_left > 0.0) {
+    memory.spin_left -= picture.seen.dt;
+    return {0.0, memory.spin_sense * 28.0};
+  }
+  const bool in_front = ball.position.x > self.pose.position.x + 0.0;
+  const bool near = norm(rel) < 0.075;
+  if (near && memory.locked <= 0.0 && norm(ball.velocity) < 0.5) {
+    // The face that touches the ball must sweep it away from the mouth.
+    const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
+    const Vec2 wanted = in_front ? Vec2{0.3, out} : Vec2{0.0, out};
+    memory.spin_sense = cross(rel, wanted) >= 0.0 ? 1.0 : -1.0;
+    const bool safe = in_front && rel.x > 0.02;
+    if (safe) {
+      memory.spin_left = 0.3;
+      memory.locked = 0.5;
+      return {0.0, memory.spin_sense * 28.0};
+    }
+  }
+  const bool slow = norm(ball.velocity) < 0.3;
+  const bool close = ball.position.x < -pitch.half_length + 0.25 && std::abs(ball.position.y) < 0.33;
+  if (slow && close && rel.x > -0.02) return clear(picture, self, ball.position);
+  return slideTo(picture, self, line, keeperPlace(picture, line));
+}
+
+}  // namespace fulbito::libero

@@ -1,0 +1,41 @@
+#include "strategies/libero_pitch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulbito::libero {
+
+Pitch::Pitch(const MatchInfo& info)
+    : half_length(info.field.length / 2),
+      half_width(info.field.width / 2),
+      goal_half(info.field.goal_width / 2),
+      goal_depth(info.field.goal_depth),
+      corner(info.field.corner),
+      area_half(info.field.goal_area_width / 2),
+      area_depth(info.field.goal_area_depth),
+      arc_half(info.field.goal_area_arc_width / 2),
+      arc_depth(info.field.goal_area_arc_depth),
+      ball_radius(info.ball.radius),
+      robot_half(std::max(info.robot.length, info.robot.width) / 2),
+      robot_corner(info.robot.circumradius()),
+      speed(info.robot.maxSpeed()),
+      acceleration(info.robot.wheel_acceleration),
+      half_track(info.robot.axle_track / 2),
+      dt(info.physics.controlPeriod()),
+      age(info.observation_age),
+      ball(info.ball),
+      robot(info.robot),
+      team_size(info.team_size) {}
+
+Vec2 Pitch::inside(Vec2 p, double margin) const {
+  const double x = half_length - margin, y = half_width - margin;
+  p.x = std::clamp(p.x, -x, x);
+  p.y = std::clamp(p.y, -y, y);
+  // The corner cut: |x| + |y| may not exceed the line that lies `margin` inside it.
+  const double beyond =
+      std::abs(p.x) + std::abs(p.y) - (half_length + half_width - corner - margin * std::sqrt(2.0));
+  if (beyond > 0.0) p -= Vec2{std::copysign(beyond / 2, p.x), std::copysign(beyond / 2, p.y)};
+  return p;
+}
+
+}  // namespace fulbito::libero

@@ -1,0 +1,40 @@
+// Private header of strategies: not installed.
+#pragma once
+
+#include "strategies/observation.hpp"
+
+namespace fulbito::libero {
+
+/// The field and the bodies as the team's skills need them, in the team's frame: own goal at -x.
+struct Pitch {
+  Pitch() = default;
+  explicit Pitch(const MatchInfo& info);
+
+  /// `p` moved onto the field so far that a body of half size `margin` [m] fits, corner cuts included.
+  Vec2 inside(Vec2 p, double margin) const;
+  Vec2 ownGoal() const { return {-half_length, 0.0}; }
+  Vec2 theirGoal() const { return {half_length, 0.0}; }
+
+  double half_length = 0.75;    ///< [m]
+  double half_width = 0.65;     ///< [m]
+  double goal_half = 0.20;      ///< [m]
+  double goal_depth = 0.10;     ///< [m]
+  double corner = 0.07;         ///< [m] legs of the corner cuts
+  double area_half = 0.35;      ///< [m] half width of the goal area
+  double area_depth = 0.15;     ///< [m]
+  double arc_half = 0.10;       ///< [m] half chord of the area's arc
+  double arc_depth = 0.05;      ///< [m]
+  double ball_radius = 0.0215;  ///< [m]
+  double robot_half = 0.0375;   ///< [m] half of the longer side
+  double robot_corner = 0.053;  ///< [m] centre to corner
+  double speed = 1.2;           ///< [m/s] of a robot at most
+  double acceleration = 6.45;   ///< [m/s^2] of a wheel
+  double half_track = 0.03875;  ///< [m]
+  double dt = 1.0 / 60.0;       ///< [s]
+  double age = 0.0;             ///< [s] of the observations
+  BallModel ball;
+  RobotModel robot;
+  int team_size = 3;
+};
+
+}  // namespace fulbito::libero

@@ -1,0 +1,37 @@
+// Private header of strategies: not installed.
+#pragma once
+
+#include "strategies/libero_aim.hpp"
+#include "strategies/libero_motion.hpp"
+
+namespace fulbito::libero {
+
+/// What the striker remembers between ticks.
+struct StrikerMemory {
+  double mouth = 0.0;      ///< [m] y on their goal line that is aimed at
+  int side = 0;            ///< way round the ball that is held: +1 counter-clockwise
+  double spin_left = 0.0;  ///< [s] of a spin that is under way
+  double spin_sense = 1.0;
+  double locked = 0.0;  ///< [s] before the next spin
+  double jammed = 0.0;  ///< [s] for which robot and ball have pressed without moving
+};
+
+/// When and where `robot` can have the ball.
+struct Interception {
+  double time = 0.0;  ///< [s]
+  Vec2 ball;          ///< [m] where the ball then is
+};
+
+/// First time at which the robot can be behind the predicted ball.
+Interception interception(const Picture& picture, const RobotState& robot);
+
+/// Heading [rad] of the field that leads behind the ball and through it: tangents to a circle about the
+/// contact, then the N-posture field (Univector, 3.1). `side` breaks the tie where the robot is right in
+/// front.
+double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius, double sharpness,
+                       int& side);
+
+/// The striker's way: intercept, come round, push it in.
+Twist strike(const Picture& picture, int robot, StrikerMemory& memory);
+
+}  // namespace fulbito::libero

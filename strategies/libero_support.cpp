@@ -1,0 +1,61 @@
+#include "strategies/libero_support.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math.hpp"
+#include "strategies/libero_areas.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+/// The heading toward `to`, led round the nearest robot that stands in the way by its tangent.
+double headingRound(const Picture& picture, int robot, Vec2 to) {
+  const Vec2 from = picture.own(robot).pose.position;
+  const double length = norm(to - from);
+  const Vec2 way = unitOr(to - from, {1.0, 0.0});
+  constexpr double kClear = 0.11;
+  double nearest = std::min(length, 0.4);
+  Vec2 turned = way;
+  const auto look = [&](Vec2 body) {
+    const Vec2 rel = intoFrame(way, body - from);
+    if (rel.x < 0.0 || rel.x > nearest || std::abs(rel.y) > kClear) return;
+    nearest = rel.x;
+    const double pass = rel.y > 0.0 ? rel.y - kClear : rel.y + kClear;
+    turned = unitOr(outOfFrame(way, {std::max(rel.x, 0.05), pass}), way);
+  };
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (i != robot && picture.ownPresent(i)) look(picture.own(i).pose.position);
+    if (picture.opponentPresent(i)) look(picture.opponent(i).pose.position);
+  }
+  look(picture.ball.now().position);
+  return math::angleOf(turned);
+}
+
+}  // namespace
+
+Vec2 supportPlace(const Picture& picture, Vec2, int rank) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.at(0.15);
+  const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
+  if (ball.x > 0.15 && rank == 0 && picture.settings.aggression >= 0.5) {
+    return {std::min(ball.x - 0.2, pitch.half_length - 0.35), far_side * 0.18};
+  }
+  // The shadow: on the line from the ball to our goal, outside the area.
+  const Vec2 goal = pitch.ownGoal();
+  const double front = -pitch.half_length + pitch.area_depth + pitch.arc_depth + 0.09;
+  const double x = std::max(front, ball.x - 0.35);
+  const double part = std::clamp((x - goal.x) / std::max(0.05, ball.x - goal.x), 0.0, 1.0);
+  return {x, std::clamp(ball.y * part, -pitch.half_width + 0.06, pitch.half_width - 0.06)};
+}
+
+Twist supportTo(const Picture& picture, int robot, Vec2 place) {
+  const RobotState& self = picture.own(robot);
+  const double d = distance(self.pose.position, place);
+  const Vec2 ball = picture.ball.now().position;
+  if (d < 0.03) return restAt(picture.pitch, self, place, math::angleOf(ball - self.pose.position), 0.04);
+  const double speed = std::min(picture.pitch.speed, std::sqrt(2.0 * 0.7 * picture.pitch.acceleration * d));
+  return alongHeading(picture.pitch, self, headingRound(picture, robot, place), speed);
+}
+
+}  // namespace fulbito::libero

@@ -1,0 +1,38 @@
+#include "tests/support/catch.hpp"
+#include "tests/support/malloc_counter.hpp"
+#include "tests/unit/match/test_teams.hpp"
+
+namespace fulbito {
+namespace {
+
+using namespace fulbito::test;
+
+/// Ticks of a match that allocated anything, once warm. Ticks that end in a restart are not counted.
+int allocatingTicks(const MatchConfig& config, Tick warm_up) {
+  auto match = Match::create(config);
+  REQUIRE(match);
+  int count = 0;
+  for (bool more = true; more;) {
+    const long before = mallocCount();
+    more = match->step();
+    const bool restarted = match->world().tick == 0;
+    if (match->tick() > warm_up && !restarted && more && mallocCount() != before) ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a warm match's ticks allocate nothing", "[unit]") {
+  for (const TeamInfo& team : teams()) {
+    CAPTURE(team.name);
+    MatchConfig config = shortMatch(team.name, team.name, 30.0);
+    CHECK(allocatingTicks(config, 600) == 0);
+    config.vision.latency_ticks = 4;
+    config.vision.position_noise = 0.001;
+    config.vision.dropout = 0.05;
+    CHECK(allocatingTicks(config, 600) == 0);
+  }
+}
+
+}  // namespace fulbito
