@@ -25,9 +25,11 @@ RefereeSetup setupOf(const MatchConfig& config) {
   return setup;
 }
 
-RestartCall givenStart(const Placement& placement) {
+RestartCall givenStart(const MatchConfig& config) {
+  const Placement& placement = *config.start;
   RestartCall call;
-  call.kind = RestartKind::kGiven;
+  call.kind = config.opening ? config.opening->kind : RestartKind::kGiven;
+  if (config.opening) call.team = config.opening->team;
   call.ball = placement.ball;
   call.defaults = placement;
   return call;
@@ -77,7 +79,6 @@ struct Match::Impl {
 };
 
 Result<Play> Match::Impl::placed(const RestartCall& call) {
-  if (call.kind == RestartKind::kGiven) return makePlay(config, call, call.defaults);
   std::vector<GameEvent> repairs;
   Placement placement = placementOf(call, referee, {&seats[0].strategy(), &seats[1].strategy()}, repairs);
   misplace(placement, call, referee, config.placement_error, misplacing);
@@ -88,7 +89,8 @@ Result<Play> Match::Impl::placed(const RestartCall& call) {
 
 Result<void> Match::Impl::open() {
   const RestartCall kick_off = referee.open();
-  auto first = placed(config.start ? givenStart(*config.start) : kick_off);
+  auto first = config.start ? makePlay(config, givenStart(config), *config.start)
+                            : placed(config.opening.value_or(kick_off));
   if (!first) {
     return fail(first.error().code,
                 (config.start ? "start state: " : "first restart: ") + first.error().message);

@@ -9,8 +9,8 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kDepth = 0.05;   // [m] of the keeper's centre before the goal line
-constexpr double kReach = 0.165;  // [m] most |y| on the line
+constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
+constexpr double kReach = 0.175;  // [m] most |y| on the line
 
 /// y where the free ball crosses the line within `horizon` seconds; false when it does not.
 bool crossing(const Picture& picture, double line, double& y) {
@@ -55,6 +55,41 @@ Twist clear(const Picture& picture, const RobotState& self, Vec2 ball) {
   return alongHeading(pitch, self, heading, pitch.speed);
 }
 
+/// The ball lies or comes along our end wall, beside the goal or in its mouth's edge.
+bool alongEndWall(const Picture& picture) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.now().position;
+  return ball.x < -pitch.half_length + 0.08 && std::abs(ball.y) > 0.10 && std::abs(ball.y) < 0.5;
+}
+
+/// Closes the near post with a face that leads the ball out to the field, and holds.
+Twist guardPost(const Picture& picture, const RobotState& self) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.now().position;
+  const double side = ball.y > 0.0 ? 1.0 : -1.0;
+  const double lean = 0.3;
+  const Vec2 post{-pitch.half_length + 0.046,
+                  side * std::min(pitch.goal_half - 0.03, std::abs(ball.y) - 0.055)};
+  const Vec2 way = post - self.pose.position;
+  const double heading = side * (math::kPi / 2 - lean);
+  if (std::abs(way.y) < 0.02) {
+    Twist twist = turnTo(pitch, self, heading);
+    twist.linear = std::clamp(4.0 * dot(way, math::unit(self.pose.heading)), -0.2, 0.2);
+    return twist;
+  }
+  return slideTo(picture, self, post.x, post.y);
+}
+
+/// Whether an opponent is at the ball.
+bool pressed(const Picture& picture) {
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i) &&
+        squaredNorm(picture.opponent(i).pose.position - picture.ball.now().position) < 0.12 * 0.12)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 double keeperPlace(const Picture& picture, double line) {
@@ -85,27 +120,35 @@ Twist keep(const Picture& picture, int robot, KeeperMemory& memory) {
   const BallState& ball = picture.ball.now();
   const Vec2 rel = ball.position - self.pose.position;
   memory.locked = std::max(0.0, memory.locked - picture.seen.dt);
+  // A spin flings a ball that lies right before the front away, never one beside or behind the keeper.
+  const bool spins = rel.x > 0.045 && squaredNorm(rel) < 0.075 * 0.075;
+  if (!spins) memory.spin_left = 0.0;
   if (memory.spin_left > 0.0) {
     memory.spin_left -= picture.seen.dt;
     return {0.0, memory.spin_sense * 28.0};
   }
-  const bool in_front = ball.position.x > self.pose.position.x + 0.0;
-  const bool near = norm(rel) < 0.075;
-  if (near && memory.locked <= 0.0 && norm(ball.velocity) < 0.5) {
-    // The face that touches the ball must sweep it away from the mouth.
+  if (spins && memory.locked <= 0.0 && squaredNorm(ball.velocity) < 0.5 * 0.5) {
     const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
-    const Vec2 wanted = in_front ? Vec2{0.3, out} : Vec2{0.0, out};
-    memory.spin_sense = cross(rel, wanted) >= 0.0 ? 1.0 : -1.0;
-    const bool safe = in_front && rel.x > 0.02;
-    if (safe) {
-      memory.spin_left = 0.3;
-      memory.locked = 0.5;
-      return {0.0, memory.spin_sense * 28.0};
-    }
+    memory.spin_sense = cross(rel, {0.3, out}) >= 0.0 ? 1.0 : -1.0;
+    memory.spin_left = 0.3;
+    memory.locked = 0.5;
+    return {0.0, memory.spin_sense * 28.0};
   }
-  const bool slow = norm(ball.velocity) < 0.3;
+  if (alongEndWall(picture)) {
+    const bool free = !pressed(picture) && squaredNorm(rel) < 0.15 * 0.15 &&
+                      squaredNorm(ball.velocity) < 0.4 * 0.4 &&
+                      std::abs(ball.position.y) > std::abs(self.pose.position.y) &&
+                      ball.position.y * self.pose.position.y > -0.002;
+    if (free && 1 > 0)
+      return passThrough(pitch, self,
+                         {std::max(ball.position.x, -pitch.half_length + 0.042),
+                          ball.position.y + std::copysign(0.1, ball.position.y)},
+                         pitch.speed);
+    return guardPost(picture, self);
+  }
+  const bool slow = squaredNorm(ball.velocity) < 0.3 * 0.3;
   const bool close = ball.position.x < -pitch.half_length + 0.25 && std::abs(ball.position.y) < 0.33;
-  if (slow && close && rel.x > -0.02) return clear(picture, self, ball.position);
+  if (slow && close && rel.x > 0.03 && !pressed(picture)) return clear(picture, self, ball.position);
   return slideTo(picture, self, line, keeperPlace(picture, line));
 }
 

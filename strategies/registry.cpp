@@ -6,7 +6,10 @@
 
 #include "engine/core/suggest.hpp"
 #include "strategies/chaser.hpp"
+#include "strategies/classic.hpp"
+#include "strategies/idle.hpp"
 #include "strategies/libero.hpp"
+#include "strategies/random_team.hpp"
 
 namespace fulbito {
 namespace {
@@ -16,7 +19,8 @@ constexpr const char* kNavigatorSetting = "navigator";
 }  // namespace
 
 std::span<const TeamInfo> teams() {
-  static const std::vector<TeamInfo> entries = {chaserInfo(), liberoInfo()};
+  static const std::vector<TeamInfo> entries = {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(),
+                                                liberoInfo()};
   return entries;
 }
 

@@ -21,7 +21,9 @@ struct GoTo {
   bool avoid_ball = false;                                       ///< the ball is an obstacle too
   bool avoid_mates = true;
   bool avoid_opponents = true;
-  double tolerance = 0.03;     ///< [m]
+  double tolerance = 0.03;  ///< [m]
+  /// Either end of the robot may lead; `heading` is the direction of travel. False: the front leads.
+  bool either_front = true;
   std::uint8_t navigator = 0;  ///< which of the strategy's navigators drives
 };
 

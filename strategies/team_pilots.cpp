@@ -1,10 +1,37 @@
 #include "strategies/team_pilots.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "engine/core/math.hpp"
 #include "navigation/limiter.hpp"
 
 namespace fulbito {
+namespace {
+
+/// The same robot with its back called its front.
+RobotState turnedRound(RobotState robot) {
+  robot.pose.heading = math::wrapAngle(robot.pose.heading + math::kPi);
+  robot.wheels = {-robot.wheels.right, -robot.wheels.left};
+  return robot;
+}
+
+/// Direction [rad] in which `pilot` last wanted to leave `from`.
+double wantedDirection(const Pilot& pilot, bool planned, Vec2 from, Vec2 goal) {
+  const Guidance& guidance = pilot.guidance();
+  if (planned && guidance.kind == GuidanceKind::kField && guidance.field != nullptr) {
+    return guidance.field->heading(from);
+  }
+  if (planned && guidance.path.size() > 1) {
+    constexpr double kAhead = 0.03;  // [m]
+    for (const Vec2 point : guidance.path) {
+      if (distance(point, from) > kAhead) return math::angleOf(point - from);
+    }
+  }
+  return math::angleOf(goal - from);
+}
+
+}  // namespace
 
 Result<TeamPilots> TeamPilots::create(const MatchInfo& info, std::span<const NavigatorChoice> navigators) {
   TeamPilots team;
@@ -28,6 +55,7 @@ void TeamPilots::reset() {
   for (Driver& driver : drivers_) {
     for (auto& pilot : driver.pilots) pilot->reset();
     driver.last = -1;
+    driver.backward = false;
   }
 }
 
@@ -50,10 +78,30 @@ WheelSpeeds TeamPilots::driveRobot(const Observation& observation, int robot, co
   return inverseKinematics(info_.robot, limitTwist(info_.robot, now, wanted.twist, observation.dt));
 }
 
+void TeamPilots::chooseFront(Driver& driver, const RobotState& robot, const GoTo& go_to) const {
+  // Of a fast robot turning round costs less than stopping; near a right angle either end is as good
+  // (STRATEGY 2.4).
+  constexpr double kSlow = 0.3;                // [m/s]
+  constexpr double kClearly = math::kPi / 12;  // [rad] beyond a right angle
+  if (!go_to.either_front) {
+    driver.backward = false;
+    return;
+  }
+  if (norm(robot.velocity) > kSlow && driver.last >= 0) return;
+  const bool planned = driver.last == go_to.navigator;
+  const double wanted =
+      wantedDirection(*driver.pilots[go_to.navigator], planned, robot.pose.position, go_to.position);
+  const double heading = robot.pose.heading + (driver.backward ? math::kPi : 0.0);
+  if (std::abs(math::wrapAngle(wanted - heading)) > math::kPi / 2 + kClearly)
+    driver.backward = !driver.backward;
+}
+
 WheelSpeeds TeamPilots::goTo(const Observation& observation, int robot, const GoTo& go_to) {
   Driver& driver = drivers_[static_cast<std::size_t>(robot)];
   if (go_to.navigator >= driver.pilots.size()) return {};
   Pilot& pilot = *driver.pilots[go_to.navigator];
+  const RobotState& self = observation.own[static_cast<std::size_t>(robot)].state;
+  chooseFront(driver, self, go_to);
   if (driver.last != go_to.navigator) pilot.reset();
   driver.last = go_to.navigator;
 
@@ -77,7 +125,7 @@ WheelSpeeds TeamPilots::goTo(const Observation& observation, int robot, const Go
   NavigationScene scene;
   scene.tick = observation.tick;
   scene.dt = observation.dt;
-  scene.self = observation.own[static_cast<std::size_t>(robot)].state;
+  scene.self = driver.backward ? turnedRound(self) : self;
   scene.goal.position = go_to.position;
   scene.goal.heading = go_to.heading;
   scene.goal.tolerance = go_to.tolerance;
@@ -85,7 +133,8 @@ WheelSpeeds TeamPilots::goTo(const Observation& observation, int robot, const Go
   scene.obstacles = discs_;
   scene.field = &info_.field;
   scene.robot = &slowed_;
-  return pilot.drive(scene);
+  const WheelSpeeds wheels = pilot.drive(scene);
+  return driver.backward ? WheelSpeeds{-wheels.right, -wheels.left} : wheels;
 }
 
 }  // namespace fulbito

@@ -27,10 +27,13 @@ class TeamPilots {
  private:
   struct Driver {
     std::vector<std::unique_ptr<Pilot>> pilots;
-    int last = -1;  ///< pilot of the tick before
+    int last = -1;          ///< pilot of the tick before
+    bool backward = false;  ///< its back leads
   };
   WheelSpeeds driveRobot(const Observation& observation, int robot, const RobotCommand& wanted);
   WheelSpeeds goTo(const Observation& observation, int robot, const GoTo& go_to);
+
+  void chooseFront(Driver& driver, const RobotState& robot, const GoTo& go_to) const;
 
   MatchInfo info_;
   Foresight foresight_;

@@ -20,8 +20,9 @@ enum class Stream : std::uint32_t {
   kVision = 8,         ///< what the teams of a match see wrongly, indexed by seat
   kPlacement = 9,      ///< how exactly robots stand at a match's restarts
   kSeries = 10,        ///< seeds of a series' pairs
-  kDrill = 20,         ///< starts of drills
+  kRandomTeam = 11,    ///< the team `random`
   kCoinToss = 12,      ///< a referee's tosses: first kick-offs, ties without end
+  kDrill = 13,         ///< starts of drills
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of

@@ -1,0 +1,239 @@
+#include "strategies/classic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math.hpp"
+#include "strategies/area_projection.hpp"
+#include "strategies/ball_posture.hpp"
+#include "strategies/foresight.hpp"
+#include "strategies/interception.hpp"
+#include "strategies/line_keeping.hpp"
+#include "strategies/positions.hpp"
+#include "strategies/shot_geometry.hpp"
+#include "strategies/unsticking.hpp"
+#include "strategies/wall_play.hpp"
+
+namespace fulbito {
+namespace {
+
+enum class Role : std::uint8_t { kKeeper, kAttacker, kSupporter, kDefender, kWinger };
+
+class Classic final : public Strategy {
+ public:
+  struct Params {
+    double keeper_depth = 0.05;  ///< [m]
+    double support = 0.30;       ///< [m]
+    double strike_speed = 1.2;   ///< [m/s]
+    bool exchange = false;
+    bool spin = true;
+  };
+
+  Classic(Params params, NavigatorChoice navigator) : params_(params), navigators_{std::move(navigator)} {}
+
+  void begin(const MatchInfo& info) override;
+  std::span<const NavigatorChoice> navigators() const override { return navigators_; }
+  TeamCommand decide(const Observation& seen) override;
+
+ private:
+  /// What one robot remembers between ticks.
+  struct Memory {
+    bool round = false;
+    bool lined_up = false;
+    SpinKick spin;
+    Unsticking unsticking;
+  };
+
+  void chooseAttacker(const Observation& now);
+  RobotCommand keeper(const Observation& now, std::size_t i);
+  RobotCommand attacker(const Observation& now, std::size_t i);
+  RobotCommand supporter(Role role) const;
+  Vec2 aim(const Observation& now, Vec2 ball) const;
+  Role roleOf(std::size_t robot) const;
+
+  Params params_;
+  std::vector<NavigatorChoice> navigators_;
+  MatchInfo info_;
+  Foresight foresight_;
+  std::array<Memory, kMaxTeamSize> memory_;
+  std::size_t attacker_ = 1;
+  double since_exchange_ = 0.0;
+};
+
+void Classic::begin(const MatchInfo& info) {
+  info_ = info;
+  foresight_ = Foresight(info);
+  memory_.fill({});
+  attacker_ = std::min<std::size_t>(1, static_cast<std::size_t>(info.team_size) - 1);
+}
+
+/// Roles by number: 0 keeps, 1 attacks, 2 supports, 3 defends, 4 ... wait on the other wing. The attacker's
+/// may be exchanged with a mate's.
+Role Classic::roleOf(std::size_t robot) const {
+  constexpr std::array<Role, 5> kByNumber = {Role::kKeeper, Role::kAttacker, Role::kSupporter,
+                                             Role::kDefender, Role::kWinger};
+  if (robot == attacker_) return Role::kAttacker;
+  const std::size_t number = robot == 1 ? attacker_ : robot;
+  return kByNumber[std::min(number, kByNumber.size() - 1)];
+}
+
+void Classic::chooseAttacker(const Observation& now) {
+  constexpr double kDwell = 1.0, kBetter = 0.3;  // [s]
+  since_exchange_ += now.dt;
+  const auto size = static_cast<std::size_t>(now.team_size);
+  const bool gone = !now.own[attacker_].present;
+  if (!gone && (!params_.exchange || since_exchange_ < kDwell)) return;
+  double least = 1e9, present = 1e9;
+  std::size_t best = attacker_;
+  for (std::size_t i = 1; i < size; ++i) {
+    if (!now.own[i].present) continue;
+    const auto meeting = intercept(foresight_.ball(), foresight_.pace(), now.own[i].state);
+    double cost = meeting ? meeting->time : 10.0;
+    if (now.own[i].state.pose.position.x > now.ball.position.x) cost += 0.3;
+    if (i == attacker_) present = cost;
+    if (cost < least) least = cost, best = i;
+  }
+  if (best != attacker_ && least < present - kBetter) {
+    attacker_ = best;
+    since_exchange_ = 0.0;
+  }
+}
+
+TeamCommand Classic::decide(const Observation& seen) {
+  const Observation& now = foresight_.update(seen);
+  if (foresight_.playBegan()) {
+    memory_.fill({});
+    attacker_ = std::min<std::size_t>(1, static_cast<std::size_t>(now.team_size) - 1);
+  }
+  chooseAttacker(now);
+  TeamCommand command;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(now.team_size); ++i) {
+    if (!now.own[i].present) continue;
+    const Role role = roleOf(i);
+    RobotCommand& own = command.robots[i];
+    if (role == Role::kKeeper) {
+      own = keeper(now, i);
+    } else if (role == Role::kAttacker) {
+      own = attacker(now, i);
+    } else {
+      own = supporter(role);
+    }
+    const bool meant = own.kind != RobotCommand::Kind::kGoTo ||
+                       distance(own.go_to.position, now.own[i].state.pose.position) > 0.1;
+    if (const auto free = memory_[i].unsticking.update(
+            now.own[i].state, now.playing && meant && role != Role::kKeeper, now.dt)) {
+      own = RobotCommand::byTwist(*free);
+    }
+  }
+  return command;
+}
+
+RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
+  const RobotState& robot = now.own[i].state;
+  const double farthest = info_.field.goal_width / 2 - 0.02;
+  const Vec2 place = keeperPoint(info_.field, foresight_.ball(), params_.keeper_depth, farthest);
+  const Vec2 ball = now.ball.position;
+  // Only outward and upfield, never across the own mouth.
+  const Vec2 out{0.5, ball.y >= 0.0 ? 1.0 : -1.0};
+  const bool in_front = ball.x > robot.pose.position.x - 0.01;
+  const auto sense = memory_[i].spin.update(info_.field, info_.ball.radius, robot, now.ball, out,
+                                            params_.spin && in_front, now.dt, {.wall = 0.3});
+  if (sense) return RobotCommand::byTwist({0.0, *sense * 30.0});
+  if (const auto twist = keepLine(robot, place, info_.robot.maxSpeed())) return RobotCommand::byTwist(*twist);
+  GoTo back;
+  back.position = place;
+  back.heading = math::kPi / 2;
+  back.stop = true;
+  return RobotCommand::drivingTo(back);
+}
+
+Vec2 Classic::aim(const Observation& now, Vec2 ball) const {
+  std::array<ShotBlocker, kMaxTeamSize> blockers;
+  std::array<Vec2, kMaxTeamSize> places;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(now.team_size); ++i) {
+    if (!now.opponents[i].present) continue;
+    const RobotState& state = now.opponents[i].state;
+    places[count] = state.pose.position;
+    blockers[count++] = {state.pose.position, info_.robot.length / 2, state.velocity};
+  }
+  if (ball.x < -info_.field.length / 4) return clearanceTarget(info_.field, ball, {places.data(), count});
+  ShotModel model;
+  model.ball_radius = info_.ball.radius;
+  const auto shot = bestShot(info_.field, model, ball, {blockers.data(), count});
+  return shot ? shot->aim : opponentGoal(info_.field);
+}
+
+RobotCommand Classic::attacker(const Observation& now, std::size_t i) {
+  constexpr double kAreaMargin = 0.07;  // [m]
+  Memory& memory = memory_[i];
+  const RobotState& robot = now.own[i].state;
+  const BallPrediction& prediction = foresight_.ball();
+  const auto meeting = intercept(prediction, foresight_.pace(), robot);
+  const Vec2 ball = meeting ? meeting->ball : prediction.endOfWay();
+  if (isInArea(info_.field, ball, true) && now.own[0].present && i != 0) {
+    GoTo wait;
+    wait.position = outsideArea(info_.field, ball + Vec2{0.1, 0.0}, true, kAreaMargin);
+    return RobotCommand::drivingTo(wait);
+  }
+  const Vec2 direction = unitOr(aim(now, ball) - ball, {1.0, 0.0});
+  const Vec2 upfield{1.0, -0.3 * std::copysign(1.0, ball.y)};
+  if (const auto sense = memory.spin.update(info_.field, info_.ball.radius, robot, now.ball, upfield,
+                                            params_.spin, now.dt)) {
+    return RobotCommand::byTwist({0.0, *sense * 30.0});
+  }
+  memory.lined_up = isLinedUp(sideOfBall(robot, now.ball.position, direction), memory.lined_up);
+  if (memory.lined_up) {
+    return RobotCommand::byTwist(strike(robot, now.ball.position, direction, params_.strike_speed));
+  }
+  BallApproach approach = approachBall(robot, ball, direction, memory.round);
+  memory.round = approach.round;
+  GoTo& go_to = approach.go_to;
+  constexpr double kBodyMargin = 0.04;  // [m]
+  go_to.position = insideWalls(info_.field, go_to.position, kBodyMargin);
+  go_to.position = outsideArea(info_.field, go_to.position, true, kAreaMargin);
+  // Near the ball everybody is in the way: the field would turn off it.
+  const bool near = distance(robot.pose.position, ball) < 0.25;
+  go_to.avoid_opponents = !near;
+  go_to.avoid_mates = !near;
+  return RobotCommand::drivingTo(go_to);
+}
+
+RobotCommand Classic::supporter(Role role) const {
+  constexpr double kBodyMargin = 0.08, kAreaMargin = 0.07;  // [m]
+  const Vec2 ball = foresight_.ball().positionAt(0.3);
+  Vec2 place;
+  if (role == Role::kDefender) {
+    place = shadowPoint(info_.field, ball, 0.45 * (ball.x + info_.field.length / 2));
+  } else {
+    // Behind the ball and nearer the middle: ready for balls that come back, out of the attacker's way.
+    const double side = ball.y >= 0.0 ? -1.0 : 1.0;
+    const double aside = role == Role::kWinger ? 0.5 : 0.15;
+    place = ball + Vec2{-params_.support, side * aside};
+    place.y = std::clamp(place.y, -info_.field.width / 2 + 0.2, info_.field.width / 2 - 0.2);
+  }
+  place = insideWalls(info_.field, place, kBodyMargin);
+  place = outsideArea(info_.field, place, true, kAreaMargin);
+  place = outsideArea(info_.field, place, false, kAreaMargin + 0.03);
+  GoTo go_to;
+  go_to.position = place;
+  go_to.stop = true;
+  go_to.avoid_ball = true;
+  return RobotCommand::drivingTo(go_to);
+}
+
+}  // namespace
+
+TeamInfo classicInfo() {
+  using P = Classic::Params;
+  return describeTeam<P, Classic>(
+      "classic", "fixed roles, a keeper on its line and a field that leads to the ball, as in the textbooks",
+      {number("keeper_depth", &P::keeper_depth, 0.03, 0.2, "m", "the keeper's line before the goal line"),
+       number("support", &P::support, 0.1, 1.0, "m", "the supporter's place behind the ball"),
+       number("strike_speed", &P::strike_speed, 0.2, 3.0, "m/s", "through a ball that is lined up"),
+       flag("exchange", &P::exchange, "a field player that is nearer to the ball becomes the attacker"),
+       flag("spin", &P::spin, "spin at balls that lie at a wall")},
+      "univector:follower=classic");
+}
+
+}  // namespace fulbito
