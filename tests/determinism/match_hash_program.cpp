@@ -1,5 +1,5 @@
-// Prints, for a short match of every built-in team against the next in the list, in both formats and once with
-// an imperfect vision, a hash over all states and one over the referee's events.
+// Prints, for a short match of every built-in team against the next in the list, in both formats and once
+// with an imperfect vision, a hash over all states and one over the referee's events.
 #include <cinttypes>
 #include <cstdio>
 #include <string>
