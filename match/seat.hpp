@@ -18,6 +18,7 @@ struct Moment {
   const WorldState* world = nullptr;
   std::span<const RobotId> ids;
   const RefereeState* referee = nullptr;
+  double remaining = 0.0;  ///< [s] of play in the period
 };
 
 /// One side of a match: a team with its eyes, its navigation stage and the policy for what it commands.
@@ -49,7 +50,6 @@ class Seat {
   void fillReferee(const Moment& moment);
 
   TeamId team_;
-  double half_seconds_;
   int latency_ticks_;
   std::unique_ptr<Strategy> strategy_;
   TeamPilots pilots_;

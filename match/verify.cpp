@@ -63,7 +63,8 @@ class Verifier final : public ReplayVisitor {
   const RecordedSample* sampleAt(const ReplayedTick& tick) const {
     const Tick every = header_.sample_every;
     if (tick.chunk->samples.empty() || tick.tick % every != 0) return nullptr;
-    return &tick.chunk->samples[static_cast<std::size_t>(tick.tick / every - tick.chunk->first_tick / every - 1)];
+    return &tick.chunk
+                ->samples[static_cast<std::size_t>(tick.tick / every - tick.chunk->first_tick / every - 1)];
   }
 
   void diverge(Tick tick, const char* what) {
@@ -123,8 +124,9 @@ class Verifier final : public ReplayVisitor {
 
   void describe() {
     Divergence& d = *found_;
-    std::string text = fmt::format("differs from tick {} on (tick {} of play {}, {:.3f} s)", d.tick, d.play_tick,
-                                   d.play + 1, static_cast<double>(d.tick) / header_.control_rate);
+    std::string text =
+        fmt::format("differs from tick {} on (tick {} of play {}, {:.3f} s)", d.tick, d.play_tick, d.play + 1,
+                    static_cast<double>(d.tick) / header_.control_rate);
     if (!d.text.empty()) text += ": " + d.text;
     if (d.body) {
       text += fmt::format("; at tick {} {} of {}", d.body_tick, d.field, d.body_name);
