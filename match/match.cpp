@@ -57,9 +57,7 @@ struct Match::Impl {
   void begin(Play&& play);
 
   Result<Play> placed(const RestartCall& call);
-  Moment moment() const {
-    return {tick, &play->world.state(), play->ids, &referee.state(), referee.remaining()};
-  }
+  Moment moment() const { return {tick, &play->world.state(), play->ids, &referee.state()}; }
   GameEvent eventNow() const;
 
   MatchConfig config;

@@ -78,7 +78,7 @@ void Seat::fillReferee(const Moment& moment) {
   observation_.restart_is_ours = referee.last.team == team_;
   observation_.since_restart = static_cast<double>(moment.tick - referee.play_began) * observation_.dt;
   observation_.period = referee.period;
-  observation_.remaining = moment.remaining;
+  observation_.remaining = static_cast<double>(referee.period_ticks - referee.play_ticks) * observation_.dt;
   observation_.own_score = referee.score[indexOf(team_)];
   observation_.opponent_score = referee.score[indexOf(other(team_))];
 }

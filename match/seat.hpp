@@ -18,7 +18,6 @@ struct Moment {
   const WorldState* world = nullptr;
   std::span<const RobotId> ids;
   const RefereeState* referee = nullptr;
-  double remaining = 0.0;  ///< [s] of play in the period
 };
 
 /// One side of a match: a team with its eyes, its navigation stage and the policy for what it commands.

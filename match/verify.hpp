@@ -17,6 +17,7 @@ struct Divergence {
   /// and sampled 30 times a second.
   std::optional<std::size_t> body;
   std::string body_name;
+  int bodies = 0;  ///< that differ at `body_tick`
   Tick body_tick = 0;
   std::string field;      ///< x, y or heading of a sample; else "place" or "motion"
   double recorded = 0.0;  ///< of a sample [m], [rad]
