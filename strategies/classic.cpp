@@ -48,9 +48,11 @@ class Classic final : public Strategy {
   RobotCommand keeper(const Observation& now, std::size_t i);
   RobotCommand attacker(const Observation& now, std::size_t i);
   RobotCommand supporter(Role role) const;
+  std::optional<RobotCommand> keptOutOfAreas(const Observation& now, std::size_t i, Role role) const;
   bool mayClear(const Observation& now, std::size_t i) const;
   RobotCommand clearing(const Observation& now, std::size_t i);
   std::optional<RobotCommand> spinAtBall(const Observation& now, std::size_t i, bool contested);
+  bool isHeldByKeeper(const Observation& now) const;
   bool isContested(const Observation& now, double mine) const;
   Vec2 aim(const Observation& now, Vec2 ball) const;
   Vec2 wantedDirection(const Observation& now, Vec2 ball) const;
@@ -128,6 +130,7 @@ TeamCommand Classic::decide(const Observation& seen) {
     } else {
       own = supporter(role);
     }
+    if (const auto out = keptOutOfAreas(now, i, role)) own = *out;
     const bool meant = own.kind != RobotCommand::Kind::kGoTo ||
                        distance(own.go_to.position, now.own[i].state.pose.position) > 0.1;
     if (const auto free = memory_[i].unsticking.update(
@@ -136,6 +139,26 @@ TeamCommand Classic::decide(const Observation& seen) {
     }
   }
   return command;
+}
+
+/// Brakes and turns back a robot on its way into an area where its role has no business.
+std::optional<RobotCommand> Classic::keptOutOfAreas(const Observation& now, std::size_t i, Role role) const {
+  constexpr double kLookahead = 0.12, kFast = 0.3, kBody = 0.07;  // [s], [m/s], [m]
+  if (role == Role::kKeeper) return std::nullopt;
+  const RobotState& robot = now.own[i].state;
+  const Vec2 soon = robot.pose.position + robot.velocity * kLookahead;
+  const bool in_own = now.own[0].present && isInArea(info_.field, soon, true);
+  const bool in_theirs = role != Role::kAttacker && isInArea(info_.field, soon, false, kBody);
+  if (!in_own && !in_theirs) return std::nullopt;
+  const Vec2 ahead = math::unit(robot.pose.heading);
+  const Vec2 out = outsideArea(info_.field, soon, in_own, kBody + 0.01) - soon;
+  if (norm(robot.velocity) > kFast && dot(robot.velocity, out) < 0.0)
+    return RobotCommand::byTwist({0.0, 0.0});
+  const double turn = math::wrapAngle(math::angleOf(out) - robot.pose.heading);
+  const bool backward = dot(ahead, out) < 0.0;
+  const double error = backward ? math::wrapAngle(turn + math::kPi) : turn;
+  const double speed = 0.8 * std::max(0.0, math::cos(error));
+  return RobotCommand::byTwist({backward ? -speed : speed, 10.0 * error});
 }
 
 RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
@@ -222,6 +245,17 @@ bool Classic::isContested(const Observation& now, double mine) const {
   return false;
 }
 
+/// Whether the ball lies in the opponents' area with an opponent at it.
+bool Classic::isHeldByKeeper(const Observation& now) const {
+  constexpr double kSlow = 0.3, kAtBall = 0.085;  // [m/s], [m]
+  if (norm(now.ball.velocity) > kSlow || !isInArea(info_.field, now.ball.position, false)) return false;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(now.team_size); ++k) {
+    const ObservedRobot& opponent = now.opponents[k];
+    if (opponent.present && distance(opponent.state.pose.position, now.ball.position) < kAtBall) return true;
+  }
+  return false;
+}
+
 std::optional<RobotCommand> Classic::spinAtBall(const Observation& now, std::size_t i, bool contested) {
   const RobotState& robot = now.own[i].state;
   const Vec2 ball = now.ball.position;
@@ -253,6 +287,12 @@ RobotCommand Classic::attacker(const Observation& now, std::size_t i) {
   if (keeper_plays && isInArea(info_.field, ball, true)) {
     GoTo wait;
     wait.position = outsideArea(info_.field, ball + Vec2{0.1, 0.0}, true, kAreaMargin);
+    return RobotCommand::drivingTo(wait);
+  }
+  if (isHeldByKeeper(now)) {
+    // Charging a keeper in its area is a foul.
+    GoTo wait;
+    wait.position = reboundSpot(info_.field, -ball);
     return RobotCommand::drivingTo(wait);
   }
   const bool contested = isContested(now, meeting ? meeting->time : 10.0);
