@@ -34,6 +34,7 @@ class Classic final : public Strategy {
   void begin(const MatchInfo& info) override;
   std::span<const NavigatorChoice> navigators() const override { return navigators_; }
   TeamCommand decide(const Observation& seen) override;
+  std::optional<TeamPlacement> place(const PlacementRequest& request) override;
 
  private:
   /// What one robot remembers between ticks.
@@ -52,6 +53,7 @@ class Classic final : public Strategy {
   bool mayClear(const Observation& now, std::size_t i) const;
   RobotCommand clearing(const Observation& now, std::size_t i);
   std::optional<RobotCommand> spinAtBall(const Observation& now, std::size_t i, bool contested);
+  bool isKicking(const Observation& now, std::size_t i) const;
   bool isHeldByKeeper(const Observation& now) const;
   bool isContested(const Observation& now, double mine) const;
   Vec2 aim(const Observation& now, Vec2 ball) const;
@@ -87,6 +89,27 @@ Role Classic::roleOf(std::size_t robot) const {
   if (robot == attacker_) return Role::kAttacker;
   const std::size_t number = robot == 1 ? attacker_ : robot;
   return kByNumber[std::min(number, kByNumber.size() - 1)];
+}
+
+/// Kick-offs and penalties are taken at an angle, past whoever waits on the straight line.
+std::optional<TeamPlacement> Classic::place(const PlacementRequest& request) {
+  constexpr double kKickOffAngle = 0.6, kPenaltyAngle = 0.36;  // [rad]
+  const bool penalty = request.kind == RestartKind::kPenalty;
+  if (!request.ours || (!penalty && request.kind != RestartKind::kKickOff)) return std::nullopt;
+  TeamPlacement placement = request.defaults;
+  std::optional<Pose2>* taker = nullptr;
+  for (std::optional<Pose2>& pose : placement) {
+    if (!pose) continue;
+    if (taker == nullptr ||
+        distance(pose->position, request.ball) < distance((*taker)->position, request.ball)) {
+      taker = &pose;
+    }
+  }
+  if (taker == nullptr) return std::nullopt;
+  const double angle = penalty ? kPenaltyAngle : kKickOffAngle;
+  (*taker)->position = request.ball - math::unit(angle) * distance((*taker)->position, request.ball);
+  (*taker)->heading = angle;
+  return placement;
 }
 
 void Classic::chooseAttacker(const Observation& now) {
@@ -256,6 +279,18 @@ bool Classic::isHeldByKeeper(const Observation& now) const {
   return false;
 }
 
+/// Whether robot `i` is taking a kick-off or penalty that it was placed for: straight on, until the ball is
+/// away.
+bool Classic::isKicking(const Observation& now, std::size_t i) const {
+  constexpr double kWhile = 0.6, kAway = 0.12, kStraight = 0.15;  // [s], [m], [rad]
+  const bool kick = now.restart == RestartKind::kPenalty || now.restart == RestartKind::kKickOff;
+  if (!kick || !now.restart_is_ours || now.since_restart > kWhile) return false;
+  const Pose2& pose = now.own[i].state.pose;
+  const Vec2 to_ball = now.ball.position - pose.position;
+  const bool straight = std::abs(math::wrapAngle(math::angleOf(to_ball) - pose.heading)) < kStraight;
+  return straight && (norm(to_ball) < kAway || now.since_restart < 0.3);
+}
+
 std::optional<RobotCommand> Classic::spinAtBall(const Observation& now, std::size_t i, bool contested) {
   const RobotState& robot = now.own[i].state;
   const Vec2 ball = now.ball.position;
@@ -296,18 +331,18 @@ RobotCommand Classic::attacker(const Observation& now, std::size_t i) {
     return RobotCommand::drivingTo(wait);
   }
   const bool contested = isContested(now, meeting ? meeting->time : 10.0);
+  if (isKicking(now, i)) return RobotCommand::byTwist({info_.robot.maxSpeed(), 0.0});
   if (const auto spin = spinAtBall(now, i, contested)) return *spin;
   const Vec2 direction = wantedDirection(now, ball);
-  const Vec2 to_ball = now.ball.position - robot.pose.position;
   memory.lined_up = isLinedUp(sideOfBall(robot, now.ball.position, direction), memory.lined_up);
   if (memory.lined_up) {
     return RobotCommand::byTwist(strike(robot, now.ball.position, direction, params_.strike_speed));
   }
-  // A ball that somebody else is about to have is hit as it lies, as long as it goes upfield.
-  constexpr double kUpfield = 0.5, kNear = 0.30;
-  const Vec2 straight = unitOr(to_ball, {1.0, 0.0});
-  if (contested && straight.x > kUpfield && norm(to_ball) < kNear) {
-    return RobotCommand::byTwist(strike(robot, now.ball.position, straight, params_.strike_speed));
+  // A ball that somebody else is about to have is met straight, as long as it goes upfield.
+  constexpr double kUpfield = 0.2;
+  const Vec2 straight = unitOr(ball - robot.pose.position, {1.0, 0.0});
+  if (contested && straight.x > kUpfield) {
+    return RobotCommand::byTwist(strike(robot, ball, straight, params_.strike_speed));
   }
   BallApproach approach = approachBall(robot, ball, direction, memory.round);
   memory.round = approach.round;
