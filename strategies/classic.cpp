@@ -22,7 +22,7 @@ enum class Role : std::uint8_t { kKeeper, kAttacker, kSupporter, kDefender, kWin
 class Classic final : public Strategy {
  public:
   struct Params {
-    double keeper_depth = 0.05;  ///< [m]
+    double keeper_depth = 0.08;  ///< [m]
     double support = 0.30;       ///< [m]
     double strike_speed = 1.2;   ///< [m/s]
     bool exchange = false;
@@ -116,8 +116,9 @@ void Classic::chooseAttacker(const Observation& now) {
   constexpr double kDwell = 1.0, kBetter = 0.3;  // [s]
   since_exchange_ += now.dt;
   const auto size = static_cast<std::size_t>(now.team_size);
-  const bool gone = !now.own[attacker_].present;
-  if (!gone && (!params_.exchange || since_exchange_ < kDwell)) return;
+  // Whoever a restart puts at the ball attacks in that play.
+  const bool open = !now.own[attacker_].present || foresight_.playBegan();
+  if (!open && (!params_.exchange || since_exchange_ < kDwell)) return;
   double least = 1e9, present = 1e9;
   std::size_t best = attacker_;
   for (std::size_t i = 1; i < size; ++i) {
@@ -128,7 +129,7 @@ void Classic::chooseAttacker(const Observation& now) {
     if (i == attacker_) present = cost;
     if (cost < least) least = cost, best = i;
   }
-  if (best != attacker_ && least < present - kBetter) {
+  if (best != attacker_ && (open || least < present - kBetter)) {
     attacker_ = best;
     since_exchange_ = 0.0;
   }
@@ -136,10 +137,7 @@ void Classic::chooseAttacker(const Observation& now) {
 
 TeamCommand Classic::decide(const Observation& seen) {
   const Observation& now = foresight_.update(seen);
-  if (foresight_.playBegan()) {
-    memory_.fill({});
-    attacker_ = std::min<std::size_t>(1, static_cast<std::size_t>(now.team_size) - 1);
-  }
+  if (foresight_.playBegan()) memory_.fill({});
   chooseAttacker(now);
   TeamCommand command;
   for (std::size_t i = 0; i < static_cast<std::size_t>(now.team_size); ++i) {
@@ -193,7 +191,7 @@ RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
   const Vec2 out{0.5, ball.y >= robot.pose.position.y ? 1.0 : -1.0};
   const bool in_front = ball.x > robot.pose.position.x - 0.01;
   const auto sense = memory_[i].spin.update(info_.field, info_.ball.radius, robot, now.ball, out,
-                                            params_.spin && in_front, now.dt, {.slow = 2.0, .wall = 0.3});
+                                            params_.spin && in_front, now.dt, {.slow = 0.5, .wall = 0.3});
   if (sense) return spinning(*sense);
   if (mayClear(now, i)) return clearing(now, i);
   if (const auto twist = keepLine(robot, place, info_.robot.maxSpeed())) return RobotCommand::byTwist(*twist);
@@ -206,13 +204,13 @@ RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
 
 /// Whether the keeper leaves its line: for a slow ball near the goal that no opponent is about to have.
 bool Classic::mayClear(const Observation& now, std::size_t i) const {
-  constexpr double kNear = 0.30, kSlow = 0.3, kLead = 0.15;  // [m], [m/s], [s]
+  constexpr double kSlow = 0.3, kLead = 0.15;  // [m/s], [s]
   const Vec2 ball = now.ball.position;
-  if (distance(ball, ownGoal(info_.field)) > kNear || !isInArea(info_.field, ball, true, 0.05)) return false;
-  if (norm(now.ball.velocity) > kSlow) return false;
+  if (norm(now.ball.velocity) > kSlow || !isInArea(info_.field, ball, true, 0.02)) return false;
   // Behind the keeper's back nothing good can be done.
   const RobotState& robot = now.own[i].state;
   if (ball.x < robot.pose.position.x + 0.02) return false;
+  if (now.restart == RestartKind::kGoalKick && now.restart_is_ours && now.since_restart < 2.0) return true;
   const double mine = timeToReach(foresight_.pace(), robot, ball);
   for (std::size_t k = 0; k < static_cast<std::size_t>(now.team_size); ++k) {
     if (!now.opponents[k].present) continue;
