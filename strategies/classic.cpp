@@ -22,7 +22,7 @@ enum class Role : std::uint8_t { kKeeper, kAttacker, kSupporter, kDefender, kWin
 class Classic final : public Strategy {
  public:
   struct Params {
-    double keeper_depth = 0.08;  ///< [m]
+    double keeper_depth = 0.10;  ///< [m]
     double support = 0.30;       ///< [m]
     double strike_speed = 1.2;   ///< [m/s]
     bool exchange = false;
@@ -193,7 +193,10 @@ RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
   const auto sense = memory_[i].spin.update(info_.field, info_.ball.radius, robot, now.ball, out,
                                             params_.spin && in_front, now.dt, {.slow = 0.5, .wall = 0.3});
   if (sense) return spinning(*sense);
-  if (mayClear(now, i)) return clearing(now, i);
+  // A penalty is met far out, facing the ball: on the line it would be pushed in with the keeper.
+  const bool penalty =
+      now.restart == RestartKind::kPenalty && !now.restart_is_ours && now.since_restart < 1.0;
+  if (penalty || mayClear(now, i)) return clearing(now, i);
   if (const auto twist = keepLine(robot, place, info_.robot.maxSpeed())) return RobotCommand::byTwist(*twist);
   GoTo back;
   back.position = place;
