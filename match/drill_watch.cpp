@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "referee/clauses.hpp"
 #include "strategies/team_frame.hpp"
 
 namespace fulbito {
@@ -103,7 +104,7 @@ void DrillWatch::ticked(const MatchTick& tick) {
 /// What the referee calls.
 void DrillWatch::hear(const MatchTick& tick) {
   for (const GameEvent& event : tick.events) {
-    if (event.clause == "goal" && event.team) {
+    if (event.clause == clause::kGoal && event.team) {
       goal_ = *event.team == scene_.seat ? 1 : -1;
     } else if (event.clause != "kick-off") {
       trial_.stopped_by = event.clause;
