@@ -86,7 +86,7 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
 void DrillWatch::ticked(const MatchTick& tick) {
   if (done_) return;
   const Now now = look(tick);
-  bounces_ += now.walls;
+  if (log_.asked >= 0) bounces_ += now.walls;
   hear(tick);
   follow(now);
   if (!trial_.success) {
@@ -246,7 +246,7 @@ void DrillWatch::judgePush(const Now& now) {
 
 void DrillWatch::judgePrediction(const Now& now) {
   const double due = static_cast<double>(log_.asked) * dt_ + scene_.exercise.horizon;
-  if (now.time < due - dt_ / 2) return;
+  if (log_.asked < 0 || now.time < due - dt_ / 2) return;
   trial_.error = distance(log_.answer, now.ball.position);
   trial_.counted = !met_ && (start_.bounces < 0 || bounces_ == start_.bounces);
   if (trial_.error <= drill_.tolerance) succeed(now.time);
