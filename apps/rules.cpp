@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "engine/core/presets.hpp"
+#include "referee/check_places.hpp"
 #include "referee/rules.hpp"
 
 namespace fulbito::app {
@@ -28,6 +30,11 @@ int checkRules(const std::string& file) {
   if (!loaded) return report(loaded.error());
   fmt::print("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
              loaded->team_size, loaded->field);
+  const auto field = loadField(loaded->field);
+  if (!field) return report(field.error());
+  for (const std::string& place : findBadPlaces(*loaded, *field, RobotModel())) {
+    fmt::print("note: {}; the referee will move it\n", place);
+  }
   return kOk;
 }
 

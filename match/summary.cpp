@@ -51,9 +51,8 @@ std::string row(const std::string& label, Text text) {
 std::string ballRows(const MatchStatistics& s) {
   const auto of = [&](TeamId team) -> const TeamStatistics& { return s.teams[indexOf(team)]; };
   std::string text = row("possession", [&](TeamId t) { return percent(s.possession(t)); });
-  text += row("shots (on goal)", [&](TeamId t) {
-    return fmt::format("{} ({})", of(t).shots, of(t).shots_on_goal);
-  });
+  text += row("shots (on goal)",
+              [&](TeamId t) { return fmt::format("{} ({})", of(t).shots, of(t).shots_on_goal); });
   text += row("ball in own third", [&](TeamId t) { return percent(s.third(t, 0)); });
   text += row("ball in opponents' third", [&](TeamId t) { return percent(s.third(t, 2)); });
   text += row("mean ball x [cm]", [&](TeamId t) { return fmt::format("{:+.1f}", 100.0 * s.meanBallX(t)); });
@@ -64,16 +63,16 @@ std::string ballRows(const MatchStatistics& s) {
 std::string robotRows(const MatchReport& report) {
   const MatchStatistics& s = report.statistics;
   const auto of = [&](TeamId team) -> const TeamStatistics& { return s.teams[indexOf(team)]; };
-  std::string text = row("distance run [m]", [&](TeamId t) { return fmt::format("{:.1f}", of(t).distance()); });
+  std::string text =
+      row("distance run [m]", [&](TeamId t) { return fmt::format("{:.1f}", of(t).distance()); });
   for (std::size_t i = 0; i < static_cast<std::size_t>(s.team_size); ++i) {
     text += row(fmt::format("  robot {}", i),
                 [&](TeamId t) { return fmt::format("{:.1f}", of(t).robots[i].distance); });
   }
   text += row("wall contacts", [&](TeamId t) { return fmt::format("{}", of(t).wall_contacts); });
   text += row("contacts of mates", [&](TeamId t) { return fmt::format("{}", of(t).mate_contacts); });
-  text += row("commands rejected", [&](TeamId t) {
-    return fmt::format("{}", report.faults.teams[indexOf(t)].rejected());
-  });
+  text += row("commands rejected",
+              [&](TeamId t) { return fmt::format("{}", report.faults.teams[indexOf(t)].rejected()); });
   return text;
 }
 
@@ -94,9 +93,9 @@ std::string restartRows(const MatchStatistics& s) {
 
 std::string headline(const MatchReport& report) {
   const MatchConfig& c = report.config;
-  std::string text = fmt::format("{} (blue) {} : {} {} (yellow)", nameOf(report, TeamId::kBlue),
-                                 report.referee.score[0], report.referee.score[1],
-                                 nameOf(report, TeamId::kYellow));
+  std::string text =
+      fmt::format("{} (blue) {} : {} {} (yellow)", nameOf(report, TeamId::kBlue), report.referee.score[0],
+                  report.referee.score[1], nameOf(report, TeamId::kYellow));
   if (!report.complete) text += ", broken off";
   if (report.referee.period == kShootOutPeriod) {
     text += fmt::format(", shoot-out {} : {}", report.referee.shoot_out.goals[0],
@@ -109,7 +108,8 @@ std::string headline(const MatchReport& report) {
 double timesRealTime(double simulated, double wall) { return wall > 0.0 ? simulated / wall : 0.0; }
 
 std::string faultLine(const MatchReport& report) {
-  return report.faults.abandoned ? "the match could not go on: " + report.faults.abandoned->message + "\n" : "";
+  return report.faults.abandoned ? "the match could not go on: " + report.faults.abandoned->message + "\n"
+                                 : "";
 }
 
 }  // namespace
@@ -145,8 +145,8 @@ std::string matchText(const MatchReport& report) {
 
 std::string profileText(const MatchProfile& profile) {
   const std::pair<const char*, std::int64_t> stages[] = {
-      {"sense", profile.sense}, {"strategies", profile.decide},  {"navigation", profile.navigate},
-      {"physics", profile.step}, {"referee", profile.referee},   {"restarts", profile.restart},
+      {"sense", profile.sense},     {"strategies", profile.decide}, {"navigation", profile.navigate},
+      {"physics", profile.step},    {"referee", profile.referee},   {"restarts", profile.restart},
       {"recording", profile.record}};
   const double ticks = profile.ticks > 0 ? static_cast<double>(profile.ticks) : 1.0;
   const double total = profile.total() > 0 ? static_cast<double>(profile.total()) : 1.0;
@@ -172,7 +172,8 @@ std::string seriesText(const SeriesReport& report) {
       "{} against {}: {} swapped pair{}, {} matches{}\n{}, halves of {:g} s, {} physics, seed {}\n\n", a,
       c.teams[1].text, r.pairs.size(), r.pairs.size() == 1 ? "" : "s", 2 * r.pairs.size(),
       r.interrupted ? " (broken off)" : "", c.rules.name, c.rules.half_seconds, c.physics.name, c.seed);
-  text += fmt::format("  {:<18}{} wins, {} draws, {} losses of {}\n", "matches", r.wins, r.draws, r.losses, a);
+  text +=
+      fmt::format("  {:<18}{} wins, {} draws, {} losses of {}\n", "matches", r.wins, r.draws, r.losses, a);
   text += fmt::format("  {:<18}{:.1f} %  ({:.1f} ... {:.1f} %, 95 %)\n", "points share",
                       100 * r.points_share.value, 100 * r.points_share.low, 100 * r.points_share.high);
   text += fmt::format("  {:<18}{:+.2f} a match  ", "goal difference", r.goal_difference.value);

@@ -141,13 +141,13 @@ Schema schemaOf(GoalKickRules& g) {
 }
 
 std::optional<Flaw> tableFlaw(const PlaceTable& places, const char* table) {
-  const auto tooMany = [&](const std::vector<Vec2>& list, const char* key) -> std::optional<Flaw> {
+  const auto too_many = [&](const std::vector<Vec2>& list, const char* key) -> std::optional<Flaw> {
     if (list.size() <= kMaxTeamSize) return std::nullopt;
     return Flaw{table, -1, key,
                 fmt::format("has {} places; at most {} are allowed", list.size(), kMaxTeamSize)};
   };
-  if (auto flaw = tooMany(places.taker, "taker")) return flaw;
-  return tooMany(places.other, "other");
+  if (auto flaw = too_many(places.taker, "taker")) return flaw;
+  return too_many(places.other, "other");
 }
 
 std::optional<Flaw> placesFlaw(const Rules& rules) {

@@ -48,7 +48,12 @@ class Classic final : public Strategy {
   RobotCommand keeper(const Observation& now, std::size_t i);
   RobotCommand attacker(const Observation& now, std::size_t i);
   RobotCommand supporter(Role role) const;
+  bool mayClear(const Observation& now, std::size_t i) const;
+  RobotCommand clearing(const Observation& now, std::size_t i);
+  std::optional<RobotCommand> spinAtBall(const Observation& now, std::size_t i, bool contested);
+  bool isContested(const Observation& now, double mine) const;
   Vec2 aim(const Observation& now, Vec2 ball) const;
+  Vec2 wantedDirection(const Observation& now, Vec2 ball) const;
   Role roleOf(std::size_t robot) const;
 
   Params params_;
@@ -59,6 +64,11 @@ class Classic final : public Strategy {
   std::size_t attacker_ = 1;
   double since_exchange_ = 0.0;
 };
+
+RobotCommand spinning(double sense) {
+  constexpr double kYawRate = 30.0;  // [rad/s] as fast as the wheels go
+  return RobotCommand::byTwist({0.0, sense * kYawRate});
+}
 
 void Classic::begin(const MatchInfo& info) {
   info_ = info;
@@ -134,17 +144,41 @@ RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
   const Vec2 place = keeperPoint(info_.field, foresight_.ball(), params_.keeper_depth, farthest);
   const Vec2 ball = now.ball.position;
   // Only outward and upfield, never across the own mouth.
-  const Vec2 out{0.5, ball.y >= 0.0 ? 1.0 : -1.0};
+  const Vec2 out{0.5, ball.y >= robot.pose.position.y ? 1.0 : -1.0};
   const bool in_front = ball.x > robot.pose.position.x - 0.01;
   const auto sense = memory_[i].spin.update(info_.field, info_.ball.radius, robot, now.ball, out,
-                                            params_.spin && in_front, now.dt, {.wall = 0.3});
-  if (sense) return RobotCommand::byTwist({0.0, *sense * 30.0});
+                                            params_.spin && in_front, now.dt, {.slow = 2.0, .wall = 0.3});
+  if (sense) return spinning(*sense);
+  if (mayClear(now, i)) return clearing(now, i);
   if (const auto twist = keepLine(robot, place, info_.robot.maxSpeed())) return RobotCommand::byTwist(*twist);
   GoTo back;
   back.position = place;
   back.heading = math::kPi / 2;
   back.stop = true;
   return RobotCommand::drivingTo(back);
+}
+
+/// Whether the keeper leaves its line: for a slow ball near the goal that no opponent is about to have.
+bool Classic::mayClear(const Observation& now, std::size_t i) const {
+  constexpr double kNear = 0.30, kSlow = 0.3, kLead = 0.15;  // [m], [m/s], [s]
+  const Vec2 ball = now.ball.position;
+  if (distance(ball, ownGoal(info_.field)) > kNear || !isInArea(info_.field, ball, true, 0.05)) return false;
+  if (norm(now.ball.velocity) > kSlow) return false;
+  // Behind the keeper's back nothing good can be done.
+  const RobotState& robot = now.own[i].state;
+  if (ball.x < robot.pose.position.x + 0.02) return false;
+  const double mine = timeToReach(foresight_.pace(), robot, ball);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(now.team_size); ++k) {
+    if (!now.opponents[k].present) continue;
+    if (timeToReach(foresight_.pace(), now.opponents[k].state, ball) < mine + kLead) return false;
+  }
+  return true;
+}
+
+RobotCommand Classic::clearing(const Observation& now, std::size_t i) {
+  const Vec2 ball = now.ball.position;
+  const Vec2 away = unitOr(ball - now.own[i].state.pose.position, {1.0, 0.0});
+  return RobotCommand::byTwist(strike(now.own[i].state, ball, away, params_.strike_speed));
 }
 
 Vec2 Classic::aim(const Observation& now, Vec2 ball) const {
@@ -164,6 +198,50 @@ Vec2 Classic::aim(const Observation& now, Vec2 ball) const {
   return shot ? shot->aim : opponentGoal(info_.field);
 }
 
+/// Where the ball shall go: at the free part of the goal, out of the own third up a side, along a wall that
+/// it lies at.
+Vec2 Classic::wantedDirection(const Observation& now, Vec2 ball) const {
+  constexpr double kAtWall = 0.02;  // [m] of room behind the ball, where nothing can get
+  const FieldGeometry& field = info_.field;
+  const double reach = info_.ball.radius + kAtWall;
+  if (field.width / 2 - std::abs(ball.y) < reach) return {1.0, 0.0};
+  if (field.length / 2 - ball.x < reach && std::abs(ball.y) > field.goal_width / 2) {
+    return {0.0, ball.y > 0.0 ? -1.0 : 1.0};
+  }
+  return unitOr(aim(now, ball) - ball, {1.0, 0.0});
+}
+
+/// Whether an opponent will be at the ball before robot `i` could line up.
+bool Classic::isContested(const Observation& now, double mine) const {
+  constexpr double kReserve = 0.15;  // [s]
+  for (std::size_t k = 0; k < static_cast<std::size_t>(now.team_size); ++k) {
+    if (!now.opponents[k].present) continue;
+    const double theirs = timeToReach(foresight_.pace(), now.opponents[k].state, now.ball.position);
+    if (theirs < mine + kReserve) return true;
+  }
+  return false;
+}
+
+std::optional<RobotCommand> Classic::spinAtBall(const Observation& now, std::size_t i, bool contested) {
+  const RobotState& robot = now.own[i].state;
+  const Vec2 ball = now.ball.position;
+  SpinSettings settings;
+  Vec2 wanted{1.0, -0.3 * std::copysign(1.0, ball.y)};
+  const bool at_mouth =
+      ball.x > info_.field.length / 2 - 0.08 && std::abs(ball.y) < info_.field.goal_width / 2;
+  if (at_mouth) {
+    wanted = {1.0, 0.0};
+    settings.slow = 2.0;  // it would roll past
+    settings.wall = 0.10;
+  } else if (contested && std::abs(ball.x) < info_.field.length / 2 - 0.15) {
+    settings.wall = 1.0;  // held between two robots
+  }
+  const auto sense = memory_[i].spin.update(info_.field, info_.ball.radius, robot, now.ball, wanted,
+                                            params_.spin, now.dt, settings);
+  if (!sense) return std::nullopt;
+  return spinning(*sense);
+}
+
 RobotCommand Classic::attacker(const Observation& now, std::size_t i) {
   constexpr double kAreaMargin = 0.07;  // [m]
   Memory& memory = memory_[i];
@@ -171,27 +249,32 @@ RobotCommand Classic::attacker(const Observation& now, std::size_t i) {
   const BallPrediction& prediction = foresight_.ball();
   const auto meeting = intercept(prediction, foresight_.pace(), robot);
   const Vec2 ball = meeting ? meeting->ball : prediction.endOfWay();
-  if (isInArea(info_.field, ball, true) && now.own[0].present && i != 0) {
+  const bool keeper_plays = now.own[0].present && i != 0;
+  if (keeper_plays && isInArea(info_.field, ball, true)) {
     GoTo wait;
     wait.position = outsideArea(info_.field, ball + Vec2{0.1, 0.0}, true, kAreaMargin);
     return RobotCommand::drivingTo(wait);
   }
-  const Vec2 direction = unitOr(aim(now, ball) - ball, {1.0, 0.0});
-  const Vec2 upfield{1.0, -0.3 * std::copysign(1.0, ball.y)};
-  if (const auto sense = memory.spin.update(info_.field, info_.ball.radius, robot, now.ball, upfield,
-                                            params_.spin, now.dt)) {
-    return RobotCommand::byTwist({0.0, *sense * 30.0});
-  }
+  const bool contested = isContested(now, meeting ? meeting->time : 10.0);
+  if (const auto spin = spinAtBall(now, i, contested)) return *spin;
+  const Vec2 direction = wantedDirection(now, ball);
+  const Vec2 to_ball = now.ball.position - robot.pose.position;
   memory.lined_up = isLinedUp(sideOfBall(robot, now.ball.position, direction), memory.lined_up);
   if (memory.lined_up) {
     return RobotCommand::byTwist(strike(robot, now.ball.position, direction, params_.strike_speed));
+  }
+  // A ball that somebody else is about to have is hit as it lies, as long as it goes upfield.
+  constexpr double kUpfield = 0.5, kNear = 0.30;
+  const Vec2 straight = unitOr(to_ball, {1.0, 0.0});
+  if (contested && straight.x > kUpfield && norm(to_ball) < kNear) {
+    return RobotCommand::byTwist(strike(robot, now.ball.position, straight, params_.strike_speed));
   }
   BallApproach approach = approachBall(robot, ball, direction, memory.round);
   memory.round = approach.round;
   GoTo& go_to = approach.go_to;
   constexpr double kBodyMargin = 0.04;  // [m]
   go_to.position = insideWalls(info_.field, go_to.position, kBodyMargin);
-  go_to.position = outsideArea(info_.field, go_to.position, true, kAreaMargin);
+  if (keeper_plays) go_to.position = outsideArea(info_.field, go_to.position, true, kAreaMargin);
   // Near the ball everybody is in the way: the field would turn off it.
   const bool near = distance(robot.pose.position, ball) < 0.25;
   go_to.avoid_opponents = !near;
@@ -203,7 +286,8 @@ RobotCommand Classic::supporter(Role role) const {
   constexpr double kBodyMargin = 0.08, kAreaMargin = 0.07;  // [m]
   const Vec2 ball = foresight_.ball().positionAt(0.3);
   Vec2 place;
-  if (role == Role::kDefender) {
+  // In the own half the supporter defends too.
+  if (role == Role::kDefender || (role == Role::kSupporter && ball.x < 0.0)) {
     place = shadowPoint(info_.field, ball, 0.45 * (ball.x + info_.field.length / 2));
   } else {
     // Behind the ball and nearer the middle: ready for balls that come back, out of the attacker's way.

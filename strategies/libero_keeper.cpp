@@ -43,16 +43,38 @@ Twist slideTo(const Picture& picture, const RobotState& self, double line, doubl
   return {face * std::abs(speed) * std::max(0.0, math::cos(error)), std::clamp(18.0 * error, -20.0, 20.0)};
 }
 
-/// Pushes a ball that lies near out to the side, from the goal's side.
-Twist clear(const Picture& picture, const RobotState& self, Vec2 ball) {
+/// Whether the keeper is at a ball near the goal clearly before any opponent.
+bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
-  const double out = ball.y >= self.pose.position.y ? 1.0 : -1.0;
-  const Vec2 target{-pitch.half_length + 0.35, out * pitch.half_width};
-  const Aim aim = aimAt(pitch, ball, target);
+  const Vec2 ball = picture.ball.at(0.1);
+  if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
+  const double mine = timeToReach(pitch, self, ball);
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball) < mine + 0.1)
+      return false;
+  }
+  return true;
+}
+
+/// Pushes a ball that lies near out to the side, from the goal's side; false when the keeper is not there.
+bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.at(0.05);
+  const Vec2 rel = ball - self.pose.position;
+  const bool at_wall = ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
+  const double out = ball.y >= 0.0 ? 1.0 : -1.0;
+  if (at_wall) {
+    if (rel.y * out < 0.02) return false;
+    twist = passThrough(pitch, self, {std::max(ball.x, -pitch.half_length + 0.042), ball.y + 0.1 * out},
+                        pitch.speed);
+    return true;
+  }
+  if (rel.x < 0.02) return false;
+  const Vec2 way = unitOr(rel, {1.0, 0.0}) + Vec2{0.3, out * 0.4};
   int side = 0;
-  const double heading =
-      approachHeading(self.pose.position, aim.contact, math::angleOf(aim.direction), 0.09, 1.0, side);
-  return alongHeading(pitch, self, heading, pitch.speed);
+  const double heading = approachHeading(self.pose.position, ball, math::angleOf(way), 0.09, 1.0, side);
+  twist = alongHeading(pitch, self, heading, pitch.speed);
+  return true;
 }
 
 /// The ball lies or comes along our end wall, beside the goal or in its mouth's edge.
@@ -78,16 +100,6 @@ Twist guardPost(const Picture& picture, const RobotState& self) {
     return twist;
   }
   return slideTo(picture, self, post.x, post.y);
-}
-
-/// Whether an opponent is at the ball.
-bool pressed(const Picture& picture) {
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) &&
-        squaredNorm(picture.opponent(i).pose.position - picture.ball.now().position) < 0.12 * 0.12)
-      return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -134,21 +146,9 @@ Twist keep(const Picture& picture, int robot, KeeperMemory& memory) {
     memory.locked = 0.5;
     return {0.0, memory.spin_sense * 28.0};
   }
-  if (alongEndWall(picture)) {
-    const bool free = !pressed(picture) && squaredNorm(rel) < 0.15 * 0.15 &&
-                      squaredNorm(ball.velocity) < 0.4 * 0.4 &&
-                      std::abs(ball.position.y) > std::abs(self.pose.position.y) &&
-                      ball.position.y * self.pose.position.y > -0.002;
-    if (free && 1 > 0)
-      return passThrough(pitch, self,
-                         {std::max(ball.position.x, -pitch.half_length + 0.042),
-                          ball.position.y + std::copysign(0.1, ball.position.y)},
-                         pitch.speed);
-    return guardPost(picture, self);
-  }
-  const bool slow = squaredNorm(ball.velocity) < 0.3 * 0.3;
-  const bool close = ball.position.x < -pitch.half_length + 0.25 && std::abs(ball.position.y) < 0.33;
-  if (slow && close && rel.x > 0.03 && !pressed(picture)) return clear(picture, self, ball.position);
+  Twist out;
+  if (comesFirst(picture, self) && clear(picture, self, out)) return out;
+  if (alongEndWall(picture)) return guardPost(picture, self);
   return slideTo(picture, self, line, keeperPlace(picture, line));
 }
 

@@ -102,6 +102,16 @@ double barred(const Picture& picture, int robot, Vec2 contact, Vec2 direction) {
   return cost;
 }
 
+/// Opponents that are about the ball.
+int crowdAt(const Picture& picture, Vec2 ball) {
+  int crowd = 0;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i) && squaredNorm(picture.opponent(i).pose.position - ball) < 0.16 * 0.16)
+      ++crowd;
+  }
+  return crowd;
+}
+
 /// The blow that is turned from the best one as little as the bodies about the ball demand.
 Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& memory) {
   constexpr double kTurns[] = {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5};
@@ -124,12 +134,13 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& 
 
 /// Drives so as to hit `contact` along `direction`: onto the line behind it, aligned before the touch.
 Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec2 direction, double fastest,
-                   StrikerMemory& memory) {
+                   double round, StrikerMemory& memory) {
   const Vec2 ahead = self.pose.position + self.velocity * kLookAhead;
   const Vec2 local = intoFrame(direction, ahead - contact);
   const double along = math::angleOf(direction);
   if (-local.x < kHalf || std::abs(local.y) > kCone * -local.x) {
-    const double heading = approachHeading(ahead, contact, along, kRound, kSharpness, memory.side);
+    const double heading =
+        approachHeading(ahead, contact, along, local.x > -0.03 ? round : kRound, kSharpness, memory.side);
     return alongHeading(pitch, self, heading, pitch.speed);
   }
   memory.side = 0;
@@ -169,7 +180,8 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   }
   if (!aim.wall) aim.direction = blow(aim.direction, now.velocity);
   if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory);
-  return driveThrough(pitch, self, aim.contact, aim.direction, pitch.speed, memory);
+  return driveThrough(pitch, self, aim.contact, aim.direction, pitch.speed,
+                      kRound + 0.05 * std::min(2, crowdAt(picture, now.position)), memory);
 }
 
 }  // namespace fulbito::libero

@@ -247,6 +247,27 @@ TEST_CASE("list and show print every kind, as text and JSON", "[cli]") {
   CHECK(box.run("show field vsss-5v5").out.find("2.2") != std::string::npos);
 }
 
+TEST_CASE("profiles of rules are listed, shown, and checked with file, line, key and range", "[cli]") {
+  const Sandbox box;
+  for (const auto& entry : Json::parse(box.run("list rules --json").out)["rules"]) {
+    const std::string name = entry["name"];
+    const Output shown = box.run("rules show " + name);
+    CHECK(shown.code == 0);
+    CHECK(shown.out == box.run("show rules " + name).out);
+    box.write("mine.toml", shown.out);
+    CHECK(box.run("rules check mine.toml").code == 0);
+  }
+  box.write("bad.toml", "[rules]\n[periods]\nhalf_seconds = -1\n");
+  const Output bad = box.run("rules check bad.toml");
+  CHECK(bad.code == 3);
+  CHECK(bad.out.empty());
+  CHECK(bad.err.find("bad.toml:3: periods.half_seconds = -1 is outside 0.1 ... 7200 s") != std::string::npos);
+  box.write("odd.toml", "[rules]\n[goal_kick]\ntaker = [[0.0, 0.0]]\n");
+  CHECK(box.run("rules check odd.toml").out.find("note: goal-kick: robot 0") != std::string::npos);
+  CHECK(box.run("rules check nowhere.toml").code == 5);
+  CHECK(box.run("rules show vsss-3v4").err.find("Did you mean 'vsss-3v3'?") != std::string::npos);
+}
+
 TEST_CASE("version tells what it was built from", "[cli]") {
   const Sandbox box;
   const Json json = Json::parse(box.run("version --json").out);

@@ -76,7 +76,9 @@ class Play {
         setup_(setupOf(s, variant, physics_)),
         referee_(setup_) {}
 
-  std::string run();
+  void run();
+  std::string verdict() const;
+  std::vector<GameEvent> events() const;
 
  private:
   void begin();
@@ -86,7 +88,6 @@ class Play {
   void advance();
   void addContacts();
   bool judge();
-  std::string verdict() const;
   std::string describe(const Called& called) const;
   std::size_t find(RobotId id) const;
   double seconds(Tick tick) const { return static_cast<double>(tick) * setup_.dt; }
@@ -273,21 +274,35 @@ std::string Play::verdict() const {
   return wrong;
 }
 
-std::string Play::run() {
+std::vector<GameEvent> Play::events() const {
+  std::vector<GameEvent> events;
+  for (const Called& called : called_) events.push_back(called.event);
+  return events;
+}
+
+void Play::run() {
   begin();
   const Tick end = ticksOf(scenario_.seconds, setup_.dt);
   while (tick_ < end) {
     advance();
     if (!judge()) break;
   }
-  return verdict();
 }
 
 }  // namespace
 
 std::string playScenario(const Scenario& scenario, ScenarioVariant variant) {
   const Scenario changed = inVariant(scenario, variant);
-  return Play(changed, variant).run();
+  Play play(changed, variant);
+  play.run();
+  return play.verdict();
+}
+
+std::vector<GameEvent> eventsOf(const Scenario& scenario, ScenarioVariant variant) {
+  const Scenario changed = inVariant(scenario, variant);
+  Play play(changed, variant);
+  play.run();
+  return play.events();
 }
 
 }  // namespace fulbito::test

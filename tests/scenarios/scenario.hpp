@@ -8,6 +8,7 @@
 #include "engine/core/result.hpp"
 #include "engine/core/team.hpp"
 #include "engine/core/values.hpp"
+#include "referee/game_event.hpp"
 #include "referee/rules.hpp"
 
 namespace fulbito::test {
@@ -86,6 +87,9 @@ struct ScenarioVariant {
   bool sides = false;    ///< rotated by 180 degrees
   bool colours = false;  ///< blue's robots are yellow's and the other way round
 };
+
+/// Plays the scenario and returns what the referee called.
+std::vector<GameEvent> eventsOf(const Scenario& scenario, ScenarioVariant variant);
 
 /// Plays the scenario; empty if all is as expected, else what is not.
 std::string playScenario(const Scenario& scenario, ScenarioVariant variant);
