@@ -227,7 +227,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
       "  fulbito match libero idle --start corner.toml --events -\n"
       "Names: fulbito list teams, fulbito list rules. More: docs/matches.md.");
-  command->add_option("blue", options.blue, "team that defends the left goal, e.g. libero:aggression=0.7")
+  command->add_option("blue", options.blue, "team that defends the left goal, e.g. classic:navigator=bezier")
       ->capture_default_str();
   command->add_option("yellow", options.yellow, "the other team")->capture_default_str();
   addConditions(*command, options);

@@ -93,9 +93,9 @@ TEST_CASE("a match that is broken off says so", "[unit]") {
 TEST_CASE("the summary tells score, table, speed and hash; the profile when it was measured", "[unit]") {
   Played played(chasers());
   const std::string text = matchText(played.report);
-  for (const char* part : {"chaser (blue) ", "possession", "shots (on goal)", "ball in own third",
-                           "distance run", "contacts of opponents", "commands rejected", "kick-offs",
-                           "x real time", "final hash", "seed 1"}) {
+  for (const char* part :
+       {"chaser (blue) ", "possession", "shots (on goal)", "ball in own third", "distance run",
+        "contacts of opponents", "commands rejected", "kick-offs", "x real time", "final hash", "seed 1"}) {
     INFO(part);
     CHECK(text.find(part) != std::string::npos);
   }
@@ -138,8 +138,9 @@ TEST_CASE("a series' report: rows of both legs, intervals, null where one pair g
   REQUIRE(played);
   report.result = *played;
   const Json json = Json::parse(seriesJson(report));
-  for (const char* key : {"points_share", "points_share_low", "points_share_high", "goal_difference",
-                          "goal_difference_low", "goal_difference_high", "wins", "draws", "losses", "pairs"}) {
+  for (const char* key :
+       {"points_share", "points_share_low", "points_share_high", "goal_difference", "goal_difference_low",
+        "goal_difference_high", "wins", "draws", "losses", "pairs"}) {
     CHECK(json.contains(key));
   }
   CHECK(json["points_share"] == 0.5);  // A against itself cancels
