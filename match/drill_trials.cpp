@@ -14,12 +14,13 @@
 namespace fulbito {
 namespace {
 
-constexpr double kEndless = 3600.0;  // [s] halves of trials: their own time ends them
+constexpr double kNeverStuck = 600.0;  // [s] the most that rules allow
+constexpr double kEndless = 3600.0;    // [s] halves of trials: their own time ends them
 
 /// Rules without laws but that of the goal.
 void callNothing(Rules& rules) {
-  rules.stuck.seconds = kEndless;
-  rules.stuck.area_seconds = kEndless;
+  rules.stuck.seconds = kNeverStuck;
+  rules.stuck.area_seconds = kNeverStuck;
   rules.areas.attackers = false;
   rules.areas.defenders = false;
   rules.keeper.holding = false;

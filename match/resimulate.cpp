@@ -112,7 +112,8 @@ class Replay {
   }
 
   bool step(const RecordedChunk& chunk, std::size_t row) {
-    for (std::size_t i = 0; i < commands_.size(); ++i) commands_[i] = chunk.commands[row * robots_ + bodies_[i]];
+    for (std::size_t i = 0; i < commands_.size(); ++i)
+      commands_[i] = chunk.commands[row * robots_ + bodies_[i]];
     world_->step(commands_);
     hash_.add(world_->state());
     return visitor_.ticked({chunk.first_tick + static_cast<Tick>(row) + 1, &*world_, ids_, commands_,

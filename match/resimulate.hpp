@@ -13,11 +13,12 @@ namespace fulbito {
 /// The beginning of a play while a recording is played again.
 struct ReplayedPlay {
   const RecordedPlay* recorded = nullptr;
-  std::int64_t number = 0;           ///< from 0
-  const World* world = nullptr;      ///< new, from the recorded start
-  std::span<const RobotId> ids;      ///< of the world's robots; of a trial, blue 0
-  std::span<const std::size_t> bodies;  ///< of the header: robots, balls and obstacles of the world, in this order
-  std::uint64_t hash = 0;            ///< running hash as it was computed again up to here
+  std::int64_t number = 0;       ///< from 0
+  const World* world = nullptr;  ///< new, from the recorded start
+  std::span<const RobotId> ids;  ///< of the world's robots; of a trial, blue 0
+  std::span<const std::size_t>
+      bodies;              ///< of the header: robots, balls and obstacles of the world, in this order
+  std::uint64_t hash = 0;  ///< running hash as it was computed again up to here
 };
 
 /// One tick of a recording, played again.
@@ -41,8 +42,9 @@ class ReplayVisitor {
   /// @}
 };
 
-/// Plays a recording again: builds every play's world from its recorded start and applies the recorded commands.
-/// No team and no referee takes part. Errors: kBadInput naming the file, for a recipe that makes no world.
+/// Plays a recording again: builds every play's world from its recorded start and applies the recorded
+/// commands. No team and no referee takes part. Errors: kBadInput naming the file, for a recipe that makes no
+/// world.
 Result<void> resimulate(const RecordingReader& recording, ReplayVisitor& visitor);
 
 /// Name of a body: "blue 0", "robot 0" of a trial, "ball", "obstacle 3".

@@ -11,13 +11,14 @@ namespace fulbito {
 
 /// One goal of a match.
 struct GoalRecord {
-  double seconds = 0.0;    ///< [s] of the match, stoppages included
-  int period = 1;          ///< as in `GameEvent`
-  double play_time = 0.0;  ///< [s] of play in the period
-  TeamId team = TeamId::kBlue;     ///< who scored
-  std::optional<RobotId> scorer;   ///< robot of the team that touched the ball last; of an own goal: its unlucky one
-  bool own_goal = false;           ///< the ball came off the conceding team, and was no shot on goal before
-  PerTeam<int> score{};            ///< after it
+  double seconds = 0.0;         ///< [s] of the match, stoppages included
+  int period = 1;               ///< as in `GameEvent`
+  double play_time = 0.0;       ///< [s] of play in the period
+  TeamId team = TeamId::kBlue;  ///< who scored
+  std::optional<RobotId>
+      scorer;             ///< robot of the team that touched the ball last; of an own goal: its unlucky one
+  bool own_goal = false;  ///< the ball came off the conceding team, and was no shot on goal before
+  PerTeam<int> score{};   ///< after it
 };
 
 /// What one robot did in the ticks of play.
@@ -34,9 +35,9 @@ struct TeamStatistics {
   Tick possession = 0;  ///< ticks with the ball, see `kPossessionLead`
   int shots = 0;
   int shots_on_goal = 0;
-  int own_goals = 0;         ///< that it scored against itself
-  int wall_contacts = 0;     ///< of robots with walls, that began
-  int mate_contacts = 0;     ///< between its own robots, that began
+  int own_goals = 0;             ///< that it scored against itself
+  int wall_contacts = 0;         ///< of robots with walls, that began
+  int mate_contacts = 0;         ///< between its own robots, that began
   std::array<Tick, 3> thirds{};  ///< ticks of the ball in the own, middle and opponents' third
   std::array<RobotStatistics, kMaxTeamSize> robots{};
 
@@ -59,15 +60,15 @@ inline constexpr double kPossessionLead = 0.02;
 /// within this time, in a straight line at its present speed, between the posts or this close to them. It is
 /// on goal when the whole ball would pass between the posts at any moment of the shot; a goal that is no own
 /// goal always is. A shot is over when none of this holds for the pause, or when play stops.
-inline constexpr double kShotSpeed = 0.4;       ///< [m/s]
-inline constexpr double kShotHorizon = 1.0;     ///< [s]
-inline constexpr double kShotNearMiss = 0.10;   ///< [m] beside a post
-inline constexpr double kShotPause = 0.25;      ///< [s]
+inline constexpr double kShotSpeed = 0.4;      ///< [m/s]
+inline constexpr double kShotHorizon = 1.0;    ///< [s]
+inline constexpr double kShotNearMiss = 0.10;  ///< [m] beside a post
+inline constexpr double kShotPause = 0.25;     ///< [s]
 /// @}
 
 /// What happened in a match. Only ticks of play count, but for `goals`, `restarts` and `calls`.
 struct MatchStatistics {
-  double dt = 0.0;     ///< [s] a tick
+  double dt = 0.0;  ///< [s] a tick
   Tick play_ticks = 0;
   Tick waiting_ticks = 0;  ///< restarts waiting for their signal
   int team_size = 0;
@@ -125,7 +126,7 @@ class StatisticsObserver : public MatchObserver {
 
   MatchStatistics s_;
   double half_length_ = 0.0;
-  double post_ = 0.0;         ///< [m] half of the mouth
+  double post_ = 0.0;  ///< [m] half of the mouth
   double ball_radius_ = 0.0;
   Tick shot_pause_ = 0;
   bool playing_ = false;

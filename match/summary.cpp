@@ -7,8 +7,8 @@
 namespace fulbito {
 namespace {
 
-constexpr int kLabelWidth = 26;
-constexpr int kColumnWidth = 16;
+constexpr int kLabelWidth = 32;
+constexpr int kColumnWidth = 14;
 
 /// Minutes and seconds.
 std::string clockText(double seconds) {
@@ -38,6 +38,23 @@ std::string goalLine(const MatchReport& report, const GoalRecord& goal) {
                      clockText(goal.play_time), goal.score[0], goal.score[1], nameOf(report, goal.team), who);
 }
 
+/// Head of a team's column: its name, or its colour where names would not tell.
+std::string columnText(const MatchReport& report, TeamId team) {
+  const std::string& name = report.config.teams[indexOf(team)].info->name;
+  const bool same = name == report.config.teams[indexOf(other(team))].info->name;
+  return same || name.size() > kColumnWidth - 2 ? fulbito::nameOf(team) : name;
+}
+
+/// Calls that are against nobody, or that stand elsewhere in the summary.
+bool isFault(std::string_view clause) {
+  return clause != "goal" && clause != "kick-off" && clause != "full-time" && clause != "half";
+}
+
+std::string pluralOf(RestartKind kind) {
+  if (kind == RestartKind::kPenalty) return "penalties";
+  return kind == RestartKind::kGiven ? "given starts" : std::string(fulbito::nameOf(kind)) + "s";
+}
+
 /// A line of the table with one text a team.
 std::string row(const std::string& label, const std::string& blue, const std::string& yellow) {
   return fmt::format("  {:<{}}{:>{}}{:>{}}\n", label, kLabelWidth, blue, kColumnWidth, yellow, kColumnWidth);
@@ -51,9 +68,8 @@ std::string row(const std::string& label, Text text) {
 std::string ballRows(const MatchStatistics& s) {
   const auto of = [&](TeamId team) -> const TeamStatistics& { return s.teams[indexOf(team)]; };
   std::string text = row("possession", [&](TeamId t) { return percent(s.possession(t)); });
-  text += row("shots (on goal)", [&](TeamId t) {
-    return fmt::format("{} ({})", of(t).shots, of(t).shots_on_goal);
-  });
+  text += row("shots (on goal)",
+              [&](TeamId t) { return fmt::format("{} ({})", of(t).shots, of(t).shots_on_goal); });
   text += row("ball in own third", [&](TeamId t) { return percent(s.third(t, 0)); });
   text += row("ball in opponents' third", [&](TeamId t) { return percent(s.third(t, 2)); });
   text += row("mean ball x [cm]", [&](TeamId t) { return fmt::format("{:+.1f}", 100.0 * s.meanBallX(t)); });
@@ -64,16 +80,16 @@ std::string ballRows(const MatchStatistics& s) {
 std::string robotRows(const MatchReport& report) {
   const MatchStatistics& s = report.statistics;
   const auto of = [&](TeamId team) -> const TeamStatistics& { return s.teams[indexOf(team)]; };
-  std::string text = row("distance run [m]", [&](TeamId t) { return fmt::format("{:.1f}", of(t).distance()); });
+  std::string text =
+      row("distance run [m]", [&](TeamId t) { return fmt::format("{:.1f}", of(t).distance()); });
   for (std::size_t i = 0; i < static_cast<std::size_t>(s.team_size); ++i) {
     text += row(fmt::format("  robot {}", i),
                 [&](TeamId t) { return fmt::format("{:.1f}", of(t).robots[i].distance); });
   }
   text += row("wall contacts", [&](TeamId t) { return fmt::format("{}", of(t).wall_contacts); });
   text += row("contacts of mates", [&](TeamId t) { return fmt::format("{}", of(t).mate_contacts); });
-  text += row("commands rejected", [&](TeamId t) {
-    return fmt::format("{}", report.faults.teams[indexOf(t)].rejected());
-  });
+  text += row("commands rejected",
+              [&](TeamId t) { return fmt::format("{}", report.faults.teams[indexOf(t)].rejected()); });
   return text;
 }
 
@@ -81,12 +97,12 @@ std::string restartRows(const MatchStatistics& s) {
   std::string text;
   for (std::size_t kind = 0; kind < s.restarts.size(); ++kind) {
     if (s.restartCount(static_cast<RestartKind>(kind)) == 0) continue;
-    text += row(fmt::format("{}s taken", fulbito::nameOf(static_cast<RestartKind>(kind))),
+    text += row(pluralOf(static_cast<RestartKind>(kind)),
                 [&](TeamId t) { return fmt::format("{}", s.restarts[kind][indexOf(t)]); });
   }
   for (const CallCount& call : s.calls) {
-    if (call.against[0] + call.against[1] == 0 || call.clause == "goal") continue;
-    text += row(fmt::format("called: {}", call.clause),
+    if (call.against[0] + call.against[1] == 0 || !isFault(call.clause)) continue;
+    text += row(fmt::format("against: {}", call.clause),
                 [&](TeamId t) { return fmt::format("{}", call.against[indexOf(t)]); });
   }
   return text;
@@ -94,9 +110,9 @@ std::string restartRows(const MatchStatistics& s) {
 
 std::string headline(const MatchReport& report) {
   const MatchConfig& c = report.config;
-  std::string text = fmt::format("{} (blue) {} : {} {} (yellow)", nameOf(report, TeamId::kBlue),
-                                 report.referee.score[0], report.referee.score[1],
-                                 nameOf(report, TeamId::kYellow));
+  std::string text =
+      fmt::format("{} (blue) {} : {} {} (yellow)", nameOf(report, TeamId::kBlue), report.referee.score[0],
+                  report.referee.score[1], nameOf(report, TeamId::kYellow));
   if (!report.complete) text += ", broken off";
   if (report.referee.period == kShootOutPeriod) {
     text += fmt::format(", shoot-out {} : {}", report.referee.shoot_out.goals[0],
@@ -109,7 +125,8 @@ std::string headline(const MatchReport& report) {
 double timesRealTime(double simulated, double wall) { return wall > 0.0 ? simulated / wall : 0.0; }
 
 std::string faultLine(const MatchReport& report) {
-  return report.faults.abandoned ? "the match could not go on: " + report.faults.abandoned->message + "\n" : "";
+  return report.faults.abandoned ? "the match could not go on: " + report.faults.abandoned->message + "\n"
+                                 : "";
 }
 
 }  // namespace
@@ -133,9 +150,9 @@ std::string matchText(const MatchReport& report) {
   std::string text = headline(report) + faultLine(report);
   if (!s.goals.empty()) text += "\n";
   for (const GoalRecord& goal : s.goals) text += goalLine(report, goal);
-  text += "\n" + row("", [&](TeamId t) { return nameOf(report, t).substr(0, kColumnWidth - 2); });
+  text += "\n" + row("", [&](TeamId t) { return columnText(report, t); });
   text += ballRows(s) + robotRows(report) + restartRows(s);
-  text += fmt::format("  {:<{}}{}\n", "contacts of opponents", kLabelWidth, s.opponent_contacts);
+  text += row("contacts of opponents", "", fmt::format("{}", s.opponent_contacts));
   text += fmt::format("\n  {:.1f} s simulated in {:.2f} s: {:.0f} x real time\n  final hash {:016x}\n",
                       report.simulated, report.wall, timesRealTime(report.simulated, report.wall),
                       report.final_hash);
@@ -145,8 +162,8 @@ std::string matchText(const MatchReport& report) {
 
 std::string profileText(const MatchProfile& profile) {
   const std::pair<const char*, std::int64_t> stages[] = {
-      {"sense", profile.sense}, {"strategies", profile.decide},  {"navigation", profile.navigate},
-      {"physics", profile.step}, {"referee", profile.referee},   {"restarts", profile.restart},
+      {"sense", profile.sense},     {"strategies", profile.decide}, {"navigation", profile.navigate},
+      {"physics", profile.step},    {"referee", profile.referee},   {"restarts", profile.restart},
       {"recording", profile.record}};
   const double ticks = profile.ticks > 0 ? static_cast<double>(profile.ticks) : 1.0;
   const double total = profile.total() > 0 ? static_cast<double>(profile.total()) : 1.0;
@@ -172,7 +189,8 @@ std::string seriesText(const SeriesReport& report) {
       "{} against {}: {} swapped pair{}, {} matches{}\n{}, halves of {:g} s, {} physics, seed {}\n\n", a,
       c.teams[1].text, r.pairs.size(), r.pairs.size() == 1 ? "" : "s", 2 * r.pairs.size(),
       r.interrupted ? " (broken off)" : "", c.rules.name, c.rules.half_seconds, c.physics.name, c.seed);
-  text += fmt::format("  {:<18}{} wins, {} draws, {} losses of {}\n", "matches", r.wins, r.draws, r.losses, a);
+  text +=
+      fmt::format("  {:<18}{} wins, {} draws, {} losses of {}\n", "matches", r.wins, r.draws, r.losses, a);
   text += fmt::format("  {:<18}{:.1f} %  ({:.1f} ... {:.1f} %, 95 %)\n", "points share",
                       100 * r.points_share.value, 100 * r.points_share.low, 100 * r.points_share.high);
   text += fmt::format("  {:<18}{:+.2f} a match  ", "goal difference", r.goal_difference.value);

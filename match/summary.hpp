@@ -20,8 +20,8 @@ struct MatchReport {
   std::size_t events_left_out = 0;
   MatchFaults faults;
   std::uint64_t final_hash = 0;
-  double simulated = 0.0;  ///< [s]
-  double wall = 0.0;       ///< [s] that it took
+  double simulated = 0.0;               ///< [s]
+  double wall = 0.0;                    ///< [s] that it took
   std::optional<MatchProfile> profile;  ///< where the time went, if it was measured
 };
 

@@ -97,9 +97,10 @@ Json statsJson(const MatchReport& report) {
 }
 
 Json profileJson(const MatchProfile& p) {
-  return {{"ticks", p.ticks},        {"sense_ns", p.sense},     {"strategies_ns", p.decide},
-          {"navigation_ns", p.navigate}, {"physics_ns", p.step}, {"referee_ns", p.referee},
-          {"restarts_ns", p.restart}, {"recording_ns", p.record}};
+  return {{"ticks", p.ticks},          {"sense_ns", p.sense},
+          {"strategies_ns", p.decide}, {"navigation_ns", p.navigate},
+          {"physics_ns", p.step},      {"referee_ns", p.referee},
+          {"restarts_ns", p.restart},  {"recording_ns", p.record}};
 }
 
 double timesRealTime(double simulated, double wall) { return wall > 0.0 ? simulated / wall : 0.0; }

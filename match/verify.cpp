@@ -10,6 +10,9 @@
 namespace fulbito {
 namespace {
 
+/// In steps of a sample: half of one is what rounding does.
+constexpr double kRounding = 0.75;
+
 class Verifier final : public ReplayVisitor {
  public:
   explicit Verifier(const RecordingReader& recording) : recording_(recording), header_(recording.header()) {}
@@ -63,7 +66,8 @@ class Verifier final : public ReplayVisitor {
   const RecordedSample* sampleAt(const ReplayedTick& tick) const {
     const Tick every = header_.sample_every;
     if (tick.chunk->samples.empty() || tick.tick % every != 0) return nullptr;
-    return &tick.chunk->samples[static_cast<std::size_t>(tick.tick / every - tick.chunk->first_tick / every - 1)];
+    return &tick.chunk
+                ->samples[static_cast<std::size_t>(tick.tick / every - tick.chunk->first_tick / every - 1)];
   }
 
   void diverge(Tick tick, const char* what) {
@@ -83,10 +87,11 @@ class Verifier final : public ReplayVisitor {
 
   void nameByHash(const ReplayedTick& tick, const RecordedCheck& check) {
     const WorldState& world = tick.world->state();
-    for (std::size_t i = 0; i < bodies_.size() && !found_->body; ++i) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const BodyHash now = hashOf(world, i), then = check.bodies[bodies_[i]];
       if (now == then) continue;
-      nameBody(bodies_[i], tick.tick, now.place != then.place ? "place" : "motion");
+      if (!found_->body) nameBody(bodies_[i], tick.tick, now.place != then.place ? "place" : "motion");
+      ++found_->bodies;
     }
   }
 
@@ -103,12 +108,15 @@ class Verifier final : public ReplayVisitor {
 
   /// The body that is farthest from where it was recorded, by at least one step of the samples.
   void nameBySample(const ReplayedTick& tick, const RecordedSample& sample) {
-    double most = 0.75;  // of a step: half of one is rounding
+    double most = kRounding;
+    int differ = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      bool same = true;
       const Pose2 now = poseOf(tick.world->state(), i);
       const Pose2& then = sample.poses[bodies_[i]];
       const auto compare = [&](const char* field, double recorded, double replayed, double step) {
         const double steps = std::abs(recorded - replayed) / step;
+        same = same && steps <= kRounding;
         if (!(steps > most)) return;
         most = steps;
         nameBody(bodies_[i], tick.tick, field);
@@ -118,19 +126,23 @@ class Verifier final : public ReplayVisitor {
       compare("x", then.position.x, now.position.x, kSamplePlaceStep);
       compare("y", then.position.y, now.position.y, kSamplePlaceStep);
       compare("heading", then.heading, now.heading, kSampleHeadingStep);
+      differ += same ? 0 : 1;
     }
+    if (differ > 0) found_->bodies = differ;
   }
 
   void describe() {
     Divergence& d = *found_;
-    std::string text = fmt::format("differs from tick {} on (tick {} of play {}, {:.3f} s)", d.tick, d.play_tick,
-                                   d.play + 1, static_cast<double>(d.tick) / header_.control_rate);
+    std::string text =
+        fmt::format("differs from tick {} on (tick {} of play {}, {:.3f} s)", d.tick, d.play_tick, d.play + 1,
+                    static_cast<double>(d.tick) / header_.control_rate);
     if (!d.text.empty()) text += ": " + d.text;
     if (d.body) {
       text += fmt::format("; at tick {} {} of {}", d.body_tick, d.field, d.body_name);
       text += d.recorded == d.replayed
                   ? std::string(" differs")
                   : fmt::format(" is {:.6f} where {:.6f} was recorded", d.replayed, d.recorded);
+      if (d.bodies > 1) text += fmt::format(" ({} bodies differ there)", d.bodies);
     }
     d.text = text;
   }

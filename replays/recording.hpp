@@ -163,8 +163,8 @@ struct RecordingResult {
   Tick ticks = 0;
   bool complete = true;  ///< false: stopped before its own end
   PerTeam<int> score{};
-  std::uint64_t final_hash = 0;                          ///< running hash after the last tick
-  std::string outcome;  ///< of a trial: a TrialOutcome's name; of a match: blue, yellow or draw
+  std::uint64_t final_hash = 0;  ///< running hash after the last tick
+  std::string outcome;           ///< of a trial: a TrialOutcome's name; of a match: blue, yellow or draw
   std::vector<std::pair<std::string, double>> figures;  ///< by name
 };
 

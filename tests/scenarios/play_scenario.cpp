@@ -46,7 +46,7 @@ Scenario inVariant(Scenario s, ScenarioVariant variant) {
     if (e.team) swap(*e.team);
     if (e.restart_team) swap(*e.restart_team);
   }
-  if (s.absent) swap(*s.absent);
+  if (variant.colours) std::swap(s.present[0], s.present[1]);
   if (s.score && variant.colours) s.score = Vec2{s.score->y, s.score->x};
   FirstKickOff& first = s.rules.periods.first_kick_off;
   if (variant.colours && first != FirstKickOff::kToss) {
@@ -64,7 +64,7 @@ RefereeSetup setupOf(const Scenario& s, ScenarioVariant variant, const PhysicsPr
   setup.ball = robot.ball;
   setup.dt = physics.controlPeriod();
   setup.blue_side = variant.sides != variant.colours ? Side::kRight : Side::kLeft;
-  if (s.absent) setup.present[indexOf(*s.absent)] = false;
+  setup.present = s.present;
   return setup;
 }
 
@@ -76,7 +76,9 @@ class Play {
         setup_(setupOf(s, variant, physics_)),
         referee_(setup_) {}
 
-  std::string run();
+  void run();
+  std::string verdict() const;
+  std::vector<GameEvent> events() const;
 
  private:
   void begin();
@@ -86,7 +88,6 @@ class Play {
   void advance();
   void addContacts();
   bool judge();
-  std::string verdict() const;
   std::string describe(const Called& called) const;
   std::size_t find(RobotId id) const;
   double seconds(Tick tick) const { return static_cast<double>(tick) * setup_.dt; }
@@ -273,21 +274,35 @@ std::string Play::verdict() const {
   return wrong;
 }
 
-std::string Play::run() {
+std::vector<GameEvent> Play::events() const {
+  std::vector<GameEvent> events;
+  for (const Called& called : called_) events.push_back(called.event);
+  return events;
+}
+
+void Play::run() {
   begin();
   const Tick end = ticksOf(scenario_.seconds, setup_.dt);
   while (tick_ < end) {
     advance();
     if (!judge()) break;
   }
-  return verdict();
 }
 
 }  // namespace
 
 std::string playScenario(const Scenario& scenario, ScenarioVariant variant) {
   const Scenario changed = inVariant(scenario, variant);
-  return Play(changed, variant).run();
+  Play play(changed, variant);
+  play.run();
+  return play.verdict();
+}
+
+std::vector<GameEvent> eventsOf(const Scenario& scenario, ScenarioVariant variant) {
+  const Scenario changed = inVariant(scenario, variant);
+  Play play(changed, variant);
+  play.run();
+  return play.events();
 }
 
 }  // namespace fulbito::test

@@ -8,6 +8,7 @@
 #include "engine/core/result.hpp"
 #include "engine/core/team.hpp"
 #include "engine/core/values.hpp"
+#include "referee/game_event.hpp"
 #include "referee/rules.hpp"
 
 namespace fulbito::test {
@@ -69,7 +70,7 @@ struct Scenario {
   bool goes_on = false;      ///< past the first stoppage
   double seconds = 1.0;      ///< that it lasts at most
   std::string forbid = "*";  ///< clauses that must not come, by commas; "*": all that are not expected
-  std::optional<TeamId> absent;
+  PerTeam<bool> present{true, true};
   std::optional<Vec2> score;  ///< blue's and yellow's in the end
   Vec2 ball, ball_velocity;
   std::vector<ScenarioRobot> robots;  ///< of a given start the first one's team counts as who began
@@ -86,6 +87,9 @@ struct ScenarioVariant {
   bool sides = false;    ///< rotated by 180 degrees
   bool colours = false;  ///< blue's robots are yellow's and the other way round
 };
+
+/// Plays the scenario and returns what the referee called.
+std::vector<GameEvent> eventsOf(const Scenario& scenario, ScenarioVariant variant);
 
 /// Plays the scenario; empty if all is as expected, else what is not.
 std::string playScenario(const Scenario& scenario, ScenarioVariant variant);
