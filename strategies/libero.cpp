@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "strategies/libero_areas.hpp"
+#include "strategies/libero_exercise.hpp"
 #include "strategies/libero_keeper.hpp"
 #include "strategies/libero_restarts.hpp"
 #include "strategies/libero_striker.hpp"
@@ -39,6 +40,7 @@ class Libero final : public Strategy {
     int rank = 0;
     for (int i = 0; i < observation.team_size; ++i) {
       if (!picture.ownPresent(i)) continue;
+      command.roles[static_cast<std::size_t>(i)] = roleOf(i);
       command.robots[static_cast<std::size_t>(i)] =
           RobotCommand::byTwist(legal(picture, i, play(picture, i, rank)));
     }
@@ -47,6 +49,18 @@ class Libero final : public Strategy {
 
   std::optional<TeamPlacement> place(const PlacementRequest& request) override {
     return placementAt(pitch_, request);
+  }
+
+  std::optional<ExerciseReply> exercise(const Observation& observation, const Exercise& exercise) override {
+    const BallState ball = spin_.update(pitch_, observation.ball);
+    ExerciseReply reply;
+    if (exercise.kind == Exercise::Kind::kPredictBall) {
+      ball_.compute(pitch_, ball);
+      reply.answer = ball_.at(exercise.horizon);
+    }
+    reply.command.robots[0] = RobotCommand::byTwist(
+        exerciseTwist(pitch_, observation.own[0].state, ball.position, exercise, strike_.side));
+    return reply;
   }
 
  private:
@@ -86,6 +100,9 @@ class Libero final : public Strategy {
     }
     return inside >= 2;
   }
+
+  /// 1 keeper, 2 striker, 3 support.
+  std::uint8_t roleOf(int robot) const { return robot == keeper_ ? 1 : robot == striker_ ? 2 : 3; }
 
   Twist legal(const Picture& picture, int robot, Twist wanted) const {
     if (robot == keeper_) return wanted;
