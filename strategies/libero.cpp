@@ -24,13 +24,13 @@ class Libero final : public Strategy {
     spin_.reset();
     striker_ = -1;
     strike_ = {};
+    held_ = 1.0;
   }
 
   TeamCommand decide(const Observation& observation) override {
     if (observation.since_restart < observation.dt / 2) {
       spin_.reset();
       strike_ = {};
-      held_ = 1.0;
     }
     ball_.compute(pitch_, spin_.update(pitch_, observation.ball));
     const Picture picture{observation, pitch_, settings_, ball_};

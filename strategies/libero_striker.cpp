@@ -30,7 +30,7 @@ void watchJam(const Picture& picture, const RobotState& robot, Vec2 rel, Striker
 
 Interception interception(const Picture& picture, const RobotState& robot) {
   const Vec2 goal = picture.pitch.theirGoal();
-  const auto strikePoint = [&](Vec2 ball) { return ball - unitOr(goal - ball, {1.0, 0.0}) * 0.06; };
+  const auto strikePoint = [&](Vec2 ball) { return ball - unitOr(goal - ball, {1.0, 0.0}) * 0.04; };
   if (picture.ball.resting()) {
     const Vec2 ball = picture.ball.sample(0);
     return {timeToReach(picture.pitch, robot, strikePoint(ball)), ball};
@@ -41,7 +41,7 @@ Interception interception(const Picture& picture, const RobotState& robot) {
     const Vec2 ball = picture.ball.sample(i);
     const double least = picture.pitch.speed * time + 0.12;
     if (squaredNorm(ball - robot.pose.position) > least * least && i < BallForecast::kSteps) continue;
-    const double needed = timeToReach(picture.pitch, robot, strikePoint(ball));
+    const double needed = timeToReach(picture.pitch, robot, strikePoint(ball)) + 0.0;
     if (needed <= time || i == BallForecast::kSteps) {
       if (i == 0) return {needed, ball};
       const double early = time - needed;
@@ -60,7 +60,7 @@ namespace {
 /// must be taken from it.
 Vec2 blow(Vec2 wanted, Vec2 moving) {
   const Vec2 local = intoFrame(wanted, moving);
-  return unitOr(outOfFrame(wanted, {std::max(0.5, 1.3 - local.x), -local.y}), wanted);
+  return unitOr(outOfFrame(wanted, {std::max(0.8, 1.3 - local.x), -local.y}), wanted);
 }
 
 /// How badly bodies bar the way of a blow at `contact` along `direction`: in the place of the striker, or
