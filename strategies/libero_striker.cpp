@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "strategies/libero_areas.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -110,6 +111,17 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& 
   return chosen;
 }
 
+/// Whether the robot presses on the opponents' keeper in its area, the ball not between: that is a foul.
+bool chargesKeeper(const Picture& picture, const RobotState& self, Vec2& keeper) {
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    keeper = picture.opponent(i).pose.position;
+    if (inTheirArea(picture.pitch, keeper) && squaredNorm(keeper - self.pose.position) < 0.088 * 0.088)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
@@ -128,6 +140,10 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
       squaredNorm(rel) > 0.055 * 0.055) {
     return passThrough(pitch, self, now.position + Vec2{0.0, 0.03 * std::copysign(1.0, now.position.y)},
                        pitch.speed);
+  }
+  Vec2 keeper;
+  if (1 > 0 && squaredNorm(rel) > 0.075 * 0.075 && chargesKeeper(picture, self, keeper)) {
+    return passThrough(pitch, self, self.pose.position * 2.0 - keeper, 0.6);
   }
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
