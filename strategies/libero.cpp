@@ -80,8 +80,10 @@ class Libero final : public Strategy {
         ++rank;
         return passThrough(pitch_, picture.own(robot), follower, pitch_.speed);
       }
-      const Vec2 wait = rank++ == 0 ? Vec2{-pitch_.half_length + 0.5, side * 0.45}
-                                    : Vec2{-pitch_.half_length + 0.5, -side * 0.3};
+      const double back = -pitch_.half_length;
+      const Vec2 waits[] = {
+          {back + 0.5, side * 0.45}, {back + 0.5, -side * 0.3}, {back + 0.9, -side * 0.6}, {back + 0.8, 0.0}};
+      const Vec2 wait = waits[std::min(rank++, 3)];
       return supportTo(picture, robot, wait);
     }
     Vec2 place = supportPlace(picture, {}, rank++);

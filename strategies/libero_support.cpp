@@ -32,6 +32,26 @@ double headingRound(const Picture& picture, int robot, Vec2 to) {
   return math::angleOf(turned);
 }
 
+/// On the line from the ball to our goal, outside the area; beside it where the ball lies deeper.
+Vec2 shadow(const Picture& picture, Vec2 ball) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 goal = pitch.ownGoal();
+  const double front = -pitch.half_length + pitch.area_depth + pitch.arc_depth + 0.09;
+  const double x = std::max(front, ball.x - 0.35);
+  const double part = std::clamp((x - goal.x) / std::max(0.05, ball.x - goal.x), 0.0, 1.0);
+  const double most = ball.x < front + 0.1 ? 0.25 : pitch.half_width - 0.06;
+  return {x, std::clamp(ball.y * part, -most, most)};
+}
+
+/// Wide on the side away from the ball, for the third and fourth: one forward, one back, none in the big
+/// area.
+Vec2 outlet(const Pitch& pitch, Vec2 ball, int rank) {
+  const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
+  const double back = -pitch.half_length + pitch.big_area_depth + 0.15;
+  if (rank == 2) return {std::clamp(ball.x + 0.15, back, pitch.half_length - 0.5), far_side * 0.45};
+  return {std::clamp(ball.x - 0.55, back, 0.0), far_side * 0.2};
+}
+
 }  // namespace
 
 Vec2 supportPlace(const Picture& picture, Vec2, int rank) {
@@ -49,14 +69,7 @@ Vec2 supportPlace(const Picture& picture, Vec2, int rank) {
   if (rank == 0 && crowd >= 2) {
     return {std::min(ball.x + 0.3, pitch.half_length - 0.35), std::clamp(ball.y * 0.4, -0.3, 0.3)};
   }
-  // The shadow: on the line from the ball to our goal, outside the area; beside it where the ball lies
-  // deeper.
-  const Vec2 goal = pitch.ownGoal();
-  const double front = -pitch.half_length + pitch.area_depth + pitch.arc_depth + 0.09;
-  const double x = std::max(front, ball.x - 0.35);
-  const double part = std::clamp((x - goal.x) / std::max(0.05, ball.x - goal.x), 0.0, 1.0);
-  const double most = ball.x < front + 0.1 ? 0.25 : pitch.half_width - 0.06;
-  return {x, std::clamp(ball.y * part, -most, most)};
+  return rank <= 1 ? shadow(picture, ball) : outlet(pitch, ball, rank);
 }
 
 Twist supportTo(const Picture& picture, int robot, Vec2 place) {
