@@ -30,7 +30,8 @@ class LineFile {
     if (file == nullptr) return fail(ErrorCode::kIo, fmt::format("{}: {}", name, std::strerror(errno)));
     return LineFile(file, name);
   }
-  LineFile(LineFile&& from) noexcept : file_(std::exchange(from.file_, nullptr)), name_(std::move(from.name_)) {}
+  LineFile(LineFile&& from) noexcept
+      : file_(std::exchange(from.file_, nullptr)), name_(std::move(from.name_)) {}
   LineFile& operator=(LineFile&&) = delete;
   ~LineFile() {
     if (file_ != nullptr && file_ != stdout) std::fclose(file_);
@@ -56,9 +57,9 @@ Result<void> checkFlags(const MatchCommand& options) {
     return fail(ErrorCode::kUsage, "--events: '-' and --json both want stdout; give --events a file");
   }
   if (options.pairs == 0) return {};
-  for (const auto& [flag, given] : {std::pair{"--record", !options.record.empty()},
-                                    std::pair{"--events", !options.events.empty()},
-                                    std::pair{"--profile", options.profile}}) {
+  for (const auto& [flag, given] :
+       {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
+        std::pair{"--profile", options.profile}}) {
     if (given) {
       return fail(ErrorCode::kUsage, fmt::format("{}: is of one match, and cannot go with -n/--pairs", flag));
     }
