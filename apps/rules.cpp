@@ -47,7 +47,6 @@ CLI::App* addRules(CLI::App& app, RulesOptions& options) {
       "  fulbito rules show vsss-3v3                 every number, with its source\n"
       "  fulbito rules show training > mine.toml     a profile to change\n"
       "  fulbito rules check mine.toml");
-  command->require_subcommand(1);
   command->add_subcommand("show", "print every number of a profile with its source")
       ->add_option("name", options.show, "profile or TOML file")
       ->required();
@@ -58,7 +57,9 @@ CLI::App* addRules(CLI::App& app, RulesOptions& options) {
 }
 
 int rules(const RulesOptions& options) {
-  return options.show.empty() ? checkRules(options.check) : showRules(options.show);
+  if (!options.show.empty()) return showRules(options.show);
+  if (!options.check.empty()) return checkRules(options.check);
+  return report({ErrorCode::kUsage, "rules: say what: show NAME or check FILE. See fulbito rules --help."});
 }
 
 }  // namespace fulbito::app
