@@ -41,25 +41,30 @@ int checkRules(const std::string& file) {
 }  // namespace
 
 CLI::App* addRules(CLI::App& app, RulesOptions& options) {
-  CLI::App* command = app.add_subcommand("rules", "print or check a profile of rules");
+  CLI::App* command = app.add_subcommand("rules", "print, check or compare profiles of rules");
   command->footer(
       "Examples:\n"
       "  fulbito rules show vsss-3v3                 every number, with its source\n"
       "  fulbito rules show training > mine.toml     a profile to change\n"
-      "  fulbito rules check mine.toml");
+      "  fulbito rules check mine.toml\n"
+      "  fulbito rules compare vsss-3v3 league-program-2021 game.fbr");
   command->add_subcommand("show", "print every number of a profile with its source")
       ->add_option("name", options.show, "profile or TOML file")
       ->required();
   command->add_subcommand("check", "say what is wrong with a profile: file, line, key and range")
       ->add_option("file", options.check, "TOML file or profile")
       ->required();
+  addRulesCompare(*command, options.compare);
   return command;
 }
 
 int rules(const RulesOptions& options) {
   if (!options.show.empty()) return showRules(options.show);
   if (!options.check.empty()) return checkRules(options.check);
-  return report({ErrorCode::kUsage, "rules: say what: show NAME or check FILE. See fulbito rules --help."});
+  if (!options.compare.files.empty()) return compareRules(options.compare);
+  return report(
+      {ErrorCode::kUsage,
+       "rules: say what: show NAME, check FILE or compare A B RECORDING. See fulbito rules --help."});
 }
 
 }  // namespace fulbito::app
