@@ -9,14 +9,15 @@
 #include "engine/core/suggest.hpp"
 #include "experiments/paper_plan.hpp"
 #include "referee/rules.hpp"
+#include "strategies/registry.hpp"
 
 namespace fulbito::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-const std::vector<std::string> kKinds = {"navigators", "suites", "cases", "robots",
-                                         "physics",    "fields", "rules"};
+const std::vector<std::string> kKinds = {"teams",  "navigators", "suites", "cases",
+                                         "robots", "physics",    "fields", "rules"};
 
 std::string typeName(const ParameterSpec& spec) {
   switch (spec.type) {
@@ -60,6 +61,15 @@ Json navigatorJson(const NavigatorInfo& info) {
   return json;
 }
 
+Json teamJson(const TeamInfo& info) {
+  Json json = {{"name", info.name},
+               {"summary", info.summary},
+               {"takes_navigator", info.takes_navigator},
+               {"parameters", Json::array()}};
+  for (const ParameterSpec& spec : info.parameters) json["parameters"].push_back(parameterJson(spec));
+  return json;
+}
+
 void printParameter(const ParameterSpec& spec) {
   std::string range;
   if (spec.type == ParameterSpec::Type::kChoice) {
@@ -82,6 +92,18 @@ void printNavigators() {
   fmt::print(
       "* plans its own speeds. Set parameters like this: --navigator "
       "bezier:clearance=0.03,follower=classic\n");
+}
+
+void printTeams() {
+  for (const TeamInfo& info : teams()) {
+    fmt::print("{}\n  {}\n", info.name, info.summary);
+    for (const ParameterSpec& spec : info.parameters) printParameter(spec);
+    if (info.takes_navigator) {
+      fmt::print("    {:<16} {:<9} {}\n", "navigator", "", "any of fulbito list navigators");
+    }
+  }
+  fmt::print(
+      "Set parameters like this: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
 }
 
 /// The first sentence of the comment that a preset file begins with.
@@ -123,7 +145,9 @@ std::vector<std::pair<std::string, std::string>> entries(const std::string& kind
 
 void printJson(const std::string& kind) {
   Json json = {{"schema_version", 1}, {kind, Json::array()}};
-  if (kind == "navigators") {
+  if (kind == "teams") {
+    for (const TeamInfo& info : teams()) json[kind].push_back(teamJson(info));
+  } else if (kind == "navigators") {
     for (const NavigatorInfo& info : navigators()) json[kind].push_back(navigatorJson(info));
   } else {
     for (const auto& [name, summary] : entries(kind))
@@ -142,6 +166,8 @@ int list(const ListOptions& options) {
   }
   if (options.json) {
     printJson(options.kind);
+  } else if (options.kind == "teams") {
+    printTeams();
   } else if (options.kind == "navigators") {
     printNavigators();
   } else {

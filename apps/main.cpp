@@ -8,6 +8,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/drill.hpp"
+#include "apps/match.hpp"
 #include "apps/rules.hpp"
 #include "engine/core/build_info.hpp"
 #include "engine/core/suggest.hpp"
@@ -25,6 +26,7 @@ struct Options {
   ShowOptions show;
   BenchCommand bench;
   DrillCommand drill;
+  MatchCommand match;
   RulesOptions rules;
   bool version_json = false;
 };
@@ -104,9 +106,10 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
 
 void addRest(CLI::App& app, Options& options) {
   CLI::App* list =
-      app.add_subcommand("list", "list navigators, suites, cases, robots, physics, fields or rules");
-  list->footer("Examples:\n  fulbito list navigators\n  fulbito list suites --json");
-  list->add_option("kind", options.list.kind, "navigators, suites, cases, robots, physics, fields or rules")
+      app.add_subcommand("list", "list teams, navigators, suites, cases, robots, physics, fields or rules");
+  list->footer("Examples:\n  fulbito list teams\n  fulbito list navigators\n  fulbito list suites --json");
+  list->add_option("kind", options.list.kind,
+                   "teams, navigators, suites, cases, robots, physics, fields or rules")
       ->required();
   list->add_flag("--json", options.list.json, "print JSON");
 
@@ -181,6 +184,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
     if (compare_command.count("--only") > 0) options.compare.config.only = options.only;
     return compare(options.compare);
   }
+  if (app.got_subcommand("match")) return match(options.match);
   if (app.got_subcommand("list")) return list(options.list);
   if (app.got_subcommand("show")) return show(options.show);
   if (app.got_subcommand("bench")) return bench(options.bench);
@@ -191,19 +195,23 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
 
 int mainWithoutCatch(int argc, char** argv) {
   CLI::App app(
-      "Fulbito: a deterministic 2D robot-soccer simulator. This version compares navigation methods.",
+      "Fulbito: a deterministic 2D robot-soccer simulator. It plays matches and\ncompares navigation "
+      "methods.",
       "fulbito");
   app.footer(
       "Examples:\n"
+      "  fulbito match libero classic --seed 7                  a whole match and its summary\n"
       "  fulbito compare                                        the comparison of Jung & Lee (2015)\n"
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
-      "  fulbito list navigators\n"
-      "Exit codes: 0 ran, 2 usage, 3 bad input file, 5 cannot read or write, 70 internal error, 130 "
+      "  fulbito list teams\n"
+      "Exit codes: 0 ran, 1 the thing tested failed, 2 usage, 3 bad input file, 5 cannot read or write, 70 "
+      "internal error, 130 "
       "interrupted.");
   app.set_version_flag("--version", buildInfo().version);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
   Options options;
+  addMatch(app, options.match);
   const CLI::App* run_command = addRun(app, options);
   const CLI::App* compare_command = addCompare(app, options);
   addRest(app, options);

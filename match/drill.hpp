@@ -32,6 +32,8 @@ enum class DrillRole : std::uint8_t {
 struct DrillStart {
   std::string name = "all";
   DrillTask task = DrillTask::kPlay;
+  int restart = -1;          ///< `RestartKind` that play begins with; -1: none that is told
+  bool ours = true;          ///< the tested team takes it
   std::string opponents;     ///< team specification, "itself", or empty: the robots' own roles
   double duration = 0.0;     ///< [s] instead of the drill's; 0: the drill's
   std::vector<Vec2> ball;    ///< [m] places that trials take in turn
@@ -43,7 +45,9 @@ struct DrillStart {
   double distance_max = 0.0;
   double savable = 0.0;     ///< that many times the least savable distance is added to the distance
   double angle = 0.0;       ///< [rad] largest angle between the ball's way and the goal's normal
-  int bounces = -1;         ///< only trials with that many of the ball against walls count; -1: all
+  bool enters = false;      ///< the ball goes into the own goal if nobody touches it
+  int bounces = -1;         ///< of the ball against walls until it is in or the prediction is due; -1: any
+  bool decided = false;     ///< only trials count that came to a success or a failure in time
   double target_min = 0.0;  ///< [m] distance of the task's target
   double target_max = 0.0;
   double turn_min = 0.0;  ///< [rad] angle between the robot's heading and the task's
@@ -62,6 +66,7 @@ struct DrillRobot {
   Vec2 spread;                  ///< [m] uniformly to either side
   bool from_ball = false;       ///< `at` counts from the ball
   bool behind_ball = false;     ///< and along the line from the ball to the opponents' goal, which is its x
+  bool equal_gap = false;       ///< y is the ball's bisector point: gaps to both posts are equal
   bool face_ball = false;       ///< `heading` counts from the direction of the ball
   double heading = 0.0;         ///< [rad]
   double heading_spread = 0.0;  ///< [rad] uniformly to either side
@@ -73,6 +78,7 @@ enum class DrillCondition : std::uint8_t {
   kConceded,   ///< in the own goal
   kTouched,    ///< an own robot touched it
   kGained,     ///< it is `value` [m] nearer to the opponents' end than at the start
+  kDriven,     ///< it is `value` [m] nearer to the own end than at the start
   kOffWall,    ///< it is `value` [m] off the nearest wall
   kAway,       ///< it is `value` [m] from where it started
   kNearMouth,  ///< it is less than `value` [m] from the opponents' goal mouth
@@ -169,6 +175,7 @@ struct DrillTrial {
   bool on_target = false;
   bool own_goal = false;
   bool conceded = false;
+  int illegal = 0;              ///< robots of the tested team whose proposed places had to be repaired
   std::string_view stopped_by;  ///< rule by which the referee ended it, static lifetime
 };
 

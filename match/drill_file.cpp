@@ -50,6 +50,12 @@ Schema schemaOf(DrillStart& s) {
       {"name", Label{&s.name}, 1, kLongName, "", ""},
       {"task", choice(s.task, {"play", "reach-pose", "turn", "reach-ball", "push", "predict-ball"}), 0, 0, "",
        "what the team is asked for"},
+      {"restart",
+       Choice{{"none", "kick-off", "free-ball", "free-kick", "penalty", "goal-kick"},
+              [&s] { return s.restart + 1; },
+              [&s](int index) { s.restart = index - 1; }},
+       0, 0, "", "that play begins with; without robots of the drill's own, the referee places all"},
+      {"ours", &s.ours, 0, 1, "", "the tested team takes it"},
       {"opponents", &s.opponents, 0, kLongText, "", "a team, or 'itself'"},
       {"duration", &s.duration, 0.0, 600.0, "s", "instead of the drill's"},
       {"ball", &s.ball, -kFar, kFar, "m", "places"},
@@ -61,7 +67,9 @@ Schema schemaOf(DrillStart& s) {
       {"distance_max", &s.distance_max, 0.0, kFar, "m", "of the ball from that point"},
       {"savable", &s.savable, 0.0, 10.0, "", "least savable distances added to it"},
       {"angle", Angle{&s.angle}, 0.0, 89.0, "", "largest one between the ball's way and the goal's normal"},
+      {"enters", &s.enters, 0, 1, "", "the ball goes into the own goal if nobody touches it"},
       {"bounces", &s.bounces, -1, 100, "", "of the ball against walls; -1: any"},
+      {"decided", &s.decided, 0, 1, "", "trials without success and failure do not count"},
       {"target_min", &s.target_min, 0.0, kFar, "m", "distance of the task's target"},
       {"target_max", &s.target_max, 0.0, kFar, "m", "distance of the task's target"},
       {"turn_min", Angle{&s.turn_min}, -180.0, 180.0, "", "from the robot's heading to the task's"},
@@ -81,6 +89,7 @@ Schema schemaOf(DrillRobot& r) {
       {"spread", &r.spread, 0.0, kFar, "m", "to either side"},
       {"from_ball", &r.from_ball, 0, 1, "", "places count from the ball"},
       {"behind_ball", &r.behind_ball, 0, 1, "", "with x toward the opponents' goal"},
+      {"equal_gap", &r.equal_gap, 0, 1, "", "y leaves equal gaps to both posts as seen from the ball"},
       {"face_ball", &r.face_ball, 0, 1, "", "the heading counts from the ball's direction"},
       {"heading", Angle{&r.heading}, -180.0, 180.0, "", ""},
       {"heading_spread", Angle{&r.heading_spread}, 0.0, 180.0, "", "to either side"},
@@ -90,8 +99,8 @@ Schema schemaOf(DrillRobot& r) {
 Schema schemaOf(DrillEnd& e) {
   return {
       {"what",
-       choice(e.what, {"goal", "conceded", "touched", "gained", "off-wall", "away", "near-mouth", "cleared",
-                       "lasted"}),
+       choice(e.what, {"goal", "conceded", "touched", "gained", "driven", "off-wall", "away", "near-mouth",
+                       "cleared", "lasted"}),
        0, 0, "", "", true},
       {"start", &e.start, 0, kLongName, "", "only in that start"},
       {"value", &e.value, 0.0, kFar, "m", ""},
@@ -151,7 +160,8 @@ std::optional<Flaw> unknownStart(const Drill& drill, const std::string& table, c
 }
 
 std::optional<Flaw> startFlaw(const DrillStart& start, int index) {
-  if (start.ball.empty() && start.toward.empty()) return Flaw{"start", index, "ball", "is missing"};
+  if (start.restart < 0 && start.ball.empty() && start.toward.empty())
+    return Flaw{"start", index, "ball", "is missing"};
   if (start.speed_max < start.speed_min) return Flaw{"start", index, "speed_max", "is less than speed_min"};
   if (start.distance_max < start.distance_min)
     return Flaw{"start", index, "distance_max", "is less than distance_min"};

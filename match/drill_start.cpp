@@ -7,13 +7,46 @@
 
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
+#include "engine/sim/world.hpp"
+#include "referee/restart_call.hpp"
 #include "strategies/team_frame.hpp"
 
 namespace fulbito {
 namespace {
 
-constexpr double kGap = 0.12;    // [m] from a centred keeper's body to a ball beside the post
-constexpr int kMaxDraws = 2000;  // before a start is given up
+constexpr double kGap = 0.12;         // [m] from a centred keeper's body to a ball beside the post
+constexpr double kLongestRoll = 5.0;  // [s] of a ball on its way into the goal
+constexpr int kMaxDraws = 2000;       // before a start is given up
+
+/// What a ball does that nobody touches.
+struct BallWay {
+  bool conceded = false;  ///< it goes into the left goal
+  int bounces = 0;        ///< before
+  double length = 0.0;    ///< [m]
+};
+
+BallWay rollAlone(const MatchConfig& match, const Placement& placement) {
+  WorldConfig alone;
+  alone.field = match.field;
+  alone.physics = match.physics;
+  alone.balls.push_back({match.robot.ball, placement.ball, placement.ball_velocity, placement.ball_velocity});
+  BallWay way;
+  auto world = World::create(alone);
+  if (!world) return way;
+  const double in_goal = match.field.length / 2 + match.robot.ball.radius;
+  const auto ticks = static_cast<Tick>(kLongestRoll * match.physics.control_rate);
+  Vec2 last = placement.ball;
+  while (!way.conceded && world->state().tick < ticks) {
+    world->step({});
+    for (const ContactEvent& contact : world->contacts()) way.bounces += contact.began ? 1 : 0;
+    const Vec2 now = world->state().balls.front().position;
+    way.length += distance(now, last);
+    last = now;
+    way.conceded = now.x < -in_goal;
+    if (now.x > in_goal) break;
+  }
+  return way;
+}
 
 double draw(Rng& rng, double low, double high) { return rng.uniform(low, std::max(low, high)); }
 
@@ -24,8 +57,13 @@ Vec2 spread(Rng& rng, Vec2 at, Vec2 by) {
 /// Draws the parts of one scene, in a fixed order.
 class SceneDraw {
  public:
-  SceneDraw(const Drill& drill, const FieldGeometry& field, const RobotPreset& robot, Rng& rng, int turn)
-      : drill_(drill), field_(field), robot_(robot), rng_(rng), turn_(static_cast<std::size_t>(turn)) {}
+  SceneDraw(const Drill& drill, const MatchConfig& match, Rng& rng, int turn)
+      : drill_(drill),
+        match_(match),
+        field_(match.field),
+        robot_(match.robot),
+        rng_(rng),
+        turn_(static_cast<std::size_t>(turn)) {}
 
   /// False when something would stand in a wall or in another body.
   bool draw(const DrillStart& start, DrillScene& scene) {
@@ -43,7 +81,7 @@ class SceneDraw {
       scene.roles[indexOf(robot.team)][number] = robot.plays;
     }
     drawTask(start, scene);
-    return fits(start, scene);
+    return fits(start, scene) && (!start.enters || enters(start, scene.placement));
   }
 
  private:
@@ -54,6 +92,7 @@ class SceneDraw {
     const Vec2 aim = start.toward.empty() ? Vec2{}
                                           : start.toward.front() +
                                                 (start.toward.back() - start.toward.front()) * rng_.uniform();
+    if (start.ball.empty() && start.toward.empty()) return;  // the rule knows
     if (start.ball.empty()) {
       const double side = aim.x < 0.0 ? 1.0 : -1.0;
       const double distance = fulbito::draw(rng_, start.distance_min, start.distance_max) +
@@ -78,6 +117,10 @@ class SceneDraw {
       heading += line;
     } else if (robot.from_ball) {
       at += ball;
+    }
+    if (robot.equal_gap) {
+      const double goal = std::copysign(field_.length / 2, at.x);
+      at.y += ball.y * (goal - at.x) / (goal - ball.x);
     }
     if (robot.face_ball) heading += math::angleOf(ball - at);
     return {at, math::wrapAngle(heading)};
@@ -132,6 +175,14 @@ class SceneDraw {
     return wallClearance(field_, scene.exercise.target) > robot_.robot.circumradius();
   }
 
+  /// Whether the ball, alone on the field, goes into the own goal as the start wants it.
+  bool enters(const DrillStart& start, const Placement& placement) const {
+    const double speed = norm(placement.ball_velocity);
+    const BallWay way = rollAlone(match_, placement);
+    return way.conceded && (start.bounces < 0 || way.bounces == start.bounces) &&
+           way.length >= start.savable * leastSavableDistance(drill_, speed);
+  }
+
   bool robotFits(const Pose2& pose, Vec2 ball) const {
     const math::SinCos sc = math::sinCos(pose.heading);
     const double half = robot_.robot.length / 2;
@@ -148,6 +199,7 @@ class SceneDraw {
   }
 
   const Drill& drill_;
+  const MatchConfig& match_;
   const FieldGeometry& field_;
   const RobotPreset& robot_;
   Rng& rng_;
@@ -175,8 +227,7 @@ double leastSavableDistance(const Drill& drill, double speed) {
   return speed * (drill.latency + std::sqrt(2.0 * kGap / drill.acceleration));
 }
 
-Result<DrillScene> drawScene(const Drill& drill, const FieldGeometry& field, const RobotPreset& robot,
-                             std::uint64_t seed, int index) {
+Result<DrillScene> drawScene(const Drill& drill, const MatchConfig& match, std::uint64_t seed, int index) {
   const int starts = static_cast<int>(drill.starts.size());
   DrillScene scene;
   scene.start = index % starts;
@@ -185,7 +236,7 @@ Result<DrillScene> drawScene(const Drill& drill, const FieldGeometry& field, con
   Rng rng(seed, Stream::kDrill,
           (static_cast<std::uint64_t>(drill.number) << 32) + static_cast<std::uint64_t>(index));
   // Four trials in a row share a place: both hands, both sides.
-  SceneDraw drawing(drill, field, robot, rng, round / 4);
+  SceneDraw drawing(drill, match, rng, round / 4);
   int draws = 0;
   while (!drawing.draw(start, scene)) {
     if (++draws == kMaxDraws) {
@@ -196,6 +247,29 @@ Result<DrillScene> drawScene(const Drill& drill, const FieldGeometry& field, con
   if (round % 2 == 1) mirror(scene);
   scene.seat = (round / 2) % 2 == 0 ? TeamId::kBlue : TeamId::kYellow;
   return scene;
+}
+
+bool placedByReferee(const DrillStart& start, const DrillScene& scene) {
+  const auto& own = scene.placement.robots[indexOf(TeamId::kBlue)];
+  return start.restart >= 0 &&
+         std::none_of(own.begin(), own.end(), [](const auto& pose) { return pose.has_value(); });
+}
+
+RestartCall openingOf(const DrillStart& start, const DrillScene& scene, const MatchConfig& match) {
+  RefereeSetup setup;
+  setup.rules = match.rules;
+  setup.field = match.field;
+  setup.robot = match.robot.robot;
+  setup.ball = match.robot.ball;
+  setup.dt = match.physics.controlPeriod();
+  Stoppage stoppage;
+  stoppage.kind = static_cast<RestartKind>(start.restart);
+  stoppage.team = start.ours ? scene.seat : other(scene.seat);
+  stoppage.ball = seated(scene.placement, scene.seat).ball;
+  RestartCall call = makeCall(setup, {}, stoppage);
+  // The rule gives a free ball to who attacks that half; the drill names whom it means.
+  if (call.kind != RestartKind::kFreeBall) call.team = stoppage.team;
+  return call;
 }
 
 Placement seated(const Placement& placement, TeamId seat) {

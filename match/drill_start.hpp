@@ -21,8 +21,13 @@ double leastSavableDistance(const Drill& drill, double speed);
 /// The start of trial `index`: a pure function of the drill, its seed and the index. Starts take turns;
 /// within each, every second trial is mirrored about the x axis and every second pair is played on the other
 /// side. Errors: kBadInput when no free place was found for a body.
-Result<DrillScene> drawScene(const Drill& drill, const FieldGeometry& field, const RobotPreset& robot,
-                             std::uint64_t seed, int index);
+Result<DrillScene> drawScene(const Drill& drill, const MatchConfig& match, std::uint64_t seed, int index);
+
+/// The restart that the scene begins with, in the world's frame: with the rules' own placement.
+RestartCall openingOf(const DrillStart& start, const DrillScene& scene, const MatchConfig& match);
+
+/// Whether the referee places the robots: the start has a restart and no robots of its own.
+bool placedByReferee(const DrillStart& start, const DrillScene& scene);
 
 /// The placement in the world's frame when the tested team has that seat and blue defends the left goal.
 Placement seated(const Placement& placement, TeamId seat);

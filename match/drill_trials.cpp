@@ -14,7 +14,20 @@
 namespace fulbito {
 namespace {
 
-constexpr double kEndless = 3600.0;  // [s] halves of trials: their own time ends them
+constexpr double kNeverStuck = 600.0;  // [s] the most that rules allow
+constexpr double kEndless = 3600.0;    // [s] halves of trials: their own time ends them
+
+/// Rules without laws but that of the goal.
+void callNothing(Rules& rules) {
+  rules.stuck.seconds = kNeverStuck;
+  rules.stuck.area_seconds = kNeverStuck;
+  rules.areas.attackers = false;
+  rules.areas.defenders = false;
+  rules.keeper.holding = false;
+  rules.keeper.charged = false;
+  rules.fouls.push = false;
+  rules.fouls.holding = false;
+}
 
 int sizeFor(const Drill& drill, int size) {
   for (const DrillRobot& robot : drill.robots) size = std::max(size, robot.number + 1);
@@ -25,6 +38,9 @@ int sizeFor(const Drill& drill, int size) {
 
 Result<MatchConfig> drillMatch(const DrillRun& run, const Drill& drill) {
   MatchConfig config;
+  auto rules = loadRules(drill.rules);
+  if (!rules) return tl::unexpected<Error>(rules.error());
+  config.rules = std::move(*rules);
   auto field = loadField(config.rules.field);
   if (!field) return tl::unexpected<Error>(field.error());
   config.field = std::move(*field);
@@ -33,11 +49,12 @@ Result<MatchConfig> drillMatch(const DrillRun& run, const Drill& drill) {
   config.rules.team_size = sizeFor(drill, config.rules.team_size);
   config.rules.half_seconds = drill.match_opponent.empty() ? kEndless : drill.half_seconds;
   config.vision = drill.sight;
+  if (!drill.referee) callNothing(config.rules);
   return config;
 }
 
 Result<DrillTrial> playTrial(const DrillRun& run, const Drill& drill, const MatchConfig& base, int index) {
-  const auto scene = drawScene(drill, base.field, run.robot, run.options.seed, index);
+  const auto scene = drawScene(drill, base, run.options.seed, index);
   if (!scene) return tl::unexpected<Error>(scene.error());
   const DrillStart& start = drill.starts[static_cast<std::size_t>(scene->start)];
   ExerciseLog log;
@@ -57,7 +74,8 @@ Result<DrillTrial> playTrial(const DrillRun& run, const Drill& drill, const Matc
     opponents = std::move(*choice);
   }
   config.seed = run.options.seed + static_cast<std::uint64_t>(index);
-  config.start = seated(scene->placement, scene->seat);
+  if (start.restart >= 0) config.opening = openingOf(start, *scene, base);
+  if (!placedByReferee(start, *scene)) config.start = seated(scene->placement, scene->seat);
   auto match = Match::create(config);
   if (!match) return tl::unexpected<Error>(match.error());
   DrillWatch watch(drill, *scene, base.field, run.robot, log);
@@ -93,6 +111,8 @@ double valueOf(const DrillTrial& trial, DrillMeasure measure) {
       return trial.own_goal ? 1.0 : 0.0;
     case DrillMeasure::kConceded:
       return trial.conceded ? 1.0 : 0.0;
+    case DrillMeasure::kIllegal:
+      return trial.illegal;
     default:
       return trial.success ? 1.0 : 0.0;
   }

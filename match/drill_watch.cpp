@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "referee/clauses.hpp"
 #include "strategies/team_frame.hpp"
 
 namespace fulbito {
@@ -51,8 +52,13 @@ void DrillWatch::playBegins(const PlayStart& start) {
   }
   begun_ = true;
   dt_ = start.world->physics.controlPeriod();
-  const auto& first = scene_.placement.robots[indexOf(TeamId::kBlue)][0];
+  const Placement placed = seated(start.placement, scene_.seat);
+  ball_start_ = placed.ball;
+  const auto& first = placed.robots[indexOf(TeamId::kBlue)][0];
   if (first) before_.pose = *first;
+  for (const GameEvent& event : start.events) {
+    if (event.clause == "placement" && event.team == scene_.seat) ++trial_.illegal;
+  }
 }
 
 DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
@@ -68,6 +74,7 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
     if (contact.b.kind != BodyKind::kBall) continue;
     if (contact.a.kind == BodyKind::kWall && contact.began) ++now.walls;
     if (contact.a.kind != BodyKind::kRobot) continue;
+    met_ = true;
     const RobotId id = tick.ids[contact.a.index];
     own_touch_last_ = id.team == scene_.seat;
     now.touched = now.touched || own_touch_last_;
@@ -79,8 +86,8 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
 void DrillWatch::ticked(const MatchTick& tick) {
   if (done_) return;
   const Now now = look(tick);
-  bounces_ += now.walls;
-  hear(tick, now);
+  if (log_.asked >= 0) bounces_ += now.walls;
+  hear(tick);
   follow(now);
   if (!trial_.success) {
     if (start_.task == DrillTask::kPlay) {
@@ -94,18 +101,15 @@ void DrillWatch::ticked(const MatchTick& tick) {
   if (goal_ != 0 || now.time >= end - dt_ / 2) finish();
 }
 
-/// Goals, by the referee's call or by the ball's place, and other calls.
-void DrillWatch::hear(const MatchTick& tick, const Now& now) {
+/// What the referee calls.
+void DrillWatch::hear(const MatchTick& tick) {
   for (const GameEvent& event : tick.events) {
-    if (event.clause == "goal" && event.team) {
+    if (event.clause == clause::kGoal && event.team) {
       goal_ = *event.team == scene_.seat ? 1 : -1;
-    } else if (trial_.stopped_by.empty()) {
+    } else if (event.clause != "kick-off") {
       trial_.stopped_by = event.clause;
       at_fault_ = event.team == scene_.seat;
     }
-  }
-  if (std::abs(now.ball.position.x) > field_.length / 2 + robot_.ball.radius) {
-    goal_ = now.ball.position.x > 0.0 ? 1 : -1;
   }
 }
 
@@ -136,6 +140,8 @@ bool DrillWatch::holds(const DrillEnd& end, const Now& now) const {
       return now.touched;
     case DrillCondition::kGained:
       return ball.x - ball_start_.x >= end.value;
+    case DrillCondition::kDriven:
+      return ball_start_.x - ball.x >= end.value;
     case DrillCondition::kOffWall:
       return wallClearance(field_, ball) >= end.value;
     case DrillCondition::kAway:
@@ -158,6 +164,7 @@ bool DrillWatch::any(const std::vector<DrillEnd>& ends, const Now& now) const {
 
 void DrillWatch::judgePlay(const Now& now) {
   if (any(drill_.failures, now)) {
+    failed_ = true;
     finish();
   } else if (any(drill_.successes, now)) {
     succeed(now.time);
@@ -239,9 +246,9 @@ void DrillWatch::judgePush(const Now& now) {
 
 void DrillWatch::judgePrediction(const Now& now) {
   const double due = static_cast<double>(log_.asked) * dt_ + scene_.exercise.horizon;
-  if (now.time < due - dt_ / 2) return;
+  if (log_.asked < 0 || now.time < due - dt_ / 2) return;
   trial_.error = distance(log_.answer, now.ball.position);
-  trial_.counted = start_.bounces < 0 || bounces_ == start_.bounces;
+  trial_.counted = !met_ && (start_.bounces < 0 || bounces_ == start_.bounces);
   if (trial_.error <= drill_.tolerance) succeed(now.time);
   finish();
 }
@@ -256,6 +263,7 @@ void DrillWatch::finish() { done_ = true; }
 DrillTrial DrillWatch::trial(double ideal) const {
   DrillTrial trial = trial_;
   trial.ideal = ideal;
+  if (start_.decided && !trial.success && !failed_) trial.counted = false;
   if (trial.success) trial.stopped_by = {};
   return trial;
 }

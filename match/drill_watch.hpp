@@ -44,7 +44,7 @@ class DrillWatch final : public MatchObserver {
   void succeed(double time);
   void finish();
   bool alignedWith(const RobotState& robot, double heading, bool either_end) const;
-  void hear(const MatchTick& tick, const Now& now);
+  void hear(const MatchTick& tick);
 
   const Drill& drill_;
   const DrillScene& scene_;
@@ -60,6 +60,8 @@ class DrillWatch final : public MatchObserver {
   int goal_ = 0;           ///< 1: in the opponents' goal, -1: in the own
   bool at_fault_ = false;  ///< the referee stopped play because of the tested team
   bool touched_ = false;   ///< ever, by the tested team
+  bool met_ = false;       ///< any robot touched the ball
+  bool failed_ = false;    ///< a condition of failure came true
   int bounces_ = 0;
   double inside_since_ = -1.0;
   double drift_ = 0.0;

@@ -21,13 +21,16 @@ RefereeSetup setupOf(const MatchConfig& config) {
   setup.ball = config.robot.ball;
   setup.dt = config.physics.controlPeriod();
   setup.seed = config.seed;
+  setup.present = config.present;
   setup.scoreboard = config.scoreboard;
   return setup;
 }
 
-RestartCall givenStart(const Placement& placement) {
+RestartCall givenStart(const MatchConfig& config) {
+  const Placement& placement = *config.start;
   RestartCall call;
-  call.kind = RestartKind::kGiven;
+  call.kind = config.opening ? config.opening->kind : RestartKind::kGiven;
+  if (config.opening) call.team = config.opening->team;
   call.ball = placement.ball;
   call.defaults = placement;
   return call;
@@ -77,7 +80,6 @@ struct Match::Impl {
 };
 
 Result<Play> Match::Impl::placed(const RestartCall& call) {
-  if (call.kind == RestartKind::kGiven) return makePlay(config, call, call.defaults);
   std::vector<GameEvent> repairs;
   Placement placement = placementOf(call, referee, {&seats[0].strategy(), &seats[1].strategy()}, repairs);
   misplace(placement, call, referee, config.placement_error, misplacing);
@@ -88,7 +90,8 @@ Result<Play> Match::Impl::placed(const RestartCall& call) {
 
 Result<void> Match::Impl::open() {
   const RestartCall kick_off = referee.open();
-  auto first = placed(config.start ? givenStart(*config.start) : kick_off);
+  auto first = config.start ? makePlay(config, givenStart(config), *config.start)
+                            : placed(config.opening.value_or(kick_off));
   if (!first) {
     return fail(first.error().code,
                 (config.start ? "start state: " : "first restart: ") + first.error().message);
@@ -149,10 +152,11 @@ void Match::Impl::decide() {
 void Match::Impl::advance() {
   PerTeam<std::array<WheelSpeeds, kMaxTeamSize>> wheels;
   for (const TeamId team : kTeams) wheels[indexOf(team)] = seats[indexOf(team)].drive();
+  const bool held = config.rules.restart.hold_robots && !referee.state().playing;
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const RobotId id = play->ids[i];
     Seat& seat = seats[indexOf(id.team)];
-    commands[i] = seat.policy().actuated(wheels[indexOf(id.team)][id.number]);
+    commands[i] = held ? WheelSpeeds{} : seat.policy().actuated(wheels[indexOf(id.team)][id.number]);
     seat.told(id.number, commands[i]);
   }
   stages.lap(&MatchProfile::navigate);

@@ -28,7 +28,6 @@ MatchInfo infoOf(const MatchConfig& config, TeamId team) {
 Seat::Seat(const MatchConfig& config, TeamId team, std::unique_ptr<Strategy> strategy, TeamPilots pilots,
            CommandPolicy policy)
     : team_(team),
-      half_seconds_(config.rules.half_seconds),
       latency_ticks_(config.vision.latency_ticks),
       strategy_(std::move(strategy)),
       pilots_(std::move(pilots)),
@@ -53,6 +52,7 @@ Result<Seat> Seat::create(const MatchConfig& config, TeamId team) {
 void Seat::reset(const Moment& moment) {
   pilots_.reset();
   policy_.reset();
+  observation_.sent = {};
   observation_.sent.fill({});
   if (vision_) vision_->reset(*moment.world);
 }
@@ -78,7 +78,7 @@ void Seat::fillReferee(const Moment& moment) {
   observation_.restart_is_ours = referee.last.team == team_;
   observation_.since_restart = static_cast<double>(moment.tick - referee.play_began) * observation_.dt;
   observation_.period = referee.period;
-  observation_.remaining = half_seconds_ - static_cast<double>(referee.play_ticks) * observation_.dt;
+  observation_.remaining = static_cast<double>(referee.period_ticks - referee.play_ticks) * observation_.dt;
   observation_.own_score = referee.score[indexOf(team_)];
   observation_.opponent_score = referee.score[indexOf(other(team_))];
 }

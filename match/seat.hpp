@@ -49,7 +49,6 @@ class Seat {
   void fillReferee(const Moment& moment);
 
   TeamId team_;
-  double half_seconds_;
   int latency_ticks_;
   std::unique_ptr<Strategy> strategy_;
   TeamPilots pilots_;

@@ -27,8 +27,9 @@ bool due(const DetectorInput& in, const std::optional<PendingFoul>& pending, dou
 
 Finding callOf(const DetectorInput& in, const PendingFoul& pending, bool attack) {
   const RobotId robot = in.view.ids[pending.foul.robot];
-  Finding call = attack ? makeCall(in, clause::kAttackers, "8.2", RestartKind::kGoalKick, other(robot.team))
-                        : makeCall(in, clause::kDefenders, "8.3", RestartKind::kPenalty, other(robot.team));
+  Finding call = attack
+                     ? makeFinding(in, clause::kAttackers, "8.2", RestartKind::kGoalKick, other(robot.team))
+                     : makeFinding(in, clause::kDefenders, "8.3", RestartKind::kPenalty, other(robot.team));
   blame(call, robot);
   measure(call, pending.foul.count, pending.foul.allowed);
   return call;

@@ -32,8 +32,9 @@ Finding callOf(const DetectorInput& in, std::size_t i) {
   const RobotId robot = in.view.ids[i];
   const bool in_own_area = at(in.areas, in.state.sideOf(robot.team)).ball;
   Finding call =
-      in_own_area ? makeCall(in, clause::kPenaltyHolding, "8.1", RestartKind::kPenalty, other(robot.team))
-                  : makeCall(in, clause::kFreeKickHolding, "8.1", RestartKind::kFreeKick, other(robot.team));
+      in_own_area
+          ? makeFinding(in, clause::kPenaltyHolding, "8.1", RestartKind::kPenalty, other(robot.team))
+          : makeFinding(in, clause::kFreeKickHolding, "8.1", RestartKind::kFreeKick, other(robot.team));
   blame(call, robot);
   return call;
 }

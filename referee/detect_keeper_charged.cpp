@@ -39,7 +39,7 @@ std::optional<Finding> detectKeeperCharged(const DetectorInput& in, const TouchM
     if (run.ticks(in.view.tick) < ticksOf(rules.charge_seconds, in.setup.dt)) continue;
     if (run.sum < rules.charge_impulse) continue;
     const RobotId robot = in.view.ids[*charger];
-    Finding call = makeCall(in, clause::kKeeperCharged, "13", RestartKind::kGoalKick, other(robot.team));
+    Finding call = makeFinding(in, clause::kKeeperCharged, "13", RestartKind::kGoalKick, other(robot.team));
     blame(call, robot);
     measure(call, run.sum, rules.charge_impulse);
     return call;

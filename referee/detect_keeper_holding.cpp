@@ -30,7 +30,7 @@ std::optional<Finding> detectKeeperHolding(const DetectorInput& in, const Presen
   const Tick ticks = control.ticks(in.view.tick);
   if (ticks <= ticksOf(rules.hold_seconds, in.setup.dt)) return std::nullopt;
   if (!cooledDown(in, rules.cool_down)) return std::nullopt;
-  Finding call = makeCall(in, clause::kKeeperHolds, "8.1", RestartKind::kPenalty, other(team));
+  Finding call = makeFinding(in, clause::kKeeperHolds, "8.1", RestartKind::kPenalty, other(team));
   blame(call, in.view.ids[*keeper]);
   measureTicks(in, call, ticks, rules.hold_seconds);
   return call;

@@ -39,7 +39,7 @@ std::optional<Finding> detectPush(const DetectorInput& in, const TouchMemory& to
     if (run.ticks(in.view.tick) < ticksOf(rules.push_seconds, in.setup.dt)) continue;
     if (run.sum < rules.push_impulse) continue;
     const RobotId robot = in.view.ids[*pusher];
-    Finding call = makeCall(in, clause::kPush, "8.1", RestartKind::kFreeKick, other(robot.team));
+    Finding call = makeFinding(in, clause::kPush, "8.1", RestartKind::kFreeKick, other(robot.team));
     blame(call, robot);
     measure(call, run.sum, rules.push_impulse);
     return call;

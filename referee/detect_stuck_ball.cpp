@@ -25,7 +25,7 @@ void countBySpeed(const StuckRules& rules, const MatchView& view, double dt, Stu
     return;
   }
   if (memory.fast_since < 0) memory.fast_since = view.tick;
-  if (view.tick - memory.fast_since >= ticksOf(rules.release_seconds, dt)) memory.counting = false;
+  if (view.tick - memory.fast_since + 1 >= ticksOf(rules.release_seconds, dt)) memory.counting = false;
 }
 
 /// The team that attacks the half where the ball lies; on the halfway line the one that did not begin this
@@ -46,7 +46,7 @@ Vec2 freeBallMark(const DetectorInput& in, TeamId attackers) {
 
 Finding freeBall(const DetectorInput& in) {
   const TeamId attackers = freeBallTeam(in);
-  Finding call = makeCall(in, clause::kFreeBall, "14", RestartKind::kFreeBall, attackers);
+  Finding call = makeFinding(in, clause::kFreeBall, "14", RestartKind::kFreeBall, attackers);
   call.ball = freeBallMark(in, attackers);
   return call;
 }
@@ -57,11 +57,11 @@ Finding stuckInArea(const DetectorInput& in, Side side) {
   const bool disputed =
       disputes(in, defenders, rules.dispute_lengths) && disputes(in, attackers, rules.dispute_lengths);
   if (disputed || rules.undisputed == UndisputedCall::kGoalKick) {
-    Finding call = makeCall(in, clause::kGoalKickStuck, "13", RestartKind::kGoalKick, defenders);
+    Finding call = makeFinding(in, clause::kGoalKickStuck, "13", RestartKind::kGoalKick, defenders);
     call.event.team = attackers;
     return call;
   }
-  Finding call = makeCall(in, clause::kPenaltyStuck, "8.1", RestartKind::kPenalty, attackers);
+  Finding call = makeFinding(in, clause::kPenaltyStuck, "8.1", RestartKind::kPenalty, attackers);
   call.event.team = defenders;
   return call;
 }

@@ -46,8 +46,8 @@ inline bool disputes(const DetectorInput& in, TeamId team, double lengths) {
 }
 
 /// A call of play to be stopped, with what every event has in common.
-inline Finding makeCall(const DetectorInput& in, std::string_view clause, std::string_view law,
-                        RestartKind restart, TeamId restart_team) {
+inline Finding makeFinding(const DetectorInput& in, std::string_view clause, std::string_view law,
+                           RestartKind restart, TeamId restart_team) {
   Finding call;
   call.event.tick = in.view.tick;
   call.event.play_time = static_cast<double>(in.state.play_ticks) * in.setup.dt;

@@ -32,7 +32,6 @@ std::optional<Finding> detectFouls(const DetectorInput& in, DetectorMemory& memo
 std::optional<Finding> detect(const DetectorInput& in, DetectorMemory& memory) {
   memory.areas = in.areas;
   noteTouches(in, memory.presence, memory.touches);
-  if (in.state.period == kShootOutPeriod) return detectGoal(in, memory.touches);
   notePresence(in, memory.touches, memory.presence);
   noteAreaFouls(in, memory.touches, memory.presence, memory.area_fouls);
   if (auto goal = detectGoal(in, memory.touches)) return decideGoal(in, *goal, memory.area_fouls);

@@ -32,7 +32,7 @@ struct Finding {
 
 /// Looks at one tick of play with every detector that the rules switch on, in a fixed order of priority:
 /// goal (with the fouls that void it), attackers and defenders, keeper charged, keeper holding, holding,
-/// push, stuck ball; of a shoot-out's kick goals only. `memory` starts empty at every restart. Pure: no
+/// push, stuck ball. Not for the kicks of a shoot-out. `memory` starts empty at every restart. Pure: no
 /// clock, no randomness, no allocation.
 std::optional<Finding> detect(const MatchView& view, const RefereeSetup& setup, const RefereeState& state,
                               DetectorMemory& memory);

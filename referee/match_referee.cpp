@@ -26,9 +26,6 @@ std::optional<TeamId> ahead(const PerTeam<int>& score) {
 
 MatchReferee::MatchReferee(const RefereeSetup& setup) : setup_(setup) {
   state_.blue_side = setup.blue_side;
-  state_.score = setup.scoreboard.score;
-  state_.period = setup.scoreboard.period;
-  state_.play_ticks = static_cast<Tick>(std::floor(setup.scoreboard.play_seconds / setup.dt + 0.5));
   const FirstKickOff first = setup.rules.periods.first_kick_off;
   state_.first_kick_off = first == FirstKickOff::kToss   ? toss(kFirstKickOff)
                           : first == FirstKickOff::kBlue ? TeamId::kBlue
@@ -37,6 +34,9 @@ MatchReferee::MatchReferee(const RefereeSetup& setup) : setup_(setup) {
   for (const TeamId team : kTeams) {
     if (!setup.present[indexOf(other(team))] && setup.present[indexOf(team)]) state_.first_kick_off = team;
   }
+  state_.score = setup.scoreboard.score;
+  beginPeriod(setup.scoreboard.period);
+  state_.play_ticks = ticksOf(setup.scoreboard.play_seconds, setup.dt);
 }
 
 TeamId MatchReferee::toss(std::uint64_t index) const {
@@ -67,6 +67,12 @@ void MatchReferee::restarted(const RestartCall& call, const Placement& placement
   memory_ = {};
 }
 
+void MatchReferee::beginPeriod(int period) {
+  state_.period = period;
+  state_.play_ticks = 0;
+  state_.period_ticks = periodTicks();
+}
+
 Tick MatchReferee::periodTicks() const {
   const Rules& rules = setup_.rules;
   double seconds = rules.half_seconds;
@@ -77,7 +83,7 @@ Tick MatchReferee::periodTicks() const {
 }
 
 double MatchReferee::remaining() const {
-  return static_cast<double>(std::max<Tick>(0, periodTicks() - state_.play_ticks)) * setup_.dt;
+  return static_cast<double>(std::max<Tick>(0, state_.period_ticks - state_.play_ticks)) * setup_.dt;
 }
 
 GameEvent MatchReferee::eventOf(const MatchView& view, std::string_view clause, std::string_view law) const {
@@ -107,7 +113,7 @@ std::optional<RestartCall> MatchReferee::observe(const MatchView& view, Events& 
   const bool one = setup_.present[0] != setup_.present[1];
   if (nobody || (one && setup_.rules.walk_over.mode == WalkOver::kForfeit)) return walkOver(view, events);
   if (const auto finding = detect(view, setup_, state_, memory_)) return conclude(*finding, view, events);
-  if (state_.play_ticks >= periodTicks()) return endPeriod(view, events);
+  if (state_.play_ticks >= state_.period_ticks) return endPeriod(view, events);
   return std::nullopt;
 }
 
@@ -122,7 +128,9 @@ std::optional<RestartCall> MatchReferee::waitForSignal(const MatchView& view, Ev
       event.team = fault->robot.team;
       event.robot = fault->robot.number;
       event.value = fault->moved;
-      event.threshold = rules.false_start_distance;
+      // Once it counted as away, it does so down to the release distance.
+      event.threshold =
+          event.value > rules.false_start_distance ? rules.false_start_distance : rules.false_start_release;
       event.margin = event.value - event.threshold;
       events.push_back(event);
       return punish(setup_, state_, *fault, view);
@@ -140,9 +148,11 @@ std::optional<RestartCall> MatchReferee::conclude(const Finding& finding, const 
   events.push_back(finding.event);
   if (finding.event.clause == clause::kGoal) return concludeGoal(finding, view, events);
   // Where time is up the period's end is the only call.
-  if (state_.play_ticks >= periodTicks()) return endPeriod(view, events);
+  if (state_.play_ticks >= state_.period_ticks) return endPeriod(view, events);
   callBack(false);
-  return makeCall(setup_, state_, {finding.restart, finding.restart_team, finding.ball, &view});
+  return makeCall(setup_, state_,
+                  {finding.restart, finding.restart_team, finding.ball, &view,
+                   memory_.presence.keeper[indexOf(finding.restart_team)]});
 }
 
 std::optional<RestartCall> MatchReferee::concludeGoal(const Finding& finding, const MatchView& view,
@@ -163,7 +173,7 @@ std::optional<RestartCall> MatchReferee::concludeGoal(const Finding& finding, co
     finish(view, events);
     return std::nullopt;
   }
-  if (state_.play_ticks >= periodTicks()) return endPeriod(view, events);
+  if (state_.play_ticks >= state_.period_ticks) return endPeriod(view, events);
   callBack(setup_.rules.restart.card_until_goal);
   RestartCall call = kickOff(other(scorer), &view);
   call.delay = ticksOf(setup_.rules.restart.goal_delay, setup_.dt);
@@ -203,8 +213,7 @@ std::optional<RestartCall> MatchReferee::endPeriod(const MatchView& view, Events
   if (!setup_.present[0] || !setup_.present[1]) return walkOver(view, events);
   if (state_.period == 1) {
     events.push_back(eventOf(view, "half", "5"));
-    state_.period = 2;
-    state_.play_ticks = 0;
+    beginPeriod(2);
     if (setup_.rules.periods.swap_sides) state_.blue_side = opposite(state_.blue_side);
     callBack(true);
     const TeamId first = state_.first_kick_off;
@@ -232,9 +241,8 @@ RestartCall MatchReferee::beginOvertime(int part, const MatchView& view, Events&
   GameEvent event = eventOf(view, "overtime", "7.2");
   event.value = part;
   events.push_back(event);
-  state_.period = kOvertimePeriod;
+  beginPeriod(kOvertimePeriod);
   state_.part = part;
-  state_.play_ticks = 0;
   if (setup_.rules.periods.swap_sides) state_.blue_side = opposite(state_.blue_side);
   callBack(true);
   const TeamId first = toss(kOvertimeKickOff);
@@ -243,8 +251,7 @@ RestartCall MatchReferee::beginOvertime(int part, const MatchView& view, Events&
 
 RestartCall MatchReferee::beginShootOut(const MatchView& view, Events& events) {
   events.push_back(eventOf(view, "shoot-out", "7.2"));
-  state_.period = kShootOutPeriod;
-  state_.play_ticks = 0;
+  beginPeriod(kShootOutPeriod);
   state_.shoot_out = {};
   state_.shoot_out.first = toss(kFirstKick);
   callBack(true);

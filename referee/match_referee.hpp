@@ -35,6 +35,7 @@ class MatchReferee {
 
   GameEvent eventOf(const MatchView& view, std::string_view clause, std::string_view law) const;
   TeamId toss(std::uint64_t index) const;
+  void beginPeriod(int period);
   Tick periodTicks() const;
   RestartCall kickOff(TeamId team, const MatchView* view) const;
   std::optional<RestartCall> waitForSignal(const MatchView& view, Events& events);

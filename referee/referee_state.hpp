@@ -23,6 +23,7 @@ struct RestartCall {
   Tick delay = 0;               ///< from the placement to the signal, in ticks
   bool defenders_back = false;  ///< law 9: the other team stands no farther than its own area's edge
   Placement defaults;           ///< the rules' own placement
+  PerTeam<TeamPoses> stays;     ///< of a free ball where robots stay: where each would without taking a mark
 };
 
 /// What the referee works with during the whole match.
@@ -65,8 +66,9 @@ struct RefereeState {
   int part = 1;        ///< of the overtime: 1, 2 ...
   Tick play_ticks =
       0;  ///< of play in this period (of overtime: in this part; of the shoot-out: in this kick)
-  Tick match_ticks = 0;  ///< of play in the match so far
-  bool playing = false;  ///< false while a restart waits for its signal
+  Tick period_ticks = 0;  ///< of play that the period lasts, counted as `play_ticks`
+  Tick match_ticks = 0;   ///< of play in the match so far
+  bool playing = false;   ///< false while a restart waits for its signal
   bool ended = false;
   PerTeam<int> score{};
   std::optional<TeamId> winner;           ///< once ended: empty after a draw

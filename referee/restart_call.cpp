@@ -26,19 +26,15 @@ const PlaceTable& placesOf(const Rules& rules, RestartKind kind) {
   return rules.kick_off.places;
 }
 
-/// The side of y on which the team's keeper stands: +1 or -1. The keeper is the robot nearest to its goal.
-double keeperSide(const RefereeSetup& setup, const Stoppage& stoppage, double own_sign) {
+/// The side of y on which the keeper of the team stands, robot 0 while none is known: +1 or -1.
+double keeperSide(const Stoppage& stoppage) {
   if (stoppage.view == nullptr) return 1.0;
-  const Vec2 goal{own_sign * setup.field.length / 2, 0.0};
-  double nearest = 1e9;
-  double side = 1.0;
-  for (std::size_t i = 0; i < stoppage.view->ids.size(); ++i) {
-    const Vec2 p = stoppage.view->robots[i].pose.position;
-    if (stoppage.view->ids[i].team != stoppage.team || !(distance(p, goal) < nearest)) continue;
-    nearest = distance(p, goal);
-    side = p.y < 0.0 ? -1.0 : 1.0;
+  const MatchView& view = *stoppage.view;
+  std::size_t keeper = stoppage.keeper.value_or(view.ids.size());
+  for (std::size_t i = 0; i < view.ids.size() && keeper >= view.ids.size(); ++i) {
+    if (view.ids[i] == RobotId{stoppage.team, 0}) keeper = i;
   }
-  return side;
+  return keeper < view.ids.size() && view.robots[keeper].pose.position.y < 0.0 ? -1.0 : 1.0;
 }
 
 /// Free balls lie on the mark of the ball's quarter; from the field's long axis they go to the attackers'
@@ -59,8 +55,7 @@ Vec2 ballSpot(const RefereeSetup& setup, const RefereeState& state, const Stoppa
     case RestartKind::kPenalty:
       return {-own * setup.field.penalty_mark, 0.0};
     case RestartKind::kGoalKick:
-      return {own * setup.rules.goal_kick.ball.x,
-              keeperSide(setup, stoppage, own) * setup.rules.goal_kick.ball.y};
+      return {own * setup.rules.goal_kick.ball.x, keeperSide(stoppage) * setup.rules.goal_kick.ball.y};
     case RestartKind::kKickOff:
       return {};
     case RestartKind::kGiven:
@@ -118,6 +113,7 @@ void stayAtFreeBall(const RefereeSetup& setup, const RefereeState& state, const 
     pose.position = movedBack(pose.position, call.ball, own, setup.rules.free_ball.distance);
     call.defaults.robots[indexOf(id.team)][id.number] = pose;
   }
+  call.stays = call.defaults.robots;
   if (!setup.rules.free_ball.take_marks) return;
   for (const TeamId team : kTeams) {
     const double own = ownSign(state, team);

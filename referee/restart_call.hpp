@@ -20,6 +20,7 @@ struct Stoppage {
   TeamId team = TeamId::kBlue;      ///< who takes it; ignored of a free ball
   Vec2 ball;                        ///< [m] where the ball was
   const MatchView* view = nullptr;  ///< where the robots were; null at the beginning of a match
+  std::optional<std::size_t> keeper = std::nullopt;  ///< the taking team's, by its place in the view
 };
 
 /// The restart with its ball spot, the team of a free ball, the delay, and the places of the rules.

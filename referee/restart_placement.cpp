@@ -12,10 +12,11 @@
 namespace fulbito {
 namespace {
 
-constexpr double kLeastGap = 1e-4;  // [m] between bodies of a placement that is accepted as it is
-constexpr double kRounding = 1e-9;  // [m]
-constexpr double kSameSpot = 0.01;  // [m] a proposal this near to a place is meant for it
-constexpr double kFineStep = 0.01;  // [m] of the search around the wanted place
+constexpr double kLeastGap = 1e-4;   // [m] between bodies of a placement that is accepted as it is
+constexpr double kRounding = 1e-9;   // [m]
+constexpr double kFarthest = 100.0;  // [m] from the centre a wish is no wish
+constexpr double kSameSpot = 0.01;   // [m] a proposal this near to a place is meant for it
+constexpr double kFineStep = 0.01;   // [m] of the search around the wanted place
 constexpr int kFineRings = 25;
 constexpr double kCoarseStep = 0.04;  // [m] of the search over the whole field
 
@@ -63,8 +64,8 @@ class Placer {
     Vec2 centre;
     double distance = 1e9;
   };
-  bool takesMark(TeamId team, const Pose2& pose) const;
-  bool accepted(TeamId team, int number, const Pose2& wish, bool& mark_taken) const;
+  bool robotsStay() const;
+  std::optional<std::size_t> markTaker(TeamId team, const TeamPoses& wishes) const;
   void search(const Standing& robot, bool in_zone, double step, int rings, Found& best) const;
 
   const RefereeSetup& setup_;
@@ -74,44 +75,47 @@ class Placer {
   std::vector<PlacedBody> placed_;
 };
 
-bool finite(const Pose2& pose) { return isFinite(pose.position) && std::isfinite(pose.heading); }
-
-bool Placer::takesMark(TeamId team, const Pose2& pose) const {
-  const double own = team == call_.team ? 1.0 : -1.0;
-  const Vec2 mark = scene_.ball + Vec2{own * setup_.rules.free_ball.distance, 0.0};
-  return distance(mirrored(pose.position), mark) <= kSameSpot;
+/// Whether a wish is a pose near the field at all.
+bool sensible(const Pose2& pose) {
+  return isFinite(pose.position) && squaredNorm(pose.position) < kFarthest * kFarthest &&
+         std::isfinite(pose.heading);
 }
 
-/// Whether the laws let the team choose this robot's place at all (law 14 fixes all but one robot's).
-bool Placer::accepted(TeamId team, int number, const Pose2& wish, bool& mark_taken) const {
-  if (call_.kind != RestartKind::kFreeBall || setup_.rules.free_ball.others == FreeBallOthers::kTable)
-    return true;
-  const auto& own = defaultPoses(call_, team)[static_cast<std::size_t>(number)];
-  if (takesMark(team, wish)) {
-    const bool first = !mark_taken;
-    mark_taken = true;
-    return first;
+bool Placer::robotsStay() const {
+  return call_.kind == RestartKind::kFreeBall && setup_.rules.free_ball.others == FreeBallOthers::kStay;
+}
+
+/// Law 14 lets a team choose who takes its mark, and nothing else: the first robot that wishes to.
+std::optional<std::size_t> Placer::markTaker(TeamId team, const TeamPoses& wishes) const {
+  const double own = team == call_.team ? 1.0 : -1.0;
+  const Vec2 mark = scene_.ball + Vec2{own * setup_.rules.free_ball.distance, 0.0};
+  for (std::size_t n = 0; n < wishes.size(); ++n) {
+    const std::optional<Pose2>& wish = wishes[n];
+    if (!wish || !sensible(*wish) || !defaultPoses(call_, team)[n]) continue;
+    if (distance(mirrored(wish->position), mark) <= kSameSpot) return n;
   }
-  return distance(own->position, wish.position) <= kSameSpot;
+  return std::nullopt;
 }
 
 std::vector<Standing> Placer::wishes(TeamId team, const std::optional<TeamPoses>& proposal) const {
   std::vector<Standing> robots;
-  bool mark_taken = false;
-  for (int n = 0; n < kMaxTeamSize; ++n) {
-    const auto i = static_cast<std::size_t>(n);
-    const auto& own = defaultPoses(call_, team)[i];
+  const bool fixed = robotsStay();
+  const auto taker = fixed && proposal ? markTaker(team, *proposal) : std::nullopt;
+  for (std::size_t n = 0; n < kMaxTeamSize; ++n) {
+    const auto& own = defaultPoses(call_, team)[n];
     if (!own) continue;
+    const Pose2 stay = call_.stays[indexOf(team)][n].value_or(*own);
     Standing robot;
     robot.id = {team, static_cast<std::uint8_t>(n)};
     robot.part.takes = team == call_.team;
-    Pose2 pose = *own;
-    if (proposal && (*proposal)[i]) {
-      const Pose2& wish = *(*proposal)[i];
+    Pose2 pose = taker ? stay : *own;
+    if (const std::optional<Pose2> wish = proposal ? (*proposal)[n] : std::nullopt) {
       robot.proposed = true;
-      robot.wish = wish.position;
-      robot.changed = !finite(wish) || !accepted(team, n, wish, mark_taken);
-      if (!robot.changed) pose = {wish.position, math::wrapAngle(wish.heading)};
+      robot.wish = wish->position;
+      const bool allowed = !fixed || taker == n || distance(wish->position, pose.position) <= kSameSpot ||
+                           distance(wish->position, stay.position) <= kSameSpot;
+      robot.changed = !sensible(*wish) || !allowed;
+      if (!robot.changed) pose = {wish->position, math::wrapAngle(wish->heading)};
     }
     robot.heading = pose.heading;
     robot.body = bodyAt(pose);
@@ -165,7 +169,7 @@ void Placer::search(const Standing& robot, bool in_zone, double step, int rings,
   if (!in_zone) open.kind = RestartKind::kGiven;
   const double gap = std::max(setup_.rules.restart.robot_gap, kLeastGap);
   PlacedBody body = robot.body;
-  const auto tryAt = [&](int i, int j) {
+  const auto try_at = [&](int i, int j) {
     body.centre = base + Vec2{i * step, j * step};
     body.centre = intoZone(open, robot.part, body);
     const double d = distance(body.centre, robot.body.centre);
@@ -179,7 +183,7 @@ void Placer::search(const Standing& robot, bool in_zone, double step, int rings,
     if (best.distance < (ring - 1) * step) return;
     for (int i = -ring; i <= ring; ++i) {
       const int stride = std::abs(i) == ring || ring == 0 ? 1 : 2 * ring;
-      for (int j = -ring; j <= ring; j += stride) tryAt(i, j);
+      for (int j = -ring; j <= ring; j += stride) try_at(i, j);
     }
   }
 }
@@ -203,11 +207,12 @@ bool Placer::settle(Standing& robot) {
 std::vector<Standing> Placer::standing(TeamId team, const TeamPoses& poses) const {
   std::vector<Standing> robots;
   for (std::size_t n = 0; n < poses.size(); ++n) {
-    if (!poses[n]) continue;
+    const std::optional<Pose2>& pose = poses[n];
+    if (!pose) continue;
     Standing robot;
     robot.id = {team, static_cast<std::uint8_t>(n)};
     robot.part.takes = team == call_.team;
-    robot.body = bodyAt(*poses[n]);
+    robot.body = bodyAt(*pose);
     robots.push_back(robot);
   }
   assignRoles(robots);

@@ -112,10 +112,22 @@ Box boxOf(const RestartScene& scene, Zone zone, RestartPart part, const PlacedBo
   }
 }
 
+/// The same beside a side line of the own area, for robots that touch it there.
+Box besideArea(const RestartScene& scene, const PlacedBody& body) {
+  const FieldGeometry& field = *scene.field;
+  const double y = field.goal_area_width / 2 + body.reachY();
+  return {areaFront(field), field.length / 2 - body.reachX(), y, y + scene.rules->free_kick.touch};
+}
+
 bool within(const Box& box, double own, Vec2 p) {
   const double x = own * p.x, y = std::abs(p.y);
   return x >= box.x_low - kRounding && x <= box.x_high + kRounding && y >= box.y_low - kRounding &&
          y <= box.y_high + kRounding;
+}
+
+Vec2 clamped(const Box& box, double own, Vec2 p) {
+  return {own * std::clamp(own * p.x, box.x_low, std::max(box.x_low, box.x_high)),
+          (p.y < 0.0 ? -1.0 : 1.0) * std::clamp(std::abs(p.y), box.y_low, std::max(box.y_low, box.y_high))};
 }
 
 /// `p` moved straight away from `from` until it is `least` away; along `fallback` from the point itself.
@@ -176,6 +188,7 @@ std::string_view zoneFault(const RestartScene& scene, RestartPart part, const Pl
     default:
       break;
   }
+  if (zone == Zone::kTouchOwnArea && within(besideArea(scene, body), own, p)) return {};
   return within(boxOf(scene, zone, part, body), own, p) ? "" : boxFault(zone);
 }
 
@@ -194,10 +207,13 @@ Vec2 intoZone(const RestartScene& scene, RestartPart part, const PlacedBody& bod
   const bool in_circle = zone == Zone::kOwnHalfOrCircle && norm(p) <= scene.field->centre_circle_radius;
   if (in_circle) return p;
   const Box box = boxOf(scene, zone == Zone::kOwnHalfOrCircle ? Zone::kOwnHalf : zone, part, body);
-  p.x = own * std::clamp(own * p.x, box.x_low, std::max(box.x_low, box.x_high));
-  p.y = (p.y < 0.0 ? -1.0 : 1.0) * std::clamp(std::abs(p.y), box.y_low, std::max(box.y_low, box.y_high));
-  if (zone == Zone::kOutsideCircle) p = pushedFrom({}, p, circleRadius(scene), back);
-  return p;
+  const Vec2 moved = clamped(box, own, p);
+  if (zone == Zone::kOutsideCircle) return pushedFrom({}, moved, circleRadius(scene), back);
+  if (zone == Zone::kTouchOwnArea) {
+    const Vec2 beside = clamped(besideArea(scene, body), own, p);
+    if (distance(beside, p) < distance(moved, p)) return beside;
+  }
+  return moved;
 }
 
 }  // namespace fulbito

@@ -27,6 +27,7 @@ Result<RulesFile> readRules(std::string_view text, const std::string& origin) {
   Rules rules;
   const std::vector<RulesTable> tables = tablesOf(rules);
   std::vector<std::string> names;
+  names.reserve(tables.size());
   for (const RulesTable& table : tables) names.push_back(table.name);
   auto document = ConfigDocument::parse(text, origin, names);
   if (!document) return tl::unexpected<Error>(document.error());

@@ -28,7 +28,7 @@ Schema periodSchema(Rules& r) {
       {"first_kick_off", choice(p.first_kick_off, {"toss", "blue", "yellow"}), 0, 0, "",
        "who begins; the toss comes from the match's random stream; law 6"},
       {"swap_kick_off", &p.swap_kick_off, 0, 0, "",
-       "the other team begins the second half; law 6, the league program: false"},
+       "the other team begins the second half; FIRA's program: false"},
       {"swap_sides", &p.swap_sides, 0, 0, "",
        "sides change at half-time; law 6: true, league program: false"},
       {"mercy_goals", &p.mercy_goals, 0, 1000, "goals", "lead that ends the match, 0 = none; league option"},
@@ -141,13 +141,13 @@ Schema schemaOf(GoalKickRules& g) {
 }
 
 std::optional<Flaw> tableFlaw(const PlaceTable& places, const char* table) {
-  const auto tooMany = [&](const std::vector<Vec2>& list, const char* key) -> std::optional<Flaw> {
+  const auto too_many = [&](const std::vector<Vec2>& list, const char* key) -> std::optional<Flaw> {
     if (list.size() <= kMaxTeamSize) return std::nullopt;
     return Flaw{table, -1, key,
                 fmt::format("has {} places; at most {} are allowed", list.size(), kMaxTeamSize)};
   };
-  if (auto flaw = tooMany(places.taker, "taker")) return flaw;
-  return tooMany(places.other, "other");
+  if (auto flaw = too_many(places.taker, "taker")) return flaw;
+  return too_many(places.other, "other");
 }
 
 std::optional<Flaw> placesFlaw(const Rules& rules) {

@@ -18,8 +18,10 @@ void writePlay(const RecordedPlay& play, Tick offset, Bytes& bytes) {
   ByteWriter out(bytes);
   out.varint(static_cast<std::uint64_t>(offset));
   out.byte(static_cast<std::uint8_t>(play.kind));
-  out.byte(static_cast<std::uint8_t>(play.team));
-  out.byte(static_cast<std::uint8_t>(play.blue_side));
+  out.byte(static_cast<std::uint8_t>(static_cast<unsigned>(play.team) |
+                                     static_cast<unsigned>(play.blue_side) << 1 |
+                                     (play.defenders_back ? 4u : 0u)));
+  out.varint(static_cast<std::uint64_t>(play.delay));
   out.varint(static_cast<std::uint64_t>(play.period));
   out.varint(static_cast<std::uint64_t>(play.play_ticks));
   for (const int goals : play.score) out.varint(static_cast<std::uint64_t>(goals));

@@ -126,12 +126,14 @@ class ChunkParser {
   RecordedPlay takePlay(ByteReader& in) {
     RecordedPlay play;
     play.tick = chunk_.first_tick + static_cast<Tick>(in.varint(ticks()));
-    const std::uint8_t kind = in.byte(), team = in.byte(), side = in.byte();
-    if (kind > static_cast<std::uint8_t>(RestartKind::kGiven) || team > 1 || side > 1) in.fail();
+    const std::uint8_t kind = in.byte(), flags = in.byte();
+    if (kind > static_cast<std::uint8_t>(RestartKind::kGiven) || flags > 7) in.fail();
     if (!in.good()) return play;
     play.kind = static_cast<RestartKind>(kind);
-    play.team = static_cast<TeamId>(team);
-    play.blue_side = static_cast<Side>(side);
+    play.team = static_cast<TeamId>(flags & 1);
+    play.blue_side = static_cast<Side>(flags >> 1 & 1);
+    play.defenders_back = (flags & 4) != 0;
+    play.delay = static_cast<Tick>(in.varint(kMaxTick));
     play.period = static_cast<int>(in.varint(1000));
     play.play_ticks = static_cast<Tick>(in.varint(kMaxTick));
     for (int& goals : play.score) goals = static_cast<int>(in.varint(1'000'000));

@@ -87,6 +87,8 @@ struct RecordedPlay {
   RestartKind kind = RestartKind::kGiven;
   TeamId team = TeamId::kBlue;  ///< who takes the restart
   Vec2 ball;                    ///< [m] where the restart puts the ball
+  Tick delay = 0;               ///< ticks from the placement to the signal
+  bool defenders_back = false;  ///< see RestartCall
   int period = 1;
   Tick play_ticks = 0;  ///< of play so far in this period
   PerTeam<int> score{};
@@ -161,8 +163,8 @@ struct RecordingResult {
   Tick ticks = 0;
   bool complete = true;  ///< false: stopped before its own end
   PerTeam<int> score{};
-  std::uint64_t final_hash = 0;                         ///< running hash after the last tick
-  std::string outcome;                                  ///< of a trial, in the words of TrialOutcome
+  std::uint64_t final_hash = 0;  ///< running hash after the last tick
+  std::string outcome;           ///< of a trial: a TrialOutcome's name; of a match: blue, yellow or draw
   std::vector<std::pair<std::string, double>> figures;  ///< by name
 };
 

@@ -9,8 +9,8 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kDepth = 0.05;   // [m] of the keeper's centre before the goal line
-constexpr double kReach = 0.165;  // [m] most |y| on the line
+constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
+constexpr double kReach = 0.175;  // [m] most |y| on the line
 
 /// y where the free ball crosses the line within `horizon` seconds; false when it does not.
 bool crossing(const Picture& picture, double line, double& y) {
@@ -43,16 +43,63 @@ Twist slideTo(const Picture& picture, const RobotState& self, double line, doubl
   return {face * std::abs(speed) * std::max(0.0, math::cos(error)), std::clamp(18.0 * error, -20.0, 20.0)};
 }
 
-/// Pushes a ball that lies near out to the side, from the goal's side.
-Twist clear(const Picture& picture, const RobotState& self, Vec2 ball) {
+/// Whether the keeper is at a ball near the goal clearly before any opponent.
+bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
-  const double out = ball.y >= self.pose.position.y ? 1.0 : -1.0;
-  const Vec2 target{-pitch.half_length + 0.35, out * pitch.half_width};
-  const Aim aim = aimAt(pitch, ball, target);
+  const Vec2 ball = picture.ball.at(0.1);
+  if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
+  const double mine = timeToReach(pitch, self, ball);
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball) < mine + 0.4)
+      return false;
+  }
+  return true;
+}
+
+/// Pushes a ball that lies near out to the side, from the goal's side; false when the keeper is not there.
+bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.at(0.05);
+  const Vec2 rel = ball - self.pose.position;
+  const bool at_wall = ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
+  const double out = ball.y >= 0.0 ? 1.0 : -1.0;
+  if (at_wall) {
+    if (rel.y * out < 0.02) return false;
+    twist = passThrough(pitch, self, {std::max(ball.x, -pitch.half_length + 0.042), ball.y + 0.1 * out},
+                        pitch.speed);
+    return true;
+  }
+  if (rel.x < 0.02) return false;
+  const Vec2 way = unitOr(rel, {1.0, 0.0}) + Vec2{0.3, out * 0.4};
   int side = 0;
-  const double heading =
-      approachHeading(self.pose.position, aim.contact, math::angleOf(aim.direction), 0.09, 1.0, side);
-  return alongHeading(pitch, self, heading, pitch.speed);
+  const double heading = approachHeading(self.pose.position, ball, math::angleOf(way), 0.09, 1.0, side);
+  twist = alongHeading(pitch, self, heading, pitch.speed);
+  return true;
+}
+
+/// The ball lies or comes along our end wall, beside the goal or in its mouth's edge.
+bool alongEndWall(const Picture& picture) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.now().position;
+  return ball.x < -pitch.half_length + 0.08 && std::abs(ball.y) > 0.10 && std::abs(ball.y) < 0.5;
+}
+
+/// Closes the near post with a face that leads the ball out to the field, and holds.
+Twist guardPost(const Picture& picture, const RobotState& self) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.now().position;
+  const double side = ball.y > 0.0 ? 1.0 : -1.0;
+  const double lean = 0.3;
+  const Vec2 post{-pitch.half_length + 0.046,
+                  side * std::min(pitch.goal_half - 0.03, std::abs(ball.y) - 0.055)};
+  const Vec2 way = post - self.pose.position;
+  const double heading = side * (math::kPi / 2 - lean);
+  if (std::abs(way.y) < 0.02) {
+    Twist twist = turnTo(pitch, self, heading);
+    twist.linear = std::clamp(4.0 * dot(way, math::unit(self.pose.heading)), -0.2, 0.2);
+    return twist;
+  }
+  return slideTo(picture, self, post.x, post.y);
 }
 
 }  // namespace
@@ -85,27 +132,28 @@ Twist keep(const Picture& picture, int robot, KeeperMemory& memory) {
   const BallState& ball = picture.ball.now();
   const Vec2 rel = ball.position - self.pose.position;
   memory.locked = std::max(0.0, memory.locked - picture.seen.dt);
+  // A spin flings a ball that lies right before the front away, never one beside or behind the keeper.
+  const bool spins = rel.x > 0.045 && squaredNorm(rel) < 0.075 * 0.075;
+  if (!spins) memory.spin_left = 0.0;
   if (memory.spin_left > 0.0) {
     memory.spin_left -= picture.seen.dt;
     return {0.0, memory.spin_sense * 28.0};
   }
-  const bool in_front = ball.position.x > self.pose.position.x + 0.0;
-  const bool near = norm(rel) < 0.075;
-  if (near && memory.locked <= 0.0 && norm(ball.velocity) < 0.5) {
-    // The face that touches the ball must sweep it away from the mouth.
+  if (spins && memory.locked <= 0.0 && squaredNorm(ball.velocity) < 0.5 * 0.5) {
     const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
-    const Vec2 wanted = in_front ? Vec2{0.3, out} : Vec2{0.0, out};
-    memory.spin_sense = cross(rel, wanted) >= 0.0 ? 1.0 : -1.0;
-    const bool safe = in_front && rel.x > 0.02;
-    if (safe) {
-      memory.spin_left = 0.3;
-      memory.locked = 0.5;
-      return {0.0, memory.spin_sense * 28.0};
-    }
+    memory.spin_sense = cross(rel, {0.3, out}) >= 0.0 ? 1.0 : -1.0;
+    memory.spin_left = 0.3;
+    memory.locked = 0.5;
+    return {0.0, memory.spin_sense * 28.0};
   }
-  const bool slow = norm(ball.velocity) < 0.3;
-  const bool close = ball.position.x < -pitch.half_length + 0.25 && std::abs(ball.position.y) < 0.33;
-  if (slow && close && rel.x > -0.02) return clear(picture, self, ball.position);
+  if (picture.seen.restart == RestartKind::kPenalty && !picture.seen.restart_is_ours &&
+      picture.seen.since_restart < 0.8 && rel.x > 0.04 && squaredNorm(rel) > 0.06 * 0.06) {
+    // Out to meet the taker: the nearer to the ball, the more of the goal is covered.
+    return passThrough(pitch, self, ball.position + ball.velocity * 0.05, pitch.speed);
+  }
+  Twist out;
+  if (comesFirst(picture, self) && clear(picture, self, out)) return out;
+  if (alongEndWall(picture)) return guardPost(picture, self);
   return slideTo(picture, self, line, keeperPlace(picture, line));
 }
 

@@ -8,10 +8,17 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kRound = 0.105;    // [m] circle on which to come round the ball
-constexpr double kSharpness = 2.0;  // n of the field
-constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
-constexpr double kSpinTime = 0.45;  // [s]
+constexpr double kRound = 0.09;      // [m] circle on which to come round the ball
+constexpr double kSharpness = 2.0;   // n of the field
+constexpr double kTouch = 0.075;     // [m] centre to centre where the ball is about touched
+constexpr double kHalf = 0.03;       // [m] nearer than this is not behind
+constexpr double kCone = 0.4;        // |y| / x within which the line is followed
+constexpr double kLookAhead = 0.04;  // [s]
+constexpr double kTurnRate = 9.0;    // [rad/s] at which skew can be taken out before the touch
+constexpr double kSideRate = 0.25;   // [m/s] the same of the lateral error
+constexpr double kSlowTouch = 0.3;   // [m/s]
+constexpr double kPushGain = 10.0;   // [1/s]
+constexpr double kSpinTime = 0.45;   // [s]
 
 Twist spin(StrikerMemory& memory, double dt) {
   memory.spin_left -= dt;
@@ -69,30 +76,116 @@ double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius
   return bearing + turn * std::min(sharpness * std::abs(alpha), most);
 }
 
+namespace {
+
+/// The direction of the blow that makes a ball of velocity `moving` run along `wanted`: what it has across
+/// must be taken from it.
+Vec2 blow(Vec2 wanted, Vec2 moving) {
+  const Vec2 local = intoFrame(wanted, moving);
+  return unitOr(outOfFrame(wanted, {std::max(0.5, 1.3 - local.x), -local.y}), wanted);
+}
+
+/// How badly bodies bar the way of a blow at `contact` along `direction`: in the place of the striker, or
+/// right in front of the ball.
+double barred(const Picture& picture, int robot, Vec2 contact, Vec2 direction) {
+  const Vec2 behind = contact - direction * 0.065, ahead = contact + direction * 0.07;
+  double cost = 0.0;
+  const auto look = [&](Vec2 body, double weight) {
+    const double near = squaredNorm(body - behind), far = squaredNorm(body - ahead);
+    if (near < 0.075 * 0.075) cost += weight;
+    if (far < 0.065 * 0.065) cost += 1.0 * weight;
+  };
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i)) look(picture.opponent(i).pose.position, 1.0);
+    if (i != robot && picture.ownPresent(i)) look(picture.own(i).pose.position, 1.0);
+  }
+  return cost;
+}
+
+/// Opponents that are about the ball.
+int crowdAt(const Picture& picture, Vec2 ball) {
+  int crowd = 0;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i) && squaredNorm(picture.opponent(i).pose.position - ball) < 0.16 * 0.16)
+      ++crowd;
+  }
+  return crowd;
+}
+
+/// The blow that is turned from the best one as little as the bodies about the ball demand.
+Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& memory) {
+  constexpr double kTurns[] = {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5};
+  const Vec2 self = picture.own(robot).pose.position;
+  double least = 1e9;
+  int best = 0;
+  Vec2 chosen = aim.direction;
+  for (int i = 0; i < 7; ++i) {
+    const Vec2 direction = i == 0 ? aim.direction : outOfFrame(aim.direction, math::unit(kTurns[i]));
+    const Vec2 spot = aim.contact - direction * 0.065;
+    double cost =
+        0.3 * std::abs(kTurns[i]) + barred(picture, robot, aim.contact, direction) + distance(self, spot);
+    if (squaredNorm(picture.pitch.inside(spot, 0.037) - spot) > 1e-4) cost += 2.0;
+    if (i == memory.turn) cost -= 0.15;
+    if (cost < least) least = cost, best = i, chosen = direction;
+  }
+  memory.turn = best;
+  return chosen;
+}
+
+/// Drives so as to hit `contact` along `direction`: onto the line behind it, aligned before the touch.
+Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec2 direction, double fastest,
+                   double round, StrikerMemory& memory) {
+  const Vec2 ahead = self.pose.position + self.velocity * kLookAhead;
+  const Vec2 local = intoFrame(direction, ahead - contact);
+  const double along = math::angleOf(direction);
+  if (-local.x < kHalf || std::abs(local.y) > kCone * -local.x) {
+    const double heading =
+        approachHeading(ahead, contact, along, local.x > -0.03 ? round : kRound, kSharpness, memory.side);
+    return alongHeading(pitch, self, heading, pitch.speed);
+  }
+  memory.side = 0;
+  const double to_touch = std::max(0.0, -local.x - 0.06);
+  const double carrot = std::max(0.045, 0.5 * to_touch);
+  const double heading = along - math::atan2(local.y, carrot);
+  const double skew = std::abs(foldedError(along, self.pose.heading));
+  const double needed = skew / kTurnRate + std::abs(local.y) / kSideRate;
+  const double speed = std::min(fastest, kSlowTouch + (to_touch + 0.02) / std::max(needed, 0.01));
+  Steering steering;
+  steering.gain = to_touch < 0.015 ? kPushGain : 16.0;
+  return alongHeading(pitch, self, heading, speed, steering);
+}
+
+}  // namespace
+
 Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   const RobotState& self = picture.own(robot);
   const Pitch& pitch = picture.pitch;
-  const Vec2 now = picture.ball.now().position;
-  const Vec2 rel = now - self.pose.position;
+  const BallState& now = picture.ball.now();
+  const Vec2 rel = now.position - self.pose.position;
   watchJam(picture, self, rel, memory);
   if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
 
+  if (picture.seen.restart == RestartKind::kKickOff && picture.seen.since_restart < 0.4 &&
+      squaredNorm(rel) > 0.055 * 0.055) {
+    return passThrough(pitch, self, now.position, pitch.speed);
+  }
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
-  const Vec2 ball = close ? now + picture.ball.now().velocity * 0.03 : meet.ball;
+  const Vec2 ball = close ? now.position + now.velocity * 0.03 : meet.ball;
   memory.mouth = openMouth(picture, ball, memory.mouth);
-  const Aim aim = aimAt(pitch, ball, {pitch.half_length + 0.02, memory.mouth});
-
-  if (memory.jammed > 0.35 && memory.locked <= 0.0) {
+  Aim aim = aimAt(pitch, ball, {pitch.half_length + 0.02, memory.mouth});
+  const bool pinned = aim.wall && squaredNorm(rel) < 0.085 * 0.085 && squaredNorm(now.velocity) < 0.2 * 0.2 &&
+                      dot(unitOr(rel, {}), aim.direction) < 0.5;
+  if (now.position.x > 0.2 && (memory.jammed > 0.35 || pinned) && memory.locked <= 0.0) {
     memory.spin_left = kSpinTime;
     memory.jammed = 0.0;
     memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
     return spin(memory, picture.seen.dt);
   }
-  const double direction = math::angleOf(aim.direction);
-  const double heading = approachHeading(self.pose.position + self.velocity * 0.04, aim.contact, direction,
-                                         kRound, kSharpness, memory.side);
-  return alongHeading(pitch, self, heading, pitch.speed);
+  if (!aim.wall) aim.direction = blow(aim.direction, now.velocity);
+  if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory);
+  return driveThrough(pitch, self, aim.contact, aim.direction, pitch.speed,
+                      kRound + 0.0 * std::min(2, crowdAt(picture, now.position)), memory);
 }
 
 }  // namespace fulbito::libero

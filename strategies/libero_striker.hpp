@@ -10,6 +10,7 @@ namespace fulbito::libero {
 struct StrikerMemory {
   double mouth = 0.0;      ///< [m] y on their goal line that is aimed at
   int side = 0;            ///< way round the ball that is held: +1 counter-clockwise
+  int turn = 0;            ///< which blow of those about the best one is held
   double spin_left = 0.0;  ///< [s] of a spin that is under way
   double spin_sense = 1.0;
   double locked = 0.0;  ///< [s] before the next spin

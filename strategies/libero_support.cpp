@@ -41,6 +41,14 @@ Vec2 supportPlace(const Picture& picture, Vec2, int rank) {
   if (ball.x > 0.15 && rank == 0 && picture.settings.aggression >= 0.5) {
     return {std::min(ball.x - 0.2, pitch.half_length - 0.35), far_side * 0.18};
   }
+  int crowd = 0;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i) && squaredNorm(picture.opponent(i).pose.position - ball) < 0.25 * 0.25)
+      ++crowd;
+  }
+  if (rank == 0 && crowd >= 2) {
+    return {std::min(ball.x + 0.3, pitch.half_length - 0.35), std::clamp(ball.y * 0.4, -0.3, 0.3)};
+  }
   // The shadow: on the line from the ball to our goal, outside the area.
   const Vec2 goal = pitch.ownGoal();
   const double front = -pitch.half_length + pitch.area_depth + pitch.arc_depth + 0.09;

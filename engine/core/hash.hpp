@@ -11,6 +11,9 @@ namespace fulbito {
 /// never raw struct bytes. Equal hashes mean equal states, bit for bit.
 class StateHash {
  public:
+  StateHash() = default;
+  /// Goes on from the value that another had.
+  explicit StateHash(std::uint64_t value) : value_(value) {}
   void add(double value);
   void add(std::uint64_t value);
   void add(std::string_view text);

@@ -42,10 +42,8 @@ Result<Source> openSource(std::string_view kind, const std::string& name_or_file
 
 /// One table that is read into one struct.
 template <typename T>
-Result<T> loadTable(std::string_view kind, const std::string& table, const std::string& name_or_file) {
-  const auto source = openSource(kind, name_or_file);
-  if (!source) return tl::unexpected<Error>(source.error());
-  const auto document = ConfigDocument::parse(source->text, source->origin, std::span(&table, 1));
+Result<T> parseTable(const std::string& table, std::string_view text, const std::string& origin) {
+  const auto document = ConfigDocument::parse(text, origin, std::span(&table, 1));
   if (!document) return tl::unexpected<Error>(document.error());
   T value;
   value.name = document->fallbackName();
@@ -53,6 +51,15 @@ Result<T> loadTable(std::string_view kind, const std::string& table, const std::
     return tl::unexpected<Error>(read.error());
   if (const auto flaw = findFlaw(value)) return document->locate(*flaw);
   return value;
+}
+
+/// What `parse` makes of the text of a preset or file.
+template <typename T>
+Result<T> loadWith(Result<T> (*parse)(std::string_view, const std::string&), std::string_view kind,
+                   const std::string& name_or_file) {
+  const auto source = openSource(kind, name_or_file);
+  if (!source) return tl::unexpected<Error>(source.error());
+  return parse(source->text, source->origin);
 }
 
 template <typename T>
@@ -66,11 +73,9 @@ bool isFileName(std::string_view name_or_file) {
   return name_or_file.find('/') != std::string_view::npos || name_or_file.ends_with(".toml");
 }
 
-Result<RobotPreset> loadRobot(const std::string& name_or_file) {
+Result<RobotPreset> parseRobot(std::string_view text, const std::string& origin) {
   static const std::vector<std::string> kTables{"robot", "ball"};
-  const auto source = openSource("robots", name_or_file);
-  if (!source) return tl::unexpected<Error>(source.error());
-  const auto document = ConfigDocument::parse(source->text, source->origin, kTables);
+  const auto document = ConfigDocument::parse(text, origin, kTables);
   if (!document) return tl::unexpected<Error>(document.error());
   RobotPreset preset;
   preset.robot.name = document->fallbackName();
@@ -85,12 +90,22 @@ Result<RobotPreset> loadRobot(const std::string& name_or_file) {
   return preset;
 }
 
-Result<PhysicsProfile> loadPhysics(const std::string& name_or_file) {
-  return loadTable<PhysicsProfile>("physics", "physics", name_or_file);
+Result<PhysicsProfile> parsePhysics(std::string_view text, const std::string& origin) {
+  return parseTable<PhysicsProfile>("physics", text, origin);
 }
 
+Result<FieldGeometry> parseField(std::string_view text, const std::string& origin) {
+  return parseTable<FieldGeometry>("field", text, origin);
+}
+
+Result<RobotPreset> loadRobot(const std::string& name_or_file) {
+  return loadWith(parseRobot, "robots", name_or_file);
+}
+Result<PhysicsProfile> loadPhysics(const std::string& name_or_file) {
+  return loadWith(parsePhysics, "physics", name_or_file);
+}
 Result<FieldGeometry> loadField(const std::string& name_or_file) {
-  return loadTable<FieldGeometry>("fields", "field", name_or_file);
+  return loadWith(parseField, "fields", name_or_file);
 }
 
 std::string toToml(const RobotPreset& preset) {

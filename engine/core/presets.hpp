@@ -42,6 +42,12 @@ Result<PhysicsProfile> loadPhysics(const std::string& name_or_file);  ///< table
 Result<FieldGeometry> loadField(const std::string& name_or_file);     ///< table [field]
 /// @}
 
+/// @{ The same from text; `origin` stands for the file name in errors.
+Result<RobotPreset> parseRobot(std::string_view text, const std::string& origin);
+Result<PhysicsProfile> parsePhysics(std::string_view text, const std::string& origin);
+Result<FieldGeometry> parseField(std::string_view text, const std::string& origin);
+/// @}
+
 /// Reads a layout file (docs: `toToml`). A field that is a relative file path is taken from the layout's
 /// folder and comes back joined with it. The field must load, and start, goal and obstacles must lie inside
 /// it. Errors: as above.

@@ -22,7 +22,7 @@ enum class Stream : std::uint32_t {
   kSeries = 10,        ///< seeds of a series' pairs
   kRandomTeam = 11,    ///< the team `random`
   kCoinToss = 12,      ///< a referee's tosses: first kick-offs, ties without end
-  kDrill = 20,         ///< starts of drills
+  kDrill = 13,         ///< starts of drills
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of

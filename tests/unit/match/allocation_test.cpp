@@ -1,3 +1,4 @@
+#include "match/recorder.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/unit/match/test_teams.hpp"
@@ -21,7 +22,28 @@ int allocatingTicks(const MatchConfig& config, Tick warm_up) {
   return count;
 }
 
+/// The same while it is recorded; ticks that end a chunk are not counted.
+int allocatingTicksRecorded(const MatchConfig& config, Tick warm_up) {
+  auto match = Match::create(config);
+  auto recorder = MatchRecorder::create([](std::string_view) { return Result<void>(); }, config);
+  REQUIRE(match);
+  REQUIRE(recorder);
+  match->watch(*recorder);
+  int count = 0;
+  for (bool more = true; more;) {
+    const long before = mallocCount();
+    more = match->step();
+    const bool left_out = match->world().tick == 0 || match->tick() % 300 == 1;
+    if (match->tick() > warm_up && !left_out && more && mallocCount() != before) ++count;
+  }
+  return count;
+}
+
 }  // namespace
+
+TEST_CASE("recording a warm match allocates only where chunks end", "[unit]") {
+  CHECK(allocatingTicksRecorded(shortMatch("chaser", "chaser", 60.0), 600) == 0);
+}
 
 TEST_CASE("a warm match's ticks allocate nothing", "[unit]") {
   for (const TeamInfo& team : teams()) {

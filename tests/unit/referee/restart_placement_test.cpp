@@ -1,25 +1,20 @@
 #include "referee/restart_placement.hpp"
 
-#include "engine/core/presets.hpp"
+#include <limits>
+
+#include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
 #include "referee/restart_call.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/unit/referee/referee_samples.hpp"
 
 namespace fulbito {
 namespace {
 
+using testing::setupOf;
+
 constexpr RestartKind kKinds[] = {RestartKind::kKickOff, RestartKind::kFreeBall, RestartKind::kFreeKick,
                                   RestartKind::kPenalty, RestartKind::kGoalKick};
-
-RefereeSetup setupOf(const std::string& profile) {
-  RefereeSetup setup;
-  setup.rules = *loadRules(profile);
-  setup.field = *loadField(setup.rules.field);
-  const RobotPreset robot = *loadRobot("vsss");
-  setup.robot = robot.robot;
-  setup.ball = robot.ball;
-  return setup;
-}
 
 std::string reasonOf(const RefereeSetup& setup, const RefereeState& state, const RestartCall& call,
                      const Placement& placement) {
@@ -29,7 +24,268 @@ std::string reasonOf(const RefereeSetup& setup, const RefereeState& state, const
          std::to_string(flaw->robot) + " " + std::string(flaw->reason);
 }
 
+double coordinate(Rng& rng, double scale) {
+  const std::uint32_t kind = rng.below(40);
+  if (kind == 0) return std::numeric_limits<double>::quiet_NaN();
+  if (kind == 1) return std::numeric_limits<double>::infinity();
+  if (kind == 2) return -1e300;
+  return rng.uniform(-scale, scale);
+}
+
+/// Wishes of one team: anywhere, outside, in a heap, or not numbers at all; some robots without a wish.
+std::optional<TeamPoses> randomProposal(Rng& rng) {
+  if (rng.below(8) == 0) return std::nullopt;
+  TeamPoses poses;
+  const bool heap = rng.below(3) == 0;
+  const double scale = heap ? 0.05 : 1.4;
+  const Vec2 about = heap ? Vec2{rng.uniform(-1.2, 1.2), rng.uniform(-1.0, 1.0)} : Vec2{};
+  for (auto& pose : poses) {
+    if (rng.below(6) == 0) continue;
+    pose = Pose2{about + Vec2{coordinate(rng, scale), coordinate(rng, scale)}, coordinate(rng, 4.0)};
+  }
+  return poses;
+}
+
+/// A moment of play with robots that do not overlap.
+struct Moment {
+  std::vector<RobotId> ids;
+  std::vector<RobotState> robots;
+  BallState ball;
+  MatchView view() const { return {100, ids, robots, ball, {}}; }
+};
+
+Moment randomMoment(const RefereeSetup& setup, Rng& rng) {
+  Moment moment;
+  const double x = setup.field.length / 2 - 0.06, y = setup.field.width / 2 - 0.1;
+  moment.ball.position = {rng.uniform(-x, x), rng.uniform(-y, y)};
+  for (const TeamId team : kTeams) {
+    for (int n = 0; n < setup.rules.team_size; ++n) {
+      RobotState robot;
+      bool free = false;
+      while (!free) {
+        robot.pose = {{rng.uniform(-x, x), rng.uniform(-y, y)}, rng.uniform(-3.0, 3.0)};
+        free = distance(robot.pose.position, moment.ball.position) > 0.08 &&
+               wallClearance(setup.field, robot.pose.position) > 0.054;
+        for (const RobotState& placed : moment.robots) {
+          free = free && distance(placed.pose.position, robot.pose.position) > 0.107;
+        }
+      }
+      moment.ids.push_back({team, static_cast<std::uint8_t>(n)});
+      moment.robots.push_back(robot);
+    }
+  }
+  return moment;
+}
+
+Pose2 mirrored(const Pose2& pose) {
+  return {{-pose.position.x, pose.position.y}, math::wrapAngle(math::kPi - pose.heading)};
+}
+
+TeamPoses mirrored(TeamPoses poses) {
+  for (auto& pose : poses) {
+    if (pose) pose = mirrored(*pose);
+  }
+  return poses;
+}
+
+bool samePoses(const TeamPoses& a, const TeamPoses& b, double tolerance) {
+  for (std::size_t n = 0; n < a.size(); ++n) {
+    if (a[n].has_value() != b[n].has_value()) return false;
+    if (a[n] && !(distance(a[n]->position, b[n]->position) <= tolerance)) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+TEST_CASE("whatever teams propose, the result is legal, repeatable, and alike for both sides", "[unit]") {
+  int repaired = 0;
+  for (const std::string profile : {"vsss-3v3", "vsss-5v5", "league-program-2021"}) {
+    const RefereeSetup setup = setupOf(profile);
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+      Rng rng(7, Stream::kTest, i);
+      RefereeState state;
+      state.blue_side = rng.below(2) == 0 ? Side::kLeft : Side::kRight;
+      const Moment moment = randomMoment(setup, rng);
+      const MatchView view = moment.view();
+      const RestartKind kind = kKinds[rng.below(5)];
+      const TeamId team = kTeams[rng.below(2)];
+      RestartCall call = makeCall(setup, state, {kind, team, moment.ball.position, &view});
+      call.defenders_back = rng.below(4) == 0;
+      const Proposals proposals{randomProposal(rng), randomProposal(rng)};
+      std::vector<GameEvent> log, again, other_log;
+      const Placement placement = place(setup, state, call, proposals, log);
+      INFO(profile << " " << i);
+      REQUIRE(reasonOf(setup, state, call, placement) == "");
+      for (const TeamId t : kTeams) {
+        for (int n = 0; n < setup.rules.team_size; ++n) {
+          REQUIRE(placement.robots[indexOf(t)][static_cast<std::size_t>(n)]);
+        }
+      }
+      repaired += static_cast<int>(log.size());
+
+      const Placement second = place(setup, state, call, proposals, again);
+      REQUIRE(samePoses(placement.robots[0], second.robots[0], 0.0));
+      REQUIRE(samePoses(placement.robots[1], second.robots[1], 0.0));
+      REQUIRE(log.size() == again.size());
+
+      // Who places first does not depend on what the other wishes.
+      Proposals alone = proposals;
+      alone[indexOf(other(call.team))].reset();
+      const Placement early = place(setup, state, call, alone, other_log);
+      REQUIRE(samePoses(placement.robots[indexOf(call.team)], early.robots[indexOf(call.team)], 0.0));
+
+      // Colours exchanged and x mirrored: the same picture.
+      RestartCall twin = call;
+      twin.team = other(call.team);
+      twin.ball.x = -call.ball.x;
+      twin.stays = {mirrored(call.stays[1]), mirrored(call.stays[0])};
+      twin.defaults.robots = {mirrored(call.defaults.robots[1]), mirrored(call.defaults.robots[0])};
+      Proposals swapped;
+      for (const std::size_t t : {0u, 1u}) {
+        if (proposals[1 - t]) swapped[t] = mirrored(*proposals[1 - t]);
+      }
+      const Placement mirror = place(setup, state, twin, swapped, other_log);
+      REQUIRE(samePoses(mirrored(placement.robots[1]), mirror.robots[0], 1e-9));
+      REQUIRE(samePoses(mirrored(placement.robots[0]), mirror.robots[1], 1e-9));
+    }
+  }
+  CHECK(repaired > 3000);
+}
+
+TEST_CASE("law 14: at a free ball robots stay, but those near the mark and one of each team", "[unit]") {
+  const RefereeSetup setup = setupOf("vsss-3v3");
+  RefereeState state;
+  for (std::uint64_t i = 0; i < 500; ++i) {
+    Rng rng(8, Stream::kTest, i);
+    const Moment moment = randomMoment(setup, rng);
+    const MatchView view = moment.view();
+    const RestartCall call =
+        makeCall(setup, state, {RestartKind::kFreeBall, TeamId::kBlue, moment.ball.position, &view});
+    std::vector<GameEvent> log;
+    const Placement placement = place(setup, state, call, {}, log);
+    PerTeam<int> moved{};
+    for (std::size_t r = 0; r < moment.ids.size(); ++r) {
+      const RobotId id = moment.ids[r];
+      const Vec2 before = moment.robots[r].pose.position;
+      const Vec2 after = placement.robots[indexOf(id.team)][id.number]->position;
+      const bool near_mark = distance(before, call.ball) < 0.35;
+      if (after != before && !near_mark) ++moved[indexOf(id.team)];
+    }
+    INFO(i);
+    CHECK(moved[0] <= 1);
+    CHECK(moved[1] <= 1);
+  }
+}
+
+TEST_CASE("law 14: a team may choose who takes its mark, and nothing else", "[unit]") {
+  const RefereeSetup setup = setupOf("vsss-3v3");
+  RefereeState state;
+  Moment moment;
+  for (const TeamId team : kTeams) {
+    for (std::uint8_t n = 0; n < 3; ++n) {
+      moment.ids.push_back({team, n});
+      const double x = (team == TeamId::kBlue ? -0.2 : 0.2) * (n + 1);
+      moment.robots.push_back({{{x, -0.4}, 0.0}, {}, 0.0, {}});
+    }
+  }
+  moment.ball.position = {0.3, 0.3};
+  const MatchView view = moment.view();
+  const RestartCall call =
+      makeCall(setup, state, {RestartKind::kFreeBall, TeamId::kBlue, moment.ball.position, &view});
+  CHECK(defaultPoses(call, TeamId::kBlue)[0]->position.y == Approx(0.4));
+  TeamPoses wish = defaultPoses(call, TeamId::kBlue);
+  wish[0] = Pose2{{-0.2, -0.4}, 0.0};
+  wish[1] = Pose2{{call.ball.x - 0.20, call.ball.y}, 0.0};
+  wish[2] = Pose2{{0.1, 0.0}, 0.0};
+  std::vector<GameEvent> log;
+  const Placement placement = place(setup, state, call, {wish, std::nullopt}, log);
+  CHECK(placement.robots[0][1]->position.x == Approx(0.175));
+  CHECK(placement.robots[0][2]->position == Vec2{-0.2 * 3, -0.4});
+  CHECK(log.size() == 1);
+  CHECK(log.front().robot == 2);
+  CHECK(log.front().clause == "placement");
+}
+
+TEST_CASE("a repaired place is near the one that was proposed", "[unit]") {
+  const RefereeSetup setup = setupOf("vsss-3v3");
+  RefereeState state;
+  const RestartCall call = makeCall(setup, state, {RestartKind::kKickOff, TeamId::kBlue, {}, nullptr});
+  TeamPoses wish;
+  wish[1] = Pose2{{0.10, 0.5}, 1.0};     // the other half: back to the line
+  wish[2] = Pose2{{-0.05, -0.01}, 0.0};  // free: beside the ball, in the circle
+  std::vector<GameEvent> log;
+  const Placement placement = place(setup, state, call, {wish, std::nullopt}, log);
+  CHECK(placement.robots[0][1]->position.x == Approx(-0.0519).margin(0.001));
+  CHECK(placement.robots[0][1]->position.y == Approx(0.5));
+  CHECK(placement.robots[0][1]->heading == 1.0);
+  CHECK(distance(placement.robots[0][2]->position, {-0.05, -0.01}) < 0.02);
+  REQUIRE(log.size() >= 1);
+  CHECK(log.front().value == Approx(0.1519).margin(0.001));
+}
+
+TEST_CASE("a crowd beyond the tables finds places too, on the field and apart", "[unit]") {
+  for (const std::string profile : {"vsss-3v3", "vsss-5v5"}) {
+    RefereeSetup setup = setupOf(profile);
+    setup.rules.team_size = kMaxTeamSize;
+    RefereeState state;
+    for (const RestartKind kind : kKinds) {
+      const RestartCall call = makeCall(setup, state, {kind, TeamId::kYellow, {0.3, 0.3}, nullptr});
+      std::vector<GameEvent> log;
+      const Placement placement = place(setup, state, call, {}, log);
+      for (const TeamId team : kTeams) {
+        for (const auto& pose : placement.robots[indexOf(team)]) CHECK(pose);
+      }
+      // A free kick asks for more room beside the area than ten defenders find.
+      if (kind != RestartKind::kFreeKick) CHECK(reasonOf(setup, state, call, placement) == "");
+      RestartCall anywhere = call;
+      anywhere.kind = RestartKind::kGiven;
+      CHECK(reasonOf(setup, state, anywhere, placement) == "");
+    }
+  }
+}
+
+TEST_CASE("each broken rule of a placement is named", "[unit]") {
+  const RefereeSetup setup = setupOf("vsss-3v3");
+  RefereeState state;
+  struct Row {
+    RestartKind kind;
+    TeamId team;
+    std::size_t robot;
+    Vec2 place;
+    std::string reason;
+  };
+  // Blue defends the left goal and takes each restart.
+  constexpr auto kBlue = TeamId::kBlue, kYellow = TeamId::kYellow;
+  const std::vector<Row> rows = {
+      {RestartKind::kKickOff, kBlue, 1, {0.3, 0.0}, "is neither in its own half nor in the circle"},
+      {RestartKind::kKickOff, kYellow, 1, {0.1, 0.1}, "is in the centre circle"},
+      {RestartKind::kKickOff, kYellow, 1, {-0.3, 0.1}, "is not in its own half"},
+      {RestartKind::kKickOff, kYellow, 1, {0.74, 0.64}, "is not on the field"},
+      {RestartKind::kKickOff, kBlue, 1, {-0.03, 0.0}, "overlaps the ball"},
+      {RestartKind::kKickOff, kBlue, 1, {-0.41, 0.0}, "overlaps a robot"},
+      {RestartKind::kPenalty, kBlue, 1, {0.45, 0.0}, "is not behind the ball"},
+      {RestartKind::kPenalty, kBlue, 2, {0.1, 0.4}, "is not beyond the half-way line"},
+      {RestartKind::kPenalty, kYellow, 1, {0.1, 0.4}, "is not beyond the half-way line"},
+      {RestartKind::kPenalty, kYellow, 0, {0.68, 0.0}, "is not on its goal line"},
+      {RestartKind::kGoalKick, kBlue, 1, {-0.65, -0.3}, "is in the kicking team's goal area"},
+      {RestartKind::kGoalKick, kYellow, 1, {-0.56, 0.0}, "is in the kicking team's goal area"},
+      {RestartKind::kFreeBall, kBlue, 1, {0.2, 0.35}, "is too near to the ball"},
+      {RestartKind::kFreeKick, kBlue, 2, {0.1, 0.4}, "is not in its own half"},
+      {RestartKind::kFreeKick, kYellow, 1, {0.5625, 0.12}, "does not touch its goal area beside the arc"},
+      {RestartKind::kFreeKick, kYellow, 1, {0.50, 0.20}, "does not touch its goal area beside the arc"},
+  };
+  for (const Row& row : rows) {
+    const RestartCall call = makeCall(setup, state, {row.kind, kBlue, {0.3, 0.3}, nullptr});
+    Placement placement = call.defaults;
+    placement.robots[indexOf(row.team)][row.robot]->position = row.place;
+    const auto flaw = findPlacementFlaw(setup, state, call, placement);
+    INFO(nameOf(row.kind) << ": " << row.reason);
+    REQUIRE(flaw);
+    CHECK(flaw->reason == row.reason);
+    CHECK_FALSE(legalPlacement(setup, state, call, placement));
+  }
+}
 
 TEST_CASE("the tables place every restart legally, for both teams and both sides", "[unit]") {
   for (const std::string profile : {"vsss-3v3", "vsss-5v5", "league-program-2021", "training"}) {

@@ -47,6 +47,8 @@ void checkPlays(const std::vector<RecordedPlay>& read, const std::vector<Recorde
     CHECK(read[i].kind == told[i].kind);
     CHECK(read[i].team == told[i].team);
     CHECK(sameBits(read[i].ball, told[i].ball));
+    CHECK(read[i].delay == told[i].delay);
+    CHECK(read[i].defenders_back == told[i].defenders_back);
     CHECK(read[i].period == told[i].period);
     CHECK(read[i].play_ticks == told[i].play_ticks);
     CHECK(read[i].score == told[i].score);

@@ -85,6 +85,8 @@ class Teller {
     play.kind = RestartKind::kGoalKick;
     play.team = TeamId::kYellow;
     play.ball = point();
+    play.delay = 130;
+    play.defenders_back = one_missing;
     play.period = 2;
     play.play_ticks = 3 * tick;
     play.score = {1, 2};

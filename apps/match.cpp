@@ -1,0 +1,253 @@
+#include "apps/match.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include <fmt/format.h>
+
+#include "apps/commands.hpp"
+#include "apps/live_line.hpp"
+#include "apps/progress.hpp"
+#include "match/recorder.hpp"
+#include "match/start_state.hpp"
+#include "match/summary.hpp"
+
+namespace fulbito::app {
+namespace {
+
+constexpr Tick kTicksBetweenLooks = 64;  // of the match, at the clock and for signals
+constexpr const char* kStdout = "-";
+
+double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
+
+/// A file, or stdout, that takes lines at once; the first failure is kept.
+class LineFile {
+ public:
+  static Result<LineFile> open(const std::string& name) {
+    if (name == kStdout) return LineFile(stdout, name);
+    std::FILE* file = std::fopen(name.c_str(), "w");
+    if (file == nullptr) return fail(ErrorCode::kIo, fmt::format("{}: {}", name, std::strerror(errno)));
+    return LineFile(file, name);
+  }
+  LineFile(LineFile&& from) noexcept
+      : file_(std::exchange(from.file_, nullptr)), name_(std::move(from.name_)) {}
+  LineFile& operator=(LineFile&&) = delete;
+  ~LineFile() {
+    if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+  }
+  void write(std::string_view line) {
+    if (!written_) return;
+    if (std::fwrite(line.data(), 1, line.size(), file_) != line.size() || std::fflush(file_) != 0) {
+      written_ = fail(ErrorCode::kIo, fmt::format("{}: {}", name_, std::strerror(errno)));
+    }
+  }
+  const Result<void>& written() const { return written_; }
+
+ private:
+  LineFile(std::FILE* file, std::string name) : file_(file), name_(std::move(name)) {}
+  std::FILE* file_;
+  std::string name_;
+  Result<void> written_;
+};
+
+/// The flags that speak of one match only.
+Result<void> checkFlags(const MatchCommand& options) {
+  if (options.json && options.events == kStdout) {
+    return fail(ErrorCode::kUsage, "--events: '-' and --json both want stdout; give --events a file");
+  }
+  if (options.pairs == 0) return {};
+  for (const auto& [flag, given] :
+       {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
+        std::pair{"--profile", options.profile}}) {
+    if (given) {
+      return fail(ErrorCode::kUsage, fmt::format("{}: is of one match, and cannot go with -n/--pairs", flag));
+    }
+  }
+  return {};
+}
+
+Result<void> addStart(const std::string& file, MatchConfig& config) {
+  if (file.empty()) return {};
+  auto start = loadStartState(file);
+  if (!start) return tl::unexpected<Error>(start.error());
+  config.start = start->placement;
+  config.scoreboard = start->scoreboard;
+  return {};
+}
+
+Result<MatchConfig> configOf(const MatchCommand& options) {
+  auto blue = parseTeam(options.blue), yellow = parseTeam(options.yellow);
+  if (!blue) return tl::unexpected<Error>(blue.error());
+  if (!yellow) return tl::unexpected<Error>(yellow.error());
+  auto rules = loadRules(options.rules);
+  if (!rules) return tl::unexpected<Error>(rules.error());
+  auto field = loadField(rules->field);
+  if (!field) return tl::unexpected<Error>(field.error());
+  auto robot = loadRobot(options.robot);
+  if (!robot) return tl::unexpected<Error>(robot.error());
+  auto physics = loadPhysics(options.physics);
+  if (!physics) return tl::unexpected<Error>(physics.error());
+  MatchConfig config;
+  config.teams = {std::move(*blue), std::move(*yellow)};
+  config.rules = std::move(*rules);
+  if (options.half_seconds) config.rules.half_seconds = *options.half_seconds;
+  config.field = std::move(*field);
+  config.robot = std::move(*robot);
+  config.physics = std::move(*physics);
+  config.vision = options.vision;
+  // As in trials: the heading of a body whose front and back are each seen that far off.
+  config.vision.heading_noise = 2.0 * config.vision.position_noise / config.robot.robot.length;
+  config.seed = options.seed;
+  if (auto started = addStart(options.start, config); !started) return tl::unexpected<Error>(started.error());
+  return config;
+}
+
+/// All that watches the match that the user sees.
+struct Watchers {
+  StatisticsObserver statistics;
+  EventLog log;
+  std::optional<LineFile> file;
+  std::optional<EventLines> lines;
+  std::optional<MatchRecorder> recorder;
+
+  Result<void> attach(const MatchCommand& options, Match& match);
+  /// Errors of whatever was written.
+  Result<void> written() const;
+};
+
+Result<void> Watchers::attach(const MatchCommand& options, Match& match) {
+  match.watch(statistics);
+  match.watch(log);
+  if (!options.events.empty()) {
+    auto opened = LineFile::open(options.events);
+    if (!opened) return tl::unexpected<Error>(opened.error());
+    file.emplace(std::move(*opened));
+    lines.emplace([this](std::string_view line) { file->write(line); });
+    match.watch(*lines);
+  }
+  if (!options.record.empty()) {
+    auto created = MatchRecorder::create(options.record, match.config());
+    if (!created) return tl::unexpected<Error>(created.error());
+    recorder.emplace(std::move(*created));
+    match.watch(*recorder);
+  }
+  return {};
+}
+
+Result<void> Watchers::written() const {
+  if (file && !file->written()) return file->written();
+  if (recorder && !recorder->written()) return recorder->written();
+  return {};
+}
+
+/// Plays until the end or a signal.
+void play(Match& match) {
+  LiveLine live(match.config());
+  while (match.step()) {
+    if (match.tick() % kTicksBetweenLooks != 0) continue;
+    if (interrupted()) break;
+    live.update(match);
+  }
+  match.finish();
+}
+
+void print(const MatchCommand& options, const MatchReport& report) {
+  if (options.json) {
+    std::fputs(matchJson(report).c_str(), stdout);
+  } else {
+    std::fputs(matchText(report).c_str(), options.events == kStdout ? stderr : stdout);
+  }
+  std::fflush(stdout);
+  if (!options.record.empty()) fmt::print(stderr, "recording: {}\n", options.record);
+}
+
+int playOne(const MatchCommand& options, const MatchConfig& config) {
+  auto made = Match::create(config);
+  if (!made) return report(made.error());
+  Watchers watchers;
+  if (auto attached = watchers.attach(options, *made); !attached) return report(attached.error());
+  MatchProfile profile;
+  if (options.profile) made->measure(now, profile);
+  const std::int64_t begin = now();
+  play(*made);
+  MatchReport summary = reportOf(*made, watchers.statistics, watchers.log);
+  summary.wall = secondsSince(begin);
+  if (options.profile) summary.profile = profile;
+  print(options, summary);
+  if (auto written = watchers.written(); !written) return report(written.error());
+  if (summary.faults.abandoned) return kInternal;
+  return summary.complete ? kOk : kInterrupted;
+}
+
+int playPairs(const MatchCommand& options, const MatchConfig& config) {
+  SeriesReport summary{{config, options.pairs, options.jobs}, {}, 0.0};
+  const std::int64_t begin = now();
+  {
+    ProgressBar bar(fmt::format("{} v {}", options.blue, options.yellow), options.json);
+    auto played = playSeries(summary.config,
+                             [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
+    if (!played) return report(played.error());
+    summary.result = std::move(*played);
+  }
+  summary.wall = secondsSince(begin);
+  std::fputs((options.json ? seriesJson(summary) : seriesText(summary)).c_str(), stdout);
+  return summary.result.interrupted ? kInterrupted : kOk;
+}
+
+void addConditions(CLI::App& command, MatchCommand& options) {
+  command.add_option("--rules", options.rules, "profile of rules, or TOML file")->capture_default_str();
+  command.add_option("--physics", options.physics, "physics profile or TOML file")->capture_default_str();
+  command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
+      ->capture_default_str();
+  command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices")
+      ->capture_default_str();
+  command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
+  command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
+  command.add_option("--latency", options.vision.latency_ticks, "age of what teams see in ticks, 0 ... 60")
+      ->capture_default_str();
+  command
+      .add_option("--noise", options.vision.position_noise,
+                  "standard deviation of positions that teams see [m], 0 ... 0.1")
+      ->capture_default_str();
+  command
+      .add_option("--dropout", options.vision.dropout, "chance that a body is not seen in a tick, 0 ... 0.99")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
+  CLI::App* command = app.add_subcommand("match", "play a match, or a series of swapped pairs");
+  command->footer(
+      "Examples:\n"
+      "  fulbito match                                  libero against classic, two halves of five minutes\n"
+      "  fulbito match libero chaser --seed 7 --record game.fbr\n"
+      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20\n"
+      "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
+      "  fulbito match libero idle --start corner.toml --events -\n"
+      "Names: fulbito list teams, fulbito list rules. More: docs/matches.md.");
+  command->add_option("blue", options.blue, "team that defends the left goal, e.g. classic:navigator=bezier")
+      ->capture_default_str();
+  command->add_option("yellow", options.yellow, "the other team")->capture_default_str();
+  addConditions(*command, options);
+  command->add_option("--record", options.record, "write a recording")->type_name("FILE");
+  command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
+      ->type_name("FILE");
+  command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match")
+      ->check(CLI::Range(1, 100000))
+      ->type_name("PAIRS");
+  command->add_option("--jobs", options.jobs, "worker threads of a series (default: all cores)");
+  command->add_flag("--profile", options.profile, "say where the time went");
+  command->add_flag("--json", options.json, "print JSON");
+  return command;
+}
+
+int match(const MatchCommand& options) {
+  if (auto checked = checkFlags(options); !checked) return report(checked.error());
+  const auto config = configOf(options);
+  if (!config) return report(config.error());
+  return options.pairs > 0 ? playPairs(options, *config) : playOne(options, *config);
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "match/match_config.hpp"
+
+namespace fulbito::app {
+
+/// What `fulbito match` was asked.
+struct MatchCommand {
+  std::string blue = "libero";
+  std::string yellow = "classic";
+  std::string rules = "vsss-3v3";
+  std::string physics = "standard";
+  std::string robot = "vsss";
+  std::uint64_t seed = kDefaultMatchSeed;
+  std::optional<double> half_seconds;  ///< empty: the profile's
+  std::string start;                   ///< start state file; empty: a kick-off
+  VisionModel vision;
+  std::string record;  ///< file; empty: none
+  std::string events;  ///< file or "-"; empty: none
+  int pairs = 0;       ///< 0: one match
+  int jobs = 0;
+  bool profile = false;
+  bool json = false;
+};
+
+/// Adds `match`.
+CLI::App* addMatch(CLI::App& app, MatchCommand& options);
+
+/// Plays what was asked and returns the exit code.
+int match(const MatchCommand& options);
+
+}  // namespace fulbito::app

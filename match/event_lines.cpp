@@ -1,0 +1,82 @@
+#include "match/event_lines.hpp"
+
+#include "match/match_json.hpp"
+
+namespace fulbito {
+namespace {
+
+/// The restart as an event of its own.
+LoggedEvent restartEvent(const PlayStart& start, double dt) {
+  const RefereeState& referee = *start.referee;
+  LoggedEvent event;
+  event.call.tick = start.tick;
+  event.call.period = static_cast<std::uint8_t>(referee.period);
+  event.call.play_time = static_cast<double>(referee.play_ticks) * dt;
+  event.call.team = start.call.team;
+  event.call.place = start.placement.ball;
+  event.restart = start.call.kind;
+  event.score = referee.score;
+  return event;
+}
+
+}  // namespace
+
+void EventLog::matchBegins(const MatchConfig& config) {
+  events_.clear();
+  left_out_ = 0;
+  dt_ = config.physics.controlPeriod();
+}
+
+void EventLog::playBegins(const PlayStart& start) {
+  for (const GameEvent& call : start.events) keep({call, std::nullopt, start.referee->score});
+  keep(restartEvent(start, dt_));
+}
+
+void EventLog::ticked(const MatchTick& tick) {
+  for (const GameEvent& call : tick.events) keep({call, std::nullopt, tick.referee->score});
+}
+
+void EventLog::keep(const LoggedEvent& event) {
+  if (events_.size() < limit_) {
+    events_.push_back(event);
+  } else {
+    ++left_out_;
+  }
+}
+
+void EventLines::matchBegins(const MatchConfig& config) {
+  dt_ = config.physics.controlPeriod();
+  const Json header = {{"schema_version", kMatchSchemaVersion},
+                       {"event", "match"},
+                       {"teams", {{"blue", config.teams[0].text}, {"yellow", config.teams[1].text}}},
+                       {"seed", config.seed},
+                       {"dt_s", dt_},
+                       {"config", matchConfigJson(config)},
+                       {"build", buildJson()}};
+  sink_(header.dump() + '\n');
+}
+
+void EventLines::playBegins(const PlayStart& start) {
+  for (const GameEvent& call : start.events) {
+    sink_(eventJson({call, std::nullopt, start.referee->score}, dt_).dump() + '\n');
+  }
+  sink_(eventJson(restartEvent(start, dt_), dt_).dump() + '\n');
+}
+
+void EventLines::ticked(const MatchTick& tick) {
+  for (const GameEvent& call : tick.events) {
+    sink_(eventJson({call, std::nullopt, tick.referee->score}, dt_).dump() + '\n');
+  }
+}
+
+void EventLines::matchEnds(const RefereeState& referee, Tick tick) {
+  Json end = {{"tick", tick},
+              {"time_s", static_cast<double>(tick) * dt_},
+              {"period", referee.period},
+              {"event", "end"},
+              {"complete", referee.ended},
+              {"score", {referee.score[0], referee.score[1]}}};
+  sink_(end.dump() + '\n');
+}
+
+}  // namespace fulbito

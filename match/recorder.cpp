@@ -1,0 +1,161 @@
+#include "match/recorder.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "engine/core/presets.hpp"
+#include "strategies/team_frame.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr int kChunkSeconds = 5;
+constexpr int kSampleRate = 30;  // [Hz]
+/// Steps that are finer than this are not counted in whole numbers.
+constexpr double kLeastStep = 1e-6;  // [rad/s]
+
+RecordingRecipe recipeOf(const MatchConfig& config) {
+  RecordingRecipe recipe;
+  recipe.rules = toToml(config.rules);
+  recipe.physics = toToml(config.physics);
+  recipe.robot = toToml(config.robot);
+  recipe.field = toToml(config.field);
+  recipe.teams = {config.teams[0].text, config.teams[1].text};
+  recipe.latency_ticks = config.vision.latency_ticks;
+  recipe.position_noise = config.vision.position_noise;
+  recipe.heading_noise = config.vision.heading_noise;
+  recipe.dropout = config.vision.dropout;
+  recipe.seed = config.seed;
+  const auto more = [&recipe](const char* name, const auto& value) {
+    recipe.more.emplace_back(name, fmt::format("{}", value));
+  };
+  more("placement_position_error", config.placement_error.position);
+  more("placement_heading_error", config.placement_error.heading);
+  more("decision_work", config.decision_work);
+  more("start", config.start ? "given" : "kick-off");
+  more("scoreboard_blue", config.scoreboard.score[0]);
+  more("scoreboard_yellow", config.scoreboard.score[1]);
+  more("scoreboard_period", config.scoreboard.period);
+  more("scoreboard_play_seconds", config.scoreboard.play_seconds);
+  return recipe;
+}
+
+RecordedStart startOf(const RobotPlacement& robot) {
+  return {true, robot.pose, robot.velocity, robot.angular_velocity, {}};
+}
+
+}  // namespace
+
+RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level) {
+  RecordingHeader header;
+  header.kind = RecordingKind::kMatch;
+  header.level = level;
+  header.control_rate = config.physics.control_rate;
+  header.command_step =
+      config.physics.wheel_command_step < kLeastStep ? 0.0 : config.physics.wheel_command_step;
+  header.sample_every = std::max(1, (config.physics.control_rate + kSampleRate / 2) / kSampleRate);
+  header.chunk_ticks = kChunkSeconds * config.physics.control_rate;
+  for (const TeamId team : kTeams) {
+    for (int i = 0; i < config.rules.team_size; ++i) {
+      header.bodies.push_back({BodyKind::kRobot, RobotId{team, static_cast<std::uint8_t>(i)}});
+    }
+  }
+  header.bodies.push_back({BodyKind::kBall, {}});
+  header.recipe = recipeOf(config);
+  header.build = buildInfo();
+  return header;
+}
+
+Result<MatchRecorder> MatchRecorder::create(const std::string& file, const MatchConfig& config,
+                                            RecordingLevel level) {
+  auto writer = RecordingWriter::create(file, recordingHeader(config, level));
+  if (!writer) return tl::unexpected<Error>(writer.error());
+  return MatchRecorder(std::move(*writer));
+}
+
+Result<MatchRecorder> MatchRecorder::create(RecordingWriter::Sink sink, const MatchConfig& config,
+                                            RecordingLevel level) {
+  auto writer = RecordingWriter::create(std::move(sink), recordingHeader(config, level));
+  if (!writer) return tl::unexpected<Error>(writer.error());
+  return MatchRecorder(std::move(*writer));
+}
+
+void MatchRecorder::playBegins(const PlayStart& start) {
+  RecordedPlay play;
+  play.tick = start.tick;
+  play.kind = start.call.kind;
+  play.team = start.call.team;
+  play.ball = start.call.ball;
+  play.delay = start.call.delay;
+  play.defenders_back = start.call.defenders_back;
+  play.period = start.referee->period;
+  play.play_ticks = start.referee->play_ticks;
+  play.score = start.referee->score;
+  play.blue_side = start.referee->blue_side;
+  play.hash = hash_;
+  std::size_t next = 0;
+  for (const RecordedBody& body : writer_.header().bodies) {
+    RecordedStart& place = play.starts.emplace_back();
+    if (body.kind == BodyKind::kBall) {
+      const BallPlacement& ball = start.world->balls.front();
+      place = {true, {ball.position, 0.0}, ball.velocity, 0.0, ball.spin};
+    } else if (next < start.ids.size() && body.id == start.ids[next]) {
+      place = startOf(start.world->robots[next++]);
+    }
+  }
+  writer_.beginPlay(play);
+  for (const GameEvent& event : start.events) add(event);
+}
+
+void MatchRecorder::ticked(const MatchTick& tick) {
+  hash_ = tick.hash;
+  writer_.add(RecordingTick{tick.world, tick.commands, tick.hash, tick.referee->playing});
+  for (const GameEvent& event : tick.events) add(event);
+  if (writer_.header().level == RecordingLevel::kFull) addDrawings(tick);
+}
+
+void MatchRecorder::add(const GameEvent& event) {
+  event_.tick = event.tick;
+  event_.play_time = event.play_time;
+  event_.period = event.period;
+  event_.clause.assign(event.clause);
+  event_.law.assign(event.law);
+  event_.team = event.team;
+  event_.robot = event.robot;
+  event_.place = event.place;
+  event_.value = event.value;
+  event_.threshold = event.threshold;
+  event_.margin = event.margin;
+  writer_.add(event_);
+}
+
+void MatchRecorder::addDrawings(const MatchTick& tick) {
+  if (tick.tick % writer_.header().sample_every != 0) return;
+  for (const TeamId team : kTeams) {
+    const TeamCommand* decision = tick.decisions[indexOf(team)];
+    if (decision == nullptr) continue;
+    const Side side = tick.referee->sideOf(team);
+    for (const DebugDrawing& drawing : decision->drawings) {
+      drawing_.tick = tick.tick;
+      drawing_.team = team;
+      drawing_.kind = static_cast<RecordedDrawing::Kind>(drawing.kind);
+      drawing_.from = inTeamFrame(side, drawing.from);
+      drawing_.to = inTeamFrame(side, drawing.to);
+      drawing_.radius = drawing.radius;
+      drawing_.text.assign(drawing.text);
+      writer_.add(drawing_);
+    }
+  }
+}
+
+void MatchRecorder::matchEnds(const RefereeState& referee, Tick) {
+  RecordingResult result;
+  result.complete = referee.ended;
+  result.score = referee.score;
+  result.final_hash = hash_;
+  if (referee.ended) result.outcome = referee.winner ? nameOf(*referee.winner) : "draw";
+  written_ = writer_.finish(result);
+}
+
+}  // namespace fulbito

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/sim/world.hpp"
+#include "replays/recording_reader.hpp"
+
+namespace fulbito {
+
+/// The beginning of a play while a recording is played again.
+struct ReplayedPlay {
+  const RecordedPlay* recorded = nullptr;
+  std::int64_t number = 0;       ///< from 0
+  const World* world = nullptr;  ///< new, from the recorded start
+  std::span<const RobotId> ids;  ///< of the world's robots; of a trial, blue 0
+  std::span<const std::size_t>
+      bodies;              ///< of the header: robots, balls and obstacles of the world, in this order
+  std::uint64_t hash = 0;  ///< running hash as it was computed again up to here
+};
+
+/// One tick of a recording, played again.
+struct ReplayedTick {
+  Tick tick = 0;  ///< of the recording, after the step
+  const World* world = nullptr;
+  std::span<const RobotId> ids;
+  std::span<const WheelSpeeds> commands;  ///< as recorded, one a robot of the world
+  std::uint64_t hash = 0;                 ///< running, computed again from the play's recorded one
+  const RecordedChunk* chunk = nullptr;   ///< what was recorded around this tick
+  std::size_t row = 0;                    ///< of the tick in it
+};
+
+/// Someone who is shown a recording as it is played again.
+class ReplayVisitor {
+ public:
+  virtual ~ReplayVisitor() = default;
+  /// @{ False ends the replay there.
+  virtual bool playBegins(const ReplayedPlay&) { return true; }
+  virtual bool ticked(const ReplayedTick&) { return true; }
+  /// @}
+};
+
+/// Plays a recording again: builds every play's world from its recorded start and applies the recorded
+/// commands. No team and no referee takes part. Errors: kBadInput naming the file, for a recipe that makes no
+/// world.
+Result<void> resimulate(const RecordingReader& recording, ReplayVisitor& visitor);
+
+/// Name of a body: "blue 0", "robot 0" of a trial, "ball", "obstacle 3".
+std::string bodyName(const RecordingHeader& header, std::size_t body);
+
+}  // namespace fulbito

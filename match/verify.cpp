@@ -1,0 +1,176 @@
+#include "match/verify.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "match/resimulate.hpp"
+
+namespace fulbito {
+namespace {
+
+/// In steps of a sample: half of one is what rounding does.
+constexpr double kRounding = 0.75;
+
+class Verifier final : public ReplayVisitor {
+ public:
+  explicit Verifier(const RecordingReader& recording) : recording_(recording), header_(recording.header()) {}
+
+  bool playBegins(const ReplayedPlay& play) override {
+    if (found_) return false;
+    play_ = play.number;
+    began_ = play.recorded->tick;
+    bodies_.assign(play.bodies.begin(), play.bodies.end());
+    robots_ = play.world->state().robots.size();
+    ++result_.plays;
+    if (play.hash != play.recorded->hash) diverge(began_, "the play does not follow the one before it");
+    return !found_;
+  }
+
+  bool ticked(const ReplayedTick& tick) override {
+    result_.ticks = tick.tick;
+    result_.final_hash = tick.hash;
+    const RecordedCheck* check = checkAt(tick);
+    const bool differs = static_cast<std::uint16_t>(tick.hash) != tick.chunk->tick_hashes[tick.row] ||
+                         (check != nullptr && check->hash != tick.hash);
+    if (differs && !found_) diverge(tick.tick, "");
+    if (!found_) return true;
+    if (check != nullptr) nameByHash(tick, *check);
+    if (const RecordedSample* sample = sampleAt(tick)) nameBySample(tick, *sample);
+    return !found_->body;
+  }
+
+  Verification take() {
+    result_.seconds = static_cast<double>(result_.ticks) / header_.control_rate;
+    result_.finished = recording_.finished();
+    const BuildInfo &made = header_.build, &own = buildInfo();
+    result_.same_build = made.version == own.version && made.compiler == own.compiler &&
+                         made.type == own.type && made.box2d == own.box2d;
+    const auto& end = recording_.result();
+    if (!found_ && end && end->final_hash != result_.final_hash) {
+      diverge(result_.ticks, "the final hash is another");
+    }
+    if (found_) describe();
+    result_.divergence = found_;
+    return result_;
+  }
+
+ private:
+  static const RecordedCheck* checkAt(const ReplayedTick& tick) {
+    for (const RecordedCheck& check : tick.chunk->checks) {
+      if (check.tick == tick.tick) return &check;
+    }
+    return nullptr;
+  }
+  const RecordedSample* sampleAt(const ReplayedTick& tick) const {
+    const Tick every = header_.sample_every;
+    if (tick.chunk->samples.empty() || tick.tick % every != 0) return nullptr;
+    return &tick.chunk
+                ->samples[static_cast<std::size_t>(tick.tick / every - tick.chunk->first_tick / every - 1)];
+  }
+
+  void diverge(Tick tick, const char* what) {
+    found_.emplace();
+    found_->tick = tick;
+    found_->play = play_;
+    found_->play_tick = tick - began_;
+    found_->text = what;
+  }
+
+  void nameBody(std::size_t body, Tick tick, const char* field) {
+    found_->body = body;
+    found_->body_name = bodyName(header_, body);
+    found_->body_tick = tick;
+    found_->field = field;
+  }
+
+  void nameByHash(const ReplayedTick& tick, const RecordedCheck& check) {
+    const WorldState& world = tick.world->state();
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const BodyHash now = hashOf(world, i), then = check.bodies[bodies_[i]];
+      if (now == then) continue;
+      if (!found_->body) nameBody(bodies_[i], tick.tick, now.place != then.place ? "place" : "motion");
+      ++found_->bodies;
+    }
+  }
+
+  BodyHash hashOf(const WorldState& world, std::size_t i) const {
+    if (i < robots_) return bodyHash(world.robots[i]);
+    if (i < robots_ + world.balls.size()) return bodyHash(world.balls[i - robots_]);
+    return bodyHash(world.obstacles[i - robots_ - world.balls.size()]);
+  }
+  Pose2 poseOf(const WorldState& world, std::size_t i) const {
+    if (i < robots_) return world.robots[i].pose;
+    if (i < robots_ + world.balls.size()) return {world.balls[i - robots_].position, 0.0};
+    return world.obstacles[i - robots_ - world.balls.size()].pose;
+  }
+
+  /// The body that is farthest from where it was recorded, by at least one step of the samples.
+  void nameBySample(const ReplayedTick& tick, const RecordedSample& sample) {
+    double most = kRounding;
+    int differ = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      bool same = true;
+      const Pose2 now = poseOf(tick.world->state(), i);
+      const Pose2& then = sample.poses[bodies_[i]];
+      const auto compare = [&](const char* field, double recorded, double replayed, double step) {
+        const double steps = std::abs(recorded - replayed) / step;
+        same = same && steps <= kRounding;
+        if (!(steps > most)) return;
+        most = steps;
+        nameBody(bodies_[i], tick.tick, field);
+        found_->recorded = recorded;
+        found_->replayed = replayed;
+      };
+      compare("x", then.position.x, now.position.x, kSamplePlaceStep);
+      compare("y", then.position.y, now.position.y, kSamplePlaceStep);
+      compare("heading", then.heading, now.heading, kSampleHeadingStep);
+      differ += same ? 0 : 1;
+    }
+    if (differ > 0) found_->bodies = differ;
+  }
+
+  void describe() {
+    Divergence& d = *found_;
+    std::string text =
+        fmt::format("differs from tick {} on (tick {} of play {}, {:.3f} s)", d.tick, d.play_tick, d.play + 1,
+                    static_cast<double>(d.tick) / header_.control_rate);
+    if (!d.text.empty()) text += ": " + d.text;
+    if (d.body) {
+      text += fmt::format("; at tick {} {} of {}", d.body_tick, d.field, d.body_name);
+      text += d.recorded == d.replayed
+                  ? std::string(" differs")
+                  : fmt::format(" is {:.6f} where {:.6f} was recorded", d.replayed, d.recorded);
+      if (d.bodies > 1) text += fmt::format(" ({} bodies differ there)", d.bodies);
+    }
+    d.text = text;
+  }
+
+  const RecordingReader& recording_;
+  const RecordingHeader& header_;
+  Verification result_;
+  std::optional<Divergence> found_;
+  std::vector<std::size_t> bodies_;
+  std::size_t robots_ = 0;
+  std::int64_t play_ = 0;
+  Tick began_ = 0;
+};
+
+}  // namespace
+
+Result<Verification> verify(const RecordingReader& recording) {
+  Verifier verifier(recording);
+  if (auto played = resimulate(recording, verifier); !played) return tl::unexpected<Error>(played.error());
+  return verifier.take();
+}
+
+Result<Verification> verifyRecording(const std::string& file) {
+  const auto recording = RecordingReader::open(file);
+  if (!recording) return tl::unexpected<Error>(recording.error());
+  auto verified = verify(*recording);
+  if (!verified) return fail(verified.error().code, file + ": " + verified.error().message);
+  return verified;
+}
+
+}  // namespace fulbito

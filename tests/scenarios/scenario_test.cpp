@@ -1,0 +1,42 @@
+#include "tests/scenarios/scenario.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/support/catch.hpp"
+
+namespace fulbito::test {
+namespace {
+
+std::vector<std::string> scenarioNames() {
+  const std::filesystem::path root = FULBITO_SCENARIOS;
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
+    if (entry.path().filename() != "scenario.toml") continue;
+    names.push_back(std::filesystem::relative(entry.path().parent_path(), root).generic_string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("every scenario is judged as its file says, in four variants", "[scenarios]") {
+  const std::vector<std::string> names = scenarioNames();
+  CHECK(names.size() >= 60);
+  for (const std::string& name : names) {
+    const auto scenario = loadScenario(std::string(FULBITO_SCENARIOS) + "/" + name, name);
+    INFO(name);
+    if (!scenario) FAIL_CHECK(scenario.error().message);
+    if (!scenario) continue;
+    for (const bool sides : {false, true}) {
+      for (const bool colours : {false, true}) {
+        INFO((sides ? "sides exchanged" : "sides as given"));
+        INFO((colours ? "colours swapped" : "colours as given"));
+        CHECK(playScenario(*scenario, {sides, colours}) == "");
+      }
+    }
+  }
+}
+
+}  // namespace fulbito::test

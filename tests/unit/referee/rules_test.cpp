@@ -1,0 +1,111 @@
+#include "referee/rules.hpp"
+
+#include "engine/core/presets.hpp"
+#include "referee/check_places.hpp"
+#include "referee/rules_schema.hpp"
+#include "tests/support/catch.hpp"
+
+namespace fulbito {
+namespace {
+
+std::string errorOf(const std::string& text) {
+  const auto rules = parseRules(text, "x.toml");
+  return rules ? "" : rules.error().message;
+}
+
+}  // namespace
+
+TEST_CASE("the embedded profiles load under their names", "[unit]") {
+  CHECK(rulesPresetNames() ==
+        std::vector<std::string>{"league-program-2021", "training", "vsss-3v3", "vsss-5v5"});
+  for (const std::string& name : rulesPresetNames()) {
+    const auto rules = loadRules(name);
+    REQUIRE(rules);
+    CHECK(rules->name == name);
+    CHECK(validate(*rules));
+  }
+}
+
+TEST_CASE("the defaults of the struct are the profile vsss-3v3", "[unit]") {
+  CHECK(toToml(*loadRules("vsss-3v3")) == toToml(Rules{}));
+}
+
+TEST_CASE("every key of every table stands in every embedded profile, with its source", "[unit]") {
+  Rules rules;
+  for (const std::string& name : rulesPresetNames()) {
+    const std::string text = *rulesPresetText(name);
+    for (const RulesTable& table : tablesOf(rules)) {
+      CHECK(text.find("\n[" + table.name + "]\n") != std::string::npos);
+      for (const SchemaKey& key : table.schema) {
+        INFO(name << " " << table.name << "." << key.key);
+        const std::size_t line = text.find("\n" + key.key + " = ");
+        REQUIRE(line != std::string::npos);
+        const std::string shown = text.substr(line + 1, text.find('\n', line + 1) - line - 1);
+        CHECK(shown.find("  # ") != std::string::npos);
+      }
+    }
+  }
+}
+
+TEST_CASE("a profile printed and read again is the same", "[unit]") {
+  for (const std::string& name : rulesPresetNames()) {
+    const Rules rules = *loadRules(name);
+    const auto again = parseRules(toToml(rules), "printed");
+    REQUIRE(again);
+    CHECK(toToml(*again) == toToml(rules));
+  }
+}
+
+TEST_CASE("a profile that lacks keys keeps the defaults, and is named after its file", "[unit]") {
+  const auto rules = parseRules("[rules]\n[periods]\nhalf_seconds = 60\n", "folder/mine.toml");
+  REQUIRE(rules);
+  CHECK(rules->name == "mine");
+  CHECK(rules->half_seconds == 60.0);
+  CHECK(rules->team_size == 3);
+}
+
+TEST_CASE("a bad profile is refused with file, line, key and range", "[unit]") {
+  CHECK(errorOf("[periods]\n") == "x.toml:1: the table [rules] is missing");
+  CHECK(errorOf("[rules]\n\n[periods]\nhalf_seconds = -3\n") ==
+        "x.toml:4: periods.half_seconds = -3 is outside 0.1 ... 7200 s");
+  CHECK(errorOf("[rules]\n[periods]\nhalf_second = 3\n") ==
+        "x.toml:3: periods.half_second is not a key of [periods]. Did you mean 'half_seconds'?");
+  CHECK(errorOf("[rules]\nteam_size = 12\n") == "x.toml:2: rules.team_size = 12 is outside 1 ... 11 robots");
+  CHECK(errorOf("[rules]\n[periods]\ntie_break = \"dice\"\n") ==
+        "x.toml:3: periods.tie_break = \"dice\" is not one of none, overtime, shoot-out, overtime+shoot-out");
+  CHECK(errorOf("[rules]\n[shoot_out]\nkicks = 30\n").find("x.toml:2: shoot_out.max_kicks") == 0);
+  CHECK(errorOf("[rules]\n[restart]\nfalse_start_release = 0.5\n") ==
+        "x.toml:3: restart.false_start_release = 0.5 must be at most false_start_distance = 0.02");
+  CHECK(errorOf("[rules]\n[goal_kick]\ntaker = [[0.1, 0.2], [1, 2], 3]\n")
+            .find("x.toml:3: goal_kick.taker[2]") == 0);
+  CHECK(errorOf("[rules]\n[goal_kick]\ntaker = [[0.1, nan]]\n").find("x.toml:3: goal_kick.taker[0]") == 0);
+  CHECK(errorOf("[rules]\n[referee]\n").find("x.toml:2: 'referee' is not a table of this file.") == 0);
+  std::string many = "[rules]\n[kick_off]\ntaker = [[0, 0]";
+  for (int i = 0; i < 11; ++i) many += ", [0, 0]";
+  CHECK(errorOf(many + "]\n") == "x.toml:3: kick_off.taker has 12 places; at most 11 are allowed");
+}
+
+TEST_CASE("places that the laws do not allow are told, and the embedded profiles have none", "[unit]") {
+  for (const std::string& name : rulesPresetNames()) {
+    const Rules rules = *loadRules(name);
+    CHECK(findBadPlaces(rules, *loadField(rules.field), RobotModel()).empty());
+  }
+  Rules rules;
+  rules.penalty.places.other[2] = {0.1, 0.4};
+  rules.goal_kick.places.taker[1] = {0.8, 0.8};
+  CHECK(findBadPlaces(rules, FieldGeometry(), RobotModel()) ==
+        std::vector<std::string>{"penalty: robot 2 of the other team is not beyond the half-way line",
+                                 "goal-kick: robot 1 of the taking team is not on the field"});
+}
+
+TEST_CASE("an unknown profile is a usage error with a suggestion", "[unit]") {
+  const auto rules = loadRules("vsss-3v4");
+  REQUIRE_FALSE(rules);
+  CHECK(rules.error().code == ErrorCode::kUsage);
+  CHECK(rules.error().message.find("Did you mean 'vsss-3v3'?") != std::string::npos);
+  const auto file = loadRules("/nowhere/x.toml");
+  REQUIRE_FALSE(file);
+  CHECK(file.error().code == ErrorCode::kIo);
+}
+
+}  // namespace fulbito
