@@ -41,12 +41,13 @@ int checkRules(const std::string& file) {
 }  // namespace
 
 CLI::App* addRules(CLI::App& app, RulesOptions& options) {
-  CLI::App* command = app.add_subcommand("rules", "print or check a profile of rules");
+  CLI::App* command = app.add_subcommand("rules", "print, check or compare profiles of rules");
   command->footer(
       "Examples:\n"
       "  fulbito rules show vsss-3v3                 every number, with its source\n"
       "  fulbito rules show training > mine.toml     a profile to change\n"
-      "  fulbito rules check mine.toml");
+      "  fulbito rules check mine.toml\n"
+      "  fulbito rules compare vsss-3v3 league-program-2021 game.fbr");
   command->require_subcommand(1);
   command->add_subcommand("show", "print every number of a profile with its source")
       ->add_option("name", options.show, "profile or TOML file")
@@ -54,10 +55,12 @@ CLI::App* addRules(CLI::App& app, RulesOptions& options) {
   command->add_subcommand("check", "say what is wrong with a profile: file, line, key and range")
       ->add_option("file", options.check, "TOML file or profile")
       ->required();
+  addRulesCompare(*command, options.compare);
   return command;
 }
 
 int rules(const RulesOptions& options) {
+  if (!options.compare.files.empty()) return compareRules(options.compare);
   return options.show.empty() ? checkRules(options.check) : showRules(options.show);
 }
 

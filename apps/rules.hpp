@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "apps/rules_compare.hpp"
+
 namespace CLI {
 class App;
 }
@@ -12,9 +14,10 @@ namespace fulbito::app {
 struct RulesOptions {
   std::string show;   ///< preset or file whose numbers are printed
   std::string check;  ///< file that is checked
+  RulesCompareOptions compare;
 };
 
-/// Adds `rules` with its parts `show` and `check`.
+/// Adds `rules` with its parts `show`, `check` and `compare`.
 CLI::App* addRules(CLI::App& app, RulesOptions& options);
 
 /// Runs the part that was given and returns its exit code.
