@@ -103,7 +103,7 @@ void printTeams() {
     }
   }
   fmt::print(
-      "Set parameters like this: fulbito match libero:navigator=bezier:clearance=0.03+follower=classic\n");
+      "Set parameters like this: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
 }
 
 /// The first sentence of the comment that a preset file begins with.

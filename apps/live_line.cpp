@@ -33,10 +33,11 @@ void LiveLine::update(const Match& match) {
   if (static_cast<double>(time - last_) * 1e-9 < kPeriod) return;
   const double elapsed = static_cast<double>(time - begin_) * 1e-9;
   const RefereeState& referee = match.referee();
-  const int clock = static_cast<int>(static_cast<double>(referee.play_ticks) * config_.physics.controlPeriod());
+  const int clock =
+      static_cast<int>(static_cast<double>(referee.play_ticks) * config_.physics.controlPeriod());
   fmt::print(stderr, "\r{} {} : {} {}   {} {:02}:{:02}   {:.0f} x real time\033[K", config_.teams[0].text,
-             referee.score[0], referee.score[1], config_.teams[1].text, periodText(referee.period), clock / 60,
-             clock % 60, match.seconds() / elapsed);
+             referee.score[0], referee.score[1], config_.teams[1].text, periodText(referee.period),
+             clock / 60, clock % 60, match.seconds() / elapsed);
   std::fflush(stderr);
   last_ = time;
   drawn_ = true;

@@ -30,7 +30,8 @@ class LineFile {
     if (file == nullptr) return fail(ErrorCode::kIo, fmt::format("{}: {}", name, std::strerror(errno)));
     return LineFile(file, name);
   }
-  LineFile(LineFile&& from) noexcept : file_(std::exchange(from.file_, nullptr)), name_(std::move(from.name_)) {}
+  LineFile(LineFile&& from) noexcept
+      : file_(std::exchange(from.file_, nullptr)), name_(std::move(from.name_)) {}
   LineFile& operator=(LineFile&&) = delete;
   ~LineFile() {
     if (file_ != nullptr && file_ != stdout) std::fclose(file_);
@@ -56,9 +57,9 @@ Result<void> checkFlags(const MatchCommand& options) {
     return fail(ErrorCode::kUsage, "--events: '-' and --json both want stdout; give --events a file");
   }
   if (options.pairs == 0) return {};
-  for (const auto& [flag, given] : {std::pair{"--record", !options.record.empty()},
-                                    std::pair{"--events", !options.events.empty()},
-                                    std::pair{"--profile", options.profile}}) {
+  for (const auto& [flag, given] :
+       {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
+        std::pair{"--profile", options.profile}}) {
     if (given) {
       return fail(ErrorCode::kUsage, fmt::format("{}: is of one match, and cannot go with -n/--pairs", flag));
     }
@@ -95,7 +96,7 @@ Result<MatchConfig> configOf(const MatchCommand& options) {
   config.robot = std::move(*robot);
   config.physics = std::move(*physics);
   config.vision = options.vision;
-  // As for trials: the two ends of a body whose coordinates are off by S each.
+  // As in trials: the heading of a body whose front and back are each seen that far off.
   config.vision.heading_noise = 2.0 * config.vision.position_noise / config.robot.robot.length;
   config.seed = options.seed;
   if (auto started = addStart(options.start, config); !started) return tl::unexpected<Error>(started.error());
@@ -226,7 +227,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
       "  fulbito match libero idle --start corner.toml --events -\n"
       "Names: fulbito list teams, fulbito list rules. More: docs/matches.md.");
-  command->add_option("blue", options.blue, "team that defends the left goal, e.g. libero:aggression=0.7")
+  command->add_option("blue", options.blue, "team that defends the left goal, e.g. classic:navigator=bezier")
       ->capture_default_str();
   command->add_option("yellow", options.yellow, "the other team")->capture_default_str();
   addConditions(*command, options);

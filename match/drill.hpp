@@ -66,6 +66,7 @@ struct DrillRobot {
   Vec2 spread;                  ///< [m] uniformly to either side
   bool from_ball = false;       ///< `at` counts from the ball
   bool behind_ball = false;     ///< and along the line from the ball to the opponents' goal, which is its x
+  bool equal_gap = false;       ///< y is the ball's bisector point: gaps to both posts are equal
   bool face_ball = false;       ///< `heading` counts from the direction of the ball
   double heading = 0.0;         ///< [rad]
   double heading_spread = 0.0;  ///< [rad] uniformly to either side

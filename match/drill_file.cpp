@@ -89,6 +89,7 @@ Schema schemaOf(DrillRobot& r) {
       {"spread", &r.spread, 0.0, kFar, "m", "to either side"},
       {"from_ball", &r.from_ball, 0, 1, "", "places count from the ball"},
       {"behind_ball", &r.behind_ball, 0, 1, "", "with x toward the opponents' goal"},
+      {"equal_gap", &r.equal_gap, 0, 1, "", "y leaves equal gaps to both posts as seen from the ball"},
       {"face_ball", &r.face_ball, 0, 1, "", "the heading counts from the ball's direction"},
       {"heading", Angle{&r.heading}, -180.0, 180.0, "", ""},
       {"heading_spread", Angle{&r.heading_spread}, 0.0, 180.0, "", "to either side"},

@@ -11,10 +11,20 @@ namespace {
 
 constexpr double kLongest = 5.0;  // [s] after which an interception is given up
 
+/// Whether one of the tested team's robots can be at the ball by then.
+bool meets(const DrillScene& scene, const RobotPreset& robot, Vec2 ball, double time) {
+  const double reach = robot.robot.length / 2 + robot.ball.radius;
+  const auto& own = scene.placement.robots[indexOf(TeamId::kBlue)];
+  return std::any_of(own.begin(), own.end(), [&](const std::optional<Pose2>& pose) {
+    if (!pose) return false;
+    const Vec2 way = ball - pose->position;
+    const double bearing = math::wrapAngle(math::angleOf(way) - pose->heading);
+    return timeToReach(robot.robot, std::max(0.0, norm(way) - reach), bearing) <= time;
+  });
+}
+
 /// The first time at which a robot can be at the ball, which rolls on a field without robots.
 double timeToMeet(const DrillScene& scene, const MatchConfig& config) {
-  const auto& pose = scene.placement.robots[indexOf(TeamId::kBlue)][0];
-  if (!pose) return 0.0;
   WorldConfig alone;
   alone.field = config.field;
   alone.physics = config.physics;
@@ -22,15 +32,10 @@ double timeToMeet(const DrillScene& scene, const MatchConfig& config) {
   alone.balls.push_back({config.robot.ball, scene.placement.ball, velocity, velocity});
   auto world = World::create(alone);
   if (!world) return 0.0;
-  const double reach = config.robot.robot.length / 2 + config.robot.ball.radius;
-  const double dt = config.physics.controlPeriod();
   double time = 0.0;
-  while (time < kLongest) {
-    const Vec2 way = world->state().balls.front().position - pose->position;
-    const double bearing = math::wrapAngle(math::angleOf(way) - pose->heading);
-    if (timeToReach(config.robot.robot, std::max(0.0, norm(way) - reach), bearing) <= time) break;
+  while (time < kLongest && !meets(scene, config.robot, world->state().balls.front().position, time)) {
     world->step({});
-    time = static_cast<double>(world->state().tick) * dt;
+    time = static_cast<double>(world->state().tick) * config.physics.controlPeriod();
   }
   return time;
 }
@@ -56,19 +61,15 @@ double timeToTurn(const RobotModel& robot, double angle) {
 }
 
 double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig& config) {
+  const DrillTask task = drill.starts[static_cast<std::size_t>(scene.start)].task;
+  if (task == DrillTask::kPlay) return isRace(drill) ? timeToMeet(scene, config) : 0.0;
   const auto& pose = scene.placement.robots[indexOf(TeamId::kBlue)][0];
   if (!pose) return 0.0;
   const double turn = math::wrapAngle(scene.exercise.heading - pose->heading);
-  switch (drill.starts[static_cast<std::size_t>(scene.start)].task) {
-    case DrillTask::kReachPose:
-      return timeToReach(config.robot.robot, distance(scene.exercise.target, pose->position), turn);
-    case DrillTask::kTurn:
-      return timeToTurn(config.robot.robot, turn);
-    case DrillTask::kPlay:
-      return isRace(drill) ? timeToMeet(scene, config) : 0.0;
-    default:
-      return 0.0;
+  if (task == DrillTask::kReachPose) {
+    return timeToReach(config.robot.robot, distance(scene.exercise.target, pose->position), turn);
   }
+  return task == DrillTask::kTurn ? timeToTurn(config.robot.robot, turn) : 0.0;
 }
 
 }  // namespace fulbito

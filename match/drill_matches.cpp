@@ -3,6 +3,8 @@
 
 #include "match/drill_trials.hpp"
 #include "match/match.hpp"
+#include "referee/clauses.hpp"
+#include "strategies/team_frame.hpp"
 
 namespace fulbito {
 namespace {
@@ -28,6 +30,7 @@ class MatchTally final : public MatchObserver {
   }
 
   void ticked(const MatchTick& tick) override {
+    side_ = tick.referee->sideOf(team_);
     tally_.seconds = static_cast<double>(tick.tick) * dt_;
     for (const ContactEvent& contact : tick.contacts) {
       if (contact.b.kind != BodyKind::kBall || contact.a.kind != BodyKind::kRobot) continue;
@@ -47,16 +50,19 @@ class MatchTally final : public MatchObserver {
 
  private:
   void count(const GameEvent& event, Tick now) {
-    if (event.clause == "goal") {
+    if (event.clause == clause::kGoal) {
       if (event.team == team_) return;
       tally_.own_goals += own_touch_last_ ? 1 : 0;
       tally_.early_goals += static_cast<double>(now - began_) * dt_ <= kEarly ? 1 : 0;
       return;
     }
+    // A disputed ball that is stuck in an area is called against nobody: its place says whose area.
+    const bool own_area = inTeamFrame(side_, event.place).x < 0.0;
+    if (event.clause == clause::kGoalKickStuck && own_area) ++tally_.own_stalls;
     if (event.team != team_) return;
-    if (event.clause == "goal-kick.attackers" || event.clause == "penalty.defenders") ++tally_.area_fouls;
-    if (event.clause == "penalty.stuck" || event.clause == "penalty.holding" ||
-        event.clause == "penalty.keeper-holds" || event.clause == "free-kick.holding") {
+    if (event.clause == clause::kAttackers || event.clause == clause::kDefenders) ++tally_.area_fouls;
+    if (event.clause == clause::kPenaltyStuck || event.clause == clause::kPenaltyHolding ||
+        event.clause == clause::kKeeperHolds || event.clause == clause::kFreeKickHolding) {
       ++tally_.own_stalls;
     }
   }
@@ -79,6 +85,7 @@ class MatchTally final : public MatchObserver {
 
   TeamId team_;
   DrillMatch tally_;
+  Side side_ = Side::kLeft;
   double dt_ = 1.0 / 60.0;
   Tick began_ = 0;
   Tick event_ = 0;  ///< when the last contact of a robot with the ball began, or play did

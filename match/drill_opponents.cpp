@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kTurnGain = 10.0;     // [1/s] yaw rate per heading error
 constexpr double kApproachGain = 8.0;  // [1/s] speed per distance left
+constexpr double kSettled = 0.2;       // [s] that a team has seen the ball before its answer counts
 constexpr double kKeeperLine = 0.055;  // [m] the keeper's centre before the goal line
 constexpr double kKeeperReach = 0.16;  // [m] of its centre off the middle
 constexpr double kBehind = 0.09;       // [m] robot's centre behind the ball when it begins to push
@@ -99,7 +100,7 @@ class Exercised final : public Strategy {
       log_->offered = false;
       return {};
     }
-    if (log_->asked < 0) {
+    if (log_->asked < 0 && observation.since_restart >= kSettled - observation.dt / 2) {
       log_->asked = observation.tick;
       log_->answer = reply->answer;
     }

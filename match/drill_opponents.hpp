@@ -8,8 +8,8 @@ namespace fulbito {
 /// What the tested team answered to its task.
 struct ExerciseLog {
   bool offered = true;
-  Tick asked = -1;  ///< tick of the observation of the first answer
-  Vec2 answer;      ///< the first one, in the team's frame
+  Tick asked = -1;  ///< tick of the observation of the answer that counts
+  Vec2 answer;      ///< that one, in the team's frame
 };
 
 /// A team whose robots play their roles, each for itself.

@@ -118,6 +118,10 @@ class SceneDraw {
     } else if (robot.from_ball) {
       at += ball;
     }
+    if (robot.equal_gap) {
+      const double goal = std::copysign(field_.length / 2, at.x);
+      at.y += ball.y * (goal - at.x) / (goal - ball.x);
+    }
     if (robot.face_ball) heading += math::angleOf(ball - at);
     return {at, math::wrapAngle(heading)};
   }

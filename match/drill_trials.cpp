@@ -15,7 +15,7 @@ namespace fulbito {
 namespace {
 
 constexpr double kNeverStuck = 600.0;  // [s] the most that rules allow
-constexpr double kEndless = 3600.0;  // [s] halves of trials: their own time ends them
+constexpr double kEndless = 3600.0;    // [s] halves of trials: their own time ends them
 
 /// Rules without laws but that of the goal.
 void callNothing(Rules& rules) {

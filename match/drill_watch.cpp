@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "referee/clauses.hpp"
 #include "strategies/team_frame.hpp"
 
 namespace fulbito {
@@ -85,7 +86,7 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
 void DrillWatch::ticked(const MatchTick& tick) {
   if (done_) return;
   const Now now = look(tick);
-  bounces_ += now.walls;
+  if (log_.asked >= 0) bounces_ += now.walls;
   hear(tick);
   follow(now);
   if (!trial_.success) {
@@ -103,7 +104,7 @@ void DrillWatch::ticked(const MatchTick& tick) {
 /// What the referee calls.
 void DrillWatch::hear(const MatchTick& tick) {
   for (const GameEvent& event : tick.events) {
-    if (event.clause == "goal" && event.team) {
+    if (event.clause == clause::kGoal && event.team) {
       goal_ = *event.team == scene_.seat ? 1 : -1;
     } else if (event.clause != "kick-off") {
       trial_.stopped_by = event.clause;
@@ -245,7 +246,7 @@ void DrillWatch::judgePush(const Now& now) {
 
 void DrillWatch::judgePrediction(const Now& now) {
   const double due = static_cast<double>(log_.asked) * dt_ + scene_.exercise.horizon;
-  if (now.time < due - dt_ / 2) return;
+  if (log_.asked < 0 || now.time < due - dt_ / 2) return;
   trial_.error = distance(log_.answer, now.ball.position);
   trial_.counted = !met_ && (start_.bounces < 0 || bounces_ == start_.bounces);
   if (trial_.error <= drill_.tolerance) succeed(now.time);

@@ -21,6 +21,7 @@ RefereeSetup setupOf(const MatchConfig& config) {
   setup.ball = config.robot.ball;
   setup.dt = config.physics.controlPeriod();
   setup.seed = config.seed;
+  setup.present = config.present;
   setup.scoreboard = config.scoreboard;
   return setup;
 }
@@ -151,10 +152,11 @@ void Match::Impl::decide() {
 void Match::Impl::advance() {
   PerTeam<std::array<WheelSpeeds, kMaxTeamSize>> wheels;
   for (const TeamId team : kTeams) wheels[indexOf(team)] = seats[indexOf(team)].drive();
+  const bool held = config.rules.restart.hold_robots && !referee.state().playing;
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const RobotId id = play->ids[i];
     Seat& seat = seats[indexOf(id.team)];
-    commands[i] = seat.policy().actuated(wheels[indexOf(id.team)][id.number]);
+    commands[i] = held ? WheelSpeeds{} : seat.policy().actuated(wheels[indexOf(id.team)][id.number]);
     seat.told(id.number, commands[i]);
   }
   stages.lap(&MatchProfile::navigate);

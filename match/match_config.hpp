@@ -52,7 +52,8 @@ struct MatchConfig {
   std::uint64_t seed = kDefaultMatchSeed;
   /// The most `TeamCommand::work` that a decision may take; above it, the decision before is held. 0: any.
   std::int64_t decision_work = 0;
-  std::optional<Placement> start;  ///< instead of the first kick-off; taken exactly, never repaired
+  PerTeam<bool> present{true, true};  ///< false: the team did not come (law 7.3)
+  std::optional<Placement> start;     ///< instead of the first kick-off; taken exactly, never repaired
   /// The first restart instead of the kick-off. With a `start`, only its kind and team count, and are told.
   std::optional<RestartCall> opening;
   Scoreboard scoreboard;  ///< how the match stands at its beginning

@@ -7,8 +7,8 @@
 namespace fulbito {
 namespace {
 
-constexpr int kLabelWidth = 26;
-constexpr int kColumnWidth = 16;
+constexpr int kLabelWidth = 32;
+constexpr int kColumnWidth = 14;
 
 /// Minutes and seconds.
 std::string clockText(double seconds) {
@@ -36,6 +36,23 @@ std::string goalLine(const MatchReport& report, const GoalRecord& goal) {
   }
   return fmt::format("  {}  {} {}   {} : {}   {} ({})\n", clockText(goal.seconds), periodText(goal.period),
                      clockText(goal.play_time), goal.score[0], goal.score[1], nameOf(report, goal.team), who);
+}
+
+/// Head of a team's column: its name, or its colour where names would not tell.
+std::string columnText(const MatchReport& report, TeamId team) {
+  const std::string& name = report.config.teams[indexOf(team)].info->name;
+  const bool same = name == report.config.teams[indexOf(other(team))].info->name;
+  return same || name.size() > kColumnWidth - 2 ? fulbito::nameOf(team) : name;
+}
+
+/// Calls that are against nobody, or that stand elsewhere in the summary.
+bool isFault(std::string_view clause) {
+  return clause != "goal" && clause != "kick-off" && clause != "full-time" && clause != "half";
+}
+
+std::string pluralOf(RestartKind kind) {
+  if (kind == RestartKind::kPenalty) return "penalties";
+  return kind == RestartKind::kGiven ? "given starts" : std::string(fulbito::nameOf(kind)) + "s";
 }
 
 /// A line of the table with one text a team.
@@ -80,12 +97,12 @@ std::string restartRows(const MatchStatistics& s) {
   std::string text;
   for (std::size_t kind = 0; kind < s.restarts.size(); ++kind) {
     if (s.restartCount(static_cast<RestartKind>(kind)) == 0) continue;
-    text += row(fmt::format("{}s taken", fulbito::nameOf(static_cast<RestartKind>(kind))),
+    text += row(pluralOf(static_cast<RestartKind>(kind)),
                 [&](TeamId t) { return fmt::format("{}", s.restarts[kind][indexOf(t)]); });
   }
   for (const CallCount& call : s.calls) {
-    if (call.against[0] + call.against[1] == 0 || call.clause == "goal") continue;
-    text += row(fmt::format("called: {}", call.clause),
+    if (call.against[0] + call.against[1] == 0 || !isFault(call.clause)) continue;
+    text += row(fmt::format("against: {}", call.clause),
                 [&](TeamId t) { return fmt::format("{}", call.against[indexOf(t)]); });
   }
   return text;
@@ -133,9 +150,9 @@ std::string matchText(const MatchReport& report) {
   std::string text = headline(report) + faultLine(report);
   if (!s.goals.empty()) text += "\n";
   for (const GoalRecord& goal : s.goals) text += goalLine(report, goal);
-  text += "\n" + row("", [&](TeamId t) { return nameOf(report, t).substr(0, kColumnWidth - 2); });
+  text += "\n" + row("", [&](TeamId t) { return columnText(report, t); });
   text += ballRows(s) + robotRows(report) + restartRows(s);
-  text += fmt::format("  {:<{}}{}\n", "contacts of opponents", kLabelWidth, s.opponent_contacts);
+  text += row("contacts of opponents", "", fmt::format("{}", s.opponent_contacts));
   text += fmt::format("\n  {:.1f} s simulated in {:.2f} s: {:.0f} x real time\n  final hash {:016x}\n",
                       report.simulated, report.wall, timesRealTime(report.simulated, report.wall),
                       report.final_hash);

@@ -25,7 +25,7 @@ void countBySpeed(const StuckRules& rules, const MatchView& view, double dt, Stu
     return;
   }
   if (memory.fast_since < 0) memory.fast_since = view.tick;
-  if (view.tick - memory.fast_since >= ticksOf(rules.release_seconds, dt)) memory.counting = false;
+  if (view.tick - memory.fast_since + 1 >= ticksOf(rules.release_seconds, dt)) memory.counting = false;
 }
 
 /// The team that attacks the half where the ball lies; on the halfway line the one that did not begin this

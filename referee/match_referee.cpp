@@ -128,7 +128,9 @@ std::optional<RestartCall> MatchReferee::waitForSignal(const MatchView& view, Ev
       event.team = fault->robot.team;
       event.robot = fault->robot.number;
       event.value = fault->moved;
-      event.threshold = rules.false_start_distance;
+      // Once it counted as away, it does so down to the release distance.
+      event.threshold =
+          event.value > rules.false_start_distance ? rules.false_start_distance : rules.false_start_release;
       event.margin = event.value - event.threshold;
       events.push_back(event);
       return punish(setup_, state_, *fault, view);

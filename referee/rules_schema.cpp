@@ -28,7 +28,7 @@ Schema periodSchema(Rules& r) {
       {"first_kick_off", choice(p.first_kick_off, {"toss", "blue", "yellow"}), 0, 0, "",
        "who begins; the toss comes from the match's random stream; law 6"},
       {"swap_kick_off", &p.swap_kick_off, 0, 0, "",
-       "the other team begins the second half; law 6, the league program: false"},
+       "the other team begins the second half; FIRA's program: false"},
       {"swap_sides", &p.swap_sides, 0, 0, "",
        "sides change at half-time; law 6: true, league program: false"},
       {"mercy_goals", &p.mercy_goals, 0, 1000, "goals", "lead that ends the match, 0 = none; league option"},

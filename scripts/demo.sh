@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# From a fresh clone to the comparison's table and pictures: installs what is missing, builds, runs the main job.
+# From a fresh clone to the comparison's table and pictures and a match: installs what is missing, builds, runs the main jobs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 if [ "${1:-}" = "-h" ] || [ "${1:-}" = "--help" ]; then
-  echo "Usage: scripts/demo.sh [OUT]   installs, builds, runs the comparison of Jung & Lee (2015) into OUT (default: fulbito-out)"
+  echo "Usage: scripts/demo.sh [OUT]   installs, builds, runs the comparison of Jung & Lee (2015) and a match into OUT (default: fulbito-out)"
   exit 0
 fi
 out=${1:-fulbito-out}
@@ -18,5 +18,8 @@ build/release/fulbito compare --suite corner --speeds 2.6 --trials 20 --pictures
 echo
 echo "The comparison: 200 layouts, three speeds, and the paper's own runs"
 build/release/fulbito compare --out "$out"
+echo
+echo "A match: two halves of five minutes, recorded"
+build/release/fulbito match libero classic --seed 7 --record "$out/match.fbr"
 echo
 echo "Pictures: $out/*.png (time.png and distance.png sum up; corner-0-1.0.png shows every method's way)"

@@ -22,7 +22,7 @@ enum class Role : std::uint8_t { kKeeper, kAttacker, kSupporter, kDefender, kWin
 class Classic final : public Strategy {
  public:
   struct Params {
-    double keeper_depth = 0.05;  ///< [m]
+    double keeper_depth = 0.10;  ///< [m]
     double support = 0.30;       ///< [m]
     double strike_speed = 1.2;   ///< [m/s]
     bool exchange = false;
@@ -34,6 +34,7 @@ class Classic final : public Strategy {
   void begin(const MatchInfo& info) override;
   std::span<const NavigatorChoice> navigators() const override { return navigators_; }
   TeamCommand decide(const Observation& seen) override;
+  std::optional<TeamPlacement> place(const PlacementRequest& request) override;
 
  private:
   /// What one robot remembers between ticks.
@@ -48,9 +49,12 @@ class Classic final : public Strategy {
   RobotCommand keeper(const Observation& now, std::size_t i);
   RobotCommand attacker(const Observation& now, std::size_t i);
   RobotCommand supporter(Role role) const;
+  std::optional<RobotCommand> keptOutOfAreas(const Observation& now, std::size_t i, Role role) const;
   bool mayClear(const Observation& now, std::size_t i) const;
   RobotCommand clearing(const Observation& now, std::size_t i);
   std::optional<RobotCommand> spinAtBall(const Observation& now, std::size_t i, bool contested);
+  bool isKicking(const Observation& now, std::size_t i) const;
+  bool isHeldByKeeper(const Observation& now) const;
   bool isContested(const Observation& now, double mine) const;
   Vec2 aim(const Observation& now, Vec2 ball) const;
   Vec2 wantedDirection(const Observation& now, Vec2 ball) const;
@@ -87,12 +91,34 @@ Role Classic::roleOf(std::size_t robot) const {
   return kByNumber[std::min(number, kByNumber.size() - 1)];
 }
 
+/// Kick-offs and penalties are taken at an angle, past whoever waits on the straight line.
+std::optional<TeamPlacement> Classic::place(const PlacementRequest& request) {
+  constexpr double kKickOffAngle = 0.6, kPenaltyAngle = 0.36;  // [rad]
+  const bool penalty = request.kind == RestartKind::kPenalty;
+  if (!request.ours || (!penalty && request.kind != RestartKind::kKickOff)) return std::nullopt;
+  TeamPlacement placement = request.defaults;
+  std::optional<Pose2>* taker = nullptr;
+  for (std::optional<Pose2>& pose : placement) {
+    if (!pose) continue;
+    if (taker == nullptr ||
+        distance(pose->position, request.ball) < distance((*taker)->position, request.ball)) {
+      taker = &pose;
+    }
+  }
+  if (taker == nullptr) return std::nullopt;
+  const double angle = penalty ? kPenaltyAngle : kKickOffAngle;
+  (*taker)->position = request.ball - math::unit(angle) * distance((*taker)->position, request.ball);
+  (*taker)->heading = angle;
+  return placement;
+}
+
 void Classic::chooseAttacker(const Observation& now) {
   constexpr double kDwell = 1.0, kBetter = 0.3;  // [s]
   since_exchange_ += now.dt;
   const auto size = static_cast<std::size_t>(now.team_size);
-  const bool gone = !now.own[attacker_].present;
-  if (!gone && (!params_.exchange || since_exchange_ < kDwell)) return;
+  // Whoever a restart puts at the ball attacks in that play.
+  const bool open = !now.own[attacker_].present || foresight_.playBegan();
+  if (!open && (!params_.exchange || since_exchange_ < kDwell)) return;
   double least = 1e9, present = 1e9;
   std::size_t best = attacker_;
   for (std::size_t i = 1; i < size; ++i) {
@@ -103,7 +129,7 @@ void Classic::chooseAttacker(const Observation& now) {
     if (i == attacker_) present = cost;
     if (cost < least) least = cost, best = i;
   }
-  if (best != attacker_ && least < present - kBetter) {
+  if (best != attacker_ && (open || least < present - kBetter)) {
     attacker_ = best;
     since_exchange_ = 0.0;
   }
@@ -111,10 +137,7 @@ void Classic::chooseAttacker(const Observation& now) {
 
 TeamCommand Classic::decide(const Observation& seen) {
   const Observation& now = foresight_.update(seen);
-  if (foresight_.playBegan()) {
-    memory_.fill({});
-    attacker_ = std::min<std::size_t>(1, static_cast<std::size_t>(now.team_size) - 1);
-  }
+  if (foresight_.playBegan()) memory_.fill({});
   chooseAttacker(now);
   TeamCommand command;
   for (std::size_t i = 0; i < static_cast<std::size_t>(now.team_size); ++i) {
@@ -128,6 +151,7 @@ TeamCommand Classic::decide(const Observation& seen) {
     } else {
       own = supporter(role);
     }
+    if (const auto out = keptOutOfAreas(now, i, role)) own = *out;
     const bool meant = own.kind != RobotCommand::Kind::kGoTo ||
                        distance(own.go_to.position, now.own[i].state.pose.position) > 0.1;
     if (const auto free = memory_[i].unsticking.update(
@@ -136,6 +160,26 @@ TeamCommand Classic::decide(const Observation& seen) {
     }
   }
   return command;
+}
+
+/// Brakes and turns back a robot on its way into an area where its role has no business.
+std::optional<RobotCommand> Classic::keptOutOfAreas(const Observation& now, std::size_t i, Role role) const {
+  constexpr double kLookahead = 0.12, kFast = 0.3, kBody = 0.07;  // [s], [m/s], [m]
+  if (role == Role::kKeeper) return std::nullopt;
+  const RobotState& robot = now.own[i].state;
+  const Vec2 soon = robot.pose.position + robot.velocity * kLookahead;
+  const bool in_own = now.own[0].present && isInArea(info_.field, soon, true);
+  const bool in_theirs = role != Role::kAttacker && isInArea(info_.field, soon, false, kBody);
+  if (!in_own && !in_theirs) return std::nullopt;
+  const Vec2 ahead = math::unit(robot.pose.heading);
+  const Vec2 out = outsideArea(info_.field, soon, in_own, kBody + 0.01) - soon;
+  if (norm(robot.velocity) > kFast && dot(robot.velocity, out) < 0.0)
+    return RobotCommand::byTwist({0.0, 0.0});
+  const double turn = math::wrapAngle(math::angleOf(out) - robot.pose.heading);
+  const bool backward = dot(ahead, out) < 0.0;
+  const double error = backward ? math::wrapAngle(turn + math::kPi) : turn;
+  const double speed = 0.8 * std::max(0.0, math::cos(error));
+  return RobotCommand::byTwist({backward ? -speed : speed, 10.0 * error});
 }
 
 RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
@@ -147,9 +191,12 @@ RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
   const Vec2 out{0.5, ball.y >= robot.pose.position.y ? 1.0 : -1.0};
   const bool in_front = ball.x > robot.pose.position.x - 0.01;
   const auto sense = memory_[i].spin.update(info_.field, info_.ball.radius, robot, now.ball, out,
-                                            params_.spin && in_front, now.dt, {.slow = 2.0, .wall = 0.3});
+                                            params_.spin && in_front, now.dt, {.slow = 0.5, .wall = 0.3});
   if (sense) return spinning(*sense);
-  if (mayClear(now, i)) return clearing(now, i);
+  // A penalty is met far out, facing the ball: on the line it would be pushed in with the keeper.
+  const bool penalty =
+      now.restart == RestartKind::kPenalty && !now.restart_is_ours && now.since_restart < 1.0;
+  if (penalty || mayClear(now, i)) return clearing(now, i);
   if (const auto twist = keepLine(robot, place, info_.robot.maxSpeed())) return RobotCommand::byTwist(*twist);
   GoTo back;
   back.position = place;
@@ -160,13 +207,13 @@ RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
 
 /// Whether the keeper leaves its line: for a slow ball near the goal that no opponent is about to have.
 bool Classic::mayClear(const Observation& now, std::size_t i) const {
-  constexpr double kNear = 0.30, kSlow = 0.3, kLead = 0.15;  // [m], [m/s], [s]
+  constexpr double kSlow = 0.3, kLead = 0.15;  // [m/s], [s]
   const Vec2 ball = now.ball.position;
-  if (distance(ball, ownGoal(info_.field)) > kNear || !isInArea(info_.field, ball, true, 0.05)) return false;
-  if (norm(now.ball.velocity) > kSlow) return false;
+  if (norm(now.ball.velocity) > kSlow || !isInArea(info_.field, ball, true, 0.02)) return false;
   // Behind the keeper's back nothing good can be done.
   const RobotState& robot = now.own[i].state;
   if (ball.x < robot.pose.position.x + 0.02) return false;
+  if (now.restart == RestartKind::kGoalKick && now.restart_is_ours && now.since_restart < 2.0) return true;
   const double mine = timeToReach(foresight_.pace(), robot, ball);
   for (std::size_t k = 0; k < static_cast<std::size_t>(now.team_size); ++k) {
     if (!now.opponents[k].present) continue;
@@ -222,6 +269,29 @@ bool Classic::isContested(const Observation& now, double mine) const {
   return false;
 }
 
+/// Whether the ball lies in the opponents' area with an opponent at it.
+bool Classic::isHeldByKeeper(const Observation& now) const {
+  constexpr double kSlow = 0.3, kAtBall = 0.085;  // [m/s], [m]
+  if (norm(now.ball.velocity) > kSlow || !isInArea(info_.field, now.ball.position, false)) return false;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(now.team_size); ++k) {
+    const ObservedRobot& opponent = now.opponents[k];
+    if (opponent.present && distance(opponent.state.pose.position, now.ball.position) < kAtBall) return true;
+  }
+  return false;
+}
+
+/// Whether robot `i` is taking a kick-off or penalty that it was placed for: straight on, until the ball is
+/// away.
+bool Classic::isKicking(const Observation& now, std::size_t i) const {
+  constexpr double kWhile = 0.6, kAway = 0.12, kStraight = 0.15;  // [s], [m], [rad]
+  const bool kick = now.restart == RestartKind::kPenalty || now.restart == RestartKind::kKickOff;
+  if (!kick || !now.restart_is_ours || now.since_restart > kWhile) return false;
+  const Pose2& pose = now.own[i].state.pose;
+  const Vec2 to_ball = now.ball.position - pose.position;
+  const bool straight = std::abs(math::wrapAngle(math::angleOf(to_ball) - pose.heading)) < kStraight;
+  return straight && (norm(to_ball) < kAway || now.since_restart < 0.3);
+}
+
 std::optional<RobotCommand> Classic::spinAtBall(const Observation& now, std::size_t i, bool contested) {
   const RobotState& robot = now.own[i].state;
   const Vec2 ball = now.ball.position;
@@ -255,19 +325,25 @@ RobotCommand Classic::attacker(const Observation& now, std::size_t i) {
     wait.position = outsideArea(info_.field, ball + Vec2{0.1, 0.0}, true, kAreaMargin);
     return RobotCommand::drivingTo(wait);
   }
+  if (isHeldByKeeper(now)) {
+    // Charging a keeper in its area is a foul.
+    GoTo wait;
+    wait.position = reboundSpot(info_.field, -ball);
+    return RobotCommand::drivingTo(wait);
+  }
   const bool contested = isContested(now, meeting ? meeting->time : 10.0);
+  if (isKicking(now, i)) return RobotCommand::byTwist({info_.robot.maxSpeed(), 0.0});
   if (const auto spin = spinAtBall(now, i, contested)) return *spin;
   const Vec2 direction = wantedDirection(now, ball);
-  const Vec2 to_ball = now.ball.position - robot.pose.position;
   memory.lined_up = isLinedUp(sideOfBall(robot, now.ball.position, direction), memory.lined_up);
   if (memory.lined_up) {
     return RobotCommand::byTwist(strike(robot, now.ball.position, direction, params_.strike_speed));
   }
-  // A ball that somebody else is about to have is hit as it lies, as long as it goes upfield.
-  constexpr double kUpfield = 0.5, kNear = 0.30;
-  const Vec2 straight = unitOr(to_ball, {1.0, 0.0});
-  if (contested && straight.x > kUpfield && norm(to_ball) < kNear) {
-    return RobotCommand::byTwist(strike(robot, now.ball.position, straight, params_.strike_speed));
+  // A ball that somebody else is about to have is met straight, as long as it goes upfield.
+  constexpr double kUpfield = 0.2;
+  const Vec2 straight = unitOr(ball - robot.pose.position, {1.0, 0.0});
+  if (contested && straight.x > kUpfield) {
+    return RobotCommand::byTwist(strike(robot, ball, straight, params_.strike_speed));
   }
   BallApproach approach = approachBall(robot, ball, direction, memory.round);
   memory.round = approach.round;

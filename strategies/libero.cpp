@@ -5,6 +5,7 @@
 
 #include "strategies/libero_areas.hpp"
 #include "strategies/libero_keeper.hpp"
+#include "strategies/libero_restarts.hpp"
 #include "strategies/libero_striker.hpp"
 #include "strategies/libero_support.hpp"
 
@@ -40,9 +41,14 @@ class Libero final : public Strategy {
     int rank = 0;
     for (int i = 0; i < observation.team_size; ++i) {
       if (!picture.ownPresent(i)) continue;
-      command.robots[static_cast<std::size_t>(i)] = RobotCommand::byTwist(play(picture, i, rank));
+      command.robots[static_cast<std::size_t>(i)] =
+          RobotCommand::byTwist(legal(picture, i, play(picture, i, rank)));
     }
     return command;
+  }
+
+  std::optional<TeamPlacement> place(const PlacementRequest& request) override {
+    return placementAt(pitch_, request);
   }
 
  private:
@@ -50,10 +56,22 @@ class Libero final : public Strategy {
     if (robot == keeper_) return keep(picture, robot, keep_);
     const bool ours = inOwnArea(pitch_, ball_.at(0.2), 0.0);
     if (robot == striker_ && !(ours && keeper_ >= 0)) return strike(picture, robot, strike_);
+    if (ours && keeper_ >= 0) {
+      // The keeper's alone: beside the area, off the way of those who come, ready for what comes out.
+      const double side = ball_.now().position.y >= 0.0 ? 1.0 : -1.0;
+      const Vec2 wait = rank++ == 0 ? Vec2{-pitch_.half_length + 0.5, side * 0.45}
+                                    : Vec2{-pitch_.half_length + 0.5, -side * 0.3};
+      return supportTo(picture, robot, wait);
+    }
     Vec2 place = supportPlace(picture, {}, rank++);
     place = outOfOwnArea(pitch_, place, 0.07);
     if (inTheirArea(pitch_, ball_.now().position, 0.1)) place = outOfTheirArea(pitch_, place, 0.08);
     return supportTo(picture, robot, place);
+  }
+
+  Twist legal(const Picture& picture, int robot, Twist wanted) const {
+    if (robot == keeper_) return wanted;
+    return keptOut(pitch_, picture.own(robot), {keeper_ >= 0, robot != striker_}, wanted);
   }
 
   /// The first robot on the field keeps goal; a lone one only while a shot comes.

@@ -1,6 +1,9 @@
 #include "strategies/libero_areas.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "engine/core/math.hpp"
 
 namespace fulbito::libero {
 
@@ -25,5 +28,44 @@ Vec2 outOfOwnArea(const Pitch& pitch, Vec2 p, double margin) {
 }
 
 Vec2 outOfTheirArea(const Pitch& pitch, Vec2 p, double margin) { return -outOfOwnArea(pitch, -p, margin); }
+
+namespace {
+
+constexpr double kBrake = 5.0;  // [m/s^2] reckoned with
+
+/// `keptOut` of our area; theirs is the same turned by half a turn.
+bool turnedOff(const Pitch& pitch, const RobotState& robot, double margin, Twist& wanted) {
+  const Vec2 place = robot.pose.position;
+  if (place.x > -pitch.half_length + 0.45) return false;
+  const Vec2 face = math::unit(robot.pose.heading);
+  // Where it would stand if it went on for a moment as wanted and then braked.
+  const double speed = (dot(robot.velocity, face) + wanted.linear) / 2;
+  const Vec2 stop = place + face * (speed * 0.05 + speed * std::abs(speed) / (2 * kBrake));
+  const bool inside = inOwnArea(pitch, place, margin);
+  if (!inside && !inOwnArea(pitch, stop, margin)) return false;
+  const Vec2 out = outOfOwnArea(pitch, inside ? place : stop, margin + 0.02);
+  if (inside) {
+    // Already there: out by the shortest way, unless it is on its way.
+    wanted = passThrough(pitch, robot, out + (out - place) * 2.0, pitch.speed);
+    return true;
+  }
+  wanted = restAt(pitch, robot, out, robot.pose.heading);
+  return true;
+}
+
+RobotState turned(const RobotState& robot) {
+  RobotState state = robot;
+  state.pose = {-robot.pose.position, math::wrapAngle(robot.pose.heading + math::kPi)};
+  state.velocity = -robot.velocity;
+  return state;
+}
+
+}  // namespace
+
+Twist keptOut(const Pitch& pitch, const RobotState& robot, Closed closed, Twist wanted) {
+  if (closed.own) turnedOff(pitch, robot, 0.06, wanted);
+  if (closed.theirs && robot.pose.position.x > 0.0) turnedOff(pitch, turned(robot), 0.06, wanted);
+  return wanted;
+}
 
 }  // namespace fulbito::libero

@@ -50,7 +50,7 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
   const double mine = timeToReach(pitch, self, ball);
   for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball) < mine + 0.1)
+    if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball) < mine + 0.4)
       return false;
   }
   return true;
@@ -145,6 +145,11 @@ Twist keep(const Picture& picture, int robot, KeeperMemory& memory) {
     memory.spin_left = 0.3;
     memory.locked = 0.5;
     return {0.0, memory.spin_sense * 28.0};
+  }
+  if (picture.seen.restart == RestartKind::kPenalty && !picture.seen.restart_is_ours &&
+      picture.seen.since_restart < 0.8 && rel.x > 0.04 && squaredNorm(rel) > 0.06 * 0.06) {
+    // Out to meet the taker: the nearer to the ball, the more of the goal is covered.
+    return passThrough(pitch, self, ball.position + ball.velocity * 0.05, pitch.speed);
   }
   Twist out;
   if (comesFirst(picture, self) && clear(picture, self, out)) return out;

@@ -165,6 +165,10 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   watchJam(picture, self, rel, memory);
   if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
 
+  if (picture.seen.restart == RestartKind::kKickOff && picture.seen.since_restart < 0.4 &&
+      squaredNorm(rel) > 0.055 * 0.055) {
+    return passThrough(pitch, self, now.position, pitch.speed);
+  }
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
   const Vec2 ball = close ? now.position + now.velocity * 0.03 : meet.ball;
@@ -181,7 +185,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   if (!aim.wall) aim.direction = blow(aim.direction, now.velocity);
   if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory);
   return driveThrough(pitch, self, aim.contact, aim.direction, pitch.speed,
-                      kRound + 0.05 * std::min(2, crowdAt(picture, now.position)), memory);
+                      kRound + 0.0 * std::min(2, crowdAt(picture, now.position)), memory);
 }
 
 }  // namespace fulbito::libero

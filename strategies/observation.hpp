@@ -47,7 +47,7 @@ struct Observation {
   bool playing = true;                          ///< false while a restart waits for its signal
   RestartKind restart = RestartKind::kKickOff;  ///< how the present play was begun
   bool restart_is_ours = false;                 ///< the team takes it (a free ball: it attacks that half)
-  double since_restart = 0.0;                   ///< [s] of play
+  double since_restart = 0.0;                   ///< [s] of play; negative before the signal
   int period = 1;                               ///< 1, 2: halves; 3: overtime; 4: shoot-out
   double remaining = 0.0;                       ///< [s] of play left in the period
   int own_score = 0;

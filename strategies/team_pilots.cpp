@@ -47,8 +47,34 @@ Result<TeamPilots> TeamPilots::create(const MatchInfo& info, std::span<const Nav
     }
   }
   team.discs_.reserve(2 * kMaxTeamSize + 1);
-  team.reset();
+  team.warmUp();
   return team;
+}
+
+// A navigator may lie idle for minutes before the strategy asks for it; its buffers are filled here, on a
+// full field, so that no tick allocates.
+void TeamPilots::warmUp() {
+  Observation full;
+  full.dt = info_.physics.controlPeriod();
+  full.team_size = info_.team_size;
+  for (std::size_t i = 0; i < drivers_.size(); ++i) {
+    const double y =
+        (static_cast<double>(i + 1) / static_cast<double>(drivers_.size() + 1) - 0.5) * info_.field.width;
+    full.own[i].present = full.opponents[i].present = true;
+    full.own[i].state.pose.position = {-info_.field.length / 4, y};
+    full.opponents[i].state.pose.position = {info_.field.length / 8, y};
+  }
+  for (std::size_t i = 0; i < drivers_.size(); ++i) {
+    GoTo go_to;
+    go_to.position = {info_.field.length / 3, 0.0};
+    go_to.heading = 0.0;
+    go_to.avoid_ball = true;
+    for (std::size_t n = 0; n < drivers_[i].pilots.size(); ++n) {
+      go_to.navigator = static_cast<std::uint8_t>(n);
+      goTo(full, static_cast<int>(i), go_to);
+    }
+  }
+  reset();
 }
 
 void TeamPilots::reset() {

@@ -25,6 +25,8 @@ class TeamPilots {
   std::array<WheelSpeeds, kMaxTeamSize> drive(const Observation& observation, const TeamCommand& command);
 
  private:
+  void warmUp();
+
   struct Driver {
     std::vector<std::unique_ptr<Pilot>> pilots;
     int last = -1;          ///< pilot of the tick before

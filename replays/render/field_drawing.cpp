@@ -45,6 +45,40 @@ void drawBorder(const FieldView& view, const FieldGeometry& field) {
   view.canvas.polyline(contour, lineThickness(view), theme::kFieldLine);
 }
 
+/// Three lines of an area before a goal line at `x`.
+void drawArea(const FieldView& view, double x, double front, double half_width) {
+  const std::array<Vec2, 4> lines{view.at({x, -half_width}), view.at({front, -half_width}),
+                                  view.at({front, half_width}), view.at({x, half_width})};
+  view.canvas.polyline(lines, lineThickness(view), theme::kFieldLine);
+}
+
+/// The goal area's arc: through the two ends of its chord on the area's front line and its foremost point.
+void drawAreaArc(const FieldView& view, const FieldGeometry& field, double front, double side) {
+  constexpr int kPieces = 24;
+  const double half = field.goal_area_arc_width / 2, depth = field.goal_area_arc_depth;
+  const double radius = (half * half + depth * depth) / (2 * depth);
+  const double opening = math::atan2(half, radius - depth);
+  const Vec2 centre{front + side * (radius - depth), 0.0};
+  std::vector<Vec2> arc;
+  for (int i = 0; i <= kPieces; ++i) {
+    const Vec2 p = math::unit(opening * (2.0 * i / kPieces - 1.0)) * radius;
+    arc.push_back(view.at(centre + Vec2{-side * p.x, p.y}));
+  }
+  view.canvas.polyline(arc, lineThickness(view), theme::kFieldLine);
+}
+
+/// Crosses where free balls lie, in one half.
+void drawFreeBallMarks(const FieldView& view, Vec2 mark, double side) {
+  constexpr double kArm = 0.0125;  // [m]
+  for (double y : {mark.y, -mark.y}) {
+    const Vec2 p{side * mark.x, y};
+    view.canvas.line(view.at(p - Vec2{kArm, 0}), view.at(p + Vec2{kArm, 0}), lineThickness(view),
+                     theme::kFieldLine);
+    view.canvas.line(view.at(p - Vec2{0, kArm}), view.at(p + Vec2{0, kArm}), lineThickness(view),
+                     theme::kFieldLine);
+  }
+}
+
 /// Lines of the right half, or of the left one with `side` -1.
 void drawHalf(const FieldView& view, const FieldGeometry& field, double side) {
   const double x = side * field.length / 2, thickness = lineThickness(view);
@@ -52,9 +86,16 @@ void drawHalf(const FieldView& view, const FieldGeometry& field, double side) {
   if (field.hasGoals()) view.canvas.line(view.at({x, -g}), view.at({x, g}), thickness, theme::kFieldLine);
   if (area > 0.0 && field.goal_area_depth > 0.0) {
     const double front = x - side * field.goal_area_depth;
-    const std::array<Vec2, 4> lines{view.at({x, -area}), view.at({front, -area}), view.at({front, area}),
-                                    view.at({x, area})};
-    view.canvas.polyline(lines, thickness, theme::kFieldLine);
+    drawArea(view, x, front, area);
+    if (field.goal_area_arc_width > 0.0 && field.goal_area_arc_depth > 0.0) {
+      drawAreaArc(view, field, front, side);
+    }
+  }
+  if (field.big_area_width > 0.0 && field.big_area_depth > 0.0) {
+    drawArea(view, x, x - side * field.big_area_depth, field.big_area_width / 2);
+  }
+  if (field.free_ball_mark.x > 0.0 && field.free_ball_mark.y > 0.0) {
+    drawFreeBallMarks(view, field.free_ball_mark, side);
   }
   if (field.penalty_mark > 0.0) {
     view.canvas.fillCircle(view.at({side * field.penalty_mark, 0.0}), 1.8 * thickness, theme::kFieldLine);

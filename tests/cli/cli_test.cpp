@@ -1,81 +1,16 @@
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <nlohmann/json.hpp>
-
+#include "tests/cli/sandbox.hpp"
 #include "tests/support/catch.hpp"
 
-namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-struct Output {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
-std::string contentOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// A folder of its own for each test, in which the program runs.
-struct Sandbox {
-  fs::path path;
-  Sandbox() {
-    std::string name = (fs::temp_directory_path() / "fulbito-cli-XXXXXX").string();
-    path = ::mkdtemp(name.data());
-  }
-  ~Sandbox() { fs::remove_all(path); }
-  Sandbox(const Sandbox&) = delete;
-  Sandbox& operator=(const Sandbox&) = delete;
-
-  Output run(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + path.string() + "' && '" FULBITO_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
-    const int status = std::system(command.c_str());
-    Output output{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(path / "out.txt"),
-                  contentOf(path / "err.txt")};
-    fs::remove(path / "out.txt");
-    fs::remove(path / "err.txt");
-    return output;
-  }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path / name, std::ios::binary) << text;
-  }
-};
-
-/// Removes what is measured: keys that begin with compute_ or wall_.
-void dropMeasured(Json& json) {
-  if (json.is_array()) {
-    for (Json& item : json) dropMeasured(item);
-  } else if (json.is_object()) {
-    for (auto it = json.begin(); it != json.end();) {
-      const bool measured = it.key().starts_with("compute_") || it.key().starts_with("wall_");
-      if (measured) {
-        it = json.erase(it);
-      } else {
-        dropMeasured(*it++);
-      }
-    }
-  }
-}
-
-}  // namespace
+using namespace fulbito::test;
 
 TEST_CASE("help is there for the program and every command, with examples", "[cli]") {
   const Sandbox box;
   const Output top = box.run("--help");
   CHECK(top.code == 0);
   CHECK(top.err.empty());
-  for (const char* command : {"run", "compare", "list", "show", "bench", "version"}) {
+  for (const char* command : {"match", "drill", "run", "compare", "list", "show", "bench", "version"}) {
     CHECK(top.out.find(command) != std::string::npos);
     const Output help = box.run(std::string(command) + " --help");
     CHECK(help.code == 0);
@@ -232,7 +167,7 @@ TEST_CASE("latency, noise, physics and robot can be chosen", "[cli]") {
 
 TEST_CASE("list and show print every kind, as text and JSON", "[cli]") {
   const Sandbox box;
-  for (const char* kind : {"navigators", "suites", "cases", "robots", "physics", "fields"}) {
+  for (const char* kind : {"teams", "navigators", "suites", "cases", "robots", "physics", "fields"}) {
     const Output text = box.run(std::string("list ") + kind),
                  json = box.run(std::string("list ") + kind + " --json");
     CHECK(text.code == 0);
@@ -249,7 +184,9 @@ TEST_CASE("list and show print every kind, as text and JSON", "[cli]") {
 
 TEST_CASE("profiles of rules are listed, shown, and checked with file, line, key and range", "[cli]") {
   const Sandbox box;
-  for (const auto& entry : Json::parse(box.run("list rules --json").out)["rules"]) {
+  const Json listed = Json::parse(box.run("list rules --json").out);
+  REQUIRE(listed["rules"].size() == 4);
+  for (const Json& entry : listed["rules"]) {
     const std::string name = entry["name"];
     const Output shown = box.run("rules show " + name);
     CHECK(shown.code == 0);

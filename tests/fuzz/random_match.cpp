@@ -91,9 +91,9 @@ Proposals Game::proposals(const RestartCall& call) {
     for (auto& pose : poses) {
       const auto what = rng_.below(8);
       if (what < 3) continue;
-      pose = Pose2{{rng_.uniform(-field.length, field.length) * 0.6,
-                    rng_.uniform(-field.width, field.width) * 0.6},
-                   rng_.uniform(-3.0, 3.0)};
+      pose = Pose2{
+          {rng_.uniform(-field.length, field.length) * 0.6, rng_.uniform(-field.width, field.width) * 0.6},
+          rng_.uniform(-3.0, 3.0)};
       if (what == 3) pose = Pose2{call.ball, 0.0};
       if (what == 4) pose->position.x = nan;
     }

@@ -63,7 +63,9 @@ Totals playLong(RandomMatch match, std::uint64_t first_seed) {
 }
 
 /// By how many standard deviations two counts of equal chance differ.
-double bias(int a, int b) { return a + b == 0 ? 0.0 : std::abs(a - b) / std::sqrt(static_cast<double>(a + b)); }
+double bias(int a, int b) {
+  return a + b == 0 ? 0.0 : std::abs(a - b) / std::sqrt(static_cast<double>(a + b));
+}
 
 }  // namespace
 

@@ -152,7 +152,11 @@ Result<void> readHead(const ConfigDocument& document, Words& words, const std::s
       {"score", &score, -100, 100, "goals", ""},
   };
   if (auto done = document.read("scenario", schema, true); !done) return done;
-  if (!absent.empty()) s.absent = words.team(absent);
+  if (absent == "both") {
+    s.present = {false, false};
+  } else if (!absent.empty()) {
+    s.present[indexOf(words.team(absent))] = false;
+  }
   if (score != Vec2{-1.0, -1.0}) s.score = score;
   auto loaded = loadRules(rules.ends_with(".toml") ? folder + "/" + rules : rules);
   if (!loaded) return tl::unexpected<Error>(loaded.error());

@@ -46,7 +46,7 @@ Scenario inVariant(Scenario s, ScenarioVariant variant) {
     if (e.team) swap(*e.team);
     if (e.restart_team) swap(*e.restart_team);
   }
-  if (s.absent) swap(*s.absent);
+  if (variant.colours) std::swap(s.present[0], s.present[1]);
   if (s.score && variant.colours) s.score = Vec2{s.score->y, s.score->x};
   FirstKickOff& first = s.rules.periods.first_kick_off;
   if (variant.colours && first != FirstKickOff::kToss) {
@@ -64,7 +64,7 @@ RefereeSetup setupOf(const Scenario& s, ScenarioVariant variant, const PhysicsPr
   setup.ball = robot.ball;
   setup.dt = physics.controlPeriod();
   setup.blue_side = variant.sides != variant.colours ? Side::kRight : Side::kLeft;
-  if (s.absent) setup.present[indexOf(*s.absent)] = false;
+  setup.present = s.present;
   return setup;
 }
 

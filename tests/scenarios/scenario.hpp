@@ -70,7 +70,7 @@ struct Scenario {
   bool goes_on = false;      ///< past the first stoppage
   double seconds = 1.0;      ///< that it lasts at most
   std::string forbid = "*";  ///< clauses that must not come, by commas; "*": all that are not expected
-  std::optional<TeamId> absent;
+  PerTeam<bool> present{true, true};
   std::optional<Vec2> score;  ///< blue's and yellow's in the end
   Vec2 ball, ball_velocity;
   std::vector<ScenarioRobot> robots;  ///< of a given start the first one's team counts as who began

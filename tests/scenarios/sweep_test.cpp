@@ -296,4 +296,134 @@ TEST_CASE("the cool-down after play began, to the tick", "[scenarios]") {
               }});
 }
 
+TEST_CASE("the big area of 5v5, to the millimetre", "[scenarios]") {
+  const auto crowd = [](TeamId team, Vec2 place) {
+    Scenario s;
+    s.rules = loadRules("vsss-5v5").value();
+    s.ball = {0.80, -0.37};
+    s.seconds = 2.5;
+    const RobotId fifth{team, 4};
+    s.robots = {{{other(team), 0}, {{0.0, 0.6}, 0.0}, {}},
+                {{team, 1}, {{0.85, 0.30}, 0.0}, {}},
+                {{team, 2}, {{0.85, 0.15}, 0.0}, {}},
+                {{team, 3}, {{0.85, 0.0}, 0.0}, {}},
+                {fifth, {{0.30, -0.30}, 0.0}, {}}};
+    s.moves = {jump(0.7, fifth, place)};
+    s.contacts = {{1.0, 1.0, fifth, {}, 0.01}};
+    return s;
+  };
+  checkMillimetres({clause::kAttackers,
+                    [&](double k) { return crowd(TeamId::kBlue, {0.75 - kHalf + k * kMillimetre, -0.2}); }});
+  checkMillimetres(
+      {clause::kDefenders, [&](double k) { return crowd(TeamId::kYellow, {0.75 + k * kMillimetre, -0.2}); }});
+  checkMillimetres({clause::kDefenders,
+                    [&](double k) { return crowd(TeamId::kYellow, {0.88, -0.40 + k * kMillimetre}); }});
+}
+
+TEST_CASE("for how long an excuse holds, to the tick", "[scenarios]") {
+  checkTicks({clause::kAttackers, [](double k) {
+                Scenario s = secondAttackerAt({0.65, -0.20});
+                robot(s, kBlue2).pose.position = {0.50, -0.20};
+                robot(s, kYellow1).pose.position = {0.40, -0.20};
+                s.moves[0].at = 1.0;
+                s.contacts = {{0.3, 5.0, kBlue2, {}, 0.01}, {0.8, 0.9, kYellow1, kBlue2, 0.02}};
+                s.seconds = 4.0 + (k + 1) * kTick;
+                return s;
+              }});
+}
+
+TEST_CASE("how much push is an excuse", "[scenarios]") {
+  // In steps of a thousandth of the impulse; less is no excuse.
+  check({clause::kAttackers,
+         [](double k) {
+           Scenario s = secondAttackerAt({0.65, -0.20});
+           robot(s, kBlue2).pose.position = {0.50, -0.0};
+           robot(s, kYellow1).pose.position = {0.40, 0.0};  // so that all of the push is toward the goal
+           s.moves[0].at = 1.0;
+           s.contacts = {{0.3, 1.2, kBlue2, {}, 0.01}, {0.9, 0.9, kYellow1, kBlue2, 0.01 * (1 - 1e-3 * k)}};
+           s.seconds = 1.3;
+           return s;
+         }},
+        {-3, -2, -1, 1, 2, 3});
+}
+
+TEST_CASE("for how long a ball must move to be free, to the tick", "[scenarios]") {
+  const Rules program = loadRules("league-program-2021").value();
+  checkTicks({clause::kFreeBall, [&](double k) {
+                Scenario s = scene({0.10, 0.20}, 5.5);
+                s.rules = program;
+                // It takes 6 ticks to end the count: one tick less is no end.
+                ScenarioMove go = jump(2.0, {}, {0.10, 0.20}),
+                             stop = jump(2.0 + (5 - k) * kTick, {}, {0.10, 0.20});
+                go.velocity = Vec2{0.3, 0.0};
+                stop.velocity = Vec2{};
+                s.moves = {go, stop};
+                return s;
+              }});
+}
+
+TEST_CASE("how slow a stuck ball is by the program", "[scenarios]") {
+  const Rules program = loadRules("league-program-2021").value();
+  check({clause::kFreeBall,
+         [&](double k) {
+           Scenario s = scene({-0.30, 0.20}, 5.5);
+           s.rules = program;
+           s.ball_velocity = {0.1 - 1e-3 * k, 0.0};
+           return s;
+         }},
+        {-3, -2, -1, 1, 2, 3});
+}
+
+TEST_CASE("how long the program waits, to the tick", "[scenarios]") {
+  const Rules program = loadRules("league-program-2021").value();
+  checkTicks({clause::kAttackers, [&](double k) {
+                Scenario s = secondAttackerAt({0.65, -0.20});
+                s.rules = program;
+                s.moves[0].at = 1.0;
+                s.seconds = 4.0 + k * kTick;
+                return s;
+              }});
+}
+
+TEST_CASE("how long a break of a charge may be, to the tick", "[scenarios]") {
+  checkTicks({clause::kKeeperCharged, [](double k) {
+                Scenario s = chargeFor(6);
+                const double again = 1.0 + (9 - k) * kTick;  // three ticks off between the two at k = 0
+                s.contacts.push_back({again, again + 5 * kTick, kBlue1, kYellow0, 0.01});
+                return s;
+              }});
+}
+
+TEST_CASE("how long the keeper may lose the ball, to the tick", "[scenarios]") {
+  checkTicks({clause::kKeeperHolds, [](double k) {
+                Scenario s = keeperHoldsFor(12.0);
+                s.rules.stuck.area_seconds = 30.0;
+                const Vec2 near = s.ball;
+                s.moves = {jump(6.0, {}, {0.61, 0.20}), jump(6.0 + (30 - k) * kTick, {}, near)};
+                s.seconds = 12.0;
+                return s;
+              }});
+}
+
+TEST_CASE("how old a scorer's touch may be, to the tick", "[scenarios]") {
+  for (const int k : {-2, -1, 0, 1, 2}) {
+    Scenario s = scene({0.30, 0.10}, 8.0);
+    const double touch = 1.0 + k * kTick;
+    s.contacts = {{touch, touch, kBlue2, {}, 0.01}};
+    s.moves = {jump(6.0, {}, {0.80, 0.10})};
+    const std::vector<GameEvent> events = eventsOf(s, {});
+    REQUIRE(events.size() == 1);
+    INFO(k);
+    CHECK(events[0].robot.has_value() == (k >= 0));
+  }
+}
+
+TEST_CASE("the length of a half, to the tick", "[scenarios]") {
+  checkTicks({"half", [](double k) {
+                Scenario s = scene({0.10, 0.20}, 2.0 + k * kTick);
+                s.rules.half_seconds = 2.0;
+                return s;
+              }});
+}
+
 }  // namespace fulbito::test

@@ -224,6 +224,27 @@ TEST_CASE("a repaired place is near the one that was proposed", "[unit]") {
   CHECK(log.front().value == Approx(0.1519).margin(0.001));
 }
 
+TEST_CASE("a crowd beyond the tables finds places too, on the field and apart", "[unit]") {
+  for (const std::string profile : {"vsss-3v3", "vsss-5v5"}) {
+    RefereeSetup setup = setupOf(profile);
+    setup.rules.team_size = kMaxTeamSize;
+    RefereeState state;
+    for (const RestartKind kind : kKinds) {
+      const RestartCall call = makeCall(setup, state, {kind, TeamId::kYellow, {0.3, 0.3}, nullptr});
+      std::vector<GameEvent> log;
+      const Placement placement = place(setup, state, call, {}, log);
+      for (const TeamId team : kTeams) {
+        for (const auto& pose : placement.robots[indexOf(team)]) CHECK(pose);
+      }
+      // A free kick asks for more room beside the area than ten defenders find.
+      if (kind != RestartKind::kFreeKick) CHECK(reasonOf(setup, state, call, placement) == "");
+      RestartCall anywhere = call;
+      anywhere.kind = RestartKind::kGiven;
+      CHECK(reasonOf(setup, state, anywhere, placement) == "");
+    }
+  }
+}
+
 TEST_CASE("each broken rule of a placement is named", "[unit]") {
   const RefereeSetup setup = setupOf("vsss-3v3");
   RefereeState state;

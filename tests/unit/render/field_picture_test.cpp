@@ -61,6 +61,28 @@ TEST_CASE("the field has its lines, walls, corner triangles and goals", "[unit]"
   CHECK(same(colourAt(canvas, {0.8, 0.5}), theme::kPage));
 }
 
+TEST_CASE("areas have their arcs, and free balls their marks", "[unit]") {
+  const Canvas canvas = drawn(emptyPicture());
+  // The arc's chord is 20 cm on the area's front line, its foremost point 5 cm before it.
+  for (Vec2 on_line :
+       {Vec2{0.55, 0}, Vec2{-0.55, 0}, Vec2{0.375, 0.4}, Vec2{-0.375, -0.4}, Vec2{0.375, -0.39}}) {
+    CAPTURE(on_line.x, on_line.y);
+    CHECK(same(colourAt(canvas, on_line), theme::kFieldLine));
+  }
+  CHECK(same(colourAt(canvas, {0.575, 0}), theme::kFloor));
+  CHECK(same(colourAt(canvas, {0.55, 0.1}), theme::kFloor));
+  FieldPicture picture = emptyPicture();
+  picture.field.goal_area_arc_width = 0.0;
+  picture.field.big_area_width = 1.0;
+  picture.field.big_area_depth = 0.3;
+  picture.field.free_ball_mark = {};
+  const Canvas big = drawn(picture);
+  CHECK(same(colourAt(big, {0.45, 0.2}), theme::kFieldLine));
+  CHECK(same(colourAt(big, {0.6, -0.5}), theme::kFieldLine));
+  CHECK(same(colourAt(big, {0.55, 0}), theme::kFloor));
+  CHECK(same(colourAt(big, {-0.375, 0.4}), theme::kFloor));
+}
+
 TEST_CASE("a rectangle without goals and corners has a plain border", "[unit]") {
   FieldPicture picture = emptyPicture();
   picture.field = {"plain", 1.5, 1.3, 0, 0, 0, 0.05, 0, 0, 0, 0};

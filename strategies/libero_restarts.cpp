@@ -1,0 +1,69 @@
+#include "strategies/libero_restarts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+constexpr double kBehind = 0.085;  // [m] of the taker's centre behind the ball
+
+Pose2 facing(Vec2 from, Vec2 to) { return {from, math::wrapAngle(math::angleOf(to - from))}; }
+
+/// The keeper in the middle of its line, side on.
+Pose2 keeperPose(const Pitch& pitch) { return {{-pitch.half_length + 0.042, 0.0}, math::kPi / 2}; }
+
+void kickOff(const Pitch& pitch, bool ours, TeamPlacement& placed) {
+  const double far = 0.05 + pitch.robot_corner;
+  if (ours) {
+    // Past those who come straight at the ball: off the middle, toward the side on which the support waits.
+    const double angle = 0.6;
+    placed[1] = facing(-kBehind * math::unit(-angle), {});
+    placed[2] = facing({-far, -0.30}, {0.4, -0.3});
+  } else {
+    // From the side: the ball leaves the face of whoever pushes it straight on, toward the support.
+    const double angle = 0.9;
+    placed[1] = facing(-0.245 * math::unit(-angle), {});
+    placed[2] = facing({-0.22, -0.26}, {});
+  }
+}
+
+void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
+  const double side = std::copysign(1.0, ball.y);
+  if (ours) {
+    placed[0] = facing(ball - Vec2{kBehind, 0.03 * side}, ball);
+    placed[1] = facing({ball.x + 0.25, std::copysign(pitch.half_width - 0.12, side)},
+                       {0.0, std::copysign(pitch.half_width, side)});
+    placed[2] = facing({-pitch.half_length + 0.30, 0.0}, ball);
+  } else {
+    placed[1] = facing({pitch.half_length - 0.40, ball.y}, ball);
+    placed[2] = facing({0.0, ball.y * 0.5}, ball);
+  }
+}
+
+void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
+  if (ours) {
+    placed[1] = facing(ball - Vec2{0.16, 0.0}, ball);
+    placed[2] = facing({-0.06, 0.35}, ball);
+  } else {
+    placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, 0.03}, 0.0};
+    placed[1] = facing({0.06, -0.42}, ball);
+    placed[2] = facing({0.06, 0.42}, ball);
+  }
+}
+
+}  // namespace
+
+TeamPlacement placementAt(const Pitch& pitch, const PlacementRequest& request) {
+  TeamPlacement placed = request.defaults;
+  if (pitch.team_size > 3 || request.kind == RestartKind::kGiven) return placed;
+  placed[0] = keeperPose(pitch);
+  if (request.kind == RestartKind::kKickOff) kickOff(pitch, request.ours, placed);
+  if (request.kind == RestartKind::kGoalKick) goalKick(pitch, request.ours, request.ball, placed);
+  if (request.kind == RestartKind::kPenalty) penalty(pitch, request.ours, request.ball, placed);
+  return placed;
+}
+
+}  // namespace fulbito::libero

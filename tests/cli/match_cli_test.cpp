@@ -1,0 +1,252 @@
+#include <algorithm>
+#include <csignal>
+
+#include "tests/cli/sandbox.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace fulbito::test;
+
+namespace {
+
+const std::string kQuick = "match chaser chaser --half-seconds 5 ";
+
+std::vector<Json> linesOf(const std::string& text) {
+  std::vector<Json> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    lines.push_back(Json::parse(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// Text without what is measured: the line of the speed.
+std::string withoutSpeed(const std::string& text) {
+  const std::size_t begin = text.find(" s simulated in"), end = text.find('\n', begin);
+  return text.substr(0, begin) + text.substr(end);
+}
+
+/// Starts the program in the sandbox, interrupts it once `sign` is there, and returns its exit code.
+int interruptedRun(const Sandbox& box, const std::vector<std::string>& arguments, const std::string& sign) {
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    if (::chdir(box.path.c_str()) != 0 || std::freopen("out.txt", "w", stdout) == nullptr ||
+        std::freopen("err.txt", "w", stderr) == nullptr) {
+      ::_exit(99);
+    }
+    std::vector<char*> words{const_cast<char*>("fulbito")};
+    for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
+    ::execv(FULBITO_PROGRAM, words.data());
+    ::_exit(99);
+  }
+  for (int i = 0; i < 3000 && !fs::exists(box.path / sign); ++i) ::usleep(10000);
+  ::usleep(200000);
+  ::kill(child, SIGINT);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace
+
+TEST_CASE("a match prints its summary", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run(kQuick + "--seed 7");
+  CHECK(output.code == 0);
+  CHECK(output.err.empty());
+  for (const char* part : {"chaser (blue) ", "seed 7", "possession", "shots (on goal)", "x real time", "final hash"}) {
+    INFO(part);
+    CHECK(output.out.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("a match of the default teams", "[cli]") {
+  const Sandbox box;
+  const Json json = Json::parse(box.run("match --half-seconds 2 --json").out);
+  CHECK(json["teams"] == Json{{"blue", "libero"}, {"yellow", "classic"}});
+  CHECK(json["config"]["rules"] == "vsss-3v3");
+  CHECK(json["config"]["physics"] == "standard");
+}
+
+TEST_CASE("a match's JSON has its keys, and the same bytes for the same seed", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run(kQuick + "--seed 7 --json");
+  REQUIRE(output.code == 0);
+  CHECK(output.err.empty());
+  Json first = Json::parse(output.out), again = Json::parse(box.run(kQuick + "--seed 7 --json").out);
+  for (const char* key : {"schema_version", "teams", "score", "events", "stats", "seed", "build", "final_hash",
+                          "simulated_s", "x_realtime"}) {
+    INFO(key);
+    CHECK(first.contains(key));
+  }
+  CHECK(first["seed"] == 7);
+  CHECK(first["simulated_s"].get<double>() >= 10.0);
+  CHECK(first["x_realtime"].get<double>() > 0.0);
+  dropMeasured(first);
+  dropMeasured(again);
+  CHECK(first.dump() == again.dump());
+  const Json other = Json::parse(box.run(kQuick + "--seed 8 --json").out);
+  CHECK(other["final_hash"] != first["final_hash"]);
+  CHECK(withoutSpeed(box.run(kQuick + "--seed 7").out) == withoutSpeed(box.run(kQuick + "--seed 7").out));
+}
+
+TEST_CASE("who watches a match changes nothing in it", "[cli]") {
+  const Sandbox box;
+  const Json plain = Json::parse(box.run(kQuick + "--json").out);
+  const Output watched = box.run(kQuick + "--json --profile --record m.fbr --events e.jsonl");
+  REQUIRE(watched.code == 0);
+  const Json json = Json::parse(watched.out);
+  CHECK(json["final_hash"] == plain["final_hash"]);
+  CHECK(json["compute_profile"]["physics_ns"].get<std::int64_t>() > 0);
+  CHECK(fs::file_size(box.path / "m.fbr") > 1000);
+  CHECK(linesOf(contentOf(box.path / "e.jsonl")).size() == json["events"].size() + 2);
+}
+
+TEST_CASE("rules, physics, robot, vision and length of a match can be chosen", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run(
+      "match chaser chaser --rules vsss-5v5 --physics faithful --robot firasim --half-seconds 2 --latency 3 "
+      "--noise 0.001 --dropout 0.1 --json");
+  REQUIRE(output.code == 0);
+  const Json json = Json::parse(output.out);
+  CHECK(json["config"]["rules"] == "vsss-5v5");
+  CHECK(json["config"]["physics"] == "faithful");
+  CHECK(json["config"]["robot"] == "firasim");
+  CHECK(json["config"]["latency_ticks"] == 3);
+  CHECK(json["config"]["dropout"] == 0.1);
+  CHECK(json["config"]["half_s"] == 2.0);
+  CHECK(json["stats"]["blue"]["robots"].size() == 5);
+  const Output shown = box.run("rules show vsss-3v3");
+  box.write("mine.toml", shown.out);
+  const Json preset = Json::parse(box.run(kQuick + "--json").out);
+  const Json file = Json::parse(box.run(kQuick + "--rules mine.toml --json").out);
+  CHECK(file["final_hash"] == preset["final_hash"]);
+}
+
+TEST_CASE("--profile prints the share of every stage", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run(kQuick + "--profile");
+  for (const char* stage : {"strategies", "navigation", "physics", "referee", "recording"}) {
+    INFO(stage);
+    CHECK(output.out.find(stage) != std::string::npos);
+  }
+}
+
+TEST_CASE("--events - streams lines to stdout and moves the summary to stderr", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run(kQuick + "--events -");
+  REQUIRE(output.code == 0);
+  const std::vector<Json> lines = linesOf(output.out);
+  REQUIRE(lines.size() >= 4);
+  CHECK(lines.front()["event"] == "match");
+  CHECK(lines[1]["kind"] == "kick-off");
+  CHECK(lines.back()["event"] == "end");
+  CHECK(output.err.find("final hash") != std::string::npos);
+}
+
+TEST_CASE("a match begins from a given state", "[cli]") {
+  const Sandbox box;
+  box.write("start.toml",
+            "[ball]\nposition = [0.6, 0.0]\nvelocity = [1.0, 0.0]\n"
+            "[[robot]]\nteam = \"blue\"\nnumber = 0\nposition = [0.5, 0.0]\n"
+            "[match]\nblue = 4\nyellow = 2\nperiod = 2\nplay_seconds = 3.0\n");
+  const Output output = box.run("match idle idle --half-seconds 5 --start start.toml --json");
+  REQUIRE(output.code == 0);
+  const Json json = Json::parse(output.out);
+  CHECK(json["events"][0]["kind"] == "given");
+  CHECK(json["score"]["blue"] == 5);  // the ball was rolling into the goal
+  CHECK(json["score"]["yellow"] == 2);
+  CHECK(json["stats"]["play_s"].get<double>() == Approx(2.0).margin(0.1));
+}
+
+TEST_CASE("a series plays swapped pairs, the same for any number of jobs", "[cli]") {
+  const Sandbox box;
+  const std::string series = "match chaser idle --half-seconds 3 -n 3 --json ";
+  const Output one = box.run(series + "--jobs 1"), two = box.run(series + "--jobs 2");
+  REQUIRE(one.code == 0);
+  Json a = Json::parse(one.out), b = Json::parse(two.out);
+  for (const char* key : {"points_share", "points_share_low", "points_share_high", "goal_difference",
+                          "goal_difference_low", "goal_difference_high", "wins", "draws", "losses"}) {
+    INFO(key);
+    CHECK(a.contains(key));
+  }
+  CHECK(a["pairs"] == 3);
+  CHECK(a["matches"].size() == 6);
+  CHECK(a["wins"].get<int>() + a["draws"].get<int>() + a["losses"].get<int>() == 6);
+  dropMeasured(a);
+  dropMeasured(b);
+  CHECK(a.dump() == b.dump());
+  // A match of the series alone: its seed, and the teams in the order of its leg.
+  const Json& leg = a["matches"][3];
+  const Json alone = Json::parse(
+      box.run("match idle chaser --half-seconds 3 --json --seed " + std::to_string(leg["seed"].get<std::uint64_t>()))
+          .out);
+  CHECK(alone["final_hash"] == leg["final_hash"]);
+  const Output text = box.run("match chaser chaser --half-seconds 2 --pairs 1");
+  CHECK(text.out.find("points share      50.0 %") != std::string::npos);
+  CHECK(text.out.find("95 %") != std::string::npos);
+}
+
+TEST_CASE("what is wrong with a match is said before it begins", "[cli]") {
+  const Sandbox box;
+  const auto expect = [&](const std::string& arguments, int code, const std::string& part) {
+    INFO(arguments);
+    const Output output = box.run("match " + arguments);
+    CHECK(output.code == code);
+    CHECK(output.out.empty());
+    INFO(output.err);
+    CHECK(output.err.find(part) != std::string::npos);
+  };
+  expect("chasr chaser", 2, "there is no team 'chasr'. Did you mean 'chaser'?");
+  expect("chaser chaser --ruls x", 2, "Did you mean '--rules'?");
+  expect("chaser chaser --rules vsss-3v", 2, "Did you mean 'vsss-3v3'?");
+  expect("chaser chaser --physics standrad", 2, "Did you mean 'standard'?");
+  expect("chaser chaser --robot vss", 2, "Did you mean 'vsss'?");
+  expect("chaser chaser --half-seconds -3", 2, "half_seconds");
+  expect("chaser chaser --half-seconds nan", 2, "half_seconds");
+  expect("chaser chaser --half-seconds x", 2, "--half-seconds");
+  expect("chaser chaser --latency 61", 2, "latency: 61 is outside 0 ... 60");
+  expect("chaser chaser --noise 1", 2, "noise: 1 is outside");
+  expect("chaser chaser --dropout 1", 2, "drop-out: 1 is outside");
+  expect("chaser chaser -n 0", 2, "-n");
+  expect("chaser chaser -n 2 --jobs -1", 2, "jobs: -1 is outside");
+  expect("chaser chaser -n 2 --record r.fbr", 2, "--record");
+  expect("chaser chaser -n 2 --events -", 2, "--events");
+  expect("chaser chaser -n 2 --profile", 2, "--profile");
+  expect("chaser chaser --json --events -", 2, "--events");
+  expect("chaser chaser --seed -1", 2, "--seed");
+  expect("chaser chaser third", 2, "third");
+  expect("chaser chaser --start missing.toml", 5, "missing.toml");
+  expect("chaser chaser --record no/such/m.fbr", 5, "no/such/m.fbr");
+  expect("chaser chaser --events no/such/e.jsonl", 5, "no/such/e.jsonl");
+  box.write("bad.toml", "[ball]\nposition = [0.0, 0.0]\n[[robot]]\nteam = \"red\"\nnumber = 0\nposition = [0, 0]\n");
+  expect("chaser chaser --start bad.toml", 3, "bad.toml:4");
+  box.write("rules.toml", "[rules]\nname = \"x\"\n[periods]\nhalf_seconds = -1.0\n");
+  expect("chaser chaser --rules rules.toml", 3, "rules.toml:4");
+  CHECK(std::distance(fs::directory_iterator(box.path), {}) == 2);
+}
+
+TEST_CASE("Ctrl-C ends a match with its summary, events and a whole recording", "[cli]") {
+  const Sandbox box;
+  const int code = interruptedRun(
+      box, {"match", "chaser", "chaser", "--half-seconds", "3600", "--record", "m.fbr", "--events", "e.jsonl"},
+      "m.fbr");
+  CHECK(code == 130);
+  CHECK(contentOf(box.path / "out.txt").find("broken off") != std::string::npos);
+  const std::vector<Json> lines = linesOf(contentOf(box.path / "e.jsonl"));
+  CHECK(lines.back()["event"] == "end");
+  CHECK(lines.back()["complete"] == false);
+  CHECK(contentOf(box.path / "m.fbr").ends_with("FBR.END\n"));
+}
+
+TEST_CASE("Ctrl-C ends a series with the pairs that were played", "[cli]") {
+  const Sandbox box;
+  const int code =
+      interruptedRun(box, {"match", "chaser", "chaser", "--half-seconds", "1", "-n", "100000", "--json"}, "out.txt");
+  CHECK(code == 130);
+  const Json json = Json::parse(contentOf(box.path / "out.txt"));
+  CHECK(json["complete"] == false);
+  CHECK(json["matches"].size() == 2 * json["pairs"].get<std::size_t>());
+}

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+/// The program under test, run in folders of its own.
+namespace fulbito::test {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct Output {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+inline std::string contentOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder of its own for each test, in which the program runs.
+struct Sandbox {
+  fs::path path;
+  Sandbox() {
+    std::string name = (fs::temp_directory_path() / "fulbito-cli-XXXXXX").string();
+    path = ::mkdtemp(name.data());
+  }
+  ~Sandbox() { fs::remove_all(path); }
+  Sandbox(const Sandbox&) = delete;
+  Sandbox& operator=(const Sandbox&) = delete;
+
+  Output run(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + path.string() + "' && '" FULBITO_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    const int status = std::system(command.c_str());
+    Output output{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(path / "out.txt"),
+                  contentOf(path / "err.txt")};
+    fs::remove(path / "out.txt");
+    fs::remove(path / "err.txt");
+    return output;
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+  }
+};
+
+/// Removes what is measured: keys that begin with compute_ or wall_, and x_realtime.
+inline void dropMeasured(Json& json) {
+  if (json.is_array()) {
+    for (Json& item : json) dropMeasured(item);
+  } else if (json.is_object()) {
+    for (auto it = json.begin(); it != json.end();) {
+      const bool measured = it.key().starts_with("compute_") || it.key().starts_with("wall_") ||
+                            it.key() == "x_realtime";
+      if (measured) {
+        it = json.erase(it);
+      } else {
+        dropMeasured(*it++);
+      }
+    }
+  }
+}
+
+}  // namespace fulbito::test

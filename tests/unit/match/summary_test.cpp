@@ -1,0 +1,155 @@
+#include "match/summary.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/catch.hpp"
+
+namespace fulbito {
+namespace {
+
+using Json = nlohmann::json;
+
+MatchConfig chasers() {
+  MatchConfig config;
+  config.teams = {*parseTeam("chaser"), *parseTeam("chaser")};
+  config.rules.half_seconds = 20.0;
+  return config;
+}
+
+/// A match with all that watches it for a summary.
+struct Played {
+  StatisticsObserver statistics;
+  EventLog log;
+  std::string lines;
+  EventLines stream{[this](std::string_view line) { lines += line; }};
+  MatchReport report;
+
+  explicit Played(const MatchConfig& config, Tick at_most = 1000000) {
+    auto match = Match::create(config);
+    REQUIRE(match);
+    match->watch(statistics);
+    match->watch(log);
+    match->watch(stream);
+    while (match->tick() < at_most && match->step()) {
+    }
+    match->finish();
+    report = reportOf(*match, statistics, log);
+    report.wall = 0.5;
+  }
+};
+
+std::vector<Json> parsedLines(const std::string& text) {
+  std::vector<Json> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = text.find('\n', begin);
+    lines.push_back(Json::parse(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("a match's JSON has the promised keys and the figures of the statistics", "[unit]") {
+  const Played played(chasers());
+  const Json json = Json::parse(matchJson(played.report));
+  for (const char* key : {"schema_version", "teams", "score", "events", "stats", "seed", "build",
+                          "final_hash", "simulated_s", "x_realtime"}) {
+    CHECK(json.contains(key));
+  }
+  CHECK(json["teams"]["blue"] == "chaser");
+  CHECK(json["score"]["complete"] == true);
+  CHECK(json["score"]["goals"].size() == played.report.statistics.goals.size());
+  CHECK(json["events"].size() == played.report.events.size());
+  CHECK(json["stats"]["blue"]["robots"].size() == 3);
+  CHECK(json["stats"]["play_s"].get<double>() == Approx(40.0));
+  CHECK(json["x_realtime"].get<double>() == Approx(json["simulated_s"].get<double>() / 0.5));
+  CHECK(json["stats"]["blue"]["possession_share"].get<double>() +
+            json["stats"]["yellow"]["possession_share"].get<double>() ==
+        Approx(1.0));
+}
+
+TEST_CASE("statistics agree with the referee", "[unit]") {
+  const Played played(chasers());
+  PerTeam<int> goals{};
+  for (const GoalRecord& goal : played.report.statistics.goals) ++goals[indexOf(goal.team)];
+  CHECK(goals == played.report.referee.score);
+  std::size_t restarts = 0;
+  for (const LoggedEvent& event : played.report.events) restarts += event.restart ? 1 : 0;
+  int counted = 0;
+  for (const PerTeam<int>& kind : played.report.statistics.restarts) counted += kind[0] + kind[1];
+  CHECK(counted == static_cast<int>(restarts));
+}
+
+TEST_CASE("a match that is broken off says so", "[unit]") {
+  const Played played(chasers(), 300);
+  CHECK(Json::parse(matchJson(played.report))["score"]["complete"] == false);
+  CHECK(matchText(played.report).find("broken off") != std::string::npos);
+  CHECK(parsedLines(played.lines).back()["complete"] == false);
+}
+
+TEST_CASE("the summary tells score, table, speed and hash; the profile when it was measured", "[unit]") {
+  Played played(chasers());
+  const std::string text = matchText(played.report);
+  for (const char* part :
+       {"chaser (blue) ", "possession", "shots (on goal)", "ball in own third", "distance run",
+        "contacts of opponents", "commands rejected", "kick-offs", "x real time", "final hash", "seed 1"}) {
+    INFO(part);
+    CHECK(text.find(part) != std::string::npos);
+  }
+  CHECK(text.find("physics  ") == std::string::npos);
+  played.report.profile = MatchProfile{1, 2, 3, 60, 5, 6, 23, 10};
+  CHECK(matchText(played.report).find("physics       60.0 %") != std::string::npos);
+  CHECK(Json::parse(matchJson(played.report))["compute_profile"]["physics_ns"] == 60);
+}
+
+TEST_CASE("event lines: a header, the log's events, the end", "[unit]") {
+  const Played played(chasers());
+  const std::vector<Json> lines = parsedLines(played.lines);
+  REQUIRE(lines.size() == played.report.events.size() + 2);
+  CHECK(lines.front()["event"] == "match");
+  CHECK(lines.front()["schema_version"] == 1);
+  CHECK(lines[1]["event"] == "restart");
+  CHECK(lines[1]["kind"] == "kick-off");
+  CHECK(lines.back()["event"] == "end");
+  CHECK(lines.back()["complete"] == true);
+  const Json json = Json::parse(matchJson(played.report));
+  for (std::size_t i = 0; i < json["events"].size(); ++i) CHECK(json["events"][i] == lines[i + 1]);
+}
+
+TEST_CASE("the event log is bounded and counts what it leaves out", "[unit]") {
+  auto match = Match::create(chasers());
+  REQUIRE(match);
+  EventLog all, one(1);
+  match->watch(all);
+  match->watch(one);
+  while (match->step()) {
+  }
+  CHECK(one.events().size() == 1);
+  CHECK(one.leftOut() + 1 == all.events().size());
+}
+
+TEST_CASE("a series' report: rows of both legs, intervals, null where one pair gives none", "[unit]") {
+  SeriesReport report{{chasers(), 1, 1}, {}, 0.25};
+  report.config.match.rules.half_seconds = 10.0;
+  auto played = playSeries(report.config);
+  REQUIRE(played);
+  report.result = *played;
+  const Json json = Json::parse(seriesJson(report));
+  for (const char* key :
+       {"points_share", "points_share_low", "points_share_high", "goal_difference", "goal_difference_low",
+        "goal_difference_high", "wins", "draws", "losses", "pairs"}) {
+    CHECK(json.contains(key));
+  }
+  CHECK(json["points_share"] == 0.5);  // A against itself cancels
+  CHECK(json["goal_difference_low"].is_null());
+  REQUIRE(json["matches"].size() == 2);
+  CHECK(json["matches"][0]["goals_a"] == json["matches"][1]["goals_b"]);
+  CHECK(json["matches"][1]["blue"] == "b");
+  CHECK(report.simulated() >= 40.0);
+  CHECK(seriesText(report).find("points share") != std::string::npos);
+}
+
+}  // namespace fulbito
