@@ -76,6 +76,14 @@ Result<void> addStart(const std::string& file, MatchConfig& config) {
   return {};
 }
 
+Result<void> shorten(const MatchCommand& options, Rules& rules) {
+  if (!options.half_seconds) return {};
+  rules.half_seconds = *options.half_seconds;
+  const auto checked = validate(rules);
+  if (!checked) return fail(ErrorCode::kUsage, "--half-seconds: " + checked.error().message);
+  return {};
+}
+
 Result<MatchConfig> configOf(const MatchCommand& options) {
   auto blue = parseTeam(options.blue), yellow = parseTeam(options.yellow);
   if (!blue) return tl::unexpected<Error>(blue.error());
@@ -91,7 +99,9 @@ Result<MatchConfig> configOf(const MatchCommand& options) {
   MatchConfig config;
   config.teams = {std::move(*blue), std::move(*yellow)};
   config.rules = std::move(*rules);
-  if (options.half_seconds) config.rules.half_seconds = *options.half_seconds;
+  if (auto shortened = shorten(options, config.rules); !shortened) {
+    return tl::unexpected<Error>(shortened.error());
+  }
   config.field = std::move(*field);
   config.robot = std::move(*robot);
   config.physics = std::move(*physics);
@@ -201,6 +211,7 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
       ->capture_default_str();
   command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
