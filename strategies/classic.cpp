@@ -143,6 +143,7 @@ TeamCommand Classic::decide(const Observation& seen) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(now.team_size); ++i) {
     if (!now.own[i].present) continue;
     const Role role = roleOf(i);
+    command.roles[i] = static_cast<std::uint8_t>(static_cast<int>(role) + 1);
     RobotCommand& own = command.robots[i];
     if (role == Role::kKeeper) {
       own = keeper(now, i);
