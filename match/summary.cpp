@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-constexpr int kLabelWidth = 32;
+constexpr int kLabelWidth = 36;
 constexpr int kColumnWidth = 14;
 
 /// Minutes and seconds.
