@@ -241,7 +241,10 @@ Vec2 Classic::aim(const Observation& now, Vec2 ball) const {
   if (ball.x < -info_.field.length / 4) return clearanceTarget(info_.field, ball, {places.data(), count});
   ShotModel model;
   model.ball_radius = info_.ball.radius;
-  const auto shot = bestShot(info_.field, model, ball, {blockers.data(), count});
+  auto shot = bestShot(info_.field, model, ball, {blockers.data(), count});
+  // A keeper in time for everything still leaves a wider and a narrower side.
+  model.acceleration = 0.0;
+  if (!shot) shot = bestShot(info_.field, model, ball, {blockers.data(), count});
   return shot ? shot->aim : opponentGoal(info_.field);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "strategies/libero_areas.hpp"
+#include "strategies/libero_exercise.hpp"
 #include "strategies/libero_keeper.hpp"
 #include "strategies/libero_restarts.hpp"
 #include "strategies/libero_striker.hpp"
@@ -23,14 +24,12 @@ class Libero final : public Strategy {
     spin_.reset();
     striker_ = -1;
     strike_ = {};
-    keep_ = {};
   }
 
   TeamCommand decide(const Observation& observation) override {
     if (observation.since_restart < observation.dt / 2) {
       spin_.reset();
       strike_ = {};
-      keep_ = {};
       held_ = 1.0;
     }
     ball_.compute(pitch_, spin_.update(pitch_, observation.ball));
@@ -41,6 +40,7 @@ class Libero final : public Strategy {
     int rank = 0;
     for (int i = 0; i < observation.team_size; ++i) {
       if (!picture.ownPresent(i)) continue;
+      command.roles[static_cast<std::size_t>(i)] = roleOf(i);
       command.robots[static_cast<std::size_t>(i)] =
           RobotCommand::byTwist(legal(picture, i, play(picture, i, rank)));
     }
@@ -51,14 +51,31 @@ class Libero final : public Strategy {
     return placementAt(pitch_, request);
   }
 
+  std::optional<ExerciseReply> exercise(const Observation& observation, const Exercise& exercise) override {
+    const BallState ball = spin_.update(pitch_, observation.ball);
+    ExerciseReply reply;
+    if (exercise.kind == Exercise::Kind::kPredictBall) {
+      ball_.compute(pitch_, ball);
+      reply.answer = ball_.at(exercise.horizon);
+    }
+    reply.command.robots[0] = RobotCommand::byTwist(
+        exerciseTwist(pitch_, observation.own[0].state, ball.position, exercise, strike_.side));
+    return reply;
+  }
+
  private:
   Twist play(const Picture& picture, int robot, int& rank) {
-    if (robot == keeper_) return keep(picture, robot, keep_);
+    if (robot == keeper_) return keep(picture, robot);
     const bool ours = inOwnArea(pitch_, ball_.at(0.2), 0.0);
     if (robot == striker_ && !(ours && keeper_ >= 0)) return strike(picture, robot, strike_);
     if (ours && keeper_ >= 0) {
       // The keeper's alone: beside the area, off the way of those who come, ready for what comes out.
       const double side = ball_.now().position.y >= 0.0 ? 1.0 : -1.0;
+      Vec2 follower;
+      if (rank == 0 && 0 > 0 && followerInArea(picture, follower)) {
+        ++rank;
+        return passThrough(pitch_, picture.own(robot), follower, pitch_.speed);
+      }
       const Vec2 wait = rank++ == 0 ? Vec2{-pitch_.half_length + 0.5, side * 0.45}
                                     : Vec2{-pitch_.half_length + 0.5, -side * 0.3};
       return supportTo(picture, robot, wait);
@@ -68,6 +85,24 @@ class Libero final : public Strategy {
     if (inTheirArea(pitch_, ball_.now().position, 0.1)) place = outOfTheirArea(pitch_, place, 0.08);
     return supportTo(picture, robot, place);
   }
+
+  /// An opponent who follows another into our area, the farther one from the ball: it may not take part.
+  bool followerInArea(const Picture& picture, Vec2& place) const {
+    int inside = 0;
+    double farthest = 0.0;
+    for (int i = 0; i < picture.seen.team_size; ++i) {
+      if (!picture.opponentPresent(i)) continue;
+      const Vec2 body = picture.opponent(i).pose.position;
+      if (!inOwnArea(pitch_, body, 0.04)) continue;
+      ++inside;
+      const double from_ball = squaredNorm(body - ball_.now().position);
+      if (from_ball > farthest) farthest = from_ball, place = body;
+    }
+    return inside >= 2;
+  }
+
+  /// 1 keeper, 2 striker, 3 support.
+  std::uint8_t roleOf(int robot) const { return robot == keeper_ ? 1 : robot == striker_ ? 2 : 3; }
 
   Twist legal(const Picture& picture, int robot, Twist wanted) const {
     if (robot == keeper_) return wanted;
@@ -111,7 +146,6 @@ class Libero final : public Strategy {
   int striker_ = -1;
   double held_ = 1.0;  // [s] since the striker was chosen
   StrikerMemory strike_;
-  KeeperMemory keep_;
 };
 
 }  // namespace

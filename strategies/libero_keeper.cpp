@@ -32,6 +32,15 @@ bool crossing(const Picture& picture, double line, double& y) {
 Twist slideTo(const Picture& picture, const RobotState& self, double line, double y) {
   const Pitch& pitch = picture.pitch;
   const double dx = line - self.pose.position.x, dy = y - self.pose.position.y;
+  const Vec2 rel = picture.ball.now().position - self.pose.position;
+  if (dx > 0.02 && 1 > 0 && squaredNorm(rel) < 0.13 * 0.13 && rel.x > 0.0) {
+    // Pushed into the goal with the ball before it: stay side on and before the ball, turning would let it
+    // in.
+    const double along = self.pose.heading >= 0.0 ? math::kPi / 2 : -math::kPi / 2;
+    const double ahead = picture.ball.at(0.05).y - self.pose.position.y;
+    return {std::copysign(1.0, self.pose.heading) * std::clamp(15.0 * ahead, -pitch.speed, pitch.speed),
+            std::clamp(12.0 * foldedError(along, self.pose.heading), -8.0, 8.0)};
+  }
   if (std::abs(dx) > 0.06 || std::abs(dy) > 0.35) return restAt(pitch, self, {line, y}, math::kPi / 2);
   const double fast = std::min(pitch.speed, std::sqrt(2.0 * 0.8 * pitch.acceleration * std::abs(dy)));
   const double speed = std::copysign(std::min(fast, 20.0 * std::abs(dy)), dy);
@@ -49,11 +58,14 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   const Vec2 ball = picture.ball.at(0.1);
   if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
   const double mine = timeToReach(pitch, self, ball);
+  int soon = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball) < mine + 0.4)
-      return false;
+    if (!picture.opponentPresent(i)) continue;
+    const double theirs = timeToReach(pitch, picture.opponent(i), ball);
+    if (theirs < mine + 0.1) return false;
+    if (theirs < mine + 0.4) ++soon;
   }
-  return true;
+  return soon < 2;
 }
 
 /// Pushes a ball that lies near out to the side, from the goal's side; false when the keeper is not there.
@@ -125,27 +137,12 @@ bool mustSave(const Picture& picture, int robot) {
          picture.ball.now().position.x > picture.own(robot).pose.position.x;
 }
 
-Twist keep(const Picture& picture, int robot, KeeperMemory& memory) {
+Twist keep(const Picture& picture, int robot) {
   const RobotState& self = picture.own(robot);
   const Pitch& pitch = picture.pitch;
   const double line = -pitch.half_length + kDepth;
   const BallState& ball = picture.ball.now();
   const Vec2 rel = ball.position - self.pose.position;
-  memory.locked = std::max(0.0, memory.locked - picture.seen.dt);
-  // A spin flings a ball that lies right before the front away, never one beside or behind the keeper.
-  const bool spins = rel.x > 0.045 && squaredNorm(rel) < 0.075 * 0.075;
-  if (!spins) memory.spin_left = 0.0;
-  if (memory.spin_left > 0.0) {
-    memory.spin_left -= picture.seen.dt;
-    return {0.0, memory.spin_sense * 28.0};
-  }
-  if (spins && memory.locked <= 0.0 && squaredNorm(ball.velocity) < 0.5 * 0.5) {
-    const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
-    memory.spin_sense = cross(rel, {0.3, out}) >= 0.0 ? 1.0 : -1.0;
-    memory.spin_left = 0.3;
-    memory.locked = 0.5;
-    return {0.0, memory.spin_sense * 28.0};
-  }
   if (picture.seen.restart == RestartKind::kPenalty && !picture.seen.restart_is_ours &&
       picture.seen.since_restart < 0.8 && rel.x > 0.04 && squaredNorm(rel) > 0.06 * 0.06) {
     // Out to meet the taker: the nearer to the ball, the more of the goal is covered.

@@ -69,11 +69,14 @@ Twist alongHeading(const Pitch&, const RobotState& robot, double heading, double
   return {sign * speed * slowed, std::clamp(steering.gain * error, -24.0, 24.0)};
 }
 
+double fastestTurn(const Pitch& pitch, double angle) {
+  const double yaw_acceleration = pitch.acceleration / pitch.half_track;
+  return std::min(std::sqrt(2.0 * 0.6 * yaw_acceleration * angle), 25.0 * angle);
+}
+
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading) {
   const double error = foldedError(heading, robot.pose.heading);
-  const double yaw_acceleration = pitch.acceleration / pitch.half_track;
-  const double fast = std::sqrt(2.0 * 0.6 * yaw_acceleration * std::abs(error));
-  return {0.0, std::copysign(std::min(fast, 25.0 * std::abs(error)), error)};
+  return {0.0, std::copysign(fastestTurn(pitch, std::abs(error)), error)};
 }
 
 Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double heading, double heading_from) {

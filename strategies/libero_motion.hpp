@@ -20,6 +20,9 @@ double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target);
 Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed,
                    const Steering& steering = {});
 
+/// The yaw rate [rad/s] at which a turn by `angle` [rad] >= 0 can still be stopped in time.
+double fastestTurn(const Pitch& pitch, double angle);
+
 /// Turns on the spot until one end points along `heading`.
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading);
 

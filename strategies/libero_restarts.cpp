@@ -24,7 +24,7 @@ void kickOff(const Pitch& pitch, bool ours, TeamPlacement& placed) {
     placed[2] = facing({-far, -0.30}, {0.4, -0.3});
   } else {
     // From the side: the ball leaves the face of whoever pushes it straight on, toward the support.
-    const double angle = 0.9;
+    const double angle = 0.5;
     placed[1] = facing(-0.245 * math::unit(-angle), {});
     placed[2] = facing({-0.22, -0.26}, {});
   }

@@ -8,17 +8,8 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kRound = 0.09;      // [m] circle on which to come round the ball
-constexpr double kSharpness = 2.0;   // n of the field
-constexpr double kTouch = 0.075;     // [m] centre to centre where the ball is about touched
-constexpr double kHalf = 0.03;       // [m] nearer than this is not behind
-constexpr double kCone = 0.4;        // |y| / x within which the line is followed
-constexpr double kLookAhead = 0.04;  // [s]
-constexpr double kTurnRate = 9.0;    // [rad/s] at which skew can be taken out before the touch
-constexpr double kSideRate = 0.25;   // [m/s] the same of the lateral error
-constexpr double kSlowTouch = 0.3;   // [m/s]
-constexpr double kPushGain = 10.0;   // [1/s]
-constexpr double kSpinTime = 0.45;   // [s]
+constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
+constexpr double kSpinTime = 0.45;  // [s]
 
 Twist spin(StrikerMemory& memory, double dt) {
   memory.spin_left -= dt;
@@ -61,19 +52,6 @@ Interception interception(const Picture& picture, const RobotState& robot) {
     late = needed - time;
   }
   return {};
-}
-
-double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius, double sharpness,
-                       int& side) {
-  const Vec2 way = contact - robot;
-  const double d = norm(way);
-  const double bearing = math::angleOf(way);
-  const double alpha = math::wrapAngle(bearing - direction);
-  int turn = alpha < 0.0 ? -1 : 1;
-  if (std::abs(alpha) > 2.5 && side != 0) turn = side;
-  side = turn;
-  const double most = d > radius ? math::asin(radius / d) : math::kPi / 2 + (1.0 - d / radius) * 1.5;
-  return bearing + turn * std::min(sharpness * std::abs(alpha), most);
 }
 
 namespace {
@@ -132,29 +110,6 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& 
   return chosen;
 }
 
-/// Drives so as to hit `contact` along `direction`: onto the line behind it, aligned before the touch.
-Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec2 direction, double fastest,
-                   double round, StrikerMemory& memory) {
-  const Vec2 ahead = self.pose.position + self.velocity * kLookAhead;
-  const Vec2 local = intoFrame(direction, ahead - contact);
-  const double along = math::angleOf(direction);
-  if (-local.x < kHalf || std::abs(local.y) > kCone * -local.x) {
-    const double heading =
-        approachHeading(ahead, contact, along, local.x > -0.03 ? round : kRound, kSharpness, memory.side);
-    return alongHeading(pitch, self, heading, pitch.speed);
-  }
-  memory.side = 0;
-  const double to_touch = std::max(0.0, -local.x - 0.06);
-  const double carrot = std::max(0.045, 0.5 * to_touch);
-  const double heading = along - math::atan2(local.y, carrot);
-  const double skew = std::abs(foldedError(along, self.pose.heading));
-  const double needed = skew / kTurnRate + std::abs(local.y) / kSideRate;
-  const double speed = std::min(fastest, kSlowTouch + (to_touch + 0.02) / std::max(needed, 0.01));
-  Steering steering;
-  steering.gain = to_touch < 0.015 ? kPushGain : 16.0;
-  return alongHeading(pitch, self, heading, speed, steering);
-}
-
 }  // namespace
 
 Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
@@ -169,6 +124,11 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
       squaredNorm(rel) > 0.055 * 0.055) {
     return passThrough(pitch, self, now.position, pitch.speed);
   }
+  if (picture.seen.restart == RestartKind::kFreeBall && picture.seen.since_restart < 0.25 &&
+      squaredNorm(rel) > 0.055 * 0.055) {
+    return passThrough(pitch, self, now.position + Vec2{0.0, 0.03 * std::copysign(1.0, now.position.y)},
+                       pitch.speed);
+  }
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
   const Vec2 ball = close ? now.position + now.velocity * 0.03 : meet.ball;
@@ -176,7 +136,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   Aim aim = aimAt(pitch, ball, {pitch.half_length + 0.02, memory.mouth});
   const bool pinned = aim.wall && squaredNorm(rel) < 0.085 * 0.085 && squaredNorm(now.velocity) < 0.2 * 0.2 &&
                       dot(unitOr(rel, {}), aim.direction) < 0.5;
-  if (now.position.x > 0.2 && (memory.jammed > 0.35 || pinned) && memory.locked <= 0.0) {
+  if (now.position.x > 0.5 && (memory.jammed > 0.35 || pinned) && memory.locked <= 0.0) {
     memory.spin_left = kSpinTime;
     memory.jammed = 0.0;
     memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
@@ -184,8 +144,8 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   }
   if (!aim.wall) aim.direction = blow(aim.direction, now.velocity);
   if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory);
-  return driveThrough(pitch, self, aim.contact, aim.direction, pitch.speed,
-                      kRound + 0.0 * std::min(2, crowdAt(picture, now.position)), memory);
+  return driveThrough(pitch, self, aim.contact, aim.direction,
+                      kRound + 0.03 * std::min(2, crowdAt(picture, now.position)), memory.side);
 }
 
 }  // namespace fulbito::libero

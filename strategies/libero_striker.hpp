@@ -2,6 +2,7 @@
 #pragma once
 
 #include "strategies/libero_aim.hpp"
+#include "strategies/libero_approach.hpp"
 #include "strategies/libero_motion.hpp"
 
 namespace fulbito::libero {
@@ -25,12 +26,6 @@ struct Interception {
 
 /// First time at which the robot can be behind the predicted ball.
 Interception interception(const Picture& picture, const RobotState& robot);
-
-/// Heading [rad] of the field that leads behind the ball and through it: tangents to a circle about the
-/// contact, then the N-posture field (Univector, 3.1). `side` breaks the tie where the robot is right in
-/// front.
-double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius, double sharpness,
-                       int& side);
 
 /// The striker's way: intercept, come round, push it in.
 Twist strike(const Picture& picture, int robot, StrikerMemory& memory);
