@@ -156,6 +156,7 @@ Interval measured(const DrillBar& bar, const std::vector<DrillMatch>& matches) {
     return {sigmas, sigmas, sigmas};
   }
   std::vector<double> values;
+  values.reserve(matches.size());
   for (const DrillMatch& m : matches) values.push_back(valueOf(m, bar.value));
   if (bar.statistic == DrillStatistic::kRate) {
     const auto hits = std::count_if(values.begin(), values.end(), [](double v) { return v > 0.5; });

@@ -48,6 +48,16 @@ BallWay rollAlone(const MatchConfig& match, const Placement& placement) {
   return way;
 }
 
+std::vector<Pose2> standing(const Placement& placement) {
+  std::vector<Pose2> poses;
+  for (const auto& team : placement.robots) {
+    for (const auto& pose : team) {
+      if (pose) poses.push_back(*pose);
+    }
+  }
+  return poses;
+}
+
 double draw(Rng& rng, double low, double high) { return rng.uniform(low, std::max(low, high)); }
 
 Vec2 spread(Rng& rng, Vec2 at, Vec2 by) {
@@ -160,15 +170,12 @@ class SceneDraw {
   bool fits(const DrillStart& start, const DrillScene& scene) const {
     const double ball = robot_.ball.radius;
     if (!insideField(field_, scene.placement.ball, ball + 0.0005)) return false;
-    std::vector<Vec2> placed;
-    for (const auto& team : scene.placement.robots) {
-      for (const auto& pose : team) {
-        if (!pose) continue;
-        if (!robotFits(*pose, scene.placement.ball)) return false;
-        for (const Vec2 other : placed) {
-          if (distance(other, pose->position) < robot_.robot.length) return false;
-        }
-        placed.push_back(pose->position);
+    const std::vector<Pose2> robots = standing(scene.placement);
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      if (!robotFits(robots[i], scene.placement.ball)) return false;
+      for (std::size_t j = 0; j < i; ++j) {
+        if (distance(robots[i].position, robots[j].position) < 2.0 * robot_.robot.circumradius())
+          return false;
       }
     }
     if (start.task == DrillTask::kPlay || start.task == DrillTask::kPredictBall) return true;

@@ -8,14 +8,14 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kSharpness = 2.0;   // n of the field
-constexpr double kHalf = 0.03;       // [m] nearer than this is not behind
-constexpr double kCone = 0.4;        // |y| / x within which the line is followed
-constexpr double kLookAhead = 0.04;  // [s]
-constexpr double kTurnRate = 9.0;    // [rad/s] at which skew can be taken out before the touch
-constexpr double kSideRate = 0.25;   // [m/s] the same of the lateral error
-constexpr double kSlowTouch = 0.3;   // [m/s]
-constexpr double kPushGain = 10.0;   // [1/s]
+constexpr double kSharpness = 2.7;    // n of the field
+constexpr double kHalf = 0.03;        // [m] nearer than this is not behind
+constexpr double kCone = 0.4;         // |y| / x within which the line is followed
+constexpr double kLookAhead = 0.045;  // [s]
+constexpr double kTurnRate = 9.0;     // [rad/s] at which skew can be taken out before the touch
+constexpr double kSideRate = 0.35;    // [m/s] the same of the lateral error
+constexpr double kSlowTouch = 0.3;    // [m/s]
+constexpr double kPushGain = 10.0;    // [1/s]
 
 }  // namespace
 
@@ -48,7 +48,7 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   const double heading = along - math::atan2(local.y, carrot);
   const double skew = std::abs(foldedError(along, self.pose.heading));
   const double needed = skew / kTurnRate + std::abs(local.y) / kSideRate;
-  const double speed = std::min(pitch.speed, kSlowTouch + (to_touch + 0.02) / std::max(needed, 0.01));
+  const double speed = std::min(pitch.speed, kSlowTouch + (to_touch + 0.025) / std::max(needed, 0.01));
   Steering steering;
   steering.gain = to_touch < 0.015 ? kPushGain : 16.0;
   return alongHeading(pitch, self, heading, speed, steering);

@@ -149,7 +149,10 @@ Twist keep(const Picture& picture, int robot) {
     return passThrough(pitch, self, ball.position + ball.velocity * 0.05, pitch.speed);
   }
   Twist out;
-  if (comesFirst(picture, self) && clear(picture, self, out)) return out;
+  double shot = 0.0;
+  const bool coming = crossing(picture, -pitch.half_length, shot) &&
+                      std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
+  if (!coming && comesFirst(picture, self) && clear(picture, self, out)) return out;
   if (alongEndWall(picture)) return guardPost(picture, self);
   return slideTo(picture, self, line, keeperPlace(picture, line));
 }
