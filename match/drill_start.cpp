@@ -36,9 +36,11 @@ BallWay rollAlone(const MatchConfig& match, const Placement& placement) {
   const double in_goal = match.field.length / 2 + match.robot.ball.radius;
   const auto ticks = static_cast<Tick>(kLongestRoll * match.physics.control_rate);
   Vec2 last = placement.ball;
+  bool at_wall = false;
   while (!way.conceded && world->state().tick < ticks) {
     world->step({});
-    for (const ContactEvent& contact : world->contacts()) way.bounces += contact.began ? 1 : 0;
+    way.bounces += !world->contacts().empty() && !at_wall ? 1 : 0;
+    at_wall = !world->contacts().empty();
     const Vec2 now = world->state().balls.front().position;
     way.length += distance(now, last);
     last = now;
