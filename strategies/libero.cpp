@@ -24,13 +24,13 @@ class Libero final : public Strategy {
     spin_.reset();
     striker_ = -1;
     strike_ = {};
+    held_ = 1.0;
   }
 
   TeamCommand decide(const Observation& observation) override {
     if (observation.since_restart < observation.dt / 2) {
       spin_.reset();
       strike_ = {};
-      held_ = 1.0;
     }
     ball_.compute(pitch_, spin_.update(pitch_, observation.ball));
     const Picture picture{observation, pitch_, settings_, ball_};
@@ -85,6 +85,12 @@ class Libero final : public Strategy {
       return supportTo(picture, robot, wait);
     }
     Vec2 place = supportPlace(picture, {}, rank++);
+    // Nobody crowds the striker's ball.
+    const Vec2 from_ball = place - ball_.now().position;
+    const double room = 0.22;
+    if (squaredNorm(from_ball) < room * room) {
+      place = pitch_.inside(ball_.now().position + unitOr(from_ball, {-1.0, 0.0}) * room, 0.06);
+    }
     place = outOfOwnArea(pitch_, place, 0.07);
     if (inTheirArea(pitch_, ball_.now().position, 0.1)) place = outOfTheirArea(pitch_, place, 0.08);
     return supportTo(picture, robot, place);

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kSharpness = 2.7;    // n of the field
 constexpr double kHalf = 0.03;        // [m] nearer than this is not behind
-constexpr double kCone = 0.4;         // |y| / x within which the line is followed
+constexpr double kCone = 0.35;        // |y| / x within which the line is followed
 constexpr double kLookAhead = 0.045;  // [s]
-constexpr double kTurnRate = 9.0;     // [rad/s] at which skew can be taken out before the touch
+constexpr double kTurnRate = 8.0;     // [rad/s] at which skew can be taken out before the touch
 constexpr double kSideRate = 0.35;    // [m/s] the same of the lateral error
-constexpr double kSlowTouch = 0.3;    // [m/s]
+constexpr double kSlowTouch = 0.5;    // [m/s]
 constexpr double kPushGain = 10.0;    // [1/s]
 
 }  // namespace

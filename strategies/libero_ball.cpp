@@ -52,8 +52,8 @@ void bounce(const BallModel& model, BallState& ball, Vec2 out, double limit) {
   const double e = model.wall_restitution;
   const Vec2 along = ball.velocity - out * speed;
   const double slide = norm(along);
-  // Friction at the wall acts on the sliding ball until it rolls along the wall, at most.
-  const double drag = std::min(model.friction * (1.0 + e) * speed, slide / 3.0);
+  // Friction at the wall acts on the sliding ball until it stops along the wall, at most.
+  const double drag = std::min(model.friction * (1.0 + e) * speed, slide);
   const Vec2 kept = slide > 1e-9 ? along * (1.0 - drag / slide) : Vec2{};
   ball.position -= out * (beyond * (1.0 + e));
   ball.velocity = kept - out * (e * speed);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "strategies/libero_areas.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -30,7 +31,7 @@ void watchJam(const Picture& picture, const RobotState& robot, Vec2 rel, Striker
 
 Interception interception(const Picture& picture, const RobotState& robot) {
   const Vec2 goal = picture.pitch.theirGoal();
-  const auto strikePoint = [&](Vec2 ball) { return ball - unitOr(goal - ball, {1.0, 0.0}) * 0.06; };
+  const auto strikePoint = [&](Vec2 ball) { return ball - unitOr(goal - ball, {1.0, 0.0}) * 0.04; };
   if (picture.ball.resting()) {
     const Vec2 ball = picture.ball.sample(0);
     return {timeToReach(picture.pitch, robot, strikePoint(ball)), ball};
@@ -41,7 +42,7 @@ Interception interception(const Picture& picture, const RobotState& robot) {
     const Vec2 ball = picture.ball.sample(i);
     const double least = picture.pitch.speed * time + 0.12;
     if (squaredNorm(ball - robot.pose.position) > least * least && i < BallForecast::kSteps) continue;
-    const double needed = timeToReach(picture.pitch, robot, strikePoint(ball));
+    const double needed = timeToReach(picture.pitch, robot, strikePoint(ball)) + 0.0;
     if (needed <= time || i == BallForecast::kSteps) {
       if (i == 0) return {needed, ball};
       const double early = time - needed;
@@ -60,7 +61,7 @@ namespace {
 /// must be taken from it.
 Vec2 blow(Vec2 wanted, Vec2 moving) {
   const Vec2 local = intoFrame(wanted, moving);
-  return unitOr(outOfFrame(wanted, {std::max(0.5, 1.3 - local.x), -local.y}), wanted);
+  return unitOr(outOfFrame(wanted, {std::max(0.8, 1.3 - local.x), -local.y}), wanted);
 }
 
 /// How badly bodies bar the way of a blow at `contact` along `direction`: in the place of the striker, or
@@ -110,6 +111,17 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& 
   return chosen;
 }
 
+/// Whether the robot presses on the opponents' keeper in its area, the ball not between: that is a foul.
+bool chargesKeeper(const Picture& picture, const RobotState& self, Vec2& keeper) {
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    keeper = picture.opponent(i).pose.position;
+    if (inTheirArea(picture.pitch, keeper) && squaredNorm(keeper - self.pose.position) < 0.088 * 0.088)
+      return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
@@ -128,6 +140,10 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
       squaredNorm(rel) > 0.055 * 0.055) {
     return passThrough(pitch, self, now.position + Vec2{0.0, 0.03 * std::copysign(1.0, now.position.y)},
                        pitch.speed);
+  }
+  Vec2 keeper;
+  if (1 > 0 && squaredNorm(rel) > 0.075 * 0.075 && chargesKeeper(picture, self, keeper)) {
+    return passThrough(pitch, self, self.pose.position * 2.0 - keeper, 0.6);
   }
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;

@@ -49,12 +49,14 @@ Vec2 supportPlace(const Picture& picture, Vec2, int rank) {
   if (rank == 0 && crowd >= 2) {
     return {std::min(ball.x + 0.3, pitch.half_length - 0.35), std::clamp(ball.y * 0.4, -0.3, 0.3)};
   }
-  // The shadow: on the line from the ball to our goal, outside the area.
+  // The shadow: on the line from the ball to our goal, outside the area; beside it where the ball lies
+  // deeper.
   const Vec2 goal = pitch.ownGoal();
   const double front = -pitch.half_length + pitch.area_depth + pitch.arc_depth + 0.09;
   const double x = std::max(front, ball.x - 0.35);
   const double part = std::clamp((x - goal.x) / std::max(0.05, ball.x - goal.x), 0.0, 1.0);
-  return {x, std::clamp(ball.y * part, -pitch.half_width + 0.06, pitch.half_width - 0.06)};
+  const double most = ball.x < front + 0.1 ? 0.25 : pitch.half_width - 0.06;
+  return {x, std::clamp(ball.y * part, -most, most)};
 }
 
 Twist supportTo(const Picture& picture, int robot, Vec2 place) {
