@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "strategies/libero_areas.hpp"
 #include "strategies/libero_exercise.hpp"
@@ -15,12 +16,28 @@ namespace {
 
 using namespace libero;
 
+/// Brings the robots of a picture that is old to now: ours by what they were told, theirs by their velocity.
+void rollForward(const Pitch& pitch, Observation& seen) {
+  const int ticks = static_cast<int>(pitch.age / seen.dt + 0.5);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
+    for (int t = 0; t < ticks && seen.own[i].present; ++t) {
+      seen.own[i].state = rolledForward(pitch.robot, seen.own[i].state, seen.sent[i], seen.dt);
+    }
+    seen.opponents[i].state.pose.position += seen.opponents[i].state.velocity * pitch.age;
+  }
+}
+
 class Libero final : public Strategy {
  public:
-  explicit Libero(Settings settings) : settings_(settings) {}
+  Libero(Settings settings, std::optional<NavigatorChoice> navigator) : settings_(settings) {
+    if (navigator) navigators_.push_back(std::move(*navigator));
+  }
+
+  std::span<const NavigatorChoice> navigators() const override { return navigators_; }
 
   void begin(const MatchInfo& info) override {
     pitch_ = Pitch(info);
+    delayed_ = info.observation_age > 0.0;
     spin_.reset();
     striker_ = -1;
     strike_ = {};
@@ -32,19 +49,12 @@ class Libero final : public Strategy {
       spin_.reset();
       strike_ = {};
     }
-    ball_.compute(pitch_, spin_.update(pitch_, observation.ball));
-    const Picture picture{observation, pitch_, settings_, ball_};
-    chooseKeeper(picture);
-    chooseStriker(picture);
-    TeamCommand command;
-    int rank = 0;
-    for (int i = 0; i < observation.team_size; ++i) {
-      if (!picture.ownPresent(i)) continue;
-      command.roles[static_cast<std::size_t>(i)] = roleOf(i);
-      command.robots[static_cast<std::size_t>(i)] =
-          RobotCommand::byTwist(legal(picture, i, play(picture, i, rank)));
-    }
-    return command;
+    if (!delayed_) return decideNow(observation, spin_.update(pitch_, observation.ball));
+    present_ = observation;
+    const BallState ball = spin_.update(pitch_, observation.ball);
+    rollForward(pitch_, present_);
+    present_.ball = rolledOn(pitch_, ball, pitch_.age);
+    return decideNow(present_, present_.ball);
   }
 
   std::optional<TeamPlacement> place(const PlacementRequest& request) override {
@@ -68,55 +78,44 @@ class Libero final : public Strategy {
   }
 
  private:
-  Twist play(const Picture& picture, int robot, int& rank) {
-    if (robot == keeper_) return keep(picture, robot);
-    const bool ours = inOwnArea(pitch_, ball_.at(0.2), 0.0);
-    if (robot == striker_ && !(ours && keeper_ >= 0)) return strike(picture, robot, strike_);
-    if (ours && keeper_ >= 0) {
-      // The keeper's alone: beside the area, off the way of those who come, ready for what comes out.
-      const double side = ball_.now().position.y >= 0.0 ? 1.0 : -1.0;
-      Vec2 follower;
-      if (rank == 0 && 0 > 0 && followerInArea(picture, follower)) {
-        ++rank;
-        return passThrough(pitch_, picture.own(robot), follower, pitch_.speed);
-      }
-      const Vec2 wait = rank++ == 0 ? Vec2{-pitch_.half_length + 0.5, side * 0.45}
-                                    : Vec2{-pitch_.half_length + 0.5, -side * 0.3};
-      return supportTo(picture, robot, wait);
+  TeamCommand decideNow(const Observation& seen, const BallState& ball) {
+    ball_.compute(pitch_, ball);
+    const Picture picture{seen, pitch_, settings_, ball_};
+    chooseKeeper(picture);
+    chooseStriker(picture);
+    TeamCommand command;
+    int rank = 0;
+    for (int i = 0; i < seen.team_size; ++i) {
+      if (!picture.ownPresent(i)) continue;
+      command.roles[static_cast<std::size_t>(i)] = roleOf(i);
+      command.robots[static_cast<std::size_t>(i)] = play(picture, i, rank);
     }
-    Vec2 place = supportPlace(picture, {}, rank++);
-    // Nobody crowds the striker's ball.
-    const Vec2 from_ball = place - ball_.now().position;
-    const double room = 0.22;
-    if (squaredNorm(from_ball) < room * room) {
-      place = pitch_.inside(ball_.now().position + unitOr(from_ball, {-1.0, 0.0}) * room, 0.06);
-    }
-    place = outOfOwnArea(pitch_, place, 0.07);
-    if (inTheirArea(pitch_, ball_.now().position, 0.1)) place = outOfTheirArea(pitch_, place, 0.08);
-    return supportTo(picture, robot, place);
+    return command;
   }
 
-  /// An opponent who follows another into our area, the farther one from the ball: it may not take part.
-  bool followerInArea(const Picture& picture, Vec2& place) const {
-    int inside = 0;
-    double farthest = 0.0;
-    for (int i = 0; i < picture.seen.team_size; ++i) {
-      if (!picture.opponentPresent(i)) continue;
-      const Vec2 body = picture.opponent(i).pose.position;
-      if (!inOwnArea(pitch_, body, 0.04)) continue;
-      ++inside;
-      const double from_ball = squaredNorm(body - ball_.now().position);
-      if (from_ball > farthest) farthest = from_ball, place = body;
+  RobotCommand play(const Picture& picture, int robot, int& rank) {
+    if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
+    const bool keepers = keeper_ >= 0 && inOwnArea(pitch_, ball_.at(0.2), 0.0);
+    if (robot == striker_ && !keepers) return legal(picture, robot, strike(picture, robot, strike_));
+    const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, rank);
+    ++rank;
+    if (!navigators_.empty() && distance(picture.own(robot).pose.position, place) > 0.1) {
+      GoTo go_to;
+      go_to.position = place;
+      go_to.stop = true;
+      go_to.avoid_ball = true;
+      return RobotCommand::drivingTo(go_to);
     }
-    return inside >= 2;
+    return legal(picture, robot, supportTo(picture, robot, place));
   }
 
   /// 1 keeper, 2 striker, 3 support.
   std::uint8_t roleOf(int robot) const { return robot == keeper_ ? 1 : robot == striker_ ? 2 : 3; }
 
-  Twist legal(const Picture& picture, int robot, Twist wanted) const {
-    if (robot == keeper_) return wanted;
-    return keptOut(pitch_, picture.own(robot), {keeper_ >= 0, robot != striker_}, wanted);
+  /// The last step: nobody but the keeper enters our area, only the striker theirs.
+  RobotCommand legal(const Picture& picture, int robot, Twist wanted) const {
+    return RobotCommand::byTwist(
+        keptOut(pitch_, picture.own(robot), {keeper_ >= 0, robot != striker_}, wanted));
   }
 
   /// The first robot on the field keeps goal; a lone one only while a shot comes.
@@ -129,6 +128,7 @@ class Libero final : public Strategy {
     if (present == 1 && !mustSave(picture, keeper_)) keeper_ = -1;
   }
 
+  /// The one who has the ball first; the present one is kept unless another is clearly better.
   void chooseStriker(const Picture& picture) {
     held_ += picture.seen.dt;
     int best = -1;
@@ -150,6 +150,9 @@ class Libero final : public Strategy {
 
   Settings settings_;
   Pitch pitch_;
+  std::vector<NavigatorChoice> navigators_;  // one, for those without the ball; none: by own skill
+  bool delayed_ = false;                     // observations have an age
+  Observation present_;                      // of now, where they have
   SpinTracker spin_;
   BallForecast ball_;
   int keeper_ = -1;
@@ -161,14 +164,27 @@ class Libero final : public Strategy {
 }  // namespace
 
 TeamInfo liberoInfo() {
-  return {"libero",
-          "the flagship: striker, support and keeper who read the game",
-          {},
-          false,
-          {},
-          [](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
-            return std::unique_ptr<Strategy>(std::make_unique<Libero>(Settings{}));
-          }};
+  const std::vector<Parameter<Settings>> parameters = {
+      number("aggression", &Settings::aggression, 0.0, 1.0, "",
+             "how early the support goes forward: 0 only when the ball is deep in their half")};
+  TeamInfo info{
+      "libero", "the flagship: striker, support and keeper who read the game", specsOf(parameters), true, "",
+      {}};
+  info.make = [parameters](std::vector<Setting> settings) -> Result<std::unique_ptr<Strategy>> {
+    std::optional<NavigatorChoice> navigator;
+    if (std::any_of(settings.begin(), settings.end(),
+                    [](const Setting& s) { return s.name == "navigator"; })) {
+      auto chosen = takeNavigator(settings, kDefaultNavigator);
+      if (!chosen) return tl::unexpected<Error>(chosen.error());
+      navigator = std::move(*chosen);
+    }
+    Settings values;
+    if (auto done = applySettings(parameters, settings, "libero", values); !done) {
+      return tl::unexpected<Error>(done.error());
+    }
+    return std::unique_ptr<Strategy>(std::make_unique<Libero>(values, std::move(navigator)));
+  };
+  return info;
 }
 
 }  // namespace fulbito

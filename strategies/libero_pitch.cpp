@@ -15,6 +15,8 @@ Pitch::Pitch(const MatchInfo& info)
       area_depth(info.field.goal_area_depth),
       arc_half(info.field.goal_area_arc_width / 2),
       arc_depth(info.field.goal_area_arc_depth),
+      big_area_depth(info.field.big_area_depth),
+      circle(info.field.centre_circle_radius),
       ball_radius(info.ball.radius),
       robot_half(std::max(info.robot.length, info.robot.width) / 2),
       robot_corner(info.robot.circumradius()),

@@ -24,6 +24,8 @@ struct Pitch {
   double area_depth = 0.15;     ///< [m]
   double arc_half = 0.10;       ///< [m] half chord of the area's arc
   double arc_depth = 0.05;      ///< [m]
+  double big_area_depth = 0.0;  ///< [m] of the larger games' big area
+  double circle = 0.20;         ///< [m] radius of the centre circle
   double ball_radius = 0.0215;  ///< [m]
   double robot_half = 0.0375;   ///< [m] half of the longer side
   double robot_corner = 0.053;  ///< [m] centre to corner

@@ -25,8 +25,8 @@ void kickOff(const Pitch& pitch, bool ours, TeamPlacement& placed) {
   } else {
     // From the side: the ball leaves the face of whoever pushes it straight on, toward the support.
     const double angle = 0.5;
-    placed[1] = facing(-0.245 * math::unit(-angle), {});
-    placed[2] = facing({-0.22, -0.26}, {});
+    placed[1] = facing(-(pitch.circle + 0.045) * math::unit(-angle), {});
+    placed[2] = facing({-pitch.circle - 0.02, -0.26}, {});
   }
 }
 
@@ -49,8 +49,11 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
     placed[2] = facing({-0.06, 0.35}, ball);
   } else {
     placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, 0.03}, 0.0};
-    placed[1] = facing({0.06, -0.42}, ball);
-    placed[2] = facing({0.06, 0.42}, ball);
+    // Wide, off the way of those who run at the ball: they would be pushed into the area.
+    constexpr double kWide[] = {-0.42, 0.42, -0.62, 0.62};
+    for (std::size_t i = 1; i < std::min<std::size_t>(5, static_cast<std::size_t>(pitch.team_size)); ++i) {
+      placed[i] = facing({0.06, kWide[i - 1]}, ball);
+    }
   }
 }
 
@@ -58,7 +61,7 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
 
 TeamPlacement placementAt(const Pitch& pitch, const PlacementRequest& request) {
   TeamPlacement placed = request.defaults;
-  if (pitch.team_size > 3 || request.kind == RestartKind::kGiven) return placed;
+  if (pitch.team_size < 3 || request.kind == RestartKind::kGiven) return placed;
   placed[0] = keeperPose(pitch);
   if (request.kind == RestartKind::kKickOff) kickOff(pitch, request.ours, placed);
   if (request.kind == RestartKind::kGoalKick) goalKick(pitch, request.ours, request.ball, placed);

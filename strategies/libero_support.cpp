@@ -32,31 +32,77 @@ double headingRound(const Picture& picture, int robot, Vec2 to) {
   return math::angleOf(turned);
 }
 
-}  // namespace
-
-Vec2 supportPlace(const Picture& picture, Vec2, int rank) {
-  const Pitch& pitch = picture.pitch;
-  const Vec2 ball = picture.ball.at(0.15);
-  const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
-  if (ball.x > 0.15 && rank == 0 && picture.settings.aggression >= 0.5) {
-    return {std::min(ball.x - 0.2, pitch.half_length - 0.35), far_side * 0.18};
-  }
+/// Opponents within 0.25 m of the ball.
+int crowdAbout(const Picture& picture, Vec2 ball) {
   int crowd = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (picture.opponentPresent(i) && squaredNorm(picture.opponent(i).pose.position - ball) < 0.25 * 0.25)
       ++crowd;
   }
-  if (rank == 0 && crowd >= 2) {
-    return {std::min(ball.x + 0.3, pitch.half_length - 0.35), std::clamp(ball.y * 0.4, -0.3, 0.3)};
-  }
-  // The shadow: on the line from the ball to our goal, outside the area; beside it where the ball lies
-  // deeper.
+  return crowd;
+}
+
+/// On the line from the ball to our goal, outside the area; beside it where the ball lies deeper.
+Vec2 shadow(const Picture& picture, Vec2 ball) {
+  const Pitch& pitch = picture.pitch;
   const Vec2 goal = pitch.ownGoal();
   const double front = -pitch.half_length + pitch.area_depth + pitch.arc_depth + 0.09;
   const double x = std::max(front, ball.x - 0.35);
   const double part = std::clamp((x - goal.x) / std::max(0.05, ball.x - goal.x), 0.0, 1.0);
   const double most = ball.x < front + 0.1 ? 0.25 : pitch.half_width - 0.06;
   return {x, std::clamp(ball.y * part, -most, most)};
+}
+
+/// Wide on the side away from the ball, for the third and fourth: one forward, one back, none in the big
+/// area.
+Vec2 outlet(const Pitch& pitch, Vec2 ball, int rank) {
+  const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
+  const double back = -pitch.half_length + pitch.big_area_depth + 0.15;
+  if (rank == 2) return {std::clamp(ball.x + 0.15, back, pitch.half_length - 0.5), far_side * 0.45};
+  return {std::clamp(ball.x - 0.55, back, 0.0), far_side * 0.2};
+}
+
+}  // namespace
+
+namespace {
+
+Vec2 wantedPlace(const Picture& picture, int rank) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.at(0.15);
+  if (rank == 1) return shadow(picture, ball);
+  if (rank >= 2) return outlet(pitch, ball, rank);
+  const double forward = 0.45 - 0.6 * picture.settings.aggression;
+  if (ball.x > forward) {
+    const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
+    return {std::min(ball.x - 0.2, pitch.half_length - 0.35), far_side * 0.18};
+  }
+  // Where they crowd the ball none is left to stop what comes out on the other side.
+  if (crowdAbout(picture, ball) >= 2) {
+    return {std::min(ball.x + 0.3, pitch.half_length - 0.35), std::clamp(ball.y * 0.4, -0.3, 0.3)};
+  }
+  return shadow(picture, ball);
+}
+
+}  // namespace
+
+Vec2 supportPlace(const Picture& picture, int rank) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.now().position;
+  Vec2 place = wantedPlace(picture, rank);
+  constexpr double kRoom = 0.22;  // [m] about the striker's ball
+  if (squaredNorm(place - ball) < kRoom * kRoom) {
+    place = pitch.inside(ball + unitOr(place - ball, {-1.0, 0.0}) * kRoom, 0.06);
+  }
+  place = outOfOwnArea(pitch, place, 0.07);
+  return inTheirArea(pitch, ball, 0.1) ? outOfTheirArea(pitch, place, 0.08) : place;
+}
+
+Vec2 waitingPlace(const Picture& picture, int rank) {
+  const double back = -picture.pitch.half_length;
+  const double side = picture.ball.now().position.y >= 0.0 ? 1.0 : -1.0;
+  const Vec2 places[] = {
+      {back + 0.5, side * 0.45}, {back + 0.5, -side * 0.3}, {back + 0.9, -side * 0.6}, {back + 0.8, 0.0}};
+  return places[std::min(rank, 3)];
 }
 
 Twist supportTo(const Picture& picture, int robot, Vec2 place) {
