@@ -41,9 +41,10 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       "Examples:\n"
       "  fulbito drill classic --drill 3,10 --trials 40\n"
       "  fulbito drill libero --json > drills.json\n"
+      "  fulbito drill chaser classic --drill 3,10,13 --trials 80\n"
       "  fulbito drill --list\n"
       "Exit codes: 0 ran, 1 a drill was not passed (with --check only).");
-  command->add_option("team", options.team, "team, e.g. classic");
+  command->add_option("team", options.teams, "team, e.g. classic; several: side by side");
   command->add_option("--drill", options.drills, "numbers or names (default: all)")->delimiter(',');
   command->add_option("--trials", options.run.trials, "of each drill (default: as the drill says)")
       ->check(CLI::Range(1, 1000000));
@@ -60,37 +61,63 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
   return command;
 }
 
-int drill(DrillCommand options) {
-  std::vector<Drill> drills = builtInDrills();
-  if (!options.folder.empty()) {
-    auto loaded = loadDrills(options.folder);
-    if (!loaded) return report(loaded.error());
-    drills = std::move(*loaded);
+namespace {
+
+/// The drills to choose from.
+Result<std::vector<Drill>> chosenDrills(const DrillCommand& options) {
+  if (options.folder.empty()) return builtInDrills();
+  return loadDrills(options.folder);
+}
+
+Result<std::vector<DrillReport>> runTeam(const std::vector<Drill>& drills, const std::vector<int>& numbers,
+                                         const DrillOptions& options, bool quiet) {
+  ProgressBar bar("drills of " + options.team.text, quiet);
+  return runDrills(drills, numbers, options,
+                   [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
+}
+
+/// Teams by name. Errors: kUsage.
+Result<std::vector<TeamChoice>> chosenTeams(const DrillCommand& options) {
+  if (options.teams.empty()) return fail(ErrorCode::kUsage, "drill: which team? See fulbito drill --help.");
+  if (options.json && options.teams.size() > 1) {
+    return fail(ErrorCode::kUsage, "--json takes one team");
   }
-  if (options.list) return listDrills(drills);
-  if (options.team.empty())
-    return report({ErrorCode::kUsage, "drill: which team? See fulbito drill --help."});
-  auto team = parseTeam(options.team);
-  if (!team) return report(team.error());
-  options.run.team = std::move(*team);
+  std::vector<TeamChoice> teams;
+  for (const std::string& name : options.teams) {
+    auto team = parseTeam(name);
+    if (!team) return tl::unexpected<Error>(team.error());
+    teams.push_back(std::move(*team));
+  }
+  return teams;
+}
+
+}  // namespace
+
+int drill(DrillCommand options) {
+  const auto drills = chosenDrills(options);
+  if (!drills) return report(drills.error());
+  if (options.list) return listDrills(*drills);
+  const auto teams = chosenTeams(options);
+  if (!teams) return report(teams.error());
   std::vector<int> numbers;
   for (const std::string& word : options.drills) {
-    const auto number = drillNumber(drills, word);
+    const auto number = drillNumber(*drills, word);
     if (!number) return report(number.error());
     numbers.push_back(*number);
   }
-  Result<std::vector<DrillReport>> reports;
-  {
-    ProgressBar bar("drills of " + options.team, options.json);
-    reports = runDrills(drills, numbers, options.run,
-                        [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
+  std::vector<std::vector<DrillReport>> reports;
+  bool passed = true;
+  for (const TeamChoice& team : *teams) {
+    options.run.team = team;
+    auto ran = runTeam(*drills, numbers, options.run, options.json);
+    if (!ran) return report(ran.error());
+    passed = passed && std::all_of(ran->begin(), ran->end(), [](const DrillReport& r) { return r.passed(); });
+    reports.push_back(std::move(*ran));
   }
-  if (!reports) return report(reports.error());
-  const std::string text =
-      options.json ? drillJson(*reports, options.run) : drillTable(*reports, options.run);
+  const std::string text = options.json         ? drillJson(reports.front(), options.run)
+                           : teams->size() == 1 ? drillTable(reports.front(), options.run)
+                                                : drillOverview(options.teams, reports);
   std::fputs(text.c_str(), stdout);
-  const bool passed =
-      std::all_of(reports->begin(), reports->end(), [](const DrillReport& r) { return r.passed(); });
   return options.check && !passed ? kTestFailed : kOk;
 }
 

@@ -65,6 +65,7 @@ Json teamJson(const TeamInfo& info) {
   Json json = {{"name", info.name},
                {"summary", info.summary},
                {"takes_navigator", info.takes_navigator},
+               {"default_navigator", info.default_navigator},
                {"parameters", Json::array()}};
   for (const ParameterSpec& spec : info.parameters) json["parameters"].push_back(parameterJson(spec));
   return json;
@@ -99,7 +100,8 @@ void printTeams() {
     fmt::print("{}\n  {}\n", info.name, info.summary);
     for (const ParameterSpec& spec : info.parameters) printParameter(spec);
     if (info.takes_navigator) {
-      fmt::print("    {:<16} {:<9} {}\n", "navigator", "", "any of fulbito list navigators");
+      fmt::print("    {:<16} {:<9} {}\n", "navigator", info.default_navigator,
+                 "any of fulbito list navigators");
     }
   }
   fmt::print(

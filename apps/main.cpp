@@ -57,7 +57,9 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       ->capture_default_str();
   command->add_option("--robot", run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", run.physics, "physics profile or TOML file")->capture_default_str();
-  command->add_option("--seed", run.seed, "seed of layouts and noise")->capture_default_str();
+  command->add_option("--seed", run.seed, "seed of layouts and noise")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->capture_default_str();
   addSensors(*command, run.sensors);
   command
       ->add_option("--png", options.run_png, "write a picture (named after the layout if no FILE is given)")
@@ -86,7 +88,9 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
                       "methods, e.g. bezier limit-cycle:mu=3 (default: the suite's)");
   command->add_option("--speeds", config.speeds, "top speeds [m/s] (default: the suite's)")->delimiter(',');
   command->add_option("--trials", config.trials, "layouts of each suite and speed (default: the suite's)");
-  command->add_option("--seed", config.seed, "seed of layouts and noise")->capture_default_str();
+  command->add_option("--seed", config.seed, "seed of layouts and noise")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->capture_default_str();
   command->add_option("--jobs", config.jobs, "worker threads (default: all cores)");
   command->add_option("--only", options.only, "run this layout of the suite alone")->type_name("NUMBER");
   command->add_option("--pictures", config.pictures, "layouts of each suite and speed that are drawn")

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
@@ -56,7 +57,7 @@ Result<void> checkFlags(const MatchCommand& options) {
   if (options.json && options.events == kStdout) {
     return fail(ErrorCode::kUsage, "--events: '-' and --json both want stdout; give --events a file");
   }
-  if (options.pairs == 0) return {};
+  if (!options.pairs) return {};
   for (const auto& [flag, given] :
        {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
         std::pair{"--profile", options.profile}}) {
@@ -76,6 +77,14 @@ Result<void> addStart(const std::string& file, MatchConfig& config) {
   return {};
 }
 
+Result<void> shorten(const MatchCommand& options, Rules& rules) {
+  if (!options.half_seconds) return {};
+  rules.half_seconds = *options.half_seconds;
+  const auto checked = validate(rules);
+  if (!checked) return fail(ErrorCode::kUsage, "--half-seconds: " + checked.error().message);
+  return {};
+}
+
 Result<MatchConfig> configOf(const MatchCommand& options) {
   auto blue = parseTeam(options.blue), yellow = parseTeam(options.yellow);
   if (!blue) return tl::unexpected<Error>(blue.error());
@@ -91,7 +100,9 @@ Result<MatchConfig> configOf(const MatchCommand& options) {
   MatchConfig config;
   config.teams = {std::move(*blue), std::move(*yellow)};
   config.rules = std::move(*rules);
-  if (options.half_seconds) config.rules.half_seconds = *options.half_seconds;
+  if (auto shortened = shorten(options, config.rules); !shortened) {
+    return tl::unexpected<Error>(shortened.error());
+  }
   config.field = std::move(*field);
   config.robot = std::move(*robot);
   config.physics = std::move(*physics);
@@ -181,7 +192,7 @@ int playOne(const MatchCommand& options, const MatchConfig& config) {
 }
 
 int playPairs(const MatchCommand& options, const MatchConfig& config) {
-  SeriesReport summary{{config, options.pairs, options.jobs}, {}, 0.0};
+  SeriesReport summary{{config, *options.pairs, options.jobs}, {}, 0.0};
   const std::int64_t begin = now();
   {
     ProgressBar bar(fmt::format("{} v {}", options.blue, options.yellow), options.json);
@@ -201,6 +212,7 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
       ->capture_default_str();
   command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices")
+      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->capture_default_str();
   command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
@@ -235,7 +247,6 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
   command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match")
-      ->check(CLI::Range(1, 100000))
       ->type_name("PAIRS");
   command->add_option("--jobs", options.jobs, "worker threads of a series (default: all cores)");
   command->add_flag("--profile", options.profile, "say where the time went");
@@ -247,7 +258,7 @@ int match(const MatchCommand& options) {
   if (auto checked = checkFlags(options); !checked) return report(checked.error());
   const auto config = configOf(options);
   if (!config) return report(config.error());
-  return options.pairs > 0 ? playPairs(options, *config) : playOne(options, *config);
+  return options.pairs ? playPairs(options, *config) : playOne(options, *config);
 }
 
 }  // namespace fulbito::app

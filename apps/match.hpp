@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 
-#include <CLI/CLI.hpp>
-
 #include "match/match_config.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace fulbito::app {
 
@@ -21,9 +23,9 @@ struct MatchCommand {
   std::optional<double> half_seconds;  ///< empty: the profile's
   std::string start;                   ///< start state file; empty: a kick-off
   VisionModel vision;
-  std::string record;  ///< file; empty: none
-  std::string events;  ///< file or "-"; empty: none
-  int pairs = 0;       ///< 0: one match
+  std::string record;        ///< file; empty: none
+  std::string events;        ///< file or "-"; empty: none
+  std::optional<int> pairs;  ///< empty: one match
   int jobs = 0;
   bool profile = false;
   bool json = false;

@@ -48,7 +48,6 @@ CLI::App* addRules(CLI::App& app, RulesOptions& options) {
       "  fulbito rules show training > mine.toml     a profile to change\n"
       "  fulbito rules check mine.toml\n"
       "  fulbito rules compare vsss-3v3 league-program-2021 game.fbr");
-  command->require_subcommand(1);
   command->add_subcommand("show", "print every number of a profile with its source")
       ->add_option("name", options.show, "profile or TOML file")
       ->required();
@@ -60,8 +59,12 @@ CLI::App* addRules(CLI::App& app, RulesOptions& options) {
 }
 
 int rules(const RulesOptions& options) {
+  if (!options.show.empty()) return showRules(options.show);
+  if (!options.check.empty()) return checkRules(options.check);
   if (!options.compare.files.empty()) return compareRules(options.compare);
-  return options.show.empty() ? checkRules(options.check) : showRules(options.show);
+  return report(
+      {ErrorCode::kUsage,
+       "rules: say what: show NAME, check FILE or compare A B RECORDING. See fulbito rules --help."});
 }
 
 }  // namespace fulbito::app

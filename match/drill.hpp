@@ -214,8 +214,11 @@ struct DrillOptions {
 Result<std::vector<DrillReport>> runDrills(const std::vector<Drill>& drills, const std::vector<int>& numbers,
                                            const DrillOptions& options, const DrillProgress& progress);
 
-/// @{ The reports as a table to read and as JSON.
+/// @{ The reports as tables to read and as JSON.
 std::string drillTable(const std::vector<DrillReport>& reports, const DrillOptions& options);
+/// Several teams side by side: one row a drill, one column a team.
+std::string drillOverview(const std::vector<std::string>& teams,
+                          const std::vector<std::vector<DrillReport>>& reports);
 std::string drillJson(const std::vector<DrillReport>& reports, const DrillOptions& options);
 /// @}
 

@@ -149,6 +149,7 @@ Result<void> readAll(const ConfigDocument& document, const std::string& table, s
 template <typename T>
 std::optional<Flaw> unknownStart(const Drill& drill, const std::string& table, const std::vector<T>& values) {
   std::vector<std::string> names;
+  names.reserve(drill.starts.size());
   for (const DrillStart& start : drill.starts) names.push_back(start.name);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::string& name = values[i].start;

@@ -32,11 +32,14 @@ class MatchTally final : public MatchObserver {
   void ticked(const MatchTick& tick) override {
     side_ = tick.referee->sideOf(team_);
     tally_.seconds = static_cast<double>(tick.tick) * dt_;
+    bool touched = false;
     for (const ContactEvent& contact : tick.contacts) {
       if (contact.b.kind != BodyKind::kBall || contact.a.kind != BodyKind::kRobot) continue;
       own_touch_last_ = tick.ids[contact.a.index].team == team_;
-      if (contact.began) event_ = tick.tick;
+      touched = true;
     }
+    if (touched != touched_) event_ = tick.tick;
+    touched_ = touched;
     for (const GameEvent& event : tick.events) count(event, tick.tick);
     followRoles(*tick.decisions[indexOf(team_)], tick.tick);
   }
@@ -88,8 +91,9 @@ class MatchTally final : public MatchObserver {
   Side side_ = Side::kLeft;
   double dt_ = 1.0 / 60.0;
   Tick began_ = 0;
-  Tick event_ = 0;  ///< when the last contact of a robot with the ball began, or play did
+  Tick event_ = 0;  ///< when robots last came to the ball or lost it, or play began
   Tick switched_ = -1000;
+  bool touched_ = false;  ///< a robot touched the ball in the last tick
   bool own_touch_last_ = false;
   bool known_ = false;
   std::array<std::uint8_t, kMaxTeamSize> roles_{};
@@ -156,6 +160,7 @@ Interval measured(const DrillBar& bar, const std::vector<DrillMatch>& matches) {
     return {sigmas, sigmas, sigmas};
   }
   std::vector<double> values;
+  values.reserve(matches.size());
   for (const DrillMatch& m : matches) values.push_back(valueOf(m, bar.value));
   if (bar.statistic == DrillStatistic::kRate) {
     const auto hits = std::count_if(values.begin(), values.end(), [](double v) { return v > 0.5; });

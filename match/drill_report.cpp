@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -66,6 +67,13 @@ std::string verdictOf(const DrillReport& report) {
   return report.passed() ? "passed" : "failed";
 }
 
+std::string cell(const DrillReport& report) {
+  if (!report.offered || report.passed()) return verdictOf(report);
+  const auto reached = std::count_if(report.verdicts.begin(), report.verdicts.end(),
+                                     [](const DrillVerdict& v) { return v.passed; });
+  return fmt::format("{} / {}", reached, report.verdicts.size());
+}
+
 nlohmann::ordered_json number(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
@@ -108,6 +116,30 @@ std::string drillTable(const std::vector<DrillReport>& reports, const DrillOptio
   int passed = 0;
   for (const DrillReport& report : reports) passed += report.passed() ? 1 : 0;
   return out + fmt::format("\n{} of {} drills passed.\n", passed, reports.size());
+}
+
+std::string drillOverview(const std::vector<std::string>& teams,
+                          const std::vector<std::vector<DrillReport>>& reports) {
+  std::string out = "| drill |";
+  std::string line = "|---|";
+  for (const std::string& team : teams) {
+    out += fmt::format(" {} |", team);
+    line += "---|";
+  }
+  out += "\n" + line + "\n";
+  for (std::size_t row = 0; row < reports.front().size(); ++row) {
+    const Drill& drill = reports.front()[row].drill;
+    out += fmt::format("| {} {} |", drill.number, drill.name);
+    for (const auto& team : reports) out += fmt::format(" {} |", cell(team[row]));
+    out += "\n";
+  }
+  out += "| passed |";
+  for (const auto& team : reports) {
+    const auto passed =
+        std::count_if(team.begin(), team.end(), [](const DrillReport& r) { return r.passed(); });
+    out += fmt::format(" {} of {} |", passed, team.size());
+  }
+  return out + "\n\nA failed drill tells how many of its bars were reached.\n";
 }
 
 std::string drillJson(const std::vector<DrillReport>& reports, const DrillOptions& options) {

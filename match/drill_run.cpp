@@ -94,7 +94,7 @@ Result<void> runMatches(const DrillRun& run, DrillReport& report, Counter& count
         matches[i] = *match;
         return {};
       });
-  if (!played) return played;
+  if (!played) return tl::unexpected<Error>(played.error());
   const bool roles = std::any_of(report.drill.bars.begin(), report.drill.bars.end(), [](const DrillBar& bar) {
     return bar.value == DrillMeasure::kSwitch || bar.value == DrillMeasure::kFlap;
   });

@@ -36,9 +36,11 @@ BallWay rollAlone(const MatchConfig& match, const Placement& placement) {
   const double in_goal = match.field.length / 2 + match.robot.ball.radius;
   const auto ticks = static_cast<Tick>(kLongestRoll * match.physics.control_rate);
   Vec2 last = placement.ball;
+  bool at_wall = false;
   while (!way.conceded && world->state().tick < ticks) {
     world->step({});
-    for (const ContactEvent& contact : world->contacts()) way.bounces += contact.began ? 1 : 0;
+    way.bounces += !world->contacts().empty() && !at_wall ? 1 : 0;
+    at_wall = !world->contacts().empty();
     const Vec2 now = world->state().balls.front().position;
     way.length += distance(now, last);
     last = now;
@@ -46,6 +48,16 @@ BallWay rollAlone(const MatchConfig& match, const Placement& placement) {
     if (now.x > in_goal) break;
   }
   return way;
+}
+
+std::vector<Pose2> standing(const Placement& placement) {
+  std::vector<Pose2> poses;
+  for (const auto& team : placement.robots) {
+    for (const auto& pose : team) {
+      if (pose) poses.push_back(*pose);
+    }
+  }
+  return poses;
 }
 
 double draw(Rng& rng, double low, double high) { return rng.uniform(low, std::max(low, high)); }
@@ -160,15 +172,12 @@ class SceneDraw {
   bool fits(const DrillStart& start, const DrillScene& scene) const {
     const double ball = robot_.ball.radius;
     if (!insideField(field_, scene.placement.ball, ball + 0.0005)) return false;
-    std::vector<Vec2> placed;
-    for (const auto& team : scene.placement.robots) {
-      for (const auto& pose : team) {
-        if (!pose) continue;
-        if (!robotFits(*pose, scene.placement.ball)) return false;
-        for (const Vec2 other : placed) {
-          if (distance(other, pose->position) < robot_.robot.length) return false;
-        }
-        placed.push_back(pose->position);
+    const std::vector<Pose2> robots = standing(scene.placement);
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      if (!robotFits(robots[i], scene.placement.ball)) return false;
+      for (std::size_t j = 0; j < i; ++j) {
+        if (distance(robots[i].position, robots[j].position) < 2.0 * robot_.robot.circumradius())
+          return false;
       }
     }
     if (start.task == DrillTask::kPlay || start.task == DrillTask::kPredictBall) return true;

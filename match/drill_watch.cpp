@@ -70,9 +70,10 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
   for (std::size_t i = 0; i < tick.ids.size(); ++i) {
     if (tick.ids[i] == RobotId{scene_.seat, 0}) now.robot = inTeamFrame(side, tick.world->robots[i]);
   }
+  bool at_wall = false;
   for (const ContactEvent& contact : tick.contacts) {
     if (contact.b.kind != BodyKind::kBall) continue;
-    if (contact.a.kind == BodyKind::kWall && contact.began) ++now.walls;
+    at_wall = at_wall || contact.a.kind == BodyKind::kWall;
     if (contact.a.kind != BodyKind::kRobot) continue;
     met_ = true;
     const RobotId id = tick.ids[contact.a.index];
@@ -80,6 +81,9 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
     now.touched = now.touched || own_touch_last_;
     now.by_first = now.by_first || id == RobotId{scene_.seat, 0};
   }
+  // A touch may begin a tick before its first force: a bounce is a force after a tick without one.
+  now.walls = at_wall && !at_wall_ ? 1 : 0;
+  at_wall_ = at_wall;
   return now;
 }
 

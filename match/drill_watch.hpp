@@ -62,6 +62,7 @@ class DrillWatch final : public MatchObserver {
   bool touched_ = false;   ///< ever, by the tested team
   bool met_ = false;       ///< any robot touched the ball
   bool failed_ = false;    ///< a condition of failure came true
+  bool at_wall_ = false;   ///< the ball pressed on a wall in the last tick
   int bounces_ = 0;
   double inside_since_ = -1.0;
   double drift_ = 0.0;

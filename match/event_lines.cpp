@@ -1,9 +1,13 @@
 #include "match/event_lines.hpp"
 
+#include <algorithm>
+
 #include "match/match_json.hpp"
 
 namespace fulbito {
 namespace {
+
+constexpr std::size_t kManyEvents = 1024;
 
 /// The restart as an event of its own.
 LoggedEvent restartEvent(const PlayStart& start, double dt) {
@@ -23,6 +27,7 @@ LoggedEvent restartEvent(const PlayStart& start, double dt) {
 
 void EventLog::matchBegins(const MatchConfig& config) {
   events_.clear();
+  events_.reserve(std::min(limit_, kManyEvents));
   left_out_ = 0;
   dt_ = config.physics.controlPeriod();
 }

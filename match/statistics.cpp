@@ -170,16 +170,16 @@ void StatisticsObserver::countCalls(std::span<const GameEvent> events, const Ref
                               [&](const CallCount& c) { return c.clause == event.clause; });
     if (count == s_.calls.end()) count = s_.calls.insert(count, CallCount{event.clause, {}, 0});
     ++(event.team ? count->against[indexOf(*event.team)] : count->neither);
-    if (event.clause == "goal" && event.team) goal(event, referee);
+    if (event.clause == "goal" && event.team) goal(event, *event.team, referee);
   }
 }
 
-void StatisticsObserver::goal(const GameEvent& event, const RefereeState& referee) {
+void StatisticsObserver::goal(const GameEvent& event, TeamId team, const RefereeState& referee) {
   GoalRecord goal;
   goal.seconds = static_cast<double>(event.tick) * s_.dt;
   goal.period = event.period;
   goal.play_time = event.play_time;
-  goal.team = *event.team;
+  goal.team = team;
   goal.score = referee.score;
   const bool shot = shot_ && shot_->shooter.team == goal.team;
   goal.own_goal = last_touch_ && last_touch_->team != goal.team && !(shot && shot_->on_goal);

@@ -118,7 +118,7 @@ class StatisticsObserver : public MatchObserver {
   void countBall(const MatchTick& tick);
   void watchShot(const MatchTick& tick);
   void countCalls(std::span<const GameEvent> events, const RefereeState& referee);
-  void goal(const GameEvent& event, const RefereeState& referee);
+  void goal(const GameEvent& event, TeamId team, const RefereeState& referee);
   void countGoalAsShot(const GoalRecord& goal);
   std::optional<Aim> aimOf(const BallState& ball, const RefereeState& referee) const;
   void onGoal(Shot& shot);

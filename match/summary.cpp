@@ -7,13 +7,13 @@
 namespace fulbito {
 namespace {
 
-constexpr int kLabelWidth = 32;
+constexpr int kLabelWidth = 36;
 constexpr int kColumnWidth = 14;
 
 /// Minutes and seconds.
 std::string clockText(double seconds) {
-  const int whole = static_cast<int>(std::floor(seconds));
-  return fmt::format("{:02}:{:04.1f}", whole / 60, seconds - whole / 60 * 60);
+  const int minutes = static_cast<int>(seconds / 60.0);
+  return fmt::format("{:02}:{:04.1f}", minutes, seconds - 60.0 * minutes);
 }
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }

@@ -39,8 +39,8 @@ Result<double> parseParameter(const ParameterSpec& spec, const std::string& text
 }
 
 Result<std::size_t> findParameter(const std::vector<ParameterSpec>& specs, const std::string& name,
-                                  const std::string& owner) {
-  std::vector<std::string> names;
+                                  const std::string& owner, const std::vector<std::string>& others) {
+  std::vector<std::string> names = others;
   for (std::size_t i = 0; i < specs.size(); ++i) {
     if (specs[i].name == name) return i;
     names.push_back(specs[i].name);

@@ -102,9 +102,10 @@ struct NavigatorInfo {
   std::function<Result<std::unique_ptr<Navigator>>(const std::vector<Setting>&)> make;
 };
 
-/// The parameter named `name`, or a kUsage error with a suggestion. `owner` is named in the error.
+/// The parameter named `name`, or a kUsage error with a suggestion, for which `others` are candidates too.
+/// `owner` is named in the error.
 Result<std::size_t> findParameter(const std::vector<ParameterSpec>& specs, const std::string& name,
-                                  const std::string& owner);
+                                  const std::string& owner, const std::vector<std::string>& others = {});
 
 /// The documentation of all `parameters`.
 template <typename P>
@@ -114,13 +115,13 @@ std::vector<ParameterSpec> specsOf(const std::vector<Parameter<P>>& parameters) 
   return specs;
 }
 
-/// Sets in `values` what `settings` say. Errors: kUsage; `owner` is named in them.
+/// Sets in `values` what `settings` say. Errors: kUsage, as `findParameter` and `parseParameter`.
 template <typename P>
 Result<void> applySettings(const std::vector<Parameter<P>>& parameters, const std::vector<Setting>& settings,
-                           const std::string& owner, P& values) {
+                           const std::string& owner, P& values, const std::vector<std::string>& others = {}) {
   const std::vector<ParameterSpec> specs = specsOf(parameters);
   for (const Setting& setting : settings) {
-    const auto index = findParameter(specs, setting.name, owner);
+    const auto index = findParameter(specs, setting.name, owner, others);
     if (!index) return tl::unexpected<Error>(index.error());
     const auto value = parseParameter(specs[*index], setting.value);
     if (!value) return tl::unexpected<Error>(value.error());

@@ -58,12 +58,15 @@ Finding decideGoal(const DetectorInput& in, const Finding& goal, const AreaFoulM
 
 std::optional<Finding> decideAreaFouls(const DetectorInput& in, const AreaFoulMemory& memory) {
   const AreaRules& rules = in.setup.rules.areas;
-  const bool attack = due(in, memory.attack, rules.attackers_wait);
-  const bool defence = due(in, memory.defence, rules.defenders_wait);
-  if (!attack && !defence) return std::nullopt;
-  const bool both = memory.attack && memory.defence && memory.attack->foul.side == memory.defence->foul.side;
-  const bool attack_counts = both ? attackCounts(memory) : attack;
-  return attack_counts ? callOf(in, *memory.attack, true) : callOf(in, *memory.defence, false);
+  const auto& [attack, defence] = memory;
+  const bool attack_due = due(in, attack, rules.attackers_wait);
+  const bool defence_due = due(in, defence, rules.defenders_wait);
+  if (!attack_due && !defence_due) return std::nullopt;
+  const bool both = attack && defence && attack->foul.side == defence->foul.side;
+  const bool attack_first = both ? attackCounts(memory) : attack_due;
+  if (attack && attack_first) return callOf(in, *attack, true);
+  if (defence) return callOf(in, *defence, false);
+  return std::nullopt;
 }
 
 }  // namespace fulbito

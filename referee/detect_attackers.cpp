@@ -28,7 +28,8 @@ std::optional<AreaFoul> foulAt(const DetectorInput& in, Side side, const TouchMe
 
 std::optional<AreaFoul> detectAttackers(const DetectorInput& in, const TouchMemory& touches,
                                         const PresenceMemory& presence) {
-  for (const Side side : {Side::kLeft, Side::kRight}) {
+  const Side first = halfOf(in.view.ball.position);
+  for (const Side side : {first, opposite(first)}) {
     const GoalAreaReport& area = at(in.areas, side);
     if ((area.attackers | area.big_attackers) == 0) continue;
     if (auto foul = foulAt(in, side, touches, presence)) return foul;

@@ -8,14 +8,17 @@
 namespace fulbito {
 namespace {
 
-/// The share of the ball that the robot covers; 0 where a bound shows that it is no more than allowed.
-double hiddenShare(const DetectorInput& in, std::size_t i, double gap) {
-  const double radius = in.setup.ball.radius;
-  // A strip of the disc's full diameter is more than what a body that reaches in by -gap can cover.
-  if (-gap * 2.0 <= in.setup.rules.fouls.hidden_share * math::kPi * radius) return 0.0;
+/// [m] A body that is at least this far from the ball hides no more than the rules allow: what it covers is
+/// less than a strip of the disc's full diameter and as wide as the body reaches in.
+double harmlessGap(const DetectorInput& in) {
+  return -in.setup.rules.fouls.hidden_share * math::kPi * in.setup.ball.radius / 2;
+}
+
+/// The share of the ball that the robot covers.
+double hiddenShare(const DetectorInput& in, std::size_t i) {
   const Pose2& pose = in.view.robots[i].pose;
   const Vec2 ball = intoFrame(math::unit(pose.heading), in.view.ball.position - pose.position);
-  return shareOfDisc(in.setup.robot.length / 2, in.setup.robot.width / 2, ball, radius);
+  return shareOfDisc(in.setup.robot.length / 2, in.setup.robot.width / 2, ball, in.setup.ball.radius);
 }
 
 bool pins(const DetectorInput& in, std::size_t i, double gap) {
@@ -42,7 +45,7 @@ Finding callOf(const DetectorInput& in, std::size_t i) {
 std::optional<Finding> holdingBy(const DetectorInput& in, std::size_t i, double gap, FoulMemory& memory) {
   const FoulRules& rules = in.setup.rules.fouls;
   const Tick release = ticksOf(rules.holding_release, in.setup.dt), now = in.view.tick;
-  const double share = hiddenShare(in, i, gap);
+  const double share = gap < harmlessGap(in) ? hiddenShare(in, i) : 0.0;
   if (share > rules.hidden_share) memory.hidden[i].add(now, release);
   if (pins(in, i, gap)) memory.pinned[i].add(now, release);
   if (memory.hidden[i].ticks(now) > ticksOf(rules.hidden_seconds, in.setup.dt)) {
@@ -64,7 +67,7 @@ std::optional<Finding> detectHolding(const DetectorInput& in, const PresenceMemo
                                      FoulMemory& memory) {
   const FoulRules& rules = in.setup.rules.fouls;
   if (!rules.holding || !cooledDown(in, rules.cool_down)) return std::nullopt;
-  const double most = rules.pinned_seconds > 0.0 ? rules.pinned_gap : 0.0;
+  const double most = rules.pinned_seconds > 0.0 ? rules.pinned_gap : harmlessGap(in);
   for (std::size_t i = 0; i < robotsIn(in.view); ++i) {
     const auto gap =
         ballGap(in.setup.robot, in.view.robots[i].pose, in.setup.ball, in.view.ball.position, most);

@@ -28,7 +28,9 @@ inline bool isRobot(BodyId body, const MatchView& view) {
 
 /// Whether `tick` is at most `seconds` before now.
 inline bool recent(const DetectorInput& in, Tick tick, double seconds) {
-  return in.view.tick - tick <= ticksOf(seconds, in.setup.dt);
+  const Tick age = in.view.tick - tick;
+  // Most are of this tick or of none: no need to divide for those.
+  return age == 0 || (age < -kLongAgo / 2 && age <= ticksOf(seconds, in.setup.dt));
 }
 /// Whether play has run for so long.
 inline bool cooledDown(const DetectorInput& in, double seconds) {

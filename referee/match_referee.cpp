@@ -54,8 +54,11 @@ void MatchReferee::restarted(const RestartCall& call, const Placement& placement
   state_.last = call;
   state_.placed = placement;
   state_.last_tick = tick;
-  state_.play_began = tick + call.delay;
-  state_.playing = call.delay == 0;
+  // Who will not wait is not waited for: nobody may play before the signal for long.
+  const int repeats = state_.false_starts[0] + state_.false_starts[1];
+  const Tick delay = repeats < setup_.rules.restart.max_repeats || repeats == 0 ? call.delay : 0;
+  state_.play_began = tick + delay;
+  state_.playing = delay == 0;
   state_.announce = call.kind == RestartKind::kKickOff;
   state_.false_start_ticks = 0;
   if (state_.playing) state_.false_starts = {};
@@ -119,8 +122,7 @@ std::optional<RestartCall> MatchReferee::observe(const MatchView& view, Events& 
 
 std::optional<RestartCall> MatchReferee::waitForSignal(const MatchView& view, Events& events) {
   const RestartRules& rules = setup_.rules.restart;
-  const int repeats = state_.false_starts[0] + state_.false_starts[1];
-  if (!rules.hold_robots && repeats < rules.max_repeats) {
+  if (!rules.hold_robots) {
     const TeamId tie = toss(kFalseStart + static_cast<std::uint64_t>(view.tick));
     if (const auto fault = observeFalseStart(setup_, view, state_, state_.false_start_ticks, tie)) {
       ++state_.false_starts[indexOf(fault->robot.team)];
@@ -133,6 +135,11 @@ std::optional<RestartCall> MatchReferee::waitForSignal(const MatchView& view, Ev
           event.value > rules.false_start_distance ? rules.false_start_distance : rules.false_start_release;
       event.margin = event.value - event.threshold;
       events.push_back(event);
+      const bool kicker = state_.period == kShootOutPeriod && fault->robot.team == state_.last.team;
+      // What law 9 gives to the other team in play has no meaning here: the kick is lost.
+      if (kicker && rules.escalation && state_.false_starts[indexOf(state_.last.team)] > rules.warnings) {
+        return endKick(false, view, events);
+      }
       return punish(setup_, state_, *fault, view);
     }
   }
@@ -261,13 +268,18 @@ RestartCall MatchReferee::beginShootOut(const MatchView& view, Events& events) {
 std::optional<RestartCall> MatchReferee::kick(const MatchView& view, Events& events) {
   const auto end = observeKick(setup_, state_, view.ball, state_.shoot_out);
   if (!end) return std::nullopt;
+  return endKick(*end == KickEnd::kGoal, view, events);
+}
+
+std::optional<RestartCall> MatchReferee::endKick(bool goal, const MatchView& view, Events& events) {
   const TeamId kicker = state_.last.team;
   ShootOutState& shoot_out = state_.shoot_out;
+  state_.false_starts = {};
   ++shoot_out.taken[indexOf(kicker)];
-  if (*end == KickEnd::kGoal) ++shoot_out.goals[indexOf(kicker)];
+  if (goal) ++shoot_out.goals[indexOf(kicker)];
   GameEvent event = eventOf(view, "shoot-out", "7.2");
   event.team = kicker;
-  event.value = *end == KickEnd::kGoal ? 1.0 : 0.0;
+  event.value = goal ? 1.0 : 0.0;
   events.push_back(event);
   const ShootOutRules& rules = setup_.rules.shoot_out;
   const auto winner = leader(rules, shoot_out);

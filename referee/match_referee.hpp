@@ -47,6 +47,7 @@ class MatchReferee {
   RestartCall beginOvertime(int part, const MatchView& view, Events& events);
   RestartCall beginShootOut(const MatchView& view, Events& events);
   std::optional<RestartCall> kick(const MatchView& view, Events& events);
+  std::optional<RestartCall> endKick(bool goal, const MatchView& view, Events& events);
   void callBack(bool all);
   void finish(const MatchView& view, Events& events);
 

@@ -64,8 +64,8 @@ struct RefereeState {
   Tick last_tick = 0;  ///< of the match, that the referee saw last
   int period = 1;      ///< 1, 2: halves; 3: overtime; 4: shoot-out
   int part = 1;        ///< of the overtime: 1, 2 ...
-  Tick play_ticks =
-      0;  ///< of play in this period (of overtime: in this part; of the shoot-out: in this kick)
+  /// Of play in this period: of overtime in its part, of the shoot-out in the kick.
+  Tick play_ticks = 0;
   Tick period_ticks = 0;  ///< of play that the period lasts, counted as `play_ticks`
   Tick match_ticks = 0;   ///< of play in the match so far
   bool playing = false;   ///< false while a restart waits for its signal

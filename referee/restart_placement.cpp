@@ -15,6 +15,7 @@ namespace {
 constexpr double kLeastGap = 1e-4;   // [m] between bodies of a placement that is accepted as it is
 constexpr double kRounding = 1e-9;   // [m]
 constexpr double kFarthest = 100.0;  // [m] from the centre a wish is no wish
+constexpr double kNoticed = 1e-3;    // [m] shorter repairs, as off a wall that is touched, are not told
 constexpr double kSameSpot = 0.01;   // [m] a proposal this near to a place is meant for it
 constexpr double kFineStep = 0.01;   // [m] of the search around the wanted place
 constexpr int kFineRings = 25;
@@ -268,7 +269,8 @@ Placement place(const RefereeSetup& setup, const RefereeState& state, const Rest
       const bool stands = placer.settle(robot);
       const Vec2 where = placer.mirrored(robot.body.centre);
       if (stands) placement.robots[indexOf(team)][robot.id.number] = Pose2{where, robot.heading};
-      if (robot.proposed && robot.changed) log.push_back(repairEvent(setup, state, call, robot, where));
+      if (robot.proposed && robot.changed && !(distance(robot.wish, where) < kNoticed))
+        log.push_back(repairEvent(setup, state, call, robot, where));
     }
   }
   return placement;

@@ -16,8 +16,9 @@ using Proposals = PerTeam<std::optional<TeamPoses>>;
 /// team of the call places first: where it stands does not depend on what the other proposes, so that a
 /// caller may place with one proposal, show the result to the other team, and place again with both. A pose
 /// that is not finite, not allowed by the rule or not free is replaced by the nearest legal free one; `log`
-/// gets a `placement` event for each replaced proposal. Never fails: the result is legal and nobody overlaps
-/// (a robot for which the field has no room at all is left out). The same arguments give the same result.
+/// gets a `placement` event for each proposal that was moved by a millimetre or more. Never fails: the result
+/// is legal and nobody overlaps (a robot for which the field has no room at all is left out). The same
+/// arguments give the same result.
 Placement place(const RefereeSetup& setup, const RefereeState& state, const RestartCall& call,
                 const Proposals& proposals, std::vector<GameEvent>& log);
 

@@ -17,7 +17,7 @@ struct RestartRules {
   double false_start_seconds = 0.1;    ///< [s] that it must be away
   bool escalation = true;              ///< after the warnings law 9 escalates; else repeats without end
   int warnings = 1;                    ///< repeats without punishment
-  int max_repeats = 10;                ///< false starts after which play goes on whatever moves
+  int max_repeats = 10;                ///< false starts at one restart after which the signal comes at once
   double card_seconds = 30.0;          ///< [s] of play that a robot stays out
   bool card_until_goal = true;         ///< a goal brings it back sooner
 };

@@ -85,7 +85,7 @@ Schema schemaOf(RestartRules& r) {
       {"false_start_seconds", &r.false_start_seconds, 0, kLongestWait, "s", "that it must be away; ours"},
       {"escalation", &r.escalation, 0, 0, "", "after the warnings law 9 escalates; else repeat; law 9: true"},
       {"warnings", &r.warnings, 0, 100, "", "repeats without punishment; law 9: 1"},
-      {"max_repeats", &r.max_repeats, 0, 1000, "", "then play goes on whatever moves; ours: no halt"},
+      {"max_repeats", &r.max_repeats, 0, 1000, "", "then the signal comes at once; ours: no halt"},
       {"card_seconds", &r.card_seconds, 0, kLongestPeriod, "s", "of play that a robot stays out; law 9: 30"},
       {"card_until_goal", &r.card_until_goal, 0, 0, "", "a goal brings it back sooner; law 9: true"},
   };

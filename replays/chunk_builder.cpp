@@ -59,7 +59,7 @@ ChunkBuilder::ChunkBuilder(const RecordingHeader& header)
     drawings_.bytes.reserve(kListBytes);
   }
   hashes_.reserve(2 * ticks);
-  checks_.reserve((8 + 4 * header.bodies.size()) * (ticks / header.control_rate + 2));
+  checks_.reserve((8 + 2 * header.bodies.size()) * (ticks / header.control_rate + 2));
   on_field_.reserve(header.bodies.size());
   events_.bytes.reserve(kListBytes);
   runs_.reserve(256);
@@ -130,8 +130,8 @@ void ChunkBuilder::check(const TickData& data) {
       }
       ++next;
     }
-    out.fixed(hash.place);
-    out.fixed(hash.motion);
+    out.byte(hash.place);
+    out.byte(hash.motion);
   }
 }
 

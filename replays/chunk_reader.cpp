@@ -201,7 +201,7 @@ class ChunkParser {
   }
 
   bool checks() {
-    const std::size_t each = 8 + 4 * header_.bodies.size();
+    const std::size_t each = 8 + 2 * header_.bodies.size();
     const Tick every = header_.control_rate;
     const auto expected = static_cast<std::size_t>(multiplesIn(chunk_.first_tick, chunk_.ticks, every));
     const auto bytes = open(SectionId::kChecks, each * expected);
@@ -212,7 +212,7 @@ class ChunkParser {
       check.tick = (chunk_.first_tick / every + 1 + static_cast<Tick>(i)) * every;
       check.hash = in.fixed<std::uint64_t>();
       check.bodies.resize(header_.bodies.size());
-      for (BodyHash& hash : check.bodies) hash = {in.fixed<std::uint16_t>(), in.fixed<std::uint16_t>()};
+      for (BodyHash& hash : check.bodies) hash = {in.byte(), in.byte()};
     }
     return true;
   }

@@ -17,7 +17,7 @@ class ShortHash {
     hash_.add(value);
     return *this;
   }
-  std::uint16_t value() const { return static_cast<std::uint16_t>(hash_.value()); }
+  std::uint8_t value() const { return static_cast<std::uint8_t>(hash_.value()); }
 
  private:
   StateHash hash_;

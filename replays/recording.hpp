@@ -122,10 +122,11 @@ struct RecordedDrawing {
   std::string text;
 };
 
-/// Sixteen hash bits of where a body is and sixteen of how it moves.
+/// Eight hash bits of where a body is and eight of how it moves: enough to name a body once the whole state's
+/// hash has told that something differs.
 struct BodyHash {
-  std::uint16_t place = 0;
-  std::uint16_t motion = 0;
+  std::uint8_t place = 0;
+  std::uint8_t motion = 0;
   friend bool operator==(BodyHash, BodyHash) = default;
 };
 
@@ -136,7 +137,7 @@ struct RecordedCheck {
   std::vector<BodyHash> bodies;  ///< one a body of the header; 0 of an absent one
 };
 
-/// Where the bodies were, rounded to 0.1 mm and 0.1 mrad.
+/// Where the bodies were, rounded to 0.1 mm and 1 mrad.
 struct RecordedSample {
   Tick tick = 0;
   std::vector<Pose2> poses;  ///< one a body of the header; of an absent one at the origin
@@ -170,7 +171,7 @@ struct RecordingResult {
 
 /// Rounding of sampled states.
 inline constexpr double kSamplePlaceStep = 1e-4;    ///< [m]
-inline constexpr double kSampleHeadingStep = 1e-4;  ///< [rad]
+inline constexpr double kSampleHeadingStep = 1e-3;  ///< [rad] 0.04 mm at the edge of a robot
 
 /// @{ Short hashes of one body; equal states give equal ones, -0 counts as +0.
 BodyHash bodyHash(const RobotState& robot);

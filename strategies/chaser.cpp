@@ -4,21 +4,32 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "strategies/unsticking.hpp"
 
 namespace fulbito {
 namespace {
 
-/// Drives every robot straight at the ball with whichever end is nearer.
+/// Drives every robot straight at the ball with whichever end is nearer. All that it knows beside is to back
+/// off from a wall when it has stood at one for a while.
 class Chaser final : public Strategy {
  public:
-  void begin(const MatchInfo& info) override { info_ = info; }
+  struct Params {};
+  explicit Chaser(Params) {}
+
+  void begin(const MatchInfo& info) override {
+    info_ = info;
+    unsticking_.fill({});
+  }
 
   TeamCommand decide(const Observation& observation) override {
     TeamCommand command;
     for (std::size_t i = 0; i < static_cast<std::size_t>(observation.team_size); ++i) {
-      if (observation.own[i].present) {
-        command.robots[i] = RobotCommand::byTwist(chase(observation.own[i].state, observation.ball.position));
-      }
+      if (!observation.own[i].present) continue;
+      const RobotState& robot = observation.own[i].state;
+      const bool at_wall =
+          wallClearance(info_.field, robot.pose.position) < info_.robot.circumradius() + 0.02;
+      const auto free = unsticking_[i].update(robot, observation.playing && at_wall, observation.dt);
+      command.robots[i] = RobotCommand::byTwist(free ? *free : chase(robot, observation.ball.position));
     }
     return command;
   }
@@ -33,19 +44,13 @@ class Chaser final : public Strategy {
   }
 
   MatchInfo info_;
+  std::array<Unsticking, kMaxTeamSize> unsticking_;
 };
 
 }  // namespace
 
 TeamInfo chaserInfo() {
-  return {"chaser",
-          "everyone drives straight at the ball",
-          {},
-          false,
-          {},
-          [](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
-            return std::unique_ptr<Strategy>(std::make_unique<Chaser>());
-          }};
+  return describeTeam<Chaser::Params, Chaser>("chaser", "everyone drives straight at the ball", {});
 }
 
 }  // namespace fulbito

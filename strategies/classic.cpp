@@ -35,6 +35,7 @@ class Classic final : public Strategy {
   std::span<const NavigatorChoice> navigators() const override { return navigators_; }
   TeamCommand decide(const Observation& seen) override;
   std::optional<TeamPlacement> place(const PlacementRequest& request) override;
+  std::optional<ExerciseReply> exercise(const Observation& seen, const Exercise& task) override;
 
  private:
   /// What one robot remembers between ticks.
@@ -91,6 +92,46 @@ Role Classic::roleOf(std::size_t robot) const {
   return kByNumber[std::min(number, kByNumber.size() - 1)];
 }
 
+GoTo poseOf(const Exercise& task) {
+  GoTo go_to;
+  go_to.position = task.target;
+  go_to.heading = task.heading;
+  go_to.stop = true;
+  go_to.either_front = false;
+  go_to.tolerance = 0.01;
+  return go_to;
+}
+
+std::optional<ExerciseReply> Classic::exercise(const Observation& seen, const Exercise& task) {
+  const Observation& now = foresight_.update(seen);
+  const RobotState& robot = now.own[0].state;
+  const Vec2 ball = now.ball.position, direction = math::unit(task.heading);
+  ExerciseReply reply;
+  RobotCommand& own = reply.command.robots[0];
+  Memory& memory = memory_[0];
+  switch (task.kind) {
+    case Exercise::Kind::kReachPose:
+      own = RobotCommand::drivingTo(poseOf(task));
+      break;
+    case Exercise::Kind::kTurn:
+      own = RobotCommand::byTwist({0.0, 15.0 * math::wrapAngle(task.heading - robot.pose.heading)});
+      break;
+    case Exercise::Kind::kReachBall:
+    case Exercise::Kind::kPush: {
+      memory.lined_up = isLinedUp(sideOfBall(robot, ball, direction), memory.lined_up);
+      BallApproach approach = approachBall(robot, ball, direction, memory.round);
+      memory.round = approach.round;
+      own = memory.lined_up ? RobotCommand::byTwist(strike(robot, ball, direction, task.speed))
+                            : RobotCommand::drivingTo(approach.go_to);
+      break;
+    }
+    case Exercise::Kind::kPredictBall:
+      reply.answer = foresight_.ball().positionAt(task.horizon);
+      break;
+  }
+  return reply;
+}
+
 /// Kick-offs and penalties are taken at an angle, past whoever waits on the straight line.
 std::optional<TeamPlacement> Classic::place(const PlacementRequest& request) {
   constexpr double kKickOffAngle = 0.6, kPenaltyAngle = 0.36;  // [rad]
@@ -143,6 +184,7 @@ TeamCommand Classic::decide(const Observation& seen) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(now.team_size); ++i) {
     if (!now.own[i].present) continue;
     const Role role = roleOf(i);
+    command.roles[i] = static_cast<std::uint8_t>(static_cast<int>(role) + 1);
     RobotCommand& own = command.robots[i];
     if (role == Role::kKeeper) {
       own = keeper(now, i);
@@ -241,7 +283,10 @@ Vec2 Classic::aim(const Observation& now, Vec2 ball) const {
   if (ball.x < -info_.field.length / 4) return clearanceTarget(info_.field, ball, {places.data(), count});
   ShotModel model;
   model.ball_radius = info_.ball.radius;
-  const auto shot = bestShot(info_.field, model, ball, {blockers.data(), count});
+  auto shot = bestShot(info_.field, model, ball, {blockers.data(), count});
+  // A keeper in time for everything still leaves a wider and a narrower side.
+  model.acceleration = 0.0;
+  if (!shot) shot = bestShot(info_.field, model, ball, {blockers.data(), count});
   return shot ? shot->aim : opponentGoal(info_.field);
 }
 

@@ -24,6 +24,28 @@ double lack(const BallPrediction& prediction, const RobotPace& pace, const Runne
   return (touches ? 0.0 : timeToReach(pace, robot, place)) + request.delay - t;
 }
 
+/// A time and what is missing then.
+struct Guess {
+  double time;
+  double missing;
+};
+
+/// Where `lack` passes zero between a guess before and one after, by halves and secants in turn; where it
+/// jumps over zero, just after that.
+template <typename Lack>
+double narrowed(const Lack& lack, Guess before, Guess after) {
+  constexpr double kCloseEnough = 0.01;  // [s]
+  constexpr int kMaxSteps = 8;
+  for (int i = 0; i < kMaxSteps && after.time - before.time > kCloseEnough && after.missing < -kCloseEnough;
+       ++i) {
+    const double share = i % 2 == 0 ? before.missing / (before.missing - after.missing) : 0.5;
+    const double time = before.time + share * (after.time - before.time);
+    const double missing = lack(time);
+    (missing > 0.0 ? before : after) = {time, missing};
+  }
+  return after.time;
+}
+
 }  // namespace
 
 std::optional<Interception> intercept(const BallPrediction& ball, const RobotPace& pace,
@@ -46,7 +68,10 @@ std::optional<Interception> intercept(const BallPrediction& ball, const RobotPac
     const double step = std::max(kLeastStep, closing > 0.0 ? missing / closing : 0.5 * missing);
     const double next = std::min(t + step, request.horizon);
     const double still = lack(ball, pace, runner, request, next);
-    if (still <= 0.0) return meeting(t + (next - t) * missing / (missing - still));
+    if (still <= 0.0) {
+      return meeting(narrowed([&](double when) { return lack(ball, pace, runner, request, when); },
+                              {t, missing}, {next, still}));
+    }
     closing = (missing - still) / (next - t);
     t = next, missing = still;
   }

@@ -12,12 +12,6 @@
 #include "strategies/random_team.hpp"
 
 namespace fulbito {
-namespace {
-
-constexpr const char* kNavigatorSetting = "navigator";
-
-}  // namespace
-
 std::span<const TeamInfo> teams() {
   static const std::vector<TeamInfo> entries = {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(),
                                                 liberoInfo()};

@@ -12,6 +12,9 @@
 
 namespace fulbito {
 
+/// Name of the setting that chooses a team's navigator.
+inline constexpr const char* kNavigatorSetting = "navigator";
+
 /// What the registry knows of one built-in team.
 struct TeamInfo {
   std::string name;
@@ -70,7 +73,7 @@ TeamInfo describeTeam(std::string name, std::string summary, std::vector<Paramet
     const auto navigator = takeNavigator(settings, default_navigator);
     if (!navigator) return tl::unexpected<Error>(navigator.error());
     P values;
-    if (auto done = applySettings(parameters, settings, name, values); !done) {
+    if (auto done = applySettings(parameters, settings, name, values, {kNavigatorSetting}); !done) {
       return tl::unexpected<Error>(done.error());
     }
     return std::unique_ptr<Strategy>(std::make_unique<S>(values, *navigator));

@@ -108,18 +108,23 @@ std::optional<BankShot> bankShot(const BallCourse& course, const FieldGeometry& 
                                  bool upper, double speed) {
   const BallModel& model = course.ball;
   const double wall = (field.width / 2 - model.radius) * (upper ? 1.0 : -1.0);
+  // Of the speed toward the wall, when the spin has settled; and what the wall's friction takes along it, per
+  // speed toward it.
   const double kept =
       model.roll_keep * model.wall_restitution - (1.0 - model.roll_keep) * model.wall_spin_keep;
-  if (!(kept > 0.0) || std::abs(target.y - wall) < 1e-6) return std::nullopt;
-  double mirrored = wall + (wall - target.y) / kept;
+  const double lost = model.roll_keep * model.friction * (1.0 + model.wall_restitution);
+  const double depth = (wall - target.y) / kept;
+  if (!(kept > 0.0) || std::abs(depth) < 1e-6) return std::nullopt;
+  const double side = target.x >= ball.x ? 1.0 : -1.0;
+  Vec2 mirrored{target.x + side * std::abs(depth) * lost, wall + depth};
   std::optional<BallPrediction::Crossing> crossing;
   Vec2 direction;
   for (int i = 0; i < 4; ++i) {
-    direction = unitOr(Vec2{target.x, mirrored} - ball, {1.0, 0.0});
+    direction = unitOr(mirrored - ball, {1.0, 0.0});
     crossing = strike(course, ball, direction, speed, target);
     if (!crossing) return std::nullopt;
     // A ball that comes out too far from the wall was struck too steeply at it.
-    mirrored += (crossing->place.y - target.y) / kept;
+    mirrored.y += (crossing->place.y - target.y) / kept;
   }
   const double share = (wall - ball.y) / (direction.y == 0.0 ? 1e-9 : direction.y);
   return BankShot{direction, ball + direction * share, std::abs(crossing->place.y - target.y),

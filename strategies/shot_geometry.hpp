@@ -74,9 +74,10 @@ struct BankShot {
 };
 
 /// How a ball has to be struck with `speed` [m/s] to come to `target` off one side wall (`upper`: the one at
-/// +y). The target is mirrored behind the wall at (f / e) times its distance to it, as a bounce keeps e of
-/// the speed toward the wall and f along it; then the prediction corrects the aim for the ball's curve while
-/// its spin settles. Empty when the ball does not get there off that wall.
+/// +y). The target is mirrored behind the wall at 1 / e times its distance to it, as a bounce keeps e of the
+/// speed toward the wall, and farther on by what the wall's friction takes along it; then the prediction
+/// corrects the aim for the ball's curve while its spin settles. Empty when the ball does not get there off
+/// that wall.
 std::optional<BankShot> bankShot(const BallCourse& course, const FieldGeometry& field, Vec2 ball, Vec2 target,
                                  bool upper, double speed);
 

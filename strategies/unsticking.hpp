@@ -10,7 +10,8 @@ namespace fulbito {
 class Unsticking {
  public:
   void reset() { held_ = 0.0, left_ = 0.0; }
-  /// `meant`: the robot is meant to move. A value: drive so instead.
+  /// `meant`: the robot is meant to move; when it has not for 0.8 s, it backs off for a quarter of a second.
+  /// A value: drive so instead.
   std::optional<Twist> update(const RobotState& robot, bool meant, double dt);
 
  private:

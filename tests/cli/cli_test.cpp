@@ -202,6 +202,8 @@ TEST_CASE("profiles of rules are listed, shown, and checked with file, line, key
   box.write("odd.toml", "[rules]\n[goal_kick]\ntaker = [[0.0, 0.0]]\n");
   CHECK(box.run("rules check odd.toml").out.find("note: goal-kick: robot 0") != std::string::npos);
   CHECK(box.run("rules check nowhere.toml").code == 5);
+  CHECK(box.run("rules").code == 2);
+  CHECK(box.run("rules").err.find("show NAME, check FILE") != std::string::npos);
   CHECK(box.run("rules show vsss-3v4").err.find("Did you mean 'vsss-3v3'?") != std::string::npos);
 }
 

@@ -56,7 +56,8 @@ TEST_CASE("a match prints its summary", "[cli]") {
   const Output output = box.run(kQuick + "--seed 7");
   CHECK(output.code == 0);
   CHECK(output.err.empty());
-  for (const char* part : {"chaser (blue) ", "seed 7", "possession", "shots (on goal)", "x real time", "final hash"}) {
+  for (const char* part :
+       {"chaser (blue) ", "seed 7", "possession", "shots (on goal)", "x real time", "final hash"}) {
     INFO(part);
     CHECK(output.out.find(part) != std::string::npos);
   }
@@ -76,8 +77,8 @@ TEST_CASE("a match's JSON has its keys, and the same bytes for the same seed", "
   REQUIRE(output.code == 0);
   CHECK(output.err.empty());
   Json first = Json::parse(output.out), again = Json::parse(box.run(kQuick + "--seed 7 --json").out);
-  for (const char* key : {"schema_version", "teams", "score", "events", "stats", "seed", "build", "final_hash",
-                          "simulated_s", "x_realtime"}) {
+  for (const char* key : {"schema_version", "teams", "score", "events", "stats", "seed", "build",
+                          "final_hash", "simulated_s", "x_realtime"}) {
     INFO(key);
     CHECK(first.contains(key));
   }
@@ -180,9 +181,9 @@ TEST_CASE("a series plays swapped pairs, the same for any number of jobs", "[cli
   CHECK(a.dump() == b.dump());
   // A match of the series alone: its seed, and the teams in the order of its leg.
   const Json& leg = a["matches"][3];
-  const Json alone = Json::parse(
-      box.run("match idle chaser --half-seconds 3 --json --seed " + std::to_string(leg["seed"].get<std::uint64_t>()))
-          .out);
+  const Json alone = Json::parse(box.run("match idle chaser --half-seconds 3 --json --seed " +
+                                         std::to_string(leg["seed"].get<std::uint64_t>()))
+                                     .out);
   CHECK(alone["final_hash"] == leg["final_hash"]);
   const Output text = box.run("match chaser chaser --half-seconds 2 --pairs 1");
   CHECK(text.out.find("points share      50.0 %") != std::string::npos);
@@ -210,7 +211,8 @@ TEST_CASE("what is wrong with a match is said before it begins", "[cli]") {
   expect("chaser chaser --latency 61", 2, "latency: 61 is outside 0 ... 60");
   expect("chaser chaser --noise 1", 2, "noise: 1 is outside");
   expect("chaser chaser --dropout 1", 2, "drop-out: 1 is outside");
-  expect("chaser chaser -n 0", 2, "-n");
+  expect("chaser chaser -n 0", 2, "pairs: 0 is outside 1 ... 100000");
+  expect("chaser chaser -n x", 2, "--pairs");
   expect("chaser chaser -n 2 --jobs -1", 2, "jobs: -1 is outside");
   expect("chaser chaser -n 2 --record r.fbr", 2, "--record");
   expect("chaser chaser -n 2 --events -", 2, "--events");
@@ -221,7 +223,8 @@ TEST_CASE("what is wrong with a match is said before it begins", "[cli]") {
   expect("chaser chaser --start missing.toml", 5, "missing.toml");
   expect("chaser chaser --record no/such/m.fbr", 5, "no/such/m.fbr");
   expect("chaser chaser --events no/such/e.jsonl", 5, "no/such/e.jsonl");
-  box.write("bad.toml", "[ball]\nposition = [0.0, 0.0]\n[[robot]]\nteam = \"red\"\nnumber = 0\nposition = [0, 0]\n");
+  box.write("bad.toml",
+            "[ball]\nposition = [0.0, 0.0]\n[[robot]]\nteam = \"red\"\nnumber = 0\nposition = [0, 0]\n");
   expect("chaser chaser --start bad.toml", 3, "bad.toml:4");
   box.write("rules.toml", "[rules]\nname = \"x\"\n[periods]\nhalf_seconds = -1.0\n");
   expect("chaser chaser --rules rules.toml", 3, "rules.toml:4");
@@ -231,7 +234,8 @@ TEST_CASE("what is wrong with a match is said before it begins", "[cli]") {
 TEST_CASE("Ctrl-C ends a match with its summary, events and a whole recording", "[cli]") {
   const Sandbox box;
   const int code = interruptedRun(
-      box, {"match", "chaser", "chaser", "--half-seconds", "3600", "--record", "m.fbr", "--events", "e.jsonl"},
+      box,
+      {"match", "chaser", "chaser", "--half-seconds", "3600", "--record", "m.fbr", "--events", "e.jsonl"},
       "m.fbr");
   CHECK(code == 130);
   CHECK(contentOf(box.path / "out.txt").find("broken off") != std::string::npos);
@@ -243,8 +247,8 @@ TEST_CASE("Ctrl-C ends a match with its summary, events and a whole recording", 
 
 TEST_CASE("Ctrl-C ends a series with the pairs that were played", "[cli]") {
   const Sandbox box;
-  const int code =
-      interruptedRun(box, {"match", "chaser", "chaser", "--half-seconds", "1", "-n", "100000", "--json"}, "out.txt");
+  const int code = interruptedRun(
+      box, {"match", "chaser", "chaser", "--half-seconds", "1", "-n", "100000", "--json"}, "out.txt");
   CHECK(code == 130);
   const Json json = Json::parse(contentOf(box.path / "out.txt"));
   CHECK(json["complete"] == false);

@@ -58,8 +58,8 @@ inline void dropMeasured(Json& json) {
     for (Json& item : json) dropMeasured(item);
   } else if (json.is_object()) {
     for (auto it = json.begin(); it != json.end();) {
-      const bool measured = it.key().starts_with("compute_") || it.key().starts_with("wall_") ||
-                            it.key() == "x_realtime";
+      const bool measured =
+          it.key().starts_with("compute_") || it.key().starts_with("wall_") || it.key() == "x_realtime";
       if (measured) {
         it = json.erase(it);
       } else {

@@ -95,5 +95,14 @@ TEST_CASE("items moved to another list change the hash though the numbers stay t
   CHECK(hashOf(robots) != hashOf(balls));
 }
 
+TEST_CASE("a hash goes on from the value of another", "[unit]") {
+  StateHash whole;
+  whole.add(1.5);
+  StateHash rest(whole.value());
+  whole.add(2.5);
+  rest.add(2.5);
+  CHECK(rest.value() == whole.value());
+}
+
 }  // namespace
 }  // namespace fulbito

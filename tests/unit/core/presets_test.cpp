@@ -149,4 +149,15 @@ TEST_CASE("a file needs no ending when it has a slash, or exists and is no prese
   CHECK(shadowed->length == 1.5);
 }
 
+TEST_CASE("texts are read as files are", "[unit]") {
+  CHECK(parseRobot(toToml(*loadRobot("firasim")), "recorded")->robot.mass ==
+        loadRobot("firasim")->robot.mass);
+  CHECK(parseRobot(toToml(*loadRobot("firasim")), "recorded")->ball.mass == loadRobot("firasim")->ball.mass);
+  CHECK(parsePhysics(toToml(*loadPhysics("standard")), "recorded")->substeps == 2);
+  CHECK(parseField(toToml(*loadField("vsss-5v5")), "recorded")->length == loadField("vsss-5v5")->length);
+  CHECK(parseField("[field]\nlength = -3\n", "recorded").error().message.find("recorded:2: field.length") ==
+        0);
+  CHECK(parsePhysics("", "recorded").error().code == ErrorCode::kBadInput);
+}
+
 }  // namespace fulbito

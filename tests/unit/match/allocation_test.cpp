@@ -1,4 +1,6 @@
+#include "match/event_lines.hpp"
 #include "match/recorder.hpp"
+#include "match/statistics.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/unit/match/test_teams.hpp"
@@ -9,9 +11,11 @@ namespace {
 using namespace fulbito::test;
 
 /// Ticks of a match that allocated anything, once warm. Ticks that end in a restart are not counted.
-int allocatingTicks(const MatchConfig& config, Tick warm_up) {
+int allocatingTicks(const MatchConfig& config, Tick warm_up,
+                    const std::vector<MatchObserver*>& watching = {}) {
   auto match = Match::create(config);
   REQUIRE(match);
+  for (MatchObserver* observer : watching) match->watch(*observer);
   int count = 0;
   for (bool more = true; more;) {
     const long before = mallocCount();
@@ -43,6 +47,13 @@ int allocatingTicksRecorded(const MatchConfig& config, Tick warm_up) {
 
 TEST_CASE("recording a warm match allocates only where chunks end", "[unit]") {
   CHECK(allocatingTicksRecorded(shortMatch("chaser", "chaser", 60.0), 600) == 0);
+}
+
+TEST_CASE("statistics and the event log of a warm match allocate nothing", "[unit]") {
+  StatisticsObserver statistics;
+  EventLog log;
+  CHECK(allocatingTicks(shortMatch("chaser", "chaser", 60.0), 600, {&statistics, &log}) == 0);
+  CHECK(statistics.statistics().play_ticks > 600);
 }
 
 TEST_CASE("a warm match's ticks allocate nothing", "[unit]") {

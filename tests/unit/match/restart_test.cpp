@@ -170,4 +170,28 @@ TEST_CASE("robots held before the signal do not move, free ones do", "[unit]") {
   CHECK(moved != config.rules.restart.hold_robots);
 }
 
+TEST_CASE("a state that no world can be made of is an error, not an empty field", "[unit]") {
+  const MatchConfig config = shortMatch();
+  RestartCall call;
+  Placement placement = twoColumns();
+  REQUIRE(makePlay(config, call, placement));
+  placement.ball = {2.0, 0.0};
+  CHECK(makePlay(config, call, placement).error().message == "ball 0: position (2, 0) is outside the field");
+  placement.ball = {};
+  placement.robots[1][2]->position.y = std::numeric_limits<double>::infinity();
+  CHECK(makePlay(config, call, placement).error().message.rfind("robot 5: position", 0) == 0);
+}
+
+TEST_CASE("a team that did not come has no robots", "[unit]") {
+  MatchConfig config = shortMatch();
+  config.present = {true, false};
+  auto match = Match::create(config);
+  REQUIRE(match);
+  CHECK(match->ids().size() == 3);
+  for (const RobotId id : match->ids()) CHECK(id.team == TeamId::kBlue);
+  while (match->step()) {
+  }
+  CHECK(match->referee().ended);
+}
+
 }  // namespace fulbito

@@ -140,14 +140,29 @@ TEST_CASE("a keeper that moves at a penalty gets a card, then stays out for a wh
   }
 }
 
+TEST_CASE("in a shoot-out a kicker that starts too soon again has lost its kick", "[unit]") {
+  RefereeSetup setup = waiting();
+  setup.rules.half_seconds = 1.0;
+  setup.rules.periods.tie_break = TieBreak::kShootOut;
+  PaperMatch match(setup);
+  while (match.referee.state().period != kShootOutPeriod) match.play(1.0);
+  const TeamId kicker = match.call.team;
+  jump(match, kicker);
+  CHECK(match.call.team == kicker);
+  CHECK(match.referee.state().shoot_out.taken == PerTeam<int>{0, 0});
+  jump(match, kicker);
+  CHECK(match.referee.state().shoot_out.taken[indexOf(kicker)] == 1);
+  CHECK(match.call.team == other(kicker));
+  CHECK(match.referee.state().false_starts == PerTeam<int>{0, 0});
+}
+
 TEST_CASE("false starts without end do not halt the match", "[unit]") {
   RefereeSetup setup = waiting();
   setup.rules.restart.escalation = false;
   PaperMatch match(setup);
   for (int i = 0; i < 10; ++i) REQUIRE(jump(match, TeamId::kYellow));
-  CHECK_FALSE(jump(match, TeamId::kYellow));
-  for (int i = 0; i < 60; ++i) match.step();
   CHECK(match.referee.state().playing);
+  CHECK_FALSE(jump(match, TeamId::kYellow));
   CHECK(match.count("false-start") == 10);
 }
 

@@ -178,6 +178,22 @@ TEST_CASE("law 14: at a free ball robots stay, but those near the mark and one o
   }
 }
 
+TEST_CASE("a goal kick is on the side where the keeper stands", "[unit]") {
+  const RefereeSetup setup = setupOf("vsss-3v3");
+  const RefereeState state;
+  for (const double y : {0.2, -0.2}) {
+    const std::vector<RobotId> ids{{TeamId::kBlue, 0}, {TeamId::kBlue, 1}};
+    const std::vector<RobotState> robots{{{{-0.3, -y}, 0.0}, {}, 0.0, {}}, {{{-0.7, y}, 0.0}, {}, 0.0, {}}};
+    const MatchView view{1, ids, robots, {}, {}};
+    const RestartCall known = makeCall(setup, state, {RestartKind::kGoalKick, TeamId::kBlue, {}, &view, 1});
+    CHECK(known.ball == Vec2{-0.60, y < 0.0 ? -0.35 : 0.35});
+    CHECK(defaultPoses(known, TeamId::kBlue)[0]->position == Vec2{-0.675, y < 0.0 ? -0.27 : 0.27});
+    // Robot 0 while nobody has kept the goal yet.
+    const RestartCall unknown = makeCall(setup, state, {RestartKind::kGoalKick, TeamId::kBlue, {}, &view});
+    CHECK(unknown.ball == Vec2{-0.60, y < 0.0 ? 0.35 : -0.35});
+  }
+}
+
 TEST_CASE("law 14: a team may choose who takes its mark, and nothing else", "[unit]") {
   const RefereeSetup setup = setupOf("vsss-3v3");
   RefereeState state;

@@ -1,6 +1,7 @@
 #include "referee/rules.hpp"
 
 #include "engine/core/presets.hpp"
+#include "engine/core/random.hpp"
 #include "referee/check_places.hpp"
 #include "referee/rules_schema.hpp"
 #include "tests/support/catch.hpp"
@@ -83,6 +84,29 @@ TEST_CASE("a bad profile is refused with file, line, key and range", "[unit]") {
   std::string many = "[rules]\n[kick_off]\ntaker = [[0, 0]";
   for (int i = 0; i < 11; ++i) many += ", [0, 0]";
   CHECK(errorOf(many + "]\n") == "x.toml:3: kick_off.taker has 12 places; at most 11 are allowed");
+}
+
+TEST_CASE("a damaged profile is read or refused by line, never worse", "[unit]") {
+  int refused = 0;
+  for (std::uint64_t i = 0; i < 400; ++i) {
+    Rng rng(9, Stream::kTest, i);
+    std::string text = *rulesPresetText(rulesPresetNames()[rng.below(4)]);
+    for (std::uint32_t damage = rng.below(4); damage < 4; ++damage) {
+      const std::size_t at = rng.below(static_cast<std::uint32_t>(text.size()));
+      if (rng.below(4) == 0)
+        text.erase(at, rng.below(30));
+      else
+        text[at] = static_cast<char>(rng.below(256));
+    }
+    const auto rules = parseRules(text, "x.toml");
+    if (rules) {
+      CHECK(validate(*rules));
+    } else {
+      ++refused;
+      CHECK(rules.error().message.starts_with("x.toml:"));
+    }
+  }
+  CHECK(refused > 50);
 }
 
 TEST_CASE("places that the laws do not allow are told, and the embedded profiles have none", "[unit]") {
