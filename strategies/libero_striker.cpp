@@ -138,7 +138,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   }
   if (picture.seen.restart == RestartKind::kFreeBall && picture.seen.since_restart < 0.25 &&
       squaredNorm(rel) > 0.055 * 0.055) {
-    return passThrough(pitch, self, now.position + Vec2{0.0, 0.03 * std::copysign(1.0, now.position.y)},
+    return passThrough(pitch, self, now.position + Vec2{0.0, 0.0 * std::copysign(1.0, now.position.y)},
                        pitch.speed);
   }
   Vec2 keeper;
