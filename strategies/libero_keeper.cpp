@@ -33,7 +33,7 @@ Twist slideTo(const Picture& picture, const RobotState& self, double line, doubl
   const Pitch& pitch = picture.pitch;
   const double dx = line - self.pose.position.x, dy = y - self.pose.position.y;
   const Vec2 rel = picture.ball.now().position - self.pose.position;
-  if (dx > 0.02 && 1 > 0 && squaredNorm(rel) < 0.13 * 0.13 && rel.x > 0.0) {
+  if (dx > 0.02 && squaredNorm(rel) < 0.13 * 0.13 && rel.x > 0.0) {
     // Pushed into the goal with the ball before it: stay side on and before the ball, turning would let it
     // in.
     const double along = self.pose.heading >= 0.0 ? math::kPi / 2 : -math::kPi / 2;

@@ -111,6 +111,13 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& 
   return chosen;
 }
 
+/// Right after a kick-off or free ball the first touch counts, whatever the direction.
+bool rushes(const Picture& picture, Vec2 rel) {
+  const RestartKind kind = picture.seen.restart;
+  const double until = kind == RestartKind::kKickOff ? 0.4 : kind == RestartKind::kFreeBall ? 0.25 : 0.0;
+  return picture.seen.since_restart < until && squaredNorm(rel) > 0.055 * 0.055;
+}
+
 /// Whether the robot presses on the opponents' keeper in its area, the ball not between: that is a foul.
 bool chargesKeeper(const Picture& picture, const RobotState& self, Vec2& keeper) {
   for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -132,17 +139,9 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   watchJam(picture, self, rel, memory);
   if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
 
-  if (picture.seen.restart == RestartKind::kKickOff && picture.seen.since_restart < 0.4 &&
-      squaredNorm(rel) > 0.055 * 0.055) {
-    return passThrough(pitch, self, now.position, pitch.speed);
-  }
-  if (picture.seen.restart == RestartKind::kFreeBall && picture.seen.since_restart < 0.25 &&
-      squaredNorm(rel) > 0.055 * 0.055) {
-    return passThrough(pitch, self, now.position + Vec2{0.0, 0.0 * std::copysign(1.0, now.position.y)},
-                       pitch.speed);
-  }
+  if (rushes(picture, rel)) return passThrough(pitch, self, now.position, pitch.speed);
   Vec2 keeper;
-  if (1 > 0 && squaredNorm(rel) > 0.075 * 0.075 && chargesKeeper(picture, self, keeper)) {
+  if (squaredNorm(rel) > 0.075 * 0.075 && chargesKeeper(picture, self, keeper)) {
     return passThrough(pitch, self, self.pose.position * 2.0 - keeper, 0.6);
   }
   const Interception meet = interception(picture, self);

@@ -58,7 +58,7 @@ Vec2 shadow(const Picture& picture, Vec2 ball) {
 Vec2 outlet(const Pitch& pitch, Vec2 ball, int rank) {
   const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
   const double back = -pitch.half_length + pitch.big_area_depth + 0.15;
-  if (rank == 2) return {std::clamp(ball.x + 0.15, back, pitch.half_length - 0.5), far_side * 0.45};
+  if (rank == 2) return {std::clamp(ball.x + -0.5, back, pitch.half_length - 0.5), far_side * 0.45};
   return {std::clamp(ball.x - 0.55, back, 0.0), far_side * 0.2};
 }
 
