@@ -153,7 +153,7 @@ Twist keep(const Picture& picture, int robot) {
   const bool coming = crossing(picture, -pitch.half_length, shot) &&
                       std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
   if (!coming && comesFirst(picture, self) && clear(picture, self, out)) return out;
-  if (alongEndWall(picture)) return guardPost(picture, self);
+  if (!(coming && rel.x > 0.03) && alongEndWall(picture)) return guardPost(picture, self);
   return slideTo(picture, self, line, keeperPlace(picture, line));
 }
 
