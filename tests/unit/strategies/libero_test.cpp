@@ -1,0 +1,180 @@
+#include <cmath>
+
+#include "engine/core/random.hpp"
+#include "match/match.hpp"
+#include "strategies/registry.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/catch.hpp"
+
+namespace fulbito {
+namespace {
+
+MatchConfig matchOf(const char* blue, const char* yellow, const char* rules, double half_seconds) {
+  MatchConfig config;
+  config.teams = {*parseTeam(blue), *parseTeam(yellow)};
+  config.rules = *loadRules(rules);
+  config.rules.half_seconds = half_seconds;
+  config.field = *loadField(config.rules.field);
+  config.robot = *loadRobot("vsss");
+  config.physics = *loadPhysics("standard");
+  return config;
+}
+
+PerTeam<int> scoreOf(const MatchConfig& config) {
+  auto match = Match::create(config);
+  REQUIRE(match);
+  while (match->step()) {
+  }
+  return match->referee().score;
+}
+
+/// Goals that libero is ahead of `opponent` after `pairs` swapped pairs.
+int goalsAhead(const char* opponent, int pairs, double half_seconds) {
+  int ahead = 0;
+  for (int i = 0; i < pairs; ++i) {
+    auto config = matchOf("libero", opponent, "vsss-3v3", half_seconds);
+    config.seed = static_cast<std::uint64_t>(i) + 1;
+    const auto first = scoreOf(config);
+    std::swap(config.teams[0], config.teams[1]);
+    const auto second = scoreOf(config);
+    ahead += first[0] - first[1] + second[1] - second[0];
+  }
+  return ahead;
+}
+
+MatchInfo infoOf(int team_size) {
+  MatchInfo info;
+  info.field = *loadField(team_size == 3 ? "vsss-3v3" : "vsss-5v5");
+  info.robot = loadRobot("vsss")->robot;
+  info.ball = loadRobot("vsss")->ball;
+  info.team_size = team_size;
+  return info;
+}
+
+Observation anything(Rng& rng, const MatchInfo& info) {
+  const double x = info.field.length / 2 + 0.09, y = info.field.width / 2;
+  Observation seen;
+  seen.team_size = info.team_size;
+  const auto put = [&](ObservedRobot& robot) {
+    robot.present = rng.uniform(0.0, 1.0) < 0.8;
+    robot.state.pose = {{rng.uniform(-x, x), rng.uniform(-y, y)}, rng.uniform(-3.14, 3.14)};
+    robot.state.velocity = {rng.uniform(-1.5, 1.5), rng.uniform(-1.5, 1.5)};
+    robot.state.angular_velocity = rng.uniform(-30.0, 30.0);
+  };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(info.team_size); ++i) {
+    put(seen.own[i]);
+    put(seen.opponents[i]);
+  }
+  seen.ball.position = {rng.uniform(-x, x), rng.uniform(-y, y)};
+  seen.ball.velocity = {rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0)};
+  // Now and then what is degenerate: a robot on the ball, a ball in a corner.
+  if (rng.uniform(0.0, 1.0) < 0.1) seen.own[1].state.pose.position = seen.ball.position;
+  if (rng.uniform(0.0, 1.0) < 0.1) seen.ball = {{x, y}, {}, {}};
+  seen.since_restart = rng.uniform(0.0, 1.0);
+  seen.restart = static_cast<RestartKind>(static_cast<int>(rng.uniform(0.0, 5.99)));
+  return seen;
+}
+
+/// One robot alone with a resting ball: the seconds until it is in their goal; negative in its own; 0 never.
+double secondsToScore(Vec2 robot, Vec2 ball) {
+  auto config = matchOf("libero", "idle", "vsss-3v3", 10.0);
+  Placement start;
+  start.ball = ball;
+  start.robots[0][1] = Pose2{robot, 1.0};
+  config.start = start;
+  auto match = Match::create(config);
+  REQUIRE(match);
+  while (match->step()) {
+    const PerTeam<int> score = match->referee().score;
+    if (score[0] > 0) return match->seconds();
+    if (score[1] > 0) return -match->seconds();
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+TEST_CASE("libero beats the chaser and the classic team", "[unit]") {
+  CHECK(goalsAhead("chaser", 6, 40.0) > 0);
+  CHECK(goalsAhead("classic", 4, 40.0) > 0);
+}
+
+TEST_CASE("libero against itself: a swapped pair cancels", "[unit]") {
+  CHECK(goalsAhead("libero", 1, 20.0) == 0);
+}
+
+TEST_CASE("a lone libero brings a resting ball into the right goal", "[unit]") {
+  int scored = 0;
+  for (const Vec2 ball :
+       {Vec2{0.4, 0.3}, Vec2{0.0, -0.45}, Vec2{-0.45, 0.2}, Vec2{-0.55, -0.4}, Vec2{0.55, -0.4}}) {
+    const double seconds = secondsToScore({0.1, 0.1}, ball);
+    CHECK(seconds >= 0.0);
+    scored += seconds > 0.0 ? 1 : 0;
+  }
+  CHECK(scored == 5);
+}
+
+TEST_CASE("libero's decisions are finite whatever it sees", "[unit]") {
+  for (const int size : {3, 5}) {
+    const MatchInfo info = infoOf(size);
+    auto team = makeTeam(*parseTeam("libero"));
+    REQUIRE(team);
+    (*team)->begin(info);
+    Rng rng{5, Stream::kTest, static_cast<std::uint64_t>(size)};
+    for (int i = 0; i < 20'000; ++i) {
+      const TeamCommand command = (*team)->decide(anything(rng, info));
+      for (const RobotCommand& robot : command.robots) {
+        REQUIRE(std::isfinite(robot.twist.linear));
+        REQUIRE(std::isfinite(robot.twist.angular));
+      }
+    }
+  }
+}
+
+TEST_CASE("libero plays five a side, and with a navigator of the registry", "[unit]") {
+  auto five = matchOf("libero", "libero", "vsss-5v5", 5.0);
+  auto match = Match::create(five);
+  REQUIRE(match);
+  while (match->step()) {
+  }
+  for (const TeamFaults& team : match->faults().teams) CHECK(team.rejected() == 0);
+  CHECK(parseTeam("libero:navigator=bezier,aggression=0.7"));
+  CHECK_FALSE(parseTeam("libero:aggression=2"));
+  CHECK_FALSE(parseTeam("libero:navigator=nosuch"));
+}
+
+TEST_CASE("libero's decisions allocate nothing", "[unit]") {
+  const MatchInfo info = infoOf(3);
+  auto team = makeTeam(*parseTeam("libero"));
+  REQUIRE(team);
+  (*team)->begin(info);
+  Rng rng{6, Stream::kTest};
+  std::vector<Observation> pictures;
+  for (int i = 0; i < 200; ++i) pictures.push_back(anything(rng, info));
+  const std::uint64_t before = test::allocationCount();
+  double sum = 0.0;
+  for (const Observation& seen : pictures) sum += (*team)->decide(seen).robots[0].twist.linear;
+  CHECK(test::allocationCount() == before);
+  CHECK(std::isfinite(sum));
+}
+
+TEST_CASE("libero keeps its places legal at every restart", "[unit]") {
+  for (const int size : {3, 5}) {
+    auto team = makeTeam(*parseTeam("libero"));
+    REQUIRE(team);
+    const MatchInfo info = infoOf(size);
+    (*team)->begin(info);
+    for (int kind = 0; kind < 5; ++kind) {
+      for (const bool ours : {true, false}) {
+        PlacementRequest request{static_cast<RestartKind>(kind), ours, {-0.375, 0.4}, {}, {}};
+        const auto placed = (*team)->place(request);
+        REQUIRE(placed);
+        for (const auto& pose : *placed) {
+          if (pose) CHECK(insideField(info.field, pose->position, 0.03));
+        }
+      }
+    }
+  }
+}
+
+}  // namespace fulbito
