@@ -163,15 +163,27 @@ class Libero final : public Strategy {
 
 }  // namespace
 
+namespace {
+
+/// The default of `navigator`: the team's own motion skills, which cost a tenth of the registry's cheapest.
+constexpr const char* kOwnNavigation = "own";
+
+}  // namespace
+
 TeamInfo liberoInfo() {
   const std::vector<Parameter<Settings>> parameters = {
       number("aggression", &Settings::aggression, 0.0, 1.0, "",
              "how early the support goes forward: 0 only when the ball is deep in their half")};
-  TeamInfo info{
-      "libero", "the flagship: striker, support and keeper who read the game", specsOf(parameters), true, "",
-      {}};
+  TeamInfo info{"libero",
+                "the flagship: striker, support and keeper who read the game",
+                specsOf(parameters),
+                true,
+                kOwnNavigation,
+                {}};
   info.make = [parameters](std::vector<Setting> settings) -> Result<std::unique_ptr<Strategy>> {
     std::optional<NavigatorChoice> navigator;
+    std::erase_if(settings,
+                  [](const Setting& s) { return s.name == "navigator" && s.value == kOwnNavigation; });
     if (std::any_of(settings.begin(), settings.end(),
                     [](const Setting& s) { return s.name == "navigator"; })) {
       auto chosen = takeNavigator(settings, kDefaultNavigator);

@@ -63,7 +63,7 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
     if (!picture.opponentPresent(i)) continue;
     const double theirs = timeToReach(pitch, picture.opponent(i), ball);
     if (theirs < mine + 0.1) return false;
-    if (theirs < mine + 0.4) ++soon;
+    if (theirs < mine + 0.6) ++soon;
   }
   return soon < 2;
 }
@@ -146,7 +146,7 @@ Twist keep(const Picture& picture, int robot) {
   if (picture.seen.restart == RestartKind::kPenalty && !picture.seen.restart_is_ours &&
       picture.seen.since_restart < 0.8 && rel.x > 0.04 && squaredNorm(rel) > 0.06 * 0.06) {
     // Out to meet the taker: the nearer to the ball, the more of the goal is covered.
-    return passThrough(pitch, self, ball.position + ball.velocity * 0.05, pitch.speed);
+    return passThrough(pitch, self, ball.position + ball.velocity * 0.12, pitch.speed);
   }
   Twist out;
   double shot = 0.0;

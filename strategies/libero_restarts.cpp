@@ -48,7 +48,7 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
     placed[1] = facing(ball - Vec2{0.16, 0.0}, ball);
     placed[2] = facing({-0.06, 0.35}, ball);
   } else {
-    placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, 0.03}, 0.0};
+    placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, 0.06}, 0.0};
     // Wide, off the way of those who run at the ball: they would be pushed into the area.
     constexpr double kWide[] = {-0.42, 0.42, -0.62, 0.62};
     for (std::size_t i = 1; i < std::min<std::size_t>(5, static_cast<std::size_t>(pitch.team_size)); ++i) {
