@@ -5,6 +5,8 @@
 #
 #   scripts/determinism-matrix.sh            all builds
 #   scripts/determinism-matrix.sh gcc-O2     only those named
+#   scripts/determinism-matrix.sh --reuse    takes the programs of build/ci and build/asan for gcc-O2 and
+#                                            gcc-sanitizers, where those presets have been built
 #   UPDATE_GOLDEN=1 scripts/determinism-matrix.sh   writes the golden files from the first build, then compares
 #
 # Exit code 0: all equal; 1: some differ; 2: a build failed.
@@ -13,12 +15,18 @@ cd "$(dirname "$0")/.."
 
 sanitizers="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 builds=(
-  "gcc-O2|g++|-O2 -DNDEBUG"
-  "gcc-O0|g++|-O0"
-  "gcc-O3|g++|-O3 -DNDEBUG"
-  "clang-O2|clang++-19|-O2 -DNDEBUG"
-  "gcc-sanitizers|g++|$sanitizers"
+  "gcc-O2|g++|-O2 -DNDEBUG|ci"
+  "gcc-O0|g++|-O0|"
+  "gcc-O3|g++|-O3 -DNDEBUG|"
+  "clang-O2|clang++-19|-O2 -DNDEBUG|"
+  "gcc-sanitizers|g++|$sanitizers|asan"
 )
+
+reuse=false
+if [ "${1:-}" = --reuse ]; then
+  reuse=true
+  shift
+fi
 
 # The names that glibc 2.33 and later know; on a processor without these the masked run is the plain one.
 no_fma="glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX,-FMA,-FMA4"
@@ -67,14 +75,17 @@ trig=build/matrix/trig.txt
 rm -f "$trig"
 printf '%-16s %-12s %-10s %-10s\n' build what plain "without FMA"
 for entry in "${builds[@]}"; do
-  IFS='|' read -r name compiler flags <<< "$entry"
+  IFS='|' read -r name compiler flags preset <<< "$entry"
   if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then continue; fi
-  if ! build "$name" "$compiler" "$flags"; then
-    tail -n 20 "build/matrix/$name.log" >&2
-    echo "determinism-matrix: $name does not build" >&2
-    exit 2
+  folder=build/$preset/tests/determinism
+  if ! $reuse || [ ! -x "$folder/match_hash_program" ] || [ ! -x "$folder/hash_program" ]; then
+    if ! build "$name" "$compiler" "$flags"; then
+      tail -n 20 "build/matrix/$name.log" >&2
+      echo "determinism-matrix: $name does not build" >&2
+      exit 2
+    fi
+    folder=build/matrix/$name/tests/determinism
   fi
-  folder=build/matrix/$name/tests/determinism
   compare "$name" scenes hash_program golden.txt
   compare "$name" matches match_hash_program golden_matches.txt
   UPDATE_GOLDEN=0

@@ -126,7 +126,7 @@ TEST_CASE("rules, physics, robot, vision and length of a match can be chosen", "
   CHECK(file["final_hash"] == preset["final_hash"]);
 }
 
-TEST_CASE("--profile prints the share of every stage", "[cli]") {
+TEST_CASE("match --profile prints the share of every stage", "[cli]") {
   const Sandbox box;
   const Output output = box.run(kQuick + "--profile");
   for (const char* stage : {"strategies", "navigation", "physics", "referee", "recording"}) {
@@ -135,7 +135,7 @@ TEST_CASE("--profile prints the share of every stage", "[cli]") {
   }
 }
 
-TEST_CASE("--events - streams lines to stdout and moves the summary to stderr", "[cli]") {
+TEST_CASE("match --events - streams lines to stdout and moves the summary to stderr", "[cli]") {
   const Sandbox box;
   const Output output = box.run(kQuick + "--events -");
   REQUIRE(output.code == 0);
