@@ -62,6 +62,8 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
 TeamPlacement placementAt(const Pitch& pitch, const PlacementRequest& request) {
   TeamPlacement placed = request.defaults;
   if (pitch.team_size < 3 || request.kind == RestartKind::kGiven) return placed;
+  // At a free ball all but the nearest stay where they are; a free kick's places are good as they are.
+  if (request.kind == RestartKind::kFreeBall || request.kind == RestartKind::kFreeKick) return placed;
   placed[0] = keeperPose(pitch);
   if (request.kind == RestartKind::kKickOff) kickOff(pitch, request.ours, placed);
   if (request.kind == RestartKind::kGoalKick) goalKick(pitch, request.ours, request.ball, placed);
