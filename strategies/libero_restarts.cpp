@@ -33,7 +33,8 @@ void kickOff(const Pitch& pitch, bool ours, TeamPlacement& placed) {
 void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   const double side = std::copysign(1.0, ball.y);
   if (ours) {
-    placed[0] = facing(ball - Vec2{kBehind, 0.03 * side}, ball);
+    const double aside = std::min(std::abs(ball.y) - 0.03, pitch.area_half - pitch.robot_corner - 0.003);
+    placed[0] = facing({ball.x - kBehind, side * aside}, ball);
     placed[1] = facing({ball.x + 0.25, std::copysign(pitch.half_width - 0.12, side)},
                        {0.0, std::copysign(pitch.half_width, side)});
     placed[2] = facing({-pitch.half_length + 0.30, 0.0}, ball);
