@@ -51,7 +51,7 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   } else {
     placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, 0.06}, 0.0};
     // Wide, off the way of those who run at the ball: they would be pushed into the area.
-    constexpr double kWide[] = {-0.42, 0.42, -0.62, 0.62};
+    constexpr double kWide[] = {-0.55, 0.55, -0.27, 0.27};
     for (std::size_t i = 1; i < std::min<std::size_t>(5, static_cast<std::size_t>(pitch.team_size)); ++i) {
       placed[i] = facing({0.06, kWide[i - 1]}, ball);
     }
