@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "strategies/foresight.hpp"
 #include "strategies/libero_areas.hpp"
 #include "strategies/libero_exercise.hpp"
 #include "strategies/libero_keeper.hpp"
@@ -16,17 +17,6 @@ namespace {
 
 using namespace libero;
 
-/// Brings the robots of a picture that is old to now: ours by what they were told, theirs by their velocity.
-void rollForward(const Pitch& pitch, Observation& seen) {
-  const int ticks = static_cast<int>(pitch.age / seen.dt + 0.5);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
-    for (int t = 0; t < ticks && seen.own[i].present; ++t) {
-      seen.own[i].state = rolledForward(pitch.robot, seen.own[i].state, seen.sent[i], seen.dt);
-    }
-    seen.opponents[i].state.pose.position += seen.opponents[i].state.velocity * pitch.age;
-  }
-}
-
 class Libero final : public Strategy {
  public:
   Libero(Settings settings, std::optional<NavigatorChoice> navigator) : settings_(settings) {
@@ -37,55 +27,22 @@ class Libero final : public Strategy {
 
   void begin(const MatchInfo& info) override {
     pitch_ = Pitch(info);
-    delayed_ = info.observation_age > 0.0;
-    spin_.reset();
+    foresight_ = Foresight(info);
     striker_ = -1;
     strike_ = {};
     held_ = 1.0;
   }
 
   TeamCommand decide(const Observation& observation) override {
-    if (observation.since_restart < observation.dt / 2) {
-      spin_.reset();
-      strike_ = {};
-    }
-    if (!delayed_) return decideNow(observation, spin_.update(pitch_, observation.ball));
-    present_ = observation;
-    const BallState ball = spin_.update(pitch_, observation.ball);
-    rollForward(pitch_, present_);
-    present_.ball = rolledOn(pitch_, ball, pitch_.age);
-    return decideNow(present_, present_.ball);
-  }
-
-  std::optional<TeamPlacement> place(const PlacementRequest& request) override {
-    return placementAt(pitch_, request);
-  }
-
-  std::optional<ExerciseReply> exercise(const Observation& observation, const Exercise& exercise) override {
-    const BallState ball = spin_.update(pitch_, observation.ball);
-    ExerciseReply reply;
-    if (exercise.kind == Exercise::Kind::kPredictBall) {
-      // Finer steps than those of the game: nothing else is asked for here.
-      constexpr double kFine = 1.0 / 480.0;
-      BallState moving = ball;
-      for (int i = 0; i < static_cast<int>(exercise.horizon / kFine + 0.5); ++i)
-        moving = rolledOn(pitch_, moving, kFine);
-      reply.answer = moving.position;
-    }
-    reply.command.robots[0] = RobotCommand::byTwist(
-        exerciseTwist(pitch_, observation.own[0].state, ball.position, exercise, strike_.side));
-    return reply;
-  }
-
- private:
-  TeamCommand decideNow(const Observation& seen, const BallState& ball) {
-    ball_.compute(pitch_, ball);
-    const Picture picture{seen, pitch_, settings_, ball_};
+    const Observation& now = foresight_.update(observation);
+    if (foresight_.playBegan()) strike_ = {};
+    ball_.take(foresight_.ballNow(), foresight_.ball());
+    const Picture picture{now, pitch_, settings_, ball_};
     chooseKeeper(picture);
     chooseStriker(picture);
     TeamCommand command;
     int rank = 0;
-    for (int i = 0; i < seen.team_size; ++i) {
+    for (int i = 0; i < now.team_size; ++i) {
       if (!picture.ownPresent(i)) continue;
       command.roles[static_cast<std::size_t>(i)] = roleOf(i);
       command.robots[static_cast<std::size_t>(i)] = play(picture, i, rank);
@@ -93,6 +50,20 @@ class Libero final : public Strategy {
     return command;
   }
 
+  std::optional<TeamPlacement> place(const PlacementRequest& request) override {
+    return placementAt(pitch_, request);
+  }
+
+  std::optional<ExerciseReply> exercise(const Observation& observation, const Exercise& exercise) override {
+    const Observation& now = foresight_.update(observation);
+    ExerciseReply reply;
+    reply.answer = foresight_.ball().positionAt(exercise.horizon);
+    reply.command.robots[0] = RobotCommand::byTwist(
+        exerciseTwist(pitch_, now.own[0].state, now.ball.position, exercise, strike_.side));
+    return reply;
+  }
+
+ private:
   RobotCommand play(const Picture& picture, int robot, int& rank) {
     if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
     const bool keepers = keeper_ >= 0 && inOwnArea(pitch_, ball_.at(0.2), 0.0);
@@ -151,9 +122,7 @@ class Libero final : public Strategy {
   Settings settings_;
   Pitch pitch_;
   std::vector<NavigatorChoice> navigators_;  // one, for those without the ball; none: by own skill
-  bool delayed_ = false;                     // observations have an age
-  Observation present_;                      // of now, where they have
-  SpinTracker spin_;
+  Foresight foresight_;
   BallForecast ball_;
   int keeper_ = -1;
   int striker_ = -1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "strategies/libero_ball.hpp"
+#include "strategies/libero_pitch.hpp"
 #include "strategies/libero_settings.hpp"
 
 namespace fulbito::libero {

@@ -9,7 +9,6 @@ Pitch::Pitch(const MatchInfo& info)
     : half_length(info.field.length / 2),
       half_width(info.field.width / 2),
       goal_half(info.field.goal_width / 2),
-      goal_depth(info.field.goal_depth),
       corner(info.field.corner),
       area_half(info.field.goal_area_width / 2),
       area_depth(info.field.goal_area_depth),
@@ -23,10 +22,6 @@ Pitch::Pitch(const MatchInfo& info)
       speed(info.robot.maxSpeed()),
       acceleration(info.robot.wheel_acceleration),
       half_track(info.robot.axle_track / 2),
-      dt(info.physics.controlPeriod()),
-      age(info.observation_age),
-      ball(info.ball),
-      robot(info.robot),
       team_size(info.team_size) {}
 
 Vec2 Pitch::inside(Vec2 p, double margin) const {

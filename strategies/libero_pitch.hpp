@@ -18,7 +18,6 @@ struct Pitch {
   double half_length = 0.75;    ///< [m]
   double half_width = 0.65;     ///< [m]
   double goal_half = 0.20;      ///< [m]
-  double goal_depth = 0.10;     ///< [m]
   double corner = 0.07;         ///< [m] legs of the corner cuts
   double area_half = 0.35;      ///< [m] half width of the goal area
   double area_depth = 0.15;     ///< [m]
@@ -32,10 +31,6 @@ struct Pitch {
   double speed = 1.2;           ///< [m/s] of a robot at most
   double acceleration = 6.45;   ///< [m/s^2] of a wheel
   double half_track = 0.03875;  ///< [m]
-  double dt = 1.0 / 60.0;       ///< [s]
-  double age = 0.0;             ///< [s] of the observations
-  BallModel ball;
-  RobotModel robot;
   int team_size = 3;
 };
 
