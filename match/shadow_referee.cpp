@@ -261,6 +261,7 @@ std::vector<VerdictPair> differentPairs(const RulesComparison& comparison) {
     ++counts[{callName(*play.a, same_rule), callName(*play.b, same_rule)}];
   }
   std::vector<VerdictPair> pairs;
+  pairs.reserve(counts.size());
   for (const auto& [names, number] : counts) pairs.push_back({names.first, names.second, number});
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const VerdictPair& x, const VerdictPair& y) { return x.count > y.count; });

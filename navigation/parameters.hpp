@@ -111,6 +111,7 @@ Result<std::size_t> findParameter(const std::vector<ParameterSpec>& specs, const
 template <typename P>
 std::vector<ParameterSpec> specsOf(const std::vector<Parameter<P>>& parameters) {
   std::vector<ParameterSpec> specs;
+  specs.reserve(parameters.size());
   for (const auto& parameter : parameters) specs.push_back(parameter.spec);
   return specs;
 }
