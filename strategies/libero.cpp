@@ -68,6 +68,10 @@ class Libero final : public Strategy {
     if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
     const bool keepers = keeper_ >= 0 && inOwnArea(pitch_, ball_.at(0.2), 0.0);
     if (robot == striker_ && !keepers) return legal(picture, robot, strike(picture, robot, strike_));
+    if (!keepers && meetsToo(picture, robot)) {
+      ++rank;
+      return legal(picture, robot, meetCarried(picture, picture.own(robot)));
+    }
     const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, rank);
     ++rank;
     if (!navigators_.empty() && distance(picture.own(robot).pose.position, place) > 0.1) {
@@ -78,6 +82,13 @@ class Libero final : public Strategy {
       return RobotCommand::drivingTo(go_to);
     }
     return legal(picture, robot, supportTo(picture, robot, place));
+  }
+
+  /// Whether a robot other than the striker meets a ball that is pushed toward our goal: not so near to the
+  /// goal that it would be pushed into the area.
+  bool meetsToo(const Picture& picture, int robot) const {
+    const RobotState& self = picture.own(robot);
+    return self.pose.position.x > -pitch_.half_length + 0.45 && canMeetCarried(picture, self);
   }
 
   /// 1 keeper, 2 striker, 3 support.

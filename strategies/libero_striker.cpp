@@ -11,6 +11,10 @@ namespace {
 
 constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
 constexpr double kSpinTime = 0.45;  // [s]
+constexpr double kInner = 0.02;  // [m] off the ball's middle, on our goal's side, where a pushed ball is met
+
+/// Five a side, where crowds push through what three cannot.
+bool isLargeGame(const Picture& picture) { return picture.pitch.team_size > 3; }
 
 Twist spin(StrikerMemory& memory, double dt) {
   memory.spin_left -= dt;
@@ -118,6 +122,26 @@ bool rushes(const Picture& picture, Vec2 rel) {
   return picture.seen.since_restart < until && squaredNorm(rel) > 0.055 * 0.055;
 }
 
+/// Where that touch is wanted. In the large game a free ball is met on its inner side, so that it slips from
+/// between the two toward the side wall: from the middle of both it was carried to our goal.
+Vec2 firstTouch(const Picture& picture) {
+  const Vec2 ball = picture.ball.now().position;
+  if (!isLargeGame(picture) || picture.seen.restart != RestartKind::kFreeBall) return ball;
+  return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
+}
+
+/// Whether an opponent pushes the ball toward our goal.
+bool carried(const Picture& picture) {
+  const BallState& ball = picture.ball.now();
+  if (ball.velocity.x > -0.3) return false;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    const Vec2 rel = picture.opponent(i).pose.position - ball.position;
+    if (squaredNorm(rel) < 0.11 * 0.11 && dot(rel, ball.velocity) < 0.0) return true;
+  }
+  return false;
+}
+
 /// Whether the robot presses on the opponents' keeper in its area, the ball not between: that is a foul.
 bool chargesKeeper(const Picture& picture, const RobotState& self, Vec2& keeper) {
   for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -131,6 +155,23 @@ bool chargesKeeper(const Picture& picture, const RobotState& self, Vec2& keeper)
 
 }  // namespace
 
+bool canMeetCarried(const Picture& picture, const RobotState& robot) {
+  if (!isLargeGame(picture) || !carried(picture)) return false;
+  const BallState& ball = picture.ball.now();
+  const Vec2 way = unitOr(ball.velocity, {-1.0, 0.0});
+  const Vec2 rel = intoFrame(way, robot.pose.position - ball.position);
+  return rel.x > 0.02 && std::abs(rel.y) < 0.5 * rel.x + 0.05;
+}
+
+Twist meetCarried(const Picture& picture, const RobotState& robot) {
+  const BallState& ball = picture.ball.now();
+  const Vec2 way = unitOr(ball.velocity, {-1.0, 0.0});
+  const Vec2 goal = intoFrame(way, picture.pitch.ownGoal() - ball.position);
+  const double lead = std::min(0.3, 0.4 * distance(robot.pose.position, ball.position));
+  const Vec2 to = ball.position + outOfFrame(way, {lead, std::copysign(kInner, goal.y)});
+  return passThrough(picture.pitch, robot, to, picture.pitch.speed);
+}
+
 Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   const RobotState& self = picture.own(robot);
   const Pitch& pitch = picture.pitch;
@@ -139,7 +180,8 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   watchJam(picture, self, rel, memory);
   if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
 
-  if (rushes(picture, rel)) return passThrough(pitch, self, now.position, pitch.speed);
+  if (rushes(picture, rel)) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
+  if (canMeetCarried(picture, self)) return meetCarried(picture, self);
   Vec2 keeper;
   if (squaredNorm(rel) > 0.075 * 0.075 && chargesKeeper(picture, self, keeper)) {
     return passThrough(pitch, self, self.pose.position * 2.0 - keeper, 0.6);
