@@ -28,6 +28,7 @@ void writePlay(const RecordedPlay& play, Tick offset, Bytes& bytes) {
   out.fixed(play.hash);
   writeNumbers({play.ball.x, play.ball.y}, out);
   std::vector<std::uint8_t> present;
+  present.reserve(play.starts.size());
   for (const RecordedStart& start : play.starts) present.push_back(start.present ? 1 : 0);
   writeFlags(present.cbegin(), present.size(), out);
   for (const RecordedStart& s : play.starts) {
@@ -139,7 +140,7 @@ void ChunkBuilder::sample(const WorldState& world) {
   const std::size_t row = samples_.addRow();
   std::size_t column = 0;
   const auto put = [&](double value, double step) { samples_.at(column++, row) = wholeSteps(value, step); };
-  const auto putPose = [&](const Pose2& pose) {
+  const auto put_pose = [&](const Pose2& pose) {
     put(pose.position.x, kSamplePlaceStep);
     put(pose.position.y, kSamplePlaceStep);
     put(pose.heading, kSampleHeadingStep);
@@ -149,13 +150,13 @@ void ChunkBuilder::sample(const WorldState& world) {
     if (present_[body] == 0) {
       for (std::size_t i = sampleColumns(header_.bodies[body].kind); i > 0; --i) put(0.0, 1.0);
     } else if (body < robots_) {
-      putPose(world.robots[robot++].pose);
+      put_pose(world.robots[robot++].pose);
     } else if (body < robots_ + balls_) {
       const BallState& state = world.balls[ball++];
       put(state.position.x, kSamplePlaceStep);
       put(state.position.y, kSamplePlaceStep);
     } else {
-      putPose(world.obstacles[obstacle++].pose);
+      put_pose(world.obstacles[obstacle++].pose);
     }
   }
 }
@@ -230,21 +231,21 @@ void ChunkBuilder::putColumns(std::uint8_t id, const Columns& table, Compressor&
 }
 
 void ChunkBuilder::pack(Compressor& compressor, Bytes& out) {
-  const auto idOf = [](SectionId id) { return static_cast<std::uint8_t>(id); };
+  const auto id_of = [](SectionId id) { return static_cast<std::uint8_t>(id); };
   ByteWriter(runs_).varint(run_length_);
   body_.clear();
   sections_.clear();
-  putList(idOf(SectionId::kPlays), play_list_, compressor);
-  putColumns(idOf(SectionId::kCommands), commands_, compressor);
+  putList(id_of(SectionId::kPlays), play_list_, compressor);
+  putColumns(id_of(SectionId::kCommands), commands_, compressor);
   for (const auto& [id, bytes] :
        {std::pair{SectionId::kCommands, &exact_commands_}, std::pair{SectionId::kTickHashes, &hashes_},
         std::pair{SectionId::kPlaying, &runs_}, std::pair{SectionId::kChecks, &checks_}}) {
     const BytesView part = *bytes;
-    if (!part.empty()) putSection(idOf(id), {&part, 1}, compressor);
+    if (!part.empty()) putSection(id_of(id), {&part, 1}, compressor);
   }
-  putList(idOf(SectionId::kEvents), events_, compressor);
-  putList(idOf(SectionId::kDrawings), drawings_, compressor);
-  putColumns(idOf(SectionId::kSamples), samples_, compressor);
+  putList(id_of(SectionId::kEvents), events_, compressor);
+  putList(id_of(SectionId::kDrawings), drawings_, compressor);
+  putColumns(id_of(SectionId::kSamples), samples_, compressor);
   writeHead(out);
   out.append(body_);
   startNext();

@@ -25,24 +25,25 @@ struct CloseFile {
 };
 
 Result<std::string> bytesOf(const std::string& name) {
-  const auto cannotRead = [&name](int reason) {
+  const auto cannot_read = [&name](int reason) {
     return fail(ErrorCode::kIo,
                 fmt::format("cannot read '{}': {}", name, std::generic_category().message(reason)));
   };
   std::error_code ignored;
-  if (std::filesystem::is_directory(name, ignored)) return cannotRead(EISDIR);
+  if (std::filesystem::is_directory(name, ignored)) return cannot_read(EISDIR);
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(name.c_str(), "rb"));
-  if (file == nullptr) return cannotRead(errno);
+  if (file == nullptr) return cannot_read(errno);
   std::string bytes;
   std::array<char, 65536> part;
-  while (const std::size_t count = std::fread(part.data(), 1, part.size(), file.get())) {
+  for (std::size_t count = part.size(); count == part.size();) {
+    count = std::fread(part.data(), 1, part.size(), file.get());
     if (bytes.size() + count > kMaxFileBytes) {
       return fail(ErrorCode::kBadInput,
                   fmt::format("{}: larger than {} bytes, the most that is read", name, kMaxFileBytes));
     }
     bytes.append(part.data(), count);
   }
-  if (std::ferror(file.get()) != 0) return cannotRead(errno);
+  if (std::ferror(file.get()) != 0) return cannot_read(errno);
   return bytes;
 }
 
