@@ -1,13 +1,8 @@
 #include "replays/recording_reader.hpp"
 
-#include <array>
-#include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <system_error>
-
 #include <fmt/format.h>
 
+#include "engine/core/text_file.hpp"
 #include "replays/block.hpp"
 #include "replays/chunk.hpp"
 #include "replays/header_json.hpp"
@@ -19,33 +14,6 @@ namespace {
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 /// The most that a header, a result or an index may unpack to.
 constexpr std::size_t kMaxTextBytes = std::size_t{8} << 20;
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-Result<std::string> bytesOf(const std::string& name) {
-  const auto cannot_read = [&name](int reason) {
-    return fail(ErrorCode::kIo,
-                fmt::format("cannot read '{}': {}", name, std::generic_category().message(reason)));
-  };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(name, ignored)) return cannot_read(EISDIR);
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(name.c_str(), "rb"));
-  if (file == nullptr) return cannot_read(errno);
-  std::string bytes;
-  std::array<char, 65536> part;
-  for (std::size_t count = part.size(); count == part.size();) {
-    count = std::fread(part.data(), 1, part.size(), file.get());
-    if (bytes.size() + count > kMaxFileBytes) {
-      return fail(ErrorCode::kBadInput,
-                  fmt::format("{}: larger than {} bytes, the most that is read", name, kMaxFileBytes));
-    }
-    bytes.append(part.data(), count);
-  }
-  if (std::ferror(file.get()) != 0) return cannot_read(errno);
-  return bytes;
-}
 
 std::string nameOf(BlockType type) {
   switch (type) {
@@ -206,7 +174,7 @@ RecordingReader& RecordingReader::operator=(RecordingReader&&) noexcept = defaul
 RecordingReader::~RecordingReader() = default;
 
 Result<RecordingReader> RecordingReader::open(const std::string& file, RecordingReadOptions options) {
-  auto bytes = bytesOf(file);
+  auto bytes = readTextFile(file, kMaxFileBytes);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   return parse(std::move(*bytes), file, options);
 }

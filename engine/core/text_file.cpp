@@ -1,5 +1,6 @@
 #include "engine/core/text_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
@@ -10,6 +11,8 @@
 
 namespace fulbito {
 namespace {
+
+constexpr std::size_t kStep = std::size_t{1} << 18;  // [bytes] that are read at a time
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -29,8 +32,14 @@ Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes)
   if (std::filesystem::is_directory(path, ignored)) return cannotRead(path, EISDIR);
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (file == nullptr) return cannotRead(path, errno);
-  std::string text(max_bytes + 1, '\0');
-  text.resize(std::fread(text.data(), 1, text.size(), file.get()));
+  std::string text;
+  for (bool more = true; more && text.size() <= max_bytes;) {
+    const std::size_t begin = text.size(), room = std::min(kStep, max_bytes + 1 - begin);
+    text.resize(begin + room);
+    const std::size_t count = std::fread(text.data() + begin, 1, room, file.get());
+    text.resize(begin + count);
+    more = count == room && std::feof(file.get()) == 0 && std::ferror(file.get()) == 0;
+  }
   if (std::ferror(file.get()) != 0) return cannotRead(path, errno);
   if (text.size() > max_bytes) {
     return fail(ErrorCode::kBadInput,
