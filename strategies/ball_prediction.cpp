@@ -106,7 +106,7 @@ const BallPrediction::Stretch& BallPrediction::stretchAt(double t) const {
 }
 
 double BallPrediction::endOf(int index) const {
-  return index + 1 < count_ ? stretches_[static_cast<std::size_t>(index + 1)].begin : kForever;
+  return index + 1 < count_ ? stretches_[static_cast<std::size_t>(index) + 1].begin : kForever;
 }
 
 Vec2 BallPrediction::positionAt(double t) const {

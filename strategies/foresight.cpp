@@ -22,7 +22,8 @@ void Estimator::reset() {
 }
 
 const Observation& Estimator::update(const Observation& seen, const BallPrediction& ball) {
-  if (ticks_ == 0) return seen;
+  // Valid as long as `seen`, as the header says.
+  if (ticks_ == 0) return seen;  // NOLINT(bugprone-return-const-ref-from-parameter)
   queue_[oldest_] = seen.sent;
   oldest_ = (oldest_ + 1) % queue_.size();
   now_ = seen;

@@ -35,10 +35,10 @@ void watchJam(const Picture& picture, const RobotState& robot, Vec2 rel, Striker
 
 Interception interception(const Picture& picture, const RobotState& robot) {
   const Vec2 goal = picture.pitch.theirGoal();
-  const auto strikePoint = [&](Vec2 ball) { return ball - unitOr(goal - ball, {1.0, 0.0}) * 0.04; };
+  const auto strike_point = [&](Vec2 ball) { return ball - unitOr(goal - ball, {1.0, 0.0}) * 0.04; };
   if (picture.ball.resting()) {
     const Vec2 ball = picture.ball.sample(0);
-    return {timeToReach(picture.pitch, robot, strikePoint(ball)), ball};
+    return {timeToReach(picture.pitch, robot, strike_point(ball)), ball};
   }
   double late = 0.0;  // by how much the robot came too late at the step before
   for (int i = 0; i <= BallForecast::kSteps; i += 2) {
@@ -46,7 +46,7 @@ Interception interception(const Picture& picture, const RobotState& robot) {
     const Vec2 ball = picture.ball.sample(i);
     const double least = picture.pitch.speed * time + 0.12;
     if (squaredNorm(ball - robot.pose.position) > least * least && i < BallForecast::kSteps) continue;
-    const double needed = timeToReach(picture.pitch, robot, strikePoint(ball)) + 0.0;
+    const double needed = timeToReach(picture.pitch, robot, strike_point(ball)) + 0.0;
     if (needed <= time || i == BallForecast::kSteps) {
       if (i == 0) return {needed, ball};
       const double early = time - needed;

@@ -49,7 +49,7 @@ Result<NavigatorChoice> takeNavigator(std::vector<Setting>& settings, const std:
 
 /// Builds the registry's entry of a team class `S` that is made from its parameter struct `P`.
 template <typename P, typename S>
-TeamInfo describeTeam(std::string name, std::string summary, std::vector<Parameter<P>> parameters) {
+TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<Parameter<P>> parameters) {
   TeamInfo info{name, std::move(summary), specsOf(parameters), false, {}, {}};
   info.make = [name, parameters = std::move(parameters)](
                   const std::vector<Setting>& settings) -> Result<std::unique_ptr<Strategy>> {
@@ -65,7 +65,7 @@ TeamInfo describeTeam(std::string name, std::string summary, std::vector<Paramet
 /// The same of a team that drives with a navigator of the registry: `S` is made from its parameters and the
 /// navigator's choice.
 template <typename P, typename S>
-TeamInfo describeTeam(std::string name, std::string summary, std::vector<Parameter<P>> parameters,
+TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<Parameter<P>> parameters,
                       std::string default_navigator) {
   TeamInfo info{name, std::move(summary), specsOf(parameters), true, default_navigator, {}};
   info.make = [name, parameters = std::move(parameters), default_navigator = std::move(default_navigator)](
