@@ -35,9 +35,9 @@ OnWay onWay(Vec2 point, Vec2 p, Vec2 goal) {
   return {dot(along, point - p), cross(along, point - p), length};
 }
 
-Side opposite(Side side) {
-  if (side == Side::kUndecided) return side;
-  return side == Side::kLeft ? Side::kRight : Side::kLeft;
+PassingSide opposite(PassingSide side) {
+  if (side == PassingSide::kUndecided) return side;
+  return side == PassingSide::kLeft ? PassingSide::kRight : PassingSide::kLeft;
 }
 
 void ClusteredCircles::begin(std::size_t count) {
@@ -76,9 +76,9 @@ Extents ClusteredCircles::extents(std::size_t index, Vec2 p, Vec2 goal) const {
   return widest;
 }
 
-Side ClusteredCircles::side(std::size_t index, Vec2 p, Vec2 goal) const {
-  const Side decided = members_[index].side;
-  return decided != Side::kUndecided ? decided : extents(index, p, goal).smaller();
+PassingSide ClusteredCircles::side(std::size_t index, Vec2 p, Vec2 goal) const {
+  const PassingSide decided = members_[index].side;
+  return decided != PassingSide::kUndecided ? decided : extents(index, p, goal).smaller();
 }
 
 std::size_t ClusteredCircles::nearestBlocking(Vec2 p, Vec2 goal, double range) const {
@@ -91,11 +91,11 @@ std::size_t ClusteredCircles::nearestBlocking(Vec2 p, Vec2 goal, double range) c
   return nearest;
 }
 
-bool ClusteredCircles::staysInside(std::size_t cluster, Side side, Vec2 p, Vec2 goal,
+bool ClusteredCircles::staysInside(std::size_t cluster, PassingSide side, Vec2 p, Vec2 goal,
                                    const SideRules& rules) const {
   if (rules.inside == nullptr) return true;
   const Vec2 left = perp(unitOr(goal - p, {}));
-  const Vec2 outward = side == Side::kLeft ? left : -left;
+  const Vec2 outward = side == PassingSide::kLeft ? left : -left;
   for (const Member& m : members_) {
     if (m.cluster != cluster || !onWay(m.circle.centre, p, goal).between()) continue;
     if (wallClearance(*rules.inside, m.circle.centre + outward * m.circle.radius) < rules.wall_margin) {
@@ -105,20 +105,21 @@ bool ClusteredCircles::staysInside(std::size_t cluster, Side side, Vec2 p, Vec2 
   return true;
 }
 
-Side ClusteredCircles::newSide(std::size_t cluster, Vec2 p, Vec2 goal, const SideRules& rules) const {
+PassingSide ClusteredCircles::newSide(std::size_t cluster, Vec2 p, Vec2 goal, const SideRules& rules) const {
   bool ahead = false, blocking = false;
-  Side side = Side::kUndecided;
+  PassingSide side = PassingSide::kUndecided;
   std::size_t seen = cluster;
   for (std::size_t i = members_.size(); i-- > cluster;) {
     const Member& m = members_[i];
     if (m.cluster != cluster) continue;
-    if (m.side != Side::kUndecided) side = m.side;
+    if (m.side != PassingSide::kUndecided) side = m.side;
     if (onWay(m.circle.centre, p, goal).between()) ahead = true, seen = i;
     blocking = blocking || blocks(m.circle, p, goal);
   }
-  if (!ahead || (side == Side::kUndecided && !blocking)) return Side::kUndecided;
+  if (!ahead || (side == PassingSide::kUndecided && !blocking)) return PassingSide::kUndecided;
   const Extents turn = extents(seen, p, goal);
-  if (side == Side::kUndecided || std::abs(turn.left - turn.right) > rules.hysteresis) side = turn.smaller();
+  if (side == PassingSide::kUndecided || std::abs(turn.left - turn.right) > rules.hysteresis)
+    side = turn.smaller();
   if (!staysInside(cluster, side, p, goal, rules) && staysInside(cluster, opposite(side), p, goal, rules)) {
     side = opposite(side);
   }
@@ -128,7 +129,7 @@ Side ClusteredCircles::newSide(std::size_t cluster, Vec2 p, Vec2 goal, const Sid
 void ClusteredCircles::decideSides(Vec2 p, Vec2 goal, const SideRules& rules) {
   for (std::size_t cluster = 0; cluster < members_.size(); ++cluster) {
     if (members_[cluster].cluster != cluster) continue;
-    const Side side = newSide(cluster, p, goal, rules);
+    const PassingSide side = newSide(cluster, p, goal, rules);
     for (Member& m : members_) {
       if (m.cluster == cluster) m.side = side;
     }

@@ -25,15 +25,15 @@ struct OnWay {
 OnWay onWay(Vec2 point, Vec2 p, Vec2 goal);
 
 /// On which side of a circle the robot passes.
-enum class Side { kUndecided, kLeft, kRight };
-Side opposite(Side side);
+enum class PassingSide { kUndecided, kLeft, kRight };
+PassingSide opposite(PassingSide side);
 
 /// Angles [rad] by which a robot must turn from the bearing to the goal to pass a group of circles on its
 /// left or right; negative where the group does not reach over the line.
 struct Extents {
   double left = 0.0;
   double right = 0.0;
-  Side smaller() const { return left < right ? Side::kLeft : Side::kRight; }
+  PassingSide smaller() const { return left < right ? PassingSide::kLeft : PassingSide::kRight; }
 };
 
 /// How the passing sides are decided.
@@ -65,16 +65,16 @@ class ClusteredCircles {
   /// Of the cluster of circle `index` seen from `p`; members behind `p` or beyond `goal` do not count.
   Extents extents(std::size_t index, Vec2 p, Vec2 goal) const;
   /// The decided side of the cluster of circle `index`, or else the one with the smaller turn at `p`.
-  Side side(std::size_t index, Vec2 p, Vec2 goal) const;
+  PassingSide side(std::size_t index, Vec2 p, Vec2 goal) const;
 
  private:
   struct Member {
     Circle circle;
     std::size_t cluster = 0;  ///< lowest index in its cluster
-    Side side = Side::kUndecided;
+    PassingSide side = PassingSide::kUndecided;
   };
-  bool staysInside(std::size_t cluster, Side side, Vec2 p, Vec2 goal, const SideRules& rules) const;
-  Side newSide(std::size_t cluster, Vec2 p, Vec2 goal, const SideRules& rules) const;
+  bool staysInside(std::size_t cluster, PassingSide side, Vec2 p, Vec2 goal, const SideRules& rules) const;
+  PassingSide newSide(std::size_t cluster, Vec2 p, Vec2 goal, const SideRules& rules) const;
 
   std::vector<Member> members_;
   std::size_t filled_ = 0;

@@ -23,7 +23,7 @@ double orbitHeading(Vec2 offset, double radius, double mu, bool clockwise) {
 
 void LimitCycle::reset() {
   circles_.reset();
-  posture_side_ = Side::kUndecided;
+  posture_side_ = PassingSide::kUndecided;
 }
 
 Guidance LimitCycle::plan(const NavigationScene& scene) {
@@ -46,10 +46,10 @@ void LimitCycle::decidePosture(const NavigationScene& scene) {
   if (!scene.goal.heading) return;
   const Vec2 along = math::unit(*scene.goal.heading);
   const double left = cross(along, scene.self.pose.position - goal_);
-  if (posture_side_ == Side::kUndecided || std::abs(left) > kSideHold) {
-    posture_side_ = left > 0.0 ? Side::kLeft : Side::kRight;
+  if (posture_side_ == PassingSide::kUndecided || std::abs(left) > kSideHold) {
+    posture_side_ = left > 0.0 ? PassingSide::kLeft : PassingSide::kRight;
   }
-  const Vec2 outward = posture_side_ == Side::kLeft ? perp(along) : -perp(along);
+  const Vec2 outward = posture_side_ == PassingSide::kLeft ? perp(along) : -perp(along);
   for (double share : kPostureShares) {
     const double radius = share * params_.posture_radius;
     posture_ = {goal_ + outward * radius, radius};
@@ -71,13 +71,14 @@ double LimitCycle::heading(Vec2 p) const {
       !(blocked && distance(p, circles_.circle(blocking).centre) < distance(p, posture_.centre))) {
     // Left of the line of arrival the orbit runs counter-clockwise, so that it passes the goal along the
     // line.
-    return orbitHeading(p - posture_.centre, posture_.radius, params_.mu, posture_side_ == Side::kRight);
+    return orbitHeading(p - posture_.centre, posture_.radius, params_.mu,
+                        posture_side_ == PassingSide::kRight);
   }
   if (!blocked) return math::angleOf(goal_ - p);
   const Circle& circle = circles_.circle(blocking);
   if (p == circle.centre) return math::angleOf(p - goal_);
   return orbitHeading(p - circle.centre, circle.radius, params_.mu,
-                      circles_.side(blocking, p, goal_) == Side::kLeft);
+                      circles_.side(blocking, p, goal_) == PassingSide::kLeft);
 }
 
 NavigatorInfo limitCycleInfo() {

@@ -37,8 +37,8 @@ class LimitCycle final : public Navigator, public HeadingField {
   Params params_;
   ClusteredCircles circles_;
   Vec2 goal_;
-  Circle posture_;                        ///< radius 0: no arrival heading wanted
-  Side posture_side_ = Side::kUndecided;  ///< of the line of arrival
+  Circle posture_;                                      ///< radius 0: no arrival heading wanted
+  PassingSide posture_side_ = PassingSide::kUndecided;  ///< of the line of arrival
 };
 
 NavigatorInfo limitCycleInfo();

@@ -23,7 +23,7 @@ double TangentField::heading(Vec2 p) const {
   if (blocking == ClusteredCircles::kNone) return goal_.heading(p);
   const Extents turn = circles_.extents(blocking, p, goal);
   const double bearing = math::angleOf(goal - p);
-  const bool left = circles_.side(blocking, p, goal) == Side::kLeft;
+  const bool left = circles_.side(blocking, p, goal) == PassingSide::kLeft;
   return math::wrapAngle(left ? bearing + turn.left : bearing - turn.right);
 }
 

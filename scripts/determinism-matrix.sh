@@ -13,11 +13,13 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# Link-time optimisation also finds names that mean one thing in one file and another in another.
+lto="-flto=2 -Werror=odr"
 sanitizers="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 builds=(
   "gcc-O2|g++|-O2 -DNDEBUG|ci"
   "gcc-O0|g++|-O0|"
-  "gcc-O3|g++|-O3 -DNDEBUG|"
+  "gcc-O3|g++|-O3 -DNDEBUG $lto|"
   "clang-O2|clang++-19|-O2 -DNDEBUG|"
   "gcc-sanitizers|g++|$sanitizers|asan"
 )

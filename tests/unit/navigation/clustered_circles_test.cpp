@@ -45,7 +45,7 @@ TEST_CASE("the turns past a single circle are its tangents", "[unit]") {
   const Extents turn = circles.extents(0, {}, {1.0, 0.0});
   CHECK(turn.left == Approx(bearing + half).epsilon(1e-6));
   CHECK(turn.right == Approx(half - bearing).epsilon(1e-6));
-  CHECK(turn.smaller() == Side::kRight);
+  CHECK(turn.smaller() == PassingSide::kRight);
 }
 
 TEST_CASE("inside a circle the tangent turns smoothly to straight out", "[unit]") {
@@ -73,15 +73,15 @@ TEST_CASE("a side is kept within the hysteresis and forgotten once the cluster i
   const Vec2 goal{1.0, 0.0};
   auto circles = clustered({{{0.5, 0.01}, 0.1}});
   circles.decideSides({}, goal, {.hysteresis = 0.2});
-  REQUIRE(circles.side(0, {}, goal) == Side::kRight);
+  REQUIRE(circles.side(0, {}, goal) == PassingSide::kRight);
   again(circles, {{{0.5, -0.04}, 0.1}});  // 2 x 0.08 rad better on the left
   circles.decideSides({}, goal, {.hysteresis = 0.2});
-  CHECK(circles.side(0, {}, goal) == Side::kRight);
+  CHECK(circles.side(0, {}, goal) == PassingSide::kRight);
   again(circles, {{{0.5, -0.06}, 0.1}});  // 2 x 0.12 rad
   circles.decideSides({}, goal, {.hysteresis = 0.2});
-  CHECK(circles.side(0, {}, goal) == Side::kLeft);
+  CHECK(circles.side(0, {}, goal) == PassingSide::kLeft);
   circles.decideSides({0.6, 0.0}, goal, {.hysteresis = 0.2});
-  CHECK(circles.side(0, {}, {1.0, -0.3}) == Side::kRight);  // decided afresh
+  CHECK(circles.side(0, {}, {1.0, -0.3}) == PassingSide::kRight);  // decided afresh
 }
 
 TEST_CASE("a side that leads out of the field is avoided while the other does not", "[unit]") {
@@ -89,13 +89,13 @@ TEST_CASE("a side that leads out of the field is avoided while the other does no
   const Vec2 p{-0.5, 0.5}, goal{0.5, 0.5};
   auto circles = clustered({{{0.0, 0.49}, 0.12}});
   circles.decideSides(p, goal, {});
-  CHECK(circles.side(0, p, goal) == Side::kLeft);
+  CHECK(circles.side(0, p, goal) == PassingSide::kLeft);
   circles.decideSides(p, goal, {.inside = &field, .wall_margin = 0.053});
-  CHECK(circles.side(0, p, goal) == Side::kRight);
+  CHECK(circles.side(0, p, goal) == PassingSide::kRight);
   // Nothing is free when the circle fills the width: then the smaller turn.
   auto wall = clustered({{{0.0, 0.1}, 0.7}});
   wall.decideSides(p, goal, {.inside = &field, .wall_margin = 0.053});
-  CHECK(wall.side(0, p, goal) == Side::kLeft);
+  CHECK(wall.side(0, p, goal) == PassingSide::kLeft);
 }
 
 }  // namespace fulbito
