@@ -9,6 +9,7 @@
 #include "apps/commands.hpp"
 #include "apps/drill.hpp"
 #include "apps/match.hpp"
+#include "apps/replay_export_html.hpp"
 #include "apps/rules.hpp"
 #include "engine/core/build_info.hpp"
 #include "engine/core/suggest.hpp"
@@ -198,6 +199,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
 }
 
 int mainWithoutCatch(int argc, char** argv) {
+  if (argc > 3 && std::string_view(argv[1]) == "try-html") return replayExportHtml({argv[2], argv[3], argc > 4 ? argv[4] : ""});
   CLI::App app(
       "Fulbito: a deterministic 2D robot-soccer simulator. It plays matches and\ncompares navigation "
       "methods.",
