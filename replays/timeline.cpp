@@ -91,7 +91,9 @@ void ReplayTimeline::at(double seconds, ReplayMoment& moment) const {
   const double last = static_cast<double>(ticks_);
   double ticks = seconds * header_.control_rate;
   ticks = ticks >= 0.0 ? std::min(ticks, last) : 0.0;  // what is no number counts as the beginning
-  moment.tick = static_cast<Tick>(std::floor(ticks + kRounding));
+  const double nearest = std::floor(ticks + 0.5);
+  if (std::abs(ticks - nearest) < kRounding) ticks = nearest;
+  moment.tick = static_cast<Tick>(std::floor(ticks));
   moment.seconds = ticks / header_.control_rate;
   moment.play = playAt(moment.tick);
   const RecordedPlay& play = plays_[moment.play];
@@ -101,7 +103,7 @@ void ReplayTimeline::at(double seconds, ReplayMoment& moment) const {
   moment.playing =
       start ? begun_[moment.play] != 0 : playing_[static_cast<std::size_t>(moment.tick) - 1] != 0;
   const auto counted = [this](Tick tick) { return clock_ticks_[static_cast<std::size_t>(tick)]; };
-  const double part = std::max(0.0, ticks - static_cast<double>(moment.tick));
+  const double part = ticks - static_cast<double>(moment.tick);
   const auto clock = play.play_ticks + counted(std::max(moment.tick, play.tick)) - counted(play.tick);
   moment.play_seconds =
       (static_cast<double>(clock) + (moment.playing ? part : 0.0)) / header_.control_rate;

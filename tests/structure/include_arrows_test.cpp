@@ -23,11 +23,12 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"replays", {"engine/core"}},
     {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
     {"replays/render", {"engine/core"}},
-    {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/render"}},
+    {"replays/html", {"engine/core", "replays"}},
+    {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/html", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
      {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match",
-      "replays/render", "experiments", "bench"}},
+      "replays/html", "replays/render", "experiments", "bench"}},
 };
 
 /// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp`
@@ -41,6 +42,7 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"replays", {"fmt", "nlohmann", "zstd.h", "xxhash.h"}},
     {"match", {"fmt", "nlohmann"}},
     {"replays/render", {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "fmt"}},
+    {"replays/html", {"fmt", "nlohmann", "zlib.h"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
     {"apps", {"fmt", "nlohmann", "CLI"}},
@@ -49,7 +51,7 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
 const std::set<std::string> kKnownLibraries = {
     "fmt",   "tl",       "toml++", "Random123", "xxhash.h",
     "box2d", "SDL.h",    "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
-    "png.h", "nlohmann", "CLI",    "Eigen",     "zstd.h"};
+    "png.h", "nlohmann", "CLI",    "Eigen",     "zstd.h", "zlib.h"};
 
 std::string folderOf(const std::string& path) {
   std::string best;
