@@ -7,9 +7,12 @@ const colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
   for (const name of ['page', 'text', 'dim', 'wall', 'floor', 'line', 'ball', 'seam', 'blue', 'yellow', 'ink', 'obstacle', 'goal',
-    'bad']) colours[name] = style.getPropertyValue(`--${name}`).trim();
+    'bad', 'trail']) colours[name] = style.getPropertyValue(`--${name}`).trim();
   colours.team = [colours.blue, colours.yellow];
-  colours.onTeam = ['#fff', '#17130a'];
+  colours.trails = [colours.blue, colours.trail];
+  colours.badge = ['#fff', '#2c2204'];
+  colours.digit = ['#0e347a', '#ffe278'];
+  colours.edge = ['#082659', '#684800'];
 }
 
 function colourOf(scene, index) {
