@@ -14,6 +14,7 @@ enum ExitCode {
   kUsage = 2,
   kBadInput = 3,
   kIo = 5,
+  kDifferent = 7,
   kInternal = 70,
   kInterrupted = 130,
 };

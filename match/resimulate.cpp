@@ -55,6 +55,7 @@ class Replay {
  private:
   /// False when the visitor has seen enough.
   Result<bool> play(const RecordedChunk& chunk) {
+    visitor_.chunkBegins(chunk);
     auto next = chunk.plays.begin();
     for (std::size_t row = 0; row <= static_cast<std::size_t>(chunk.ticks); ++row) {
       const Tick before = chunk.first_tick + static_cast<Tick>(row);

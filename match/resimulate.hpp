@@ -36,6 +36,8 @@ struct ReplayedTick {
 class ReplayVisitor {
  public:
   virtual ~ReplayVisitor() = default;
+  /// A part of the recording was unpacked; its plays and ticks follow.
+  virtual void chunkBegins(const RecordedChunk&) {}
   /// @{ False ends the replay there.
   virtual bool playBegins(const ReplayedPlay&) { return true; }
   virtual bool ticked(const ReplayedTick&) { return true; }

@@ -100,4 +100,12 @@ tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const Reco
 /// The whole chunk.
 tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header);
 
+/// Bytes that one section takes in the file.
+struct SectionSize {
+  const char* name = "";
+  std::size_t bytes = 0;
+};
+/// Of all sections of a chunk; empty for a broken one.
+std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header);
+
 }  // namespace fulbito

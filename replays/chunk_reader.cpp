@@ -295,6 +295,18 @@ tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const Reco
   return takeHead(in, header);
 }
 
+std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header) {
+  static constexpr std::array<const char*, 9> kNames{"other",  "plays",  "commands", "hashes", "clock",
+                                                     "checks", "events", "drawings", "samples"};
+  std::vector<SectionSize> sizes;
+  const auto layout = layoutOf(payload, header);
+  if (!layout) return sizes;
+  for (const Section& section : layout->sections) {
+    sizes.push_back({kNames[section.id < kNames.size() ? section.id : 0], section.stored.size()});
+  }
+  return sizes;
+}
+
 tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header) {
   auto layout = layoutOf(payload, header);
   if (!layout) return tl::unexpected(layout.error());

@@ -1,0 +1,31 @@
+#include "apps/replay.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace fulbito::app {
+
+CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
+  CLI::App* command = app.add_subcommand("replay", "look into recordings, prove, compare and cut them");
+  command->footer(
+      "Examples:\n"
+      "  fulbito match libero classic --record game.fbr   makes one\n"
+      "  fulbito replay info game.fbr                     what was played, and where the bytes go\n"
+      "  fulbito replay events game.fbr\n"
+      "  fulbito replay verify game.fbr                   plays it again: is it the same, bit for bit?\n"
+      "More: docs/recordings.md.");
+  command->require_subcommand(1);
+  options.command = command;
+  addReplayInfo(*command, options.info);
+  addReplayEvents(*command, options.events);
+  addReplayVerify(*command, options.verify);
+  return command;
+}
+
+int replay(const ReplayCommands& options) {
+  const auto named = [&](const char* part) { return options.command->got_subcommand(part); };
+  if (named("info")) return replayInfo(options.info);
+  if (named("events")) return replayEvents(options.events);
+  return replayVerify(options.verify);
+}
+
+}  // namespace fulbito::app
