@@ -9,7 +9,7 @@ namespace fulbito {
 namespace {
 
 constexpr std::int64_t kFull = std::int64_t{1} << 16;  // 1 as a ratio
-constexpr std::int64_t kExactShare = 32;               // of the most change, within which a limit counts as hit
+constexpr std::int64_t kExactShare = 32;  // of the most change, within which a limit counts as hit
 constexpr int kSatContexts = 9;
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 33;  // of what a residual may say
 
@@ -61,7 +61,8 @@ class CommandCode {
       codePace(w, std::abs(next.turn - reached), pace, next);
     }
     w = next;
-    return {static_cast<std::int32_t>((w.pace - w.turn) / 2), static_cast<std::int32_t>((w.pace + w.turn) / 2)};
+    return {static_cast<std::int32_t>((w.pace - w.turn) / 2),
+            static_cast<std::int32_t>((w.pace + w.turn) / 2)};
   }
 
  private:
@@ -89,12 +90,12 @@ class CommandCode {
       const std::int64_t expected = std::clamp(onward, reached - most, reached + most);
       const int context = std::min(w.turn_size, ResidualModel::kContexts - 1);
       next.turn = expected + learned_.turn_free.code(coder_, turn - expected, context,
-                                                      static_cast<int>(w.pace_case), next.turn_size);
+                                                     static_cast<int>(w.pace_case), next.turn_size);
     } else {
       const std::int64_t expected = how == kUpper ? reached + most : reached - most;
       const int context = std::min(w.turn_size, kSatContexts - 1);
       next.turn = expected + learned_.turn_limit.code(coder_, turn - expected, context, static_cast<int>(how),
-                                                       next.turn_size);
+                                                      next.turn_size);
     }
     next.turn = limited(next.turn);
     next.turn_case = how;

@@ -92,8 +92,8 @@ class RangeEncoder {
   Bytes& out_;
   std::uint64_t low_ = 0;
   std::uint32_t range_ = 0xffffffffu;
-  std::uint8_t held_ = 0;       ///< the last byte that a carry may still change
-  std::uint64_t waiting_ = 1;   ///< that byte and the 0xff after it
+  std::uint8_t held_ = 0;      ///< the last byte that a carry may still change
+  std::uint64_t waiting_ = 1;  ///< that byte and the 0xff after it
 };
 
 /// Past the end of its bytes it reads 0; `good` tells.
@@ -173,12 +173,12 @@ class ChoiceModel {
 /// highest one are noise and kept as they are.
 class ResidualModel {
  public:
-  static constexpr int kSizes = 16;      ///< of learned sizes; the last stands for all that are larger
-  static constexpr int kSignKinds = 4;   ///< what the sign may go with
-  static constexpr int kContexts = 13;   ///< of sizes
+  static constexpr int kSizes = 16;     ///< of learned sizes; the last stands for all that are larger
+  static constexpr int kSignKinds = 4;  ///< what the sign may go with
+  static constexpr int kContexts = 13;  ///< of sizes
 
-  /// `context`: what the size goes with, below kContexts; `sign_kind`: what the sign goes with. `size` becomes
-  /// the number of bits.
+  /// `context`: what the size goes with, below kContexts; `sign_kind`: what the sign goes with. `size`
+  /// becomes the number of bits.
   template <typename Coder>
   std::int64_t code(Coder& coder, std::int64_t value, int context, int sign_kind, int& size) {
     const bool below = value < 0;
@@ -189,7 +189,8 @@ class ResidualModel {
         coder, static_cast<unsigned>(bits < last ? bits : last)));
     size = chosen;
     if (chosen == last) size += static_cast<int>(coder.bits(static_cast<std::uint64_t>(bits - last) & 31, 5));
-    const unsigned sign = coder.bit(signs_[static_cast<std::size_t>(kSizes * sign_kind + chosen)], below ? 1 : 0);
+    const unsigned sign =
+        coder.bit(signs_[static_cast<std::size_t>(kSizes * sign_kind + chosen)], below ? 1 : 0);
     std::uint64_t result = 0;
     if (size > 0) {
       const std::uint64_t top = std::uint64_t{1} << (size - 1);
