@@ -54,7 +54,8 @@ Result<std::string> pageOf(const std::string& file, const std::string& ghost_fil
 
 Result<void> writePage(const std::string& file, const std::string& html, bool force) {
   if (file == kStdout) {
-    if (std::fwrite(html.data(), 1, html.size(), stdout) == html.size() && std::fflush(stdout) == 0) return {};
+    if (std::fwrite(html.data(), 1, html.size(), stdout) == html.size() && std::fflush(stdout) == 0)
+      return {};
     return fail(ErrorCode::kIo, "cannot write to stdout");
   }
   std::error_code error;

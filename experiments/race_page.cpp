@@ -18,8 +18,8 @@ std::vector<PageBody> bodiesOf(const TrialConfig& config, std::size_t navigators
   const PageBody runner{BodyKind::kRobot, {}, true, robot.length, robot.width, 0.0};
   std::vector<PageBody> bodies(navigators, runner);
   for (const ObstacleSpec& spec : config.layout.obstacles) {
-    bodies.push_back({BodyKind::kObstacle, {}, spec.shape == ObstacleShape::kBox, spec.length, spec.width,
-                      spec.radius});
+    bodies.push_back(
+        {BodyKind::kObstacle, {}, spec.shape == ObstacleShape::kBox, spec.length, spec.width, spec.radius});
   }
   return bodies;
 }
@@ -53,8 +53,10 @@ void addRows(const TrialConfig& config, std::span<const TrialRecord* const> reco
 
 PageRun runOf(const TrialRecord& record, const NavigatorChoice& navigator) {
   const TrialScore& score = record.score;
-  return {navigator.text, std::string(nameOf(score.outcome)), score.success(),    score.time,
-          score.length,   score.timeRatio(),                  score.lengthRatio()};
+  return {navigator.text,     std::string(nameOf(score.outcome)),
+          score.success(),    score.time,
+          score.length,       score.timeRatio(),
+          score.lengthRatio()};
 }
 
 PageScene raceOf(const Comparison& comparison, const Block& block, const TrialConfig& config,
@@ -71,12 +73,10 @@ PageScene raceOf(const Comparison& comparison, const Block& block, const TrialCo
     scene.runs.push_back(runOf(*records[n], block.navigators[n]));
   }
   addRows(config, records, scene);
-  scene.facts = {{"Suite", block.suite->name},
-                 {"Layout", fmt::format("{}", records.front()->index)},
-                 {"Robot", config.robot.robot.name},
-                 {"Top speed", fmt::format("{:.2f} m/s", block.speed)},
-                 {"Physics", config.physics.name},
-                 {"Made by", fmt::format("Fulbito {}", buildInfo().version)}};
+  scene.facts = {
+      {"Suite", block.suite->name},       {"Layout", fmt::format("{}", records.front()->index)},
+      {"Robot", config.robot.robot.name}, {"Top speed", fmt::format("{:.2f} m/s", block.speed)},
+      {"Physics", config.physics.name},   {"Made by", fmt::format("Fulbito {}", buildInfo().version)}};
   return scene;
 }
 

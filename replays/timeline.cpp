@@ -105,8 +105,7 @@ void ReplayTimeline::at(double seconds, ReplayMoment& moment) const {
   const auto counted = [this](Tick tick) { return clock_ticks_[static_cast<std::size_t>(tick)]; };
   const double part = ticks - static_cast<double>(moment.tick);
   const auto clock = play.play_ticks + counted(std::max(moment.tick, play.tick)) - counted(play.tick);
-  moment.play_seconds =
-      (static_cast<double>(clock) + (moment.playing ? part : 0.0)) / header_.control_rate;
+  moment.play_seconds = (static_cast<double>(clock) + (moment.playing ? part : 0.0)) / header_.control_rate;
   moment.score = scoreAt(moment);
   place(ticks, moment);
 }
@@ -133,7 +132,8 @@ void ReplayTimeline::place(double ticks, ReplayMoment& moment) const {
   const Tick from = first ? play.tick : std::prev(next)->tick;
   const double share =
       last ? 0.0
-           : std::clamp((ticks - static_cast<double>(from)) / static_cast<double>(next->tick - from), 0.0, 1.0);
+           : std::clamp((ticks - static_cast<double>(from)) / static_cast<double>(next->tick - from), 0.0,
+                        1.0);
   moment.bodies.resize(header_.bodies.size());
   for (std::size_t body = 0; body < moment.bodies.size(); ++body) {
     if (!play.starts[body].present) {

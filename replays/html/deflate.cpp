@@ -1,7 +1,6 @@
 #include "replays/html/deflate.hpp"
 
 #include <stdexcept>
-
 #include <zlib.h>
 
 namespace fulbito {

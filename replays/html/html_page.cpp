@@ -27,7 +27,8 @@ std::string sourceOf(std::string_view digest) {
 }
 
 /// Puts each text in the place of its mark `{{name}}`; what is put in is not looked at again.
-std::string filled(std::string_view form, const std::vector<std::pair<std::string_view, std::string>>& texts) {
+std::string filled(std::string_view form,
+                   const std::vector<std::pair<std::string_view, std::string>>& texts) {
   std::string out;
   while (!form.empty()) {
     const std::size_t open = form.find("{{"), close = form.find("}}", open);

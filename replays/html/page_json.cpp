@@ -53,8 +53,13 @@ Json bodyJson(const PageBody& body) {
 }
 
 Json playJson(const PagePlay& play) {
-  Json json{{"row", play.row},     {"tick", play.tick},     {"signal", play.signal}, {"clock", play.clock},
-            {"period", play.period}, {"score", play.score}, {"side", play.blue_side == Side::kLeft ? 0 : 1}};
+  Json json{{"row", play.row},
+            {"tick", play.tick},
+            {"signal", play.signal},
+            {"clock", play.clock},
+            {"period", play.period},
+            {"score", play.score},
+            {"side", play.blue_side == Side::kLeft ? 0 : 1}};
   if (!play.kind.empty()) json["kind"] = play.kind;
   if (play.team) json["team"] = indexOf(*play.team);
   // Mostly all are there: then nothing is said.
@@ -145,22 +150,23 @@ Json sceneJson(const PageScene& scene, std::size_t bytes) {
   for (const RecordedDrawing& drawing : scene.drawings) {
     if (drawing.kind == RecordedDrawing::Kind::kText) texts.push_back(drawing.text);
   }
-  Json json{{"title", scene.title},
-            {"teams", scene.teams},
-            {"seed", fmt::format("{}", scene.seed)},
-            {"rate", scene.rate},
-            {"ticks", scene.ticks},
-            {"rows", scene.rows.size()},
-            {"bytes", bytes},
-            {"field", fieldJson(scene.field)},
-            {"bodies", listOf(scene.bodies, bodyJson)},
-            {"plays", listOf(scene.plays, playJson)},
-            {"events", listOf(scene.events, eventJson)},
-            {"scores", scoresJson(scene)},
-            {"commands", {{"every", scene.commands.every}, {"values", scene.commands.values.size()}}},
-            {"drawings", {{"every", scene.drawing_every}, {"count", scene.drawings.size()}, {"texts", texts}}},
-            {"runs", listOf(scene.runs, runJson)},
-            {"facts", scene.facts}};
+  Json json{
+      {"title", scene.title},
+      {"teams", scene.teams},
+      {"seed", fmt::format("{}", scene.seed)},
+      {"rate", scene.rate},
+      {"ticks", scene.ticks},
+      {"rows", scene.rows.size()},
+      {"bytes", bytes},
+      {"field", fieldJson(scene.field)},
+      {"bodies", listOf(scene.bodies, bodyJson)},
+      {"plays", listOf(scene.plays, playJson)},
+      {"events", listOf(scene.events, eventJson)},
+      {"scores", scoresJson(scene)},
+      {"commands", {{"every", scene.commands.every}, {"values", scene.commands.values.size()}}},
+      {"drawings", {{"every", scene.drawing_every}, {"count", scene.drawings.size()}, {"texts", texts}}},
+      {"runs", listOf(scene.runs, runJson)},
+      {"facts", scene.facts}};
   if (scene.result) json["result"] = resultJson(*scene.result);
   if (scene.task) json["task"] = taskJson(*scene.task);
   return json;

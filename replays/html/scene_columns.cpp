@@ -57,7 +57,7 @@ void packTicks(const Rows& rows, ByteWriter& out) {
   rows.visit([&](const PageRow& row, const PagePlay&, bool first) { column.add(row.tick, first); });
 }
 
-void packPlace(const Rows& rows, std::size_t body, double Vec2::*part, ByteWriter& out) {
+void packPlace(const Rows& rows, std::size_t body, double Vec2::* part, ByteWriter& out) {
   Column column(out);
   std::int64_t last = 0;
   rows.visit([&](const PageRow& row, const PagePlay& play, bool first) {
@@ -85,7 +85,7 @@ void packCommands(const PageScene& scene, ByteWriter& out) {
                     [](const PageBody& body) { return body.kind == BodyKind::kRobot; }));
   if (scene.commands.values.empty()) return;
   for (std::size_t robot = 0; robot < robots; ++robot) {
-    for (double WheelSpeeds::*wheel : {&WheelSpeeds::left, &WheelSpeeds::right}) {
+    for (double WheelSpeeds::* wheel : {&WheelSpeeds::left, &WheelSpeeds::right}) {
       std::int64_t last = 0;
       for (std::size_t i = robot; i < scene.commands.values.size(); i += robots) {
         const std::int64_t value = stepsOf(scene.commands.values[i].*wheel, kPageCommandStep);

@@ -22,13 +22,13 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"referee", {"engine/core"}},
     {"replays", {"engine/core"}},
     {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
-    {"replays/render", {"engine/core"}},
+    {"replays/render", {"engine/core", "replays"}},
     {"replays/html", {"engine/core", "replays"}},
     {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/html", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
-     {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match",
-      "replays/html", "replays/render", "experiments", "bench"}},
+     {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match", "replays/html",
+      "replays/render", "experiments", "bench"}},
 };
 
 /// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp`
@@ -41,7 +41,8 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"referee", {"fmt"}},
     {"replays", {"fmt", "nlohmann", "zstd.h", "xxhash.h"}},
     {"match", {"fmt", "nlohmann"}},
-    {"replays/render", {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "fmt"}},
+    {"replays/render",
+     {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "libdeflate.h", "fmt"}},
     {"replays/html", {"fmt", "nlohmann", "zlib.h"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
@@ -49,9 +50,10 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
 };
 
 const std::set<std::string> kKnownLibraries = {
-    "fmt",   "tl",       "toml++", "Random123", "xxhash.h",
-    "box2d", "SDL.h",    "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
-    "png.h", "nlohmann", "CLI",    "Eigen",     "zstd.h", "zlib.h"};
+    "fmt",    "tl",          "toml++", "Random123", "xxhash.h",
+    "box2d",  "SDL.h",       "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
+    "png.h",  "nlohmann",    "CLI",    "Eigen",     "zstd.h",
+    "zlib.h", "libdeflate.h"};
 
 std::string folderOf(const std::string& path) {
   std::string best;
