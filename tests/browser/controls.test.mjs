@@ -255,7 +255,7 @@ test('goals only, and goals are announced while playing', async () => {
   assert.equal(await page.locator('#events tbody tr:visible').count(), await page.locator('#events tbody tr.goal').count());
   const goal = await view(page, 'v.scene.marks.find((event) => event.goal).seconds');
   await page.evaluate((t) => fulbitoViewer.seek(t - 0.2), goal);
-  await press(page, ' ');
+  await press(page, 'k');
   await page.waitForFunction(() => /^Goal for (blue|yellow), \d to \d$/.test(document.querySelector('#live').textContent));
   await page.quiet();
 });

@@ -50,7 +50,7 @@ function paintNumber(ctx, view, body, index, x, y, ids) {
   ctx.textBaseline = 'middle';
   if (body.team !== undefined) return paintMark(ctx, body.team, view.x(x), view.y(y), size, ids ? body.number : null);
   if (!ids) return undefined;
-  ctx.fillStyle = colours.ink;
+  ctx.fillStyle = inkOn(kSeries[index % kSeries.length]);
   ctx.font = `700 ${size}px system-ui, sans-serif`;
   return ctx.fillText(index + 1, view.x(x), view.y(y) + 1);
 }

@@ -15,6 +15,12 @@ function readColours() {
   colours.edge = ['#082659', '#684800'];
 }
 
+/** Black or white, whichever can be read on a colour of the form #rrggbb. */
+function inkOn(colour) {
+  const [r, g, b] = [1, 3, 5].map((at) => (parseInt(colour.slice(at, at + 2), 16) / 255) ** 2.2);
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b < 0.18 ? '#fff' : '#000';
+}
+
 function colourOf(scene, index) {
   const body = scene.bodies[index];
   if (body.kind === 'ball') return colours.ball;

@@ -51,8 +51,10 @@ function eventDetail(event) {
 function swatch(scene, index) {
   const body = scene.bodies[index];
   const mark = element('span', body.team === undefined ? index + 1 : body.number, { class: 'mark', 'aria-hidden': 'true' });
-  if (body.team === undefined) mark.style.backgroundColor = colourOf(scene, index);
-  else mark.dataset.team = body.team;
+  if (body.team === undefined) {
+    mark.style.backgroundColor = colourOf(scene, index);
+    mark.style.color = inkOn(colourOf(scene, index));
+  } else mark.dataset.team = body.team;
   return mark;
 }
 
@@ -165,8 +167,8 @@ function updateShare(share, row) {
 
 function fillBoard(scene) {
   $('#board').hidden = !scene.match;
-  setText($('#title'), scene.match ? '' : scene.title || 'Trial');
-  $('#title').classList.toggle('quiet', scene.match);
+  setText($('#title'), scene.match ? scene.teams.join(' – ') : scene.title || 'Trial');
+  $('#title').classList.toggle('unseen', scene.match);
   document.querySelectorAll('#board .team').forEach((team, i) => {
     setText($('.name', team), scene.match ? shortName(scene.teams[i]) : '');
     team.title = scene.match ? scene.teams[i] : '';
