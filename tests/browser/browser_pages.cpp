@@ -30,7 +30,8 @@ std::string bodiesOf(const ReplayMoment& moment) {
 
 int positions(const char* file) {
   const auto recording = RecordingReader::open(file);
-  const auto timeline = recording ? ReplayTimeline::read(*recording) : tl::unexpected<Error>(recording.error());
+  const auto timeline =
+      recording ? ReplayTimeline::read(*recording) : tl::unexpected<Error>(recording.error());
   if (!timeline) {
     fmt::print(stderr, "{}\n", timeline.error().message);
     return 1;
@@ -86,7 +87,9 @@ int hostile() {
   const std::string escape = "</script><script>window.broken=1</script><img src=x onerror=window.broken=1>";
   PageScene scene = circles();
   scene.title = escape;
-  scene.teams = {escape + std::string(200, 'W'), "\u202e\u0627\u0644\u0641\u0631\u064a\u0642 \u05e7\u05d1\u05d5\u05e6\u05d4 " + std::string(200, 'x') + "\xff\xfe"};
+  scene.teams = {escape + std::string(200, 'W'),
+                 "\u202e\u0627\u0644\u0641\u0631\u064a\u0642 \u05e7\u05d1\u05d5\u05e6\u05d4 " +
+                     std::string(200, 'x') + "\xff\xfe"};
   scene.facts = {{escape, escape}, {"<!--", "]]>"}};
   RecordedEvent event;
   event.tick = 60;
@@ -111,7 +114,13 @@ int drawings() {
     using Kind = RecordedDrawing::Kind;
     scene.drawings.push_back({tick, TeamId::kBlue, Kind::kLine, {0, 0}, {x, 0.3}, 0.0, ""});
     scene.drawings.push_back({tick, TeamId::kYellow, Kind::kCircle, {-x, 0}, {}, 0.1, ""});
-    scene.drawings.push_back({tick, TeamId::kBlue, Kind::kText, scene.rows[tick / 2].poses[0].position, {}, 0.0, fmt::format("at {}", tick)});
+    scene.drawings.push_back({tick,
+                              TeamId::kBlue,
+                              Kind::kText,
+                              scene.rows[tick / 2].poses[0].position,
+                              {},
+                              0.0,
+                              fmt::format("at {}", tick)});
   }
   return print({PageKind::kReplay, "drawings", {scene}});
 }
