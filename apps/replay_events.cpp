@@ -31,10 +31,10 @@ std::string whoText(const RecordedEvent& call) {
 
 std::string lineOf(const ReplayEvent& event, double dt) {
   const RecordedEvent& call = event.call;
-  std::string line = fmt::format("{}  {:<9} {}  {} : {}  {:<26}{:<9}", clockText(static_cast<double>(call.tick) * dt),
-                                 periodText(call.period), clockText(call.play_time), event.score[0], event.score[1],
-                                 event.restart ? fmt::format("- {}", nameOf(*event.restart)) : call.clause,
-                                 whoText(call));
+  std::string line =
+      fmt::format("{}  {:<9} {}  {} : {}  {:<26}{:<9}", clockText(static_cast<double>(call.tick) * dt),
+                  periodText(call.period), clockText(call.play_time), event.score[0], event.score[1],
+                  event.restart ? fmt::format("- {}", nameOf(*event.restart)) : call.clause, whoText(call));
   line += fmt::format(" ({:+.3f}, {:+.3f})", call.place.x, call.place.y);
   if (event.restart) return line;
   line += fmt::format("  {:.4g}", call.value);
@@ -70,8 +70,10 @@ int replayEvents(const ReplayEventsCommand& options) {
   const auto recording = RecordingReader::open(options.file);
   if (!recording) return report(recording.error());
   const auto written =
-      options.json ? writeEventLines(*recording, [](std::string_view line) { std::fwrite(line.data(), 1, line.size(), stdout); })
-                   : printLines(*recording);
+      options.json
+          ? writeEventLines(*recording,
+                            [](std::string_view line) { std::fwrite(line.data(), 1, line.size(), stdout); })
+          : printLines(*recording);
   if (!written) return report({written.error().code, options.file + ": " + written.error().message});
   return kOk;
 }

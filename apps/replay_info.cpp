@@ -50,9 +50,10 @@ std::string nameIn(const Result<T>& parsed, const Name& name) {
 
 RecipeNames namesOf(const RecordingRecipe& recipe) {
   const auto own = [](const auto& value) { return value.name; };
-  return {nameIn(parseRules(recipe.rules, "rules"), own), nameIn(parsePhysics(recipe.physics, "physics"), own),
-          nameIn(parseRobot(recipe.robot, "robot"), [](const RobotPreset& robot) { return robot.robot.name; }),
-          nameIn(parseField(recipe.field, "field"), own)};
+  return {
+      nameIn(parseRules(recipe.rules, "rules"), own), nameIn(parsePhysics(recipe.physics, "physics"), own),
+      nameIn(parseRobot(recipe.robot, "robot"), [](const RobotPreset& robot) { return robot.robot.name; }),
+      nameIn(parseField(recipe.field, "field"), own)};
 }
 
 const char* kindOf(const RecordingHeader& header) {
@@ -154,8 +155,8 @@ std::string whoText(const RecordingReader& recording) {
   }
   const auto team = [&](std::size_t i) { return i < recipe.teams.size() ? recipe.teams[i] : "?"; };
   if (!result) return fmt::format("  teams      {} (blue), {} (yellow)\n", team(0), team(1));
-  return fmt::format("  teams      {} (blue) {} : {} {} (yellow)\n", team(0), result->score[0], result->score[1],
-                     team(1));
+  return fmt::format("  teams      {} (blue) {} : {} {} (yellow)\n", team(0), result->score[0],
+                     result->score[1], team(1));
 }
 
 std::string recipeText(const RecordingHeader& header) {
@@ -212,7 +213,8 @@ int replayInfo(const ReplayInfoCommand& options) {
   const auto tally = tallyOf(*recording);
   if (!tally) return report(tally.error());
   if (options.json) {
-    fmt::print("{}\n", toJson(options.file, *recording, *tally).dump(2, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n",
+               toJson(options.file, *recording, *tally).dump(2, ' ', false, Json::error_handler_t::replace));
   } else {
     print(options.file, *recording, *tally);
   }

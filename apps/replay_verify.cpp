@@ -46,8 +46,8 @@ std::string verdictOf(const VerifiedFile& file) {
   if (!v.same()) {
     return v.divergence->text + (v.same_build ? "" : " (recorded by another build, see fulbito replay info)");
   }
-  const std::string what = fmt::format("{} ticks, {} plays, {:.1f} s, hash {:016x}", v.ticks, v.plays,
-                                       v.seconds, v.final_hash);
+  const std::string what =
+      fmt::format("{} ticks, {} plays, {:.1f} s, hash {:016x}", v.ticks, v.plays, v.seconds, v.final_hash);
   return v.finished ? "the same, bit for bit: " + what : "cut; what is there is the same: " + what;
 }
 
@@ -66,8 +66,8 @@ void printTable(const std::vector<VerifiedFile>& files, double wall) {
     return std::filesystem::path(file.file).filename().string();
   };
   for (const VerifiedFile& file : files) width = std::max(width, name_of(file).size());
-  fmt::print("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", "file", width, "verdict", "seconds", "plays", "hash",
-             "what");
+  fmt::print("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", "file", width, "verdict", "seconds", "plays",
+             "hash", "what");
   for (const VerifiedFile& file : files) {
     if (!file.result) {
       fmt::print("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", name_of(file), width, "bad", "", "", "",
@@ -121,7 +121,9 @@ Json toJson(const VerifiedFile& file) {
   json["simulated_s"] = v.seconds;
   json["same_build"] = v.same_build;
   json["final_hash"] = fmt::format("{:016x}", v.final_hash);
-  json["divergence"] = v.same() ? Json(nullptr) : divergenceJson(*v.divergence, v.seconds / double(std::max<Tick>(v.ticks, 1)));
+  json["divergence"] = v.same()
+                           ? Json(nullptr)
+                           : divergenceJson(*v.divergence, v.seconds / double(std::max<Tick>(v.ticks, 1)));
   return json;
 }
 

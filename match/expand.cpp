@@ -37,8 +37,8 @@ class Expander final : public ReplayVisitor {
       if (checks_.front().hash != tick.hash) return stop(tick.tick);
     }
     hash_ = tick.hash;
-    writer_.add(RecordingTick{&tick.world->state(), tick.commands, tick.hash,
-                              tick.chunk->playing[tick.row] != 0});
+    writer_.add(
+        RecordingTick{&tick.world->state(), tick.commands, tick.hash, tick.chunk->playing[tick.row] != 0});
     pass(events_, tick.tick);
     pass(drawings_, tick.tick);
     return true;
@@ -61,7 +61,8 @@ class Expander final : public ReplayVisitor {
   }
   template <typename T>
   void pass(std::deque<T>& waiting, Tick tick) {
-    for (; !waiting.empty() && waiting.front().tick <= tick; waiting.pop_front()) writer_.add(waiting.front());
+    for (; !waiting.empty() && waiting.front().tick <= tick; waiting.pop_front())
+      writer_.add(waiting.front());
   }
 
   RecordingWriter writer_;

@@ -81,8 +81,8 @@ Result<MatchConfig> configOf(const RecordingRecipe& recipe) {
 }
 
 bool givenStart(const RecordingRecipe& recipe) {
-  return std::find(recipe.more.begin(), recipe.more.end(), std::pair<std::string, std::string>{"start", "given"}) !=
-         recipe.more.end();
+  return std::find(recipe.more.begin(), recipe.more.end(),
+                   std::pair<std::string, std::string>{"start", "given"}) != recipe.more.end();
 }
 
 Result<Json> headOf(const RecordingHeader& header) {

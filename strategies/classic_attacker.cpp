@@ -1,11 +1,10 @@
-#include "strategies/classic_team.hpp"
-
 #include <array>
 #include <cmath>
 
 #include "engine/core/math.hpp"
 #include "strategies/area_projection.hpp"
 #include "strategies/ball_posture.hpp"
+#include "strategies/classic_team.hpp"
 #include "strategies/interception.hpp"
 #include "strategies/positions.hpp"
 #include "strategies/shot_geometry.hpp"

@@ -1,10 +1,9 @@
-#include "strategies/classic_team.hpp"
-
 #include <array>
 
 #include "engine/core/math.hpp"
 #include "strategies/area_projection.hpp"
 #include "strategies/ball_posture.hpp"
+#include "strategies/classic_team.hpp"
 #include "strategies/line_keeping.hpp"
 #include "strategies/positions.hpp"
 #include "strategies/time_to_reach.hpp"

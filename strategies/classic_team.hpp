@@ -22,8 +22,8 @@ class Classic final : public Strategy {
     double keeper_depth = 0.10;  ///< [m]
     double support = 0.30;       ///< [m]
     double strike_speed = 1.2;   ///< [m/s]
-    bool exchange = false;        ///< of the attacker's role
-    bool spin = true;             ///< at balls that lie at a wall
+    bool exchange = false;       ///< of the attacker's role
+    bool spin = true;            ///< at balls that lie at a wall
   };
 
   Classic(Params params, NavigatorChoice navigator) : params_(params), navigators_{std::move(navigator)} {}

@@ -44,6 +44,7 @@ struct MatchBanner {
 struct BodyTrail {
   std::size_t body = 0;      ///< index in `MatchPictureSpec::bodies`
   std::vector<Vec2> points;  ///< [m] oldest first
+  bool fading = true;        ///< false: a thin line of one colour
 };
 
 /// What may be shown besides the bodies.
