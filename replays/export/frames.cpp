@@ -76,7 +76,6 @@ void drawFrames(const FrameJob& job, const FramePacker& pack, FrameQueue& queue)
   ReplayDirector director(*job.timeline, job.overlays);
   ReplayMoment moment;
   MatchOverlays overlays;
-  overlays.note = job.note;
   while (const auto index = queue.take()) {
     job.timeline->at(job.times[*index], moment);
     director.direct(moment, overlays);

@@ -15,8 +15,8 @@ struct ReplayRange {
   double to = 0.0;
 };
 
-/// The times [s] of a film's frames: `fps` a second of film, `speed` seconds of the recording a second of film.
-/// Ranges that touch or overlap are played as one; each has at least one frame.
+/// The times [s] of a film's frames: `fps` a second of film, `speed` seconds of the recording a second of
+/// film. Ranges that touch or overlap are played as one; each has at least one frame.
 std::vector<double> filmTimes(std::vector<ReplayRange> ranges, double fps, double speed);
 
 /// The stretches around each of some ticks, within the recording.
@@ -28,7 +28,6 @@ struct FrameJob {
   const ReplayTimeline* timeline = nullptr;
   const MatchPicture* picture = nullptr;
   OverlayChoice overlays;
-  std::string note;           ///< as MatchOverlays::note
   std::vector<double> times;  ///< [s]
   int jobs = 1;               ///< threads that draw
 };

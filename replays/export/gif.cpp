@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-
 #include <cgif.h>
+#include <limits>
 
 namespace fulbito {
 namespace {

@@ -131,8 +131,9 @@ void writeCsv(const ReplayTimeline& timeline, double from, double to, const Tabl
   ReplayMoment moment;
   for (const Tick tick : ticksBetween(timeline, from, to)) {
     timeline.at(timeline.secondsAt(tick), moment);
-    line = fmt::format("{},{:.4f},{},{},{:.4f},{},{},{}", tick, moment.seconds, moment.play + 1, moment.period,
-                       moment.play_seconds, moment.playing ? 1 : 0, moment.score[0], moment.score[1]);
+    line =
+        fmt::format("{},{:.4f},{},{},{:.4f},{},{},{}", tick, moment.seconds, moment.play + 1, moment.period,
+                    moment.play_seconds, moment.playing ? 1 : 0, moment.score[0], moment.score[1]);
     for (std::size_t i = 0; i < names.size(); ++i) {
       const bool ball = bodies[i].kind == BodyKind::kBall;
       if (!moment.bodies[i]) {

@@ -23,15 +23,23 @@ std::vector<std::string> codecWords(const VideoSettings& settings) {
   if (settings.format == VideoFormat::kMp4) {
     return {"-c:v", "libx264", "-preset", "veryfast", "-crf", quality, "-pix_fmt", "yuv420p"};
   }
-  return {"-c:v",      "libvpx-vp9", "-crf",    std::to_string(settings.quality + 9), "-b:v", "0",
-          "-deadline", "realtime",   "-cpu-used", "8", "-row-mt", "1", "-pix_fmt", "yuv420p"};
+  return {"-c:v",      "libvpx-vp9", "-crf",      std::to_string(settings.quality + 9),
+          "-b:v",      "0",          "-deadline", "realtime",
+          "-cpu-used", "8",          "-row-mt",   "1",
+          "-pix_fmt",  "yuv420p"};
 }
 
 std::vector<std::string> ffmpegWords(const std::string& out, const VideoSettings& settings) {
-  std::vector<std::string> words{"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y",
-                                 "-f", "rawvideo", "-pix_fmt", "yuv420p", "-color_range", "tv", "-s",
-                                 fmt::format("{}x{}", settings.width, settings.height), "-framerate",
-                                 fmt::format("{}", settings.fps), "-i", "pipe:0", "-an"};
+  std::vector<std::string> words{"ffmpeg",       "-hide_banner",
+                                 "-loglevel",    "error",
+                                 "-nostdin",     "-y",
+                                 "-f",           "rawvideo",
+                                 "-pix_fmt",     "yuv420p",
+                                 "-color_range", "tv",
+                                 "-s",           fmt::format("{}x{}", settings.width, settings.height),
+                                 "-framerate",   fmt::format("{}", settings.fps),
+                                 "-i",           "pipe:0",
+                                 "-an"};
   for (std::string& word : codecWords(settings)) words.push_back(std::move(word));
   for (const char* word : {"-color_primaries", "bt709", "-color_trc", "bt709", "-colorspace", "bt709"}) {
     words.emplace_back(word);
@@ -102,8 +110,8 @@ Result<void> VideoPipe::Impl::start(const VideoSettings& settings) {
   posix_spawnattr_init(&attributes);
   posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, said, STDERR_FILENO);
-  // Ctrl-C is for this program, which then ends ffmpeg and removes its file. What is ignored here (SIGPIPE) is not
-  // to be ignored there.
+  // Ctrl-C is for this program, which then ends ffmpeg and removes its file. What is ignored here (SIGPIPE)
+  // is not to be ignored there.
   sigset_t defaults;
   sigemptyset(&defaults);
   sigaddset(&defaults, SIGPIPE);

@@ -17,8 +17,8 @@ struct VideoSettings {
   int quality = 22;  ///< as x264's: 0 (best) ... 51
 };
 
-/// A video that ffmpeg, as a child of its own process group, makes of frames on a pipe. The file appears under
-/// its name when it is complete; whatever ends this object before removes what there was of it.
+/// A video that ffmpeg, as a child of its own process group, makes of frames on a pipe. The file appears
+/// under its name when it is complete; whatever ends this object before removes what there was of it.
 class VideoPipe {
  public:
   /// `file` "-" is stdout. Errors: kIo: there is no ffmpeg, or it cannot be started.

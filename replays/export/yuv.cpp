@@ -10,10 +10,13 @@ struct Rgb {
 };
 
 Rgb unpack(std::uint32_t argb) {
-  return {static_cast<int>(argb >> 16 & 255), static_cast<int>(argb >> 8 & 255), static_cast<int>(argb & 255)};
+  return {static_cast<int>(argb >> 16 & 255), static_cast<int>(argb >> 8 & 255),
+          static_cast<int>(argb & 255)};
 }
 
-std::uint8_t luma(Rgb c) { return static_cast<std::uint8_t>(16 + ((47 * c.r + 157 * c.g + 16 * c.b + 128) >> 8)); }
+std::uint8_t luma(Rgb c) {
+  return static_cast<std::uint8_t>(16 + ((47 * c.r + 157 * c.g + 16 * c.b + 128) >> 8));
+}
 
 }  // namespace
 
@@ -28,7 +31,8 @@ void toYuv420(const Canvas& canvas, std::string& out) {
     const auto upper = canvas.row(static_cast<int>(y)), lower = canvas.row(static_cast<int>(y) + 1);
     std::uint8_t *first = y_plane + y * width, *second = first + width;
     for (std::size_t x = 0; x < width; x += 2) {
-      const Rgb a = unpack(upper[x]), b = unpack(upper[x + 1]), c = unpack(lower[x]), d = unpack(lower[x + 1]);
+      const Rgb a = unpack(upper[x]), b = unpack(upper[x + 1]), c = unpack(lower[x]),
+                d = unpack(lower[x + 1]);
       first[x] = luma(a);
       first[x + 1] = luma(b);
       second[x] = luma(c);

@@ -30,7 +30,8 @@ Result<Canvas> drawContactSheet(const ReplayTimeline& timeline, const MatchPictu
     timeline.at(times[static_cast<std::size_t>(i)], moment);
     director.direct(moment, over);
     picture->drawFrame(*cell, moment, over);
-    sheet->place(*cell, gap + i % columns * (cell->width() + gap), gap + i / columns * (cell->height() + gap));
+    sheet->place(*cell, gap + i % columns * (cell->width() + gap),
+                 gap + i / columns * (cell->height() + gap));
   }
   return sheet;
 }

@@ -17,8 +17,8 @@
 namespace fulbito {
 namespace {
 
-constexpr double kCell = 0.01;    // [m]
-constexpr double kSmooth = 2.5;   // [cells] standard deviation
+constexpr double kCell = 0.01;     // [m]
+constexpr double kSmooth = 2.5;    // [cells] standard deviation
 constexpr double kFullAt = 0.985;  // share of the used cells that are below the brightest colour
 
 /// Seconds a square decimetre over the field.
@@ -62,11 +62,13 @@ class HeatGrid {
 
  private:
   double& at(int x, int y) {
-    return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+    return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(x)];
   }
   double value(int x, int y) const {
     x = std::clamp(x, 0, columns_ - 1), y = std::clamp(y, 0, rows_ - 1);
-    return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x)];
+    return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                  static_cast<std::size_t>(x)];
   }
 
   /// Lines of `length` cells that are `step` apart; `lines` of them, `stride` apart. What would go beyond the
@@ -134,10 +136,12 @@ void paint(const FieldView& view, const FieldGeometry& field, const HeatGrid& gr
 void drawHeatLegend(Canvas& canvas, const MatchPlan& plan, const Axis& axis, const std::string& text,
                     const std::array<Colour, 256>& colours, const MatchStyle& style) {
   const double u = plan.unit, size = plan.text(13), width = 0.3 * plan.width, height = std::max(8.0, 11 * u);
-  const double y = std::round(plan.height - plan.foot / 2 - height / 2), baseline = std::round(y + height / 2 + 0.36 * size);
+  const double y = std::round(plan.height - plan.foot / 2 - height / 2),
+               baseline = std::round(y + height / 2 + 0.36 * size);
   const std::string most = fmt::format("{}+ s/dm\u00b2", axis.text(axis.high));
   const TextStyle plain{size, style.dim_text, TextAlign::kLeft, false};
-  const double right = plan.width - plan.margin - canvas.labelWidth(most, plain), left = std::round(right - 8 * u - width);
+  const double right = plan.width - plan.margin - canvas.labelWidth(most, plain),
+               left = std::round(right - 8 * u - width);
   for (int x = 0; x < static_cast<int>(width); ++x) {
     const auto index = static_cast<std::size_t>(255.0 * x / width);
     canvas.fillRectangle({left + x, y}, 1.0, height, colours[index]);

@@ -52,7 +52,6 @@ struct MatchOverlays {
   MatchBanner banner;
   std::vector<BodyTrail> trails;
   std::span<const RecordedDrawing> drawings;
-  std::string note;  ///< small, at the foot, e.g. "4x"
 };
 
 /// Height [px] of a picture of that width which the field fills.

@@ -23,9 +23,10 @@ class SvgScene {
       : spec_(spec), style_(styleOf(spec.theme)), plan_(planOf(spec)), view_(plan_.view(measure)) {}
 
   std::string draw(const ReplayMoment& moment, const MatchOverlays& overlays) {
-    svg_.raw(fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}\" height=\"{1}\" "
-                         "viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, Verdana, sans-serif\">",
-                         spec_.width, spec_.height));
+    svg_.raw(
+        fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}\" height=\"{1}\" "
+                    "viewBox=\"0 0 {0} {1}\" font-family=\"DejaVu Sans, Verdana, sans-serif\">",
+                    spec_.width, spec_.height));
     svg_.raw(fmt::format("<title>{} {} : {} {}, {}</title>", escapedXml(spec_.names[0]), moment.score[0],
                          moment.score[1], escapedXml(spec_.names[1]), clockText(moment.play_seconds)));
     svg_.rectangle({0, 0}, plan_.width, plan_.height, style_.page);
@@ -104,7 +105,8 @@ class SvgScene {
       if (moment.bodies[i]) obstacle(shape, *moment.bodies[i]);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      if (spec_.bodies[i].kind == BodyKind::kRobot && moment.bodies[i]) robot(*moment.bodies[i], spec_.bodies[i].id);
+      if (spec_.bodies[i].kind == BodyKind::kRobot && moment.bodies[i])
+        robot(*moment.bodies[i], spec_.bodies[i].id);
     }
     for (std::size_t i = 0; i < count; ++i) {
       if (spec_.bodies[i].kind != BodyKind::kBall || !moment.bodies[i]) continue;
@@ -135,13 +137,15 @@ class SvgScene {
     for (const TeamId team : kTeams) {
       const bool blue = team == TeamId::kBlue;
       const double edge = blue ? 22 * u : plan_.width - 22 * u, side = blue ? 1.0 : -1.0, size = 11 * u;
-      if (match) mark({edge + side * size, y}, size * (blue ? 1.0 : 1.2), team, style_.teams[indexOf(team)].body);
+      if (match)
+        mark({edge + side * size, y}, size * (blue ? 1.0 : 1.2), team, style_.teams[indexOf(team)].body);
       const std::string text = fitted(view_.canvas, spec_.names[indexOf(team)], name, room);
       svg_.text({edge + side * (match ? 3.2 * size : 0.0), y + 0.36 * name}, text,
                 {name, style_.text, blue ? TextAlign::kLeft : TextAlign::kRight, true});
     }
     const double middle = plan_.width / 2, clock = plan_.text(15), score = plan_.text(42);
-    const std::string foot = match ? periodName(moment.period) + "  " + clockText(moment.play_seconds) : std::string();
+    const std::string foot =
+        match ? periodName(moment.period) + "  " + clockText(moment.play_seconds) : std::string();
     const std::string head = match ? fmt::format("{} : {}", moment.score[0], moment.score[1])
                                    : fmt::format("{:.2f} s", moment.play_seconds);
     svg_.text({middle, plan_.board * 0.56}, head, {score, style_.text, TextAlign::kCentre, true});
@@ -153,7 +157,8 @@ class SvgScene {
     const double u = plan_.unit, size = plan_.text(18), height = 38 * u;
     const std::string text = call.detail.empty() ? call.title : call.title + "  " + call.detail;
     const std::string shown = fitted(view_.canvas, text, size, 0.6 * plan_.width);
-    const double width = view_.canvas.labelWidth(shown, {size, style_.text, TextAlign::kLeft, true}) + 3 * height;
+    const double width =
+        view_.canvas.labelWidth(shown, {size, style_.text, TextAlign::kLeft, true}) + 3 * height;
     const Vec2 centre{plan_.width / 2, plan_.board + plan_.margin + 1.4 * height};
     const Vec2 half{(width - height) / 2, 0};
     svg_.polyline(std::array<Vec2, 2>{centre - half, centre + half}, height, style_.banner);

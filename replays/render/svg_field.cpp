@@ -40,10 +40,11 @@ class LinePen {
   void arc(Vec2 from, Vec2 to, double depth, bool sweep) const {
     const double half = distance(from, to) / 2, radius = (half * half + depth * depth) / (2 * depth);
     const Vec2 a = pixelOf(plan_, from), b = pixelOf(plan_, to);
-    svg_.raw(fmt::format("<path d=\"M{:.2f},{:.2f}A{:.2f},{:.2f} 0 0 {} {:.2f},{:.2f}\" fill=\"none\" {} "
-                         "stroke-width=\"{:.2f}\"/>",
-                         a.x, a.y, radius * plan_.pixels_per_metre, radius * plan_.pixels_per_metre,
-                         sweep ? 1 : 0, b.x, b.y, paint("stroke", colour_), thickness_));
+    svg_.raw(
+        fmt::format("<path d=\"M{:.2f},{:.2f}A{:.2f},{:.2f} 0 0 {} {:.2f},{:.2f}\" fill=\"none\" {} "
+                    "stroke-width=\"{:.2f}\"/>",
+                    a.x, a.y, radius * plan_.pixels_per_metre, radius * plan_.pixels_per_metre, sweep ? 1 : 0,
+                    b.x, b.y, paint("stroke", colour_), thickness_));
   }
 
  private:
@@ -115,7 +116,9 @@ const char* entityOf(char c) {
 
 /// Bytes of the UTF-8 character at `i`; 0 where there is none.
 std::size_t characterSize(const std::string& utf8, std::size_t i) {
-  const auto byte = [&](std::size_t k) -> unsigned { return k < utf8.size() ? static_cast<unsigned char>(utf8[k]) : 0u; };
+  const auto byte = [&](std::size_t k) -> unsigned {
+    return k < utf8.size() ? static_cast<unsigned char>(utf8[k]) : 0u;
+  };
   const unsigned first = byte(i);
   if (first < 0x80u) return 1;
   const std::size_t size = first >= 0xF0u && first < 0xF5u ? 4 : first >= 0xE0u ? 3 : first >= 0xC2u ? 2 : 0;
@@ -138,7 +141,8 @@ std::string escapedXml(const std::string& utf8) {
     const std::string_view character = std::string_view(utf8).substr(i, std::max<std::size_t>(size, 1));
     i += character.size();
     const auto code = static_cast<unsigned char>(character[0]);
-    const bool bad = size == 0 || code < 32 || code == 127 || character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
+    const bool bad =
+        size == 0 || code < 32 || code == 127 || character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
     if (bad) {
       out += ' ';
     } else if (const char* entity = entityOf(character[0]); entity != nullptr) {
@@ -151,8 +155,8 @@ std::string escapedXml(const std::string& utf8) {
 }
 
 void SvgText::rectangle(Vec2 corner, double width, double height, Colour fill) {
-  raw(fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" {}/>", corner.x, corner.y,
-                  width, height, paint("fill", fill)));
+  raw(fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" {}/>", corner.x,
+                  corner.y, width, height, paint("fill", fill)));
 }
 
 void SvgText::polygon(std::span<const Vec2> points, Colour fill) {
@@ -165,20 +169,24 @@ void SvgText::circle(Vec2 centre, double radius, Colour fill) {
 }
 
 void SvgText::ring(Vec2 centre, double radius, double thickness, Colour stroke) {
-  raw(fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"none\" {} stroke-width=\"{:.2f}\"/>",
-                  centre.x, centre.y, radius, paint("stroke", stroke), thickness));
+  raw(fmt::format(
+      "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"none\" {} stroke-width=\"{:.2f}\"/>", centre.x,
+      centre.y, radius, paint("stroke", stroke), thickness));
 }
 
 void SvgText::polyline(std::span<const Vec2> points, double thickness, Colour stroke) {
   if (points.size() < 2) return;
-  raw(fmt::format("<polyline points=\"{}\" fill=\"none\" {} stroke-width=\"{:.2f}\" stroke-linecap=\"round\" "
+  raw(
+      fmt::format("<polyline points=\"{}\" fill=\"none\" {} stroke-width=\"{:.2f}\" stroke-linecap=\"round\" "
                   "stroke-linejoin=\"round\"/>",
                   pointList(points), paint("stroke", stroke), thickness));
 }
 
 void SvgText::text(Vec2 baseline, const std::string& utf8, const TextStyle& style) {
   if (utf8.empty()) return;
-  const char* anchor = style.align == TextAlign::kLeft ? "start" : style.align == TextAlign::kCentre ? "middle" : "end";
+  const char* anchor = style.align == TextAlign::kLeft     ? "start"
+                       : style.align == TextAlign::kCentre ? "middle"
+                                                           : "end";
   // The canvas' sizes are of the font's em square.
   raw(fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" text-anchor=\"{}\"{} {}>{}</text>",
                   baseline.x, baseline.y, style.size, anchor, style.bold ? " font-weight=\"bold\"" : "",
