@@ -26,8 +26,8 @@ double speedOf(const ExportRequest& request) {
 }
 
 FrameJob jobOf(const ExportRequest& request, const MatchPicture& picture, double fps) {
-  return {&request.timeline, &picture, request.overlays,
-          filmTimes(request.ranges(), fps, speedOf(request)), request.jobs};
+  return {&request.timeline, &picture, request.overlays, filmTimes(request.ranges(), fps, speedOf(request)),
+          request.jobs};
 }
 
 std::string lengthText(std::size_t frames, double fps) {
@@ -60,7 +60,8 @@ Result<void> exportVideo(const ExportRequest& request, VideoFormat format, const
   if (!video) return tl::unexpected<Error>(video.error());
   const FrameJob job = jobOf(request, *picture, fps);
   auto done = film(
-      job, mp4 ? "mp4" : "webm", [] { return [](Canvas& canvas, std::string& out) { toYuv420(canvas, out); }; },
+      job, mp4 ? "mp4" : "webm",
+      [] { return [](Canvas& canvas, std::string& out) { toYuv420(canvas, out); }; },
       [&](std::size_t, std::string& bytes) { return video->write(bytes); });
   if (!done) return done;
   if (auto finished = video->finish(); !finished) return finished;
@@ -106,7 +107,8 @@ Result<void> exportGif(const ExportRequest& request) {
   const auto file = outputFile(request, *request.options->gif, ".gif");
   if (!file) return tl::unexpected<Error>(file.error());
   // A GIF counts in hundredths of a second.
-  const int delay = std::max(2, static_cast<int>(std::floor(100.0 / request.options->fps.value_or(kGifFps) + 0.5)));
+  const int delay =
+      std::max(2, static_cast<int>(std::floor(100.0 / request.options->fps.value_or(kGifFps) + 0.5)));
   const double fps = 100.0 / delay;
   const auto picture = MatchPicture::create(request.specOf(kGifWidth));
   if (!picture) return tl::unexpected<Error>(picture.error());
@@ -116,7 +118,9 @@ Result<void> exportGif(const ExportRequest& request) {
   auto gif = GifWriter::create(picture->spec().width, picture->spec().height, *palette, delay);
   if (!gif) return tl::unexpected<Error>(gif.error());
   const auto packer = [&palette] {
-    return [indexer = GifIndexer(*palette)](Canvas& canvas, std::string& out) mutable { indexer.index(canvas, out); };
+    return [indexer = GifIndexer(*palette)](Canvas& canvas, std::string& out) mutable {
+      indexer.index(canvas, out);
+    };
   };
   auto done = film(job, "gif", packer, [&](std::size_t, std::string& bytes) { return gif->add(bytes); });
   if (!done) return done;
@@ -129,7 +133,8 @@ Result<void> exportCsv(const ExportRequest& request) {
   const auto file = outputFile(request, *request.options->csv, ".csv");
   if (!file) return tl::unexpected<Error>(file.error());
   std::string text;
-  writeCsv(request.timeline, request.whole.from, request.whole.to, [&](const std::string& line) { text += line; });
+  writeCsv(request.timeline, request.whole.from, request.whole.to,
+           [&](const std::string& line) { text += line; });
   return deliver(*file, text);
 }
 

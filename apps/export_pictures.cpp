@@ -36,8 +36,7 @@ Still stillOf(const ExportRequest& request, const RecordedEvent& event) {
   const ReplayMoment after = timeline.at(timeline.secondsAt(event.tick));
   still.moment.score = after.score;
   if (request.overlays.banner) {
-    still.overlays.banner =
-        bannerOf(event, timeline.plays()[after.play], timeline.header().recipe);
+    still.overlays.banner = bannerOf(event, timeline.plays()[after.play], timeline.header().recipe);
   }
   return still;
 }
@@ -188,9 +187,11 @@ Result<HeatMapChoice> heatChoice(const ExportRequest& request, const std::string
     if (ball || lone || member) choice.bodies.push_back(i);
   }
   if (choice.bodies.empty()) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("--heatmap '{}': must be ball, blue, yellow or a robot as blue:0 that is in the recording",
-                            word));
+    return fail(
+        ErrorCode::kUsage,
+        fmt::format(
+            "--heatmap '{}': must be ball, blue, yellow or a robot as blue:0 that is in the recording",
+            word));
   }
   choice.label = word == "ball" ? "the ball" : word == "robot" ? "the robot" : word;
   const std::size_t index = team == "yellow" ? 1 : 0;

@@ -36,7 +36,8 @@ Result<ReplayTimeline> readTimeline(const std::string& file) {
 
 Result<void> checkTime(const char* flag, double seconds, const ReplayTimeline& timeline) {
   if (seconds >= 0.0 && seconds <= timeline.seconds() + 1e-9) return {};
-  return usage(fmt::format("{} {}: the recording goes from 0 to {:.2f} s", flag, seconds, timeline.seconds()));
+  return usage(
+      fmt::format("{} {}: the recording goes from 0 to {:.2f} s", flag, seconds, timeline.seconds()));
 }
 
 Result<void> setRange(const ReplayExportCommand& options, ExportRequest& request) {
@@ -84,7 +85,8 @@ Result<void> setSize(const std::string& size, ExportRequest& request) {
   if (size.empty()) return {};
   const std::size_t x = size.find('x');
   const auto width = sideOf(std::string_view(size).substr(0, x));
-  const auto height = x == std::string::npos ? std::optional(0) : sideOf(std::string_view(size).substr(x + 1));
+  const auto height =
+      x == std::string::npos ? std::optional(0) : sideOf(std::string_view(size).substr(x + 1));
   if (!width || !height) {
     return usage(fmt::format("--size '{}': must be a width, or WIDTHxHEIGHT, of {} to {} pixels", size,
                              kLeastSide, kMostSide));
@@ -134,7 +136,8 @@ Result<ExportRequest> readRequest(const ReplayExportCommand& options) {
   ExportRequest request{&options, std::move(*timeline), std::move(*spec), false, {}, {}, {}, 1};
   request.spec.theme = options.theme == "light" ? PictureTheme::kLight : PictureTheme::kDark;
   request.overlays = {!options.no_banner, !options.no_drawings, options.trail_seconds};
-  request.jobs = options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  request.jobs =
+      options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   if (auto good = setSize(options.size, request); !good) return tl::unexpected<Error>(good.error());
   if (auto good = setRange(options, request); !good) return tl::unexpected<Error>(good.error());
   if (options.highlights || !options.around.empty()) {

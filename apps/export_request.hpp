@@ -15,8 +15,8 @@ namespace fulbito::app {
 struct ExportRequest {
   const ReplayExportCommand* options = nullptr;
   ReplayTimeline timeline;
-  MatchPictureSpec spec;              ///< theme and, where it was given, size
-  bool sized = false;                 ///< --size was given
+  MatchPictureSpec spec;  ///< theme and, where it was given, size
+  bool sized = false;     ///< --size was given
   OverlayChoice overlays;
   ReplayRange whole;                  ///< --from ... --to
   std::vector<RecordedEvent> events;  ///< that --around or --highlights named, within `whole`
