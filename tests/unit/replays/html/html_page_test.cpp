@@ -50,7 +50,8 @@ TEST_CASE("the security policy names digests of what the page runs", "[unit]") {
   CHECK(policy.find("unsafe") == std::string::npos);
   // Two scripts and a style of 32 bytes each.
   std::size_t digests = 0;
-  for (std::size_t at = policy.find("'sha256-"); at != std::string::npos; at = policy.find("'sha256-", at + 1)) {
+  for (std::size_t at = policy.find("'sha256-"); at != std::string::npos;
+       at = policy.find("'sha256-", at + 1)) {
     CHECK(policy.find('\'', at + 1) - at == 8 + 44);
     ++digests;
   }
@@ -65,7 +66,8 @@ TEST_CASE("texts in the place of marks are not looked at again", "[unit]") {
   PageScene scene = test::sampleScene();
   scene.title = "{{data}}{{style}}";
   const std::string html = pageOf(PageKind::kReplay, {scene});
-  CHECK(nlohmann::json::parse(between(html, "id=\"meta\">", "</script>"))["scenes"][0]["title"] == scene.title);
+  CHECK(nlohmann::json::parse(between(html, "id=\"meta\">", "</script>"))["scenes"][0]["title"] ==
+        scene.title);
 }
 
 TEST_CASE("a page needs a scene, and a ghost the same bodies", "[unit]") {

@@ -2,7 +2,6 @@
 
 #include <string>
 #include <string_view>
-
 #include <zlib.h>
 
 #include "tests/support/catch.hpp"

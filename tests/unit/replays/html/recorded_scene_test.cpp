@@ -39,8 +39,10 @@ TEST_CASE("a recording's scene has its rows at samples and at starts of plays", 
       for (std::size_t body = 0; body < moment.bodies.size(); ++body) {
         REQUIRE(moment.bodies[body].has_value() == (g.scene.plays[p].present[body] != 0));
         if (!moment.bodies[body]) continue;
-        CHECK(moment.bodies[body]->position.x == Approx(g.scene.rows[r].poses[body].position.x).margin(1e-12));
-        CHECK(moment.bodies[body]->position.y == Approx(g.scene.rows[r].poses[body].position.y).margin(1e-12));
+        CHECK(moment.bodies[body]->position.x ==
+              Approx(g.scene.rows[r].poses[body].position.x).margin(1e-12));
+        CHECK(moment.bodies[body]->position.y ==
+              Approx(g.scene.rows[r].poses[body].position.y).margin(1e-12));
       }
     }
   }

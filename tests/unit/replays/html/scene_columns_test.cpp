@@ -62,14 +62,17 @@ TEST_CASE("columns give every pose back within half a step", "[unit]") {
     for (std::size_t r = 0; r < scene.rows.size(); ++r) {
       if (scene.plays[r < scene.plays[1].row ? 0 : 1].present[body] == 0) continue;
       const Pose2& pose = scene.rows[r].poses[body];
-      CHECK(std::abs(static_cast<double>(x[r]) * kPagePlaceStep - pose.position.x) <= kPagePlaceStep / 2 + 1e-12);
-      CHECK(std::abs(static_cast<double>(y[r]) * kPagePlaceStep - pose.position.y) <= kPagePlaceStep / 2 + 1e-12);
+      CHECK(std::abs(static_cast<double>(x[r]) * kPagePlaceStep - pose.position.x) <=
+            kPagePlaceStep / 2 + 1e-12);
+      CHECK(std::abs(static_cast<double>(y[r]) * kPagePlaceStep - pose.position.y) <=
+            kPagePlaceStep / 2 + 1e-12);
       if (heading.empty()) continue;
       const double turn = math::wrapAngle(static_cast<double>(heading[r]) * kPageHeadingStep - pose.heading);
       CHECK(std::abs(turn) <= kPageHeadingStep / 2 + 1e-12);
     }
   }
-  for (const auto& wanted : {std::vector<std::int64_t>{0, 10, 21, 31}, {0, -4, -7, -11}, {-46, -46, -46, -46}, {46, 46, 46, 46}}) {
+  for (const auto& wanted :
+       {std::vector<std::int64_t>{0, 10, 21, 31}, {0, -4, -7, -11}, {-46, -46, -46, -46}, {46, 46, 46, 46}}) {
     CHECK(script.plain(4) == wanted);
   }
   CHECK(script.atEnd());
@@ -80,7 +83,8 @@ TEST_CASE("headings go on over a full turn within a play", "[unit]") {
   Script script(packedColumns(scene));
   for (int i = 0; i < 3; ++i) script.column(scene);
   const auto heading = script.column(scene);  // of the first robot, which turns by 0.682 rad a row
-  for (std::size_t r = 1; r < scene.plays[1].row; ++r) CHECK(std::abs(heading[r] - heading[r - 1] - 136) <= 1);
+  for (std::size_t r = 1; r < scene.plays[1].row; ++r)
+    CHECK(std::abs(heading[r] - heading[r - 1] - 136) <= 1);
 }
 
 TEST_CASE("a body that is away costs next to nothing and leaves no trace", "[unit]") {
@@ -100,7 +104,13 @@ TEST_CASE("drawings are kept field by field", "[unit]") {
                     {4, TeamId::kYellow, Kind::kText, {0.5, -0.2}, {}, 0.0, "here"}};
   const std::string bytes = packedColumns(scene);
   Script script(bytes.substr(without));
-  for (const auto& wanted : {std::vector<std::int64_t>{2, 4}, {0, 5}, {1000, 5000}, {2000, -2000}, {-3000, 0}, {4000, 0}, {0, 0}}) {
+  for (const auto& wanted : {std::vector<std::int64_t>{2, 4},
+                             {0, 5},
+                             {1000, 5000},
+                             {2000, -2000},
+                             {-3000, 0},
+                             {4000, 0},
+                             {0, 0}}) {
     CHECK(script.plain(2) == wanted);
   }
   CHECK(script.atEnd());
