@@ -54,7 +54,8 @@ TEST_CASE("replay export --html says what is wrong", "[cli]") {
 
 TEST_CASE("compare --html puts every drawn layout into one page", "[cli]") {
   const Sandbox box;
-  const std::string compare = "compare --suite corner --speeds 1.0 --trials 3 --navigators bezier straight --out o ";
+  const std::string compare =
+      "compare --suite corner --speeds 1.0 --trials 3 --navigators bezier straight --out o ";
   REQUIRE(box.run(compare + "--pictures 2 --html races.html").code == 0);
   const Json page = Json::parse(partOf(contentOf(box.path / "races.html"), "id=\"meta\">"));
   CHECK(page["kind"] == "races");

@@ -12,7 +12,7 @@ class RaceTable {
     });
     this.rows = this.order.map((i) => {
       const run = scene.runs[i];
-      const name = element('button', run.label, { type: 'button', 'aria-pressed': 'false', title: run.label });
+      const name = element('button', null, { type: 'button', 'aria-pressed': 'false', title: run.label }, element('span', run.label));
       name.addEventListener('click', () => this.viewer.select(i));
       const now = element('td');
       const ratios = [run.timeRatio, run.lengthRatio].map((ratio) => element('td', run.success ? ratio.toFixed(2) : '–'));
