@@ -121,6 +121,7 @@ void MatchRecorder::playBegins(const PlayStart& start) {
       place = startOf(start.world->robots[next++]);
     }
   }
+  if (start.edited) ++edits_;
   writer_.beginPlay(play);
   for (const GameEvent& event : start.events) add(event);
 }
@@ -172,6 +173,7 @@ void MatchRecorder::matchEnds(const RefereeState& referee, Tick) {
   result.score = referee.score;
   result.final_hash = hash_;
   if (referee.ended) result.outcome = referee.winner ? nameOf(*referee.winner) : "draw";
+  if (edits_ > 0) result.figures.emplace_back("edits", edits_);
   written_ = writer_.finish(result);
 }
 

@@ -14,10 +14,10 @@ USAGE
 
 packages=(
   g++ cmake ninja-build git ca-certificates binutils pkg-config
-  libbox2d-dev libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core libpng-dev
+  libbox2d-dev libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core libpng-dev libdeflate-dev libcgif-dev ffmpeg
   libfmt-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
   librandom123-dev libxxhash-dev libzstd-dev
-  catch2 libmpfr-dev libgmp-dev
+  libxml2-utils catch2 libmpfr-dev libgmp-dev
 )
 ci_packages=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck)
 

@@ -22,11 +22,12 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"referee", {"engine/core"}},
     {"replays", {"engine/core"}},
     {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
-    {"replays/render", {"engine/core"}},
-    {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/render"}},
+    {"replays/render", {"engine/core", "replays"}},
+    {"replays/html", {"engine/core", "replays"}},
+    {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/html", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
-     {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match",
+     {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match", "replays/html",
       "replays/render", "experiments", "bench"}},
 };
 
@@ -40,16 +41,19 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"referee", {"fmt"}},
     {"replays", {"fmt", "nlohmann", "zstd.h", "xxhash.h"}},
     {"match", {"fmt", "nlohmann"}},
-    {"replays/render", {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "fmt"}},
+    {"replays/render",
+     {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "libdeflate.h", "fmt"}},
+    {"replays/html", {"fmt", "nlohmann", "zlib.h"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
     {"apps", {"fmt", "nlohmann", "CLI"}},
 };
 
 const std::set<std::string> kKnownLibraries = {
-    "fmt",   "tl",       "toml++", "Random123", "xxhash.h",
-    "box2d", "SDL.h",    "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
-    "png.h", "nlohmann", "CLI",    "Eigen",     "zstd.h"};
+    "fmt",    "tl",          "toml++", "Random123", "xxhash.h",
+    "box2d",  "SDL.h",       "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
+    "png.h",  "nlohmann",    "CLI",    "Eigen",     "zstd.h",
+    "zlib.h", "libdeflate.h"};
 
 std::string folderOf(const std::string& path) {
   std::string best;

@@ -15,7 +15,9 @@ struct Script {
   Rng rng{5, Stream::kTest, 0};
   unsigned rare() { return rng.uniform() < 0.02 ? 1 : 0; }
   unsigned even() { return rng.bits32() & 1; }
-  std::uint64_t many() { return (std::uint64_t{rng.bits32()} << 32 | rng.bits32()) & ((std::uint64_t{1} << 40) - 1); }
+  std::uint64_t many() {
+    return (std::uint64_t{rng.bits32()} << 32 | rng.bits32()) & ((std::uint64_t{1} << 40) - 1);
+  }
 };
 
 }  // namespace

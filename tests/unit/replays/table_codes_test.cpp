@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::int32_t kHigh = 2147483000, kLow = -kHigh;  // as far as wholeSteps goes
 
-Columns tableOf(std::size_t columns, std::size_t rows, const std::function<std::int32_t(std::size_t, std::size_t)>& at) {
+Columns tableOf(std::size_t columns, std::size_t rows,
+                const std::function<std::int32_t(std::size_t, std::size_t)>& at) {
   Columns table(columns, rows);
   for (std::size_t row = 0; row < rows; ++row) {
     table.addRow();
@@ -53,7 +54,9 @@ const CommandModel kModel{827, 4000, 8000, 63488, 66662};
 TEST_CASE("commands come back, whatever they are and whatever the model", "[unit]") {
   Rng rng(3, Stream::kTest);
   const auto extreme = [&](std::size_t, std::size_t) { return rng.below(2) == 0 ? kLow : kHigh; };
-  const auto noise = [&](std::size_t, std::size_t) { return static_cast<std::int32_t>(rng.below(9217)) - 4608; };
+  const auto noise = [&](std::size_t, std::size_t) {
+    return static_cast<std::int32_t>(rng.below(9217)) - 4608;
+  };
   const auto all = [&](std::size_t, std::size_t) { return static_cast<std::int32_t>(rng.bits32()) / 2; };
   const CommandModel widest{1000000000, 0, 1000000000, 131072, 0};
   for (const CommandModel& model : {CommandModel{}, kModel, widest}) {
