@@ -25,7 +25,8 @@ Result<PlayRange> parsePlays(const std::string& text) {
     good = good && read.ec == std::errc() && read.ptr == end;
   }
   if (!good || range.first < 1 || range.last < range.first) {
-    return fail(ErrorCode::kUsage, fmt::format("--plays: '{}' is no range of plays such as 3-5, counted from 1", text));
+    return fail(ErrorCode::kUsage,
+                fmt::format("--plays: '{}' is no range of plays such as 3-5, counted from 1", text));
   }
   return PlayRange{range.first - 1, range.last - 1};
 }
@@ -43,7 +44,8 @@ Result<PlayRange> rangeOf(const ReplayCutCommand& options, const RecordingReader
 }  // namespace
 
 CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
-  CLI::App* command = replay.add_subcommand("cut", "keep some plays of a recording, whole from restart to restart");
+  CLI::App* command =
+      replay.add_subcommand("cut", "keep some plays of a recording, whole from restart to restart");
   command->footer(
       "Each play is a world of its own, so that a cut verifies like any recording.\n"
       "Examples:\n"
@@ -51,7 +53,8 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
       "  fulbito replay cut game.fbr some.fbr --plays 3-5");
   command->add_option("file", options.file, "recording (.fbr)")->required();
   command->add_option("out", options.out, "recording that is made")->required();
-  command->add_option("--from", options.from, "seconds of the recording (default: its start)")->type_name("S");
+  command->add_option("--from", options.from, "seconds of the recording (default: its start)")
+      ->type_name("S");
   command->add_option("--to", options.to, "seconds of the recording (default: its end)")->type_name("S");
   command->add_option("--plays", options.plays, "plays A to B, counted from 1")->type_name("A-B");
   command->add_flag("--force", options.force, "replace a file that exists");

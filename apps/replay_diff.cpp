@@ -50,8 +50,9 @@ void printTicks(const RecordingDifference& found, double dt) {
     }
     return;
   }
-  fmt::print("they part at tick {} ({:.3f} s), in play {}{}\n", *found.tick, static_cast<double>(*found.tick) * dt,
-             found.play + 1, found.start ? ", which does not begin the same" : "");
+  fmt::print("they part at tick {} ({:.3f} s), in play {}{}\n", *found.tick,
+             static_cast<double>(*found.tick) * dt, found.play + 1,
+             found.start ? ", which does not begin the same" : "");
   std::size_t shown = 0;
   for (const BodyDifference& d : found.bodies) {
     if (shown++ == kShownBodies) {
@@ -90,7 +91,8 @@ int replayDiff(const ReplayDiffCommand& options) {
   } else {
     fmt::print("A = {}, B = {}\n", options.a, options.b);
     for (const RecipeDifference& d : found->recipe) {
-      fmt::print("{}: {} in A, {} in B\n", d.name, d.a.empty() ? "nothing" : d.a, d.b.empty() ? "nothing" : d.b);
+      fmt::print("{}: {} in A, {} in B\n", d.name, d.a.empty() ? "nothing" : d.a,
+                 d.b.empty() ? "nothing" : d.b);
     }
     printTicks(*found, dt);
   }

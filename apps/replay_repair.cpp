@@ -10,7 +10,8 @@
 namespace fulbito::app {
 
 CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options) {
-  CLI::App* command = replay.add_subcommand("repair", "make a whole recording of what can still be read of one");
+  CLI::App* command =
+      replay.add_subcommand("repair", "make a whole recording of what can still be read of one");
   command->footer(
       "Keeps what precedes the damage and every play that begins after it.\n"
       "Example:\n"

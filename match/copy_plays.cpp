@@ -39,8 +39,8 @@ bool PlayCopier::ticked(const ReplayedTick& tick) {
     return false;
   }
   hash_.add(tick.world->state());
-  writer_.add(RecordingTick{&tick.world->state(), tick.commands, hash_.value(),
-                            tick.chunk->playing[tick.row] != 0});
+  writer_.add(
+      RecordingTick{&tick.world->state(), tick.commands, hash_.value(), tick.chunk->playing[tick.row] != 0});
   pass(tick.tick);
   return true;
 }

@@ -58,14 +58,16 @@ Result<PlayRange> playsBetween(const RecordingReader& recording, double from, do
   PlayRange range{-1, -1};
   for (std::size_t i = 0; i < plays->size(); ++i) {
     const Tick end = i + 1 < plays->size() ? (*plays)[i + 1].tick : recording.ticks();
-    const double begins = static_cast<double>((*plays)[i].tick) / rate, ends = static_cast<double>(end) / rate;
+    const double begins = static_cast<double>((*plays)[i].tick) / rate,
+                 ends = static_cast<double>(end) / rate;
     if (!(begins < to && ends > from)) continue;
     if (range.first < 0) range.first = static_cast<std::int64_t>(i);
     range.last = static_cast<std::int64_t>(i);
   }
   if (range.first < 0) {
-    return fail(ErrorCode::kUsage, fmt::format("no play has a part in {:g} ... {:g} s; the recording has {:.3f} s",
-                                               from, to, static_cast<double>(recording.ticks()) / rate));
+    return fail(ErrorCode::kUsage,
+                fmt::format("no play has a part in {:g} ... {:g} s; the recording has {:.3f} s", from, to,
+                            static_cast<double>(recording.ticks()) / rate));
   }
   return range;
 }
@@ -75,8 +77,8 @@ Result<std::string> cutPlays(const RecordingReader& recording, const PlayRange& 
   if (!plays) return tl::unexpected<Error>(plays.error());
   const auto count = static_cast<std::int64_t>(plays->size());
   if (range.first < 0 || range.last < range.first || range.last >= count) {
-    return fail(ErrorCode::kUsage, fmt::format("plays {}-{} are not within 1 ... {}", range.first + 1,
-                                               range.last + 1, count));
+    return fail(ErrorCode::kUsage,
+                fmt::format("plays {}-{} are not within 1 ... {}", range.first + 1, range.last + 1, count));
   }
   std::string bytes;
   auto writer = RecordingWriter::create(
@@ -87,7 +89,8 @@ Result<std::string> cutPlays(const RecordingReader& recording, const PlayRange& 
       headerOf(recording, *plays, range));
   if (!writer) return tl::unexpected<Error>(writer.error());
   PlayCopier copier(std::move(*writer));
-  if (auto played = resimulate(recording, range, copier); !played) return tl::unexpected<Error>(played.error());
+  if (auto played = resimulate(recording, range, copier); !played)
+    return tl::unexpected<Error>(played.error());
   if (copier.differs()) {
     return fail(ErrorCode::kBadInput,
                 fmt::format("{}: played again, it differs from tick {} on: see fulbito replay verify",

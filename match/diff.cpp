@@ -69,11 +69,13 @@ std::vector<RecipeDifference> recipeDifferences(const RecordingHeader& a, const 
   diff.text("field", ra.field, rb.field);
   diff.text("layout", ra.layout, rb.layout);
   for (const auto& [name, value] : ra.more) {
-    const auto other = std::find_if(rb.more.begin(), rb.more.end(), [&](const auto& e) { return e.first == name; });
+    const auto other =
+        std::find_if(rb.more.begin(), rb.more.end(), [&](const auto& e) { return e.first == name; });
     diff.value(name, value, other == rb.more.end() ? "" : other->second);
   }
   for (const auto& [name, value] : rb.more) {
-    const bool known = std::any_of(ra.more.begin(), ra.more.end(), [&](const auto& e) { return e.first == name; });
+    const bool known =
+        std::any_of(ra.more.begin(), ra.more.end(), [&](const auto& e) { return e.first == name; });
     if (!known) diff.value(name, "", value);
   }
   return found;
@@ -100,7 +102,9 @@ Result<Content> contentOf(const RecordingReader& recording) {
   return content;
 }
 
-bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool sameBits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 bool sameStart(const RecordedStart& a, const RecordedStart& b) {
   return a.present == b.present && sameBits(a.pose.position.x, b.pose.position.x) &&
@@ -114,8 +118,9 @@ bool sameStart(const RecordedStart& a, const RecordedStart& b) {
 std::optional<std::size_t> firstOtherPlay(const Content& a, const Content& b) {
   for (std::size_t i = 0; i < std::min(a.plays.size(), b.plays.size()); ++i) {
     const RecordedPlay &pa = a.plays[i], &pb = b.plays[i];
-    const bool same = pa.tick == pb.tick && pa.kind == pb.kind && pa.team == pb.team &&
-                      std::equal(pa.starts.begin(), pa.starts.end(), pb.starts.begin(), pb.starts.end(), sameStart);
+    const bool same =
+        pa.tick == pb.tick && pa.kind == pb.kind && pa.team == pb.team &&
+        std::equal(pa.starts.begin(), pa.starts.end(), pb.starts.begin(), pb.starts.end(), sameStart);
     if (!same) return i;
   }
   return std::nullopt;

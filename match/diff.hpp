@@ -29,15 +29,15 @@ struct RecordingDifference {
   Tick ticks_a = 0, ticks_b = 0;
   /// The first tick that differs; empty: one is the beginning of the other, or they are the same.
   std::optional<Tick> tick;
-  std::int64_t play = 0;  ///< from 0
-  bool start = false;     ///< it is a play's start that differs, not a step
+  std::int64_t play = 0;               ///< from 0
+  bool start = false;                  ///< it is a play's start that differs, not a step
   std::vector<BodyDifference> bodies;  ///< at that tick, commands first, then states after the step
 
   bool same() const { return recipe.empty() && comparable && !tick && ticks_a == ticks_b; }
 };
 
-/// Compares two recordings tick by tick, then plays both again up to where they part, to the last bit. Errors:
-/// kBadInput.
+/// Compares two recordings tick by tick, then plays both again up to where they part, to the last bit.
+/// Errors: kBadInput.
 Result<RecordingDifference> diff(const RecordingReader& a, const RecordingReader& b);
 
 }  // namespace fulbito

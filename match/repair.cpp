@@ -61,7 +61,8 @@ Result<Repair> repair(const Salvage& salvage) {
   const Tick seen = salvage.chunks.back().first_tick + salvage.chunks.back().ticks;
   const Tick all = salvage.result ? salvage.result->ticks : seen;
   repaired.lost_ticks = all - repaired.ticks;
-  if (auto finished = copier.finish(endOf(salvage)); !finished) return tl::unexpected<Error>(finished.error());
+  if (auto finished = copier.finish(endOf(salvage)); !finished)
+    return tl::unexpected<Error>(finished.error());
   return repaired;
 }
 

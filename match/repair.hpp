@@ -16,10 +16,10 @@ struct Repair {
   bool end_lost = false;
 };
 
-/// A whole recording of all plays that can be read: each is a world of its own, so that those after the damage
-/// are kept too. What remains of a play whose middle was lost is its beginning. It is played again meanwhile;
-/// after a gap the running hash is another than the original's. Errors: kBadInput when nothing can be
-/// read, or what is left does not come out the same.
+/// A whole recording of all plays that can be read: each is a world of its own, so that those after the
+/// damage are kept too. What remains of a play whose middle was lost is its beginning. It is played again
+/// meanwhile; after a gap the running hash is another than the original's. Errors: kBadInput when nothing can
+/// be read, or what is left does not come out the same.
 Result<Repair> repair(const Salvage& salvage);
 
 }  // namespace fulbito

@@ -25,7 +25,8 @@ bool knownType(BytesView file, std::size_t offset) {
   return type == BlockType::kChunk || type == BlockType::kResult;
 }
 
-std::optional<Found> nextBlock(BytesView file, std::size_t offset, std::uint64_t header, std::uint64_t number) {
+std::optional<Found> nextBlock(BytesView file, std::size_t offset, std::uint64_t header,
+                               std::uint64_t number) {
   if (const auto block = blockAt(file, offset, blockSeed(header, number))) return Found{*block, number};
   for (std::size_t at = offset; at < file.size(); ++at) {
     if (!knownType(file, at)) continue;
@@ -58,8 +59,8 @@ Result<Salvage> salvage(const std::string& file) {
       auto chunk = readChunk(block->block.payload, found.header);
       if (chunk) found.chunks.push_back(std::move(*chunk));
     } else if (block->block.type == BlockType::kResult) {
-      const auto text = unpack(static_cast<std::uint8_t>(block->block.codec), block->block.payload,
-                               block->block.raw_size);
+      const auto text =
+          unpack(static_cast<std::uint8_t>(block->block.codec), block->block.payload, block->block.raw_size);
       auto result = text ? resultFromJson(*text) : tl::unexpected<std::string>("");
       if (result) found.result = std::move(*result);
     } else {

@@ -10,9 +10,9 @@ namespace fulbito {
 /// What can still be read of a damaged or cut file.
 struct Salvage {
   RecordingHeader header;
-  bool whole = false;                  ///< nothing is wrong with it
-  std::vector<RecordedChunk> chunks;   ///< in order; those between were lost
-  std::size_t lost_bytes = 0;          ///< that belong to nothing that can be read
+  bool whole = false;                 ///< nothing is wrong with it
+  std::vector<RecordedChunk> chunks;  ///< in order; those between were lost
+  std::size_t lost_bytes = 0;         ///< that belong to nothing that can be read
   std::optional<RecordingResult> result;
 };
 
