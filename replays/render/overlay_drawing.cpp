@@ -50,8 +50,10 @@ void drawTrails(const FieldView& view, const MatchPictureSpec& spec, const std::
       if (trail.fading) {
         view.canvas.fadingLine(line, view.px(look.first), view.px(look.last), look.colour);
       } else {
-        view.canvas.polyline(line, std::max(1.0, (balls ? 2.0 : 1.4) * view.unit),
-                             withAlpha(look.colour, balls ? 190 : 120));
+        view.canvas.polyline(
+            line, std::max(1.0, (balls ? 2.0 : 1.4) * view.unit),
+            withAlpha(look.colour, static_cast<std::uint8_t>((balls ? 190.0 : 130.0) *
+                                                             std::clamp(trail.strength, 0.0, 1.0))));
       }
     }
   }

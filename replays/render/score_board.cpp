@@ -102,11 +102,12 @@ void drawBoardNumbers(Canvas& canvas, const MatchPlan& plan, const MatchPictureS
                  {plan.text(kName), style.text, TextAlign::kCentre, true});
     return;
   }
-  const TextStyle big{score, style.text, TextAlign::kCentre, true};
-  const double baseline = std::round(plan.board * 0.56), gap = 0.95 * score;
+  const double baseline = std::round(plan.board * 0.56), gap = 0.5 * score;
   canvas.label({middle, baseline - 0.06 * score}, ":", {score, style.dim_text, TextAlign::kCentre, true});
-  canvas.label({middle - gap, baseline}, std::to_string(moment.score[0]), big);
-  canvas.label({middle + gap, baseline}, std::to_string(moment.score[1]), big);
+  canvas.label({std::round(middle - gap), baseline}, std::to_string(moment.score[0]),
+               {score, style.text, TextAlign::kRight, true});
+  canvas.label({std::round(middle + gap), baseline}, std::to_string(moment.score[1]),
+               {score, style.text, TextAlign::kLeft, true});
   // The parts stand still while the clock runs: its digits are all of one width.
   const double foot = std::round(plan.board * 0.87), space = 0.45 * clock;
   canvas.label({middle - space, foot}, periodName(moment.period),
