@@ -50,7 +50,8 @@ inline ReplayTimeline sampleReplay(const std::vector<std::string>& teams = {"lib
     play.score = score;
     play.play_ticks = tick;
     since = tick;
-    for (std::size_t robot = 0; robot < 4; ++robot) play.starts.push_back({true, poseOf(robot, tick), {}, 0.0, {}});
+    for (std::size_t robot = 0; robot < 4; ++robot)
+      play.starts.push_back({true, poseOf(robot, tick), {}, 0.0, {}});
     play.starts.push_back({true, {ballAt(tick, since), 0.0}, {}, 0.0, {}});
     writer->beginPlay(play);
   };
@@ -64,7 +65,8 @@ inline ReplayTimeline sampleReplay(const std::vector<std::string>& teams = {"lib
   begin(RestartKind::kKickOff, 0, 0, {0, 0});
   for (Tick tick = 1; tick <= 20 * kRate; ++tick) {
     WorldState world;
-    for (std::size_t robot = 0; robot < 4; ++robot) world.robots.push_back({poseOf(robot, tick), {}, 0.0, {}});
+    for (std::size_t robot = 0; robot < 4; ++robot)
+      world.robots.push_back({poseOf(robot, tick), {}, 0.0, {}});
     world.balls.push_back({ballAt(tick, since), {}, {}});
     const bool playing = tick < 8 * kRate || tick >= 10 * kRate;
     const std::vector<WheelSpeeds> none(4);

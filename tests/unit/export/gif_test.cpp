@@ -14,7 +14,8 @@ Canvas sheet(Colour background) {
 std::uint32_t colourOf(const GifPalette& palette, std::uint8_t index) {
   const auto& c = palette.colours();
   const std::size_t i = 3 * std::size_t{index};
-  return 0xff000000u | static_cast<std::uint32_t>(c[i]) << 16 | static_cast<std::uint32_t>(c[i + 1]) << 8 | c[i + 2];
+  return 0xff000000u | static_cast<std::uint32_t>(c[i]) << 16 | static_cast<std::uint32_t>(c[i + 1]) << 8 |
+         c[i + 2];
 }
 
 }  // namespace

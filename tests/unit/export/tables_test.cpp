@@ -13,8 +13,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::vector<std::string> linesOf(void (*write)(const ReplayTimeline&, double, double, const TableSink&), double from,
-                                 double to) {
+std::vector<std::string> linesOf(void (*write)(const ReplayTimeline&, double, double, const TableSink&),
+                                 double from, double to) {
   std::string text;
   write(test::sampleReplay({"a\"b", "\xff"}), from, to, [&](const std::string& piece) { text += piece; });
   std::vector<std::string> lines;

@@ -139,7 +139,8 @@ TEST_CASE("names of any kind stay in their place", "[unit]") {
   const Canvas plain = drawn(spec, apart());
   for (const std::string& name :
        {std::string(3000, 'W'), std::string("\xff\xfe broken \x80"), std::string("a\nb\tc\x01"),
-        std::string("\xd9\x81\xd8\xb1\xd9\x8a\xd9\x82 \xf0\x9f\xa4\x96"), std::string("%s%n{}"), std::string()}) {
+        std::string("\xd9\x81\xd8\xb1\xd9\x8a\xd9\x82 \xf0\x9f\xa4\x96"), std::string("%s%n{}"),
+        std::string()}) {
     spec.names = {name, name};
     const Canvas canvas = drawn(spec, apart());
     // The score between the names, and all below the board.
@@ -149,7 +150,8 @@ TEST_CASE("names of any kind stay in their place", "[unit]") {
 }
 
 TEST_CASE("every size that is allowed can be drawn, others name the limits", "[unit]") {
-  for (const auto& [width, height] : {std::pair{160, 120}, {400, 0}, {1920, 1080}, {300, 1200}, {2000, 121}}) {
+  for (const auto& [width, height] :
+       {std::pair{160, 120}, {400, 0}, {1920, 1080}, {300, 1200}, {2000, 121}}) {
     MatchPictureSpec spec = duel(width);
     spec.height = height;
     spec.seconds = 600.0;

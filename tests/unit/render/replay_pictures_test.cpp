@@ -81,7 +81,8 @@ TEST_CASE("paths break where a play begins", "[unit]") {
 }
 
 TEST_CASE("an SVG picture holds any name safely", "[unit]") {
-  const ReplayTimeline timeline = sampleReplay({"<script>alert(\"1\")</script> & 'co'", "a\x01\xff\xef\xbf\xbe"});
+  const ReplayTimeline timeline =
+      sampleReplay({"<script>alert(\"1\")</script> & 'co'", "a\x01\xff\xef\xbf\xbe"});
   const auto svg = matchSvg(specOf(timeline), timeline.at(8.5));
   REQUIRE(svg);
   CHECK(svg->find("<script") == std::string::npos);
@@ -96,10 +97,10 @@ TEST_CASE("an SVG picture holds any name safely", "[unit]") {
 TEST_CASE("XML escapes keep good UTF-8 and nothing else", "[unit]") {
   CHECK(escapedXml("Caf\xc3\xa9 \xf0\x9f\xa4\x96") == "Caf\xc3\xa9 \xf0\x9f\xa4\x96");
   CHECK(escapedXml("a<b>&\"'") == "a&lt;b&gt;&amp;&quot;&#39;");
-  CHECK(escapedXml("\xc0\xaf") == "  ");          // overlong
-  CHECK(escapedXml("\xed\xa0\x80") == "   ");     // half a surrogate pair
+  CHECK(escapedXml("\xc0\xaf") == "  ");            // overlong
+  CHECK(escapedXml("\xed\xa0\x80") == "   ");       // half a surrogate pair
   CHECK(escapedXml("\xf4\x90\x80\x80") == "    ");  // beyond Unicode
-  CHECK(escapedXml("x\xe2\x82") == "x  ");         // cut off
+  CHECK(escapedXml("x\xe2\x82") == "x  ");          // cut off
   CHECK(escapedXml("\xef\xbf\xbf|") == " |");
 }
 
