@@ -18,7 +18,9 @@ struct Recorded : Sandbox {
   }
 };
 
-bool has(const std::string& program) { return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0; }
+bool has(const std::string& program) {
+  return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
+}
 
 std::string shell(const Sandbox& box, const std::string& command) {
   (void)std::system(("cd '" + box.path.string() + "' && { " + command + "; } >shell.txt 2>&1").c_str());
@@ -27,7 +29,9 @@ std::string shell(const Sandbox& box, const std::string& command) {
   return text;
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 constexpr const char* kPng = "\x89PNG\r\n\x1a\n";
 
@@ -47,7 +51,8 @@ TEST_CASE("pictures of a moment, an event and a range", "[cli]") {
   CHECK(box.bytes("shot.png") == first);
 
   CHECK(box.make("--png some.png --at 1 2.5 3 --size 300").code == 0);
-  for (const char* name : {"some-0001.png", "some-0002.png", "some-0003.png"}) CHECK(fs::exists(box.path / name));
+  for (const char* name : {"some-0001.png", "some-0002.png", "some-0003.png"})
+    CHECK(fs::exists(box.path / name));
   CHECK_FALSE(fs::exists(box.path / "some.png"));
 
   CHECK(box.make("--png seq/f.png --from 1 --to 2").code == 5);  // no such folder
@@ -63,18 +68,21 @@ TEST_CASE("pictures of a moment, an event and a range", "[cli]") {
 
 TEST_CASE("every product is named after the recording unless it has a name", "[cli]") {
   const Recorded box;
-  const Output made =
-      box.make("--size 800 --png --contact-sheet --trails --heatmap ball --svg --gif --csv --jsonl --from 2 --to 4 --fps 5");
+  const Output made = box.make(
+      "--size 800 --png --contact-sheet --trails --heatmap ball --svg --gif --csv --jsonl --from 2 --to 4 "
+      "--fps 5");
   INFO(made.err);
   CHECK(made.code == 0);
-  for (const char* name : {"g-0001.png", "g-sheet.png", "g-trails.png", "g-heatmap-ball.png", "g.svg", "g.gif", "g.csv", "g.jsonl"}) {
+  for (const char* name : {"g-0001.png", "g-sheet.png", "g-trails.png", "g-heatmap-ball.png", "g.svg",
+                           "g.gif", "g.csv", "g.jsonl"}) {
     INFO(name);
     CHECK(fs::exists(box.path / name));
     CHECK(contains(made.err, name));
   }
   CHECK(box.bytes("g.gif").starts_with("GIF89a"));
   CHECK(box.bytes("g.csv").starts_with("tick,time_s,"));
-  CHECK(Json::parse(box.bytes("g.jsonl").substr(0, box.bytes("g.jsonl").find('\n')))["teams"][0] == "classic");
+  CHECK(Json::parse(box.bytes("g.jsonl").substr(0, box.bytes("g.jsonl").find('\n')))["teams"][0] ==
+        "classic");
   if (has("xmllint")) CHECK(shell(box, "xmllint --noout g.svg").empty());
   CHECK(box.make("--heatmap yellow:1 heat.png --size 300").code == 0);
   CHECK(fs::exists(box.path / "heat.png"));
@@ -130,8 +138,9 @@ TEST_CASE("videos", "[cli]") {
   if (!has("ffmpeg") || !has("ffprobe")) return;
   CHECK(box.make("--mp4 --size 320 --to 8 --fps 10 --speed 2").code == 0);
   const std::string probed =
-      shell(box, "ffprobe -v error -count_frames -select_streams v -show_entries "
-                 "stream=codec_name,width,height,nb_read_frames,r_frame_rate -of csv=p=0 g.mp4");
+      shell(box,
+            "ffprobe -v error -count_frames -select_streams v -show_entries "
+            "stream=codec_name,width,height,nb_read_frames,r_frame_rate -of csv=p=0 g.mp4");
   INFO(probed);
   CHECK(contains(probed, "h264,320,"));
   CHECK(contains(probed, "10/1"));
@@ -146,7 +155,8 @@ TEST_CASE("videos", "[cli]") {
 
 TEST_CASE("without ffmpeg a video says what to do", "[cli]") {
   const Recorded box;
-  const std::string said = shell(box, "PATH=/nonexistent '" FULBITO_PROGRAM "' replay export g.fbr --mp4; echo code $?");
+  const std::string said =
+      shell(box, "PATH=/nonexistent '" FULBITO_PROGRAM "' replay export g.fbr --mp4; echo code $?");
   CHECK(contains(said, "apt-get install ffmpeg"));
   CHECK(contains(said, "code 5"));
   CHECK(box.files() == 1);
@@ -156,8 +166,8 @@ TEST_CASE("an interrupted film leaves nothing behind", "[cli]") {
   const Recorded box;
   for (const char* what : {"--gif", "--mp4", "--png x.png --fps 200 --from 0"}) {
     if (std::string(what) == "--mp4" && !has("ffmpeg")) continue;
-    const std::string said = shell(box, "timeout -s INT 0.5 '" FULBITO_PROGRAM "' replay export g.fbr " + std::string(what) +
-                                            " --speed 0.02 --size 1600; echo code $?");
+    const std::string said = shell(box, "timeout -s INT 0.5 '" FULBITO_PROGRAM "' replay export g.fbr " +
+                                            std::string(what) + " --speed 0.02 --size 1600; echo code $?");
     INFO(said);
     CHECK(contains(said, "code 124"));
     for (const auto& entry : fs::directory_iterator(box.path)) {
