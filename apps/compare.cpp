@@ -70,6 +70,9 @@ int compare(const CompareOptions& options) {
   // Everything that can be wrong with the question is found before work begins.
   if (auto planned = planComparison(config); !planned) return report(planned.error());
   if (auto folder = prepareFolder(options.out); !folder) return report(folder.error());
+  if (!config.record.empty()) {
+    if (auto folder = prepareFolder(config.record); !folder) return report(folder.error());
+  }
   if (!options.tune.empty()) {
     if (auto tuned = tuneFirst(options, config); !tuned) return report(tuned.error());
   }
