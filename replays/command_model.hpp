@@ -10,8 +10,8 @@ namespace fulbito {
 /// tick, and spin as their model says.
 CommandModel commandModel(const RobotModel& robot, const PhysicsProfile& physics);
 
-/// [rad/s] The step of commands in a recording; 0 where the profile has none, or one too fine to be counted in
-/// whole numbers.
+/// [rad/s] The step of commands in a recording; 0 where the profile has none, or one too fine to be counted
+/// in whole numbers.
 double recordedCommandStep(const PhysicsProfile& physics);
 
 }  // namespace fulbito
