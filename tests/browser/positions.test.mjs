@@ -78,3 +78,14 @@ test('the score at the playhead is the one of the events', async () => {
   assert.equal(await page.locator('#marks .mark').count(), goals.length);
   await page.quiet();
 });
+
+test('possession and thirds are those of the match summary', async () => {
+  const { stats } = JSON.parse(readFileSync(`${pages}/long.json`, 'utf8'));
+  const page = await open('long');
+  const [held, third] = await view(page, '[v.share.held, v.share.third].map((sums) => sums.map((sum) => sum[v.scene.rows - 1]))');
+  const shares = (sums) => sums.map((sum) => sum / sums.reduce((a, b) => a + b, 0));
+  const { blue, yellow } = stats;
+  [blue.possession_share, yellow.possession_share].forEach((share, i) => near(shares(held)[i], share, 0.01, 'possession:'));
+  [blue.own_third_share, blue.middle_third_share, yellow.own_third_share].forEach((share, i) => near(shares(third)[i], share, 0.01, 'third:'));
+  await page.quiet();
+});

@@ -13,7 +13,7 @@ mkdir -p "$FULBITO_SHOTS"
 
 fulbito=$build/fulbito pages=$build/tests/browser/browser_pages
 cd "$FULBITO_PAGES"
-"$fulbito" match libero classic --seed 7 --record long.fbr >/dev/null
+"$fulbito" match libero classic --seed 7 --record long.fbr --json >long.json
 "$fulbito" match libero classic --seed 7 --half-seconds 30 --record short.fbr >/dev/null
 "$fulbito" match libero classic --seed 8 --half-seconds 30 --record other.fbr >/dev/null
 "$fulbito" replay export long.fbr --html long.html
