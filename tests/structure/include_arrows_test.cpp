@@ -23,11 +23,12 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"replays", {"engine/core"}},
     {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
     {"replays/render", {"engine/core", "replays"}},
+    {"view", {"engine/core", "engine/sim", "referee", "match", "replays", "replays/render"}},
     {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
      {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match",
-      "replays/render", "experiments", "bench"}},
+      "replays/render", "view", "experiments", "bench"}},
 };
 
 /// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp`
@@ -42,6 +43,7 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"match", {"fmt", "nlohmann"}},
     {"replays/render",
      {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "libdeflate.h", "fmt"}},
+    {"view", {"fmt", "SDL.h"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
     {"apps", {"fmt", "nlohmann", "CLI"}},
