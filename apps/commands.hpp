@@ -35,6 +35,7 @@ struct RunOptions {
 struct CompareOptions {
   ComparisonConfig config;
   std::string out = "fulbito-out";
+  std::string html;  ///< page of races; empty: none
   std::string tune;  ///< empty: no tuning
   int tune_evaluations = 150;
   bool json = false;

@@ -82,6 +82,7 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       "  fulbito compare --suite corner --navigators bezier bspline-time --speeds 1.0 2.6 --out out\n"
       "  fulbito compare --suite moving --trials 300 --json > moving.json\n"
       "  fulbito compare --suite corner --only 17 --out one     one layout again, with its picture\n"
+      "  fulbito compare --suite moving --trials 8 --html races.html   a page to watch them race\n"
       "  fulbito compare --tune tangent-field --speeds 1.0      tune a method, then judge it\n"
       "Exit code 0 also when a figure is outside its band. Names: fulbito list suites, fulbito list "
       "navigators.");
@@ -106,6 +107,10 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       ->capture_default_str();
   command->add_option("--out", compare.out, "folder for results.json, trials.csv and pictures")
       ->capture_default_str();
+  command
+      ->add_option("--html", compare.html,
+                   "write a page in which all methods race through the layouts that are drawn")
+      ->type_name("FILE");
   command->add_flag("--json", compare.json, "print results.json instead of tables");
   return command;
 }

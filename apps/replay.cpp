@@ -12,12 +12,14 @@ CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
       "  fulbito replay info game.fbr                     what was played, and where the bytes go\n"
       "  fulbito replay events game.fbr\n"
       "  fulbito replay verify game.fbr                   plays it again: is it the same, bit for bit?\n"
+      "  fulbito replay export game.fbr --html game.html  a page to look at it\n"
       "More: docs/recordings.md.");
   command->require_subcommand(1);
   options.command = command;
   addReplayInfo(*command, options.info);
   addReplayEvents(*command, options.events);
   addReplayVerify(*command, options.verify);
+  addReplayExport(*command, options.exporting);
   return command;
 }
 
@@ -25,6 +27,7 @@ int replay(const ReplayCommands& options) {
   const auto named = [&](const char* part) { return options.command->got_subcommand(part); };
   if (named("info")) return replayInfo(options.info);
   if (named("events")) return replayEvents(options.events);
+  if (named("export")) return replayExport(options.exporting);
   return replayVerify(options.verify);
 }
 

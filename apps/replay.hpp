@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/replay_events.hpp"
+#include "apps/replay_export.hpp"
 #include "apps/replay_info.hpp"
 #include "apps/replay_verify.hpp"
 
@@ -12,6 +13,7 @@ struct ReplayCommands {
   ReplayInfoCommand info;
   ReplayEventsCommand events;
   ReplayVerifyCommand verify;
+  ReplayExportCommand exporting;
 };
 
 /// Adds `replay` with its parts.

@@ -77,8 +77,7 @@ class Editor {
     const RobotModel& model = config_.robot.robot;
     const PlacedBody body = bodyOf(model, robot.pose);
     if (robot.moved && !onField(config_.field, body)) return "would not be on the field";
-    if ((robot.moved || ball_moved_) &&
-        distanceTo(body, after_.ball) < config_.robot.ball.radius + kGap) {
+    if ((robot.moved || ball_moved_) && distanceTo(body, after_.ball) < config_.robot.ball.radius + kGap) {
       return "would overlap the ball";
     }
     for (const Standing& other : robots_) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/math.hpp"
 #include "match/resimulate.hpp"
 
 namespace fulbito {
@@ -123,9 +124,10 @@ class Verifier final : public ReplayVisitor {
         found_->recorded = recorded;
         found_->replayed = replayed;
       };
-      compare("x", then.position.x, now.position.x, kSamplePlaceStep);
-      compare("y", then.position.y, now.position.y, kSamplePlaceStep);
-      compare("heading", then.heading, now.heading, kSampleHeadingStep);
+      compare("x", then.position.x, now.position.x, header_.sample_step);
+      compare("y", then.position.y, now.position.y, header_.sample_step);
+      compare("heading", now.heading + math::wrapAngle(then.heading - now.heading), now.heading,
+              sampleHeadingStep(header_));
       differ += same ? 0 : 1;
     }
     if (differ > 0) found_->bodies = differ;

@@ -74,10 +74,12 @@ class ChunkBuilder {
   void sample(const WorldState& world);
   void putSection(std::uint8_t id, std::span<const BytesView> parts, Compressor& compressor);
   void putList(std::uint8_t id, const List& list, Compressor& compressor);
-  void putColumns(std::uint8_t id, const Columns& table, Compressor& compressor);
+  template <typename Pack>
+  void putModelled(std::uint8_t id, const Columns& table, const Pack& pack);
   void startNext();
 
   RecordingHeader header_;
+  double heading_step_;
   std::size_t robots_, balls_;
   Tick first_tick_ = 0;
   int ticks_ = 0;
@@ -90,7 +92,6 @@ class ChunkBuilder {
   bool run_value_ = true;
   std::uint64_t run_length_ = 0;
   List play_list_, events_, drawings_;
-  PackedColumns packed_;
   Bytes head_, body_;
   std::vector<Section> sections_;
 };

@@ -54,8 +54,9 @@ struct RecordingReader::Impl {
     ByteReader in(BytesView(bytes).substr(kMagic.size()));
     version = in.fixed<std::uint32_t>();
     if (!in.good()) return bad("cut before its header");
-    if (version != kRecordingVersion) {
-      return bad(fmt::format("format version {}; this program reads version {}", version, kRecordingVersion));
+    if (version < 1 || version > kRecordingVersion) {
+      return bad(
+          fmt::format("format version {}; this program reads versions 1 ... {}", version, kRecordingVersion));
     }
     return {};
   }
@@ -69,7 +70,7 @@ struct RecordingReader::Impl {
     if (block->type != BlockType::kHeader) return badBlock(*block, "a header was expected");
     const auto text = textOf(*block);
     if (!text) return badBlock(*block, "it cannot be unpacked");
-    auto read = headerFromJson(*text);
+    auto read = headerFromJson(*text, version);
     if (!read) return badBlock(*block, read.error());
     header = std::move(*read);
     header_checksum = block->checksum;

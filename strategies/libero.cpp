@@ -67,7 +67,11 @@ class Libero final : public Strategy {
   RobotCommand play(const Picture& picture, int robot, int& rank) {
     if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
     const bool keepers = keeper_ >= 0 && inOwnArea(pitch_, ball_.at(0.2), 0.0);
-    if (robot == striker_ && !keepers) return legal(picture, robot, strike(picture, robot, strike_));
+    if (robot == striker_ && !keepers) {
+      const Twist twist = strike(picture, robot, strike_);
+      // The mark of a free ball is at the area's edge: who minds that edge comes late.
+      return disputesFreeBall(picture.seen) ? RobotCommand::byTwist(twist) : legal(picture, robot, twist);
+    }
     if (!keepers && meetsToo(picture, robot)) {
       ++rank;
       return legal(picture, robot, meetCarried(picture, picture.own(robot)));

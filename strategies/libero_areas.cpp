@@ -31,7 +31,9 @@ Vec2 outOfTheirArea(const Pitch& pitch, Vec2 p, double margin) { return -outOfOw
 
 namespace {
 
-constexpr double kBrake = 5.0;  // [m/s^2] reckoned with
+constexpr double kBrake = 5.0;         // [m/s^2] reckoned with
+constexpr double kOwnMargin = 0.03;    // [m] about our area: a defender is in it with more than half
+constexpr double kTheirMargin = 0.06;  // [m] about theirs: an attacker with any part
 
 /// `keptOut` of our area; theirs is the same turned by half a turn.
 bool turnedOff(const Pitch& pitch, const RobotState& robot, double margin, Twist& wanted) {
@@ -63,8 +65,8 @@ RobotState turned(const RobotState& robot) {
 }  // namespace
 
 Twist keptOut(const Pitch& pitch, const RobotState& robot, Closed closed, Twist wanted) {
-  if (closed.own) turnedOff(pitch, robot, 0.06, wanted);
-  if (closed.theirs && robot.pose.position.x > 0.0) turnedOff(pitch, turned(robot), 0.06, wanted);
+  if (closed.own) turnedOff(pitch, robot, kOwnMargin, wanted);
+  if (closed.theirs && robot.pose.position.x > 0.0) turnedOff(pitch, turned(robot), kTheirMargin, wanted);
   return wanted;
 }
 

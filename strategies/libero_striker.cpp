@@ -9,8 +9,9 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
-constexpr double kSpinTime = 0.45;  // [s]
+constexpr double kTouch = 0.075;          // [m] centre to centre where the ball is about touched
+constexpr double kSpinTime = 0.45;        // [s]
+constexpr double kFreeBallDispute = 2.0;  // [s] for which a free ball is a duel of who keeps at it
 constexpr double kInner = 0.02;  // [m] off the ball's middle, on our goal's side, where a pushed ball is met
 
 /// Five a side, where crowds push through what three cannot.
@@ -115,11 +116,11 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& 
   return chosen;
 }
 
-/// Right after a kick-off or free ball the first touch counts, whatever the direction.
+/// Right after a kick-off the first touch counts, at a free ball who keeps at it: whatever the direction.
 bool rushes(const Picture& picture, Vec2 rel) {
-  const RestartKind kind = picture.seen.restart;
-  const double until = kind == RestartKind::kKickOff ? 0.4 : kind == RestartKind::kFreeBall ? 0.25 : 0.0;
-  return picture.seen.since_restart < until && squaredNorm(rel) > 0.055 * 0.055;
+  if (disputesFreeBall(picture.seen)) return true;
+  return picture.seen.restart == RestartKind::kKickOff && picture.seen.since_restart < 0.4 &&
+         squaredNorm(rel) > 0.055 * 0.055;
 }
 
 /// Where that touch is wanted. In the large game a free ball is met on its inner side, so that it slips from
@@ -154,6 +155,10 @@ bool chargesKeeper(const Picture& picture, const RobotState& self, Vec2& keeper)
 }
 
 }  // namespace
+
+bool disputesFreeBall(const Observation& seen) {
+  return seen.restart == RestartKind::kFreeBall && seen.since_restart < kFreeBallDispute;
+}
 
 bool canMeetCarried(const Picture& picture, const RobotState& robot) {
   if (!isLargeGame(picture) || !carried(picture)) return false;

@@ -27,6 +27,9 @@ struct Interception {
 /// First time at which the robot can be behind the predicted ball.
 Interception interception(const Picture& picture, const RobotState& robot);
 
+/// Whether a free ball is still disputed: its taker drives at the ball, and nothing else.
+bool disputesFreeBall(const Observation& seen);
+
 /// Five a side: whether opponents push the ball toward our goal and `robot` stands in its way.
 bool canMeetCarried(const Picture& picture, const RobotState& robot);
 

@@ -12,7 +12,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kText = 17.0, kBadgeText = 12.0;  // [px] at 900 x 780
+constexpr double kText = 17.0, kBadgeText = 12.0;   // [px] at 900 x 780
 constexpr double kSmallest = 7.0, kLargest = 30.0;  // [px]
 constexpr double kLine = 1.62;                      // of the letters' size
 constexpr double kShare = 0.94;                     // of the picture that the plate may take
@@ -65,8 +65,10 @@ struct HelpPlan {
 HelpPlan planOf(const Canvas& canvas, const std::vector<KeyHelp>& rows, double size) {
   HelpPlan plan{size, 0.0, 0.0};
   for (const KeyHelp& row : rows) {
-    plan.keys = std::max(plan.keys, canvas.labelWidth(std::string(row.keys), {size, {}, TextAlign::kLeft, true}));
-    plan.words = std::max(plan.words, canvas.labelWidth(std::string(row.text), {size, {}, TextAlign::kLeft, false}));
+    plan.keys =
+        std::max(plan.keys, canvas.labelWidth(std::string(row.keys), {size, {}, TextAlign::kLeft, true}));
+    plan.words =
+        std::max(plan.words, canvas.labelWidth(std::string(row.text), {size, {}, TextAlign::kLeft, false}));
   }
   return plan;
 }
@@ -85,7 +87,8 @@ void drawHelp(Canvas& canvas, PictureTheme theme, bool live) {
     plan = planOf(canvas, rows, size);
   }
   const Vec2 extent{plan.width(), kLine * size * (count + 1.4)};
-  const Vec2 corner{std::round((canvas.width() - extent.x) / 2), std::round((canvas.height() - extent.y) / 2)};
+  const Vec2 corner{std::round((canvas.width() - extent.x) / 2),
+                    std::round((canvas.height() - extent.y) / 2)};
   drawPlate(canvas, corner - Vec2{1.5, 1.5}, extent + Vec2{3.0, 3.0}, 0.7 * size + 1.5, colours.edge);
   drawPlate(canvas, corner, extent, 0.7 * size, colours.plate);
   for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -49,10 +49,10 @@ class MatchStage final : public ViewStage, private MatchObserver {
   double share_ = 1.0;  ///< of the way from `before_` to `now_`
   std::vector<std::vector<Vec2>> paths_;
   std::vector<RecordedDrawing> drawings_;
-  RecordedPlay play_;           ///< without its starts
-  RecordedEvent call_;          ///< the last that is worth a banner
-  bool called_ = false;         ///< whether there was one
-  RecordedEvent event_;         ///< reused
+  RecordedPlay play_;    ///< without its starts
+  RecordedEvent call_;   ///< the last that is worth a banner
+  bool called_ = false;  ///< whether there was one
+  RecordedEvent event_;  ///< reused
   bool edited_ = false;
   bool over_ = false;
 };

@@ -14,11 +14,11 @@
 namespace fulbito {
 namespace {
 
-constexpr int kWidth = 900;                        // [px]
+constexpr int kWidth = 900;                           // [px]
 constexpr int kLeastWidth = 320, kLeastHeight = 240;  // [px]
 constexpr std::int64_t kFrame = 1'000'000'000 / 60;   // [ns]
-constexpr std::int64_t kLook = 100'000'000;  // [ns] between looks at what no event tells of
-constexpr double kRoom = 0.9;                // of the display that a new window may take
+constexpr std::int64_t kLook = 100'000'000;           // [ns] between looks at what no event tells of
+constexpr double kRoom = 0.9;                         // of the display that a new window may take
 
 struct WindowFree {
   void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
@@ -28,7 +28,9 @@ struct SurfaceFree {
   void operator()(SDL_Surface* surface) const { SDL_FreeSurface(surface); }
 };
 
-Error sdlError(const std::string& what) { return {ErrorCode::kIo, fmt::format("{}: {}", what, SDL_GetError())}; }
+Error sdlError(const std::string& what) {
+  return {ErrorCode::kIo, fmt::format("{}: {}", what, SDL_GetError())};
+}
 
 Error noDisplay() {
   const auto set = [](const char* name) {
@@ -42,8 +44,9 @@ Error noDisplay() {
     why += fmt::format(" (DISPLAY is {})", std::getenv("DISPLAY"));
   }
   return {ErrorCode::kIo,
-          fmt::format("cannot open a window: {}. Without a display, fulbito replay export makes pictures and films.",
-                      why)};
+          fmt::format(
+              "cannot open a window: {}. Without a display, fulbito replay export makes pictures and films.",
+              why)};
 }
 
 struct KeyName {
@@ -52,28 +55,42 @@ struct KeyName {
 };
 
 constexpr std::array kKeys{
-    KeyName{SDLK_SPACE, ViewKey::kSpace},       KeyName{SDLK_COMMA, ViewKey::kComma},
-    KeyName{SDLK_PERIOD, ViewKey::kPeriod},     KeyName{SDLK_LEFT, ViewKey::kLeft},
-    KeyName{SDLK_RIGHT, ViewKey::kRight},       KeyName{SDLK_HOME, ViewKey::kHome},
-    KeyName{SDLK_END, ViewKey::kEnd},           KeyName{SDLK_PAGEUP, ViewKey::kPageUp},
-    KeyName{SDLK_PAGEDOWN, ViewKey::kPageDown}, KeyName{SDLK_MINUS, ViewKey::kMinus},
-    KeyName{SDLK_KP_MINUS, ViewKey::kMinus},    KeyName{SDLK_PLUS, ViewKey::kPlus},
-    KeyName{SDLK_EQUALS, ViewKey::kPlus},       KeyName{SDLK_KP_PLUS, ViewKey::kPlus},
-    KeyName{SDLK_QUESTION, ViewKey::kQuestion}, KeyName{SDLK_F1, ViewKey::kF1},
-    KeyName{SDLK_F11, ViewKey::kF11},           KeyName{SDLK_ESCAPE, ViewKey::kEscape},
-    KeyName{SDLK_d, ViewKey::kD},               KeyName{SDLK_f, ViewKey::kF},
-    KeyName{SDLK_h, ViewKey::kH},               KeyName{SDLK_k, ViewKey::kK},
-    KeyName{SDLK_n, ViewKey::kN},               KeyName{SDLK_o, ViewKey::kO},
-    KeyName{SDLK_p, ViewKey::kP},               KeyName{SDLK_q, ViewKey::kQ},
-    KeyName{SDLK_s, ViewKey::kS},               KeyName{SDLK_t, ViewKey::kT},
+    KeyName{SDLK_SPACE, ViewKey::kSpace},
+    KeyName{SDLK_COMMA, ViewKey::kComma},
+    KeyName{SDLK_PERIOD, ViewKey::kPeriod},
+    KeyName{SDLK_LEFT, ViewKey::kLeft},
+    KeyName{SDLK_RIGHT, ViewKey::kRight},
+    KeyName{SDLK_HOME, ViewKey::kHome},
+    KeyName{SDLK_END, ViewKey::kEnd},
+    KeyName{SDLK_PAGEUP, ViewKey::kPageUp},
+    KeyName{SDLK_PAGEDOWN, ViewKey::kPageDown},
+    KeyName{SDLK_MINUS, ViewKey::kMinus},
+    KeyName{SDLK_KP_MINUS, ViewKey::kMinus},
+    KeyName{SDLK_PLUS, ViewKey::kPlus},
+    KeyName{SDLK_EQUALS, ViewKey::kPlus},
+    KeyName{SDLK_KP_PLUS, ViewKey::kPlus},
+    KeyName{SDLK_QUESTION, ViewKey::kQuestion},
+    KeyName{SDLK_F1, ViewKey::kF1},
+    KeyName{SDLK_F11, ViewKey::kF11},
+    KeyName{SDLK_ESCAPE, ViewKey::kEscape},
+    KeyName{SDLK_d, ViewKey::kD},
+    KeyName{SDLK_f, ViewKey::kF},
+    KeyName{SDLK_h, ViewKey::kH},
+    KeyName{SDLK_k, ViewKey::kK},
+    KeyName{SDLK_n, ViewKey::kN},
+    KeyName{SDLK_o, ViewKey::kO},
+    KeyName{SDLK_p, ViewKey::kP},
+    KeyName{SDLK_q, ViewKey::kQ},
+    KeyName{SDLK_s, ViewKey::kS},
+    KeyName{SDLK_t, ViewKey::kT},
 };
 
 std::optional<KeyPress> keyOf(const SDL_Keysym& symbol) {
   if ((symbol.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI)) != 0) return std::nullopt;
   const bool shift = (symbol.mod & KMOD_SHIFT) != 0;
   if (symbol.sym == SDLK_SLASH && shift) return KeyPress{ViewKey::kQuestion, true};
-  const auto* const found =
-      std::find_if(kKeys.begin(), kKeys.end(), [&symbol](const KeyName& name) { return name.code == symbol.sym; });
+  const auto* const found = std::find_if(kKeys.begin(), kKeys.end(),
+                                         [&symbol](const KeyName& name) { return name.code == symbol.sym; });
   if (found == kKeys.end()) return std::nullopt;
   return KeyPress{found->key, shift};
 }
@@ -81,7 +98,8 @@ std::optional<KeyPress> keyOf(const SDL_Keysym& symbol) {
 /// A name that no file has yet: "libero-classic-12.3s.png", then with "-2" and so on.
 std::string freeName(const Viewer& viewer) {
   std::string stem = std::filesystem::path(viewer.stage().name()).stem().string();
-  const std::string base = fmt::format("{}-{:.1f}s", stem.empty() ? "fulbito" : stem, viewer.stage().seconds());
+  const std::string base =
+      fmt::format("{}-{:.1f}s", stem.empty() ? "fulbito" : stem, viewer.stage().seconds());
   std::string name = base + ".png";
   for (int i = 2; std::filesystem::exists(name); ++i) name = fmt::format("{}-{}.png", base, i);
   return name;
@@ -137,7 +155,8 @@ Result<void> ViewWindow::Impl::open(const FieldGeometry& field) {
   int height = options.height > 0 ? options.height : matchPictureHeight(field, width);
   SDL_Rect room;
   if (options.width == 0 && SDL_GetDisplayUsableBounds(0, &room) == 0 && room.h > 0) {
-    const double most = kRoom * std::min(static_cast<double>(room.w) / width, static_cast<double>(room.h) / height);
+    const double most =
+        kRoom * std::min(static_cast<double>(room.w) / width, static_cast<double>(room.h) / height);
     if (most < 1.0) {
       width = std::max(kLeastWidth, static_cast<int>(width * most));
       height = std::max(kLeastHeight, static_cast<int>(height * most));
@@ -234,7 +253,8 @@ void ViewWindow::Impl::take(const SDL_Event& event, Viewer& viewer) {
 void ViewWindow::Impl::takeAll(Viewer& viewer, std::int64_t wait) {
   SDL_Event event;
   const auto milliseconds = static_cast<int>((wait + 999'999) / 1'000'000);
-  bool there = milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) == 1 : SDL_PollEvent(&event) == 1;
+  bool there =
+      milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) == 1 : SDL_PollEvent(&event) == 1;
   for (; there && !closed; there = SDL_PollEvent(&event) == 1) take(event, viewer);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLongestGap = 0.1;              // [s]
 constexpr std::int64_t kNotice = 2'500'000'000;  // [ns]
-constexpr double kBackSlack = 0.5;  // [s] that play may have gone on since an event that was gone to
+constexpr double kBackSlack = 0.5;         // [s] that play may have gone on since an event that was gone to
 constexpr double kNotch = math::kPi / 12;  // [rad] a notch of the wheel
 
 std::string speedText(double speed) {
@@ -246,8 +246,9 @@ void Viewer::show(ReplayMoment& moment, MatchOverlays& overlays) {
 
 std::string Viewer::title() const {
   const MatchPictureSpec& look = stage().look();
-  std::string text = look.layout ? look.names[0]
-                                 : fmt::format("{} {} : {} {}", look.names[0], score_[0], score_[1], look.names[1]);
+  std::string text = look.layout
+                         ? look.names[0]
+                         : fmt::format("{} {} : {} {}", look.names[0], score_[0], score_[1], look.names[1]);
   text += " - " + stage().name();
   if (stage().edited()) text += " - edited";
   return text;

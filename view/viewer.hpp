@@ -31,11 +31,11 @@ struct ViewSettings {
 struct PointerEvent {
   enum class Kind : std::uint8_t { kDown, kMove, kUp, kWheel };
   Kind kind = Kind::kMove;
-  bool right = false;         ///< button; else the left one
-  Vec2 place;                 ///< [m] as the picture shows the field
-  bool on_bar = false;        ///< on the bar of time
-  double bar_seconds = 0.0;   ///< that its column stands for
-  double wheel = 0.0;         ///< notches, away from the user
+  bool right = false;        ///< button; else the left one
+  Vec2 place;                ///< [m] as the picture shows the field
+  bool on_bar = false;       ///< on the bar of time
+  double bar_seconds = 0.0;  ///< that its column stands for
+  double wheel = 0.0;        ///< notches, away from the user
 };
 
 /// The player behind a window: what it shows, how fast, and what keys and mouse do. Knows no toolkit and
@@ -48,8 +48,8 @@ class Viewer {
   void press(KeyPress press);
   void act(ViewAction action);
   void point(const PointerEvent& event);
-  /// Goes on to a wall time [ns]. A gap of more than a tenth of a second, as when the machine slept, counts as
-  /// one.
+  /// Goes on to a wall time [ns]. A gap of more than a tenth of a second, as when the machine slept, counts
+  /// as one.
   void advance(std::int64_t now);
 
   /// Whether the picture changes by itself: play goes on, or a notice will go.

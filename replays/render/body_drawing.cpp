@@ -27,7 +27,7 @@ class BodyFrame {
     const double ix = inset / view_.px(half_.x), iy = inset / view_.px(half_.y);
     const double cut = kCut * 2 * std::min(half_.x, half_.y) + 0.41 * inset / view_.pixels_per_metre;
     const double x = 1 - ix, y = 1 - iy, cx = cut / half_.x - ix, cy = cut / half_.y - iy;
-    return {at(x, y - cy), at(x - cx, y), at(-x + cx, y), at(-x, y - cy),
+    return {at(x, y - cy),   at(x - cx, y),   at(-x + cx, y), at(-x, y - cy),
             at(-x, -y + cy), at(-x + cx, -y), at(x - cx, -y), at(x, -y + cy)};
   }
   std::array<Vec2, 4> rectangle(double x0, double y0, double x1, double y1) const {

@@ -9,7 +9,8 @@
 
 namespace fulbito {
 
-/// The mark of a team, which needs no colour: a disc for blue, a diamond for yellow. `size` is its radius [px].
+/// The mark of a team, which needs no colour: a disc for blue, a diamond for yellow. `size` is its radius
+/// [px].
 void drawTeamMark(Canvas& canvas, Vec2 centre, double size, TeamId team, Colour colour);
 
 /// A robot from above: its wheels, its front, its number on its team's mark. Without a team it has no number.

@@ -81,7 +81,8 @@ void drawBanner(Canvas& canvas, const MatchPlan& plan, const MatchBanner& banner
   const double marks = banner.team ? 2 * mark + gap : 0.0;
   const double width =
       2 * gap + marks + title_width + (detail.empty() ? 0.0 : detail_width + gap) + 0.3 * height;
-  const Vec2 corner{std::round((plan.width - width) / 2), std::round(plan.board + plan.margin + 0.9 * height)};
+  const Vec2 corner{std::round((plan.width - width) / 2),
+                    std::round(plan.board + plan.margin + 0.9 * height)};
   drawPlate(canvas, corner - Vec2{1.2, 1.2} * std::max(u, 0.6), width + 2.4 * std::max(u, 0.6),
             height + 2.4 * std::max(u, 0.6), style.rule);
   drawPlate(canvas, corner, width, height, style.banner);

@@ -15,7 +15,8 @@ void drawBoardNumbers(Canvas& canvas, const MatchPlan& plan, const MatchPictureS
                       const ReplayMoment& moment, const MatchStyle& style);
 
 /// @{ The bar of time at the foot: its goals, and how far it has come.
-void drawTimeBar(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, const MatchStyle& style);
+void drawTimeBar(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec,
+                 const MatchStyle& style);
 void drawTimeBarNow(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, double seconds,
                     const std::string& note, const MatchStyle& style);
 /// The time [s] that stands at column `x` [px] of the bar.

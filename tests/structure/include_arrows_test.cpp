@@ -24,10 +24,11 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
     {"replays/render", {"engine/core", "replays"}},
     {"view", {"engine/core", "engine/sim", "referee", "match", "replays", "replays/render"}},
-    {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/render"}},
+    {"replays/html", {"engine/core", "replays"}},
+    {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/html", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
-     {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match",
+     {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match", "replays/html",
       "replays/render", "view", "experiments", "bench"}},
 };
 
@@ -44,16 +45,17 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"replays/render",
      {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "libdeflate.h", "fmt"}},
     {"view", {"fmt", "SDL.h"}},
+    {"replays/html", {"fmt", "nlohmann", "zlib.h"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
     {"apps", {"fmt", "nlohmann", "CLI"}},
 };
 
 const std::set<std::string> kKnownLibraries = {
-    "fmt",         "tl",       "toml++", "Random123", "xxhash.h",
-    "box2d",       "SDL.h",    "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
-    "png.h",       "nlohmann", "CLI",    "Eigen",     "zstd.h",
-    "libdeflate.h"};
+    "fmt",    "tl",          "toml++", "Random123", "xxhash.h",
+    "box2d",  "SDL.h",       "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
+    "png.h",  "nlohmann",    "CLI",    "Eigen",     "zstd.h",
+    "zlib.h", "libdeflate.h"};
 
 std::string folderOf(const std::string& path) {
   std::string best;

@@ -167,7 +167,8 @@ TEST_CASE("an edited match verifies and says that it was edited", "[unit]") {
   }
 }
 
-TEST_CASE("a match that ends before its first tick, edited or not, leaves a recording of its start", "[unit]") {
+TEST_CASE("a match that ends before its first tick, edited or not, leaves a recording of its start",
+          "[unit]") {
   for (const bool edited : {false, true}) {
     const MatchConfig config = shortMatch();
     std::string bytes;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
 #include "match/match.hpp"
 #include "strategies/registry.hpp"
@@ -128,6 +129,29 @@ TEST_CASE("libero's decisions are finite whatever it sees", "[unit]") {
         REQUIRE(std::isfinite(robot.twist.angular));
       }
     }
+  }
+}
+
+TEST_CASE("libero's taker of a free ball drives straight at it, also where its mark is at our area's edge",
+          "[unit]") {
+  const MatchInfo info = infoOf(3);
+  auto team = makeTeam(*parseTeam("libero"));
+  REQUIRE(team);
+  for (const double mark : {-0.375, 0.375}) {
+    (*team)->begin(info);
+    Observation seen;
+    seen.restart = RestartKind::kFreeBall;
+    seen.since_restart = 0.0;
+    seen.ball.position = {mark, -0.4};
+    const Vec2 places[] = {{-0.71, 0.0}, {mark - 0.2, -0.4}, {-0.3, 0.3}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      seen.own[i].present = seen.opponents[i].present = true;
+      seen.own[i].state.pose.position = places[i];
+      seen.opponents[i].state.pose = {{mark + 0.2 + 0.1 * static_cast<double>(i), -0.4}, math::kPi};
+    }
+    const Twist taker = (*team)->decide(seen).robots[1].twist;
+    CHECK(taker.linear > 0.9 * info.robot.maxSpeed());
+    CHECK(std::abs(taker.angular) < 0.1);
   }
 }
 

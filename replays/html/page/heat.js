@@ -1,0 +1,87 @@
+// Part 8: where the ball, a team or a robot has been up to now.
+
+const kHeatCell = 0.025;  // [m]
+const kHeatKinds = ['off', 'ball', 'blue', 'yellow', 'robot'];
+
+class HeatMap {
+  constructor(scene) {
+    this.scene = scene;
+    const { length, width, goalDepth } = scene.field;
+    this.columns = Math.ceil((length + 2 * goalDepth) / kHeatCell);
+    this.lines = Math.ceil(width / kHeatCell);
+    this.left = -length / 2 - goalDepth;
+    this.top = width / 2;
+    this.canvas = document.createElement('canvas');
+    this.canvas.width = this.columns;
+    this.canvas.height = this.lines;
+    this.counts = new Float32Array(this.columns * this.lines);
+    this.bodies = '';
+    this.row = 0;
+  }
+
+  count(row, bodies) {
+    const { scene, columns, lines } = this;
+    const play = scene.plays[scene.playOf[row]];
+    if (scene.tickOf[row] < play.signal) return;
+    for (const i of bodies) {
+      if (!play.present[i]) continue;
+      const c = Math.floor((scene.bodies[i].x[row] - this.left) / kHeatCell);
+      const l = Math.floor((this.top - scene.bodies[i].y[row]) / kHeatCell);
+      // A small blur: a body is larger than a cell.
+      for (let dl = -1; dl <= 1; ++dl) {
+        for (let dc = -1; dc <= 1; ++dc) {
+          const at = (l + dl) * columns + c + dc;
+          if (c + dc >= 0 && c + dc < columns && l + dl >= 0 && l + dl < lines) this.counts[at] += dl || dc ? 0.5 : 1;
+        }
+      }
+    }
+  }
+
+  /** Brings the map to a row; going on is cheap. */
+  update(row, bodies) {
+    const key = bodies.join();
+    if (key === this.bodies && row === this.row) return;
+    if (key !== this.bodies || row < this.row) {
+      this.counts.fill(0);
+      this.row = -1;
+      this.bodies = key;
+    }
+    while (this.row < row) this.count(++this.row, bodies);
+    this.colour();
+  }
+
+  colour() {
+    const ctx = this.canvas.getContext('2d');
+    const image = ctx.createImageData(this.columns, this.lines);
+    let most = 1;
+    for (const count of this.counts) most = Math.max(most, count);
+    for (let i = 0; i < this.counts.length; ++i) {
+      const share = Math.sqrt(this.counts[i] / most);
+      image.data[4 * i] = 255 * Math.min(1, 0.45 + share);
+      image.data[4 * i + 1] = 215 * share * share + 20;
+      image.data[4 * i + 2] = 150 * (1 - share);
+      image.data[4 * i + 3] = 225 * Math.min(1, share * 1.5);
+    }
+    ctx.putImageData(image, 0, 0);
+  }
+
+  paint(ctx, view) {
+    const x = view.x(view.sign * this.left), y = view.y(view.sign * this.top);
+    const width = this.columns * kHeatCell * view.scale, height = this.lines * kHeatCell * view.scale;
+    ctx.save();
+    if (view.sign < 0) {
+      ctx.translate(2 * view.middleX, 2 * view.middleY);
+      ctx.scale(-1, -1);
+    }
+    ctx.imageSmoothingEnabled = true;
+    ctx.drawImage(this.canvas, x, y, width, height);
+    ctx.restore();
+  }
+}
+
+/** The bodies of a kind of map; none: there is no such map here. */
+function heatBodies(scene, kind, selected) {
+  if (kind === 'ball') return scene.ball >= 0 ? [scene.ball] : [];
+  if (kind === 'robot') return selected >= 0 ? [selected] : [];
+  return scene.robots.filter((i) => scene.bodies[i].team === ['blue', 'yellow'].indexOf(kind));
+}
