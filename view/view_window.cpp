@@ -32,21 +32,29 @@ Error sdlError(const std::string& what) {
   return {ErrorCode::kIo, fmt::format("{}: {}", what, SDL_GetError())};
 }
 
+bool isSet(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr && *value != '\0';
+}
+
+/// Whether SDL fell back to a window that nobody sees, without having been told to.
+bool invisible() {
+  if (isSet("SDL_VIDEODRIVER")) return false;
+  const char* driver = SDL_GetCurrentVideoDriver();
+  const std::string_view name = driver != nullptr ? driver : "";
+  return name == "offscreen" || name == "dummy" || name == "evdev";
+}
+
 Error noDisplay() {
-  const auto set = [](const char* name) {
-    const char* value = std::getenv(name);
-    return value != nullptr && *value != '\0';
-  };
-  std::string why = SDL_GetError();
-  if (!set("DISPLAY") && !set("WAYLAND_DISPLAY") && !set("SDL_VIDEODRIVER")) {
-    why = "there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)";
-  } else if (set("DISPLAY")) {
-    why += fmt::format(" (DISPLAY is {})", std::getenv("DISPLAY"));
+  std::string why = "there is no display (neither DISPLAY nor WAYLAND_DISPLAY is set)";
+  if (isSet("DISPLAY")) why = fmt::format("the display '{}' cannot be used", std::getenv("DISPLAY"));
+  if (isSet("WAYLAND_DISPLAY")) {
+    why = fmt::format("the display '{}' cannot be used", std::getenv("WAYLAND_DISPLAY"));
   }
+  if (isSet("SDL_VIDEODRIVER")) why = SDL_GetError();
   return {ErrorCode::kIo,
-          fmt::format(
-              "cannot open a window: {}. Without a display, fulbito replay export makes pictures and films.",
-              why)};
+          fmt::format("cannot open a window: {}. fulbito replay export makes pictures and films without one.",
+                      why)};
 }
 
 struct KeyName {
@@ -146,7 +154,15 @@ Result<ViewWindow> ViewWindow::create(const WindowOptions& options) {
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // Ctrl-C is the program's
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
+  // SDL would try its other drivers, and tell of each. A console's own screen has to be asked for.
+  if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("SDL_VIDEODRIVER")) {
+    return tl::unexpected<Error>(noDisplay());
+  }
   if (SDL_InitSubSystem(SDL_INIT_VIDEO) != 0) return tl::unexpected<Error>(noDisplay());
+  if (invisible()) {
+    SDL_QuitSubSystem(SDL_INIT_VIDEO);
+    return tl::unexpected<Error>(noDisplay());
+  }
   return ViewWindow(std::make_unique<Impl>(options));
 }
 
