@@ -32,8 +32,8 @@ Result<void> readSize(const std::string& text, WindowOptions& window) {
       window.height >= kLeastHeight && window.height <= kLargestWindow) {
     return {};
   }
-  return fail(ErrorCode::kUsage, fmt::format("--size: '{}' is no WIDTHxHEIGHT from {}x{} to {}x{}", text, kLeastWidth,
-                                             kLeastHeight, kLargestWindow, kLargestWindow));
+  return fail(ErrorCode::kUsage, fmt::format("--size: '{}' is no WIDTHxHEIGHT from {}x{} to {}x{}", text,
+                                             kLeastWidth, kLeastHeight, kLargestWindow, kLargestWindow));
 }
 
 Result<void> checkSpeed(double speed) {
@@ -117,7 +117,8 @@ void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed
   add(command.add_option("--frames", options.frames, "end after so many pictures"))
       ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->type_name("N");
-  add(command.add_option("--screenshot", options.screenshot, "write the last picture as PNG"))->type_name("FILE");
+  add(command.add_option("--screenshot", options.screenshot, "write the last picture as PNG"))
+      ->type_name("FILE");
 }
 
 CLI::App* addView(CLI::App& app, ViewCommand& options) {

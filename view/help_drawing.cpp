@@ -15,6 +15,7 @@ namespace {
 constexpr double kText = 17.0, kBadgeText = 12.0;   // [px] at 900 x 780
 constexpr double kSmallest = 7.0, kLargest = 30.0;  // [px]
 constexpr double kLine = 1.62;                      // of the letters' size
+constexpr double kBoard = 84.0;                     // [px] height of the score board at 900 x 780
 constexpr double kShare = 0.94;                     // of the picture that the plate may take
 
 struct HelpColours {
@@ -40,7 +41,7 @@ std::vector<KeyHelp> rowsOf(bool live) {
 
 /// A rectangle with round corners.
 void drawPlate(Canvas& canvas, Vec2 corner, Vec2 size, double radius, Colour colour) {
-  constexpr int kArc = 6;
+  constexpr int kArc = 3;  // sixteen corners are what Canvas takes
   std::vector<Vec2> points;
   const std::array<Vec2, 4> centres{corner + Vec2{radius, radius}, corner + Vec2{size.x - radius, radius},
                                     corner + size - Vec2{radius, radius},
@@ -104,7 +105,7 @@ void drawBadge(Canvas& canvas, const std::string& word) {
   const double size = std::max(kBadgeText * unitOf(canvas), 9.0);
   const TextStyle style{size, {20, 20, 20, 255}, TextAlign::kCentre, true};
   const Vec2 extent{std::round(canvas.labelWidth(word, style) + 1.4 * size), std::round(1.5 * size)};
-  const Vec2 corner{std::round((canvas.width() - extent.x) / 2), 2.0};
+  const Vec2 corner{std::round((canvas.width() - extent.x) / 2), std::round(kBoard * unitOf(canvas)) + 3.0};
   drawPlate(canvas, corner, extent, 0.3 * size, {255, 176, 46, 255});
   canvas.label({corner.x + extent.x / 2, std::round(corner.y + 1.1 * size)}, word, style);
 }

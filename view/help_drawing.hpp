@@ -1,6 +1,8 @@
 // Private header of view: not installed.
 #pragma once
 
+#include <string>
+
 #include "replays/render/canvas.hpp"
 #include "replays/render/match_picture.hpp"
 
@@ -9,7 +11,7 @@ namespace fulbito {
 /// The keys on a plate in the middle of the picture: those of a live match or of a recording.
 void drawHelp(Canvas& canvas, PictureTheme theme, bool live);
 
-/// A word on a plate at the top of the score board, for what must not be overlooked.
+/// A word on a plate under the score, for what must not be overlooked.
 void drawBadge(Canvas& canvas, const std::string& word);
 
 }  // namespace fulbito
