@@ -7,7 +7,7 @@ usage() {
   cat <<'USAGE'
 Usage: scripts/install-deps.sh [--ci] [--list]
   (no option)  what building, running and testing needs
-  --ci         also what .ci/run needs: clang 19 with its tools, shellcheck
+  --ci         also what .ci/run needs: clang 19 with its tools, shellcheck, an X server in memory
   --list       print the packages and stop
 USAGE
 }
@@ -19,7 +19,7 @@ packages=(
   librandom123-dev libxxhash-dev libzstd-dev
   libxml2-utils catch2 libmpfr-dev libgmp-dev
 )
-ci_packages=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck)
+ci_packages=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck xvfb xdotool)
 
 list=false
 for option in "$@"; do

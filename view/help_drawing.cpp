@@ -15,6 +15,8 @@ namespace {
 constexpr double kText = 17.0, kBadgeText = 12.0;   // [px] at 900 x 780
 constexpr double kSmallest = 7.0, kLargest = 30.0;  // [px]
 constexpr double kLine = 1.62;                      // of the letters' size
+constexpr double kNoteText = 13.0;                  // [px] at 900 x 780
+constexpr double kFoot = 36.0;                      // [px] height of the bar of time at 900 x 780
 constexpr double kBoard = 84.0;                     // [px] height of the score board at 900 x 780
 constexpr double kShare = 0.94;                     // of the picture that the plate may take
 
@@ -108,6 +110,19 @@ void drawBadge(Canvas& canvas, const std::string& word) {
   const Vec2 corner{std::round((canvas.width() - extent.x) / 2), std::round(kBoard * unitOf(canvas)) + 3.0};
   drawPlate(canvas, corner, extent, 0.3 * size, {255, 176, 46, 255});
   canvas.label({corner.x + extent.x / 2, std::round(corner.y + 1.1 * size)}, word, style);
+}
+
+void drawNote(Canvas& canvas, PictureTheme theme, const std::string& note) {
+  if (note.empty()) return;
+  const HelpColours colours = coloursOf(theme);
+  const double size = std::max(kNoteText * unitOf(canvas), 10.0);
+  const TextStyle style{size, colours.keys, TextAlign::kCentre, false};
+  const Vec2 extent{std::round(canvas.labelWidth(note, style) + 2.0 * size), std::round(1.8 * size)};
+  const Vec2 corner{std::round((canvas.width() - extent.x) / 2),
+                    std::round(canvas.height() - kFoot * unitOf(canvas) - extent.y)};
+  drawPlate(canvas, corner - Vec2{1.0, 1.0}, extent + Vec2{2.0, 2.0}, extent.y / 2 + 1.0, colours.edge);
+  drawPlate(canvas, corner, extent, extent.y / 2, colours.plate);
+  canvas.label({corner.x + extent.x / 2, std::round(corner.y + 1.25 * size)}, note, style);
 }
 
 }  // namespace fulbito

@@ -14,4 +14,7 @@ void drawHelp(Canvas& canvas, PictureTheme theme, bool live);
 /// A word on a plate under the score, for what must not be overlooked.
 void drawBadge(Canvas& canvas, const std::string& word);
 
+/// A line on a plate at the foot of the field: how play stands, or what was done. Nothing for an empty one.
+void drawNote(Canvas& canvas, PictureTheme theme, const std::string& note);
+
 }  // namespace fulbito

@@ -240,7 +240,6 @@ void Viewer::show(ReplayMoment& moment, MatchOverlays& overlays) {
   stage().show(choice, moment, overlays);
   score_ = moment.score;
   if (settings_.flipped && !stage().look().layout) flip(moment, overlays);
-  overlays.note = note();
   stale_ = false;
 }
 

@@ -73,7 +73,7 @@ class Viewer {
   std::size_t count() const { return stages_.size(); }
   /// E.g. "libero 2 : 1 classic - game.fbr".
   std::string title() const;
-  /// What stands at the foot, e.g. "paused, 1/2 x".
+  /// How play stands and what was done last, e.g. "saved a.png - paused - 1/2x".
   std::string note() const;
 
  private:

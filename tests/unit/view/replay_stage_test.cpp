@@ -34,13 +34,15 @@ TEST_CASE("events are looked at from a second before them, in order and there an
   const ReplayTimeline timeline = timelineOf(bytes);
   std::vector<double> forth, back;
   for (auto at = stage->eventAfter(-1.0); at; at = stage->eventAfter(*at)) forth.push_back(*at);
-  for (auto at = stage->eventBefore(kForever); at; at = stage->eventBefore(*at)) back.insert(back.begin(), *at);
+  for (auto at = stage->eventBefore(kForever); at; at = stage->eventBefore(*at))
+    back.insert(back.begin(), *at);
   REQUIRE(forth.size() > 1);
   CHECK(forth == back);
   for (const double at : forth) {
-    const bool called = std::any_of(timeline.events().begin(), timeline.events().end(), [&](const RecordedEvent& e) {
-      return std::abs(std::max(0.0, timeline.secondsAt(e.tick) - ReplayStage::kLead) - at) < 1e-9;
-    });
+    const bool called =
+        std::any_of(timeline.events().begin(), timeline.events().end(), [&](const RecordedEvent& e) {
+          return std::abs(std::max(0.0, timeline.secondsAt(e.tick) - ReplayStage::kLead) - at) < 1e-9;
+        });
     CHECK(called);
   }
 }

@@ -20,7 +20,8 @@ inline ReplayTimeline timelineOf(const std::string& bytes) {
   return std::move(*timeline);
 }
 
-inline std::unique_ptr<ReplayStage> replayStage(const std::string& bytes, const std::string& name = "test.fbr") {
+inline std::unique_ptr<ReplayStage> replayStage(const std::string& bytes,
+                                                const std::string& name = "test.fbr") {
   auto stage = ReplayStage::create(timelineOf(bytes), name);
   REQUIRE(stage);
   return std::move(*stage);

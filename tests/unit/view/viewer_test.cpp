@@ -34,7 +34,8 @@ void run(Viewer& viewer, double seconds, std::int64_t& now) {
 struct Live {
   Match match;
   Viewer viewer;
-  explicit Live(const MatchConfig& config) : match(std::move(*Match::create(config))), viewer(stages(match), {}) {
+  explicit Live(const MatchConfig& config)
+      : match(std::move(*Match::create(config))), viewer(stages(match), {}) {
     viewer.advance(0);
   }
   static std::vector<std::unique_ptr<ViewStage>> stages(Match& match) {
@@ -94,7 +95,7 @@ TEST_CASE("a paused picture is drawn once", "[unit]") {
   press(viewer, ViewKey::kSpace);
   viewer.advance(now);
   viewer.show(moment, overlays);
-  CHECK(overlays.note == "paused");
+  CHECK(viewer.note() == "paused");
   run(viewer, 1.0, now);
   CHECK_FALSE(viewer.stale());
   CHECK_FALSE(viewer.moving());
