@@ -13,7 +13,8 @@ CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
       "  fulbito replay events game.fbr\n"
       "  fulbito replay verify game.fbr                   plays it again: is it the same, bit for bit?\n"
       "  fulbito replay export game.fbr --html game.html  a page to look at it\n"
-      "More: docs/recordings.md.");
+      "  fulbito replay export game.fbr --png --at 83.2   pictures, films, tables\n"
+      "More: docs/recordings.md, docs/pictures.md.");
   command->require_subcommand(1);
   options.command = command;
   addReplayInfo(*command, options.info);

@@ -91,8 +91,8 @@ Result<RecordingReader> expanded(const RecordingReader& recipe) {
   if (auto played = resimulate(recipe, expander); !played) return tl::unexpected<Error>(played.error());
   if (expander.differs()) {
     return fail(ErrorCode::kBadInput,
-                fmt::format("played again, it differs from tick {} on: see fulbito replay verify",
-                            *expander.differs()));
+                fmt::format("{}: played again, it differs from tick {} on: see fulbito replay verify",
+                            recipe.origin(), *expander.differs()));
   }
   if (auto finished = expander.finish(recipe.result()); !finished) {
     return tl::unexpected<Error>(finished.error());

@@ -89,13 +89,11 @@ class CommandCode {
       const std::int64_t onward = w.turn_case == kFree ? w.turn + (w.turn - w.turn_before) / 2 : reached;
       const std::int64_t expected = std::clamp(onward, reached - most, reached + most);
       const int context = std::min(w.turn_size, ResidualModel::kContexts - 1);
-      next.turn = expected + learned_.turn_free.code(coder_, turn - expected, context,
-                                                     static_cast<int>(w.pace_case), next.turn_size);
+      next.turn = expected + learned_.turn_free.code(coder_, turn - expected, context, next.turn_size);
     } else {
       const std::int64_t expected = how == kUpper ? reached + most : reached - most;
       const int context = std::min(w.turn_size, kSatContexts - 1);
-      next.turn = expected + learned_.turn_limit.code(coder_, turn - expected, context, static_cast<int>(how),
-                                                      next.turn_size);
+      next.turn = expected + learned_.turn_limit.code(coder_, turn - expected, context, next.turn_size);
     }
     next.turn = limited(next.turn);
     next.turn_case = how;
@@ -125,8 +123,7 @@ class CommandCode {
     const bool is_free = how == kFree;
     ResidualModel& residual = is_free ? learned_.pace_free : learned_.pace_limit;
     const int context = std::min(w.pace_size, is_free ? ResidualModel::kContexts - 1 : kSatContexts - 1);
-    const std::int64_t half = residual.code(coder_, (pace - expected) / 2, context,
-                                            static_cast<int>(is_free ? turn_case : how), next.pace_size);
+    const std::int64_t half = residual.code(coder_, (pace - expected) / 2, context, next.pace_size);
     // A broken file may leave the range that two wheels can have.
     next.pace = limited(expected + 2 * half);
     next.pace_case = how;

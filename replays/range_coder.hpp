@@ -19,12 +19,10 @@ class BitModel {
   std::uint32_t chance() const { return chance_; }
   void learn(unsigned bit) {
     const std::uint32_t rate = kRates[seen_];
-    if (bit != 0) {
-      chance_ = static_cast<std::uint16_t>(chance_ + ((kMost - chance_) * rate >> 16));
-    } else {
-      chance_ = static_cast<std::uint16_t>(chance_ - ((chance_ - kLeast) * rate >> 16));
-    }
-    if (seen_ + 1u < kRates.size()) ++seen_;
+    // Without branches, which nobody can foretell where bits carry news.
+    const std::uint32_t up = (kMost - chance_) * rate >> 16, down = (chance_ - kLeast) * rate >> 16;
+    chance_ = static_cast<std::uint16_t>(bit != 0 ? chance_ + up : chance_ - down);
+    seen_ = static_cast<std::uint8_t>(seen_ + (seen_ + 1u < kRates.size() ? 1 : 0));
   }
 
  private:
@@ -47,12 +45,8 @@ class RangeEncoder {
 
   unsigned bit(BitModel& model, unsigned value) {
     const std::uint32_t bound = (range_ >> 16) * model.chance();
-    if (value != 0) {
-      range_ = bound;
-    } else {
-      low_ += bound;
-      range_ -= bound;
-    }
+    low_ += value != 0 ? 0 : bound;
+    range_ = value != 0 ? bound : range_ - bound;
     model.learn(value);
     while (range_ < kLeastRange) shift();
     return value;
@@ -108,12 +102,8 @@ class RangeDecoder {
   unsigned bit(BitModel& model, unsigned) {
     const std::uint32_t bound = (range_ >> 16) * model.chance();
     const unsigned value = code_ < bound ? 1 : 0;
-    if (value != 0) {
-      range_ = bound;
-    } else {
-      code_ -= bound;
-      range_ -= bound;
-    }
+    code_ -= value != 0 ? 0 : bound;
+    range_ = value != 0 ? bound : range_ - bound;
     model.learn(value);
     while (range_ < kLeastRange) {
       range_ <<= 8;
@@ -169,39 +159,31 @@ class ChoiceModel {
   std::array<BitModel, std::size_t{1} << kBits> models_;
 };
 
-/// How far a number was from its prediction. Its size in bits is learned, its sign too; the bits below the
-/// highest one are noise and kept as they are.
+/// How far a number was from its prediction, folded as a signed varint's value. Its size in bits is learned;
+/// the bits below the highest one, the sign among them, are noise and kept as they are.
 class ResidualModel {
  public:
-  static constexpr int kSizes = 16;     ///< of learned sizes; the last stands for all that are larger
-  static constexpr int kSignKinds = 4;  ///< what the sign may go with
-  static constexpr int kContexts = 13;  ///< of sizes
+  static constexpr int kContexts = 13;
 
-  /// `context`: what the size goes with, below kContexts; `sign_kind`: what the sign goes with. `size`
-  /// becomes the number of bits.
+  /// `context`: what the size goes with, below kContexts. `size` becomes the number of bits.
   template <typename Coder>
-  std::int64_t code(Coder& coder, std::int64_t value, int context, int sign_kind, int& size) {
-    const bool below = value < 0;
-    const std::uint64_t magnitude = static_cast<std::uint64_t>(below ? ~value : value);
-    const int bits = static_cast<int>(std::bit_width(magnitude));
-    const int last = kSizes - 1;
-    const auto chosen = static_cast<int>(sizes_[static_cast<std::size_t>(context)].code(
-        coder, static_cast<unsigned>(bits < last ? bits : last)));
-    size = chosen;
-    if (chosen == last) size += static_cast<int>(coder.bits(static_cast<std::uint64_t>(bits - last) & 31, 5));
-    const unsigned sign =
-        coder.bit(signs_[static_cast<std::size_t>(kSizes * sign_kind + chosen)], below ? 1 : 0);
-    std::uint64_t result = 0;
-    if (size > 0) {
-      const std::uint64_t top = std::uint64_t{1} << (size - 1);
-      result = top | coder.bits(magnitude & (top - 1), size - 1);
-    }
-    return sign != 0 ? ~static_cast<std::int64_t>(result) : static_cast<std::int64_t>(result);
+  std::int64_t code(Coder& coder, std::int64_t value, int context, int& size) {
+    const std::uint64_t folded =
+        (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
+    const int bits = static_cast<int>(std::bit_width(folded));
+    size = static_cast<int>(sizes_[static_cast<std::size_t>(context)].code(
+        coder, static_cast<unsigned>(bits < kLongest ? bits : kLongest)));
+    if (size == 0) return 0;
+    if (size == kLongest)
+      size += static_cast<int>(coder.bits(static_cast<std::uint64_t>(bits - kLongest) & 31, 5));
+    const std::uint64_t top = std::uint64_t{1} << (size - 1);
+    const std::uint64_t whole = top | coder.bits(folded & (top - 1), size - 1);
+    return static_cast<std::int64_t>((whole >> 1) ^ (~(whole & 1) + 1));
   }
 
  private:
+  static constexpr int kLongest = 15;  ///< stands for all sizes from here on, five more bits say which
   std::array<ChoiceModel<4>, kContexts> sizes_;
-  std::array<BitModel, static_cast<std::size_t>(kSizes) * kSignKinds> signs_;
 };
 
 }  // namespace fulbito

@@ -42,7 +42,7 @@ class SampleCode {
     Track& track = body.heading;
     const std::int64_t expected = 2 * track.last - track.before;
     const int context = std::min((track.size + body.x.size + 1) / 2, kContexts - 1);
-    const std::int64_t off = learned.heading.code(coder_, wrapped(value - expected), context, 0, track.size);
+    const std::int64_t off = learned.heading.code(coder_, wrapped(value - expected), context, track.size);
     return moved(track, wrapped(expected + off));
   }
   /// @}
@@ -51,7 +51,7 @@ class SampleCode {
   std::int64_t place(Track& track, ResidualModel& model, std::int64_t value, int context) {
     const std::int64_t expected = 2 * track.last - track.before;
     const std::int64_t off =
-        model.code(coder_, value - expected, std::min(context, kContexts - 1), 0, track.size);
+        model.code(coder_, value - expected, std::min(context, kContexts - 1), track.size);
     return moved(track, std::clamp(expected + off, -kMostSteps, kMostSteps));
   }
   static std::int64_t moved(Track& track, std::int64_t value) {

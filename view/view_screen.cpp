@@ -3,6 +3,11 @@
 #include "view/help_drawing.hpp"
 
 namespace fulbito {
+namespace {
+
+constexpr const char* kEdited = "edited";
+
+}  // namespace
 
 Result<void> ViewScreen::plan(const MatchPictureSpec& look, int width, int height, PictureTheme theme) {
   MatchPictureSpec spec = look;
@@ -29,9 +34,18 @@ Result<void> ViewScreen::draw(Viewer& viewer, int width, int height) {
   viewer.show(moment_, overlays_);
   picture_->drawFrame(*canvas_, moment_, overlays_);
   drawNote(*canvas_, settings.theme, viewer.note());
-  if (viewer.stage().edited()) drawBadge(*canvas_, "edited");
+  if (viewer.stage().edited()) drawBadge(*canvas_, kEdited);
   if (settings.help) drawHelp(*canvas_, settings.theme, viewer.stage().live());
   return {};
+}
+
+Result<void> ViewScreen::save(const Viewer& viewer, const std::string& file) const {
+  if (!picture_) return fail(ErrorCode::kIo, "there is no picture to save yet");
+  auto canvas = picture_->canvas();
+  if (!canvas) return tl::unexpected<Error>(canvas.error());
+  picture_->drawFrame(*canvas, moment_, overlays_);
+  if (viewer.stage().edited()) drawBadge(*canvas, kEdited);
+  return canvas->writePng(file);
 }
 
 void ViewScreen::aim(PointerEvent& event, Vec2 pixel) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "replays/render/match_picture.hpp"
 #include "view/viewer.hpp"
@@ -16,6 +17,8 @@ class ViewScreen {
   Result<void> draw(Viewer& viewer, int width, int height);
   /// What was drawn last; null before.
   const Canvas* canvas() const { return canvas_ ? &*canvas_ : nullptr; }
+  /// Writes what was drawn last as PNG, without help and notes. Errors: kIo.
+  Result<void> save(const Viewer& viewer, const std::string& file) const;
   /// Completes a pointer's event by what it points at in the last picture.
   void aim(PointerEvent& event, Vec2 pixel) const;
 

@@ -285,9 +285,8 @@ void ViewWindow::Impl::follow(Viewer& viewer) {
 }
 
 void ViewWindow::Impl::save(Viewer& viewer) const {
-  if (screen.canvas() == nullptr) return;
   const std::string name = freeName(viewer);
-  const auto written = screen.canvas()->writePng(name);
+  const auto written = screen.save(viewer, name);
   viewer.notify(written ? "saved " + name : written.error().message);
 }
 

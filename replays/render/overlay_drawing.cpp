@@ -47,7 +47,12 @@ void drawTrails(const FieldView& view, const MatchPictureSpec& spec, const std::
       line.clear();
       for (const Vec2 p : trail.points) line.push_back(view.at(p));
       const TrailLook look = lookOf(body, spec, style);
-      view.canvas.fadingLine(line, view.px(look.first), view.px(look.last), look.colour);
+      if (trail.fading) {
+        view.canvas.fadingLine(line, view.px(look.first), view.px(look.last), look.colour);
+      } else {
+        view.canvas.polyline(line, std::max(1.0, (balls ? 2.0 : 1.4) * view.unit),
+                             withAlpha(look.colour, balls ? 190 : 120));
+      }
     }
   }
 }

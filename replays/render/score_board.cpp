@@ -131,13 +131,9 @@ double secondsOnBar(const MatchPlan& plan, const MatchPictureSpec& spec, double 
 }
 
 void drawTimeBarNow(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, double seconds,
-                    const std::string& note, const MatchStyle& style) {
+                    const MatchStyle& style) {
   const TimeBar bar = barOf(plan);
   const double size = plan.text(12), baseline = std::round(bar.y + 0.36 * size);
-  if (!note.empty()) {
-    canvas.label({std::round(plan.width / 2), std::round(plan.height - 2 - 0.2 * size)}, note,
-                 {size, style.dim_text, TextAlign::kCentre, false});
-  }
   if (!(spec.seconds > 0.0)) return;
   const double now = bar.at(seconds / spec.seconds);
   canvas.line({bar.left, bar.y}, {now, bar.y}, bar.thickness, style.dim_text);

@@ -24,12 +24,13 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
     {"replays/render", {"engine/core", "replays"}},
     {"view", {"engine/core", "engine/sim", "referee", "match", "replays", "replays/render"}},
+    {"replays/export", {"engine/core", "replays", "replays/render"}},
     {"replays/html", {"engine/core", "replays"}},
     {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/html", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
      {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match", "replays/html",
-      "replays/render", "view", "experiments", "bench"}},
+      "replays/render", "replays/export", "view", "experiments", "bench"}},
 };
 
 /// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp`
@@ -45,6 +46,7 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"replays/render",
      {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "libdeflate.h", "fmt"}},
     {"view", {"fmt", "SDL.h"}},
+    {"replays/export", {"fmt", "nlohmann", "cgif.h"}},
     {"replays/html", {"fmt", "nlohmann", "zlib.h"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
@@ -52,10 +54,10 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
 };
 
 const std::set<std::string> kKnownLibraries = {
-    "fmt",    "tl",          "toml++", "Random123", "xxhash.h",
-    "box2d",  "SDL.h",       "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
-    "png.h",  "nlohmann",    "CLI",    "Eigen",     "zstd.h",
-    "zlib.h", "libdeflate.h"};
+    "fmt",    "tl",           "toml++", "Random123", "xxhash.h",
+    "box2d",  "SDL.h",        "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
+    "png.h",  "nlohmann",     "CLI",    "Eigen",     "zstd.h",
+    "zlib.h", "libdeflate.h", "cgif.h"};
 
 std::string folderOf(const std::string& path) {
   std::string best;

@@ -76,8 +76,6 @@ async function inflated(bytes, size) {
 }
 
 async function readPayload(payload) {
-  demand(typeof DecompressionStream === 'function',
-    'This browser is too old to unpack the replay: Chrome 103, Firefox 113 or Safari 16.4 can. The events are listed.');
   const element = document.getElementById('data');
   const text = element ? element.textContent.trim() : '';
   const damaged = 'The replay is incomplete or damaged; the positions cannot be shown. Ask for the file again.';

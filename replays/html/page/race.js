@@ -60,8 +60,8 @@ function paintPanels(ctx, viewer, width, height, layer) {
     paintTask(ctx, view, scene.task);
     const wanted = (k) => k === i || obstacles(k);
     if (options.trails) paintTrails(ctx, view, scene, moment, wanted);
-    paintBodies(ctx, view, scene, moment, { ...options, selected: -1 }, wanted);
     if (options.vectors) paintVectors(ctx, view, scene, moment, wanted);
+    paintBodies(ctx, view, scene, moment, { ...options, selected: -1 }, wanted);
     paintPanelLabel(ctx, viewer, run, i, x, y, grid);
   });
 }

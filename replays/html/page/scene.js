@@ -142,7 +142,11 @@ class Scene {
   listEvents() {
     const marks = this.events.map((event) => ({ ...event, seconds: event.tick / this.rate, goal: event.clause === 'goal' }));
     for (const play of this.plays) {
-      if (play.kind) marks.push({ ...play, seconds: play.tick / this.rate, restart: true, clause: play.kind });
+      if (!play.kind) continue;
+      // A restart that the referee also calls is one event.
+      const called = marks.findIndex((event) => event.clause === play.kind && Math.abs(event.tick - play.tick) <= 1 && !event.restart);
+      const call = called < 0 ? {} : marks.splice(called, 1)[0];
+      marks.push({ ...call, ...play, seconds: play.tick / this.rate, restart: true, clause: play.kind });
     }
     return marks.sort((a, b) => a.tick - b.tick || !!a.restart - !!b.restart);
   }

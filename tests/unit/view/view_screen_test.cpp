@@ -1,5 +1,7 @@
 #include "view/view_screen.hpp"
 
+#include "engine/core/text_file.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/view/test_stages.hpp"
 #include "view/match_stage.hpp"
 
@@ -43,6 +45,22 @@ TEST_CASE("a screen follows size, theme and help", "[unit]") {
   CHECK(differences(*screen.canvas(), *other.canvas()) > 100000);
   REQUIRE(screen.draw(viewer, 640, 300));
   CHECK(screen.canvas()->height() == 300);
+}
+
+TEST_CASE("a saved picture shows no help and no note", "[unit]") {
+  const ScratchFolder folder;
+  Viewer viewer = shortViewer();
+  ViewScreen screen;
+  const std::string plain = folder.path() / "plain.png", saved = folder.path() / "saved.png";
+  CHECK_FALSE(screen.save(viewer, plain));  // nothing is drawn yet
+  viewer.act(ViewAction::kPlay);
+  REQUIRE(screen.draw(viewer, 320, 240));
+  REQUIRE(screen.save(viewer, plain));
+  viewer.act(ViewAction::kHelp);
+  viewer.notify("hello");
+  REQUIRE(screen.draw(viewer, 320, 240));
+  REQUIRE(screen.save(viewer, saved));
+  CHECK(*readTextFile(saved, 1 << 24) == *readTextFile(plain, 1 << 24));
 }
 
 TEST_CASE("a pointer aims at what the picture shows there", "[unit]") {
