@@ -59,7 +59,8 @@ TEST_CASE("a cut holds its plays whole, goes on with the hash, and verifies", "[
     CHECK_FALSE(cut.result()->complete);
     const auto& more = cut.header().recipe.more;
     const std::string noted = "3-4 of " + std::to_string(plays.size());
-    CHECK(std::find(more.begin(), more.end(), std::pair<std::string, std::string>{"cut_plays", noted}) != more.end());
+    CHECK(std::find(more.begin(), more.end(), std::pair<std::string, std::string>{"cut_plays", noted}) !=
+          more.end());
   }
 }
 
