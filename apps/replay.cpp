@@ -15,7 +15,8 @@ CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
       "  fulbito replay diff game.fbr other.fbr           where two part\n"
       "  fulbito replay cut game.fbr goal.fbr --from 40 --to 50\n"
       "  fulbito replay export game.fbr --html game.html  a page to look at it\n"
-      "More: docs/recordings.md.");
+      "  fulbito replay export game.fbr --png --at 83.2   pictures, films, tables\n"
+      "More: docs/recordings.md, docs/pictures.md.");
   command->require_subcommand(1);
   options.command = command;
   addReplayInfo(*command, options.info);

@@ -72,12 +72,14 @@ Result<std::string> htmlPage(const Page& page) {
   payload.raw = columns.size();
   payload.packed = packed.size();
   payload.crc = crc32Of(columns);
-  return filled(fileOf("page"), {{"script-digest", sourceOf(FULBITO_SCRIPT_DIGEST)},
-                                 {"style-digest", sourceOf(FULBITO_STYLE_DIGEST)},
-                                 {"style", std::string(fileOf("style"))},
-                                 {"script", std::string(fileOf("script"))},
-                                 {"meta", pageJson(page, payload)},
-                                 {"data", base64Of(packed)}});
+  return filled(fileOf("page"),
+                {{"script-digests", sourceOf(FULBITO_LOADER_DIGEST) + " " + sourceOf(FULBITO_VIEWER_DIGEST)},
+                 {"style-digest", sourceOf(FULBITO_STYLE_DIGEST)},
+                 {"style", std::string(fileOf("style"))},
+                 {"loader", std::string(fileOf("loader"))},
+                 {"viewer", base64Of(deflated(fileOf("viewer")))},
+                 {"meta", pageJson(page, payload)},
+                 {"data", base64Of(packed)}});
 }
 
 }  // namespace fulbito

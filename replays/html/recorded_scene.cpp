@@ -108,12 +108,13 @@ Result<void> addCommands(const RecordingReader& recording, PageCommands& command
   return {};
 }
 
-std::string nameIn(const std::string& toml, std::string_view table) {
-  // The recipe's rules have no reader at this level; their first `name` is the profile's.
-  const std::size_t at = toml.find("name = \"");
-  if (at == std::string::npos) return std::string(table);
-  const std::size_t from = at + 8, to = toml.find('"', from);
-  return to == std::string::npos ? std::string(table) : toml.substr(from, to - from);
+/// The profile's name. Rules have no reader at this level; their table's first key is the name.
+std::string nameOfRules(std::string_view toml) {
+  constexpr std::string_view kKey = "name = \"";
+  const std::size_t at = toml.find(kKey);
+  if (at == std::string_view::npos) return {};
+  toml.remove_prefix(at + kKey.size());
+  return std::string(toml.substr(0, toml.find('"')));
 }
 
 void addFacts(const RecordingReader& recording, const RobotPreset& robot, PageScene& scene) {
@@ -122,10 +123,11 @@ void addFacts(const RecordingReader& recording, const RobotPreset& robot, PageSc
   const auto fact = [&](const char* name, std::string text) {
     if (!text.empty()) scene.facts.emplace_back(name, std::move(text));
   };
-  if (!recipe.rules.empty()) fact("Rules", nameIn(recipe.rules, ""));
+  fact("Rules", nameOfRules(recipe.rules));
   fact("Field", scene.field.name);
   fact("Robot", robot.robot.name);
-  fact("Physics", nameIn(recipe.physics, ""));
+  const auto physics = parsePhysics(recipe.physics, "the recording's physics");
+  if (physics) fact("Physics", physics->name);
   fact("Navigator", recipe.navigator);
   fact("Control rate", fmt::format("{} Hz", header.control_rate));
   if (recipe.latency_ticks > 0) fact("Latency", fmt::format("{} ticks", recipe.latency_ticks));

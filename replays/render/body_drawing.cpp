@@ -41,20 +41,6 @@ class BodyFrame {
   Vec2 half_;  ///< [m]
 };
 
-const TeamColours& coloursOf(std::optional<RobotId> id, const MatchStyle& style) {
-  return id ? style.teams[indexOf(id->team)] : style.lone;
-}
-
-void drawNumber(const FieldView& view, Vec2 centre, double side, RobotId id, const TeamColours& colours) {
-  const double radius = kBadge * side * (id.team == TeamId::kBlue ? 1.0 : kDiamond);
-  drawTeamMark(view.canvas, centre, radius, id.team, colours.badge);
-  const double size = std::max(0.42 * side, std::min(kSmallNumber, 0.52 * side));
-  if (size < kLeastNumber) return;
-  // Digits are 0.73 of the letters' size high.
-  view.canvas.label(centre + Vec2{0.0, 0.365 * size}, std::to_string(id.number),
-                    {size, colours.digit, TextAlign::kCentre, true});
-}
-
 }  // namespace
 
 void drawTeamMark(Canvas& canvas, Vec2 centre, double size, TeamId team, Colour colour) {
@@ -67,23 +53,46 @@ void drawTeamMark(Canvas& canvas, Vec2 centre, double size, TeamId team, Colour 
   canvas.fillConvex(diamond, colour);
 }
 
+double markFactor(TeamId team) { return team == TeamId::kBlue ? 1.0 : kDiamond; }
+
+const TeamColours& coloursOf(std::optional<RobotId> id, const MatchStyle& style) {
+  return id ? style.teams[indexOf(id->team)] : style.lone;
+}
+
+RobotShape shapeOf(const FieldView& view, const RobotModel& robot, const Pose2& pose) {
+  const BodyFrame frame(view, pose, robot.length, robot.width);
+  const double side = view.px(std::min(robot.length, robot.width)), edge = std::max(1.0, 0.045 * side);
+  RobotShape shape{};
+  shape.edge = frame.outline(0.0);
+  shape.body = frame.outline(edge);
+  shape.shadow = shape.edge;
+  for (Vec2& p : shape.shadow) p = p + Vec2{0.03, 0.06} * side;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const double y = i == 0 ? -1.0 : 1.0;
+    shape.wheels[i] = frame.rectangle(-0.46, y * 0.98, 0.46, y * 0.8);
+  }
+  shape.nose = {frame.at(0.88, 0.36), frame.at(0.88, -0.36), frame.at(0.64, -0.6), frame.at(0.64, 0.6)};
+  shape.badge = frame.at(-0.12, 0.0);
+  shape.badge_size = kBadge * side;
+  const double digit = std::max(0.42 * side, std::min(kSmallNumber, 0.52 * side));
+  shape.digit_size = digit < kLeastNumber ? 0.0 : digit;
+  return shape;
+}
+
 void drawRobot(const FieldView& view, const RobotModel& robot, const Pose2& pose, std::optional<RobotId> id,
                const MatchStyle& style) {
   const TeamColours& colours = coloursOf(id, style);
-  const BodyFrame frame(view, pose, robot.length, robot.width);
-  const double side = view.px(std::min(robot.length, robot.width)), edge = std::max(1.0, 0.045 * side);
-  std::array<Vec2, 8> shadow = frame.outline(0.0);
-  for (Vec2& p : shadow) p = p + Vec2{0.03, 0.06} * side;
-  view.canvas.fillConvex(shadow, style.shadow);
-  view.canvas.fillConvex(frame.outline(0.0), colours.edge);
-  view.canvas.fillConvex(frame.outline(edge), colours.body);
-  for (const double y : {-1.0, 1.0}) {
-    view.canvas.fillConvex(frame.rectangle(-0.46, y * 0.98, 0.46, y * 0.8), style.wheel);
-  }
-  const std::array<Vec2, 4> nose{frame.at(0.88, 0.36), frame.at(0.88, -0.36), frame.at(0.64, -0.6),
-                                 frame.at(0.64, 0.6)};
-  view.canvas.fillConvex(nose, colours.nose);
-  if (id) drawNumber(view, frame.at(-0.12, 0.0), side, *id, colours);
+  const RobotShape shape = shapeOf(view, robot, pose);
+  view.canvas.fillConvex(shape.shadow, style.shadow);
+  view.canvas.fillConvex(shape.edge, colours.edge);
+  view.canvas.fillConvex(shape.body, colours.body);
+  for (const auto& wheel : shape.wheels) view.canvas.fillConvex(wheel, style.wheel);
+  view.canvas.fillConvex(shape.nose, colours.nose);
+  if (!id) return;
+  drawTeamMark(view.canvas, shape.badge, shape.badge_size * markFactor(id->team), id->team, colours.badge);
+  if (shape.digit_size == 0.0) return;
+  view.canvas.label(shape.badge + Vec2{0.0, kDigitDrop * shape.digit_size}, std::to_string(id->number),
+                    {shape.digit_size, colours.digit, TextAlign::kCentre, true});
 }
 
 void drawMatchBall(const FieldView& view, Vec2 place, double radius, const MatchStyle& style) {

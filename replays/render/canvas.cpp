@@ -196,6 +196,18 @@ double Canvas::labelWidth(const std::string& utf8, const TextStyle& style) const
   return impl_->font.width(printable(utf8), style.size, style.bold);
 }
 
+void Canvas::fillPixel(int x, int y, Colour colour) {
+  if (x >= 0 && y >= 0 && x < width() && y < height()) impl_->blend(x, y, colour, 255);
+}
+
+void Canvas::place(const Canvas& picture, int x, int y) {
+  const int left = std::max(0, -x), right = std::min(picture.width(), width() - x);
+  if (left >= right) return;
+  for (int row = std::max(0, -y); row < std::min(picture.height(), height() - y); ++row) {
+    std::copy_n(&picture.impl_->at(left, row), right - left, &impl_->at(x + left, y + row));
+  }
+}
+
 void Canvas::copyFrom(const Canvas& other) {
   const SDL_Surface* from = other.impl_->surface;
   if (from->w != width() || from->h != height()) return;

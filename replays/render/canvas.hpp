@@ -70,6 +70,10 @@ class Canvas {
   void label(Vec2 baseline, const std::string& utf8, const TextStyle& style);
   double labelWidth(const std::string& utf8, const TextStyle& style) const;
 
+  /// Blends one pixel; nothing outside of the picture.
+  void fillPixel(int x, int y, Colour colour);
+  /// Puts a whole picture with its upper left corner at (x, y), as it is.
+  void place(const Canvas& picture, int x, int y);
   /// Takes over the pixels of a picture of the same size; does nothing for one of another.
   void copyFrom(const Canvas& other);
   /// The pixels of a row, 0xAARRGGBB each; `y` must be in the picture.

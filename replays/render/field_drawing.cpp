@@ -18,29 +18,6 @@ void fillWorldRectangle(const FieldView& view, double left, double top, double w
   view.canvas.fillRectangle(view.at({left, top}), view.px(width), view.px(height), colour);
 }
 
-void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
-  const double x = field.length / 2, y = field.width / 2, wall = kDrawnWall;
-  const double g = field.goal_width / 2, d = field.goal_depth;
-  fillWorldRectangle(view, -x - wall, y + wall, field.length + 2 * wall, field.width + 2 * wall,
-                     colours.wall);
-  if (field.hasGoals()) {
-    fillWorldRectangle(view, -x - d - wall, g + wall, field.length + 2 * (d + wall),
-                       field.goal_width + 2 * wall, colours.wall);
-    fillWorldRectangle(view, -x - d, g, d, field.goal_width, colours.left_goal);
-    fillWorldRectangle(view, x, g, d, field.goal_width, colours.right_goal);
-  }
-  fillWorldRectangle(view, -x, y, field.length, field.width, colours.floor);
-  if (!(field.corner > 0.0)) return;
-  for (Vec2 s : {Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}}) {
-    // A little into the walls, so that no seam shows.
-    const double seam = 0.3 * wall, leg = field.corner + seam;
-    const std::array<Vec2, 3> triangle{view.at({s.x * (x + seam), s.y * (y + seam)}),
-                                       view.at({s.x * (x - leg), s.y * (y + seam)}),
-                                       view.at({s.x * (x + seam), s.y * (y - leg)})};
-    view.canvas.fillPolygon(triangle, colours.wall);
-  }
-}
-
 void drawBorder(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
   std::vector<Vec2> contour;
   for (Vec2 p : innerContour(field)) contour.push_back(view.at(p));
@@ -160,8 +137,30 @@ FieldColours defaultFieldColours() {
   return {theme::kWall, theme::kFloor, goal, goal, theme::kFieldLine};
 }
 
-void drawField(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
-  drawFloorAndWalls(view, field, colours);
+void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
+  const double x = field.length / 2, y = field.width / 2, wall = kDrawnWall;
+  const double g = field.goal_width / 2, d = field.goal_depth;
+  fillWorldRectangle(view, -x - wall, y + wall, field.length + 2 * wall, field.width + 2 * wall,
+                     colours.wall);
+  if (field.hasGoals()) {
+    fillWorldRectangle(view, -x - d - wall, g + wall, field.length + 2 * (d + wall),
+                       field.goal_width + 2 * wall, colours.wall);
+    fillWorldRectangle(view, -x - d, g, d, field.goal_width, colours.left_goal);
+    fillWorldRectangle(view, x, g, d, field.goal_width, colours.right_goal);
+  }
+  fillWorldRectangle(view, -x, y, field.length, field.width, colours.floor);
+  if (!(field.corner > 0.0)) return;
+  for (Vec2 s : {Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}}) {
+    // A little into the walls, so that no seam shows.
+    const double seam = 0.3 * wall, leg = field.corner + seam;
+    const std::array<Vec2, 3> triangle{view.at({s.x * (x + seam), s.y * (y + seam)}),
+                                       view.at({s.x * (x - leg), s.y * (y + seam)}),
+                                       view.at({s.x * (x + seam), s.y * (y - leg)})};
+    view.canvas.fillPolygon(triangle, colours.wall);
+  }
+}
+
+void drawFieldLines(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
   const double thickness = lineThickness(view), y = field.width / 2;
   view.canvas.line(view.at({0, -y}), view.at({0, y}), thickness, colours.line);
   view.canvas.circle(view.at({0, 0}), view.px(field.centre_circle_radius), thickness, colours.line);
@@ -169,6 +168,11 @@ void drawField(const FieldView& view, const FieldGeometry& field, const FieldCol
   drawHalf(view, field, 1.0, colours);
   drawHalf(view, field, -1.0, colours);
   drawBorder(view, field, colours);
+}
+
+void drawField(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
+  drawFloorAndWalls(view, field, colours);
+  drawFieldLines(view, field, colours);
 }
 
 Colour obstacleColour(const ObstacleSpec& obstacle) {

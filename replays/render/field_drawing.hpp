@@ -23,6 +23,10 @@ FieldColours defaultFieldColours();
 /// Floor, walls and lines.
 void drawField(const FieldView& view, const FieldGeometry& field,
                const FieldColours& colours = defaultFieldColours());
+/// @{ The two parts of drawField.
+void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field, const FieldColours& colours);
+void drawFieldLines(const FieldView& view, const FieldGeometry& field, const FieldColours& colours);
+/// @}
 /// What an obstacle is painted with.
 Colour obstacleColour(const ObstacleSpec& obstacle);
 /// Its shape alone, at its pose.

@@ -113,7 +113,7 @@ void MatchPicture::drawFrame(Canvas& canvas, const ReplayMoment& moment,
   drawDrawings(view, m.plan, overlays.drawings, m.style);
   drawBanner(canvas, m.plan, overlays.banner, m.style);
   drawBoardNumbers(canvas, m.plan, m.spec, moment, m.style);
-  drawTimeBarNow(canvas, m.plan, m.spec, moment.seconds, overlays.note, m.style);
+  drawTimeBarNow(canvas, m.plan, m.spec, moment.seconds, m.style);
 }
 
 Vec2 MatchPicture::toField(Vec2 pixel) const {

@@ -44,6 +44,8 @@ struct MatchBanner {
 struct BodyTrail {
   std::size_t body = 0;      ///< index in `MatchPictureSpec::bodies`
   std::vector<Vec2> points;  ///< [m] oldest first
+  bool fading = true;        ///< false: a thin line of one colour
+  double strength = 1.0;     ///< 0...1 of such a line's opacity
 };
 
 /// What may be shown besides the bodies.
@@ -51,7 +53,6 @@ struct MatchOverlays {
   MatchBanner banner;
   std::vector<BodyTrail> trails;
   std::span<const RecordedDrawing> drawings;
-  std::string note;  ///< small, at the foot, e.g. "4x"
 };
 
 /// Height [px] of a picture of that width which the field fills.

@@ -36,6 +36,14 @@ class ReplayDirector {
   ReplayMoment scratch_;
 };
 
+/// Where robots and balls went between two times [s]: a line for each body and play.
+std::vector<BodyTrail> pathsBetween(const ReplayTimeline& timeline, double from, double to);
+
+/// Small pictures of some times [s] side by side, four in a row, on a canvas of the width of `spec`.
+/// Errors: as MatchPicture::create.
+Result<Canvas> drawContactSheet(const ReplayTimeline& timeline, const MatchPictureSpec& spec,
+                                const std::vector<double>& times, OverlayChoice overlays);
+
 /// The call to show at a moment: one of the last seconds, or the one that the restart waits for.
 MatchBanner bannerAt(const ReplayTimeline& timeline, const ReplayMoment& moment);
 

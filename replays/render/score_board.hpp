@@ -18,7 +18,7 @@ void drawBoardNumbers(Canvas& canvas, const MatchPlan& plan, const MatchPictureS
 void drawTimeBar(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec,
                  const MatchStyle& style);
 void drawTimeBarNow(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, double seconds,
-                    const std::string& note, const MatchStyle& style);
+                    const MatchStyle& style);
 /// @}
 
 /// "1st half", "2nd half", "overtime", "shoot-out".

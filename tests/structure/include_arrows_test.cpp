@@ -23,13 +23,14 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"replays", {"engine/core"}},
     {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
     {"replays/render", {"engine/core", "replays"}},
+    {"replays/export", {"engine/core", "replays", "replays/render"}},
     {"replays/html", {"engine/core", "replays"}},
     {"experiments",
      {"engine/core", "engine/sim", "navigation", "referee", "replays", "replays/html", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
      {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match", "replays/html",
-      "replays/render", "experiments", "bench"}},
+      "replays/render", "replays/export", "experiments", "bench"}},
 };
 
 /// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp`
@@ -44,6 +45,7 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"match", {"fmt", "nlohmann"}},
     {"replays/render",
      {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "libdeflate.h", "fmt"}},
+    {"replays/export", {"fmt", "nlohmann", "cgif.h"}},
     {"replays/html", {"fmt", "nlohmann", "zlib.h"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
@@ -51,10 +53,10 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
 };
 
 const std::set<std::string> kKnownLibraries = {
-    "fmt",    "tl",          "toml++", "Random123", "xxhash.h",
-    "box2d",  "SDL.h",       "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
-    "png.h",  "nlohmann",    "CLI",    "Eigen",     "zstd.h",
-    "zlib.h", "libdeflate.h"};
+    "fmt",    "tl",           "toml++", "Random123", "xxhash.h",
+    "box2d",  "SDL.h",        "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
+    "png.h",  "nlohmann",     "CLI",    "Eigen",     "zstd.h",
+    "zlib.h", "libdeflate.h", "cgif.h"};
 
 std::string folderOf(const std::string& path) {
   std::string best;

@@ -1,7 +1,7 @@
 // Part 6: what moves. A team is told by colour, by the shape behind its numbers and by their lightness.
 
 function paintMark(ctx, team, x, y, size, number) {
-  ctx.fillStyle = colours.onTeam[team];
+  ctx.fillStyle = colours.badge[team];
   ctx.beginPath();
   if (team === 0) {
     ctx.arc(x, y, size * 0.5, 0, 7);
@@ -14,39 +14,43 @@ function paintMark(ctx, team, x, y, size, number) {
   }
   ctx.fill();
   if (number === null) return;
-  ctx.fillStyle = team === 0 ? colours.ink : colours.yellow;
+  ctx.fillStyle = colours.digit[team];
   ctx.font = `700 ${size * 0.78}px system-ui, sans-serif`;
   ctx.fillText(number, x, y + size * 0.04);
 }
 
-/** Body with wheels and a bright front edge, along +x. */
+/** Body with wheels and a front that can be seen, along +x. */
 function paintRobot(ctx, view, body, x, y, heading, colour) {
   const [length, width] = body.size.map((v) => v * view.scale);
+  const team = body.team;
   ctx.save();
   ctx.translate(view.x(x), view.y(y));
   ctx.rotate(view.angle(heading));
-  roundRect(ctx, -length / 2, -width / 2, length, width, length * 0.16);
+  roundRect(ctx, -length / 2, -width / 2, length, width, length * 0.15);
   ctx.fillStyle = colour;
   ctx.fill();
-  ctx.lineWidth = Math.max(1, length * 0.045);
-  ctx.strokeStyle = colours.ink;
+  ctx.lineWidth = Math.max(1, length * 0.05);
+  ctx.strokeStyle = team === undefined ? colours.ink : colours.edge[team];
   ctx.stroke();
-  ctx.fillStyle = colours.ink;
-  ctx.fillRect(-length * 0.22, -width * 0.5, length * 0.44, width * 0.1);
-  ctx.fillRect(-length * 0.22, width * 0.4, length * 0.44, width * 0.1);
-  ctx.fillStyle = '#fff';
-  roundRect(ctx, length * 0.34, -width * 0.3, length * 0.1, width * 0.6, length * 0.05);
+  ctx.fillStyle = '#454c55';
+  for (const side of [-0.49, 0.4]) ctx.fillRect(-length * 0.23, width * side, length * 0.46, width * 0.09);
+  ctx.fillStyle = team === 1 ? colours.badge[1] : '#fff';
+  ctx.beginPath();
+  ctx.moveTo(length * 0.44, -width * 0.18);
+  ctx.lineTo(length * 0.44, width * 0.18);
+  ctx.lineTo(length * 0.32, width * 0.3);
+  ctx.lineTo(length * 0.32, -width * 0.3);
   ctx.fill();
   ctx.restore();
 }
 
 function paintNumber(ctx, view, body, index, x, y, ids) {
-  const size = body.size[1] * view.scale * 0.6;
+  const size = body.size[1] * view.scale * 0.58;
   ctx.textAlign = 'center';
   ctx.textBaseline = 'middle';
   if (body.team !== undefined) return paintMark(ctx, body.team, view.x(x), view.y(y), size, ids ? body.number : null);
   if (!ids) return undefined;
-  ctx.fillStyle = colours.ink;
+  ctx.fillStyle = inkOn(kSeries[index % kSeries.length]);
   ctx.font = `700 ${size}px system-ui, sans-serif`;
   return ctx.fillText(index + 1, view.x(x), view.y(y) + 1);
 }

@@ -1,6 +1,7 @@
 // Part 8: where the ball, a team or a robot has been up to now.
 
 const kHeatCell = 0.025;  // [m]
+const kHeatSpread = [1, 0.75, 0.56, 0, 0.32, 0.24, 0, 0, 0.1];  // by squared cells of distance
 const kHeatKinds = ['off', 'ball', 'blue', 'yellow', 'robot'];
 
 class HeatMap {
@@ -27,11 +28,11 @@ class HeatMap {
       if (!play.present[i]) continue;
       const c = Math.floor((scene.bodies[i].x[row] - this.left) / kHeatCell);
       const l = Math.floor((this.top - scene.bodies[i].y[row]) / kHeatCell);
-      // A small blur: a body is larger than a cell.
-      for (let dl = -1; dl <= 1; ++dl) {
-        for (let dc = -1; dc <= 1; ++dc) {
-          const at = (l + dl) * columns + c + dc;
-          if (c + dc >= 0 && c + dc < columns && l + dl >= 0 && l + dl < lines) this.counts[at] += dl || dc ? 0.5 : 1;
+      // A body is larger than a cell.
+      for (let dl = -2; dl <= 2; ++dl) {
+        for (let dc = -2; dc <= 2; ++dc) {
+          const inside = c + dc >= 0 && c + dc < columns && l + dl >= 0 && l + dl < lines;
+          if (inside) this.counts[(l + dl) * columns + c + dc] += kHeatSpread[dl * dl + dc * dc];
         }
       }
     }
@@ -53,14 +54,15 @@ class HeatMap {
   colour() {
     const ctx = this.canvas.getContext('2d');
     const image = ctx.createImageData(this.columns, this.lines);
-    let most = 1;
-    for (const count of this.counts) most = Math.max(most, count);
+    // A body that waits for long would dim all else: the brightest hundredth is cut off.
+    const sorted = this.counts.filter((count) => count > 0).sort();
+    const most = Math.max(1, sorted[Math.floor(sorted.length * 0.99)] || 0);
     for (let i = 0; i < this.counts.length; ++i) {
-      const share = Math.sqrt(this.counts[i] / most);
-      image.data[4 * i] = 255 * Math.min(1, 0.45 + share);
-      image.data[4 * i + 1] = 215 * share * share + 20;
-      image.data[4 * i + 2] = 150 * (1 - share);
-      image.data[4 * i + 3] = 225 * Math.min(1, share * 1.5);
+      const share = Math.min(1, (this.counts[i] / most) ** 0.6);
+      image.data[4 * i] = 255 * Math.min(1, 0.4 + share);
+      image.data[4 * i + 1] = 225 * share * share;
+      image.data[4 * i + 2] = 140 * (1 - share) + 30 * share;
+      image.data[4 * i + 3] = 225 * Math.min(1, share * 1.2);
     }
     ctx.putImageData(image, 0, 0);
   }
@@ -69,6 +71,8 @@ class HeatMap {
     const x = view.x(view.sign * this.left), y = view.y(view.sign * this.top);
     const width = this.columns * kHeatCell * view.scale, height = this.lines * kHeatCell * view.scale;
     ctx.save();
+    line(ctx, view, this.scene.field.contour, true);
+    ctx.clip();
     if (view.sign < 0) {
       ctx.translate(2 * view.middleX, 2 * view.middleY);
       ctx.scale(-1, -1);

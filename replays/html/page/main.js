@@ -249,5 +249,4 @@ async function begin() {
   }
 }
 
-if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin);
-else begin();
+begin();

@@ -11,7 +11,7 @@ function paintTrail(ctx, view, scene, moment, index, seconds, colour, alpha) {
   const begin = Math.max(scene.plays[moment.play].row, scene.rowAt(moment.tick / scene.rate - seconds));
   const parts = seconds === Infinity ? 1 : kTrailParts;
   ctx.strokeStyle = colour;
-  ctx.lineJoin = ctx.lineCap = 'round';
+  ctx.lineJoin = 'round';
   ctx.lineWidth = Math.max(1.5, 0.009 * view.scale);
   for (let part = 0; part < parts; ++part) {
     const from = begin + Math.floor(((moment.row - begin) * part) / parts);
@@ -31,7 +31,8 @@ function paintTrails(ctx, view, scene, moment, wanted, alphaOf) {
     const body = scene.bodies[i];
     if (!moment.present[i] || body.kind === 'obstacle' || (wanted && !wanted(i))) continue;
     const seconds = scene.task ? Infinity : kTrailSeconds;
-    paintTrail(ctx, view, scene, moment, i, seconds, colourOf(scene, i), (alphaOf ? alphaOf(i) : 1) * 0.8);
+    const colour = body.team === undefined ? colourOf(scene, i) : colours.trails[body.team];
+    paintTrail(ctx, view, scene, moment, i, seconds, colour, (alphaOf ? alphaOf(i) : 1) * 0.8);
   }
 }
 
@@ -68,7 +69,7 @@ function paintDrawings(ctx, view, scene, moment) {
   ctx.textAlign = 'left';
   ctx.textBaseline = 'middle';
   for (let i = from; i < to; ++i) {
-    ctx.strokeStyle = ctx.fillStyle = scene.match ? colours.team[what[i] & 1] : colours.text;
+    ctx.strokeStyle = ctx.fillStyle = scene.match ? colours.trails[what[i] & 1] : colours.text;
     ctx.beginPath();
     if (what[i] >> 1 === 0) {
       ctx.moveTo(view.x(x[i]), view.y(y[i]));
@@ -85,7 +86,7 @@ function paintDrawings(ctx, view, scene, moment) {
 
 /** The second replay over the first: outlines only. */
 function paintGhost(ctx, view, scene, moment) {
-  ctx.globalAlpha = 0.75;
+  ctx.globalAlpha = 0.9;
   ctx.setLineDash([4, 3]);
   for (let i = 0; i < scene.bodies.length; ++i) {
     if (!moment.present[i]) continue;
@@ -103,7 +104,7 @@ function paintGhost(ctx, view, scene, moment) {
       ctx.arc(0, 0, Math.max(3.5, body.radius * view.scale), 0, 7);
     }
     ctx.lineWidth = 2;
-    ctx.strokeStyle = colourOf(scene, i);
+    ctx.strokeStyle = body.team === undefined ? colourOf(scene, i) : colours.trails[body.team];
     ctx.stroke();
     ctx.restore();
   }

@@ -7,9 +7,18 @@ const colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
   for (const name of ['page', 'text', 'dim', 'wall', 'floor', 'line', 'ball', 'seam', 'blue', 'yellow', 'ink', 'obstacle', 'goal',
-    'bad']) colours[name] = style.getPropertyValue(`--${name}`).trim();
+    'bad', 'trail']) colours[name] = style.getPropertyValue(`--${name}`).trim();
   colours.team = [colours.blue, colours.yellow];
-  colours.onTeam = ['#fff', '#17130a'];
+  colours.trails = [colours.blue, colours.trail];
+  colours.badge = ['#fff', '#2c2204'];
+  colours.digit = ['#0e347a', '#ffe278'];
+  colours.edge = ['#082659', '#684800'];
+}
+
+/** Black or white, whichever can be read on a colour of the form #rrggbb. */
+function inkOn(colour) {
+  const [r, g, b] = [1, 3, 5].map((at) => (parseInt(colour.slice(at, at + 2), 16) / 255) ** 2.2);
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b < 0.18 ? '#fff' : '#000';
 }
 
 function colourOf(scene, index) {

@@ -51,8 +51,10 @@ function eventDetail(event) {
 function swatch(scene, index) {
   const body = scene.bodies[index];
   const mark = element('span', body.team === undefined ? index + 1 : body.number, { class: 'mark', 'aria-hidden': 'true' });
-  if (body.team === undefined) mark.style.backgroundColor = colourOf(scene, index);
-  else mark.dataset.team = body.team;
+  if (body.team === undefined) {
+    mark.style.backgroundColor = colourOf(scene, index);
+    mark.style.color = inkOn(colourOf(scene, index));
+  } else mark.dataset.team = body.team;
   return mark;
 }
 
@@ -123,9 +125,9 @@ class RobotCards {
       const speed = Math.hypot(...scene.velocity(i, moment, velocity));
       const degrees = Math.round((moment.heading[i] * 180) / Math.PI);
       const command = scene.command(i, moment);
-      const lines = [`x ${moment.x[i].toFixed(2)}  y ${moment.y[i].toFixed(2)} m  ${(((degrees + 180) % 360) + 360) % 360 - 180}°`,
-        `${speed.toFixed(2)} m/s`];
-      if (command) lines[1] += `  wheels ${command[0].toFixed(0)} ${command[1].toFixed(0)} rad/s`;
+      const lines = [`${speed.toFixed(2)} m/s, ${((((degrees + 180) % 360) + 360) % 360) - 180}°`,
+        `x ${moment.x[i].toFixed(2)} y ${moment.y[i].toFixed(2)} m`];
+      if (command) lines.push(`L ${command[0].toFixed(0)} R ${command[1].toFixed(0)} rad/s`);
       const message = this.message(scene, moment, i);
       if (message) lines.push(`“${message}”`);
       setText(values, lines.join('\n').replace(/-/g, '−'));
@@ -165,8 +167,8 @@ function updateShare(share, row) {
 
 function fillBoard(scene) {
   $('#board').hidden = !scene.match;
-  setText($('#title'), scene.match ? '' : scene.title || 'Trial');
-  $('#title').classList.toggle('quiet', scene.match);
+  setText($('#title'), scene.match ? scene.teams.join(' – ') : scene.title || 'Trial');
+  $('#title').classList.toggle('unseen', scene.match);
   document.querySelectorAll('#board .team').forEach((team, i) => {
     setText($('.name', team), scene.match ? shortName(scene.teams[i]) : '');
     team.title = scene.match ? scene.teams[i] : '';

@@ -20,7 +20,7 @@ class Scene {
     Object.assign(this, json);
     this.seconds = json.ticks / json.rate;
     this.first = new Uint8Array(json.rows);
-    this.playOf = new Uint16Array(json.rows);
+    this.playOf = new Uint32Array(json.rows);
     demand(json.plays[0].row === 0, 'The replay is damaged.');
     json.plays.forEach((play, i) => {
       const end = i + 1 < json.plays.length ? json.plays[i + 1].row : json.rows;
@@ -142,7 +142,11 @@ class Scene {
   listEvents() {
     const marks = this.events.map((event) => ({ ...event, seconds: event.tick / this.rate, goal: event.clause === 'goal' }));
     for (const play of this.plays) {
-      if (play.kind) marks.push({ ...play, seconds: play.tick / this.rate, restart: true, clause: play.kind });
+      if (!play.kind) continue;
+      // A restart that the referee also calls is one event.
+      const called = marks.findIndex((event) => event.clause === play.kind && Math.abs(event.tick - play.tick) <= 1 && !event.restart);
+      const call = called < 0 ? {} : marks.splice(called, 1)[0];
+      marks.push({ ...call, ...play, seconds: play.tick / this.rate, restart: true, clause: play.kind });
     }
     return marks.sort((a, b) => a.tick - b.tick || !!a.restart - !!b.restart);
   }

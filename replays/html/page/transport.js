@@ -173,9 +173,9 @@ class Viewer {
     const alphaOf = scene.race ? (i) => this.alphaOf(i) : null;
     if (options.trails) paintTrails(ctx, view, scene, moment, null, alphaOf);
     if (options.overlays) paintDrawings(ctx, view, scene, moment);
+    if (options.vectors) paintVectors(ctx, view, scene, moment, null);
     paintBodies(ctx, view, scene, moment, { ids: options.ids, selected: this.selected, alphaOf });
     if (this.ghost && options.ghost) paintGhost(ctx, view, this.ghost, this.ghost.at(this.time, this.ghostMoment));
-    if (options.vectors) paintVectors(ctx, view, scene, moment, null);
     return (this.view = view);
   }
 
