@@ -39,17 +39,14 @@ std::optional<Found> nextBlock(BytesView file, std::size_t offset, std::uint64_t
   return std::nullopt;
 }
 
-}  // namespace
-
-Result<Salvage> salvage(const std::string& file) {
-  const auto reader = RecordingReader::open(file, {true});
+Result<Salvage> salvaged(const Result<RecordingReader>& reader) {
   if (!reader) return tl::unexpected<Error>(reader.error());
   Salvage found;
   found.header = reader->header();
   found.whole = reader->finished();
   const BytesView bytes = reader->bytes();
   const auto head = blockAt(bytes, kPrologueSize, blockSeed(0, 0));
-  if (!head) return fail(ErrorCode::kBadInput, file + ": its header is damaged");
+  if (!head) return fail(ErrorCode::kBadInput, reader->origin() + ": its header is damaged");
   std::size_t next = head->end(), known = next;
   for (std::uint64_t number = 1; const auto block = nextBlock(bytes, next, head->checksum, number);) {
     next = block->block.end();
@@ -69,6 +66,14 @@ Result<Salvage> salvage(const std::string& file) {
   }
   found.lost_bytes = found.whole ? 0 : bytes.size() - known;
   return found;
+}
+
+}  // namespace
+
+Result<Salvage> salvage(const std::string& file) { return salvaged(RecordingReader::open(file, {true})); }
+
+Result<Salvage> salvage(std::string bytes, const std::string& origin) {
+  return salvaged(RecordingReader::parse(std::move(bytes), origin, {true}));
 }
 
 }  // namespace fulbito

@@ -19,5 +19,7 @@ struct Salvage {
 /// Reads all chunks whose checksums hold, wherever the damage is. Errors: kIo; kBadInput when the header is
 /// damaged, without which nothing has a meaning.
 Result<Salvage> salvage(const std::string& file);
+/// The same from bytes in memory; `origin` stands for the file's name in errors.
+Result<Salvage> salvage(std::string bytes, const std::string& origin);
 
 }  // namespace fulbito
