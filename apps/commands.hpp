@@ -29,6 +29,7 @@ struct RunOptions {
   SensorModel sensors;
   std::optional<std::string> png;  ///< empty: named after the layout
   std::string trace;
+  std::string record;  ///< file; empty: none
   bool json = false;
 };
 

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -70,6 +71,13 @@ int compare(const CompareOptions& options) {
   // Everything that can be wrong with the question is found before work begins.
   if (auto planned = planComparison(config); !planned) return report(planned.error());
   if (auto folder = prepareFolder(options.out); !folder) return report(folder.error());
+  if (!config.record.empty()) {
+    if (auto folder = prepareFolder(config.record); !folder) return report(folder.error());
+  }
+  if (!options.html.empty()) {
+    const std::string parent = std::filesystem::path(options.html).parent_path().string();
+    if (auto folder = prepareFolder(parent.empty() ? "." : parent); !folder) return report(folder.error());
+  }
   if (!options.tune.empty()) {
     if (auto tuned = tuneFirst(options, config); !tuned) return report(tuned.error());
   }

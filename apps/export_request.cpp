@@ -153,10 +153,8 @@ Result<std::string> outputFile(const ExportRequest& request, const std::string& 
   const std::filesystem::path recording(request.options->file);
   std::string file = given.empty() ? recording.stem().string() + ending : given;
   std::error_code unreadable;
-  if (file != "-" && !request.options->force && std::filesystem::exists(file, unreadable)) {
-    return usage(fmt::format("'{}' exists; --force replaces it", file));
-  }
-  return file;
+  if (file == "-" || request.options->force || !std::filesystem::exists(file, unreadable)) return file;
+  return usage(fmt::format("'{}' exists; --force replaces it", file));
 }
 
 void announce(const std::string& file, const std::string& what) {

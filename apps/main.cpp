@@ -52,6 +52,7 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
       "  fulbito run --navigator limit-cycle:mu=3 --layout fig7-close-obstacle --speed 0.6\n"
       "  fulbito run --layout my-layout.toml --trace trace.csv --json\n"
+      "  fulbito run --layout corner:17 --record way.fbr       then: fulbito replay verify way.fbr\n"
       "Names: fulbito list navigators, fulbito list suites, fulbito list cases.");
   command->add_option("--navigator", run.navigator, "method, e.g. bezier:clearance=0.03")
       ->capture_default_str();
@@ -69,6 +70,7 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       ->add_option("--png", options.run_png, "write a picture (named after the layout if no FILE is given)")
       ->expected(0, 1)
       ->type_name("[FILE]");
+  command->add_option("--record", run.record, "write a recording")->type_name("FILE");
   command->add_option("--trace", run.trace, "write one line a control tick; - for stdout")->type_name("FILE");
   command->add_flag("--json", run.json, "print the score as JSON");
   return command;
@@ -100,6 +102,8 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   command->add_option("--only", options.only, "run this layout of the suite alone")->type_name("NUMBER");
   command->add_option("--pictures", config.pictures, "layouts of each suite and speed that are drawn")
       ->capture_default_str();
+  command->add_option("--record", config.record, "folder for recordings of the layouts that are drawn")
+      ->type_name("FOLDER");
   command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
   addSensors(*command, config.sensors);

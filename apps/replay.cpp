@@ -12,6 +12,8 @@ CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
       "  fulbito replay info game.fbr                     what was played, and where the bytes go\n"
       "  fulbito replay events game.fbr\n"
       "  fulbito replay verify game.fbr                   plays it again: is it the same, bit for bit?\n"
+      "  fulbito replay diff game.fbr other.fbr           where two part\n"
+      "  fulbito replay cut game.fbr goal.fbr --from 40 --to 50\n"
       "  fulbito replay export game.fbr --html game.html  a page to look at it\n"
       "  fulbito replay export game.fbr --png --at 83.2   pictures, films, tables\n"
       "More: docs/recordings.md, docs/pictures.md.");
@@ -20,6 +22,9 @@ CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
   addReplayInfo(*command, options.info);
   addReplayEvents(*command, options.events);
   addReplayVerify(*command, options.verify);
+  addReplayDiff(*command, options.diff);
+  addReplayCut(*command, options.cut);
+  addReplayRepair(*command, options.repair);
   addReplayExport(*command, options.exporting);
   return command;
 }
@@ -29,6 +34,9 @@ int replay(const ReplayCommands& options) {
   if (named("info")) return replayInfo(options.info);
   if (named("events")) return replayEvents(options.events);
   if (named("export")) return replayExport(options.exporting);
+  if (named("diff")) return replayDiff(options.diff);
+  if (named("cut")) return replayCut(options.cut);
+  if (named("repair")) return replayRepair(options.repair);
   return replayVerify(options.verify);
 }
 

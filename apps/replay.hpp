@@ -1,8 +1,11 @@
 #pragma once
 
+#include "apps/replay_cut.hpp"
+#include "apps/replay_diff.hpp"
 #include "apps/replay_events.hpp"
 #include "apps/replay_export.hpp"
 #include "apps/replay_info.hpp"
+#include "apps/replay_repair.hpp"
 #include "apps/replay_verify.hpp"
 
 namespace fulbito::app {
@@ -13,6 +16,9 @@ struct ReplayCommands {
   ReplayInfoCommand info;
   ReplayEventsCommand events;
   ReplayVerifyCommand verify;
+  ReplayDiffCommand diff;
+  ReplayCutCommand cut;
+  ReplayRepairCommand repair;
   ReplayExportCommand exporting;
 };
 

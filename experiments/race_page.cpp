@@ -88,6 +88,7 @@ Result<Page> racePage(const Comparison& comparison) {
     const Block& block = comparison.blocks[b];
     for (std::size_t i = 0; i < recordsOf(comparison, b, 0).size(); ++i) {
       std::vector<const TrialRecord*> records;
+      records.reserve(block.navigators.size());
       for (std::size_t n = 0; n < block.navigators.size(); ++n) {
         records.push_back(&recordsOf(comparison, b, n)[i]);
       }

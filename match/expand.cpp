@@ -27,7 +27,7 @@ class Expander final : public ReplayVisitor {
     checks_.insert(checks_.end(), chunk.checks.begin(), chunk.checks.end());
   }
   bool playBegins(const ReplayedPlay& play) override {
-    if (play.hash != play.recorded->hash) return stop(play.recorded->tick);
+    if (play.number > 0 && play.hash != play.recorded->hash) return stop(play.recorded->tick);
     writer_.beginPlay(*play.recorded);
     return true;
   }

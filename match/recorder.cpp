@@ -6,15 +6,13 @@
 
 #include "engine/core/presets.hpp"
 #include "match/recorded_values.hpp"
+#include "replays/command_model.hpp"
 
 namespace fulbito {
 namespace {
 
 constexpr int kChunkSeconds = 5;
-constexpr int kSampleRate = 30;     // [Hz]
-constexpr double kMostModel = 1e9;  // of what a header may say
-/// Steps that are finer than this are not counted in whole numbers.
-constexpr double kLeastStep = 1e-6;  // [rad/s]
+constexpr int kSampleRate = 30;  // [Hz]
 
 RecordingRecipe recipeOf(const MatchConfig& config) {
   RecordingRecipe recipe;
@@ -42,21 +40,6 @@ RecordingRecipe recipeOf(const MatchConfig& config) {
   return recipe;
 }
 
-/// What `limitTwist` and the drive's spin make of commands.
-CommandModel commandModel(const RobotModel& robot, const PhysicsProfile& physics) {
-  CommandModel model;
-  if (physics.wheel_command_step < kLeastStep) return model;
-  const double steps = 1.0 / (robot.wheel_radius * physics.wheel_command_step);  // of a wheel for 1 m/s
-  const auto whole = [](double value) { return static_cast<int>(std::clamp(value, 0.0, kMostModel) + 0.5); };
-  model.most_change = whole(2.0 * robot.wheel_acceleration * physics.controlPeriod() * steps);
-  if (robot.spin_slow_speed <= 0.0) return model;
-  model.spin_from = whole(2.0 * robot.spin_slow_speed * steps);
-  model.spin_to = std::max(model.spin_from, whole(2.0 * robot.spin_fast_speed * steps));
-  model.spin_slow = std::min(whole(65536.0 * robot.spin_slow_ratio), 2 * 65536);
-  model.spin_fast = std::min(whole(65536.0 * robot.spin_fast_ratio), 2 * 65536);
-  return model;
-}
-
 RecordedStart startOf(const RobotPlacement& robot) {
   return {true, robot.pose, robot.velocity, robot.angular_velocity, {}};
 }
@@ -68,8 +51,7 @@ RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level)
   header.kind = RecordingKind::kMatch;
   header.level = level;
   header.control_rate = config.physics.control_rate;
-  header.command_step =
-      config.physics.wheel_command_step < kLeastStep ? 0.0 : config.physics.wheel_command_step;
+  header.command_step = recordedCommandStep(config.physics);
   header.command_model = commandModel(config.robot.robot, config.physics);
   header.sample_every = std::max(1, (config.physics.control_rate + kSampleRate / 2) / kSampleRate);
   header.chunk_ticks = kChunkSeconds * config.physics.control_rate;

@@ -17,9 +17,9 @@
 namespace fulbito {
 namespace {
 
-constexpr double kCell = 0.01;     // [m]
-constexpr double kSmooth = 2.5;    // [cells] standard deviation
-constexpr double kFullAt = 0.985;  // share of the used cells that are below the brightest colour
+constexpr double kCell = 0.01;    // [m]
+constexpr double kSmooth = 2.5;   // [cells] standard deviation
+constexpr double kFullAt = 0.97;  // share of the used cells that are below the brightest colour
 
 /// Seconds a square decimetre over the field.
 class HeatGrid {

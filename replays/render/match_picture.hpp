@@ -45,6 +45,7 @@ struct BodyTrail {
   std::size_t body = 0;      ///< index in `MatchPictureSpec::bodies`
   std::vector<Vec2> points;  ///< [m] oldest first
   bool fading = true;        ///< false: a thin line of one colour
+  double strength = 1.0;     ///< 0...1 of such a line's opacity
 };
 
 /// What may be shown besides the bodies.

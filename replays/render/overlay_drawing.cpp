@@ -47,11 +47,14 @@ void drawTrails(const FieldView& view, const MatchPictureSpec& spec, const std::
       line.clear();
       for (const Vec2 p : trail.points) line.push_back(view.at(p));
       const TrailLook look = lookOf(body, spec, style);
+      const bool thick = balls || !body.id;  // what matters most: the ball, or a trial's robot
       if (trail.fading) {
         view.canvas.fadingLine(line, view.px(look.first), view.px(look.last), look.colour);
       } else {
-        view.canvas.polyline(line, std::max(1.0, (balls ? 2.0 : 1.4) * view.unit),
-                             withAlpha(look.colour, balls ? 190 : 120));
+        view.canvas.polyline(
+            line, std::max(1.0, (thick ? 2.2 : 1.4) * view.unit),
+            withAlpha(look.colour, static_cast<std::uint8_t>((thick ? 190.0 : 130.0) *
+                                                             std::clamp(trail.strength, 0.0, 1.0))));
       }
     }
   }

@@ -9,6 +9,7 @@ namespace fulbito {
 namespace {
 
 constexpr double kTrailStep = 1.0 / 30.0;  // [s]
+constexpr double kFewPaths = 30.0;         // [s] of play whose paths can be told apart
 constexpr double kPathStep = 0.002;        // [m] below this a body has not moved on
 
 bool moves(const RecordedBody& body) { return body.kind != BodyKind::kObstacle; }
@@ -91,6 +92,8 @@ std::vector<BodyTrail> pathsBetween(const ReplayTimeline& timeline, double from,
   std::vector<BodyTrail> paths;
   std::vector<std::size_t> open(bodies.size());  // one past the body's line in the present play
   std::optional<std::size_t> play;
+  // Where many lines lie over each other, each has to be faint.
+  const double strength = std::clamp(kFewPaths / std::max(to - from, 1e-3), 0.25, 1.0);
   ReplayMoment moment;
   for (double step = std::ceil(from / kTrailStep - 1e-6); step * kTrailStep <= to + 1e-6; step += 1.0) {
     timeline.at(step * kTrailStep, moment);
@@ -99,7 +102,7 @@ std::vector<BodyTrail> pathsBetween(const ReplayTimeline& timeline, double from,
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (!moves(bodies[i]) || !moment.bodies[i]) continue;
       if (open[i] == 0) {
-        paths.push_back({i, {}, false});
+        paths.push_back({i, {}, false, strength});
         open[i] = paths.size();
       }
       std::vector<Vec2>& points = paths[open[i] - 1].points;

@@ -33,9 +33,11 @@ TimeBar barOf(const MatchPlan& plan) {
           std::max(2.0, 4 * plan.unit)};
 }
 
-std::string minutes(double seconds) {
-  const int whole = static_cast<int>(std::clamp(std::floor(seconds), 0.0, 1e8));
-  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+/// A moment of a recording of `whole` seconds: minutes say too little of a trial.
+std::string barTime(double seconds, double whole) {
+  if (whole < 30.0) return fmt::format("{:.1f} s", seconds);
+  const int count = static_cast<int>(std::clamp(std::floor(seconds), 0.0, 1e8));
+  return fmt::format("{}:{:02}", count / 60, count % 60);
 }
 
 void drawName(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, TeamId team,
@@ -97,16 +99,17 @@ void drawBoardNumbers(Canvas& canvas, const MatchPlan& plan, const MatchPictureS
                       const ReplayMoment& moment, const MatchStyle& style) {
   const double middle = plan.width / 2, clock = plan.text(kClock), score = plan.text(kScore);
   if (!isMatch(spec)) {
-    canvas.label({std::round(middle), std::round(plan.board / 2 + 0.36 * score)},
+    canvas.label({std::round(middle), std::round(plan.board / 2 + 0.36 * plan.text(kName))},
                  fmt::format("{:.2f} s", moment.play_seconds),
                  {plan.text(kName), style.text, TextAlign::kCentre, true});
     return;
   }
-  const TextStyle big{score, style.text, TextAlign::kCentre, true};
-  const double baseline = std::round(plan.board * 0.56), gap = 0.95 * score;
+  const double baseline = std::round(plan.board * 0.56), gap = 0.5 * score;
   canvas.label({middle, baseline - 0.06 * score}, ":", {score, style.dim_text, TextAlign::kCentre, true});
-  canvas.label({middle - gap, baseline}, std::to_string(moment.score[0]), big);
-  canvas.label({middle + gap, baseline}, std::to_string(moment.score[1]), big);
+  canvas.label({std::round(middle - gap), baseline}, std::to_string(moment.score[0]),
+               {score, style.text, TextAlign::kRight, true});
+  canvas.label({std::round(middle + gap), baseline}, std::to_string(moment.score[1]),
+               {score, style.text, TextAlign::kLeft, true});
   // The parts stand still while the clock runs: its digits are all of one width.
   const double foot = std::round(plan.board * 0.87), space = 0.45 * clock;
   canvas.label({middle - space, foot}, periodName(moment.period),
@@ -121,8 +124,8 @@ void drawTimeBar(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& 
   const TimeBar bar = barOf(plan);
   canvas.line({bar.left, bar.y}, {bar.right, bar.y}, bar.thickness, style.rule);
   const double size = plan.text(12);
-  canvas.label({std::round(plan.width - plan.margin), std::round(bar.y + 0.36 * size)}, minutes(spec.seconds),
-               {size, style.dim_text, TextAlign::kRight, false});
+  canvas.label({std::round(plan.width - plan.margin), std::round(bar.y + 0.36 * size)},
+               barTime(spec.seconds, spec.seconds), {size, style.dim_text, TextAlign::kRight, false});
 }
 
 double secondsOnBar(const MatchPlan& plan, const MatchPictureSpec& spec, double x) {
@@ -144,7 +147,7 @@ void drawTimeBarNow(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpe
     drawTeamMark(canvas, place, mark, goal.team, style.teams[indexOf(goal.team)].body);
   }
   canvas.fillCircle({now, bar.y}, 1.5 * bar.thickness, style.text);
-  canvas.label({std::round(plan.margin), baseline}, minutes(seconds),
+  canvas.label({std::round(plan.margin), baseline}, barTime(seconds, spec.seconds),
                {size, style.text, TextAlign::kLeft, false});
 }
 

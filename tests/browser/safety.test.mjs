@@ -1,6 +1,7 @@
 // Names from anywhere, damaged files, and nothing asked from the network.
 import test from 'node:test';
 import assert from 'node:assert/strict';
+import { createServer } from 'node:http';
 import { writeFileSync } from 'node:fs';
 import { open, pages, press, textOf, view } from './viewer.mjs';
 
@@ -79,9 +80,26 @@ test('a browser that cannot inflate says so and shows what was recorded', async 
   await page.context().close();
 });
 
-test('opened from disk or a server, it asks for nothing', async () => {
+test('opened from disk it plays and asks for nothing', async () => {
   const page = await open('long', { at: '' });
   await page.waitForFunction(() => fulbitoViewer.time > 0.3);
   assert.equal(await view(page, 'v.playing'), true);
   await page.quiet();
+});
+
+test('opened from a server it asks for nothing but itself', async () => {
+  const asked = [];
+  const server = createServer((request, response) => {
+    asked.push(request.url);
+    response.setHeader('content-type', 'text/html');
+    response.end(textOf('short'));
+  }).listen(0, '127.0.0.1');
+  await new Promise((done) => server.once('listening', done));
+  const page = await open('races');
+  await page.goto(`http://127.0.0.1:${server.address().port}/match#t=3`);
+  await page.waitForSelector('body[data-ready]');
+  assert.equal(await view(page, 'v.time'), 3);
+  assert.deepEqual(asked, ['/match']);
+  await page.context().close();
+  server.close();
 });

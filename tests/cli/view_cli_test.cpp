@@ -18,7 +18,9 @@ struct Display {
 
 const std::string kRecord = "match chaser chaser --half-seconds 3 --record ";
 
-bool mentions(const Output& output, const std::string& text) { return output.err.find(text) != std::string::npos; }
+bool mentions(const Output& output, const std::string& text) {
+  return output.err.find(text) != std::string::npos;
+}
 
 /// Whether this program has a window.
 bool built() {
@@ -57,8 +59,8 @@ TEST_CASE("view is told its mistakes", "[cli]") {
   CHECK(box.run("match --view -n 2").code == 2);
   CHECK(box.run("match --speed 2").code == 2);  // of what window?
   if (!built()) return;
-  for (const char* wrong : {"--speed 3", "--speed 0", "--size 10x10", "--size 900", "--size 900x99999", "--theme red",
-                            "--frames -1"}) {
+  for (const char* wrong : {"--speed 3", "--speed 0", "--size 10x10", "--size 900", "--size 900x99999",
+                            "--theme red", "--frames -1"}) {
     INFO(wrong);
     const Output output = box.run(std::string("view game.fbr --frames 1 ") + wrong);
     CHECK(output.code == 2);
@@ -71,8 +73,9 @@ TEST_CASE("view plays recordings of both kinds and levels, in a window that nobo
   const Display dummy("dummy");
   const Sandbox box;
   REQUIRE(box.run(kRecord + "game.fbr").code == 0);
-  const Output output = box.run("view game.fbr game.fbr --from 2 --frames 5 --size 400x300 --theme light --json "
-                                "--screenshot last.png");
+  const Output output = box.run(
+      "view game.fbr game.fbr --from 2 --frames 5 --size 400x300 --theme light --json "
+      "--screenshot last.png");
   REQUIRE(output.code == 0);
   CHECK(output.err.empty());
   const Json json = Json::parse(output.out);

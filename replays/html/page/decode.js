@@ -2,7 +2,7 @@
 // Fulbito's replay viewer. Part 1: from the texts in the page to columns of numbers. All sizes are checked
 // before memory is asked for: the file may come from anyone.
 
-const kLimits = { scenes: 5000, bodies: 1024, rows: 4e6, values: 6e7, bytes: 2.6e8 };
+const kLimits = { scenes: 5000, bodies: 1024, rows: 4e6, values: 2e7, bytes: 2.6e8 };
 
 class BadReplay extends Error {}
 

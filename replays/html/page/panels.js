@@ -125,9 +125,9 @@ class RobotCards {
       const speed = Math.hypot(...scene.velocity(i, moment, velocity));
       const degrees = Math.round((moment.heading[i] * 180) / Math.PI);
       const command = scene.command(i, moment);
-      const lines = [`${speed.toFixed(2)} m/s`,
-        `x ${moment.x[i].toFixed(2)} y ${moment.y[i].toFixed(2)} m, ${((((degrees + 180) % 360) + 360) % 360) - 180}°`];
-      if (command) lines.push(`wheels ${command[0].toFixed(0)}, ${command[1].toFixed(0)} rad/s`);
+      const lines = [`${speed.toFixed(2)} m/s, ${((((degrees + 180) % 360) + 360) % 360) - 180}°`,
+        `x ${moment.x[i].toFixed(2)} y ${moment.y[i].toFixed(2)} m`];
+      if (command) lines.push(`L ${command[0].toFixed(0)} R ${command[1].toFixed(0)} rad/s`);
       const message = this.message(scene, moment, i);
       if (message) lines.push(`“${message}”`);
       setText(values, lines.join('\n').replace(/-/g, '−'));

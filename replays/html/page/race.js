@@ -12,7 +12,7 @@ class RaceTable {
     });
     this.rows = this.order.map((i) => {
       const run = scene.runs[i];
-      const name = element('button', run.label, { type: 'button', 'aria-pressed': 'false', title: run.label });
+      const name = element('button', null, { type: 'button', 'aria-pressed': 'false', title: run.label }, element('span', run.label));
       name.addEventListener('click', () => this.viewer.select(i));
       const now = element('td');
       const ratios = [run.timeRatio, run.lengthRatio].map((ratio) => element('td', run.success ? ratio.toFixed(2) : '–'));
@@ -33,17 +33,17 @@ class RaceTable {
   }
 }
 
-/** Columns and height of a line of labels that let panels of this shape be largest. */
+/** Columns and lines that make panels of this shape large and leave few places empty. */
 function gridOf(count, width, height, wide, high) {
-  let best = { scale: 0 };
+  const grids = [];
   for (let columns = 1; columns <= count; ++columns) {
-    const lines = Math.ceil(count / columns);
-    const panel = width / columns;
+    const lines = Math.ceil(count / columns), panel = width / columns;
     const label = Math.min(22, Math.max(11, panel * 0.075));
     const scale = Math.min(panel / wide, (height / lines - label * 1.5) / high);
-    if (scale > best.scale) best = { scale, columns, lines, label, panel, height: height / lines };
+    grids.push({ scale, columns, label, panel, height: height / lines, empty: columns * lines - count });
   }
-  return best;
+  const largest = Math.max(...grids.map((grid) => grid.scale));
+  return grids.filter((grid) => grid.scale >= 0.85 * largest).sort((a, b) => a.empty - b.empty || b.scale - a.scale)[0];
 }
 
 function paintPanels(ctx, viewer, width, height, layer) {
@@ -51,7 +51,7 @@ function paintPanels(ctx, viewer, width, height, layer) {
   const obstacles = (i) => scene.bodies[i].kind === 'obstacle';
   const field = new View(scene.field, 0, 0, 1, 1, false);
   const grid = gridOf(scene.runs.length, width, height, field.wide, field.high);
-  if (!grid.columns) return;
+  if (!grid || grid.scale <= 0) return;
   scene.runs.forEach((run, i) => {
     const x = (i % grid.columns) * grid.panel, y = Math.floor(i / grid.columns) * grid.height;
     const top = y + grid.label * 1.5, high = grid.height - grid.label * 1.5;

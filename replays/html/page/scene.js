@@ -20,7 +20,7 @@ class Scene {
     Object.assign(this, json);
     this.seconds = json.ticks / json.rate;
     this.first = new Uint8Array(json.rows);
-    this.playOf = new Uint16Array(json.rows);
+    this.playOf = new Uint32Array(json.rows);
     demand(json.plays[0].row === 0, 'The replay is damaged.');
     json.plays.forEach((play, i) => {
       const end = i + 1 < json.plays.length ? json.plays[i + 1].row : json.rows;
