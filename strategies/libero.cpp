@@ -28,14 +28,16 @@ class Libero final : public Strategy {
   void begin(const MatchInfo& info) override {
     pitch_ = Pitch(info);
     foresight_ = Foresight(info);
-    striker_ = -1;
-    strike_ = {};
-    held_ = 1.0;
+    forgetStriker();
   }
 
   TeamCommand decide(const Observation& observation) override {
     const Observation& now = foresight_.update(observation);
-    if (foresight_.playBegan()) strike_ = {};
+    if (foresight_.playBegan()) {
+      strike_ = {};
+      // Whoever stands to take it does, not who was striker before.
+      if (takenAtOnce(now)) forgetStriker();
+    }
     ball_.take(foresight_.ballNow(), foresight_.ball());
     const Picture picture{now, pitch_, settings_, ball_};
     chooseKeeper(picture);
@@ -64,6 +66,19 @@ class Libero final : public Strategy {
   }
 
  private:
+  void forgetStriker() {
+    striker_ = -1;
+    strike_ = {};
+    held_ = 1.0;
+  }
+
+  /// Whether play began with one of ours right at the ball.
+  static bool takenAtOnce(const Observation& seen) {
+    if (seen.restart == RestartKind::kFreeBall) return true;
+    return seen.restart_is_ours &&
+           (seen.restart == RestartKind::kKickOff || seen.restart == RestartKind::kPenalty);
+  }
+
   RobotCommand play(const Picture& picture, int robot, int& rank) {
     if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
     const bool keepers = keeper_ >= 0 && inOwnArea(pitch_, ball_.at(0.2), 0.0);

@@ -46,8 +46,14 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
 
 void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   if (ours) {
-    placed[1] = facing(ball - Vec2{0.16, 0.0}, ball);
-    placed[2] = facing({-0.06, 0.35}, ball);
+    // A run-up long enough to be at full speed where a keeper that runs out meets ball and taker, and a
+    // little to the support's side, so that the ball slips past it there. The rules' places, and with them
+    // those of many teams, are not turned but mirrored between the sides: so is this.
+    const double hand = placed[2] && placed[2]->position.y < 0.0 ? -1.0 : 1.0;
+    const bool large = pitch.team_size > 3;
+    const double run_up = large ? 0.33 : 0.30, angle = large ? 0.03 : 0.10;
+    placed[1] = facing(ball - run_up * math::unit(hand * angle), ball);
+    placed[2] = facing({-0.06, hand * 0.35}, ball);
   } else {
     placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, 0.06}, 0.0};
     // Wide, off the way of those who run at the ball: they would be pushed into the area.
