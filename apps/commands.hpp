@@ -14,6 +14,7 @@ enum ExitCode {
   kUsage = 2,
   kBadInput = 3,
   kIo = 5,
+  kDifferent = 7,
   kInternal = 70,
   kInterrupted = 130,
 };
@@ -28,12 +29,14 @@ struct RunOptions {
   SensorModel sensors;
   std::optional<std::string> png;  ///< empty: named after the layout
   std::string trace;
+  std::string record;  ///< file; empty: none
   bool json = false;
 };
 
 struct CompareOptions {
   ComparisonConfig config;
   std::string out = "fulbito-out";
+  std::string html;  ///< page of races; empty: none
   std::string tune;  ///< empty: no tuning
   int tune_evaluations = 150;
   bool json = false;

@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -7,6 +8,7 @@
 #include "engine/core/output_file.hpp"
 #include "experiments/paper_plan.hpp"
 #include "experiments/pictures.hpp"
+#include "experiments/race_page.hpp"
 #include "experiments/report.hpp"
 #include "experiments/tuner.hpp"
 
@@ -49,6 +51,18 @@ Result<std::vector<std::string>> writeAll(const CompareOptions& options, const C
   return pictures;
 }
 
+/// The page of races, where one is wanted.
+Result<void> writeRaces(const CompareOptions& options, const Comparison& comparison) {
+  if (options.html.empty()) return {};
+  const auto page = racePage(comparison);
+  if (!page) return tl::unexpected<Error>(page.error());
+  const auto html = htmlPage(*page);
+  if (!html) return tl::unexpected<Error>(html.error());
+  if (auto written = writeFile(options.html, *html); !written) return written;
+  fmt::print(stderr, "races: {}\n", options.html);
+  return {};
+}
+
 }  // namespace
 
 int compare(const CompareOptions& options) {
@@ -57,6 +71,13 @@ int compare(const CompareOptions& options) {
   // Everything that can be wrong with the question is found before work begins.
   if (auto planned = planComparison(config); !planned) return report(planned.error());
   if (auto folder = prepareFolder(options.out); !folder) return report(folder.error());
+  if (!config.record.empty()) {
+    if (auto folder = prepareFolder(config.record); !folder) return report(folder.error());
+  }
+  if (!options.html.empty()) {
+    const std::string parent = std::filesystem::path(options.html).parent_path().string();
+    if (auto folder = prepareFolder(parent.empty() ? "." : parent); !folder) return report(folder.error());
+  }
   if (!options.tune.empty()) {
     if (auto tuned = tuneFirst(options, config); !tuned) return report(tuned.error());
   }
@@ -76,6 +97,7 @@ int compare(const CompareOptions& options) {
   std::fflush(stdout);
   const auto pictures = writeAll(options, *comparison, json);
   if (!pictures) return report(pictures.error());
+  if (auto written = writeRaces(options, *comparison); !written) return report(written.error());
   fmt::print(stderr, "\n{} trials in {:.1f} s; results.json, trials.csv and {} pictures are in {}\n",
              comparison->records.size(), secondsSince(begin), pictures->size(), options.out);
   return kOk;

@@ -9,6 +9,7 @@
 #include "apps/commands.hpp"
 #include "apps/drill.hpp"
 #include "apps/match.hpp"
+#include "apps/replay.hpp"
 #include "apps/rules.hpp"
 #include "engine/core/build_info.hpp"
 #include "engine/core/suggest.hpp"
@@ -27,6 +28,7 @@ struct Options {
   BenchCommand bench;
   DrillCommand drill;
   MatchCommand match;
+  ReplayCommands replay;
   RulesOptions rules;
   bool version_json = false;
 };
@@ -48,6 +50,7 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
       "  fulbito run --navigator limit-cycle:mu=3 --layout fig7-close-obstacle --speed 0.6\n"
       "  fulbito run --layout my-layout.toml --trace trace.csv --json\n"
+      "  fulbito run --layout corner:17 --record way.fbr       then: fulbito replay verify way.fbr\n"
       "Names: fulbito list navigators, fulbito list suites, fulbito list cases.");
   command->add_option("--navigator", run.navigator, "method, e.g. bezier:clearance=0.03")
       ->capture_default_str();
@@ -65,6 +68,7 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       ->add_option("--png", options.run_png, "write a picture (named after the layout if no FILE is given)")
       ->expected(0, 1)
       ->type_name("[FILE]");
+  command->add_option("--record", run.record, "write a recording")->type_name("FILE");
   command->add_option("--trace", run.trace, "write one line a control tick; - for stdout")->type_name("FILE");
   command->add_flag("--json", run.json, "print the score as JSON");
   return command;
@@ -80,6 +84,7 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       "  fulbito compare --suite corner --navigators bezier bspline-time --speeds 1.0 2.6 --out out\n"
       "  fulbito compare --suite moving --trials 300 --json > moving.json\n"
       "  fulbito compare --suite corner --only 17 --out one     one layout again, with its picture\n"
+      "  fulbito compare --suite moving --trials 8 --html races.html   a page to watch them race\n"
       "  fulbito compare --tune tangent-field --speeds 1.0      tune a method, then judge it\n"
       "Exit code 0 also when a figure is outside its band. Names: fulbito list suites, fulbito list "
       "navigators.");
@@ -95,6 +100,8 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   command->add_option("--only", options.only, "run this layout of the suite alone")->type_name("NUMBER");
   command->add_option("--pictures", config.pictures, "layouts of each suite and speed that are drawn")
       ->capture_default_str();
+  command->add_option("--record", config.record, "folder for recordings of the layouts that are drawn")
+      ->type_name("FOLDER");
   command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
   addSensors(*command, config.sensors);
@@ -104,6 +111,10 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       ->capture_default_str();
   command->add_option("--out", compare.out, "folder for results.json, trials.csv and pictures")
       ->capture_default_str();
+  command
+      ->add_option("--html", compare.html,
+                   "write a page in which all methods race through the layouts that are drawn")
+      ->type_name("FILE");
   command->add_flag("--json", compare.json, "print results.json instead of tables");
   return command;
 }
@@ -147,20 +158,29 @@ std::vector<std::string> commandNames(const CLI::App& app) {
   return names;
 }
 
-/// A wrong word at the command's place: CLI11 would only say that a command is missing.
-std::optional<Error> wrongCommand(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return std::nullopt;
+/// A wrong word at the place of a command or of its part: CLI11 would only say that one is missing.
+std::optional<Error> wrongCommand(const CLI::App& app, std::span<char*> words) {
   const std::vector<std::string> names = commandNames(app);
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return std::nullopt;
-  return Error{ErrorCode::kUsage, fmt::format("there is no command '{}'.{} See fulbito --help.", argv[1],
-                                              suggestion(argv[1], names))};
+  if (words.empty() || words.front()[0] == '-' || names.empty()) return std::nullopt;
+  if (std::find(names.begin(), names.end(), words.front()) != names.end()) {
+    return wrongCommand(*app.get_subcommand(words.front()), words.subspan(1));
+  }
+  const bool part = app.get_parent() != nullptr;
+  const std::string whole = part ? "fulbito " + app.get_name() : "fulbito";
+  return Error{ErrorCode::kUsage, fmt::format("{}there is no {} '{}'.{} See {} --help.",
+                                              part ? app.get_name() + ": " : "", part ? "part" : "command",
+                                              words.front(), suggestion(words.front(), names), whole)};
 }
 
 /// CLI11's message, or for an option that does not exist one with a suggestion.
 Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words) {
-  const auto used = app.get_subcommands();
-  const CLI::App& command = used.empty() ? app : *used.front();
-  const std::string name = used.empty() ? "" : command.get_name();
+  const CLI::App* last = &app;
+  std::string name;
+  for (auto used = app.get_subcommands(); !used.empty(); used = last->get_subcommands()) {
+    last = used.front();
+    name += (name.empty() ? "" : " ") + last->get_name();
+  }
+  const CLI::App& command = *last;
   std::string message = error.what();
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     std::vector<std::string> flags;
@@ -189,6 +209,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
     return compare(options.compare);
   }
   if (app.got_subcommand("match")) return match(options.match);
+  if (app.got_subcommand("replay")) return replay(options.replay);
   if (app.got_subcommand("list")) return list(options.list);
   if (app.got_subcommand("show")) return show(options.show);
   if (app.got_subcommand("bench")) return bench(options.bench);
@@ -208,20 +229,20 @@ int mainWithoutCatch(int argc, char** argv) {
       "  fulbito compare                                        the comparison of Jung & Lee (2015)\n"
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
       "  fulbito list teams\n"
-      "Exit codes: 0 ran, 1 the thing tested failed, 2 usage, 3 bad input file, 5 cannot read or write, 70 "
-      "internal error, 130 "
-      "interrupted.");
+      "Exit codes: 0 ran, 1 the thing tested failed, 2 usage, 3 bad input file, 5 cannot read or write, 7 a "
+      "recording differs, 70 internal error, 130 interrupted.");
   app.set_version_flag("--version", buildInfo().version);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
   Options options;
   addMatch(app, options.match);
+  addReplay(app, options.replay);
   const CLI::App* run_command = addRun(app, options);
   const CLI::App* compare_command = addCompare(app, options);
   addRest(app, options);
   addDrill(app, options.drill);
   addRules(app, options.rules);
-  if (const auto error = wrongCommand(app, argc, argv)) return report(*error);
+  if (const auto error = wrongCommand(app, {argv + 1, argv + std::max(argc, 1)})) return report(*error);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version

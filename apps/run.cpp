@@ -6,6 +6,7 @@
 #include "engine/core/output_file.hpp"
 #include "experiments/pictures.hpp"
 #include "experiments/report.hpp"
+#include "experiments/trial_recorder.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -91,8 +92,15 @@ void printScore(const TrialConfig& config, const TrialResult& result) {
 int run(const RunOptions& options) {
   const auto config = configOf(options);
   if (!config) return report(config.error());
-  const auto result = runTrial(*config, now);
+  std::optional<TrialRecorder> recorder;
+  if (!options.record.empty()) {
+    auto created = TrialRecorder::create(options.record, *config);
+    if (!created) return report(created.error());
+    recorder.emplace(std::move(*created));
+  }
+  const auto result = runTrial(*config, now, recorder ? &*recorder : nullptr);
   if (!result) return report(result.error());
+  if (recorder) fmt::print(stderr, "recording: {}\n", options.record);
   if (options.png) {
     const std::string file = options.png->empty() ? config->layout.name + ".png" : *options.png;
     if (auto written = writeTrialPicture(file, *config, *result); !written) return report(written.error());

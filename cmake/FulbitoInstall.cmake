@@ -5,7 +5,7 @@ get_property(libraries GLOBAL PROPERTY FULBITO_LIBRARIES)
 install(TARGETS ${libraries} EXPORT fulbitoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS fulbito RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 # Headers whose first line says that they are private stay behind.
-foreach(folder engine/core engine/sim navigation strategies referee replays replays/render match experiments)
+foreach(folder engine/core engine/sim navigation strategies referee replays replays/render replays/export replays/html match experiments)
   file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
   foreach(header IN LISTS headers)
     file(STRINGS ${header} first_line LIMIT_COUNT 1)

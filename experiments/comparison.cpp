@@ -8,6 +8,7 @@
 
 #include "experiments/paper_plan.hpp"
 #include "experiments/summary.hpp"
+#include "experiments/trial_recorder.hpp"
 
 namespace fulbito {
 namespace {
@@ -91,11 +92,31 @@ std::vector<Task> tasksOf(const Comparison& comparison) {
   return tasks;
 }
 
+/// Named after layout, speed and navigator; what no file name should hold becomes an underscore.
+std::string recordingFile(const std::string& folder, const TrialConfig& config) {
+  std::string name =
+      fmt::format("{}-{:.1f}-{}", config.layout.name, config.robot.robot.maxSpeed(), config.navigator.text);
+  for (char& c : name) {
+    const bool plain =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '.';
+    if (!plain) c = '_';
+  }
+  return folder + "/" + name + ".fbr";
+}
+
 Result<TrialRecord> runTask(const Comparison& comparison, const Task& task, const Clock& clock) {
   const Block& block = comparison.blocks[task.block];
   const auto config = trialConfig(comparison, block, task.navigator, task.index);
   if (!config) return tl::unexpected<Error>(config.error());
-  auto result = runTrial(*config, clock);
+  const bool drawn = comparison.config.only || block.suite->always_drawn ||
+                     task.index < static_cast<std::uint64_t>(comparison.config.pictures);
+  std::optional<TrialRecorder> recorder;
+  if (drawn && !comparison.config.record.empty()) {
+    auto created = TrialRecorder::create(recordingFile(comparison.config.record, *config), *config);
+    if (!created) return tl::unexpected<Error>(created.error());
+    recorder.emplace(std::move(*created));
+  }
+  auto result = runTrial(*config, clock, recorder ? &*recorder : nullptr);
   if (!result) {
     return fail(result.error().code,
                 fmt::format("{} at {} m/s, {}: {}", config->layout.name, block.speed,
@@ -103,8 +124,6 @@ Result<TrialRecord> runTask(const Comparison& comparison, const Task& task, cons
   }
   TrialRecord record{task.block, task.navigator, task.index, result->score, result->final_hash, {}, {}};
   record.compute_us.assign(result->compute_us.begin(), result->compute_us.end());
-  const bool drawn = comparison.config.only || block.suite->always_drawn ||
-                     task.index < static_cast<std::uint64_t>(comparison.config.pictures);
   if (drawn) record.trace = std::move(result->trace);
   return record;
 }

@@ -24,6 +24,7 @@ struct ComparisonConfig {
   SensorModel sensors;
   std::optional<std::uint64_t> only;  ///< this layout of each block alone
   int pictures = 8;                   ///< layouts of each block whose traces are kept for pictures
+  std::string record;                 ///< folder for recordings of these layouts; empty: none
 };
 
 /// One suite at one speed with the navigators that are compared on it.

@@ -9,6 +9,7 @@
 #include "engine/core/math.hpp"
 #include "engine/sim/world.hpp"
 #include "experiments/sensing.hpp"
+#include "experiments/trial_recorder.hpp"
 #include "navigation/tangent_graph_search.hpp"
 
 namespace fulbito {
@@ -115,7 +116,7 @@ void appendDiscs(const ObstacleSpec& spec, const ObstacleState& state, std::vect
   }
 }
 
-Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock) {
+Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock, TrialRecorder* recorder) {
   if (auto checked = check(config); !checked) return tl::unexpected<Error>(checked.error());
   auto world = World::create(worldOf(config));
   if (!world) return tl::unexpected<Error>(world.error());
@@ -136,6 +137,7 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock) {
   scene.goal = goalOf(config.layout);
   (*pilot)->reset();
   sensing.observe(world->state());
+  if (recorder != nullptr) recorder->begins(world->state());
   result.trace.push_back({0.0, world->state().robots.front(), {}});
   for (bool over = false; !over;) {
     scene.tick = world->state().tick;
@@ -148,11 +150,15 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock) {
     sensing.observe(world->state());
     over = referee.observe(world->state(), world->contacts(), command);
     hash.add(world->state());
+    if (recorder != nullptr) recorder->ticked(world->state(), command, hash.value());
     result.trace.push_back(
         {static_cast<double>(world->state().tick) * dt, world->state().robots.front(), command});
   }
   result.score = referee.score();
   result.final_hash = hash.value();
+  if (recorder != nullptr) {
+    if (auto written = recorder->ends(result); !written) return tl::unexpected<Error>(written.error());
+  }
   return result;
 }
 

@@ -53,8 +53,12 @@ struct TrialResult {
   std::uint64_t final_hash = 0;    ///< of all states of the trial
 };
 
-/// Runs it. Errors: kUsage or kBadInput when the layout does not fit the field or robot.
-Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock);
+class TrialRecorder;
+
+/// Runs it, and records it where a recorder is given. Errors: kUsage or kBadInput when the layout does not
+/// fit the field or robot; the recorder's.
+Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock,
+                             TrialRecorder* recorder = nullptr);
 
 /// Obstacles as discs for navigators: boxes are covered by one disc a square, side by side along the longer
 /// side.

@@ -4,6 +4,7 @@
 
 #include "engine/core/hash.hpp"
 #include "match/check_match.hpp"
+#include "match/edit.hpp"
 #include "match/restart.hpp"
 #include "match/seat.hpp"
 #include "match/stage_clock.hpp"
@@ -75,6 +76,8 @@ struct Match::Impl {
   StageClock stages;
   MatchClock watchdog;
   std::int64_t decision_limit = 0;
+  int edits = 0;
+  bool edited = false;  ///< the play is a user's, of which nobody was told yet
   bool started = false;
   bool ended = false;
 };
@@ -108,17 +111,21 @@ void Match::Impl::begin(Play&& from) {
 }
 
 void Match::Impl::announce() {
-  const PlayStart start{tick,         play->call,      play->placement, play->ids, &play->world.config(),
-                        play->events, &referee.state()};
+  const PlayStart start{tick,         play->call,       play->placement, play->ids, &play->world.config(),
+                        play->events, &referee.state(), edited};
   for (MatchObserver* observer : observers) observer->playBegins(start);
   stages.lap(&MatchProfile::record);
 }
 
 void Match::Impl::start() {
-  if (started) return;
+  if (started && !edited) return;
+  if (!started) {
+    for (MatchObserver* observer : observers) observer->matchBegins(config);
+  }
   started = true;
-  for (MatchObserver* observer : observers) observer->matchBegins(config);
   announce();
+  if (edited) ++edits;
+  edited = false;
 }
 
 GameEvent Match::Impl::eventNow() const {
@@ -259,9 +266,27 @@ bool Match::step() {
 
 void Match::finish() {
   if (impl_->ended) return;
+  if (!impl_->started) impl_->start();
   impl_->ended = true;
   for (MatchObserver* observer : impl_->observers) observer->matchEnds(impl_->referee.state(), impl_->tick);
 }
+
+Placement Match::placement() const { return placementOf(world(), ids()); }
+
+Result<void> Match::replace(const Placement& placement) {
+  Impl& m = *impl_;
+  if (m.ended) return fail(ErrorCode::kUsage, "the match is over");
+  if (const auto flaw = flawOfEdit(m.config, this->placement(), placement)) {
+    return fail(ErrorCode::kUsage, *flaw);
+  }
+  auto play = makePlay(m.config, editCall(m.referee.state(), placement), placement);
+  if (!play) return tl::unexpected<Error>(play.error());
+  m.begin(std::move(*play));
+  m.edited = true;
+  return {};
+}
+
+int Match::edits() const { return impl_->edits; }
 
 const MatchConfig& Match::config() const { return impl_->config; }
 const RefereeState& Match::referee() const { return impl_->referee.state(); }

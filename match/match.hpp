@@ -56,6 +56,16 @@ class Match {
   /// Ends the match as it stands: those who watch are told. Also called by the last `step`.
   void finish();
 
+  /// Where all stand now.
+  Placement placement() const;
+  /// Between ticks: goes on from this placement, everybody at rest, in a play and world of its own (kind
+  /// kGiven). Clock and score stay. Those who watch are told with the next tick, so that of several
+  /// replacements between two ticks only the last counts. Errors, which change nothing: kUsage when the match
+  /// is over, or as `flawOfEdit` (match/edit.hpp) says; as `World::create`.
+  Result<void> replace(const Placement& placement);
+  /// How often play went on from a replacement.
+  int edits() const;
+
   const MatchConfig& config() const;
   const RefereeState& referee() const;
   const WorldState& world() const;

@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/build_info.hpp"
-
 namespace fulbito {
 
 std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 Json scoreJson(const PerTeam<int>& score) { return {{"blue", score[0]}, {"yellow", score[1]}}; }
 
-Json buildJson() {
-  const BuildInfo& build = buildInfo();
+Json buildJson(const BuildInfo& build) {
   return {
       {"version", build.version}, {"compiler", build.compiler}, {"type", build.type}, {"box2d", build.box2d}};
 }

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/build_info.hpp"
 #include "match/event_lines.hpp"
 #include "match/match_config.hpp"
 
@@ -18,7 +19,7 @@ inline constexpr int kMatchSchemaVersion = 1;
 Json eventJson(const LoggedEvent& event, double dt);
 /// What a match is made from, but for its teams and its seed.
 Json matchConfigJson(const MatchConfig& config);
-Json buildJson();
+Json buildJson(const BuildInfo& build = buildInfo());
 /// Score by the teams' colours.
 Json scoreJson(const PerTeam<int>& score);
 /// Sixteen hexadecimal digits.

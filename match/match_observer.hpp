@@ -31,6 +31,7 @@ struct PlayStart {
   const WorldConfig* world = nullptr;
   std::span<const GameEvent> events;  ///< of the restart itself, such as repaired placements
   const RefereeState* referee = nullptr;
+  bool edited = false;  ///< placed by a user in the middle of the match: `Match::replace`
 };
 
 /// Something that watches a match: a recorder, statistics, an event stream. The match's result never depends

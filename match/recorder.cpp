@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/presets.hpp"
+#include "replays/command_model.hpp"
 #include "strategies/team_frame.hpp"
 
 namespace fulbito {
@@ -12,8 +13,6 @@ namespace {
 
 constexpr int kChunkSeconds = 5;
 constexpr int kSampleRate = 30;  // [Hz]
-/// Steps that are finer than this are not counted in whole numbers.
-constexpr double kLeastStep = 1e-6;  // [rad/s]
 
 RecordingRecipe recipeOf(const MatchConfig& config) {
   RecordingRecipe recipe;
@@ -52,8 +51,8 @@ RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level)
   header.kind = RecordingKind::kMatch;
   header.level = level;
   header.control_rate = config.physics.control_rate;
-  header.command_step =
-      config.physics.wheel_command_step < kLeastStep ? 0.0 : config.physics.wheel_command_step;
+  header.command_step = recordedCommandStep(config.physics);
+  header.command_model = commandModel(config.robot.robot, config.physics);
   header.sample_every = std::max(1, (config.physics.control_rate + kSampleRate / 2) / kSampleRate);
   header.chunk_ticks = kChunkSeconds * config.physics.control_rate;
   for (const TeamId team : kTeams) {
@@ -104,6 +103,7 @@ void MatchRecorder::playBegins(const PlayStart& start) {
       place = startOf(start.world->robots[next++]);
     }
   }
+  if (start.edited) ++edits_;
   writer_.beginPlay(play);
   for (const GameEvent& event : start.events) add(event);
 }
@@ -155,6 +155,7 @@ void MatchRecorder::matchEnds(const RefereeState& referee, Tick) {
   result.score = referee.score;
   result.final_hash = hash_;
   if (referee.ended) result.outcome = referee.winner ? nameOf(*referee.winner) : "draw";
+  if (edits_ > 0) result.figures.emplace_back("edits", edits_);
   written_ = writer_.finish(result);
 }
 

@@ -39,6 +39,7 @@ class MatchRecorder final : public MatchObserver {
   RecordedEvent event_;      ///< reused, so that texts need no new memory
   RecordedDrawing drawing_;  ///< the same
   std::uint64_t hash_ = 0;   ///< running, of the match
+  int edits_ = 0;            ///< plays from a user's placement
   Result<void> written_;
 };
 

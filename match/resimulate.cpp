@@ -34,42 +34,54 @@ Result<Models> modelsOf(const RecordingRecipe& recipe) {
 
 class Replay {
  public:
-  Replay(const RecordingReader& recording, Models models, ReplayVisitor& visitor)
-      : recording_(recording),
-        header_(recording.header()),
+  Replay(const RecordingHeader& header, Models models, const PlayRange& range, ReplayVisitor& visitor)
+      : header_(header),
         robots_(static_cast<std::size_t>(countOf(header_, BodyKind::kRobot))),
         models_(std::move(models)),
+        range_(range),
         visitor_(visitor) {}
 
-  Result<void> run() {
-    for (std::size_t i = 0; i < recording_.chunkCount(); ++i) {
-      const auto chunk = recording_.chunk(i);
+  Result<void> run(const ChunkSource& chunks) {
+    for (;;) {
+      const auto chunk = chunks();
       if (!chunk) return tl::unexpected<Error>(chunk.error());
-      auto played = play(*chunk);
+      if (!*chunk) return {};
+      auto played = play(**chunk);
       if (!played) return tl::unexpected<Error>(played.error());
-      if (!*played) break;
+      if (!*played) return {};
     }
-    return {};
   }
 
  private:
   /// False when the visitor has seen enough.
   Result<bool> play(const RecordedChunk& chunk) {
+    if (chunk.first_tick != expected_) {  // some are missing
+      world_.reset();
+      plays_ = chunk.plays_before;
+    } else if (chunk.first_tick == 0 && chunk.ticks > 0 &&
+               (chunk.plays.empty() || chunk.plays.front().tick > 0)) {
+      return fail(ErrorCode::kBadInput, "the recording begins without a play");
+    }
+    expected_ = chunk.first_tick + chunk.ticks;
+    visitor_.chunkBegins(chunk);
     auto next = chunk.plays.begin();
     for (std::size_t row = 0; row <= static_cast<std::size_t>(chunk.ticks); ++row) {
       const Tick before = chunk.first_tick + static_cast<Tick>(row);
       for (; next != chunk.plays.end() && next->tick <= before; ++next) {
-        auto begun = begin(*next);
+        world_.reset();
+        const std::int64_t number = plays_++;
+        if (number > range_.last) return false;
+        if (number < range_.first) continue;
+        auto begun = begin(*next, number);
         if (!begun || !*begun) return begun;
       }
       if (row == static_cast<std::size_t>(chunk.ticks)) break;
-      if (!world_) return fail(ErrorCode::kBadInput, "the recording begins without a play");
-      if (!step(chunk, row)) return false;
+      if (world_ && !step(chunk, row)) return false;
     }
     return true;
   }
 
-  Result<bool> begin(const RecordedPlay& play) {
+  Result<bool> begin(const RecordedPlay& play, std::int64_t number) {
     WorldConfig config;
     config.field = models_.field;
     config.physics = models_.physics;
@@ -90,7 +102,7 @@ class Replay {
     commands_.assign(ids_.size(), {});
     const std::uint64_t reached = hash_.value();
     hash_ = StateHash(play.hash);
-    return visitor_.playBegins({&play, plays_++, &*world_, ids_, bodies_, reached});
+    return visitor_.playBegins({&play, number, &*world_, ids_, bodies_, reached});
   }
 
   Result<void> place(WorldConfig& config, std::size_t body, const RecordedStart& start) {
@@ -120,10 +132,10 @@ class Replay {
                             hash_.value(), &chunk, row});
   }
 
-  const RecordingReader& recording_;
   const RecordingHeader& header_;
   const std::size_t robots_;
   const Models models_;
+  const PlayRange range_;
   ReplayVisitor& visitor_;
   std::optional<World> world_;
   std::vector<RobotId> ids_;
@@ -131,14 +143,30 @@ class Replay {
   std::vector<WheelSpeeds> commands_;
   StateHash hash_;
   std::int64_t plays_ = 0;
+  Tick expected_ = 0;  ///< where the next chunk begins if none is missing
 };
 
 }  // namespace
 
-Result<void> resimulate(const RecordingReader& recording, ReplayVisitor& visitor) {
-  auto models = modelsOf(recording.header().recipe);
+Result<void> resimulate(const RecordingHeader& header, const ChunkSource& chunks, const PlayRange& plays,
+                        ReplayVisitor& visitor) {
+  auto models = modelsOf(header.recipe);
   if (!models) return fail(ErrorCode::kBadInput, models.error().message);
-  return Replay(recording, std::move(*models), visitor).run();
+  return Replay(header, std::move(*models), plays, visitor).run(chunks);
+}
+
+Result<void> resimulate(const RecordingReader& recording, const PlayRange& plays, ReplayVisitor& visitor) {
+  const auto chunks = [&recording, i = std::size_t{0}]() mutable -> Result<std::optional<RecordedChunk>> {
+    if (i == recording.chunkCount()) return std::nullopt;
+    auto chunk = recording.chunk(i++);
+    if (!chunk) return tl::unexpected<Error>(chunk.error());
+    return std::optional<RecordedChunk>(std::move(*chunk));
+  };
+  return resimulate(recording.header(), chunks, plays, visitor);
+}
+
+Result<void> resimulate(const RecordingReader& recording, ReplayVisitor& visitor) {
+  return resimulate(recording, PlayRange{}, visitor);
 }
 
 std::string bodyName(const RecordingHeader& header, std::size_t body) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,6 +39,8 @@ struct ReplayedTick {
 class ReplayVisitor {
  public:
   virtual ~ReplayVisitor() = default;
+  /// A part of the recording was unpacked; its plays and ticks follow.
+  virtual void chunkBegins(const RecordedChunk&) {}
   /// @{ False ends the replay there.
   virtual bool playBegins(const ReplayedPlay&) { return true; }
   virtual bool ticked(const ReplayedTick&) { return true; }
@@ -46,6 +51,21 @@ class ReplayVisitor {
 /// commands. No team and no referee takes part. Errors: kBadInput naming the file, for a recipe that makes no
 /// world.
 Result<void> resimulate(const RecordingReader& recording, ReplayVisitor& visitor);
+
+/// Plays of a recording, counted from 0, both included.
+struct PlayRange {
+  std::int64_t first = 0;
+  std::int64_t last = std::numeric_limits<std::int64_t>::max();
+};
+/// Only these plays of it, each a world of its own.
+Result<void> resimulate(const RecordingReader& recording, const PlayRange& plays, ReplayVisitor& visitor);
+
+/// Gives the chunks of a recording one after the other; nothing after the last one.
+using ChunkSource = std::function<Result<std::optional<RecordedChunk>>()>;
+/// The same of chunks from anywhere. Some may be missing: what belongs to plays that began in them is left
+/// out.
+Result<void> resimulate(const RecordingHeader& header, const ChunkSource& chunks, const PlayRange& plays,
+                        ReplayVisitor& visitor);
 
 /// Name of a body: "blue 0", "robot 0" of a trial, "ball", "obstacle 3".
 std::string bodyName(const RecordingHeader& header, std::size_t body);

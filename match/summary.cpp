@@ -114,6 +114,7 @@ std::string headline(const MatchReport& report) {
       fmt::format("{} (blue) {} : {} {} (yellow)", nameOf(report, TeamId::kBlue), report.referee.score[0],
                   report.referee.score[1], nameOf(report, TeamId::kYellow));
   if (!report.complete) text += ", broken off";
+  if (report.edits > 0) text += ", edited";
   if (report.referee.period == kShootOutPeriod) {
     text += fmt::format(", shoot-out {} : {}", report.referee.shoot_out.goals[0],
                         report.referee.shoot_out.goals[1]);
@@ -137,6 +138,7 @@ MatchReport reportOf(const Match& match, const StatisticsObserver& statistics, c
   report.referee = match.referee();
   report.faults = match.faults();
   report.complete = match.referee().ended && !report.faults.abandoned;
+  report.edits = match.edits();
   report.statistics = statistics.statistics();
   report.events = events.events();
   report.events_left_out = events.leftOut();

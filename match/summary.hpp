@@ -15,6 +15,7 @@ struct MatchReport {
   MatchConfig config;
   RefereeState referee;  ///< at the end
   bool complete = true;  ///< false: broken off before its end
+  int edits = 0;         ///< how often a user placed ball and robots anew
   MatchStatistics statistics;
   std::vector<LoggedEvent> events;
   std::size_t events_left_out = 0;

@@ -127,6 +127,8 @@ std::string matchJson(const MatchReport& report) {
   Json json = {{"schema_version", kMatchSchemaVersion},
                {"teams", teamsJson(report.config.teams, "blue", "yellow")},
                {"score", fullScoreJson(report)},
+               {"edited", report.edits > 0},
+               {"edits", report.edits},
                {"events", Json::array()},
                {"events_left_out", report.events_left_out},
                {"stats", statsJson(report)},

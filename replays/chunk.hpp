@@ -74,10 +74,12 @@ class ChunkBuilder {
   void sample(const WorldState& world);
   void putSection(std::uint8_t id, std::span<const BytesView> parts, Compressor& compressor);
   void putList(std::uint8_t id, const List& list, Compressor& compressor);
-  void putColumns(std::uint8_t id, const Columns& table, Compressor& compressor);
+  template <typename Pack>
+  void putModelled(std::uint8_t id, const Columns& table, const Pack& pack);
   void startNext();
 
   RecordingHeader header_;
+  double heading_step_;
   std::size_t robots_, balls_;
   Tick first_tick_ = 0;
   int ticks_ = 0;
@@ -90,7 +92,6 @@ class ChunkBuilder {
   bool run_value_ = true;
   std::uint64_t run_length_ = 0;
   List play_list_, events_, drawings_;
-  PackedColumns packed_;
   Bytes head_, body_;
   std::vector<Section> sections_;
 };
@@ -99,5 +100,13 @@ class ChunkBuilder {
 tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const RecordingHeader& header);
 /// The whole chunk.
 tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header);
+
+/// Bytes that one section takes in the file.
+struct SectionSize {
+  const char* name = "";
+  std::size_t bytes = 0;
+};
+/// Of all sections of a chunk; empty for a broken one.
+std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header);
 
 }  // namespace fulbito

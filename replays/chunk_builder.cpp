@@ -1,8 +1,8 @@
-#include <array>
-
 #include "replays/chunk.hpp"
 #include "replays/chunk_format.hpp"
+#include "replays/command_code.hpp"
 #include "replays/header_json.hpp"
+#include "replays/sample_code.hpp"
 
 namespace fulbito {
 namespace {
@@ -39,12 +39,13 @@ void writePlay(const RecordedPlay& play, Tick offset, Bytes& bytes) {
   }
 }
 
-std::int64_t placeSteps(double value) { return wholeSteps(value, kSamplePlaceStep); }
+std::int64_t drawingSteps(double value) { return wholeSteps(value, kDrawingStep); }
 
 }  // namespace
 
 ChunkBuilder::ChunkBuilder(const RecordingHeader& header)
     : header_(header),
+      heading_step_(sampleHeadingStep(header)),
       robots_(static_cast<std::size_t>(countOf(header, BodyKind::kRobot))),
       balls_(static_cast<std::size_t>(countOf(header, BodyKind::kBall))),
       present_at_start_(header.bodies.size()),
@@ -140,10 +141,11 @@ void ChunkBuilder::sample(const WorldState& world) {
   const std::size_t row = samples_.addRow();
   std::size_t column = 0;
   const auto put = [&](double value, double step) { samples_.at(column++, row) = wholeSteps(value, step); };
+  const double place_step = header_.sample_step;
   const auto put_pose = [&](const Pose2& pose) {
-    put(pose.position.x, kSamplePlaceStep);
-    put(pose.position.y, kSamplePlaceStep);
-    put(pose.heading, kSampleHeadingStep);
+    put(pose.position.x, place_step);
+    put(pose.position.y, place_step);
+    put(pose.heading, heading_step_);
   };
   std::size_t robot = 0, ball = 0, obstacle = 0;
   for (std::size_t body = 0; body < header_.bodies.size(); ++body) {
@@ -153,8 +155,8 @@ void ChunkBuilder::sample(const WorldState& world) {
       put_pose(world.robots[robot++].pose);
     } else if (body < robots_ + balls_) {
       const BallState& state = world.balls[ball++];
-      put(state.position.x, kSamplePlaceStep);
-      put(state.position.y, kSamplePlaceStep);
+      put(state.position.x, place_step);
+      put(state.position.y, place_step);
     } else {
       put_pose(world.obstacles[obstacle++].pose);
     }
@@ -179,7 +181,7 @@ void ChunkBuilder::drawing(const RecordedDrawing& drawing) {
   out.signedVarint(drawing.tick - first_tick_);
   out.byte(static_cast<std::uint8_t>(2 * static_cast<unsigned>(drawing.kind) + indexOf(drawing.team)));
   for (const double value : {drawing.from.x, drawing.from.y, drawing.to.x, drawing.to.y, drawing.radius}) {
-    out.signedVarint(placeSteps(value));
+    out.signedVarint(drawingSteps(value));
   }
   out.text(drawing.text);
   ++drawings_.count;
@@ -218,16 +220,12 @@ void ChunkBuilder::putList(std::uint8_t id, const List& list, Compressor& compre
   putSection(id, {&part, 1}, compressor);
 }
 
-void ChunkBuilder::putColumns(std::uint8_t id, const Columns& table, Compressor& compressor) {
+template <typename Pack>
+void ChunkBuilder::putModelled(std::uint8_t id, const Columns& table, const Pack& pack) {
   if (table.rows() == 0 || table.columns() == 0) return;
-  packColumns(table, packed_);
-  std::array<BytesView, 4> parts;
-  std::size_t count = 0, begin = 0;
-  for (const std::size_t end : packed_.ends) {
-    parts[count++] = BytesView(packed_.bytes).substr(begin, end - begin);
-    begin = end;
-  }
-  putSection(id, {parts.data(), count}, compressor);
+  const std::size_t begin = body_.size();
+  pack();
+  sections_.push_back({id, Codec::kModelled, table.columns() * table.rows(), body_.size() - begin});
 }
 
 void ChunkBuilder::pack(Compressor& compressor, Bytes& out) {
@@ -236,7 +234,8 @@ void ChunkBuilder::pack(Compressor& compressor, Bytes& out) {
   body_.clear();
   sections_.clear();
   putList(id_of(SectionId::kPlays), play_list_, compressor);
-  putColumns(id_of(SectionId::kCommands), commands_, compressor);
+  putModelled(id_of(SectionId::kCommands), commands_,
+              [&] { packCommands(commands_, header_.command_model, body_); });
   for (const auto& [id, bytes] :
        {std::pair{SectionId::kCommands, &exact_commands_}, std::pair{SectionId::kTickHashes, &hashes_},
         std::pair{SectionId::kPlaying, &runs_}, std::pair{SectionId::kChecks, &checks_}}) {
@@ -245,7 +244,7 @@ void ChunkBuilder::pack(Compressor& compressor, Bytes& out) {
   }
   putList(id_of(SectionId::kEvents), events_, compressor);
   putList(id_of(SectionId::kDrawings), drawings_, compressor);
-  putColumns(id_of(SectionId::kSamples), samples_, compressor);
+  putModelled(id_of(SectionId::kSamples), samples_, [&] { packSamples(samples_, header_, body_); });
   writeHead(out);
   out.append(body_);
   startNext();

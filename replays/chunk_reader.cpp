@@ -6,7 +6,9 @@
 
 #include "replays/chunk.hpp"
 #include "replays/chunk_format.hpp"
+#include "replays/command_code.hpp"
 #include "replays/header_json.hpp"
+#include "replays/sample_code.hpp"
 
 namespace fulbito {
 namespace {
@@ -86,14 +88,30 @@ class ChunkParser {
   std::size_t count(BodyKind kind) const { return static_cast<std::size_t>(countOf(header_, kind)); }
   std::size_t ticks() const { return static_cast<std::size_t>(chunk_.ticks); }
 
+  const Section* find(SectionId id) const {
+    for (const Section& section : layout_.sections) {
+      if (section.id == static_cast<std::uint8_t>(id)) return &section;
+    }
+    return nullptr;
+  }
   /// The content of a section; empty without it. No value: it is broken or larger than `most`.
   std::optional<Bytes> open(SectionId id, std::size_t most) const {
-    for (const Section& section : layout_.sections) {
-      if (section.id != static_cast<std::uint8_t>(id)) continue;
-      if (section.raw > most) return std::nullopt;
-      return unpack(section.codec, section.stored, section.raw);
+    const Section* section = find(id);
+    if (section == nullptr) return Bytes();
+    if (section->raw > most) return std::nullopt;
+    return unpack(section->codec, section->stored, section->raw);
+  }
+  /// A section that is a table: by `model` where it was packed so, else as version 1 did.
+  template <typename Model>
+  std::optional<Columns> table(SectionId id, std::size_t columns, std::size_t rows,
+                               const Model& model) const {
+    const Section* section = find(id);
+    if (section == nullptr) return std::nullopt;
+    if (section->codec == static_cast<std::uint8_t>(Codec::kModelled)) {
+      return section->raw == columns * rows ? model(section->stored) : std::nullopt;
     }
-    return Bytes();
+    const auto bytes = open(id, maxPackedSize(columns, rows));
+    return bytes ? unpackColumns(*bytes, columns, rows) : std::nullopt;
   }
 
   /// Reads a section that is a list: `each` takes one item off the reader.
@@ -153,12 +171,12 @@ class ChunkParser {
 
   bool commands() {
     const std::size_t values = 2 * robots_ * ticks();
-    const auto bytes = open(SectionId::kCommands, std::max(8 * values, maxPackedSize(2 * robots_, ticks())));
-    if (!bytes) return false;
     chunk_.commands.resize(robots_ * ticks());
-    if (values == 0) return bytes->empty();
-    if (header_.command_step == 0.0) return exactCommands(*bytes, values);
-    const auto table = unpackColumns(*bytes, 2 * robots_, ticks());
+    if (values == 0) return find(SectionId::kCommands) == nullptr;
+    if (header_.command_step == 0.0) return exactCommands(values);
+    const auto table = this->table(SectionId::kCommands, 2 * robots_, ticks(), [&](BytesView stored) {
+      return unpackCommands(stored, header_.command_model, 2 * robots_, ticks());
+    });
     if (!table) return false;
     for (std::size_t row = 0; row < ticks(); ++row) {
       for (std::size_t robot = 0; robot < robots_; ++robot) {
@@ -169,9 +187,10 @@ class ChunkParser {
     return true;
   }
 
-  bool exactCommands(const Bytes& bytes, std::size_t values) {
-    if (bytes.size() != 8 * values) return false;
-    ByteReader in(bytes);
+  bool exactCommands(std::size_t values) {
+    const auto bytes = open(SectionId::kCommands, 8 * values);
+    if (!bytes || bytes->size() != 8 * values) return false;
+    ByteReader in(*bytes);
     for (WheelSpeeds& command : chunk_.commands) {
       command.left = in.number();
       command.right = in.number();
@@ -245,7 +264,7 @@ class ChunkParser {
       drawing.team = static_cast<TeamId>(what % 2);
       for (double* value :
            {&drawing.from.x, &drawing.from.y, &drawing.to.x, &drawing.to.y, &drawing.radius}) {
-        *value = static_cast<double>(in.signedVarint()) * kSamplePlaceStep;
+        *value = static_cast<double>(in.signedVarint()) * kDrawingStep;
       }
       drawing.text = in.text();
     });
@@ -257,10 +276,9 @@ class ChunkParser {
                           ? static_cast<std::size_t>(multiplesIn(chunk_.first_tick, chunk_.ticks, every))
                           : std::size_t{0};
     const std::size_t columns = sampleColumns(header_);
-    const auto bytes = open(SectionId::kSamples, maxPackedSize(columns, rows));
-    if (!bytes) return false;
-    if (rows * columns == 0) return bytes->empty();
-    const auto table = unpackColumns(*bytes, columns, rows);
+    if (rows * columns == 0) return find(SectionId::kSamples) == nullptr;
+    const auto table = this->table(SectionId::kSamples, columns, rows,
+                                   [&](BytesView stored) { return unpackSamples(stored, header_, rows); });
     if (!table) return false;
     for (std::size_t row = 0; row < rows; ++row) {
       const Tick tick = (chunk_.first_tick / every + 1 + static_cast<Tick>(row)) * every;
@@ -270,14 +288,15 @@ class ChunkParser {
   }
 
   std::vector<Pose2> posesOf(const Columns& table, std::size_t row) const {
+    const double heading_step = sampleHeadingStep(header_);
     std::vector<Pose2> poses;
     poses.reserve(header_.bodies.size());
     std::size_t column = 0;
     for (const RecordedBody& body : header_.bodies) {
       Pose2& pose = poses.emplace_back();
-      pose.position.x = table.at(column++, row) * kSamplePlaceStep;
-      pose.position.y = table.at(column++, row) * kSamplePlaceStep;
-      if (sampleColumns(body.kind) == 3) pose.heading = table.at(column++, row) * kSampleHeadingStep;
+      pose.position.x = table.at(column++, row) * header_.sample_step;
+      pose.position.y = table.at(column++, row) * header_.sample_step;
+      if (sampleColumns(body.kind) == 3) pose.heading = table.at(column++, row) * heading_step;
     }
     return poses;
   }
@@ -293,6 +312,18 @@ class ChunkParser {
 tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const RecordingHeader& header) {
   ByteReader in(payload);
   return takeHead(in, header);
+}
+
+std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header) {
+  static constexpr std::array<const char*, 9> kNames{"other",  "plays",  "commands", "hashes", "clock",
+                                                     "checks", "events", "drawings", "samples"};
+  std::vector<SectionSize> sizes;
+  const auto layout = layoutOf(payload, header);
+  if (!layout) return sizes;
+  for (const Section& section : layout->sections) {
+    sizes.push_back({kNames[section.id < kNames.size() ? section.id : 0], section.stored.size()});
+  }
+  return sizes;
 }
 
 tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header) {

@@ -1,7 +1,5 @@
 #include "replays/columns.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fulbito {
@@ -25,67 +23,9 @@ std::uint32_t predict(int predictor, std::uint32_t last, std::uint32_t second_la
   return 0;
 }
 
-std::uint32_t folded(std::uint32_t difference) { return (difference << 1) ^ (~(difference >> 31) + 1); }
 std::uint32_t unfolded(std::uint32_t value) { return (value >> 1) ^ (~(value & 1) + 1); }
 
-/// The predictor that leaves least, by the sum of what it leaves.
-int bestPredictor(const Columns& table, std::size_t column) {
-  std::array<std::uint64_t, kPredictors> costs{};
-  std::uint32_t last = 0, second_last = 0;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto value = static_cast<std::uint32_t>(table.at(column, row));
-    costs[0] += folded(value);
-    costs[1] += folded(value - last);
-    costs[2] += folded(value - (2 * last - second_last));
-    second_last = last;
-    last = value;
-  }
-  return static_cast<int>(std::min_element(costs.begin(), costs.end()) - costs.begin());
-}
-
-/// Appends what a predictor leaves of one column; all its bits in one.
-std::uint32_t leave(const Columns& table, std::size_t column, int predictor,
-                    std::vector<std::uint32_t>& left) {
-  std::uint32_t last = 0, second_last = 0, all = 0;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto value = static_cast<std::uint32_t>(table.at(column, row));
-    left.push_back(folded(value - predict(predictor, last, second_last)));
-    all |= left.back();
-    second_last = last;
-    last = value;
-  }
-  return all;
-}
-
-std::size_t planesFor(std::uint32_t all) {
-  std::size_t planes = 1;
-  while (planes < 4 && (all >> (8 * planes)) != 0) ++planes;
-  return planes;
-}
-
 }  // namespace
-
-void packColumns(const Columns& table, PackedColumns& out) {
-  out.bytes.clear();
-  out.ends.clear();
-  out.left.clear();
-  std::uint32_t all = 0;
-  out.bytes.push_back('\0');  // the number of planes, once it is known
-  for (std::size_t column = 0; column < table.columns(); ++column) {
-    const int predictor = bestPredictor(table, column);
-    out.bytes.push_back(static_cast<char>(predictor));
-    all |= leave(table, column, predictor, out.left);
-  }
-  const std::size_t planes = planesFor(all);
-  out.bytes.front() = static_cast<char>(planes);
-  for (std::size_t plane = 0; plane < planes; ++plane) {
-    const std::size_t begin = out.bytes.size();
-    out.bytes.resize(begin + out.left.size());
-    char* to = out.bytes.data() + begin;
-    for (const std::uint32_t value : out.left) *to++ = static_cast<char>(value >> (8 * plane));
-    out.ends.push_back(out.bytes.size());
-  }
-}
 
 std::size_t maxPackedSize(std::size_t columns, std::size_t rows) { return 1 + columns + 4 * columns * rows; }
 

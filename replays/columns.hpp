@@ -30,21 +30,11 @@ class Columns {
   std::vector<std::int32_t> values_;
 };
 
-/// Bytes that general compression shortens well: every column as what is left after a prediction from its own
-/// past, split into planes of equal significance.
-struct PackedColumns {
-  Bytes bytes;
-  std::vector<std::size_t> ends;    ///< where each plane ends
-  std::vector<std::uint32_t> left;  ///< memory for what predictions leave
-};
-
-/// Packs into `out`, whose memory is used again.
-void packColumns(const Columns& table, PackedColumns& out);
-
-/// The most bytes that such a table may take.
+/// The most bytes that such a table takes in a file of version 1.
 std::size_t maxPackedSize(std::size_t columns, std::size_t rows);
 
-/// Reverses `packColumns`. Empty when the bytes are not those of such a table.
+/// A table as version 1 kept it: every column as what is left after a prediction from its own past, split
+/// into planes of equal significance. Empty when the bytes are not those of such a table.
 std::optional<Columns> unpackColumns(BytesView bytes, std::size_t columns, std::size_t rows);
 
 /// `value / step` as the nearest whole number; 0 for what is not finite or too large.

@@ -11,7 +11,11 @@
 namespace fulbito {
 
 /// How the bytes of a block or section are kept. The numbers stand in files.
-enum class Codec : std::uint8_t { kStored = 0, kZstd = 1 };
+enum class Codec : std::uint8_t {
+  kStored = 0,
+  kZstd = 1,
+  kModelled = 2  ///< of a chunk's commands and samples: a model of their own, see command_code, sample_code
+};
 
 /// Packs bytes with zstd; keeps its tables between calls.
 class Compressor {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/hash.hpp"
+#include "engine/core/math.hpp"
 
 namespace fulbito {
 namespace {
@@ -28,6 +29,10 @@ class ShortHash {
 int countOf(const RecordingHeader& header, BodyKind kind) {
   return static_cast<int>(std::count_if(header.bodies.begin(), header.bodies.end(),
                                         [kind](const RecordedBody& body) { return body.kind == kind; }));
+}
+
+double sampleHeadingStep(const RecordingHeader& header) {
+  return header.sample_turn > 0 ? 2.0 * math::kPi / header.sample_turn : 1e-3;
 }
 
 BodyHash bodyHash(const RobotState& robot) {

@@ -19,8 +19,8 @@
 /// and, at the full level, where everything was, so that a viewer needs no physics.
 namespace fulbito {
 
-/// Version of the file format that this library writes and reads.
-inline constexpr std::uint32_t kRecordingVersion = 1;
+/// Version of the file format that this library writes. It reads this one and all before it.
+inline constexpr std::uint32_t kRecordingVersion = 2;
 
 /// What was recorded. The names stand in files: match, trial.
 enum class RecordingKind : std::uint8_t { kMatch, kTrial };
@@ -56,13 +56,28 @@ struct RecordingRecipe {
   std::vector<std::pair<std::string, std::string>> more;
 };
 
+/// What is known of how teams command wheels, in steps of a command: robots speed up by so much a tick, and
+/// spin by a share of what the wheels ask for. It only makes recordings smaller; commands that know nothing
+/// of it are recorded as exactly.
+struct CommandModel {
+  int most_change = 0;    ///< of right less left in a tick, twice what one wheel can gain; 0: unknown
+  int spin_from = 0;      ///< right less left up to which a robot turns by the slow ratio
+  int spin_to = 0;        ///< right less left from which on it turns by the fast ratio; linear between
+  int spin_slow = 65536;  ///< ratio of the turn reached to the turn commanded, in 1/65536
+  int spin_fast = 65536;
+  friend bool operator==(const CommandModel&, const CommandModel&) = default;
+};
+
 /// What stands at the head of a recording.
 struct RecordingHeader {
   RecordingKind kind = RecordingKind::kMatch;
   RecordingLevel level = RecordingLevel::kFull;
-  int control_rate = 60;             ///< [Hz] ticks a second, 1 ... 1000
-  double command_step = 0.01;        ///< [rad/s] commands are multiples of it; 0: any number
+  int control_rate = 60;       ///< [Hz] ticks a second, 1 ... 1000
+  double command_step = 0.01;  ///< [rad/s] commands are multiples of it; 0: any number
+  CommandModel command_model;
   int sample_every = 2;              ///< ticks between sampled states
+  double sample_step = 5e-4;         ///< [m] sampled places are multiples of it
+  int sample_turn = 1024;            ///< steps of a turn; sampled headings are whole steps. 0: version 1
   int chunk_ticks = 300;             ///< ticks that are lost at most when the file is cut
   std::vector<RecordedBody> bodies;  ///< robots, then balls, then obstacles
   RecordingRecipe recipe;
@@ -137,7 +152,7 @@ struct RecordedCheck {
   std::vector<BodyHash> bodies;  ///< one a body of the header; 0 of an absent one
 };
 
-/// Where the bodies were, rounded to 0.1 mm and 1 mrad.
+/// Where the bodies were, rounded to the header's steps.
 struct RecordedSample {
   Tick tick = 0;
   std::vector<Pose2> poses;  ///< one a body of the header; of an absent one at the origin
@@ -169,9 +184,10 @@ struct RecordingResult {
   std::vector<std::pair<std::string, double>> figures;  ///< by name
 };
 
-/// Rounding of sampled states.
-inline constexpr double kSamplePlaceStep = 1e-4;    ///< [m]
-inline constexpr double kSampleHeadingStep = 1e-3;  ///< [rad] 0.04 mm at the edge of a robot
+/// [rad] What sampled headings are multiples of.
+double sampleHeadingStep(const RecordingHeader& header);
+/// [m] What places in drawings are multiples of.
+inline constexpr double kDrawingStep = 1e-4;
 
 /// @{ Short hashes of one body; equal states give equal ones, -0 counts as +0.
 BodyHash bodyHash(const RobotState& robot);

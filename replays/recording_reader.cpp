@@ -1,5 +1,7 @@
 #include "replays/recording_reader.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "engine/core/text_file.hpp"
@@ -50,10 +52,11 @@ struct RecordingReader::Impl {
   Step readPrologue() {
     if (!BytesView(bytes).starts_with(kMagic)) return bad("not a recording (.fbr) of this program");
     ByteReader in(BytesView(bytes).substr(kMagic.size()));
-    const auto version = in.fixed<std::uint32_t>();
+    version = in.fixed<std::uint32_t>();
     if (!in.good()) return bad("cut before its header");
-    if (version != kRecordingVersion) {
-      return bad(fmt::format("format version {}; this program reads version {}", version, kRecordingVersion));
+    if (version < 1 || version > kRecordingVersion) {
+      return bad(
+          fmt::format("format version {}; this program reads versions 1 ... {}", version, kRecordingVersion));
     }
     return {};
   }
@@ -67,10 +70,11 @@ struct RecordingReader::Impl {
     if (block->type != BlockType::kHeader) return badBlock(*block, "a header was expected");
     const auto text = textOf(*block);
     if (!text) return badBlock(*block, "it cannot be unpacked");
-    auto read = headerFromJson(*text);
+    auto read = headerFromJson(*text, version);
     if (!read) return badBlock(*block, read.error());
     header = std::move(*read);
     header_checksum = block->checksum;
+    header_bytes = block->payload.size();
     next = block->end();
     return {};
   }
@@ -158,7 +162,9 @@ struct RecordingReader::Impl {
 
   const std::string bytes;
   const std::string origin;
+  std::uint32_t version = 0;
   RecordingHeader header;
+  std::size_t header_bytes = 0;
   std::uint64_t header_checksum = 0;
   std::size_t next = 0;
   std::vector<Place> chunks;
@@ -194,6 +200,29 @@ const std::optional<RecordingResult>& RecordingReader::result() const { return i
 Tick RecordingReader::ticks() const { return impl_->ticks; }
 std::size_t RecordingReader::chunkCount() const { return impl_->chunks.size(); }
 std::size_t RecordingReader::sizeInBytes() const { return impl_->bytes.size(); }
+
+const std::string& RecordingReader::origin() const { return impl_->origin; }
+std::string_view RecordingReader::bytes() const { return impl_->bytes; }
+std::uint32_t RecordingReader::version() const { return impl_->version; }
+
+std::vector<RecordingPart> RecordingReader::sizeByPart() const {
+  std::vector<RecordingPart> parts{{"header", impl_->header_bytes}};
+  std::size_t known = impl_->header_bytes;
+  for (const Impl::Place& chunk : impl_->chunks) {
+    for (const SectionSize& section : sectionSizes(chunk.payload, impl_->header)) {
+      const auto same = std::find_if(parts.begin(), parts.end(),
+                                     [&](const RecordingPart& part) { return part.name == section.name; });
+      known += section.bytes;
+      if (same != parts.end()) {
+        same->bytes += section.bytes;
+      } else {
+        parts.push_back({section.name, section.bytes});
+      }
+    }
+  }
+  parts.push_back({"frame", impl_->bytes.size() - known});
+  return parts;
+}
 
 Tick RecordingReader::firstTick(std::size_t index) const {
   return static_cast<Tick>(impl_->chunks[index].place.first_tick);

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "engine/core/result.hpp"
 #include "replays/recording.hpp"
@@ -12,6 +15,12 @@ namespace fulbito {
 /// How strict a reader is.
 struct RecordingReadOptions {
   bool salvage = false;  ///< of a damaged file, what precedes the damage is read as if it were cut there
+};
+
+/// How many bytes of a file one kind of content takes, as stored.
+struct RecordingPart {
+  std::string name;
+  std::size_t bytes = 0;
 };
 
 /// Reads a recording. All checksums and the order of chunks are checked when it is opened; a chunk is
@@ -41,6 +50,14 @@ class RecordingReader {
   /// A chunk, `index` below `chunkCount`. Errors: kBadInput.
   Result<RecordedChunk> chunk(std::size_t index) const;
   std::size_t sizeInBytes() const;
+  /// Where the bytes go: every kind of content that is there, and "frame" for all that holds them together.
+  std::vector<RecordingPart> sizeByPart() const;
+  /// The file's name, or what stands for it in errors.
+  const std::string& origin() const;
+  /// The whole file.
+  std::string_view bytes() const;
+  /// Version of the format that the file is written in.
+  std::uint32_t version() const;
 
  private:
   struct Impl;

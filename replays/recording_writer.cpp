@@ -42,10 +42,18 @@ class OutputStream {
   const int descriptor_;
 };
 
+/// What came from a file of version 1 is written in this version's steps.
+RecordingHeader inThisVersion(RecordingHeader header) {
+  if (header.sample_turn > 0) return header;
+  header.sample_step = RecordingHeader().sample_step;
+  header.sample_turn = RecordingHeader().sample_turn;
+  return header;
+}
+
 }  // namespace
 
 struct RecordingWriter::Impl {
-  Impl(Sink to, const RecordingHeader& h) : sink(std::move(to)), header(h), chunk(h) {}
+  Impl(Sink to, const RecordingHeader& h) : sink(std::move(to)), header(inThisVersion(h)), chunk(header) {}
 
   void write(BytesView bytes) {
     if (state) state = sink(bytes);

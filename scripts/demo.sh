@@ -14,12 +14,14 @@ cmake --preset release -DFULBITO_BUILD_TESTS=OFF >/dev/null
 cmake --build --preset release --target fulbito
 echo
 echo "A first look: all methods on 20 layouts, corner to corner at 2.6 m/s"
-build/release/fulbito compare --suite corner --speeds 2.6 --trials 20 --pictures 4 --out "$out/first-look"
+build/release/fulbito compare --suite corner --speeds 2.6 --trials 20 --pictures 4 --out "$out/first-look" --html "$out/races.html"
 echo
 echo "The comparison: 200 layouts, three speeds, and the paper's own runs"
 build/release/fulbito compare --out "$out"
 echo
 echo "A match: two halves of five minutes, recorded"
 build/release/fulbito match libero classic --seed 7 --record "$out/match.fbr"
+build/release/fulbito replay export "$out/match.fbr" --html "$out/match.html" --force
 echo
 echo "Pictures: $out/*.png (time.png and distance.png sum up; corner-0-1.0.png shows every method's way)"
+echo "To look at in a browser: $out/match.html (the match) and $out/races.html (all methods on the first layouts)"

@@ -28,6 +28,17 @@ bool writeAll(int descriptor, const std::string& content) {
          errno == EROFS;  // pipes and some file systems have no fsync
 }
 
+/// Renaming over a device or pipe would take its place, e.g. that of /dev/null.
+Result<void> writeDevice(const std::string& file, const std::string& content) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return ioError("write", file, std::strerror(errno));
+  const bool complete = writeAll(descriptor, content);
+  const int reason = errno;
+  if (::close(descriptor) != 0 || !complete)
+    return ioError("write", file, std::strerror(complete ? errno : reason));
+  return {};
+}
+
 }  // namespace
 
 Result<void> prepareFolder(const std::string& folder) {
@@ -44,6 +55,11 @@ Result<void> prepareFolder(const std::string& folder) {
 }
 
 Result<void> writeFile(const std::string& file, const std::string& content) {
+  std::error_code unknown;
+  const auto kind = std::filesystem::status(file, unknown).type();
+  if (kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo) {
+    return writeDevice(file, content);
+  }
   const std::string temporary = fmt::format("{}.{}.tmp", file, ::getpid());
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return ioError("write", file, std::strerror(errno));

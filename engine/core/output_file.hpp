@@ -9,8 +9,8 @@ namespace fulbito {
 /// Makes the folder (and its parents) and proves that it can be written. Errors: kIo naming it.
 Result<void> prepareFolder(const std::string& folder);
 
-/// Writes the whole file or nothing: to a temporary file beside it, flushed to disk, then renamed. Errors:
-/// kIo naming it.
+/// Writes the whole file or nothing: to a temporary file beside it, flushed to disk, then renamed. A
+/// device or pipe is written to. Errors: kIo naming it.
 Result<void> writeFile(const std::string& file, const std::string& content);
 
 }  // namespace fulbito

@@ -2,80 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <mutex>
+#include <cstring>
 
 #include <SDL.h>
-#include <SDL_ttf.h>
 
 #include "replays/render/coverage.hpp"
+#include "replays/render/font.hpp"
 #include "replays/render/png_file.hpp"
 
 namespace fulbito {
 namespace {
 
-constexpr int kLongestSide = 16384;                          // [px]
-constexpr std::int64_t kMostPixels = 64'000'000;             // 256 MB
-constexpr double kSmallestText = 4.0, kLargestText = 400.0;  // [px]
-
-/// SDL_ttf keeps one FreeType library for the whole process, which is not safe in several threads.
-std::mutex& fontMutex() {
-  static std::mutex mutex;
-  return mutex;
-}
-
-/// The font of one canvas, opened once.
-class Font {
- public:
-  Font() = default;
-  Font(const Font&) = delete;
-  Font& operator=(const Font&) = delete;
-  ~Font() {
-    const std::lock_guard lock(fontMutex());
-    if (font_ != nullptr) TTF_CloseFont(font_);
-    if (library_) TTF_Quit();
-  }
-
-  Result<void> open() {
-    const std::lock_guard lock(fontMutex());
-    if (TTF_Init() != 0) return fail(ErrorCode::kIo, std::string("cannot start SDL_ttf: ") + TTF_GetError());
-    library_ = true;
-    const char* chosen = std::getenv("FULBITO_FONT");
-    const std::string file = chosen != nullptr && *chosen != '\0' ? chosen : FULBITO_DEFAULT_FONT;
-    font_ = TTF_OpenFont(file.c_str(), size_);
-    if (font_ == nullptr) {
-      return fail(ErrorCode::kIo, "cannot open the font " + file + " (" + TTF_GetError() +
-                                      "); install fonts-dejavu-core or set FULBITO_FONT to a .ttf file");
-    }
-    TTF_SetFontHinting(font_, TTF_HINTING_LIGHT_SUBPIXEL);
-    return {};
-  }
-
-  int width(const std::string& text, double size) {
-    const std::lock_guard lock(fontMutex());
-    setSize(size);
-    int width = 0;
-    return TTF_SizeUTF8(font_, text.c_str(), &width, nullptr) == 0 ? width : 0;
-  }
-
-  /// A picture of `text` and how far its baseline lies below its top; null when it is empty.
-  SDL_Surface* drawn(const std::string& text, double size, Colour colour, int& ascent) {
-    const std::lock_guard lock(fontMutex());
-    setSize(size);
-    ascent = TTF_FontAscent(font_);
-    return TTF_RenderUTF8_Blended(font_, text.c_str(), {colour.r, colour.g, colour.b, colour.a});
-  }
-
- private:
-  void setSize(double size) {
-    const int wanted = static_cast<int>(std::round(std::clamp(size, kSmallestText, kLargestText)));
-    if (wanted != size_) TTF_SetFontSize(font_, size_ = wanted);
-  }
-
-  TTF_Font* font_ = nullptr;
-  bool library_ = false;
-  int size_ = 16;
-};
+constexpr int kLongestSide = 16384;               // [px]
+constexpr std::int64_t kMostPixels = 64'000'000;  // 256 MB
 
 /// Line breaks and tabs have no glyph.
 std::string printable(std::string text) {
@@ -83,7 +22,8 @@ std::string printable(std::string text) {
   return text;
 }
 
-std::uint8_t mixed(std::uint32_t below, std::uint32_t above, std::uint32_t weight, std::uint32_t whole) {
+constexpr std::uint8_t mixed(std::uint32_t below, std::uint32_t above, std::uint32_t weight,
+                             std::uint32_t whole) {
   return static_cast<std::uint8_t>((below * (whole - weight) + above * weight + whole / 2) / whole);
 }
 
@@ -91,7 +31,12 @@ std::uint8_t mixed(std::uint32_t below, std::uint32_t above, std::uint32_t weigh
 Colour over(Colour below, Colour above, std::uint32_t coverage) {
   const std::uint32_t alpha = (above.a * coverage + 127) / 255;
   if (alpha == 0) return below;
-  const std::uint32_t whole = alpha + (below.a * (255 - alpha) + 127) / 255;
+  if (alpha == 255) return above;
+  const std::uint32_t whole = below.a == 255 ? 255 : alpha + (below.a * (255 - alpha) + 127) / 255;
+  if (whole == 255) {  // by a constant the division is a multiplication
+    return {mixed(below.r, above.r, alpha, 255), mixed(below.g, above.g, alpha, 255),
+            mixed(below.b, above.b, alpha, 255), 255};
+  }
   return {mixed(below.r, above.r, alpha, whole), mixed(below.g, above.g, alpha, whole),
           mixed(below.b, above.b, alpha, whole), static_cast<std::uint8_t>(whole)};
 }
@@ -120,16 +65,18 @@ struct Canvas::Impl {
     auto* row = static_cast<std::uint8_t*>(surface->pixels) + static_cast<std::ptrdiff_t>(y) * surface->pitch;
     return reinterpret_cast<std::uint32_t*>(row)[x];
   }
+  void blend(int x, int y, Colour colour, std::uint32_t coverage) const {
+    std::uint32_t& pixel = at(x, y);
+    pixel = packed(over(unpacked(pixel), colour, coverage));
+  }
   void paint(Colour colour) {
-    mask.drain([&](int x, int y, std::uint8_t coverage) {
-      std::uint32_t& pixel = at(x, y);
-      pixel = packed(over(unpacked(pixel), colour, coverage));
-    });
+    mask.drain([&](int x, int y, std::uint8_t coverage) { blend(x, y, colour, coverage); });
   }
 
   SDL_Surface* surface;
   CoverageMask mask;
   mutable Font font;
+  PngEncoder encoder;
 };
 
 Canvas::Canvas(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -167,6 +114,11 @@ void Canvas::fillPolygon(std::span<const Vec2> points, Colour colour) {
   impl_->paint(colour);
 }
 
+void Canvas::fillConvex(std::span<const Vec2> points, Colour colour) {
+  impl_->mask.addConvex(points);
+  impl_->paint(colour);
+}
+
 void Canvas::fillCircle(Vec2 centre, double radius, Colour colour) {
   impl_->mask.addDisc(centre, radius);
   impl_->paint(colour);
@@ -189,6 +141,41 @@ void Canvas::polyline(std::span<const Vec2> points, double thickness, Colour col
   impl_->paint(colour);
 }
 
+void Canvas::fadingLine(std::span<const Vec2> points, double first, double last, Colour colour) {
+  const auto end = [&](std::size_t i) {
+    const double share = static_cast<double>(i) / (static_cast<double>(points.size()) - 1.0);
+    return CoverageMask::TaperEnd{points[i], first + (last - first) * share, share};
+  };
+  for (std::size_t i = 1; i < points.size(); ++i) impl_->mask.addTaper(end(i - 1), end(i));
+  impl_->paint(colour);
+}
+
+void Canvas::label(Vec2 place, const std::string& utf8, const TextStyle& style) {
+  if (utf8.empty() || !(std::abs(place.x) < 1e6 && std::abs(place.y) < 1e6)) return;
+  const TextMask& mask = impl_->font.mask(printable(utf8), style.size, style.bold);
+  const double part = style.align == TextAlign::kLeft ? 0.0 : style.align == TextAlign::kCentre ? 0.5 : 1.0;
+  const double left = place.x - part * mask.width, top = place.y - mask.ascent;
+  const double x0 = std::floor(left), y0 = std::floor(top);
+  // Bilinear weights in 1/256: whole pixels keep the letters as they are.
+  const auto fx = static_cast<std::uint32_t>((left - x0) * 256.0);
+  const auto fy = static_cast<std::uint32_t>((top - y0) * 256.0);
+  const auto covered = [&mask](int x, int y) -> std::uint32_t {
+    const bool inside = x >= 0 && y >= 0 && x < mask.width && y < mask.height;
+    return inside ? mask.coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) +
+                                  static_cast<std::size_t>(x)]
+                  : 0;
+  };
+  const int column = static_cast<int>(x0), row = static_cast<int>(y0);
+  for (int y = std::max(0, -row); y <= mask.height && row + y < height(); ++y) {
+    for (int x = std::max(0, -column); x <= mask.width && column + x < width(); ++x) {
+      const std::uint32_t upper = covered(x - 1, y - 1) * fx + covered(x, y - 1) * (256 - fx);
+      const std::uint32_t lower = covered(x - 1, y) * fx + covered(x, y) * (256 - fx);
+      const std::uint32_t coverage = (upper * fy + lower * (256 - fy) + 32768) >> 16;
+      if (coverage != 0) impl_->blend(column + x, row + y, style.colour, coverage);
+    }
+  }
+}
+
 void Canvas::text(Vec2 baseline, const std::string& utf8, double size, Colour colour, TextAlign align) {
   if (utf8.empty() || !(std::abs(baseline.x) < 1e6 && std::abs(baseline.y) < 1e6)) return;
   int ascent = 0;
@@ -205,8 +192,38 @@ double Canvas::textWidth(const std::string& utf8, double size) const {
   return impl_->font.width(printable(utf8), size);
 }
 
+double Canvas::labelWidth(const std::string& utf8, const TextStyle& style) const {
+  return impl_->font.width(printable(utf8), style.size, style.bold);
+}
+
+void Canvas::fillPixel(int x, int y, Colour colour) {
+  if (x >= 0 && y >= 0 && x < width() && y < height()) impl_->blend(x, y, colour, 255);
+}
+
+void Canvas::place(const Canvas& picture, int x, int y) {
+  const int left = std::max(0, -x), right = std::min(picture.width(), width() - x);
+  if (left >= right) return;
+  for (int row = std::max(0, -y); row < std::min(picture.height(), height() - y); ++row) {
+    std::copy_n(&picture.impl_->at(left, row), right - left, &impl_->at(x + left, y + row));
+  }
+}
+
+void Canvas::copyFrom(const Canvas& other) {
+  const SDL_Surface* from = other.impl_->surface;
+  if (from->w != width() || from->h != height()) return;
+  std::memcpy(impl_->surface->pixels, from->pixels, static_cast<std::size_t>(from->pitch) * from->h);
+}
+
+std::span<const std::uint32_t> Canvas::row(int y) const {
+  return {&impl_->at(0, y), static_cast<std::size_t>(width())};
+}
+
+std::string Canvas::png(PngEffort effort) const {
+  return impl_->encoder.encode(width(), height(), impl_->surface->pixels, impl_->surface->pitch, effort);
+}
+
 Result<void> Canvas::writePng(const std::string& file) const {
-  return writePngFile(file, width(), height(), impl_->surface->pixels, impl_->surface->pitch);
+  return writePngFile(file, png(PngEffort::kSmall));
 }
 
 Colour Canvas::pixel(int x, int y) const {

@@ -1,6 +1,7 @@
 #include "replays/render/coverage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fulbito {
@@ -68,7 +69,7 @@ void CoverageMask::add(Box box, Coverage coverage) {
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) {
       const double part = std::clamp(coverage(Vec2{x + 0.5, y + 0.5}), 0.0, 1.0);
-      at(x, y) = std::max(at(x, y), static_cast<std::uint8_t>(std::lround(part * 255.0)));
+      at(x, y) = std::max(at(x, y), static_cast<std::uint8_t>(part * 255.0 + 0.5));
     }
   }
 }
@@ -110,6 +111,20 @@ void CoverageMask::addShortStroke(Vec2 a, Vec2 b, double thickness) {
       [=](Vec2 p) { return strokeCoverage(distanceToSegment(p, a, b), thickness); });
 }
 
+void CoverageMask::addTaper(const TaperEnd& a, const TaperEnd& b) {
+  const double thickest = std::max(a.thickness, b.thickness);
+  if (!drawable(a.place) || !drawable(b.place) || !drawableSize(thickest)) return;
+  const Vec2 along = b.place - a.place;
+  const double length2 = squaredNorm(along);
+  add(touch(lower(a.place, b.place), upper(a.place, b.place), thickest / 2 + 1.0), [=](Vec2 p) {
+    const Vec2 to_p = p - a.place;
+    const double t = length2 > 0.0 ? std::clamp(dot(to_p, along) / length2, 0.0, 1.0) : 1.0;
+    const double thickness = a.thickness + (b.thickness - a.thickness) * t;
+    return (a.share + (b.share - a.share) * t) *
+           std::min(1.0, strokeCoverage(norm(to_p - along * t), thickness));
+  });
+}
+
 void CoverageMask::addPolygon(std::span<const Vec2> points) {
   if (points.size() < 3 || !std::all_of(points.begin(), points.end(), drawable)) return;
   Vec2 low = points[0], high = points[0];
@@ -117,6 +132,39 @@ void CoverageMask::addPolygon(std::span<const Vec2> points) {
   add(touch(low, high, 1.0), [=](Vec2 p) {
     const double to_edge = distanceToOutline(points, p);
     return insidePolygon(points, p) ? 0.5 + to_edge : 0.5 - to_edge;
+  });
+}
+
+void CoverageMask::addConvex(std::span<const Vec2> points) {
+  constexpr std::size_t kMostCorners = 16;
+  if (points.size() < 3 || points.size() > kMostCorners) return;
+  if (!std::all_of(points.begin(), points.end(), drawable)) return;
+  struct Edge {
+    Vec2 inward;
+    double offset;
+  };
+  std::array<Edge, kMostCorners> edges;
+  double doubled_area = 0.0;
+  Vec2 low = points[0], high = points[0];
+  for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
+    doubled_area += cross(points[j], points[i]);
+    low = lower(low, points[i]), high = upper(high, points[i]);
+  }
+  const double sense = doubled_area < 0.0 ? -1.0 : 1.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
+    const Vec2 along = points[i] - points[j];
+    const double length = norm(along);
+    if (!(length > 0.0)) continue;
+    const Vec2 inward = perp(along) * (sense / length);
+    edges[count++] = {inward, 0.5 - dot(inward, points[i])};
+  }
+  add(touch(low, high, 1.0), [&edges, count](Vec2 p) {
+    double inside = 1.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      inside = std::min(inside, dot(edges[i].inward, p) + edges[i].offset);
+    }
+    return inside;
   });
 }
 

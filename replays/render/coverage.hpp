@@ -22,8 +22,17 @@ class CoverageMask {
   void addRing(Vec2 centre, double radius, double thickness);
   /// A straight stroke with round ends.
   void addStroke(Vec2 a, Vec2 b, double thickness);
+  /// One end of a stroke that changes along its way.
+  struct TaperEnd {
+    Vec2 place;
+    double thickness = 0.0;
+    double share = 1.0;  ///< 0...1, of a pixel that is covered
+  };
+  void addTaper(const TaperEnd& a, const TaperEnd& b);
   /// A closed polygon, convex or not, that does not cross itself.
   void addPolygon(std::span<const Vec2> points);
+  /// A closed convex polygon of up to 16 corners, in either sense.
+  void addConvex(std::span<const Vec2> points);
 
   /// Calls `paint(x, y, coverage)` with coverage 1...255 for each covered pixel and empties the mask.
   template <typename Paint>

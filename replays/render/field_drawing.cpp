@@ -18,42 +18,22 @@ void fillWorldRectangle(const FieldView& view, double left, double top, double w
   view.canvas.fillRectangle(view.at({left, top}), view.px(width), view.px(height), colour);
 }
 
-void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field) {
-  const double x = field.length / 2, y = field.width / 2, wall = kDrawnWall;
-  const double g = field.goal_width / 2, d = field.goal_depth;
-  fillWorldRectangle(view, -x - wall, y + wall, field.length + 2 * wall, field.width + 2 * wall,
-                     theme::kWall);
-  if (field.hasGoals()) {
-    fillWorldRectangle(view, -x - d - wall, g + wall, field.length + 2 * (d + wall),
-                       field.goal_width + 2 * wall, theme::kWall);
-    fillWorldRectangle(view, -x - d, g, field.length + 2 * d, field.goal_width, darkened(theme::kFloor, 0.3));
-  }
-  fillWorldRectangle(view, -x, y, field.length, field.width, theme::kFloor);
-  if (!(field.corner > 0.0)) return;
-  for (Vec2 s : {Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}}) {
-    const std::array<Vec2, 3> triangle{view.at({s.x * x, s.y * y}),
-                                       view.at({s.x * (x - field.corner), s.y * y}),
-                                       view.at({s.x * x, s.y * (y - field.corner)})};
-    view.canvas.fillPolygon(triangle, theme::kWall);
-  }
-}
-
-void drawBorder(const FieldView& view, const FieldGeometry& field) {
+void drawBorder(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
   std::vector<Vec2> contour;
   for (Vec2 p : innerContour(field)) contour.push_back(view.at(p));
   contour.push_back(contour.front());
-  view.canvas.polyline(contour, lineThickness(view), theme::kFieldLine);
+  view.canvas.polyline(contour, lineThickness(view), colours.line);
 }
 
 /// Three lines of an area before a goal line at `x`.
-void drawArea(const FieldView& view, double x, double front, double half_width) {
+void drawArea(const FieldView& view, double x, double front, double half_width, Colour line) {
   const std::array<Vec2, 4> lines{view.at({x, -half_width}), view.at({front, -half_width}),
                                   view.at({front, half_width}), view.at({x, half_width})};
-  view.canvas.polyline(lines, lineThickness(view), theme::kFieldLine);
+  view.canvas.polyline(lines, lineThickness(view), line);
 }
 
 /// The goal area's arc: through the two ends of its chord on the area's front line and its foremost point.
-void drawAreaArc(const FieldView& view, const FieldGeometry& field, double front, double side) {
+void drawAreaArc(const FieldView& view, const FieldGeometry& field, double front, double side, Colour line) {
   constexpr int kPieces = 24;
   const double half = field.goal_area_arc_width / 2, depth = field.goal_area_arc_depth;
   const double radius = (half * half + depth * depth) / (2 * depth);
@@ -64,41 +44,39 @@ void drawAreaArc(const FieldView& view, const FieldGeometry& field, double front
     const Vec2 p = math::unit(opening * (2.0 * i / kPieces - 1.0)) * radius;
     arc.push_back(view.at(centre + Vec2{-side * p.x, p.y}));
   }
-  view.canvas.polyline(arc, lineThickness(view), theme::kFieldLine);
+  view.canvas.polyline(arc, lineThickness(view), line);
 }
 
 /// Crosses where free balls lie, in one half.
-void drawFreeBallMarks(const FieldView& view, Vec2 mark, double side) {
+void drawFreeBallMarks(const FieldView& view, Vec2 mark, double side, Colour line) {
   constexpr double kArm = 0.0125;  // [m]
   for (double y : {mark.y, -mark.y}) {
     const Vec2 p{side * mark.x, y};
-    view.canvas.line(view.at(p - Vec2{kArm, 0}), view.at(p + Vec2{kArm, 0}), lineThickness(view),
-                     theme::kFieldLine);
-    view.canvas.line(view.at(p - Vec2{0, kArm}), view.at(p + Vec2{0, kArm}), lineThickness(view),
-                     theme::kFieldLine);
+    view.canvas.line(view.at(p - Vec2{kArm, 0}), view.at(p + Vec2{kArm, 0}), lineThickness(view), line);
+    view.canvas.line(view.at(p - Vec2{0, kArm}), view.at(p + Vec2{0, kArm}), lineThickness(view), line);
   }
 }
 
 /// Lines of the right half, or of the left one with `side` -1.
-void drawHalf(const FieldView& view, const FieldGeometry& field, double side) {
+void drawHalf(const FieldView& view, const FieldGeometry& field, double side, const FieldColours& colours) {
   const double x = side * field.length / 2, thickness = lineThickness(view);
   const double g = field.goal_width / 2, area = field.goal_area_width / 2;
-  if (field.hasGoals()) view.canvas.line(view.at({x, -g}), view.at({x, g}), thickness, theme::kFieldLine);
+  if (field.hasGoals()) view.canvas.line(view.at({x, -g}), view.at({x, g}), thickness, colours.line);
   if (area > 0.0 && field.goal_area_depth > 0.0) {
     const double front = x - side * field.goal_area_depth;
-    drawArea(view, x, front, area);
+    drawArea(view, x, front, area, colours.line);
     if (field.goal_area_arc_width > 0.0 && field.goal_area_arc_depth > 0.0) {
-      drawAreaArc(view, field, front, side);
+      drawAreaArc(view, field, front, side, colours.line);
     }
   }
   if (field.big_area_width > 0.0 && field.big_area_depth > 0.0) {
-    drawArea(view, x, x - side * field.big_area_depth, field.big_area_width / 2);
+    drawArea(view, x, x - side * field.big_area_depth, field.big_area_width / 2, colours.line);
   }
   if (field.free_ball_mark.x > 0.0 && field.free_ball_mark.y > 0.0) {
-    drawFreeBallMarks(view, field.free_ball_mark, side);
+    drawFreeBallMarks(view, field.free_ball_mark, side, colours.line);
   }
   if (field.penalty_mark > 0.0) {
-    view.canvas.fillCircle(view.at({side * field.penalty_mark, 0.0}), 1.8 * thickness, theme::kFieldLine);
+    view.canvas.fillCircle(view.at({side * field.penalty_mark, 0.0}), 1.8 * thickness, colours.line);
   }
 }
 
@@ -154,22 +132,62 @@ void drawObstaclePath(const FieldView& view, const ObstacleSpec& obstacle, Colou
 
 }  // namespace
 
-void drawField(const FieldView& view, const FieldGeometry& field) {
-  drawFloorAndWalls(view, field);
+FieldColours defaultFieldColours() {
+  const Colour goal = darkened(theme::kFloor, 0.3);
+  return {theme::kWall, theme::kFloor, goal, goal, theme::kFieldLine};
+}
+
+void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
+  const double x = field.length / 2, y = field.width / 2, wall = kDrawnWall;
+  const double g = field.goal_width / 2, d = field.goal_depth;
+  fillWorldRectangle(view, -x - wall, y + wall, field.length + 2 * wall, field.width + 2 * wall,
+                     colours.wall);
+  if (field.hasGoals()) {
+    fillWorldRectangle(view, -x - d - wall, g + wall, field.length + 2 * (d + wall),
+                       field.goal_width + 2 * wall, colours.wall);
+    fillWorldRectangle(view, -x - d, g, d, field.goal_width, colours.left_goal);
+    fillWorldRectangle(view, x, g, d, field.goal_width, colours.right_goal);
+  }
+  fillWorldRectangle(view, -x, y, field.length, field.width, colours.floor);
+  if (!(field.corner > 0.0)) return;
+  for (Vec2 s : {Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}}) {
+    // A little into the walls, so that no seam shows.
+    const double seam = 0.3 * wall, leg = field.corner + seam;
+    const std::array<Vec2, 3> triangle{view.at({s.x * (x + seam), s.y * (y + seam)}),
+                                       view.at({s.x * (x - leg), s.y * (y + seam)}),
+                                       view.at({s.x * (x + seam), s.y * (y - leg)})};
+    view.canvas.fillPolygon(triangle, colours.wall);
+  }
+}
+
+void drawFieldLines(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
   const double thickness = lineThickness(view), y = field.width / 2;
-  view.canvas.line(view.at({0, -y}), view.at({0, y}), thickness, theme::kFieldLine);
-  view.canvas.circle(view.at({0, 0}), view.px(field.centre_circle_radius), thickness, theme::kFieldLine);
-  view.canvas.fillCircle(view.at({0, 0}), 1.8 * thickness, theme::kFieldLine);
-  drawHalf(view, field, 1.0);
-  drawHalf(view, field, -1.0);
-  drawBorder(view, field);
+  view.canvas.line(view.at({0, -y}), view.at({0, y}), thickness, colours.line);
+  view.canvas.circle(view.at({0, 0}), view.px(field.centre_circle_radius), thickness, colours.line);
+  view.canvas.fillCircle(view.at({0, 0}), 1.8 * thickness, colours.line);
+  drawHalf(view, field, 1.0, colours);
+  drawHalf(view, field, -1.0, colours);
+  drawBorder(view, field, colours);
+}
+
+void drawField(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
+  drawFloorAndWalls(view, field, colours);
+  drawFieldLines(view, field, colours);
+}
+
+Colour obstacleColour(const ObstacleSpec& obstacle) {
+  return obstacle.motion == ObstacleMotion::kPushable ? theme::kPushable : theme::kTennisBall;
 }
 
 void drawObstacle(const FieldView& view, const ObstacleSpec& obstacle) {
-  const Colour colour = obstacle.motion == ObstacleMotion::kPushable ? theme::kPushable : theme::kTennisBall;
   if (obstacle.motion == ObstacleMotion::kPath && obstacle.path.size() > 1) {
-    drawObstaclePath(view, obstacle, colour);
+    drawObstaclePath(view, obstacle, obstacleColour(obstacle));
   }
+  drawObstacleBody(view, obstacle);
+}
+
+void drawObstacleBody(const FieldView& view, const ObstacleSpec& obstacle) {
+  const Colour colour = obstacleColour(obstacle);
   if (obstacle.shape == ObstacleShape::kDisc) {
     drawBall(view, obstacle.pose.position, obstacle.radius, colour);
   } else {
@@ -188,17 +206,19 @@ void drawStart(const FieldView& view, const RobotModel& robot, const Pose2& star
   drawArrowHead(view.canvas, nose, {ahead.x, -ahead.y}, view.px(0.6 * robot.length), theme::kMarker);
 }
 
-void drawGoal(const FieldView& view, const Layout& layout) {
+void drawGoal(const FieldView& view, const Layout& layout) { drawGoal(view, layout, theme::kMarker); }
+
+void drawGoal(const FieldView& view, const Layout& layout, Colour colour) {
   const Vec2 goal = view.at(layout.goal);
   const double u = view.unit, radius = view.px(layout.goal_tolerance);
-  view.canvas.fillCircle(goal, radius, withAlpha(theme::kMarker, 46));
-  view.canvas.circle(goal, radius, 1.6 * u, theme::kMarker);
-  view.canvas.fillCircle(goal, 3.2 * u, theme::kMarker);
+  view.canvas.fillCircle(goal, radius, withAlpha(colour, 46));
+  view.canvas.circle(goal, radius, 1.6 * u, colour);
+  view.canvas.fillCircle(goal, 3.2 * u, colour);
   if (!layout.goal_heading) return;
   const Vec2 world = math::unit(*layout.goal_heading), along{world.x, -world.y};
   const Vec2 tip = goal + along * (radius + 26 * u);
-  view.canvas.line(goal, tip - along * (6 * u), 2.2 * u, theme::kMarker);
-  drawArrowHead(view.canvas, tip, along, 12 * u, theme::kMarker);
+  view.canvas.line(goal, tip - along * (6 * u), 2.2 * u, colour);
+  drawArrowHead(view.canvas, tip, along, 12 * u, colour);
 }
 
 void drawDashed(Canvas& canvas, std::span<const Vec2> points, Dashes dashes, double thickness,

@@ -13,14 +13,32 @@ namespace fulbito {
 /// Width [m] of the walls' tops beside the field.
 inline constexpr double kDrawnWall = 0.025;
 
-/// Floor, walls and white lines.
-void drawField(const FieldView& view, const FieldGeometry& field);
+/// Colours of a field.
+struct FieldColours {
+  Colour wall, floor, left_goal, right_goal, line;
+};
+/// Those of the pictures of trials.
+FieldColours defaultFieldColours();
+
+/// Floor, walls and lines.
+void drawField(const FieldView& view, const FieldGeometry& field,
+               const FieldColours& colours = defaultFieldColours());
+/// @{ The two parts of drawField.
+void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field, const FieldColours& colours);
+void drawFieldLines(const FieldView& view, const FieldGeometry& field, const FieldColours& colours);
+/// @}
+/// What an obstacle is painted with.
+Colour obstacleColour(const ObstacleSpec& obstacle);
+/// Its shape alone, at its pose.
+void drawObstacleBody(const FieldView& view, const ObstacleSpec& obstacle);
 /// The obstacle as it is at the start; a moving one also with its path.
 void drawObstacle(const FieldView& view, const ObstacleSpec& obstacle);
 /// The robot's body and heading at `layout.start`.
 void drawStart(const FieldView& view, const RobotModel& robot, const Pose2& start);
-/// A target with its tolerance circle; an arrow when an arrival heading is wanted.
+/// @{ A target with its tolerance circle; an arrow when an arrival heading is wanted.
 void drawGoal(const FieldView& view, const Layout& layout);
+void drawGoal(const FieldView& view, const Layout& layout, Colour colour);
+/// @}
 
 /// A stroke in pieces: `on` pixels drawn of every `period`, from the pixel `phase` of the first period.
 struct Dashes {

@@ -3,22 +3,13 @@
 
 #include "tests/cli/sandbox.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/json_lines.hpp"
 
 using namespace fulbito::test;
 
 namespace {
 
 const std::string kQuick = "match chaser chaser --half-seconds 5 ";
-
-std::vector<Json> linesOf(const std::string& text) {
-  std::vector<Json> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = text.find('\n', begin);
-    lines.push_back(Json::parse(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return lines;
-}
 
 /// Text without what is measured: the line of the speed.
 std::string withoutSpeed(const std::string& text) {
@@ -102,7 +93,7 @@ TEST_CASE("who watches a match changes nothing in it", "[cli]") {
   CHECK(json["final_hash"] == plain["final_hash"]);
   CHECK(json["compute_profile"]["physics_ns"].get<std::int64_t>() > 0);
   CHECK(fs::file_size(box.path / "m.fbr") > 1000);
-  CHECK(linesOf(contentOf(box.path / "e.jsonl")).size() == json["events"].size() + 2);
+  CHECK(jsonLines(contentOf(box.path / "e.jsonl")).size() == json["events"].size() + 2);
 }
 
 TEST_CASE("rules, physics, robot, vision and length of a match can be chosen", "[cli]") {
@@ -139,7 +130,7 @@ TEST_CASE("match --events - streams lines to stdout and moves the summary to std
   const Sandbox box;
   const Output output = box.run(kQuick + "--events -");
   REQUIRE(output.code == 0);
-  const std::vector<Json> lines = linesOf(output.out);
+  const std::vector<Json> lines = jsonLines(output.out);
   REQUIRE(lines.size() >= 4);
   CHECK(lines.front()["event"] == "match");
   CHECK(lines[1]["kind"] == "kick-off");
@@ -239,7 +230,7 @@ TEST_CASE("Ctrl-C ends a match with its summary, events and a whole recording", 
       "m.fbr");
   CHECK(code == 130);
   CHECK(contentOf(box.path / "out.txt").find("broken off") != std::string::npos);
-  const std::vector<Json> lines = linesOf(contentOf(box.path / "e.jsonl"));
+  const std::vector<Json> lines = jsonLines(contentOf(box.path / "e.jsonl"));
   CHECK(lines.back()["event"] == "end");
   CHECK(lines.back()["complete"] == false);
   CHECK(contentOf(box.path / "m.fbr").ends_with("FBR.END\n"));

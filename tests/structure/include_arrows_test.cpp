@@ -22,12 +22,15 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"referee", {"engine/core"}},
     {"replays", {"engine/core"}},
     {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
-    {"replays/render", {"engine/core"}},
-    {"experiments", {"engine/core", "engine/sim", "navigation", "referee", "replays/render"}},
+    {"replays/render", {"engine/core", "replays"}},
+    {"replays/export", {"engine/core", "replays", "replays/render"}},
+    {"replays/html", {"engine/core", "replays"}},
+    {"experiments",
+     {"engine/core", "engine/sim", "navigation", "referee", "replays", "replays/html", "replays/render"}},
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
-     {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match",
-      "replays/render", "experiments", "bench"}},
+     {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match", "replays/html",
+      "replays/render", "replays/export", "experiments", "bench"}},
 };
 
 /// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp`
@@ -40,16 +43,20 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"referee", {"fmt"}},
     {"replays", {"fmt", "nlohmann", "zstd.h", "xxhash.h"}},
     {"match", {"fmt", "nlohmann"}},
-    {"replays/render", {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "fmt"}},
+    {"replays/render",
+     {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "libdeflate.h", "fmt"}},
+    {"replays/export", {"fmt", "nlohmann", "cgif.h"}},
+    {"replays/html", {"fmt", "nlohmann", "zlib.h"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
     {"apps", {"fmt", "nlohmann", "CLI"}},
 };
 
 const std::set<std::string> kKnownLibraries = {
-    "fmt",   "tl",       "toml++", "Random123", "xxhash.h",
-    "box2d", "SDL.h",    "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
-    "png.h", "nlohmann", "CLI",    "Eigen",     "zstd.h"};
+    "fmt",    "tl",           "toml++", "Random123", "xxhash.h",
+    "box2d",  "SDL.h",        "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
+    "png.h",  "nlohmann",     "CLI",    "Eigen",     "zstd.h",
+    "zlib.h", "libdeflate.h", "cgif.h"};
 
 std::string folderOf(const std::string& path) {
   std::string best;

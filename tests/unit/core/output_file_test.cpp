@@ -43,6 +43,15 @@ TEST_CASE("a file that cannot be written is named and leaves nothing behind", "[
   CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);
 }
 
+TEST_CASE("a device is written to, not replaced", "[unit]") {
+  CHECK(writeFile("/dev/null", "x"));
+  CHECK(std::filesystem::is_character_file("/dev/null"));
+  const auto full = writeFile("/dev/full", "x");
+  REQUIRE_FALSE(full);
+  CHECK(full.error().code == ErrorCode::kIo);
+  CHECK(std::filesystem::is_character_file("/dev/full"));
+}
+
 TEST_CASE("an output folder is made, or the error names it", "[unit]") {
   const TemporaryFolder folder;
   CHECK(prepareFolder(folder.path / "deep" / "er"));

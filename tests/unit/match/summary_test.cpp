@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/json_lines.hpp"
 
 namespace fulbito {
 namespace {
@@ -39,16 +40,6 @@ struct Played {
     report.wall = 0.5;
   }
 };
-
-std::vector<Json> parsedLines(const std::string& text) {
-  std::vector<Json> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = text.find('\n', begin);
-    lines.push_back(Json::parse(text.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return lines;
-}
 
 }  // namespace
 
@@ -87,7 +78,7 @@ TEST_CASE("a match that is broken off says so", "[unit]") {
   const Played played(chasers(), 300);
   CHECK(Json::parse(matchJson(played.report))["score"]["complete"] == false);
   CHECK(matchText(played.report).find("broken off") != std::string::npos);
-  CHECK(parsedLines(played.lines).back()["complete"] == false);
+  CHECK(test::jsonLines(played.lines).back()["complete"] == false);
 }
 
 TEST_CASE("the summary tells score, table, speed and hash; the profile when it was measured", "[unit]") {
@@ -107,7 +98,7 @@ TEST_CASE("the summary tells score, table, speed and hash; the profile when it w
 
 TEST_CASE("event lines: a header, the log's events, the end", "[unit]") {
   const Played played(chasers());
-  const std::vector<Json> lines = parsedLines(played.lines);
+  const std::vector<Json> lines = test::jsonLines(played.lines);
   REQUIRE(lines.size() == played.report.events.size() + 2);
   CHECK(lines.front()["event"] == "match");
   CHECK(lines.front()["schema_version"] == 1);

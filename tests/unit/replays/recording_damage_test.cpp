@@ -84,8 +84,8 @@ TEST_CASE("errors name the file and the place", "[unit]") {
     return RecordingReader::parse(std::move(bytes), "game.fbr").error().message;
   };
   CHECK(messageOf("") == "game.fbr: not a recording (.fbr) of this program");
-  CHECK(messageOf(std::string(kMagic) + std::string("\2\0\0\0", 4)) ==
-        "game.fbr: format version 2; this program reads version 1");
+  CHECK(messageOf(std::string(kMagic) + std::string("\3\0\0\0", 4)) ==
+        "game.fbr: format version 3; this program reads versions 1 ... 2");
   const Block chunk = blocksOf(told.bytes)[2];
   std::string damaged = told.bytes;
   damaged[chunk.offset + 40] ^= 1;

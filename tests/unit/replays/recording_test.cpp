@@ -13,6 +13,9 @@ using test::sample;
 using test::sampleHeader;
 using test::Told;
 
+constexpr double kPlaceStep = 5e-4;                  // [m]
+constexpr double kHeadingStep = 6.283185307 / 1024;  // [rad]
+
 /// All chunks of a recording in one.
 RecordedChunk whole(const RecordingReader& reader) {
   RecordedChunk all;
@@ -86,11 +89,11 @@ void checkSamples(const RecordedChunk& read, const Told& told) {
     const WorldState& world = told.worlds[static_cast<std::size_t>(sampled.tick) - 1];
     const Pose2& last = sampled.poses[3];
     const Pose2& truth = world.robots.back().pose;
-    CHECK(std::abs(last.position.x - truth.position.x) <= 0.501e-4);
-    CHECK(std::abs(last.heading - truth.heading) <= 0.501e-3);
-    CHECK(std::abs(sampled.poses[4].position.y - world.balls[0].position.y) <= 0.501e-4);
+    CHECK(std::abs(last.position.x - truth.position.x) <= 0.501 * kPlaceStep);
+    CHECK(std::abs(last.heading - truth.heading) <= 0.501 * kHeadingStep);
+    CHECK(std::abs(sampled.poses[4].position.y - world.balls[0].position.y) <= 0.501 * kPlaceStep);
     CHECK(sampled.poses[4].heading == 0.0);
-    CHECK(std::abs(sampled.poses[5].heading - world.obstacles[0].pose.heading) <= 0.501e-3);
+    CHECK(std::abs(sampled.poses[5].heading - world.obstacles[0].pose.heading) <= 0.501 * kHeadingStep);
   }
 }
 

@@ -1,0 +1,175 @@
+#include "apps/export_request.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "engine/core/output_file.hpp"
+#include "match/expand.hpp"
+
+namespace fulbito::app {
+namespace {
+
+constexpr double kAround = 5.0;  // [s] before and after an event
+constexpr int kLeastSide = 160, kMostSide = 16384;
+
+tl::unexpected<Error> usage(std::string message) { return fail(ErrorCode::kUsage, std::move(message)); }
+
+Result<ReplayTimeline> readTimeline(const std::string& file) {
+  auto recording = RecordingReader::open(file);
+  if (!recording) return tl::unexpected<Error>(recording.error());
+  if (recording->header().level != RecordingLevel::kFull) {
+    auto full = expanded(*recording);
+    if (!full) return fail(full.error().code, file + ": " + full.error().message);
+    recording = std::move(full);
+  }
+  auto timeline = ReplayTimeline::read(*recording);
+  if (!timeline) return fail(timeline.error().code, file + ": " + timeline.error().message);
+  return timeline;
+}
+
+Result<void> checkTime(const char* flag, double seconds, const ReplayTimeline& timeline) {
+  if (seconds >= 0.0 && seconds <= timeline.seconds() + 1e-9) return {};
+  return usage(
+      fmt::format("{} {}: the recording goes from 0 to {:.2f} s", flag, seconds, timeline.seconds()));
+}
+
+Result<void> setRange(const ReplayExportCommand& options, ExportRequest& request) {
+  const ReplayTimeline& timeline = request.timeline;
+  request.whole = {options.from.value_or(0.0), options.to.value_or(timeline.seconds())};
+  if (auto good = checkTime("--from", request.whole.from, timeline); !good) return good;
+  if (auto good = checkTime("--to", request.whole.to, timeline); !good) return good;
+  for (const double at : options.at) {
+    if (auto good = checkTime("--at", at, timeline); !good) return good;
+  }
+  if (request.whole.from <= request.whole.to) return {};
+  return usage(fmt::format("--from {} is after --to {}", request.whole.from, request.whole.to));
+}
+
+/// Whether `name` means events of that clause: "penalty" all kinds of penalties, "goals" is "goal".
+bool means(std::string name, const std::string& clause) {
+  if (name == clause || clause.starts_with(name + ".")) return true;
+  if (!name.ends_with('s')) return false;
+  name.pop_back();
+  return name == clause || clause.starts_with(name + ".");
+}
+
+Result<void> findEvents(const std::string& name, const char* flag, ExportRequest& request) {
+  std::set<std::string> known;
+  for (const RecordedEvent& event : request.timeline.events()) {
+    const double seconds = request.timeline.secondsAt(event.tick);
+    const bool within = seconds >= request.whole.from && seconds <= request.whole.to;
+    if (event.clause != "placement" && within) known.insert(event.clause);
+    if (within && means(name, event.clause)) request.events.push_back(event);
+  }
+  if (!request.events.empty()) return {};
+  return usage(fmt::format("{}: there is no '{}' from {:.2f} to {:.2f} s. What there is: {}", flag, name,
+                           request.whole.from, request.whole.to,
+                           known.empty() ? "nothing" : fmt::format("{}", fmt::join(known, ", "))));
+}
+
+std::optional<int> sideOf(std::string_view text) {
+  int side = 0;
+  const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), side);
+  if (wrong != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return side >= kLeastSide && side <= kMostSide ? std::optional(side) : std::nullopt;
+}
+
+Result<void> setSize(const std::string& size, ExportRequest& request) {
+  if (size.empty()) return {};
+  const std::size_t x = size.find('x');
+  const auto width = sideOf(std::string_view(size).substr(0, x));
+  const auto height =
+      x == std::string::npos ? std::optional(0) : sideOf(std::string_view(size).substr(x + 1));
+  if (!width || !height) {
+    return usage(fmt::format("--size '{}': must be a width, or WIDTHxHEIGHT, of {} to {} pixels", size,
+                             kLeastSide, kMostSide));
+  }
+  request.spec.width = *width;
+  request.spec.height = *height;
+  request.sized = true;
+  return {};
+}
+
+Result<void> checkNumbers(const ReplayExportCommand& options) {
+  const auto within = [](const char* flag, double value, double low, double high) -> Result<void> {
+    if (value >= low && value <= high) return {};
+    return usage(fmt::format("{} {}: must be {} to {}", flag, value, low, high));
+  };
+  if (auto good = within("--fps", options.fps.value_or(30.0), 0.01, 240.0); !good) return good;
+  if (auto good = within("--speed", options.speed.value_or(1.0), 0.01, 1000.0); !good) return good;
+  if (auto good = within("--trail", options.trail_seconds, 0.0, 60.0); !good) return good;
+  if (auto good = within("--quality", options.quality, 0, 51); !good) return good;
+  if (auto good = within("--jobs", options.jobs, 0, 256); !good) return good;
+  if (options.theme == "dark" || options.theme == "light") return {};
+  return usage(fmt::format("--theme '{}': must be dark or light", options.theme));
+}
+
+}  // namespace
+
+MatchPictureSpec ExportRequest::specOf(int width) const {
+  MatchPictureSpec own = spec;
+  if (!sized) own.width = width;
+  if (own.height == 0) own.height = matchPictureHeight(own.field, own.width);
+  return own;
+}
+
+std::vector<ReplayRange> ExportRequest::ranges() const {
+  if (events.empty()) return {whole};
+  std::vector<Tick> ticks;
+  for (const RecordedEvent& event : events) ticks.push_back(event.tick);
+  return rangesAround(timeline, ticks, kAround, kAround);
+}
+
+Result<ExportRequest> readRequest(const ReplayExportCommand& options) {
+  if (auto good = checkNumbers(options); !good) return tl::unexpected<Error>(good.error());
+  auto timeline = readTimeline(options.file);
+  if (!timeline) return tl::unexpected<Error>(timeline.error());
+  auto spec = pictureSpecOf(*timeline);
+  if (!spec) return fail(spec.error().code, options.file + ": " + spec.error().message);
+  ExportRequest request{&options, std::move(*timeline), std::move(*spec), false, {}, {}, {}, 1};
+  request.spec.theme = options.theme == "light" ? PictureTheme::kLight : PictureTheme::kDark;
+  request.overlays = {!options.no_banner, !options.no_drawings, options.trail_seconds};
+  request.jobs =
+      options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (auto good = setSize(options.size, request); !good) return tl::unexpected<Error>(good.error());
+  if (auto good = setRange(options, request); !good) return tl::unexpected<Error>(good.error());
+  if (options.highlights || !options.around.empty()) {
+    const bool around = !options.around.empty();
+    auto found = findEvents(around ? options.around : "goal", around ? "--around" : "--highlights", request);
+    if (!found) return tl::unexpected<Error>(found.error());
+  }
+  return request;
+}
+
+Result<std::string> outputFile(const ExportRequest& request, const std::string& given,
+                               const std::string& ending) {
+  const std::filesystem::path recording(request.options->file);
+  std::string file = given.empty() ? recording.stem().string() + ending : given;
+  std::error_code unreadable;
+  if (file == "-" || request.options->force || !std::filesystem::exists(file, unreadable)) return file;
+  return usage(fmt::format("'{}' exists; --force replaces it", file));
+}
+
+void announce(const std::string& file, const std::string& what) {
+  if (file != "-") fmt::print(stderr, "{}: {}\n", file, what);
+}
+
+Result<void> deliver(const std::string& file, const std::string& content) {
+  if (file == "-") {
+    const bool whole = std::fwrite(content.data(), 1, content.size(), stdout) == content.size();
+    if (!whole || std::fflush(stdout) != 0) return fail(ErrorCode::kIo, "cannot write to stdout");
+    return {};
+  }
+  if (auto written = writeFile(file, content); !written) return written;
+  announce(file, fmt::format("{:.1f} kB", static_cast<double>(content.size()) / 1000.0));
+  return {};
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "engine/core/output_file.hpp"
+
+namespace fulbito::app {
+
+/// Whether a file may be written: it does not exist, or `force`. Errors: kUsage.
+Result<void> mayWrite(const std::string& file, bool force);
+
+}  // namespace fulbito::app

@@ -1,0 +1,84 @@
+#include "apps/replay_export_html.hpp"
+
+#include <cstdio>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/commands.hpp"
+#include "engine/core/output_file.hpp"
+#include "match/expand.hpp"
+#include "replays/html/html_page.hpp"
+#include "replays/html/recorded_scene.hpp"
+
+namespace fulbito::app {
+namespace {
+
+constexpr const char* kStdout = "-";
+
+Result<PageScene> sceneOf(const std::string& file) {
+  const auto named = [&](const Error& error) {
+    return fail(error.code, error.message.starts_with(file) ? error.message : file + ": " + error.message);
+  };
+  const auto opened = RecordingReader::open(file);
+  if (!opened) return tl::unexpected<Error>(opened.error());
+  const auto recording = expanded(*opened);
+  if (!recording) return named(recording.error());
+  const auto timeline = ReplayTimeline::read(*recording);
+  if (!timeline) return named(timeline.error());
+  auto scene = recordedScene(*recording, *timeline);
+  if (!scene) return named(scene.error());
+  return scene;
+}
+
+std::string titleOf(const PageScene& scene) {
+  if (scene.teams.size() != 2) return scene.title.empty() ? "Trial" : scene.title;
+  return fmt::format("{} – {}", scene.teams[0], scene.teams[1]);
+}
+
+Result<std::string> pageOf(const std::string& file, const std::string& ghost_file) {
+  Page page;
+  auto scene = sceneOf(file);
+  if (!scene) return tl::unexpected<Error>(scene.error());
+  page.title = titleOf(*scene);
+  page.scenes.push_back(std::move(*scene));
+  if (!ghost_file.empty()) {
+    auto ghost = sceneOf(ghost_file);
+    if (!ghost) return tl::unexpected<Error>(ghost.error());
+    page.kind = PageKind::kGhost;
+    page.scenes.push_back(std::move(*ghost));
+  }
+  return htmlPage(page);
+}
+
+Result<void> writePage(const std::string& file, const std::string& html, bool force) {
+  if (file == kStdout) {
+    if (std::fwrite(html.data(), 1, html.size(), stdout) == html.size() && std::fflush(stdout) == 0)
+      return {};
+    return fail(ErrorCode::kIo, "cannot write to stdout");
+  }
+  std::error_code error;
+  if (!force && std::filesystem::exists(file, error)) {
+    return fail(ErrorCode::kUsage, fmt::format("--html: '{}' exists; give --force to replace it", file));
+  }
+  return writeFile(file, html);
+}
+
+}  // namespace
+
+void addHtmlOptions(CLI::App& command, HtmlExport& options) {
+  command.add_option("--html", options.html, "the viewer with the replay in it, one file; - for stdout")
+      ->type_name("OUT");
+  command.add_option("--ghost", options.ghost, "with --html: a second recording, drawn over the first")
+      ->type_name("FILE");
+}
+
+int replayExportHtml(const std::string& file, const HtmlExport& options, bool force) {
+  const auto html = pageOf(file, options.ghost);
+  if (!html) return report(html.error());
+  if (auto written = writePage(options.html, *html, force); !written) return report(written.error());
+  return kOk;
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace fulbito::app {
+
+/// `fulbito replay export FILE --html`: a page with the viewer in it.
+struct HtmlExport {
+  std::string html;   ///< to be written; - for stdout; empty: not asked for
+  std::string ghost;  ///< second recording, drawn over the first; empty: none
+};
+
+/// Adds --html and --ghost to `export`.
+void addHtmlOptions(CLI::App& command, HtmlExport& options);
+
+/// Writes the page of the recording `file`, over an old one only with `force`, and returns the exit code.
+int replayExportHtml(const std::string& file, const HtmlExport& options, bool force);
+
+}  // namespace fulbito::app

@@ -1,0 +1,91 @@
+#include "experiments/trial_recorder.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "replays/command_model.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr int kChunkSeconds = 5;
+constexpr int kSampleRate = 30;  // [Hz]
+
+RecordingRecipe recipeOf(const TrialConfig& config) {
+  RecordingRecipe recipe;
+  recipe.physics = toToml(config.physics);
+  recipe.robot = toToml(config.robot);
+  recipe.field = toToml(config.field);
+  recipe.layout = toToml(config.layout);
+  recipe.navigator = config.navigator.text;
+  recipe.latency_ticks = config.sensors.latency_ticks;
+  recipe.position_noise = config.sensors.position_noise;
+  recipe.heading_noise = 2.0 * config.sensors.position_noise / config.robot.robot.length;
+  recipe.seed = config.seed;
+  recipe.index = config.index;
+  recipe.more.emplace_back("layout", config.layout.name);
+  recipe.more.emplace_back("speed", fmt::format("{}", config.robot.robot.maxSpeed()));
+  recipe.more.emplace_back("limit_clearance", fmt::format("{}", config.limit_clearance));
+  return recipe;
+}
+
+RecordingHeader headerOf(const TrialConfig& config) {
+  RecordingHeader header;
+  header.kind = RecordingKind::kTrial;
+  header.control_rate = config.physics.control_rate;
+  header.command_step = recordedCommandStep(config.physics);
+  header.command_model = commandModel(config.robot.robot, config.physics);
+  header.sample_every = std::max(1, (config.physics.control_rate + kSampleRate / 2) / kSampleRate);
+  header.chunk_ticks = kChunkSeconds * config.physics.control_rate;
+  header.bodies.push_back({BodyKind::kRobot, {}});
+  header.bodies.resize(1 + config.layout.obstacles.size(), {BodyKind::kObstacle, {}});
+  header.recipe = recipeOf(config);
+  header.build = buildInfo();
+  return header;
+}
+
+}  // namespace
+
+Result<TrialRecorder> TrialRecorder::create(const std::string& file, const TrialConfig& config) {
+  auto writer = RecordingWriter::create(file, headerOf(config));
+  if (!writer) return tl::unexpected<Error>(writer.error());
+  return TrialRecorder(std::move(*writer));
+}
+
+Result<TrialRecorder> TrialRecorder::create(RecordingWriter::Sink sink, const TrialConfig& config) {
+  auto writer = RecordingWriter::create(std::move(sink), headerOf(config));
+  if (!writer) return tl::unexpected<Error>(writer.error());
+  return TrialRecorder(std::move(*writer));
+}
+
+void TrialRecorder::begins(const WorldState& world) {
+  RecordedPlay play;
+  const RobotState& robot = world.robots.front();
+  play.starts.push_back({true, robot.pose, robot.velocity, robot.angular_velocity, {}});
+  for (const ObstacleState& obstacle : world.obstacles) {
+    play.starts.push_back({true, obstacle.pose, {}, 0.0, {}});
+  }
+  writer_.beginPlay(play);
+}
+
+void TrialRecorder::ticked(const WorldState& world, WheelSpeeds command, std::uint64_t hash) {
+  writer_.add(RecordingTick{&world, {&command, 1}, hash, true});
+}
+
+Result<void> TrialRecorder::ends(const TrialResult& result) {
+  const TrialScore& score = result.score;
+  RecordingResult end;
+  end.outcome = nameOf(score.outcome);
+  end.final_hash = result.final_hash;
+  end.figures = {{"time_s", score.time},
+                 {"time_limit_s", score.time_limit},
+                 {"length_m", score.length},
+                 {"length_limit_m", score.length_limit},
+                 {"obstacle_contacts", score.obstacle_contacts},
+                 {"wall_contacts", score.wall_contacts},
+                 {"min_clearance_m", score.min_clearance}};
+  return writer_.finish(end);
+}
+
+}  // namespace fulbito

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "experiments/trial.hpp"
+#include "replays/recording_writer.hpp"
+
+namespace fulbito {
+
+/// Records a trial (docs/recordings.md): one play of a robot and its obstacles.
+class TrialRecorder {
+ public:
+  /// Begins the file. Errors: as RecordingWriter::create.
+  static Result<TrialRecorder> create(const std::string& file, const TrialConfig& config);
+  /// The same into a sink.
+  static Result<TrialRecorder> create(RecordingWriter::Sink sink, const TrialConfig& config);
+
+  /// The world before its first step.
+  void begins(const WorldState& world);
+  /// After a step; `hash` is of all states so far.
+  void ticked(const WorldState& world, WheelSpeeds command, std::uint64_t hash);
+  /// Errors: the first of any write.
+  Result<void> ends(const TrialResult& result);
+
+ private:
+  explicit TrialRecorder(RecordingWriter writer) : writer_(std::move(writer)) {}
+  RecordingWriter writer_;
+};
+
+}  // namespace fulbito

@@ -1,0 +1,17 @@
+// Private header of replays: not installed.
+#pragma once
+
+#include "replays/byte_io.hpp"
+#include "replays/columns.hpp"
+#include "replays/recording.hpp"
+
+namespace fulbito {
+
+/// Appends a table of commands: left and right of every robot in steps, one row a tick.
+void packCommands(const Columns& table, const CommandModel& model, Bytes& out);
+
+/// Reverses it. Empty when the bytes are not those of such a table.
+std::optional<Columns> unpackCommands(BytesView bytes, const CommandModel& model, std::size_t columns,
+                                      std::size_t rows);
+
+}  // namespace fulbito

@@ -1,0 +1,31 @@
+#include "replays/command_model.hpp"
+
+#include <algorithm>
+
+namespace fulbito {
+namespace {
+
+constexpr double kLeastStep = 1e-6;  // [rad/s]
+constexpr double kMostModel = 1e9;   // of what a header may say
+
+}  // namespace
+
+double recordedCommandStep(const PhysicsProfile& physics) {
+  return physics.wheel_command_step < kLeastStep ? 0.0 : physics.wheel_command_step;
+}
+
+CommandModel commandModel(const RobotModel& robot, const PhysicsProfile& physics) {
+  CommandModel model;
+  if (recordedCommandStep(physics) == 0.0) return model;
+  const double steps = 1.0 / (robot.wheel_radius * physics.wheel_command_step);  // of a wheel for 1 m/s
+  const auto whole = [](double value) { return static_cast<int>(std::clamp(value, 0.0, kMostModel) + 0.5); };
+  model.most_change = whole(2.0 * robot.wheel_acceleration * physics.controlPeriod() * steps);
+  if (robot.spin_slow_speed <= 0.0) return model;
+  model.spin_from = whole(2.0 * robot.spin_slow_speed * steps);
+  model.spin_to = std::max(model.spin_from, whole(2.0 * robot.spin_fast_speed * steps));
+  model.spin_slow = std::min(whole(65536.0 * robot.spin_slow_ratio), 2 * 65536);
+  model.spin_fast = std::min(whole(65536.0 * robot.spin_fast_ratio), 2 * 65536);
+  return model;
+}
+
+}  // namespace fulbito

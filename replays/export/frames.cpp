@@ -1,0 +1,144 @@
+#include "replays/export/frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace fulbito {
+namespace {
+
+/// Pictures that may wait for the sink, for each thread.
+constexpr std::size_t kAhead = 3;
+
+/// Where threads leave pictures and the sink finds them in order.
+class FrameQueue {
+ public:
+  FrameQueue(std::size_t count, std::size_t room) : count_(count), slots_(room) {}
+
+  /// The next picture to draw, once there is room for it; none: all are drawn, or it was stopped.
+  std::optional<std::size_t> take() {
+    std::unique_lock lock(mutex_);
+    room_.wait(lock, [this] { return stopped_ || next_ >= count_ || next_ < sunk_ + slots_.size(); });
+    if (stopped_ || next_ >= count_) return std::nullopt;
+    return next_++;
+  }
+  std::string& bytes(std::size_t index) { return slots_[index % slots_.size()].bytes; }
+  void drawn(std::size_t index) {
+    const std::lock_guard lock(mutex_);
+    slots_[index % slots_.size()].ready = true;
+    ready_.notify_one();
+  }
+  void fail(Error error) {
+    const std::lock_guard lock(mutex_);
+    if (!error_) error_ = std::move(error);
+    ready_.notify_one();
+  }
+  /// Waits for the picture. Errors: a thread's.
+  Result<void> await(std::size_t index) {
+    std::unique_lock lock(mutex_);
+    Slot& slot = slots_[index % slots_.size()];
+    ready_.wait(lock, [&] { return error_ || slot.ready; });
+    if (error_) return tl::unexpected<Error>(*error_);
+    return {};
+  }
+  void sunk(std::size_t index) {
+    const std::lock_guard lock(mutex_);
+    slots_[index % slots_.size()].ready = false;
+    sunk_ = index + 1;
+    room_.notify_all();
+  }
+  void stop() {
+    const std::lock_guard lock(mutex_);
+    stopped_ = true;
+    room_.notify_all();
+  }
+
+ private:
+  struct Slot {
+    std::string bytes;
+    bool ready = false;
+  };
+
+  const std::size_t count_;
+  std::vector<Slot> slots_;
+  std::mutex mutex_;
+  std::condition_variable room_, ready_;
+  std::size_t next_ = 0, sunk_ = 0;
+  bool stopped_ = false;
+  std::optional<Error> error_;
+};
+
+void drawFrames(const FrameJob& job, const FramePacker& pack, FrameQueue& queue) {
+  auto canvas = job.picture->canvas();
+  if (!canvas) return queue.fail(canvas.error());
+  ReplayDirector director(*job.timeline, job.overlays);
+  ReplayMoment moment;
+  MatchOverlays overlays;
+  while (const auto index = queue.take()) {
+    job.timeline->at(job.times[*index], moment);
+    director.direct(moment, overlays);
+    job.picture->drawFrame(*canvas, moment, overlays);
+    pack(*canvas, queue.bytes(*index));
+    queue.drawn(*index);
+  }
+}
+
+Result<void> sinkAll(std::size_t count, FrameQueue& queue, const FrameSink& sink) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (auto drawn = queue.await(i); !drawn) return drawn;
+    if (auto taken = sink(i, queue.bytes(i)); !taken) return taken;
+    queue.sunk(i);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<double> filmTimes(std::vector<ReplayRange> ranges, double fps, double speed) {
+  std::sort(ranges.begin(), ranges.end(),
+            [](const ReplayRange& a, const ReplayRange& b) { return a.from < b.from; });
+  std::vector<ReplayRange> joined;
+  for (const ReplayRange& range : ranges) {
+    if (!joined.empty() && range.from <= joined.back().to) {
+      joined.back().to = std::max(joined.back().to, range.to);
+    } else {
+      joined.push_back(range);
+    }
+  }
+  std::vector<double> times;
+  const double step = speed / fps;
+  for (const ReplayRange& range : joined) {
+    const auto count = static_cast<std::int64_t>(std::floor((range.to - range.from) / step + 1e-6)) + 1;
+    for (std::int64_t i = 0; i < count; ++i) times.push_back(range.from + static_cast<double>(i) * step);
+  }
+  return times;
+}
+
+std::vector<ReplayRange> rangesAround(const ReplayTimeline& timeline, const std::vector<Tick>& ticks,
+                                      double before, double after) {
+  std::vector<ReplayRange> ranges;
+  ranges.reserve(ticks.size());
+  for (const Tick tick : ticks) {
+    const double middle = timeline.secondsAt(tick);
+    ranges.push_back({std::max(0.0, middle - before), std::min(timeline.seconds(), middle + after)});
+  }
+  return ranges;
+}
+
+Result<void> forEachFrame(const FrameJob& job, const std::function<FramePacker()>& make_packer,
+                          const FrameSink& sink) {
+  const auto jobs = static_cast<std::size_t>(std::max(1, job.jobs));
+  FrameQueue queue(job.times.size(), kAhead * jobs);
+  std::vector<std::jthread> threads;
+  threads.reserve(jobs);
+  for (std::size_t i = 0; i < jobs; ++i) {
+    threads.emplace_back([&job, &queue, pack = make_packer()] { drawFrames(job, pack, queue); });
+  }
+  auto done = sinkAll(job.times.size(), queue, sink);
+  queue.stop();
+  return done;
+}
+
+}  // namespace fulbito

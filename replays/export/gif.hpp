@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.hpp"
+#include "replays/render/canvas.hpp"
+
+namespace fulbito {
+
+/// The at most 255 colours of a GIF: the most frequent ones of some of its pictures, none too near to another
+/// while there is room for both.
+class GifPalette {
+ public:
+  explicit GifPalette(const std::vector<const Canvas*>& samples);
+
+  /// 3 bytes a colour.
+  const std::vector<std::uint8_t>& colours() const { return colours_; }
+  std::uint8_t nearest(std::uint32_t argb) const;
+
+ private:
+  void add(std::uint32_t argb);
+  int distanceTo(std::uint32_t argb, std::size_t index) const;
+  int leastDistance(std::uint32_t argb) const;
+
+  std::vector<std::uint8_t> colours_;
+};
+
+/// Turns pictures into indices of a palette; each thread needs its own.
+class GifIndexer {
+ public:
+  explicit GifIndexer(const GifPalette& palette);
+  /// One byte a pixel, row by row.
+  void index(const Canvas& canvas, std::string& out);
+
+ private:
+  struct Known {
+    std::uint32_t argb = 0;
+    std::uint8_t index = 0;
+  };
+
+  std::uint8_t lookUp(std::uint32_t argb);
+
+  const GifPalette* palette_;
+  std::vector<Known> known_;  ///< by a hash of the colour
+};
+
+/// An endless GIF in memory, written frame by frame.
+class GifWriter {
+ public:
+  /// `centiseconds`: how long each frame is shown, at least 2 (browsers show shorter ones slowly).
+  /// Errors: kUsage for sides above 65535.
+  static Result<GifWriter> create(int width, int height, const GifPalette& palette, int centiseconds);
+  GifWriter(GifWriter&&) noexcept;
+  GifWriter& operator=(GifWriter&&) noexcept;
+  ~GifWriter();
+
+  /// As GifIndexer made it. Errors: kIo.
+  Result<void> add(std::string& indices);
+  /// The whole file. Errors: kIo.
+  Result<std::string> finish();
+
+ private:
+  struct Impl;
+  explicit GifWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fulbito

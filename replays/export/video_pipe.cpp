@@ -1,0 +1,190 @@
+#include "replays/export/video_pipe.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace fulbito {
+namespace {
+
+constexpr std::size_t kMostSaid = 4000;  // of ffmpeg's complaints
+
+std::vector<std::string> codecWords(const VideoSettings& settings) {
+  const std::string quality = std::to_string(settings.quality);
+  if (settings.format == VideoFormat::kMp4) {
+    return {"-c:v", "libx264", "-preset", "veryfast", "-crf", quality, "-pix_fmt", "yuv420p"};
+  }
+  return {"-c:v",      "libvpx-vp9", "-crf",      std::to_string(settings.quality + 9),
+          "-b:v",      "0",          "-deadline", "realtime",
+          "-cpu-used", "8",          "-row-mt",   "1",
+          "-pix_fmt",  "yuv420p"};
+}
+
+std::vector<std::string> ffmpegWords(const std::string& out, const VideoSettings& settings) {
+  std::vector<std::string> words{"ffmpeg",       "-hide_banner",
+                                 "-loglevel",    "error",
+                                 "-nostdin",     "-y",
+                                 "-f",           "rawvideo",
+                                 "-pix_fmt",     "yuv420p",
+                                 "-color_range", "tv",
+                                 "-s",           fmt::format("{}x{}", settings.width, settings.height),
+                                 "-framerate",   fmt::format("{}", settings.fps),
+                                 "-i",           "pipe:0",
+                                 "-an"};
+  for (std::string& word : codecWords(settings)) words.push_back(std::move(word));
+  for (const char* word : {"-color_primaries", "bt709", "-color_trc", "bt709", "-colorspace", "bt709"}) {
+    words.emplace_back(word);
+  }
+  const bool mp4 = settings.format == VideoFormat::kMp4;
+  // A pipe cannot be wound back to write the index.
+  if (mp4) words.insert(words.end(), {"-movflags", out == "-" ? "frag_keyframe+empty_moov" : "+faststart"});
+  words.insert(words.end(), {"-f", mp4 ? "mp4" : "webm", out == "-" ? "pipe:1" : "file:" + out});
+  return words;
+}
+
+/// Removed when it is closed, whatever happens.
+int temporaryFile() {
+  std::FILE* file = std::tmpfile();
+  if (file == nullptr) return -1;
+  const int descriptor = ::fcntl(::fileno(file), F_DUPFD_CLOEXEC, 3);
+  std::fclose(file);
+  return descriptor;
+}
+
+}  // namespace
+
+struct VideoPipe::Impl {
+  Impl() = default;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl();
+
+  Result<void> start(const VideoSettings& settings);
+  Error complaint(const std::string& what) const;
+  /// Its exit status, once; -1 when it could not be had.
+  int wait();
+
+  std::string file, part;
+  pid_t child = -1;
+  int in = -1;    ///< ffmpeg's stdin
+  int said = -1;  ///< its stderr, a file without a name
+};
+
+VideoPipe::Impl::~Impl() {
+  if (in >= 0) ::close(in);
+  if (child > 0) {
+    ::kill(child, SIGKILL);
+    wait();
+  }
+  if (said >= 0) ::close(said);
+  if (!part.empty() && part != "-") ::unlink(part.c_str());
+}
+
+int VideoPipe::Impl::wait() {
+  int status = -1;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  child = -1;
+  return status;
+}
+
+Result<void> VideoPipe::Impl::start(const VideoSettings& settings) {
+  std::array<int, 2> ends{};
+  said = temporaryFile();
+  if (said < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    return fail(ErrorCode::kIo, fmt::format("cannot start ffmpeg: {}", std::strerror(errno)));
+  }
+  in = ends[1];
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawnattr_init(&attributes);
+  posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, said, STDERR_FILENO);
+  // Ctrl-C is for this program, which then ends ffmpeg and removes its file. What is ignored here (SIGPIPE)
+  // is not to be ignored there.
+  sigset_t defaults;
+  sigemptyset(&defaults);
+  sigaddset(&defaults, SIGPIPE);
+  posix_spawnattr_setsigdefault(&attributes, &defaults);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+  std::vector<std::string> words = ffmpegWords(part, settings);
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const int wrong = ::posix_spawnp(&child, "ffmpeg", &actions, &attributes, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  ::close(ends[0]);
+  if (wrong == 0) return {};
+  child = -1;
+  if (wrong == ENOENT) {
+    return fail(ErrorCode::kIo,
+                "videos need ffmpeg, which is not installed (apt-get install ffmpeg); --gif needs nothing");
+  }
+  return fail(ErrorCode::kIo, fmt::format("cannot start ffmpeg: {}", std::strerror(wrong)));
+}
+
+Error VideoPipe::Impl::complaint(const std::string& what) const {
+  std::string text(kMostSaid, '\0');
+  const ssize_t size = ::pread(said, text.data(), text.size(), 0);
+  text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t line = text.rfind('\n');
+  if (line != std::string::npos) text.erase(0, line + 1);
+  return {ErrorCode::kIo, fmt::format("cannot write {}: {}", file, text.empty() ? what : "ffmpeg: " + text)};
+}
+
+VideoPipe::VideoPipe(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+VideoPipe::VideoPipe(VideoPipe&&) noexcept = default;
+VideoPipe& VideoPipe::operator=(VideoPipe&&) noexcept = default;
+VideoPipe::~VideoPipe() = default;
+
+Result<VideoPipe> VideoPipe::open(const std::string& file, const VideoSettings& settings) {
+  auto impl = std::make_unique<Impl>();
+  impl->file = file;
+  impl->part = file == "-" ? file : fmt::format("{}.{}.part", file, ::getpid());
+  if (auto started = impl->start(settings); !started) return tl::unexpected<Error>(started.error());
+  return VideoPipe(std::move(impl));
+}
+
+Result<void> VideoPipe::write(const std::string& frame) {
+  std::size_t written = 0;
+  while (written < frame.size()) {
+    const ssize_t n = ::write(impl_->in, frame.data() + written, frame.size() - written);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      if (impl_->child > 0) impl_->wait();
+      return tl::unexpected<Error>(impl_->complaint("ffmpeg ended too early"));
+    }
+    written += static_cast<std::size_t>(n);
+  }
+  return {};
+}
+
+Result<void> VideoPipe::finish() {
+  ::close(impl_->in);
+  impl_->in = -1;
+  const int status = impl_->wait();
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    return tl::unexpected<Error>(impl_->complaint("ffmpeg failed"));
+  }
+  if (impl_->part == "-") return {};
+  if (std::rename(impl_->part.c_str(), impl_->file.c_str()) != 0) {
+    return tl::unexpected<Error>(impl_->complaint(std::strerror(errno)));
+  }
+  impl_->part.clear();
+  return {};
+}
+
+}  // namespace fulbito

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/core/contact.hpp"
+#include "engine/core/field_geometry.hpp"
+#include "engine/core/team.hpp"
+#include "engine/core/values.hpp"
+#include "replays/recording.hpp"
+
+/// What the HTML viewer (docs/viewer.md) shows, as plain values: recordings and races of navigators are both
+/// brought into this form.
+namespace fulbito {
+
+/// A body as the viewer draws it.
+struct PageBody {
+  BodyKind kind = BodyKind::kRobot;  ///< never kWall
+  std::optional<RobotId> id;         ///< of a match's robot
+  bool box = false;                  ///< a rectangle; false: a disc
+  double length = 0.0;               ///< [m] of a box along its x
+  double width = 0.0;                ///< [m] of a box along its y
+  double radius = 0.0;               ///< [m] of a disc
+};
+
+/// Where all bodies are at one tick.
+struct PageRow {
+  Tick tick = 0;
+  std::vector<Pose2> poses;  ///< one a body; of an absent one anything finite
+};
+
+/// A stretch without jumps: bodies are interpolated between its rows.
+struct PagePlay {
+  std::size_t row = 0;  ///< its first one
+  Tick tick = 0;        ///< of that row
+  Tick signal = 0;      ///< from here on the clock runs; beyond the play's end: it never does
+  double clock = 0.0;   ///< [s] of the period at the beginning
+  int period = 1;
+  std::string kind;            ///< how it begins, e.g. kick-off; empty for a trial
+  std::optional<TeamId> team;  ///< who takes the restart
+  PerTeam<int> score{};
+  Side blue_side = Side::kLeft;
+  std::vector<std::uint8_t> present;  ///< one a body: on the field
+};
+
+/// Wheel commands of the robots at every `every`-th tick.
+struct PageCommands {
+  int every = 6;
+  std::vector<WheelSpeeds> values;  ///< for each of these ticks, from 0 on, one a robot
+};
+
+/// How one navigator's run ended, of a race.
+struct PageRun {
+  std::string label;    ///< specification of the navigator
+  std::string outcome;  ///< a TrialOutcome's name
+  bool success = false;
+  double seconds = 0.0;       ///< [s] until its end
+  double length = 0.0;        ///< [m] driven
+  double time_ratio = 0.0;    ///< over T*
+  double length_ratio = 0.0;  ///< over L*
+};
+
+/// What a trial is about.
+struct PageTask {
+  Pose2 start;
+  Vec2 goal;
+  double tolerance = 0.03;  ///< [m]
+  std::optional<double> heading;
+};
+
+/// One match, trial or race.
+struct PageScene {
+  std::string title;
+  std::vector<std::string> teams;  ///< of a match: blue's and yellow's specification
+  FieldGeometry field;
+  double rate = 60.0;  ///< [Hz] ticks a second
+  Tick ticks = 0;
+  std::vector<PageBody> bodies;  ///< robots, then balls, then obstacles
+  std::vector<PageRow> rows;
+  std::vector<PagePlay> plays;
+  std::vector<RecordedEvent> events;
+  std::vector<RecordedDrawing> drawings;
+  int drawing_every = 2;  ///< ticks that a drawing is shown for
+  PageCommands commands;
+  std::optional<RecordingResult> result;  ///< of a finished recording
+  std::optional<PageTask> task;
+  std::vector<PageRun> runs;  ///< of a race: one a robot
+  std::uint64_t seed = 0;
+  /// What else there is to know, by name, in the order in which it is shown.
+  std::vector<std::pair<std::string, std::string>> facts;
+};
+
+/// Steps to which the page rounds what it shows.
+inline constexpr double kPagePlaceStep = 5e-4;    ///< [m]
+inline constexpr double kPageHeadingStep = 5e-3;  ///< [rad]
+inline constexpr double kPageCommandStep = 1.0;   ///< [rad/s]
+
+}  // namespace fulbito

@@ -1,0 +1,29 @@
+// Private header of replays/render: not installed.
+#pragma once
+
+#include <string>
+
+#include "replays/render/match_plan.hpp"
+#include "replays/render/match_style.hpp"
+
+namespace fulbito {
+
+/// What of the score board never changes: its panel, names and marks.
+void drawBoard(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, const MatchStyle& style);
+/// Score, clock and period.
+void drawBoardNumbers(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec,
+                      const ReplayMoment& moment, const MatchStyle& style);
+
+/// @{ The bar of time at the foot: its goals, and how far it has come.
+void drawTimeBar(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec,
+                 const MatchStyle& style);
+void drawTimeBarNow(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, double seconds,
+                    const MatchStyle& style);
+/// @}
+
+/// "1st half", "2nd half", "overtime", "shoot-out".
+std::string periodName(int period);
+/// Minutes, seconds and tenths, cut and not rounded: "4:32.1".
+std::string clockText(double seconds);
+
+}  // namespace fulbito

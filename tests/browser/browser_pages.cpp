@@ -1,0 +1,138 @@
+// What the browser tests compare with and what no match gives:
+//   browser_pages positions FILE...   where everything is at 50 times of a recording, one JSON object a line
+//   browser_pages hostile             a page of names and texts that want to break out, on stdout
+//   browser_pages drawings            a page of a trial with drawings, and a team whose robot is away
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "engine/core/math.hpp"
+#include "engine/core/random.hpp"
+#include "replays/html/html_page.hpp"
+#include "replays/timeline.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr int kTimes = 50;
+
+std::string bodiesOf(const ReplayMoment& moment) {
+  std::string text;
+  for (const auto& body : moment.bodies) {
+    if (!text.empty()) text += ",";
+    text += body ? fmt::format("[{},{},{}]", body->position.x, body->position.y, body->heading) : "null";
+  }
+  return text;
+}
+
+int positions(const char* file) {
+  const auto recording = RecordingReader::open(file);
+  const auto timeline =
+      recording ? ReplayTimeline::read(*recording) : tl::unexpected<Error>(recording.error());
+  if (!timeline) {
+    fmt::print(stderr, "{}\n", timeline.error().message);
+    return 1;
+  }
+  Rng rng(4, Stream::kTest, 0);
+  for (int i = 0; i < kTimes; ++i) {
+    const double seconds = rng.uniform(0.0, timeline->seconds());
+    const ReplayMoment moment = timeline->at(seconds);
+    fmt::print(
+        R"({{"file":"{}","seconds":{},"tick":{},"clock":{},"playing":{},"period":{},"score":[{},{}],"bodies":[{}]}})"
+        "\n",
+        file, seconds, moment.tick, moment.play_seconds, moment.playing, moment.period, moment.score[0],
+        moment.score[1], bodiesOf(moment));
+  }
+  return 0;
+}
+
+/// Four robots and a ball that drive in circles for ten seconds.
+PageScene circles() {
+  PageScene scene;
+  scene.title = "circles";
+  scene.ticks = 600;
+  for (const TeamId team : kTeams) {
+    for (std::uint8_t number = 0; number < 2; ++number) {
+      scene.bodies.push_back({BodyKind::kRobot, RobotId{team, number}, true, 0.075, 0.075, 0.0});
+    }
+  }
+  scene.bodies.push_back({BodyKind::kBall, {}, false, 0.0, 0.0, 0.0215});
+  for (Tick tick = 0; tick <= scene.ticks; tick += 2) {
+    PageRow row{tick, {}};
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+      const auto offset = static_cast<double>(i);
+      const double angle = 0.01 * static_cast<double>(tick) + offset;
+      row.poses.push_back({math::unit(angle) * (0.1 + 0.1 * offset), angle});
+    }
+    scene.rows.push_back(row);
+  }
+  PagePlay play;
+  play.kind = "kick-off";
+  play.present = {1, 1, 1, 0, 1};
+  scene.plays.push_back(play);
+  return scene;
+}
+
+int print(const Page& page) {
+  const auto html = htmlPage(page);
+  if (!html) return 1;
+  std::fwrite(html->data(), 1, html->size(), stdout);
+  return 0;
+}
+
+int hostile() {
+  const std::string escape = "</script><script>window.broken=1</script><img src=x onerror=window.broken=1>";
+  PageScene scene = circles();
+  scene.title = escape;
+  scene.teams = {escape + std::string(200, 'W'),
+                 "\u202e\u0627\u0644\u0641\u0631\u064a\u0642 \u05e7\u05d1\u05d5\u05e6\u05d4 " +
+                     std::string(200, 'x') + "\xff\xfe"};
+  scene.facts = {{escape, escape}, {"<!--", "]]>"}};
+  RecordedEvent event;
+  event.tick = 60;
+  event.clause = "<b onclick=alert(1)>" + escape;
+  event.law = "{{data}}" + std::string(300, 'L');
+  scene.events = {event, event};
+  scene.events[1].tick = 120;
+  scene.events[1].clause = "goal";
+  scene.events[1].team = TeamId::kYellow;
+  for (Tick tick = 2; tick < 600; tick += 2) {
+    RecordedDrawing drawing{tick, TeamId::kBlue, RecordedDrawing::Kind::kText, {0.05, 0.05}, {}, 0.0, escape};
+    scene.drawings.push_back(drawing);
+  }
+  return print({PageKind::kReplay, escape, {scene}});
+}
+
+int drawings() {
+  PageScene scene = circles();
+  scene.teams = {"one", "two"};
+  for (Tick tick = 2; tick <= 600; tick += 2) {
+    const double x = 0.001 * static_cast<double>(tick);
+    using Kind = RecordedDrawing::Kind;
+    scene.drawings.push_back({tick, TeamId::kBlue, Kind::kLine, {0, 0}, {x, 0.3}, 0.0, ""});
+    scene.drawings.push_back({tick, TeamId::kYellow, Kind::kCircle, {-x, 0}, {}, 0.1, ""});
+    scene.drawings.push_back({tick,
+                              TeamId::kBlue,
+                              Kind::kText,
+                              scene.rows[tick / 2].poses[0].position,
+                              {},
+                              0.0,
+                              fmt::format("at {}", tick)});
+  }
+  return print({PageKind::kReplay, "drawings", {scene}});
+}
+
+}  // namespace
+}  // namespace fulbito
+
+int main(int argc, char** argv) {
+  const std::string_view what = argc > 1 ? argv[1] : "";
+  if (what == "positions" && argc == 3) return fulbito::positions(argv[2]);
+  if (what == "hostile") return fulbito::hostile();
+  if (what == "drawings") return fulbito::drawings();
+  std::fputs("Usage: browser_pages positions FILE | hostile | drawings\n", stderr);
+  return 2;
+}

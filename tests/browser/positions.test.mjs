@@ -1,0 +1,80 @@
+// The viewer shows what the C++ reader reads.
+import test from 'node:test';
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { near, open, pages, settled, view } from './viewer.mjs';
+
+const kHalfPlace = 0.5e-3 / 2 + 1e-9, kHalfHeading = 5e-3 / 2 + 1e-9;
+
+for (const name of ['long', 'short']) {
+  test(`${name}: positions, clock and score at random times`, async () => {
+    const page = await open(name);
+    const lines = readFileSync(`${pages}/${name}.positions`, 'utf8').trim().split('\n').map((line) => JSON.parse(line));
+    assert.equal(lines.length, 50);
+    for (const wanted of lines) {
+      const shown = await page.evaluate((seconds) => {
+        const { scene } = fulbitoViewer;
+        const m = scene.at(seconds, fulbitoViewer.moment);
+        return { clock: scene.clock(m), playing: scene.playing(m), period: scene.plays[m.play].period, score: scene.score(m.tick),
+          bodies: [...m.x].map((x, i) => (m.present[i] ? [x, m.y[i], m.heading[i]] : null)) };
+      }, wanted.seconds);
+      assert.deepEqual(shown.score, wanted.score, `score at ${wanted.seconds}`);
+      assert.equal(shown.period, wanted.period);
+      assert.equal(shown.playing, wanted.playing, `playing at ${wanted.seconds}`);
+      near(shown.clock, wanted.clock, 1e-6, `clock at ${wanted.seconds}:`);
+      assert.equal(shown.bodies.length, wanted.bodies.length);
+      wanted.bodies.forEach((body, i) => {
+        const what = `body ${i} at ${wanted.seconds}:`;
+        if (!body) return assert.equal(shown.bodies[i], null, what);
+        near(shown.bodies[i][0], body[0], kHalfPlace, what);
+        near(shown.bodies[i][1], body[1], kHalfPlace, what);
+        const turn = shown.bodies[i][2] - body[2];
+        if (i < 6) near(Math.atan2(Math.sin(turn), Math.cos(turn)), 0, kHalfHeading, what);
+      });
+    }
+    await page.quiet();
+  });
+}
+
+test('every event can be sought, by its button and by stepping', async () => {
+  const page = await open('short');
+  const times = await view(page, 'v.scene.marks.map((event) => event.seconds)');
+  assert.ok(times.length > 5);
+  const buttons = await page.locator('#events tbody button').all();
+  assert.equal(buttons.length, times.length);
+  for (const [i, button] of buttons.entries()) {
+    await button.click();
+    near(await view(page, 'v.time'), times[i], 1e-9);
+  }
+  await settled(page);
+  await page.keyboard.press('Home');
+  const later = [...new Set(times)].filter((time) => time > 1e-3);
+  for (const time of later) {
+    await page.keyboard.press('n');
+    near(await view(page, 'v.time'), time, 1e-9, 'next:');
+  }
+  for (const time of later.slice(0, -1).reverse()) {
+    await page.keyboard.press('p');
+    near(await view(page, 'v.time'), time, 1e-9, 'previous:');
+  }
+  await page.quiet();
+});
+
+test('the score at the playhead is the one of the events', async () => {
+  const page = await open('long');
+  const goals = await view(page, "v.scene.marks.filter((event) => event.goal).map((event) => [event.seconds, event.team])");
+  assert.ok(goals.length > 3);
+  const score = [0, 0];
+  for (const [seconds, team] of goals) {
+    await page.evaluate((t) => fulbitoViewer.seek(t - 0.02), seconds);
+    await settled(page);
+    assert.equal(await page.textContent('#score'), score.join('–'));
+    score[team] += 1;
+    await page.evaluate((t) => fulbitoViewer.seek(t), seconds);
+    await settled(page);
+    assert.equal(await page.textContent('#score'), score.join('–'));
+    assert.match(await page.textContent('#banner'), /^Goal for/);
+  }
+  assert.equal(await page.locator('#marks .mark').count(), goals.length);
+  await page.quiet();
+});

@@ -1,0 +1,68 @@
+#include "replays/html/page_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/catch.hpp"
+#include "tests/unit/replays/html/sample_scene.hpp"
+
+namespace fulbito {
+namespace {
+
+using Json = nlohmann::json;
+
+Json jsonOf(const PageScene& scene) {
+  return Json::parse(pageJson({PageKind::kReplay, "title", {scene}}, {{7}, 7, 5, 3}));
+}
+
+RecordedEvent goalAt(Tick tick, TeamId team) {
+  RecordedEvent event;
+  event.tick = tick;
+  event.clause = "goal";
+  event.team = team;
+  return event;
+}
+
+}  // namespace
+
+TEST_CASE("whatever a text holds, it cannot leave its element", "[unit]") {
+  PageScene scene = test::sampleScene();
+  const std::string text = "</script><!--&\u2028\u00e9\xff";
+  scene.title = text;
+  scene.teams = {text, text};
+  scene.facts = {{text, text}};
+  scene.events = {goalAt(3, TeamId::kBlue)};
+  scene.events[0].law = text;
+  const std::string json = pageJson({PageKind::kReplay, text, {scene}}, {{7}, 7, 5, 3});
+  CHECK(json.find_first_of("<>&") == std::string::npos);
+  CHECK(std::all_of(json.begin(), json.end(), [](char c) { return c >= 0x20 && c < 0x7f; }));
+  CHECK(Json::parse(json)["scenes"][0]["teams"][0] == "</script><!--&\u2028\u00e9\ufffd");
+}
+
+TEST_CASE("the description says what the columns are", "[unit]") {
+  const Json json = jsonOf(test::sampleScene());
+  CHECK(json["format"] == 1);
+  CHECK(json["payload"] == Json({{"packed", 5}, {"raw", 7}, {"crc", 3}}));
+  const Json& scene = json["scenes"][0];
+  CHECK(scene["rows"] == 22);
+  CHECK(scene["bytes"] == 7);
+  CHECK(scene["seed"] == "18364758544493064720");
+  CHECK(scene["plays"][1]["row"] == 11);
+  CHECK(scene["plays"][1]["absent"] == Json({1}));
+  CHECK_FALSE(scene["plays"][0].contains("absent"));
+  CHECK(scene["commands"] == Json({{"every", 10}, {"values", 8}}));
+  CHECK(scene["bodies"][2] == Json({{"kind", "ball"}, {"radius", 0.0215}}));
+}
+
+TEST_CASE("the score changes with goals, at restarts and at the table", "[unit]") {
+  PageScene scene = test::sampleScene();
+  scene.events = {goalAt(19, TeamId::kYellow), goalAt(35, TeamId::kBlue)};
+  scene.plays[1].score = {0, 1};
+  scene.result = RecordingResult{40, true, {1, 1}, 0, "draw", {}};
+  CHECK(jsonOf(scene)["scenes"][0]["scores"] == Json({{0, 0, 0}, {19, 0, 1}, {35, 1, 1}}));
+  scene.result->score = {0, 3};  // a walk-over
+  CHECK(jsonOf(scene)["scenes"][0]["scores"].back() == Json({40, 0, 3}));
+  scene.plays[1].score = {2, 1};
+  CHECK(jsonOf(scene)["scenes"][0]["scores"][2] == Json({20, 2, 1}));
+}
+
+}  // namespace fulbito
