@@ -115,18 +115,19 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& 
   return chosen;
 }
 
-/// Right after a kick-off or free ball the first touch counts, whatever the direction.
+/// Right after a kick-off or free ball the touch counts, whatever the direction; at a free ball who turns off
+/// in order to come round gives the ball away.
 bool rushes(const Picture& picture, Vec2 rel) {
   const RestartKind kind = picture.seen.restart;
-  const double until = kind == RestartKind::kKickOff ? 0.4 : kind == RestartKind::kFreeBall ? 0.25 : 0.0;
+  const double until = kind == RestartKind::kKickOff ? 0.4 : kind == RestartKind::kFreeBall ? 1.5 : 0.0;
   return picture.seen.since_restart < until && squaredNorm(rel) > 0.055 * 0.055;
 }
 
-/// Where that touch is wanted. In the large game a free ball is met on its inner side, so that it slips from
-/// between the two toward the side wall: from the middle of both it was carried to our goal.
+/// Where that touch is wanted. A free ball is met on its inner side, so that it slips from between the two
+/// toward the side wall: from the middle of both it was carried to our goal.
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
-  if (!isLargeGame(picture) || picture.seen.restart != RestartKind::kFreeBall) return ball;
+  if (picture.seen.restart != RestartKind::kFreeBall) return ball;
   return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
 }
 
