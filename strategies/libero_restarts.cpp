@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
-#include "strategies/zz_tune.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -25,7 +24,8 @@ std::optional<Vec2> takerOf(const PlacementRequest& request) {
   if (!request.opponents) return taker;
   for (const std::optional<Pose2>& pose : *request.opponents) {
     if (!pose) continue;
-    if (!taker || distance(pose->position, request.ball) < distance(*taker, request.ball)) taker = pose->position;
+    if (!taker || distance(pose->position, request.ball) < distance(*taker, request.ball))
+      taker = pose->position;
   }
   return taker;
 }
@@ -38,8 +38,8 @@ void kickOff(const Pitch& pitch, bool ours, const PlacementRequest& request, Tea
     placed[1] = facing(-kBehind * math::unit(-angle), {});
     placed[2] = facing({-far, -0.30}, {0.4, -0.3});
   } else {
-    // Beside the line of the kick, as the taker's place tells it: met there the ball leaves its face toward the
-    // support. Who kicks straight on is met from farther aside.
+    // Beside the line of the kick, as the taker's place tells it: met there the ball leaves its face toward
+    // the support. Who kicks straight on is met from farther aside.
     const Vec2 taker = takerOf(request).value_or(Vec2{pitch.circle, 0.0});
     const double line = math::angleOf(taker);
     const bool straight = std::abs(line) < 0.2;
@@ -60,13 +60,9 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
                        {0.0, std::copysign(pitch.half_width, side)});
     placed[2] = facing({-pitch.half_length + 0.30, 0.0}, ball);
   } else {
-    if (tune(30, 0) > 0) {
-    placed[1] = facing(ball + Vec2{-tune(31,0.045), side*tune(32,0.045)}, ball + Vec2{0.0, side*tune(33,0.0)});
-    placed[2] = facing({tune(34, 0.0), side* tune(35, 0.175)}, ball);
-    } else {
-    placed[1] = facing({pitch.half_length - 0.40, ball.y}, ball);
-    placed[2] = facing({tune(34, 0.0), side* tune(35, 0.175)}, ball);
-    }
+    // The ball lies on the area's corner: at it from the other side of their keeper, who cannot get it past.
+    placed[1] = facing(ball + Vec2{-0.040, side * 0.069}, ball);
+    placed[2] = facing({0.2, side * 0.45}, ball);
   }
 }
 

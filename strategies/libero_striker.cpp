@@ -115,12 +115,21 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& 
   return chosen;
 }
 
-/// Right after a kick-off or free ball the touch counts, whatever the direction; at a free ball who turns off
-/// in order to come round gives the ball away.
+/// Right after a restart the touch counts, whatever the direction; at a free ball who turns off in order to
+/// come round gives the ball away.
 bool rushes(const Picture& picture, Vec2 rel) {
-  const RestartKind kind = picture.seen.restart;
-  const double until = kind == RestartKind::kKickOff ? 0.4 : kind == RestartKind::kFreeBall ? 1.5 : 0.0;
-  return picture.seen.since_restart < until && squaredNorm(rel) > 0.055 * 0.055;
+  if (squaredNorm(rel) < 0.055 * 0.055) return false;
+  const double since = picture.seen.since_restart;
+  switch (picture.seen.restart) {
+    case RestartKind::kKickOff:
+      return since < 0.4;
+    case RestartKind::kFreeBall:
+      return since < 1.5;
+    case RestartKind::kGoalKick:
+      return since < 0.5 && !picture.seen.restart_is_ours;
+    default:
+      return false;
+  }
 }
 
 /// Where that touch is wanted. A free ball is met on its inner side, so that it slips from between the two
