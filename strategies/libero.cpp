@@ -35,7 +35,11 @@ class Libero final : public Strategy {
 
   TeamCommand decide(const Observation& observation) override {
     const Observation& now = foresight_.update(observation);
-    if (foresight_.playBegan()) strike_ = {};
+    if (foresight_.playBegan()) {
+      // Who is at the ball now stays there for the first moves, whoever was striker before.
+      strike_ = {};
+      striker_ = -1;
+    }
     ball_.take(foresight_.ballNow(), foresight_.ball());
     const Picture picture{now, pitch_, settings_, ball_};
     chooseKeeper(picture);
