@@ -68,7 +68,8 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
 
 void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   if (ours) {
-    placed[1] = facing(ball - Vec2{0.16, 0.0}, ball);
+    // A little from the side, so that a keeper that runs out meets it off the middle.
+    placed[1] = facing(ball - math::unit(0.2) * 0.11, ball);
     placed[2] = facing({-0.06, 0.35}, ball);
   } else {
     placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, 0.06}, 0.0};
