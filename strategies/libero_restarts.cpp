@@ -70,7 +70,7 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   if (ours) {
     // A little from the side, so that a keeper that runs out meets it off the middle.
     placed[1] = facing(ball - math::unit(0.2) * 0.11, ball);
-    placed[2] = facing({-0.06, 0.35}, ball);
+    placed[2] = facing({-0.06, 0.15}, ball);
   } else {
     placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, 0.06}, 0.0};
     // Wide, off the way of those who run at the ball: they would be pushed into the area.
