@@ -35,7 +35,7 @@ class Libero final : public Strategy {
     const Observation& now = foresight_.update(observation);
     if (foresight_.playBegan()) {
       strike_ = {};
-      // Whoever stands to take it does, not who was striker before.
+      // Who is at the ball now makes the first moves, whoever was striker before.
       if (takenAtOnce(now)) forgetStriker();
     }
     ball_.take(foresight_.ballNow(), foresight_.ball());
@@ -72,11 +72,10 @@ class Libero final : public Strategy {
     held_ = 1.0;
   }
 
-  /// Whether play began with one of ours right at the ball.
+  /// Whether play began with one of ours placed to be first at the ball. At our goal kicks that is the
+  /// keeper, and the others go on as they were.
   static bool takenAtOnce(const Observation& seen) {
-    if (seen.restart == RestartKind::kFreeBall) return true;
-    return seen.restart_is_ours &&
-           (seen.restart == RestartKind::kKickOff || seen.restart == RestartKind::kPenalty);
+    return seen.restart != RestartKind::kGoalKick || !seen.restart_is_ours;
   }
 
   RobotCommand play(const Picture& picture, int robot, int& rank) {

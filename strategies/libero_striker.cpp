@@ -132,19 +132,21 @@ bool keeperRunsOut(const Picture& picture) {
   return false;
 }
 
-/// Right after a kick-off the first touch counts, at a free ball or before a keeper that runs out who
-/// keeps at it: whatever the direction.
+/// Right after a restart the touch counts, whatever the direction; at a free ball, or before a keeper that
+/// runs out, who turns off in order to come round gives the ball away.
 bool rushes(const Picture& picture, Vec2 rel) {
   if (disputesFreeBall(picture.seen) || keeperRunsOut(picture)) return true;
-  return picture.seen.restart == RestartKind::kKickOff && picture.seen.since_restart < 0.4 &&
-         squaredNorm(rel) > 0.055 * 0.055;
+  if (squaredNorm(rel) < 0.055 * 0.055) return false;
+  const double since = picture.seen.since_restart;
+  if (picture.seen.restart == RestartKind::kKickOff) return since < 0.4;
+  return picture.seen.restart == RestartKind::kGoalKick && !picture.seen.restart_is_ours && since < 0.5;
 }
 
 /// Where that touch is wanted. In the large game a free ball is met on its inner side, so that it slips from
 /// between the two toward the side wall: from the middle of both it was carried to our goal.
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
-  if (!isLargeGame(picture) || picture.seen.restart != RestartKind::kFreeBall) return ball;
+  if (picture.seen.restart != RestartKind::kFreeBall || !isLargeGame(picture)) return ball;
   return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
 }
 
