@@ -76,6 +76,13 @@ Observation anything(Rng& rng, const MatchInfo& info) {
   return seen;
 }
 
+ObservedRobot standingAt(const Pose2& pose) {
+  ObservedRobot robot;
+  robot.present = true;
+  robot.state.pose = pose;
+  return robot;
+}
+
 /// One robot alone with a resting ball: the seconds until it is in their goal; negative in its own; 0 never.
 double secondsToScore(Vec2 robot, Vec2 ball) {
   auto config = matchOf("libero", "idle", "vsss-3v3", 10.0);
@@ -240,6 +247,62 @@ TEST_CASE("libero keeps its places legal at every restart", "[unit]") {
         }
       }
     }
+  }
+}
+
+TEST_CASE("libero drives at a free ball from its mark beside the area", "[unit]") {
+  auto team = makeTeam(*parseTeam("libero"));
+  REQUIRE(team);
+  const MatchInfo info = infoOf(3);
+  (*team)->begin(info);
+  Observation seen;
+  seen.own[0] = standingAt({{-0.71, 0.1}, 1.57});
+  seen.own[1] = standingAt({{-0.575, 0.4}, 0.0});  // nearer to the area than a robot may come in play
+  seen.own[2] = standingAt({{0.1, 0.0}, 0.0});
+  seen.opponents[0] = standingAt({{-0.175, 0.4}, 3.14});
+  seen.ball.position = {-0.375, 0.4};
+  seen.restart = RestartKind::kFreeBall;
+  for (int i = 0; i < 6; ++i) {
+    seen.since_restart = i / 60.0;
+    const RobotCommand command = (*team)->decide(seen).robots[1];
+    CHECK(command.twist.linear > 0.9 * info.robot.maxSpeed());
+    CHECK(std::abs(command.twist.angular) < 3.0);
+  }
+}
+
+TEST_CASE("libero waits for a kick-off on both sides of its line", "[unit]") {
+  auto team = makeTeam(*parseTeam("libero"));
+  REQUIRE(team);
+  const MatchInfo info = infoOf(3);
+  (*team)->begin(info);
+  for (const Vec2 taker : {Vec2{0.2, 0.0}, Vec2{0.165, 0.113}, Vec2{0.165, -0.113}}) {
+    PlacementRequest request{RestartKind::kKickOff, false, {}, {}, TeamPlacement{}};
+    (*request.opponents)[1] = Pose2{taker, 3.14};
+    (*request.opponents)[2] = Pose2{{0.4, 0.0}, 3.14};
+    const auto placed = (*team)->place(request);
+    REQUIRE(placed);
+    const Vec2 meeter = (*placed)[1]->position, support = (*placed)[2]->position;
+    CHECK(cross(taker, meeter) * cross(taker, support) < 0.0);
+    CHECK(norm(meeter) < norm(support));
+    for (const Vec2 place : {meeter, support}) {
+      CHECK(norm(place) >= info.field.centre_circle_radius);
+      CHECK(place.x < -info.robot.length / 2);
+    }
+  }
+}
+
+TEST_CASE("libero stands at the ball of their goal kick, outside their area", "[unit]") {
+  auto team = makeTeam(*parseTeam("libero"));
+  REQUIRE(team);
+  const MatchInfo info = infoOf(3);
+  (*team)->begin(info);
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 ball{0.6, side * 0.35};
+    const auto placed = (*team)->place({RestartKind::kGoalKick, false, ball, {}, {}});
+    REQUIRE(placed);
+    const Vec2 place = (*placed)[1]->position;
+    CHECK(distance(place, ball) < 0.09);
+    CHECK(std::abs(place.y) > info.field.goal_area_width / 2 + info.robot.circumradius());
   }
 }
 
