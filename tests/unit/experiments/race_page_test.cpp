@@ -57,7 +57,8 @@ TEST_CASE("moving obstacles of a race move", "[unit]") {
   for (std::size_t i = 0; i < layout.obstacles.size(); ++i) {
     const Vec2 first = scene.rows.front().poses[2 + i].position, later = scene.rows[10].poses[2 + i].position;
     moved += distance(first, later);
-    const Vec2 wanted = positionAt(layout.obstacles[i], static_cast<double>(scene.rows[10].tick) / scene.rate);
+    const Vec2 wanted =
+        positionAt(layout.obstacles[i], static_cast<double>(scene.rows[10].tick) / scene.rate);
     CHECK(distance(later, wanted) == Approx(0.0).margin(1e-12));
   }
   CHECK(moved > 0.05);
