@@ -11,6 +11,7 @@
 #include "apps/match.hpp"
 #include "apps/replay.hpp"
 #include "apps/rules.hpp"
+#include "apps/view.hpp"
 #include "engine/core/build_info.hpp"
 #include "engine/core/suggest.hpp"
 
@@ -30,6 +31,7 @@ struct Options {
   MatchCommand match;
   ReplayCommands replay;
   RulesOptions rules;
+  ViewCommand view;
   bool version_json = false;
 };
 
@@ -210,6 +212,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   }
   if (app.got_subcommand("match")) return match(options.match);
   if (app.got_subcommand("replay")) return replay(options.replay);
+  if (app.got_subcommand("view")) return view(options.view);
   if (app.got_subcommand("list")) return list(options.list);
   if (app.got_subcommand("show")) return show(options.show);
   if (app.got_subcommand("bench")) return bench(options.bench);
@@ -237,6 +240,7 @@ int mainWithoutCatch(int argc, char** argv) {
   Options options;
   addMatch(app, options.match);
   addReplay(app, options.replay);
+  addView(app, options.view);
   const CLI::App* run_command = addRun(app, options);
   const CLI::App* compare_command = addCompare(app, options);
   addRest(app, options);

@@ -60,7 +60,7 @@ Result<void> checkFlags(const MatchCommand& options) {
   if (!options.pairs) return {};
   for (const auto& [flag, given] :
        {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
-        std::pair{"--profile", options.profile}}) {
+        std::pair{"--profile", options.profile}, std::pair{"--view", options.view}}) {
     if (given) {
       return fail(ErrorCode::kUsage, fmt::format("{}: is of one match, and cannot go with -n/--pairs", flag));
     }
@@ -173,7 +173,30 @@ void print(const MatchCommand& options, const MatchReport& report) {
   if (!options.record.empty()) fmt::print(stderr, "recording: {}\n", options.record);
 }
 
+/// The window of `--view`, if it was asked for. Errors: as `openWindow`.
+Result<std::optional<ViewWindow>> windowOf(const MatchCommand& options) {
+  if (!options.view) return std::nullopt;
+  auto opened = openWindow(options.window);
+  if (!opened) return tl::unexpected<Error>(opened.error());
+  return std::optional(std::move(*opened));
+}
+
+Result<void> play(Match& match, std::optional<ViewWindow>& window, const MatchCommand& options) {
+  if (window) return playInWindow(match, *window, options.window);
+  play(match);
+  return {};
+}
+
+/// Who closes a window has seen enough, which is no failure.
+int exitCode(const MatchReport& report, bool closed) {
+  if (report.faults.abandoned) return kInternal;
+  return report.complete || (closed && !interrupted()) ? kOk : kInterrupted;
+}
+
 int playOne(const MatchCommand& options, const MatchConfig& config) {
+  // Before any file is begun.
+  auto window = windowOf(options);
+  if (!window) return report(window.error());
   auto made = Match::create(config);
   if (!made) return report(made.error());
   Watchers watchers;
@@ -181,14 +204,14 @@ int playOne(const MatchCommand& options, const MatchConfig& config) {
   MatchProfile profile;
   if (options.profile) made->measure(now, profile);
   const std::int64_t begin = now();
-  play(*made);
+  const auto played = play(*made, *window, options);
   MatchReport summary = reportOf(*made, watchers.statistics, watchers.log);
   summary.wall = secondsSince(begin);
   if (options.profile) summary.profile = profile;
   print(options, summary);
   if (auto written = watchers.written(); !written) return report(written.error());
-  if (summary.faults.abandoned) return kInternal;
-  return summary.complete ? kOk : kInterrupted;
+  if (!played) return report(played.error());
+  return exitCode(summary, options.view);
 }
 
 int playPairs(const MatchCommand& options, const MatchConfig& config) {
@@ -238,6 +261,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20\n"
       "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
       "  fulbito match libero idle --start corner.toml --events -\n"
+      "  fulbito match libero classic --view --record game.fbr   watch it, drag ball and robots\n"
       "Names: fulbito list teams, fulbito list rules. More: docs/matches.md.");
   command->add_option("blue", options.blue, "team that defends the left goal, e.g. classic:navigator=bezier")
       ->capture_default_str();
@@ -249,6 +273,8 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
   command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match")
       ->type_name("PAIRS");
   command->add_option("--jobs", options.jobs, "worker threads of a series (default: all cores)");
+  CLI::Option* view = command->add_flag("--view", options.view, "watch it in a window while it is played");
+  addViewOptions(*command, options.window, view);
   command->add_flag("--profile", options.profile, "say where the time went");
   command->add_flag("--json", options.json, "print JSON");
   return command;

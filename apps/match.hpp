@@ -1,9 +1,11 @@
+// Private header of apps: not installed.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include "apps/view.hpp"
 #include "match/match_config.hpp"
 
 namespace CLI {
@@ -27,6 +29,8 @@ struct MatchCommand {
   std::string events;        ///< file or "-"; empty: none
   std::optional<int> pairs;  ///< empty: one match
   int jobs = 0;
+  bool view = false;  ///< play in a window
+  ViewOptions window;
   bool profile = false;
   bool json = false;
 };

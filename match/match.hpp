@@ -58,7 +58,7 @@ class Match {
 
   /// Where all stand now.
   Placement placement() const;
-  /// Between ticks: goes on from this placement, everybody at rest, in a play and world of its own (kind
+  /// Between ticks: goes on from this placement, the robots at rest, in a play and world of its own (kind
   /// kGiven). Clock and score stay. Those who watch are told with the next tick, so that of several
   /// replacements between two ticks only the last counts. Errors, which change nothing: kUsage when the match
   /// is over, or as `flawOfEdit` (match/edit.hpp) says; as `World::create`.

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "engine/core/presets.hpp"
+#include "match/recorded_values.hpp"
 #include "replays/command_model.hpp"
-#include "strategies/team_frame.hpp"
 
 namespace fulbito {
 namespace {
@@ -116,17 +116,7 @@ void MatchRecorder::ticked(const MatchTick& tick) {
 }
 
 void MatchRecorder::add(const GameEvent& event) {
-  event_.tick = event.tick;
-  event_.play_time = event.play_time;
-  event_.period = event.period;
-  event_.clause.assign(event.clause);
-  event_.law.assign(event.law);
-  event_.team = event.team;
-  event_.robot = event.robot;
-  event_.place = event.place;
-  event_.value = event.value;
-  event_.threshold = event.threshold;
-  event_.margin = event.margin;
+  describe(event, event_);
   writer_.add(event_);
 }
 
@@ -135,15 +125,8 @@ void MatchRecorder::addDrawings(const MatchTick& tick) {
   for (const TeamId team : kTeams) {
     const TeamCommand* decision = tick.decisions[indexOf(team)];
     if (decision == nullptr) continue;
-    const Side side = tick.referee->sideOf(team);
     for (const DebugDrawing& drawing : decision->drawings) {
-      drawing_.tick = tick.tick;
-      drawing_.team = team;
-      drawing_.kind = static_cast<RecordedDrawing::Kind>(drawing.kind);
-      drawing_.from = inTeamFrame(side, drawing.from);
-      drawing_.to = inTeamFrame(side, drawing.to);
-      drawing_.radius = drawing.radius;
-      drawing_.text.assign(drawing.text);
+      describe(drawing, tick.tick, team, tick.referee->sideOf(team), drawing_);
       writer_.add(drawing_);
     }
   }

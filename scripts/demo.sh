@@ -21,7 +21,10 @@ build/release/fulbito compare --out "$out"
 echo
 echo "A match: two halves of five minutes, recorded"
 build/release/fulbito match libero classic --seed 7 --record "$out/match.fbr"
+build/release/fulbito replay export "$out/match.fbr" --force --png "$out/match.png" --at 60 --contact-sheet "$out/match-sheet.png" \
+  --gif "$out/match.gif" --from 40 --to 60 --speed 2
 build/release/fulbito replay export "$out/match.fbr" --html "$out/match.html" --force
 echo
+echo "The match as pictures: $out/match.png, $out/match-sheet.png, $out/match.gif"
 echo "Pictures: $out/*.png (time.png and distance.png sum up; corner-0-1.0.png shows every method's way)"
 echo "To look at in a browser: $out/match.html (the match) and $out/races.html (all methods on the first layouts)"

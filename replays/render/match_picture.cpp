@@ -125,4 +125,10 @@ Vec2 MatchPicture::toPixel(Vec2 place) const {
   return impl_->plan.centre + Vec2{place.x, -place.y} * impl_->plan.pixels_per_metre;
 }
 
+bool MatchPicture::onTimeBar(Vec2 pixel) const {
+  return impl_->spec.seconds > 0.0 && pixel.y >= impl_->plan.height - impl_->plan.foot;
+}
+
+double MatchPicture::toSeconds(double x) const { return secondsOnBar(impl_->plan, impl_->spec, x); }
+
 }  // namespace fulbito

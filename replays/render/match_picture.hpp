@@ -79,6 +79,10 @@ class MatchPicture {
   Vec2 toField(Vec2 pixel) const;
   Vec2 toPixel(Vec2 place) const;
   /// @}
+  /// Whether a pixel is on the bar of time, or near enough to mean it.
+  bool onTimeBar(Vec2 pixel) const;
+  /// The time [s] for which a column of the bar of time stands; beyond its ends: the nearest one.
+  double toSeconds(double x) const;
 
  private:
   struct Impl;

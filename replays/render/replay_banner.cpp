@@ -104,6 +104,10 @@ MatchBanner bannerOf(const RecordedEvent& event, const RecordedPlay& next, const
   return banner;
 }
 
+MatchBanner bannerOf(const RecordedPlay& play, const RecordingRecipe& recipe) {
+  return restartBanner(play, recipe);
+}
+
 MatchBanner bannerAt(const ReplayTimeline& timeline, const ReplayMoment& moment) {
   const RecordingRecipe& recipe = timeline.header().recipe;
   const RecordedPlay& play = timeline.plays()[moment.play];

@@ -49,5 +49,7 @@ MatchBanner bannerAt(const ReplayTimeline& timeline, const ReplayMoment& moment)
 
 /// A call in words, e.g. "Penalty" and "ball stuck in the area"; `next` is the play that followed it.
 MatchBanner bannerOf(const RecordedEvent& event, const RecordedPlay& next, const RecordingRecipe& recipe);
+/// A restart in words, for those that no call tells of; empty for a placed state.
+MatchBanner bannerOf(const RecordedPlay& play, const RecordingRecipe& recipe);
 
 }  // namespace fulbito

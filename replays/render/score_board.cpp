@@ -128,6 +128,11 @@ void drawTimeBar(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& 
                barTime(spec.seconds, spec.seconds), {size, style.dim_text, TextAlign::kRight, false});
 }
 
+double secondsOnBar(const MatchPlan& plan, const MatchPictureSpec& spec, double x) {
+  const TimeBar bar = barOf(plan);
+  return spec.seconds * std::clamp((x - bar.left) / (bar.right - bar.left), 0.0, 1.0);
+}
+
 void drawTimeBarNow(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, double seconds,
                     const MatchStyle& style) {
   const TimeBar bar = barOf(plan);

@@ -19,6 +19,8 @@ void drawTimeBar(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& 
                  const MatchStyle& style);
 void drawTimeBarNow(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, double seconds,
                     const MatchStyle& style);
+/// The time [s] that stands at column `x` [px] of the bar.
+double secondsOnBar(const MatchPlan& plan, const MatchPictureSpec& spec, double x);
 /// @}
 
 /// "1st half", "2nd half", "overtime", "shoot-out".

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Remakes the pictures that README and docs show, docs/images, by the commands that docs/pictures.md explains.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+if [ "${1:-}" = "-h" ] || [ "${1:-}" = "--help" ]; then
+  echo "Usage: scripts/gallery.sh [PROGRAM]   remakes docs/images with PROGRAM (default: build/release/fulbito)"
+  exit 0
+fi
+program=$(realpath "${1:-build/release/fulbito}")
+images=$(realpath docs/images)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+"$program" match libero classic --seed 7 --record game.fbr >/dev/null
+export_game() { "$program" replay export game.fbr --force "$@"; }
+
+# The first goal, as a still in both themes and with the ways that led to it.
+goal=$("$program" replay events game.fbr --json | sed -n 's/.*"time_s":\([0-9.]*\),.*"event":"goal".*/\1/p' | head -n 1)
+from=$(awk -v t="$goal" 'BEGIN { print (t > 4 ? t - 4 : 0) }')
+to=$(awk -v t="$goal" 'BEGIN { print t + 1.5 }')
+export_game --png "$images/match-goal.png" --around goals --from "$from" --to "$to"
+export_game --png "$images/match-goal-light.png" --around goals --from "$from" --to "$to" --theme light
+export_game --trails "$images/match-trails.png" --around goals --from "$from" --to "$to" --theme light --size 640
+export_game --gif "$images/match-goal.gif" --from "$from" --to "$to" --speed 1 --size 400
+export_game --contact-sheet "$images/match-sheet.png" --size 1200
+export_game --heatmap ball "$images/match-heatmap.png" --size 640
+export_game --heatmap yellow "$images/match-heatmap-light.png" --size 640 --theme light
+
+"$program" run --navigator bspline-time --layout moving:3 --record trial.fbr >/dev/null
+"$program" replay export trial.fbr --force --trails "$images/trial-trails.png" --size 640
+
+"$program" compare --suite jung-lee-2015 --trials 1 --out figures >/dev/null
+cp figures/fig1-abrupt-turns-1.0.png "$images/"
+
+# What is shown in pages has to load quickly.
+find "$images" -name '*.png' -size +150k -print | while IFS= read -r file; do
+  echo "gallery.sh: $file is larger than 150 kB" >&2
+done

@@ -1,0 +1,85 @@
+// Private header of view: not installed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace fulbito {
+
+/// A key of the window's keyboard that means something to the viewer.
+enum class ViewKey : std::uint8_t {
+  kSpace,
+  kComma,
+  kPeriod,
+  kLeft,
+  kRight,
+  kHome,
+  kEnd,
+  kPageUp,
+  kPageDown,
+  kMinus,
+  kPlus,
+  kQuestion,
+  kF1,
+  kF11,
+  kEscape,
+  kD,
+  kF,
+  kH,
+  kK,
+  kN,
+  kO,
+  kP,
+  kQ,
+  kS,
+  kT
+};
+
+struct KeyPress {
+  ViewKey key = ViewKey::kSpace;
+  bool shift = false;
+};
+
+/// What a user may ask for.
+enum class ViewAction : std::uint8_t {
+  kPlay,
+  kFrameBack,
+  kFrameOn,
+  kSecondBack,
+  kSecondOn,
+  kTenBack,
+  kTenOn,
+  kToStart,
+  kToEnd,
+  kSlower,
+  kFaster,
+  kEventBack,
+  kEventOn,
+  kFileBack,
+  kFileOn,
+  kTrails,
+  kDrawings,
+  kFlip,
+  kTheme,
+  kFullScreen,
+  kSave,
+  kHelp,
+  kQuit
+};
+
+/// Empty for a key that does nothing.
+std::optional<ViewAction> actionOf(KeyPress press);
+
+/// A line of the help that the window shows.
+struct KeyHelp {
+  std::string_view keys;
+  std::string_view text;
+  bool replay = true;  ///< it is of use with a recording
+  bool live = true;    ///< ... with a match that is being played
+};
+
+std::span<const KeyHelp> keyHelp();
+
+}  // namespace fulbito

@@ -1,0 +1,35 @@
+// Private header of view: not installed.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "replays/render/match_picture.hpp"
+#include "view/viewer.hpp"
+
+namespace fulbito {
+
+/// The pictures of a viewer at one size, in memory.
+class ViewScreen {
+ public:
+  /// Draws what the viewer shows. The picture is planned anew when size, theme or stage are others than last.
+  /// Errors: as MatchPicture::create.
+  Result<void> draw(Viewer& viewer, int width, int height);
+  /// What was drawn last; null before.
+  const Canvas* canvas() const { return canvas_ ? &*canvas_ : nullptr; }
+  /// Writes what was drawn last as PNG, without help and notes. Errors: kIo.
+  Result<void> save(const Viewer& viewer, const std::string& file) const;
+  /// Completes a pointer's event by what it points at in the last picture.
+  void aim(PointerEvent& event, Vec2 pixel) const;
+
+ private:
+  Result<void> plan(const MatchPictureSpec& look, int width, int height, PictureTheme theme);
+
+  std::optional<MatchPicture> picture_;
+  std::optional<Canvas> canvas_;
+  std::size_t stage_ = 0;
+  ReplayMoment moment_;
+  MatchOverlays overlays_;
+};
+
+}  // namespace fulbito
