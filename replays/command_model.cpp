@@ -1,6 +1,7 @@
 #include "replays/command_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fulbito {
 namespace {
@@ -18,7 +19,9 @@ CommandModel commandModel(const RobotModel& robot, const PhysicsProfile& physics
   CommandModel model;
   if (recordedCommandStep(physics) == 0.0) return model;
   const double steps = 1.0 / (robot.wheel_radius * physics.wheel_command_step);  // of a wheel for 1 m/s
-  const auto whole = [](double value) { return static_cast<int>(std::clamp(value, 0.0, kMostModel) + 0.5); };
+  const auto whole = [](double value) {
+    return static_cast<int>(std::lround(std::clamp(value, 0.0, kMostModel)));
+  };
   model.most_change = whole(2.0 * robot.wheel_acceleration * physics.controlPeriod() * steps);
   if (robot.spin_slow_speed <= 0.0) return model;
   model.spin_from = whole(2.0 * robot.spin_slow_speed * steps);
