@@ -114,7 +114,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed
   add(command.add_flag("--paused", options.paused, "begin with a still picture"));
   add(command.add_flag("--full-screen", options.full_screen, "fill the screen"));
   add(command.add_flag("--keys", options.help, "begin with the list of keys"));
-  add(command.add_option("--frames", options.frames, "end after so many pictures"))
+  add(command.add_option("--frames", options.frames, "end after so many pictures, or once nothing moves"))
       ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
       ->type_name("N");
   add(command.add_option("--screenshot", options.screenshot, "write the last picture as PNG"))

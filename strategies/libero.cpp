@@ -28,14 +28,16 @@ class Libero final : public Strategy {
   void begin(const MatchInfo& info) override {
     pitch_ = Pitch(info);
     foresight_ = Foresight(info);
-    striker_ = -1;
-    strike_ = {};
-    held_ = 1.0;
+    forgetStriker();
   }
 
   TeamCommand decide(const Observation& observation) override {
     const Observation& now = foresight_.update(observation);
-    if (foresight_.playBegan()) strike_ = {};
+    if (foresight_.playBegan()) {
+      strike_ = {};
+      // Who is at the ball now makes the first moves, whoever was striker before.
+      if (takenAtOnce(now)) forgetStriker();
+    }
     ball_.take(foresight_.ballNow(), foresight_.ball());
     const Picture picture{now, pitch_, settings_, ball_};
     chooseKeeper(picture);
@@ -64,6 +66,18 @@ class Libero final : public Strategy {
   }
 
  private:
+  void forgetStriker() {
+    striker_ = -1;
+    strike_ = {};
+    held_ = 1.0;
+  }
+
+  /// Whether play began with one of ours placed to be first at the ball. At our goal kicks that is the
+  /// keeper, and the others go on as they were.
+  static bool takenAtOnce(const Observation& seen) {
+    return seen.restart != RestartKind::kGoalKick || !seen.restart_is_ours;
+  }
+
   RobotCommand play(const Picture& picture, int robot, int& rank) {
     if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
     const bool keepers = keeper_ >= 0 && inOwnArea(pitch_, ball_.at(0.2), 0.0);

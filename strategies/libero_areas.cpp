@@ -35,6 +35,14 @@ constexpr double kBrake = 5.0;         // [m/s^2] reckoned with
 constexpr double kOwnMargin = 0.03;    // [m] about our area: a defender is in it with more than half
 constexpr double kTheirMargin = 0.06;  // [m] about theirs: an attacker with any part
 
+/// How deep `p` lies in the widened area [m]; negative outside.
+double depthIn(const Pitch& pitch, Vec2 p, double margin) {
+  const double depth = p.x + pitch.half_length, y = std::abs(p.y);
+  const double box = std::min(pitch.area_depth - depth, pitch.area_half - y);
+  const double arc = std::min(pitch.area_depth + pitch.arc_depth - depth, pitch.arc_half - y);
+  return std::max(box, arc) + margin;
+}
+
 /// `keptOut` of our area; theirs is the same turned by half a turn.
 bool turnedOff(const Pitch& pitch, const RobotState& robot, double margin, Twist& wanted) {
   const Vec2 place = robot.pose.position;
@@ -45,6 +53,8 @@ bool turnedOff(const Pitch& pitch, const RobotState& robot, double margin, Twist
   const Vec2 stop = place + face * (speed * 0.05 + speed * std::abs(speed) / (2 * kBrake));
   const bool inside = inOwnArea(pitch, place, margin);
   if (!inside && !inOwnArea(pitch, stop, margin)) return false;
+  // On its way out already, by whatever way.
+  if (inside && depthIn(pitch, stop, margin) < depthIn(pitch, place, margin)) return false;
   const Vec2 out = outOfOwnArea(pitch, inside ? place : stop, margin + 0.02);
   if (inside) {
     // Already there: out by the shortest way, unless it is on its way.

@@ -9,9 +9,9 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kTouch = 0.075;          // [m] centre to centre where the ball is about touched
-constexpr double kSpinTime = 0.45;        // [s]
-constexpr double kFreeBallDispute = 2.0;  // [s] for which a free ball is a duel of who keeps at it
+constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
+constexpr double kSpinTime = 0.45;  // [s]
+constexpr double kDispute = 2.0;    // [s] for which a free ball or penalty is a duel of who keeps at it
 constexpr double kInner = 0.02;  // [m] off the ball's middle, on our goal's side, where a pushed ball is met
 
 /// Five a side, where crowds push through what three cannot.
@@ -116,18 +116,37 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& 
   return chosen;
 }
 
-/// Right after a kick-off the first touch counts, at a free ball who keeps at it: whatever the direction.
+/// Whether at our penalty somebody runs out of their goal at the ball; until that can be seen, so it is taken
+/// to be.
+bool keeperRunsOut(const Picture& picture) {
+  const Observation& seen = picture.seen;
+  if (seen.restart != RestartKind::kPenalty || !seen.restart_is_ours || seen.since_restart > kDispute)
+    return false;
+  if (seen.since_restart < 0.05) return true;
+  for (int i = 0; i < seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    const RobotState& other = picture.opponent(i);
+    if (other.pose.position.x < picture.ball.now().position.x - 0.1) continue;
+    if (other.pose.position.x < picture.pitch.half_length - 0.12 || other.velocity.x < -0.15) return true;
+  }
+  return false;
+}
+
+/// Right after a restart the touch counts, whatever the direction; at a free ball, or before a keeper that
+/// runs out, who turns off in order to come round gives the ball away.
 bool rushes(const Picture& picture, Vec2 rel) {
-  if (disputesFreeBall(picture.seen)) return true;
-  return picture.seen.restart == RestartKind::kKickOff && picture.seen.since_restart < 0.4 &&
-         squaredNorm(rel) > 0.055 * 0.055;
+  if (disputesFreeBall(picture.seen) || keeperRunsOut(picture)) return true;
+  if (squaredNorm(rel) < 0.055 * 0.055) return false;
+  const double since = picture.seen.since_restart;
+  if (picture.seen.restart == RestartKind::kKickOff) return since < 0.4;
+  return picture.seen.restart == RestartKind::kGoalKick && !picture.seen.restart_is_ours && since < 0.5;
 }
 
 /// Where that touch is wanted. In the large game a free ball is met on its inner side, so that it slips from
 /// between the two toward the side wall: from the middle of both it was carried to our goal.
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
-  if (!isLargeGame(picture) || picture.seen.restart != RestartKind::kFreeBall) return ball;
+  if (picture.seen.restart != RestartKind::kFreeBall || !isLargeGame(picture)) return ball;
   return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
 }
 
@@ -157,7 +176,7 @@ bool chargesKeeper(const Picture& picture, const RobotState& self, Vec2& keeper)
 }  // namespace
 
 bool disputesFreeBall(const Observation& seen) {
-  return seen.restart == RestartKind::kFreeBall && seen.since_restart < kFreeBallDispute;
+  return seen.restart == RestartKind::kFreeBall && seen.since_restart < kDispute;
 }
 
 bool canMeetCarried(const Picture& picture, const RobotState& robot) {

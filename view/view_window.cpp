@@ -291,7 +291,8 @@ void ViewWindow::Impl::save(Viewer& viewer) const {
 }
 
 bool ViewWindow::Impl::ends(const Viewer& viewer) const {
-  return closed || viewer.quits() || (options.frames > 0 && frames >= options.frames) ||
+  const bool still = frames > 0 && !viewer.stale() && !viewer.moving();
+  return closed || viewer.quits() || (options.frames > 0 && (frames >= options.frames || still)) ||
          (options.interrupted && options.interrupted());
 }
 

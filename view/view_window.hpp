@@ -12,10 +12,10 @@ namespace fulbito {
 
 /// How a window is opened and used.
 struct WindowOptions {
-  int width = 0;                      ///< [px] 0: 900, or what the display has room for
-  int height = 0;                     ///< [px] 0: as high as the field needs at that width
-  std::int64_t frames = 0;            ///< ends after so many pictures; 0: when the user quits
-  std::string screenshot;             ///< PNG of the last picture; empty: none
+  int width = 0;            ///< [px] 0: 900, or what the display has room for
+  int height = 0;           ///< [px] 0: as high as the field needs at that width
+  std::int64_t frames = 0;  ///< ends after so many pictures, or when nothing moves; 0: when the user quits
+  std::string screenshot;   ///< PNG of the last picture; empty: none
   std::function<std::int64_t()> now;  ///< monotonic time [ns]
   std::function<bool()> interrupted;  ///< whether to end; asked about ten times a second
 };

@@ -133,6 +133,12 @@ void addFacts(const RecordingReader& recording, const RobotPreset& robot, PageSc
   if (recipe.latency_ticks > 0) fact("Latency", fmt::format("{} ticks", recipe.latency_ticks));
   if (recipe.position_noise > 0.0) fact("Noise", fmt::format("{:g} mm", recipe.position_noise * 1e3));
   if (recipe.dropout > 0.0) fact("Not seen", fmt::format("{:g} %", recipe.dropout * 100));
+  if (const auto& result = recording.result()) {
+    if (header.kind == RecordingKind::kTrial) fact("Outcome", result->outcome);
+    for (const auto& [name, value] : result->figures) {
+      if (name == "edits") fact("Edited", fmt::format("{:.0f} times by hand: no result", value));
+    }
+  }
   if (!recording.finished()) fact("File", "cut: the last seconds are missing");
   fact("Made by", fmt::format("Fulbito {}", header.build.version));
   fact("Compiler", header.build.compiler);
@@ -151,7 +157,7 @@ Result<Shapes> addLayout(const RecordingRecipe& recipe, PageScene& scene) {
   auto layout = parseLayout(recipe.layout, "the recording's layout");
   if (!layout) return tl::unexpected<Error>(layout.error());
   scene.task = PageTask{layout->start, layout->goal, layout->goal_tolerance, layout->goal_heading};
-  scene.title = layout->name;
+  scene.title = fmt::format("{}, {}", layout->name, recipe.navigator);
   shapes.obstacles = std::move(layout->obstacles);
   return shapes;
 }

@@ -15,7 +15,7 @@ async function violations(page) {
   });
 }
 
-for (const name of ['long', 'ghost', 'races', 'drawings', 'hostile']) {
+for (const name of ['long', 'ghost', 'races', 'trial', 'drawings', 'hostile']) {
   for (const colorScheme of ['light', 'dark']) {
     test(`${name} in ${colorScheme}: no accessibility violation`, async () => {
       const page = await open(name, { at: '#t=3', colorScheme });

@@ -6,7 +6,7 @@ import { near, open, pages, settled, view } from './viewer.mjs';
 
 const kHalfPlace = 0.5e-3 / 2 + 1e-9, kHalfHeading = 5e-3 / 2 + 1e-9;
 
-for (const name of ['long', 'short']) {
+for (const name of ['long', 'short', 'trial']) {
   test(`${name}: positions, clock and score at random times`, async () => {
     const page = await open(name);
     const lines = readFileSync(`${pages}/${name}.positions`, 'utf8').trim().split('\n').map((line) => JSON.parse(line));
@@ -15,7 +15,8 @@ for (const name of ['long', 'short']) {
       const shown = await page.evaluate((seconds) => {
         const { scene } = fulbitoViewer;
         const m = scene.at(seconds, fulbitoViewer.moment);
-        return { clock: scene.clock(m), playing: scene.playing(m), period: scene.plays[m.play].period, score: scene.score(m.tick),
+        const turned = scene.bodies.map((body) => !!body.size);
+        return { turned, clock: scene.clock(m), playing: scene.playing(m), period: scene.plays[m.play].period, score: scene.score(m.tick),
           bodies: [...m.x].map((x, i) => (m.present[i] ? [x, m.y[i], m.heading[i]] : null)) };
       }, wanted.seconds);
       assert.deepEqual(shown.score, wanted.score, `score at ${wanted.seconds}`);
@@ -29,7 +30,7 @@ for (const name of ['long', 'short']) {
         near(shown.bodies[i][0], body[0], kHalfPlace, what);
         near(shown.bodies[i][1], body[1], kHalfPlace, what);
         const turn = shown.bodies[i][2] - body[2];
-        if (i < 6) near(Math.atan2(Math.sin(turn), Math.cos(turn)), 0, kHalfHeading, what);
+        if (shown.turned[i]) near(Math.atan2(Math.sin(turn), Math.cos(turn)), 0, kHalfHeading, what);
       });
     }
     await page.quiet();
@@ -76,5 +77,16 @@ test('the score at the playhead is the one of the events', async () => {
     assert.match(await page.textContent('#banner'), /^Goal for/);
   }
   assert.equal(await page.locator('#marks .mark').count(), goals.length);
+  await page.quiet();
+});
+
+test('possession and thirds are those of the match summary', async () => {
+  const { stats } = JSON.parse(readFileSync(`${pages}/long.json`, 'utf8'));
+  const page = await open('long');
+  const [held, third] = await view(page, '[v.share.held, v.share.third].map((sums) => sums.map((sum) => sum[v.scene.rows - 1]))');
+  const shares = (sums) => sums.map((sum) => sum / sums.reduce((a, b) => a + b, 0));
+  const { blue, yellow } = stats;
+  [blue.possession_share, yellow.possession_share].forEach((share, i) => near(shares(held)[i], share, 0.01, 'possession:'));
+  [blue.own_third_share, blue.middle_third_share, yellow.own_third_share].forEach((share, i) => near(shares(third)[i], share, 0.01, 'third:'));
   await page.quiet();
 });

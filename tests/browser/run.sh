@@ -13,9 +13,11 @@ mkdir -p "$FULBITO_SHOTS"
 
 fulbito=$build/fulbito pages=$build/tests/browser/browser_pages
 cd "$FULBITO_PAGES"
-"$fulbito" match libero classic --seed 7 --record long.fbr >/dev/null
+"$fulbito" match libero classic --seed 7 --record long.fbr --json >long.json
 "$fulbito" match libero classic --seed 7 --half-seconds 30 --record short.fbr >/dev/null
 "$fulbito" match libero classic --seed 8 --half-seconds 30 --record other.fbr >/dev/null
+"$fulbito" run --layout moving:0 --navigator bezier --record trial.fbr >/dev/null
+"$fulbito" replay export trial.fbr --html trial.html
 "$fulbito" replay export long.fbr --html long.html
 "$fulbito" replay export short.fbr --html short.html
 "$fulbito" replay export short.fbr --html ghost.html --ghost other.fbr
@@ -23,7 +25,7 @@ cd "$FULBITO_PAGES"
 "$fulbito" compare --suite moving --speeds 1.0,2.6 --trials 2 --out compare --html races.html >/dev/null
 "$pages" hostile >hostile.html
 "$pages" drawings >drawings.html
-for file in long short; do "$pages" positions "$file.fbr" >"$file.positions"; done
+for file in long short trial; do "$pages" positions "$file.fbr" >"$file.positions"; done
 cd - >/dev/null
 
 # npm leaves its lock file beside what it has installed: newer than ours, it is what ours asks for.

@@ -16,7 +16,7 @@ for page in "$root"/README.md "$root"/CONTRIBUTING.md "$root"/docs/*.md; do
   cd "$work/run"
   while IFS= read -r line; do
     case "$line" in
-      fulbito* | build/release/fulbito*) ;;
+      fulbito* | SDL_VIDEODRIVER=dummy\ fulbito* | build/release/fulbito*) ;;
       scripts/* | cmake* | ctest* | git* | cd* | '#'* | '') continue ;;
       *) echo "${page#"$root"/}: a command that this check does not know: $line" >&2; exit 1 ;;
     esac

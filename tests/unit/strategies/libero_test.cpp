@@ -155,6 +155,48 @@ TEST_CASE("libero's taker of a free ball drives straight at it, also where its m
   }
 }
 
+TEST_CASE("libero's penalties: who stands to take it does, and runs on when the keeper comes out", "[unit]") {
+  const MatchInfo info = infoOf(3);
+  auto team = makeTeam(*parseTeam("libero"));
+  REQUIRE(team);
+  (*team)->begin(info);
+  constexpr std::uint8_t kStriker = 2;
+  Observation seen;
+  const auto put = [](ObservedRobot& robot, Pose2 pose) {
+    robot.present = true;
+    robot.state.pose = pose;
+  };
+  put(seen.own[0], {{-0.71, 0.0}, 0.0});
+  put(seen.own[1], {{0.1, 0.4}, 0.0});
+  put(seen.own[2], {{0.3, -0.4}, 0.0});
+  put(seen.opponents[0], {{0.7, 0.0}, math::kPi});
+  put(seen.opponents[1], {{-0.1, 0.25}, math::kPi});
+  put(seen.opponents[2], {{-0.1, -0.4}, math::kPi});
+  seen.since_restart = 5.0;
+  seen.tick = 300;
+  seen.ball.position = {0.4, -0.4};
+  CHECK((*team)->decide(seen).roles[2] == kStriker);
+
+  seen.restart = RestartKind::kPenalty;
+  seen.restart_is_ours = true;
+  seen.since_restart = 0.0;
+  seen.tick = 301;
+  seen.ball.position = {0.375, 0.0};
+  put(seen.own[1], {{0.075, -0.03}, 0.1});
+  put(seen.own[2], {{-0.06, 0.35}, 0.0});
+  const auto taker = [&] {
+    const TeamCommand command = (*team)->decide(seen);
+    CHECK(command.roles[1] == kStriker);
+    return command.robots[1].twist;
+  };
+  CHECK(taker().linear > 0.9 * info.robot.maxSpeed());
+  seen.since_restart = 0.2;
+  seen.tick = 313;
+  put(seen.own[1], {{0.2, -0.0175}, 0.1});
+  put(seen.opponents[0], {{0.55, 0.0}, math::kPi});
+  CHECK(std::abs(taker().angular) < 0.1);
+}
+
 TEST_CASE("libero plays five a side, and with a navigator of the registry", "[unit]") {
   auto five = matchOf("libero", "libero", "vsss-5v5", 5.0);
   auto match = Match::create(five);

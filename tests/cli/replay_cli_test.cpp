@@ -1,0 +1,159 @@
+#include "tests/cli/sandbox.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace fulbito::test;
+
+namespace {
+
+/// A folder with two short recorded matches.
+struct Recordings : Sandbox {
+  Recordings() {
+    REQUIRE(run("match chaser chaser --half-seconds 10 --record a.fbr --events a.jsonl").code == 0);
+    REQUIRE(run("match chaser chaser --half-seconds 10 --seed 2 --record b.fbr").code == 0);
+  }
+  void damage(const std::string& file, const std::string& as) const {
+    std::string bytes = contentOf(path / file);
+    bytes[bytes.size() / 2] ^= 4;
+    write(as, bytes);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("replay info says what was played and where the bytes go", "[cli]") {
+  const Recordings box;
+  const Output text = box.run("replay info a.fbr");
+  CHECK(text.code == 0);
+  for (const char* part :
+       {"match, level full, format 2, finished", "chaser (blue)", "rules vsss-3v3", "commands"}) {
+    INFO(part);
+    CHECK(text.out.find(part) != std::string::npos);
+  }
+  const Json json = Json::parse(box.run("replay info a.fbr --json").out);
+  CHECK(json["schema_version"] == 1);
+  CHECK(json["end"] == "finished");
+  CHECK(json["recipe"]["seed"] == 1);
+  CHECK(json["simulated_s"].get<double>() >= 20.0);
+  std::size_t sum = 0;
+  for (const Json& part : json["bytes_by_part"]) sum += part.get<std::size_t>();
+  CHECK(sum == json["bytes"].get<std::size_t>());
+  CHECK(sum == fs::file_size(box.path / "a.fbr"));
+}
+
+TEST_CASE("replay events gives the lines that the match wrote", "[cli]") {
+  const Recordings box;
+  CHECK(box.run("replay events a.fbr --json").out == contentOf(box.path / "a.jsonl"));
+  const Output text = box.run("replay events a.fbr");
+  CHECK(text.code == 0);
+  CHECK(text.out.find("- kick-off") != std::string::npos);
+}
+
+TEST_CASE("replay verify: the same, different, damaged and cut have their exit codes", "[cli]") {
+  const Recordings box;
+  const Output good = box.run("replay verify a.fbr");
+  CHECK(good.code == 0);
+  CHECK(good.out.find("a.fbr: the same, bit for bit: ") == 0);
+  const Output folder = box.run("replay verify .");
+  CHECK(folder.code == 0);
+  CHECK(folder.out.find("2 recordings: 2 the same, 0 different, 0 cut, 0 bad") != std::string::npos);
+  CHECK(box.run("replay verify missing.fbr").code == 5);
+  const std::string bytes = contentOf(box.path / "b.fbr");
+  box.write("cut.fbr", bytes.substr(0, bytes.size() - 100));
+  CHECK(box.run("replay verify cut.fbr").code == 3);
+  box.damage("b.fbr", "damaged.fbr");
+  const Output damaged = box.run("replay verify damaged.fbr");
+  CHECK(damaged.code == 3);
+  CHECK(damaged.err.find("damaged.fbr: damaged at byte ") != std::string::npos);
+  const Output all = box.run("replay verify . --jobs 2 --json");
+  CHECK(all.code == 3);
+  const Json json = Json::parse(all.out);
+  CHECK(json["same"] == 2);
+  CHECK(json["cut"] == 1);
+  CHECK(json["bad"] == 1);
+  CHECK(json["files"].size() == 4);
+}
+
+TEST_CASE("replay diff names what differs", "[cli]") {
+  const Recordings box;
+  const Output same = box.run("replay diff a.fbr a.fbr");
+  CHECK(same.code == 0);
+  CHECK(same.out.find("are the same, bit for bit") != std::string::npos);
+  const Output other = box.run("replay diff a.fbr b.fbr");
+  CHECK(other.code == 1);
+  CHECK(other.out.find("seed: 1 in A, 2 in B") != std::string::npos);
+  CHECK(other.out.find("they part at tick 0") != std::string::npos);
+  const Json json = Json::parse(box.run("replay diff a.fbr b.fbr --json").out);
+  CHECK(json["same"] == false);
+  CHECK(json["recipe"][0]["name"] == "seed");
+  CHECK(json["bodies"].size() > 3);
+}
+
+TEST_CASE("replay cut makes a recording that verifies, and replaces none unasked", "[cli]") {
+  const Recordings box;
+  CHECK(box.run("replay cut a.fbr c.fbr --plays 2").code == 0);
+  CHECK(box.run("replay verify c.fbr").code == 0);
+  CHECK(box.run("replay cut a.fbr c.fbr --from 1 --to 2").code == 2);
+  CHECK(box.run("replay cut a.fbr c.fbr --from 1 --to 2 --force").code == 0);
+  const Json info = Json::parse(box.run("replay info c.fbr --json").out);
+  CHECK(info["recipe"]["more"]["cut_plays"].get<std::string>().find("1-") == 0);
+  const auto refuses = [&](const std::string& arguments, const std::string& part) {
+    const Output output = box.run("replay cut a.fbr d.fbr " + arguments);
+    INFO(arguments << ": " << output.err);
+    CHECK(output.code == 2);
+    CHECK(output.err.find(part) != std::string::npos);
+  };
+  refuses("", "--plays A-B or --from and --to");
+  refuses("--plays 1 --from 2", "--plays A-B or --from and --to");
+  refuses("--plays 5-2", "'5-2' is no range");
+  refuses("--plays 0", "'0' is no range");
+  refuses("--plays x", "'x' is no range");
+  refuses("--plays 1-999", "are not within 1 ... ");
+  refuses("--from 500 --to 600", "no play has a part in 500 ... 600 s");
+  CHECK_FALSE(fs::exists(box.path / "d.fbr"));
+}
+
+TEST_CASE("replay repair keeps what can be read and says what was lost", "[cli]") {
+  const Recordings box;
+  const Output whole = box.run("replay repair a.fbr mended.fbr");
+  CHECK(whole.code == 0);
+  CHECK(whole.out.find("nothing is wrong with it") != std::string::npos);
+  box.damage("a.fbr", "damaged.fbr");
+  const Output mended = box.run("replay repair damaged.fbr mended.fbr");
+  CHECK(mended.code == 0);
+  CHECK(mended.out.find("lost: ") != std::string::npos);
+  CHECK(box.run("replay verify mended.fbr").code == 0);
+  CHECK(box.run("replay repair damaged.fbr mended.fbr").code == 2);
+  box.write("nothing.fbr", "not a recording");
+  CHECK(box.run("replay repair nothing.fbr x.fbr").code == 3);
+}
+
+TEST_CASE("a part of replay that does not exist is named with a suggestion", "[cli]") {
+  const Sandbox box;
+  const Output wrong = box.run("replay verfy x.fbr");
+  CHECK(wrong.code == 2);
+  CHECK(wrong.err.find("there is no part 'verfy'. Did you mean 'verify'?") != std::string::npos);
+  CHECK(box.run("replay").code == 2);
+  CHECK(box.run("replay verify x.fbr --jbs 2").err.find("Did you mean '--jobs'?") != std::string::npos);
+  for (const char* part : {"info", "events", "verify", "diff", "cut", "repair"}) {
+    const Output help = box.run(std::string("replay ") + part + " --help");
+    CHECK(help.code == 0);
+    CHECK(help.out.find("fulbito replay " + std::string(part)) != std::string::npos);
+  }
+}
+
+TEST_CASE("trials record and verify", "[cli]") {
+  const Sandbox box;
+  REQUIRE(box.run("run --layout corner:3 --navigator bezier --record way.fbr").code == 0);
+  CHECK(box.run("replay verify way.fbr").code == 0);
+  const Json info = Json::parse(box.run("replay info way.fbr --json").out);
+  CHECK(info["kind"] == "trial");
+  CHECK(info["recipe"]["navigator"] == "bezier");
+  CHECK(info["result"]["figures"].contains("time_s"));
+  REQUIRE(box.run("compare --suite moving --navigators bezier straight --speeds 1.0 --trials 4 --pictures 2 "
+                  "--record ways --out out")
+              .code == 0);
+  CHECK(std::distance(fs::directory_iterator(box.path / "ways"), {}) == 4);
+  const Output verified = box.run("replay verify ways");
+  CHECK(verified.code == 0);
+  CHECK(verified.out.find("4 recordings: 4 the same") != std::string::npos);
+}
