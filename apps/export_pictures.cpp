@@ -101,7 +101,7 @@ Result<void> writeSequence(const ExportRequest& request) {
   };
   auto drawn = forEachFrame(job, packer, [&](std::size_t index, std::string& bytes) -> Result<void> {
     if (!progress.update(index, job.times.size())) return fail(ErrorCode::kInterrupted, "interrupted");
-    return (*files)[index] == "-" ? deliver("-", bytes) : writeFile((*files)[index], bytes);
+    return (*files)[index] == "-" ? deliver("-", bytes) : writeFile((*files)[index], bytes, false);
   });
   if (!drawn) return drawn;
   announce(files->front(), fmt::format("the first of {} pictures", files->size()));

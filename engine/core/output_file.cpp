@@ -15,8 +15,8 @@ tl::unexpected<Error> ioError(const std::string& what, const std::string& file, 
   return fail(ErrorCode::kIo, fmt::format("cannot {} '{}': {}", what, file, why));
 }
 
-/// Writes all of `content`; on failure errno says why.
-bool writeAll(int descriptor, const std::string& content) {
+/// Writes all of `content`, down to the disk where `durable`; on failure errno says why.
+bool writeAll(int descriptor, const std::string& content, bool durable = true) {
   std::size_t written = 0;
   while (written < content.size()) {
     const ssize_t n = ::write(descriptor, content.data() + written, content.size() - written);
@@ -24,7 +24,7 @@ bool writeAll(int descriptor, const std::string& content) {
     if (n < 0) return false;
     written += static_cast<std::size_t>(n);
   }
-  return ::fsync(descriptor) == 0 || errno == EINVAL ||
+  return !durable || ::fsync(descriptor) == 0 || errno == EINVAL ||
          errno == EROFS;  // pipes and some file systems have no fsync
 }
 
@@ -54,7 +54,7 @@ Result<void> prepareFolder(const std::string& folder) {
   return {};
 }
 
-Result<void> writeFile(const std::string& file, const std::string& content) {
+Result<void> writeFile(const std::string& file, const std::string& content, bool durable) {
   std::error_code unknown;
   const auto kind = std::filesystem::status(file, unknown).type();
   if (kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo) {
@@ -63,7 +63,7 @@ Result<void> writeFile(const std::string& file, const std::string& content) {
   const std::string temporary = fmt::format("{}.{}.tmp", file, ::getpid());
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return ioError("write", file, std::strerror(errno));
-  const bool complete = writeAll(descriptor, content);
+  const bool complete = writeAll(descriptor, content, durable);
   const int reason = errno;
   if (::close(descriptor) != 0 || !complete || std::rename(temporary.c_str(), file.c_str()) != 0) {
     const int why = complete ? errno : reason;

@@ -10,7 +10,8 @@ namespace fulbito {
 Result<void> prepareFolder(const std::string& folder);
 
 /// Writes the whole file or nothing: to a temporary file beside it, flushed to disk, then renamed. A
-/// device or pipe is written to. Errors: kIo naming it.
-Result<void> writeFile(const std::string& file, const std::string& content);
+/// device or pipe is written to. Errors: kIo naming it. Not `durable`: without waiting
+/// for the disk, for one of many files.
+Result<void> writeFile(const std::string& file, const std::string& content, bool durable = true);
 
 }  // namespace fulbito

@@ -120,6 +120,7 @@ Result<void> VideoPipe::Impl::start(const VideoSettings& settings) {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
   std::vector<std::string> words = ffmpegWords(part, settings);
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const int wrong = ::posix_spawnp(&child, "ffmpeg", &actions, &attributes, argv.data(), environ);

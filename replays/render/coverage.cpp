@@ -139,11 +139,7 @@ void CoverageMask::addConvex(std::span<const Vec2> points) {
   constexpr std::size_t kMostCorners = 16;
   if (points.size() < 3 || points.size() > kMostCorners) return;
   if (!std::all_of(points.begin(), points.end(), drawable)) return;
-  struct Edge {
-    Vec2 inward;
-    double offset;
-  };
-  std::array<Edge, kMostCorners> edges;
+  std::array<ConvexEdge, kMostCorners> edges;
   double doubled_area = 0.0;
   Vec2 low = points[0], high = points[0];
   for (std::size_t i = 0, j = points.size() - 1; i < points.size(); j = i++) {
@@ -159,13 +155,48 @@ void CoverageMask::addConvex(std::span<const Vec2> points) {
     const Vec2 inward = perp(along) * (sense / length);
     edges[count++] = {inward, 0.5 - dot(inward, points[i])};
   }
-  add(touch(low, high, 1.0), [&edges, count](Vec2 p) {
-    double inside = 1.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      inside = std::min(inside, dot(edges[i].inward, p) + edges[i].offset);
+  const Box box = touch(low, high, 1.0);
+  for (int y = box.top; y < box.bottom; ++y) addConvexRow(y, box, {edges.data(), count});
+}
+
+void CoverageMask::addConvexRow(int y, const Box& box, std::span<const ConvexEdge> edges) {
+  // Only near its ends does a row have to ask all edges: between `left` and `right` it is covered, before
+  // `first` and after `last` it is not.
+  const auto cut = [&box](double x) {
+    return static_cast<int>(std::clamp(x, static_cast<double>(box.left), static_cast<double>(box.right)));
+  };
+  int first = box.left, last = box.right, left = box.left, right = box.right;
+  for (const ConvexEdge& edge : edges) {
+    const double slope = edge.inward.x, rest = edge.inward.y * (y + 0.5) + edge.offset;
+    if (std::abs(slope) < 1e-9) {
+      if (rest <= 0.0) return;
+      if (rest < 1.0) right = left;
+      continue;
     }
-    return inside;
-  });
+    const double none = -rest / slope - 0.5, all = (1.0 - rest) / slope - 0.5;
+    if (slope > 0.0) {
+      first = std::max(first, cut(std::floor(none)));
+      left = std::max(left, cut(std::ceil(all)));
+    } else {
+      last = std::min(last, cut(std::ceil(none) + 1.0));
+      right = std::min(right, cut(std::floor(all) + 1.0));
+    }
+  }
+  left = std::clamp(left, first, std::max(first, last));
+  right = std::clamp(right, left, std::max(left, last));
+  const auto ask = [&](int from, int to) {
+    for (int x = from; x < to; ++x) {
+      double inside = 1.0;
+      for (const ConvexEdge& edge : edges) {
+        inside = std::min(inside, edge.inward.x * (x + 0.5) + edge.inward.y * (y + 0.5) + edge.offset);
+      }
+      const auto part = static_cast<std::uint8_t>(std::max(0.0, inside) * 255.0 + 0.5);
+      at(x, y) = std::max(at(x, y), part);
+    }
+  };
+  ask(first, left);
+  for (int x = left; x < right; ++x) at(x, y) = 255;
+  ask(right, last);
 }
 
 }  // namespace fulbito

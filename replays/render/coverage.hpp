@@ -52,6 +52,13 @@ class CoverageMask {
     int left, top, right, bottom;  // right and bottom are one past the end
   };
 
+  /// A pixel's centre is dot(inward, centre) + offset - 0.5 pixels inside of it.
+  struct ConvexEdge {
+    Vec2 inward;
+    double offset;
+  };
+
+  void addConvexRow(int y, const Box& box, std::span<const ConvexEdge> edges);
   std::uint8_t& at(int x, int y) {
     return covered_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                     static_cast<std::size_t>(x)];

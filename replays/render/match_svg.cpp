@@ -60,6 +60,7 @@ class SvgScene {
     const RecordedBody& body = spec_.bodies[path.body];
     const bool ball = body.kind == BodyKind::kBall;
     std::vector<Vec2> points;
+    points.reserve(path.points.size());
     for (const Vec2 p : path.points) points.push_back(pixelOf(plan_, p));
     svg_.polyline(points, (ball ? 3.0 : 2.0) * plan_.unit,
                   withAlpha(ball ? style_.ball : coloursOf(body.id, style_).body, ball ? 190 : 120));

@@ -1,6 +1,8 @@
 #include "replays/render/canvas.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <optional>
@@ -222,6 +224,31 @@ TEST_CASE("canvases in several threads give the pixels that one gives", "[unit]"
   }
   for (std::thread& thread : threads) thread.join();
   for (bool match : matches) CHECK(match);
+}
+
+TEST_CASE("a convex polygon is the same as any polygon, but for its corners", "[unit]") {
+  for (int turn = 0; turn < 40; ++turn) {
+    std::vector<Vec2> points;
+    for (int corner = 0; corner < 3 + turn % 6; ++corner) {
+      const double angle = 0.17 * turn + 6.283185307179586 * corner / (3 + turn % 6);
+      points.push_back(Vec2{50.3, 49.8} + Vec2{std::cos(angle), std::sin(angle)} * (3.0 + turn));
+    }
+    if (turn % 2 == 1) std::reverse(points.begin(), points.end());
+    Canvas quick = canvas(), slow = canvas();
+    quick.fillConvex(points, kRed);
+    slow.fillPolygon(points, kRed);
+    int far = 0, near = 0;
+    for (int y = 0; y < 100; ++y) {
+      for (int x = 0; x < 100; ++x) {
+        const int off = std::abs(quick.pixel(x, y).r - slow.pixel(x, y).r);
+        far += off > 100 ? 1 : 0;
+        near += off > 3 ? 1 : 0;
+      }
+    }
+    INFO("turn " << turn);
+    CHECK(far == 0);
+    CHECK(near <= 6 * static_cast<int>(points.size()));
+  }
 }
 
 }  // namespace fulbito
