@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/view/match_stage.hpp"
+#include "apps/view/replay_stage.hpp"
 #include "match/expand.hpp"
-#include "view/match_stage.hpp"
-#include "view/replay_stage.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/view/view_window.hpp"
 #include "match/match.hpp"
-#include "view/view_window.hpp"
 
 namespace CLI {
 class App;

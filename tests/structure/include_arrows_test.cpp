@@ -23,7 +23,7 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"replays", {"engine/core"}},
     {"match", {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays"}},
     {"replays/render", {"engine/core", "replays"}},
-    {"view", {"engine/core", "engine/sim", "referee", "match", "replays", "replays/render"}},
+    {"apps/view", {"engine/core", "engine/sim", "referee", "match", "replays", "replays/render"}},
     {"replays/export", {"engine/core", "replays", "replays/render"}},
     {"replays/html", {"engine/core", "replays"}},
     {"experiments",
@@ -31,7 +31,7 @@ const std::map<std::string, std::set<std::string>> kArrows = {
     {"bench", {"engine/core", "engine/sim"}},
     {"apps",
      {"engine/core", "engine/sim", "navigation", "strategies", "referee", "replays", "match", "replays/html",
-      "replays/render", "replays/export", "view", "experiments", "bench"}},
+      "replays/render", "replays/export", "apps/view", "experiments", "bench"}},
 };
 
 /// Third-party headers that each folder may use, in sources only; public headers may use `tl/expected.hpp`
@@ -46,7 +46,7 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
     {"match", {"fmt", "nlohmann"}},
     {"replays/render",
      {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "libdeflate.h", "fmt"}},
-    {"view", {"fmt", "SDL.h"}},
+    {"apps/view", {"fmt", "SDL.h"}},
     {"replays/export", {"fmt", "nlohmann", "cgif.h"}},
     {"replays/html", {"fmt", "nlohmann", "zlib.h"}},
     {"experiments", {"fmt", "nlohmann"}},

@@ -1,4 +1,4 @@
-#include "view/key_bindings.hpp"
+#include "apps/view/key_bindings.hpp"
 
 #include <set>
 

@@ -1,4 +1,4 @@
-#include "view/match_stage.hpp"
+#include "apps/view/match_stage.hpp"
 
 #include "tests/support/catch.hpp"
 #include "tests/unit/match/test_teams.hpp"

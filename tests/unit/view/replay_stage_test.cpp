@@ -1,4 +1,4 @@
-#include "view/replay_stage.hpp"
+#include "apps/view/replay_stage.hpp"
 
 #include "tests/unit/view/test_stages.hpp"
 

@@ -3,11 +3,11 @@
 #include <memory>
 #include <string>
 
+#include "apps/view/replay_stage.hpp"
 #include "match/match.hpp"
 #include "match/recorder.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/match/test_recordings.hpp"
-#include "view/replay_stage.hpp"
 
 namespace fulbito::test {
 

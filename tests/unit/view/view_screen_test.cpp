@@ -1,9 +1,9 @@
-#include "view/view_screen.hpp"
+#include "apps/view/view_screen.hpp"
 
+#include "apps/view/match_stage.hpp"
 #include "engine/core/text_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/unit/view/test_stages.hpp"
-#include "view/match_stage.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,7 +1,7 @@
-#include "view/viewer.hpp"
+#include "apps/view/viewer.hpp"
 
+#include "apps/view/match_stage.hpp"
 #include "tests/unit/view/test_stages.hpp"
-#include "view/match_stage.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,4 +1,4 @@
-#include "view/match_editor.hpp"
+#include "apps/view/match_editor.hpp"
 
 #include "engine/core/math.hpp"
 #include "match/edit.hpp"

@@ -1,10 +1,10 @@
-// Private header of view: not installed.
+// Private header of apps/view: not installed.
 #pragma once
 
 #include <memory>
 #include <vector>
 
-#include "view/view_stage.hpp"
+#include "apps/view/view_stage.hpp"
 
 namespace fulbito {
 

@@ -1,4 +1,4 @@
-#include "view/view_window.hpp"
+#include "apps/view/view_window.hpp"
 
 namespace fulbito {
 

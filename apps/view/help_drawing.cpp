@@ -1,4 +1,4 @@
-#include "view/help_drawing.hpp"
+#include "apps/view/help_drawing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "apps/view/key_bindings.hpp"
 #include "engine/core/math.hpp"
-#include "view/key_bindings.hpp"
 
 namespace fulbito {
 namespace {

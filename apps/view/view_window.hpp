@@ -1,4 +1,4 @@
-// Private header of view: not installed.
+// Private header of apps/view: not installed.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "view/viewer.hpp"
+#include "apps/view/viewer.hpp"
 
 namespace fulbito {
 

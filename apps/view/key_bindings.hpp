@@ -1,4 +1,4 @@
-// Private header of view: not installed.
+// Private header of apps/view: not installed.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "view/viewer.hpp"
+#include "apps/view/viewer.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "apps/view/match_editor.hpp"
 #include "engine/core/math.hpp"
-#include "view/match_editor.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,4 +1,4 @@
-#include "view/match_stage.hpp"
+#include "apps/view/match_stage.hpp"
 
 #include <algorithm>
 

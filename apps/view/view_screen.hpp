@@ -1,11 +1,11 @@
-// Private header of view: not installed.
+// Private header of apps/view: not installed.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "apps/view/viewer.hpp"
 #include "replays/render/match_picture.hpp"
-#include "view/viewer.hpp"
 
 namespace fulbito {
 

@@ -1,4 +1,4 @@
-// Private header of view: not installed.
+// Private header of apps/view: not installed.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "view/key_bindings.hpp"
-#include "view/view_stage.hpp"
+#include "apps/view/key_bindings.hpp"
+#include "apps/view/view_stage.hpp"
 
 namespace fulbito {
 

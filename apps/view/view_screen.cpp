@@ -1,6 +1,6 @@
-#include "view/view_screen.hpp"
+#include "apps/view/view_screen.hpp"
 
-#include "view/help_drawing.hpp"
+#include "apps/view/help_drawing.hpp"
 
 namespace fulbito {
 namespace {

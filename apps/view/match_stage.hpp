@@ -1,12 +1,12 @@
-// Private header of view: not installed.
+// Private header of apps/view: not installed.
 #pragma once
 
 #include <vector>
 
+#include "apps/view/match_editor.hpp"
+#include "apps/view/view_stage.hpp"
 #include "match/match.hpp"
 #include "replays/recording.hpp"
-#include "view/match_editor.hpp"
-#include "view/view_stage.hpp"
 
 namespace fulbito {
 

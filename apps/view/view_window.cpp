@@ -1,4 +1,4 @@
-#include "view/view_window.hpp"
+#include "apps/view/view_window.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <SDL.h>
 #include <fmt/format.h>
 
-#include "view/view_screen.hpp"
+#include "apps/view/view_screen.hpp"
 
 namespace fulbito {
 namespace {
