@@ -89,6 +89,7 @@ Result<GifPalette> paletteOf(const FrameJob& job) {
     canvases.push_back(std::move(*canvas));
   }
   std::vector<const Canvas*> all;
+  all.reserve(canvases.size());
   for (const Canvas& canvas : canvases) all.push_back(&canvas);
   return GifPalette(all);
 }

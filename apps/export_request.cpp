@@ -123,6 +123,7 @@ MatchPictureSpec ExportRequest::specOf(int width) const {
 std::vector<ReplayRange> ExportRequest::ranges() const {
   if (events.empty()) return {whole};
   std::vector<Tick> ticks;
+  ticks.reserve(events.size());
   for (const RecordedEvent& event : events) ticks.push_back(event.tick);
   return rangesAround(timeline, ticks, kAround, kAround);
 }

@@ -157,7 +157,7 @@ void writeJsonLines(const ReplayTimeline& timeline, double from, double to, cons
   };
   auto play = timeline.plays().begin();
   auto event = timeline.events().begin();
-  const auto upTo = [&](Tick tick) {
+  const auto tell_up_to = [&](Tick tick) {
     for (; event != timeline.events().end() && event->tick <= tick; ++event) {
       if (within(event->tick)) sink(lineOf(eventJson(*event, timeline)));
     }
@@ -167,11 +167,11 @@ void writeJsonLines(const ReplayTimeline& timeline, double from, double to, cons
   };
   ReplayMoment moment;
   for (const Tick tick : ticksBetween(timeline, from, to)) {
-    upTo(tick);
+    tell_up_to(tick);
     timeline.at(timeline.secondsAt(tick), moment);
     sink(lineOf(stateJson(moment, names, timeline.header())));
   }
-  upTo(timeline.ticks());
+  tell_up_to(timeline.ticks());
 }
 
 }  // namespace fulbito

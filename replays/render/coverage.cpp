@@ -39,6 +39,11 @@ double distanceToOutline(std::span<const Vec2> points, Vec2 p) {
   return best;
 }
 
+/// A share 0...1 as the nearest of 0...255; lround would take half of a shape's time.
+std::uint8_t asByte(double share) {
+  return static_cast<std::uint8_t>(static_cast<int>(share * 510.0 + 1.0) / 2);
+}
+
 /// A stroke thinner than a pixel covers at most its own thickness of one.
 double strokeCoverage(double to_middle, double thickness) {
   return std::min(0.5 + thickness / 2 - to_middle, thickness);
@@ -69,7 +74,7 @@ void CoverageMask::add(Box box, Coverage coverage) {
   for (int y = box.top; y < box.bottom; ++y) {
     for (int x = box.left; x < box.right; ++x) {
       const double part = std::clamp(coverage(Vec2{x + 0.5, y + 0.5}), 0.0, 1.0);
-      at(x, y) = std::max(at(x, y), static_cast<std::uint8_t>(part * 255.0 + 0.5));
+      at(x, y) = std::max(at(x, y), asByte(part));
     }
   }
 }
@@ -190,7 +195,7 @@ void CoverageMask::addConvexRow(int y, const Box& box, std::span<const ConvexEdg
       for (const ConvexEdge& edge : edges) {
         inside = std::min(inside, edge.inward.x * (x + 0.5) + edge.inward.y * (y + 0.5) + edge.offset);
       }
-      const auto part = static_cast<std::uint8_t>(std::max(0.0, inside) * 255.0 + 0.5);
+      const auto part = asByte(std::max(0.0, inside));
       at(x, y) = std::max(at(x, y), part);
     }
   };

@@ -11,7 +11,7 @@ namespace {
 std::uint8_t encoded(double linear) {
   const double c = std::clamp(linear, 0.0, 1.0);
   const double srgb = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-  return static_cast<std::uint8_t>(srgb * 255.0 + 0.5);
+  return static_cast<std::uint8_t>(std::lround(srgb * 255.0));
 }
 
 /// Oklab of lightness, chroma and hue [degrees] as sRGB.

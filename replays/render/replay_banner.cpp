@@ -78,14 +78,13 @@ MatchBanner restartBanner(const RecordedPlay& play, const RecordingRecipe& recip
 
 /// Details that the table cannot hold.
 void complete(const RecordedEvent& event, const RecordingRecipe& recipe, MatchBanner& banner) {
-  if (event.clause == "goal" && event.team) {
+  const bool whose = event.clause == "goal" || event.clause == "false-start";
+  if (whose && event.team) {
     banner.detail = nameOfTeam(*event.team, recipe);
   } else if (event.clause == "full-time") {
     banner.detail = event.team ? nameOfTeam(*event.team, recipe) + " wins" : std::string("draw");
   } else if (event.clause == "shoot-out" && event.team) {
     banner.detail = nameOfTeam(*event.team, recipe) + (event.value > 0.0 ? " scores" : " misses");
-  } else if (event.clause == "false-start" && event.team) {
-    banner.detail = nameOfTeam(*event.team, recipe);
   }
 }
 
