@@ -138,7 +138,9 @@ Result<void> Watchers::attach(const MatchCommand& options, Match& match) {
     match.watch(*lines);
   }
   if (!options.record.empty()) {
-    auto created = MatchRecorder::create(options.record, match.config());
+    auto created =
+        MatchRecorder::create(options.record, match.config(),
+                              options.record_recipe ? RecordingLevel::kRecipe : RecordingLevel::kFull);
     if (!created) return tl::unexpected<Error>(created.error());
     recorder.emplace(std::move(*created));
     match.watch(*recorder);
@@ -267,7 +269,12 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       ->capture_default_str();
   command->add_option("yellow", options.yellow, "the other team")->capture_default_str();
   addConditions(*command, options);
-  command->add_option("--record", options.record, "write a recording")->type_name("FILE");
+  CLI::Option* record =
+      command->add_option("--record", options.record, "write a recording")->type_name("FILE");
+  command
+      ->add_flag("--recipe", options.record_recipe,
+                 "of --record: without sampled states, which a reader computes again; a quarter smaller")
+      ->needs(record);
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
   command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match")

@@ -25,9 +25,10 @@ struct MatchCommand {
   std::optional<double> half_seconds;  ///< empty: the profile's
   std::string start;                   ///< start state file; empty: a kick-off
   VisionModel vision;
-  std::string record;        ///< file; empty: none
-  std::string events;        ///< file or "-"; empty: none
-  std::optional<int> pairs;  ///< empty: one match
+  std::string record;          ///< file; empty: none
+  bool record_recipe = false;  ///< the recording holds only what cannot be computed again
+  std::string events;          ///< file or "-"; empty: none
+  std::optional<int> pairs;    ///< empty: one match
   int jobs = 0;
   bool view = false;  ///< play in a window
   ViewOptions window;

@@ -40,6 +40,18 @@ TEST_CASE("replay info says what was played and where the bytes go", "[cli]") {
   CHECK(sum == fs::file_size(box.path / "a.fbr"));
 }
 
+TEST_CASE("a recipe is smaller, verifies, and can be shown as well", "[cli]") {
+  const Recordings box;
+  REQUIRE(box.run("match chaser chaser --half-seconds 10 --record r.fbr --recipe").code == 0);
+  CHECK(fs::file_size(box.path / "r.fbr") < fs::file_size(box.path / "a.fbr"));
+  CHECK(box.run("replay info r.fbr").out.find("level recipe") != std::string::npos);
+  CHECK(box.run("replay verify r.fbr").code == 0);
+  REQUIRE(box.run("replay export r.fbr --csv r.csv").code == 0);
+  REQUIRE(box.run("replay export a.fbr --csv a.csv").code == 0);
+  CHECK(contentOf(box.path / "r.csv") == contentOf(box.path / "a.csv"));
+  CHECK(box.run("match chaser chaser --recipe").code == 2);
+}
+
 TEST_CASE("replay events gives the lines that the match wrote", "[cli]") {
   const Recordings box;
   CHECK(box.run("replay events a.fbr --json").out == contentOf(box.path / "a.jsonl"));
