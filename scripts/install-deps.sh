@@ -7,19 +7,22 @@ usage() {
   cat <<'USAGE'
 Usage: scripts/install-deps.sh [--ci] [--list]
   (no option)  what building, running and testing needs
-  --ci         also what .ci/run needs: clang 19 with its tools, shellcheck, headless Chromium, Node, an X server in memory
+  --ci         also what .ci/run needs: clang 19 with its tools, shellcheck, ffmpeg, headless Chromium, Node, an X server in memory
   --list       print the packages and stop
 USAGE
 }
 
 packages=(
   g++ cmake ninja-build git ca-certificates binutils pkg-config
-  libbox2d-dev libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core libpng-dev libdeflate-dev libcgif-dev ffmpeg
+  libbox2d-dev libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core libpng-dev libdeflate-dev libcgif-dev
   libfmt-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
   librandom123-dev libxxhash-dev libzstd-dev zlib1g-dev
   libxml2-utils catch2 libmpfr-dev libgmp-dev
 )
-ci_packages=(clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck chromium-headless-shell xvfb xdotool)
+ci_packages=(
+  clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck
+  ffmpeg chromium-headless-shell xvfb xdotool
+)
 # Debian's npm does not go with a Node from elsewhere: where there is one, it stays.
 command -v npm >/dev/null || ci_packages+=(nodejs npm)
 

@@ -8,7 +8,7 @@
 namespace fulbito {
 
 /// Raw deflate (RFC 1951, no header or checksum), which browsers unpack by themselves. Same bytes for the
-/// same version of zlib.
+/// same version of libdeflate.
 std::string deflated(std::string_view bytes);
 
 /// CRC-32 as in PNG and gzip.

@@ -48,7 +48,7 @@ const std::map<std::string, std::set<std::string>> kLibraries = {
      {"SDL.h", "SDL2", "SDL_ttf.h", "SDL2_gfxPrimitives.h", "png.h", "libdeflate.h", "fmt"}},
     {"apps/view", {"fmt", "SDL.h"}},
     {"replays/export", {"fmt", "nlohmann", "cgif.h"}},
-    {"replays/html", {"fmt", "nlohmann", "zlib.h"}},
+    {"replays/html", {"fmt", "nlohmann", "libdeflate.h"}},
     {"experiments", {"fmt", "nlohmann"}},
     {"bench", {"box2d", "fmt"}},
     {"apps", {"fmt", "nlohmann", "CLI"}},
