@@ -10,6 +10,7 @@ namespace fulbito::libero {
 namespace {
 
 constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
+constexpr double kLying = 0.1;   // [m/s] of a ball that nobody plays
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
 /// y where the free ball crosses the line within `horizon` seconds; false when it does not.
@@ -58,6 +59,8 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   const Vec2 ball = picture.ball.at(0.1);
   if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
   const double mine = timeToReach(pitch, self, ball);
+  // A ball that lies is cleared though two wait for it: left where it is, it is a penalty after ten seconds.
+  const bool lies = squaredNorm(picture.ball.now().velocity) < kLying * kLying;
   int soon = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
@@ -65,7 +68,7 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
     if (theirs < mine + 0.1) return false;
     if (theirs < mine + 0.6) ++soon;
   }
-  return soon < 2;
+  return lies || soon < 2;
 }
 
 /// Pushes a ball that lies near out to the side, from the goal's side; false when the keeper is not there.
@@ -75,7 +78,8 @@ bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
   const Vec2 rel = ball - self.pose.position;
   const bool at_wall = ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
   const double out = ball.y >= 0.0 ? 1.0 : -1.0;
-  if (at_wall) {
+  const bool beside = rel.x < 0.03 && std::abs(rel.x) < 0.05 && rel.y * out > 0.04;
+  if (at_wall || beside) {
     if (rel.y * out < 0.02) return false;
     twist = passThrough(pitch, self, {std::max(ball.x, -pitch.half_length + 0.042), ball.y + 0.1 * out},
                         pitch.speed);
