@@ -115,7 +115,18 @@ class Libero final : public Strategy {
   /// The last step: nobody but the keeper enters our area, only the striker theirs.
   RobotCommand legal(const Picture& picture, int robot, Twist wanted) const {
     return RobotCommand::byTwist(
-        keptOut(pitch_, picture.own(robot), {keeper_ >= 0, robot != striker_}, wanted));
+        keptOut(pitch_, picture.own(robot), {keeper_ >= 0, robot != striker_ || mateIsIn(picture)}, wanted));
+  }
+
+  /// Whether one of ours but the striker, who stands outside, is still in their area: a second is a foul.
+  bool mateIsIn(const Picture& picture) const {
+    constexpr double kBody = 0.05;  // [m] any part counts
+    if (inTheirArea(pitch_, picture.own(striker_).pose.position, kBody)) return false;
+    for (int i = 0; i < picture.seen.team_size; ++i) {
+      if (i == striker_ || !picture.ownPresent(i)) continue;
+      if (inTheirArea(pitch_, picture.own(i).pose.position, kBody)) return true;
+    }
+    return false;
   }
 
   /// The first robot on the field keeps goal; a lone one only while a shot comes.
@@ -131,6 +142,7 @@ class Libero final : public Strategy {
   /// The one who has the ball first; the present one is kept unless another is clearly better.
   void chooseStriker(const Picture& picture) {
     held_ += picture.seen.dt;
+    constexpr double kStays = 0.5;  // [s] in their area, which the next one may enter only after it has left
     int best = -1;
     double least = 1e9;
     for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -138,7 +150,7 @@ class Libero final : public Strategy {
       const Interception meet = interception(picture, picture.own(i));
       double cost = meet.time;
       if (picture.own(i).pose.position.x > meet.ball.x) cost += 0.3;
-      if (i == striker_) cost -= 0.2;
+      if (i == striker_) cost -= inTheirArea(pitch_, picture.own(i).pose.position, 0.05) ? kStays : 0.2;
       if (cost < least) least = cost, best = i;
     }
     if (best == striker_) return;

@@ -10,7 +10,7 @@ namespace fulbito::libero {
 namespace {
 
 constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
-constexpr double kLying = 0.1;   // [m/s] of a ball that nobody plays
+constexpr double kLying = 0.1;    // [m/s] of a ball that nobody plays
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
 /// y where the free ball crosses the line within `horizon` seconds; false when it does not.
