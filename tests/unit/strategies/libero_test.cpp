@@ -306,4 +306,39 @@ TEST_CASE("libero stands at the ball of their goal kick, outside their area", "[
   }
 }
 
+TEST_CASE("libero's keeper clears a ball that lies beside its goal, though two wait for it", "[unit]") {
+  auto config = matchOf("libero", "idle", "vsss-3v3", 5.0);
+  Placement start;
+  start.ball = {-0.688, 0.225};
+  start.robots[0] = {Pose2{{-0.70, 0.17}, math::kPi / 2}, Pose2{{0.2, 0.3}, 0.0}, Pose2{{0.2, -0.3}, 0.0}};
+  start.robots[1] = {Pose2{{-0.50, 0.30}, 0.0}, Pose2{{-0.50, 0.42}, 0.0}};
+  config.start = start;
+  auto match = Match::create(config);
+  REQUIRE(match);
+  while (match->seconds() < 3.0 && match->step()) {
+  }
+  CHECK(distance(match->world().balls[0].position, start.ball) > 0.15);
+  CHECK(match->referee().score[1] == 0);
+}
+
+TEST_CASE("libero's striker waits outside their area until a mate has left it", "[unit]") {
+  const MatchInfo info = infoOf(3);
+  const auto speedIn = [&](Vec2 mate) {
+    auto team = makeTeam(*parseTeam("libero"));
+    REQUIRE(team);
+    (*team)->begin(info);
+    Observation seen;
+    seen.team_size = 3;
+    seen.playing = true;
+    seen.since_restart = 5.0;
+    seen.own[0] = standingAt({{-0.70, 0.0}, math::kPi / 2});
+    seen.own[1] = standingAt({mate, 0.0});
+    seen.own[2] = standingAt({{0.50, 0.10}, 0.0});
+    seen.ball.position = {0.62, 0.10};
+    return (*team)->decide(seen).robots[2].twist.linear;
+  };
+  CHECK(speedIn({0.20, -0.40}) > 0.3);
+  CHECK(speedIn({0.70, -0.25}) < 0.1);
+}
+
 }  // namespace fulbito
