@@ -4,13 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "replays/command_model.hpp"
+#include "replays/header_setup.hpp"
 
 namespace fulbito {
 namespace {
-
-constexpr int kChunkSeconds = 5;
-constexpr int kSampleRate = 30;  // [Hz]
 
 RecordingRecipe recipeOf(const TrialConfig& config) {
   RecordingRecipe recipe;
@@ -31,17 +28,10 @@ RecordingRecipe recipeOf(const TrialConfig& config) {
 }
 
 RecordingHeader headerOf(const TrialConfig& config) {
-  RecordingHeader header;
-  header.kind = RecordingKind::kTrial;
-  header.control_rate = config.physics.control_rate;
-  header.command_step = recordedCommandStep(config.physics);
-  header.command_model = commandModel(config.robot.robot, config.physics);
-  header.sample_every = std::max(1, (config.physics.control_rate + kSampleRate / 2) / kSampleRate);
-  header.chunk_ticks = kChunkSeconds * config.physics.control_rate;
+  RecordingHeader header = headerFor(RecordingKind::kTrial, config.robot.robot, config.physics);
   header.bodies.push_back({BodyKind::kRobot, {}});
   header.bodies.resize(1 + config.layout.obstacles.size(), {BodyKind::kObstacle, {}});
   header.recipe = recipeOf(config);
-  header.build = buildInfo();
   return header;
 }
 

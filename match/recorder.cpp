@@ -6,13 +6,10 @@
 
 #include "engine/core/presets.hpp"
 #include "match/recorded_values.hpp"
-#include "replays/command_model.hpp"
+#include "replays/header_setup.hpp"
 
 namespace fulbito {
 namespace {
-
-constexpr int kChunkSeconds = 5;
-constexpr int kSampleRate = 30;  // [Hz]
 
 RecordingRecipe recipeOf(const MatchConfig& config) {
   RecordingRecipe recipe;
@@ -47,14 +44,8 @@ RecordedStart startOf(const RobotPlacement& robot) {
 }  // namespace
 
 RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level) {
-  RecordingHeader header;
-  header.kind = RecordingKind::kMatch;
+  RecordingHeader header = headerFor(RecordingKind::kMatch, config.robot.robot, config.physics);
   header.level = level;
-  header.control_rate = config.physics.control_rate;
-  header.command_step = recordedCommandStep(config.physics);
-  header.command_model = commandModel(config.robot.robot, config.physics);
-  header.sample_every = std::max(1, (config.physics.control_rate + kSampleRate / 2) / kSampleRate);
-  header.chunk_ticks = kChunkSeconds * config.physics.control_rate;
   for (const TeamId team : kTeams) {
     for (int i = 0; i < config.rules.team_size; ++i) {
       header.bodies.push_back({BodyKind::kRobot, RobotId{team, static_cast<std::uint8_t>(i)}});
@@ -62,7 +53,6 @@ RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level)
   }
   header.bodies.push_back({BodyKind::kBall, {}});
   header.recipe = recipeOf(config);
-  header.build = buildInfo();
   return header;
 }
 

@@ -166,8 +166,10 @@ TEST_CASE("an interrupted film leaves nothing behind", "[cli]") {
   const Recorded box;
   for (const char* what : {"--gif", "--mp4", "--png x.png --fps 200 --from 0"}) {
     if (std::string(what) == "--mp4" && !has("ffmpeg")) continue;
-    const std::string said = shell(box, "timeout -s INT 0.5 '" FULBITO_PROGRAM "' replay export g.fbr " +
-                                            std::string(what) + " --speed 0.02 --size 1600; echo code $?");
+    // In the foreground `timeout` sends one signal; otherwise two, and a second one ends the program at once.
+    const std::string said =
+        shell(box, "timeout --foreground -s INT 0.5 '" FULBITO_PROGRAM "' replay export g.fbr " +
+                       std::string(what) + " --speed 0.02 --size 1600; echo code $?");
     INFO(said);
     CHECK(contains(said, "code 124"));
     for (const auto& entry : fs::directory_iterator(box.path)) {

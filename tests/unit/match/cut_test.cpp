@@ -10,12 +10,6 @@ namespace {
 
 using namespace fulbito::test;
 
-RecordingReader readerOf(std::string bytes) {
-  auto reader = RecordingReader::parse(std::move(bytes), "game.fbr");
-  REQUIRE(reader);
-  return std::move(*reader);
-}
-
 std::vector<RecordedPlay> playsOf(const RecordingReader& reader) {
   std::vector<RecordedPlay> plays;
   for (std::size_t i = 0; i < reader.chunkCount(); ++i) {

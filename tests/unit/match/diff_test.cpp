@@ -10,12 +10,6 @@ namespace {
 
 using namespace fulbito::test;
 
-RecordingReader readerOf(std::string bytes) {
-  auto reader = RecordingReader::parse(std::move(bytes), "game.fbr");
-  REQUIRE(reader);
-  return std::move(*reader);
-}
-
 /// Two teams that drive on, one of whose robots does something else from a tick on.
 MatchConfig driving(const TestEntry& yellow, const TestEntry& blue) {
   MatchConfig config = shortMatch("chaser", "chaser", 3.0);

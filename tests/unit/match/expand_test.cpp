@@ -4,17 +4,8 @@
 #include "tests/unit/match/test_recordings.hpp"
 
 namespace fulbito {
-namespace {
 
 using namespace fulbito::test;
-
-RecordingReader readerOf(std::string bytes) {
-  auto reader = RecordingReader::parse(std::move(bytes), "game.fbr");
-  REQUIRE(reader);
-  return std::move(*reader);
-}
-
-}  // namespace
 
 TEST_CASE("an expanded recipe is the full recording, byte for byte", "[unit]") {
   const MatchConfig config = shortMatch("chaser", "chaser", 30.0);

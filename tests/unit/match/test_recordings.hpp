@@ -34,4 +34,10 @@ inline std::string recorded(const MatchConfig& config, RecordingLevel level = Re
   return bytes;
 }
 
+inline RecordingReader readerOf(std::string bytes) {
+  auto reader = RecordingReader::parse(std::move(bytes), "game.fbr");
+  REQUIRE(reader);
+  return std::move(*reader);
+}
+
 }  // namespace fulbito::test

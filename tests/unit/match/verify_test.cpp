@@ -10,12 +10,6 @@ namespace {
 
 using namespace fulbito::test;
 
-RecordingReader readerOf(std::string bytes) {
-  auto reader = RecordingReader::parse(std::move(bytes), "test");
-  REQUIRE(reader);
-  return std::move(*reader);
-}
-
 /// Writes a recording anew while it is played again, with changes.
 class Forger final : public ReplayVisitor {
  public:

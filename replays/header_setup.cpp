@@ -1,4 +1,4 @@
-#include "replays/command_model.hpp"
+#include "replays/header_setup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,8 @@ namespace {
 constexpr double kLeastStep = 1e-6;  // [rad/s]
 constexpr double kMostModel = 1e9;   // of what a header may say
 
-}  // namespace
+constexpr int kChunkSeconds = 5;
+constexpr int kSampleRate = 30;  // [Hz]
 
 double recordedCommandStep(const PhysicsProfile& physics) {
   return physics.wheel_command_step < kLeastStep ? 0.0 : physics.wheel_command_step;
@@ -29,6 +30,20 @@ CommandModel commandModel(const RobotModel& robot, const PhysicsProfile& physics
   model.spin_slow = std::min(whole(65536.0 * robot.spin_slow_ratio), 2 * 65536);
   model.spin_fast = std::min(whole(65536.0 * robot.spin_fast_ratio), 2 * 65536);
   return model;
+}
+
+}  // namespace
+
+RecordingHeader headerFor(RecordingKind kind, const RobotModel& robot, const PhysicsProfile& physics) {
+  RecordingHeader header;
+  header.kind = kind;
+  header.control_rate = physics.control_rate;
+  header.command_step = recordedCommandStep(physics);
+  header.command_model = commandModel(robot, physics);
+  header.sample_every = std::max(1, (physics.control_rate + kSampleRate / 2) / kSampleRate);
+  header.chunk_ticks = kChunkSeconds * physics.control_rate;
+  header.build = buildInfo();
+  return header;
 }
 
 }  // namespace fulbito
