@@ -149,14 +149,14 @@ std::span<const RecordedDrawing> ReplayTimeline::drawingsAt(const ReplayMoment& 
   const Tick tick = moment.tick - moment.tick % header_.sample_every;
   if (tick <= plays_[moment.play].tick) return {};
   const auto less = [](const auto& a, const auto& b) {
-    const auto tickOf = [](const auto& x) {
+    const auto tick_of = [](const auto& x) {
       if constexpr (requires { x.tick; }) {
         return x.tick;
       } else {
         return x;
       }
     };
-    return tickOf(a) < tickOf(b);
+    return tick_of(a) < tick_of(b);
   };
   const auto [begin, end] = std::equal_range(drawings_.begin(), drawings_.end(), tick, less);
   return {begin, end};

@@ -28,6 +28,7 @@ GifPalette::GifPalette(const std::vector<const Canvas*>& samples) {
     }
   }
   std::vector<std::pair<std::size_t, std::uint32_t>> order;
+  order.reserve(counts.size());
   for (const auto& [argb, count] : counts) order.emplace_back(count, argb);
   std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
