@@ -24,8 +24,8 @@ class BallShare {
         if (play.present[i]) near[team] = Math.min(near[team], Math.hypot(x[r] - ball.x[r], y[r] - ball.y[r]));
       }
       const nearer = near[0] < near[1] ? 0 : 1;
-      if (holder < 0 || near[nearer] < near[1 - nearer] - kLead) holder = nearer;
-      this.held[holder][r] += ticks;
+      if (near[nearer] < near[1 - nearer] - kLead) holder = nearer;
+      if (holder >= 0) this.held[holder][r] += ticks;  // while both are equally far, nobody has had it yet
       const side = play.side ? -1 : 1;  // thirds are blue's own, the middle and yellow's
       const forward = (side * ball.x[r]) / scene.field.length;
       this.third[forward < -1 / 6 ? 0 : forward > 1 / 6 ? 2 : 1][r] += ticks;
