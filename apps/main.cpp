@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 #include <span>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -264,6 +265,13 @@ int main(int argc, char** argv) {
   fulbito::app::catchSignals();
   try {
     return fulbito::app::mainWithoutCatch(argc, argv);
+  } catch (const std::system_error& error) {
+    // Printing throws when the reader has gone, as with `| head`, or the disk is full.
+    const bool output =
+        error.code() == std::errc::broken_pipe || error.code() == std::errc::no_space_on_device;
+    std::fprintf(stderr, "fulbito: %s: %s\n", output ? "cannot write to stdout" : "internal error",
+                 error.code().message().c_str());
+    return output ? fulbito::app::kIo : fulbito::app::kInternal;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "fulbito: internal error: %s\n", error.what());
     return fulbito::app::kInternal;

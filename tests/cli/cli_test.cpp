@@ -245,3 +245,17 @@ TEST_CASE("Ctrl-C ends a comparison with exit code 130 and nothing half-written"
   CHECK(WEXITSTATUS(status) == 130);
   CHECK(fs::is_empty(box.path / "o"));
 }
+
+TEST_CASE("output that nobody reads or no disk holds is an error of writing, not an internal one", "[cli]") {
+  const Sandbox box;
+  // More than a buffer's worth, so that it is written before the end.
+  const std::string program = "'" FULBITO_PROGRAM "' list navigators";
+  const auto said = [&](const std::string& command) {
+    (void)std::system(("cd '" + box.path.string() + "' && { " + command + "; } 2> said.txt").c_str());
+    return contentOf(box.path / "said.txt");
+  };
+  CHECK(said("(sleep 0.2; " + program + "; echo code $? >&2) | true") ==
+        "fulbito: cannot write to stdout: Broken pipe\ncode 5\n");
+  CHECK(said(program + " > /dev/full; echo code $? >&2") ==
+        "fulbito: cannot write to stdout: No space left on device\ncode 5\n");
+}
