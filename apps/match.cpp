@@ -273,7 +273,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       command->add_option("--record", options.record, "write a recording")->type_name("FILE");
   command
       ->add_flag("--recipe", options.record_recipe,
-                 "of --record: without sampled states, which a reader computes again; a quarter smaller")
+                 "of --record: without sampled states, which a reader computes again; a third smaller")
       ->needs(record);
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
