@@ -10,6 +10,7 @@
 #include "apps/commands.hpp"
 #include "apps/live_line.hpp"
 #include "apps/progress.hpp"
+#include "apps/whole_number.hpp"
 #include "match/recorder.hpp"
 #include "match/start_state.hpp"
 #include "match/summary.hpp"
@@ -237,7 +238,7 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
       ->capture_default_str();
   command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(wholeNumberFlaw)
       ->capture_default_str();
   command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
