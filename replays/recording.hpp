@@ -189,6 +189,9 @@ double sampleHeadingStep(const RecordingHeader& header);
 /// [m] What places in drawings are multiples of.
 inline constexpr double kDrawingStep = 1e-4;
 
+/// Ticks for which a drawing is shown unless the same play has newer ones: a fifth of a second.
+Tick drawingTicks(const RecordingHeader& header);
+
 /// @{ Short hashes of one body; equal states give equal ones, -0 counts as +0.
 BodyHash bodyHash(const RobotState& robot);
 BodyHash bodyHash(const BallState& ball);

@@ -60,7 +60,8 @@ struct TeamCommand {
   /// Units of work that the decision took, counted by the strategy (0: not counted). The match's allowance is
   /// in these, so that a slow machine changes no result.
   std::int64_t work = 0;
-  std::vector<DebugDrawing> drawings;  ///< left empty unless wanted
+  /// Left empty unless `Observation::wants_drawings`; nothing in a match depends on it.
+  std::vector<DebugDrawing> drawings;
   /// What each robot plays, as the team numbers its roles from 1; 0: not told. Nothing in a match depends on
   /// it: drills count how often roles change hands.
   std::array<std::uint8_t, kMaxTeamSize> roles{};

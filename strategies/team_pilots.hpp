@@ -23,6 +23,9 @@ class TeamPilots {
   /// Wheel speeds [rad/s] of every robot, 0 for absent ones and for `kGoTo` without such a navigator.
   /// kWheels are passed on as they are, even when they are not finite: what to do then is the match's policy.
   std::array<WheelSpeeds, kMaxTeamSize> drive(const Observation& observation, const TeamCommand& command);
+  /// Appends what the navigators of the last `drive` wanted: paths, arrows of fields, places to drive to.
+  void draw(const Observation& observation, const TeamCommand& command,
+            std::vector<DebugDrawing>& drawings) const;
 
  private:
   void warmUp();

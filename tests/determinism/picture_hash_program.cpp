@@ -16,7 +16,7 @@ namespace {
 using namespace fulbito;
 
 constexpr int kWidth = 480, kSheetWidth = 720;  // [px]
-constexpr double kMoment = 3.37;  // [s] between two samples
+constexpr double kMoment = 3.37;                // [s] between two samples
 
 // Ends the program when a file or font cannot be had.
 template <typename T>
@@ -64,8 +64,7 @@ void printMatch(const ReplayTimeline& timeline, PictureTheme theme, const std::s
   ways.trails = pathsBetween(timeline, 0.0, timeline.seconds());
   print("trails" + suffix, frame(spec, moment, ways));
   const auto ball = static_cast<std::size_t>(spec.bodies.size() - 1);
-  print("heat map" + suffix,
-        get(drawHeatMap(timeline, spec, {{ball}, "the ball", 0.0, timeline.seconds()})));
+  print("heat map" + suffix, get(drawHeatMap(timeline, spec, {{ball}, "the ball", 0.0, timeline.seconds()})));
   spec.width = kSheetWidth;
   print("contact sheet" + suffix, get(drawContactSheet(timeline, spec, {0.5, 2.0, 4.0, 6.0, 9.9}, {})));
 }
