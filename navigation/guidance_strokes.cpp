@@ -33,9 +33,9 @@ void addPath(std::span<const Vec2> path, std::vector<GuidanceStroke>& strokes) {
 
 void addField(const HeadingField& field, Vec2 position, Vec2 goal, std::vector<GuidanceStroke>& strokes) {
   constexpr int kArrows = 10, kSteps = 3;
-  constexpr double kStep = 0.02;      // [m]
-  constexpr double kHead = 0.014;     // [m] length of a head's side
-  constexpr double kAngle = 2.5;      // [rad] between a head's side and the way
+  constexpr double kStep = 0.02;   // [m]
+  constexpr double kHead = 0.014;  // [m] length of a head's side
+  constexpr double kAngle = 2.5;   // [rad] between a head's side and the way
   Vec2 at = position;
   for (int arrow = 0; arrow < kArrows; ++arrow) {
     double heading = field.heading(at);
@@ -44,7 +44,8 @@ void addField(const HeadingField& field, Vec2 position, Vec2 goal, std::vector<G
       heading = field.heading(at);
       at += math::unit(heading) * kStep;
     }
-    for (const double side : {kAngle, -kAngle}) strokes.push_back({at, at + math::unit(heading + side) * kHead});
+    for (const double side : {kAngle, -kAngle})
+      strokes.push_back({at, at + math::unit(heading + side) * kHead});
   }
 }
 

@@ -125,7 +125,8 @@ struct RecordedEvent {
   double value = 0.0, threshold = 0.0, margin = 0.0;
 };
 
-/// Something that a team wanted to show, in the world's frame, rounded to 0.1 mm.
+/// Something that a team, or a trial's navigator, wanted to show, in the world's frame, rounded to 0.1 mm.
+/// A text stands around its place.
 struct RecordedDrawing {
   enum class Kind : std::uint8_t { kLine, kCircle, kText };
   Tick tick = 0;

@@ -14,8 +14,8 @@ struct Roles {
   int striker = -1;
 };
 
-/// Shows what the team has in mind: roles, the ball's way, where the striker means to meet the ball and where to
-/// send it, the keeper's place and those of the others. Changes nothing that is played.
+/// Shows what the team has in mind: roles, the ball's way, where the striker means to meet the ball and where
+/// to send it, the keeper's place and those of the others. Changes nothing that is played.
 void draw(const Picture& picture, const Roles& roles, const StrikerMemory& memory,
           std::vector<DebugDrawing>& drawings);
 

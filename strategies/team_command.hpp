@@ -48,7 +48,7 @@ struct RobotCommand {
 struct DebugDrawing {
   enum class Kind : std::uint8_t { kLine, kCircle, kText };
   Kind kind = Kind::kLine;
-  Vec2 from;            ///< centre of a circle, place of a text
+  Vec2 from;            ///< centre of a circle or a text
   Vec2 to;              ///< end of a line
   double radius = 0.0;  ///< [m] of a circle
   std::string text;
