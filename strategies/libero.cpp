@@ -6,6 +6,7 @@
 
 #include "strategies/foresight.hpp"
 #include "strategies/libero_areas.hpp"
+#include "strategies/libero_drawing.hpp"
 #include "strategies/libero_exercise.hpp"
 #include "strategies/libero_keeper.hpp"
 #include "strategies/libero_restarts.hpp"
@@ -49,6 +50,7 @@ class Libero final : public Strategy {
       command.roles[static_cast<std::size_t>(i)] = roleOf(i);
       command.robots[static_cast<std::size_t>(i)] = play(picture, i, rank);
     }
+    if (observation.wants_drawings) draw(picture, {keeper_, striker_}, strike_, command.drawings);
     return command;
   }
 

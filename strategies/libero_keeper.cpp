@@ -133,6 +133,11 @@ double keeperPlace(const Picture& picture, double line) {
   return std::clamp(y, -kReach, kReach);
 }
 
+Vec2 keeperGoal(const Picture& picture) {
+  const double line = -picture.pitch.half_length + kDepth;
+  return {line, keeperPlace(picture, line)};
+}
+
 bool mustSave(const Picture& picture, int robot) {
   const Pitch& pitch = picture.pitch;
   double y = 0.0;
