@@ -90,7 +90,7 @@ class Libero final : public Strategy {
       ++rank;
       return legal(picture, robot, meetCarried(picture, picture.own(robot)));
     }
-    const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, rank);
+    const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, robot, rank);
     ++rank;
     if (!navigators_.empty() && distance(picture.own(robot).pose.position, place) > 0.1) {
       GoTo go_to;
