@@ -29,6 +29,7 @@ class Libero final : public Strategy {
     pitch_ = Pitch(info);
     foresight_ = Foresight(info);
     forgetStriker();
+    kick_off_hand_ = -1.0;
   }
 
   TeamCommand decide(const Observation& observation) override {
@@ -53,7 +54,8 @@ class Libero final : public Strategy {
   }
 
   std::optional<TeamPlacement> place(const PlacementRequest& request) override {
-    return placementAt(pitch_, request);
+    if (request.kind == RestartKind::kKickOff) kick_off_hand_ = -kick_off_hand_;
+    return placementAt(pitch_, request, kick_off_hand_);
   }
 
   std::optional<ExerciseReply> exercise(const Observation& observation, const Exercise& exercise) override {
@@ -169,6 +171,7 @@ class Libero final : public Strategy {
   int striker_ = -1;
   double held_ = 1.0;  // [s] since the striker was chosen
   StrikerMemory strike_;
+  double kick_off_hand_ = -1.0;  // of the last one; they are played to either side in turn
 };
 
 }  // namespace
