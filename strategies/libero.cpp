@@ -144,7 +144,8 @@ class Libero final : public Strategy {
   /// The one who has the ball first; the present one is kept unless another is clearly better.
   void chooseStriker(const Picture& picture) {
     held_ += picture.seen.dt;
-    constexpr double kStays = 0.5;  // [s] in their area, which the next one may enter only after it has left
+    constexpr double kStays = 0.5;   // [s] in their area, which the next one may enter only after it has left
+    constexpr double kAlike = 1e-9;  // [s] what is less is rounding, which is not the same on both sides
     int best = -1;
     double least = 1e9;
     for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -153,7 +154,7 @@ class Libero final : public Strategy {
       double cost = meet.time;
       if (picture.own(i).pose.position.x > meet.ball.x) cost += 0.3;
       if (i == striker_) cost -= inTheirArea(pitch_, picture.own(i).pose.position, 0.05) ? kStays : 0.2;
-      if (cost < least) least = cost, best = i;
+      if (cost < least - kAlike) least = cost, best = i;
     }
     if (best == striker_) return;
     if (striker_ >= 0 && striker_ != keeper_ && picture.ownPresent(striker_) && held_ < 0.4) return;

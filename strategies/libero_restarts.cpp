@@ -31,6 +31,8 @@ std::optional<Vec2> takerOf(const PlacementRequest& request) {
 }
 
 void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, TeamPlacement& placed) {
+  // Five a side the rules' places have a hand, which the robots that stay at them keep.
+  if (placed[2] && placed[2]->position.y != 0.0) hand = std::copysign(1.0, placed[2]->position.y);
   const double far = 0.05 + pitch.robot_corner;
   if (request.ours) {
     // Past those who come straight at the ball: off the middle, toward the side on which the support waits.
