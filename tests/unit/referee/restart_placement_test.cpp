@@ -333,6 +333,20 @@ TEST_CASE("the tables place every restart legally, for both teams and both sides
   }
 }
 
+TEST_CASE("a free ball's table has one robot of each team beside the ball, toward its own goal", "[unit]") {
+  for (const std::string profile : {"vsss-3v3", "vsss-5v5", "league-program-2021", "training"}) {
+    const RefereeSetup setup = setupOf(profile);
+    const RefereeState state;
+    for (const Vec2 ball : {Vec2{0.3, 0.3}, Vec2{-0.3, 0.3}, Vec2{-0.3, -0.3}, Vec2{0.3, -0.3}}) {
+      const RestartCall call = makeCall(setup, state, {RestartKind::kFreeBall, TeamId::kBlue, ball, nullptr});
+      for (const TeamId team : kTeams) {
+        const Vec2 beside = call.ball + Vec2{ownSign(state, team) * setup.rules.free_ball.distance, 0.0};
+        CHECK(distance(defaultPoses(call, team)[1]->position, beside) < 1e-9);
+      }
+    }
+  }
+}
+
 TEST_CASE("both sides are given the same places, x mirrored", "[unit]") {
   for (const std::string profile : {"vsss-3v3", "vsss-5v5", "league-program-2021", "training"}) {
     const RefereeSetup setup = setupOf(profile);
