@@ -30,6 +30,7 @@ class Libero final : public Strategy {
     pitch_ = Pitch(info);
     foresight_ = Foresight(info);
     forgetStriker();
+    kick_off_hand_ = -1.0;
   }
 
   TeamCommand decide(const Observation& observation) override {
@@ -55,7 +56,8 @@ class Libero final : public Strategy {
   }
 
   std::optional<TeamPlacement> place(const PlacementRequest& request) override {
-    return placementAt(pitch_, request);
+    if (request.kind == RestartKind::kKickOff) kick_off_hand_ = -kick_off_hand_;
+    return placementAt(pitch_, request, kick_off_hand_);
   }
 
   std::optional<ExerciseReply> exercise(const Observation& observation, const Exercise& exercise) override {
@@ -92,7 +94,7 @@ class Libero final : public Strategy {
       ++rank;
       return legal(picture, robot, meetCarried(picture, picture.own(robot)));
     }
-    const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, rank);
+    const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, robot, rank);
     ++rank;
     if (!navigators_.empty() && distance(picture.own(robot).pose.position, place) > 0.1) {
       GoTo go_to;
@@ -144,7 +146,8 @@ class Libero final : public Strategy {
   /// The one who has the ball first; the present one is kept unless another is clearly better.
   void chooseStriker(const Picture& picture) {
     held_ += picture.seen.dt;
-    constexpr double kStays = 0.5;  // [s] in their area, which the next one may enter only after it has left
+    constexpr double kStays = 0.5;   // [s] in their area, which the next one may enter only after it has left
+    constexpr double kAlike = 1e-9;  // [s] what is less is rounding, which is not the same on both sides
     int best = -1;
     double least = 1e9;
     for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -153,7 +156,7 @@ class Libero final : public Strategy {
       double cost = meet.time;
       if (picture.own(i).pose.position.x > meet.ball.x) cost += 0.3;
       if (i == striker_) cost -= inTheirArea(pitch_, picture.own(i).pose.position, 0.05) ? kStays : 0.2;
-      if (cost < least) least = cost, best = i;
+      if (cost < least - kAlike) least = cost, best = i;
     }
     if (best == striker_) return;
     if (striker_ >= 0 && striker_ != keeper_ && picture.ownPresent(striker_) && held_ < 0.4) return;
@@ -171,6 +174,7 @@ class Libero final : public Strategy {
   int striker_ = -1;
   double held_ = 1.0;  // [s] since the striker was chosen
   StrikerMemory strike_;
+  double kick_off_hand_ = -1.0;  // of the last one; they are played to either side in turn
 };
 
 }  // namespace
