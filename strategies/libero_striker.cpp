@@ -5,6 +5,7 @@
 
 #include "engine/core/math.hpp"
 #include "strategies/libero_areas.hpp"
+#include "strategies/libero_blow.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -61,60 +62,6 @@ Interception interception(const Picture& picture, const RobotState& robot) {
 }
 
 namespace {
-
-/// The direction of the blow that makes a ball of velocity `moving` run along `wanted`: what it has across
-/// must be taken from it.
-Vec2 blow(Vec2 wanted, Vec2 moving) {
-  const Vec2 local = intoFrame(wanted, moving);
-  return unitOr(outOfFrame(wanted, {std::max(0.8, 1.3 - local.x), -local.y}), wanted);
-}
-
-/// How badly bodies bar the way of a blow at `contact` along `direction`: in the place of the striker, or
-/// right in front of the ball.
-double barred(const Picture& picture, int robot, Vec2 contact, Vec2 direction) {
-  const Vec2 behind = contact - direction * 0.065, ahead = contact + direction * 0.07;
-  double cost = 0.0;
-  const auto look = [&](Vec2 body, double weight) {
-    const double near = squaredNorm(body - behind), far = squaredNorm(body - ahead);
-    if (near < 0.075 * 0.075) cost += weight;
-    if (far < 0.065 * 0.065) cost += 1.0 * weight;
-  };
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i)) look(picture.opponent(i).pose.position, 1.0);
-    if (i != robot && picture.ownPresent(i)) look(picture.own(i).pose.position, 1.0);
-  }
-  return cost;
-}
-
-/// Opponents that are about the ball.
-int crowdAt(const Picture& picture, Vec2 ball) {
-  int crowd = 0;
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) && squaredNorm(picture.opponent(i).pose.position - ball) < 0.16 * 0.16)
-      ++crowd;
-  }
-  return crowd;
-}
-
-/// The blow that is turned from the best one as little as the bodies about the ball demand.
-Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& memory) {
-  constexpr double kTurns[] = {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5};
-  const Vec2 self = picture.own(robot).pose.position;
-  double least = 1e9;
-  int best = 0;
-  Vec2 chosen = aim.direction;
-  for (int i = 0; i < 7; ++i) {
-    const Vec2 direction = i == 0 ? aim.direction : outOfFrame(aim.direction, math::unit(kTurns[i]));
-    const Vec2 spot = aim.contact - direction * 0.065;
-    double cost =
-        0.3 * std::abs(kTurns[i]) + barred(picture, robot, aim.contact, direction) + distance(self, spot);
-    if (squaredNorm(picture.pitch.inside(spot, 0.037) - spot) > 1e-4) cost += 2.0;
-    if (i == memory.turn) cost -= 0.15;
-    if (cost < least) least = cost, best = i, chosen = direction;
-  }
-  memory.turn = best;
-  return chosen;
-}
 
 /// Whether at our penalty somebody runs out of their goal at the ball; until that can be seen, so it is taken
 /// to be.
@@ -223,8 +170,8 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
     memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
     return spin(memory, picture.seen.dt);
   }
-  if (!aim.wall) aim.direction = blow(aim.direction, now.velocity);
-  if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory);
+  if (!aim.wall) aim.direction = blowInTime(self.pose.position, aim, now.velocity);
+  if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory.turn);
   return driveThrough(pitch, self, aim.contact, aim.direction,
                       kRound + 0.03 * std::min(2, crowdAt(picture, now.position)), memory.side);
 }
