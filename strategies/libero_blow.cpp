@@ -8,11 +8,12 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kRolling = 0.25;   // [m/s] a slower ball waits for who comes round it
-constexpr double kNear = 0.05;      // [m] from here on the bearing means nothing
-constexpr double kTurnIn = 0.5;     // [rad] off its way that a robot can still turn in before the touch
-constexpr double kReceding = 0.9;   // cosine: a ball that runs ahead of the robot is overtaken instead
-constexpr double kUpfield = 0.5;    // cosine of the direction up the field, at least
+constexpr double kRolling = 0.25;  // [m/s] a slower ball waits for who comes round it
+constexpr double kNear = 0.033;    // [m] from here on there is no room to turn
+constexpr double kTurnIn = 0.5;    // [rad] off its way to the ball that a robot turns in before the touch
+constexpr double kTurnOn = 3.0;    // [rad/m] the same on the last 20 cm
+constexpr double kReceding = 0.9;  // cosine: a ball that runs ahead of the robot is overtaken instead
+constexpr double kUpfield = 0.5;   // cosine of the direction up the field, at least
 
 /// The direction of the blow that makes a ball of velocity `moving` run along `wanted`: what it has across
 /// must be taken from it.
@@ -47,8 +48,9 @@ Vec2 blowInTime(Vec2 robot, const Aim& aim, Vec2 moving) {
   if (speed < kRolling || length < kNear || dot(moving, way) > kReceding * speed * length) return best;
   const double bearing = math::angleOf(way);
   const double turn = math::wrapAngle(math::angleOf(best) - bearing);
-  if (std::abs(turn) < kTurnIn) return best;
-  const Vec2 early = math::unit(bearing + std::copysign(kTurnIn, turn));
+  const double most = std::clamp(kTurnOn * (length - kNear), 0.0, kTurnIn);
+  if (std::abs(turn) < most) return best;
+  const Vec2 early = math::unit(bearing + std::copysign(most, turn));
   return early.x > kUpfield ? early : best;
 }
 
