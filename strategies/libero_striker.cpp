@@ -13,6 +13,10 @@ namespace {
 constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
 constexpr double kSpinTime = 0.45;  // [s]
 constexpr double kDispute = 2.0;    // [s] for which a free ball or penalty is a duel of who keeps at it
+constexpr double kPinched = 0.3;    // [s] of pressing after which a disputed ball is let slip
+constexpr double kSlip = 0.3;       // [s] that takes
+constexpr double kSlipTurn =
+    0.15;                        // [rad] a face turned by that slides it out; by 0.25 they come past it first
 constexpr double kInner = 0.02;  // [m] off the ball's middle, on our goal's side, where a pushed ball is met
 
 /// Five a side, where crowds push through what three cannot.
@@ -79,10 +83,10 @@ bool keeperRunsOut(const Picture& picture) {
   return false;
 }
 
-/// Right after a restart the touch counts, whatever the direction; at a free ball, or before a keeper that
-/// runs out, who turns off in order to come round gives the ball away.
+/// Right after a restart the touch counts, whatever the direction; before a keeper that runs out who turns
+/// off in order to come round gives the ball away.
 bool rushes(const Picture& picture, Vec2 rel) {
-  if (disputesFreeBall(picture.seen) || keeperRunsOut(picture)) return true;
+  if (keeperRunsOut(picture)) return true;
   if (squaredNorm(rel) < 0.055 * 0.055) return false;
   const double since = picture.seen.since_restart;
   if (picture.seen.restart == RestartKind::kKickOff) return since < 0.4;
@@ -95,6 +99,17 @@ Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
   if (picture.seen.restart != RestartKind::kFreeBall || !isLargeGame(picture)) return ball;
   return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
+}
+
+/// A free ball: straight at it, as who turns off in order to come round gives it away. Where two meet with
+/// equal force nothing moves, until a face that is a little turned lets the ball slip out to the side wall:
+/// who turned first is first at it.
+Twist dispute(const Picture& picture, const RobotState& self, Vec2 rel, StrikerMemory& memory) {
+  const Pitch& pitch = picture.pitch;
+  memory.slipping = memory.jammed > kPinched ? kSlip : memory.slipping - picture.seen.dt;
+  if (memory.slipping <= 0.0) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
+  const double out = std::copysign(kSlipTurn, picture.ball.now().position.y);
+  return alongHeading(pitch, self, math::angleOf(rel) + out, pitch.speed);
 }
 
 /// Whether an opponent pushes the ball toward our goal.
@@ -151,6 +166,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   watchJam(picture, self, rel, memory);
   if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
 
+  if (disputesFreeBall(picture.seen)) return dispute(picture, self, rel, memory);
   if (rushes(picture, rel)) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
   if (canMeetCarried(picture, self)) return meetCarried(picture, self);
   Vec2 keeper;

@@ -309,6 +309,32 @@ TEST_CASE("libero drives at a free ball from its mark beside the area", "[unit]"
   }
 }
 
+TEST_CASE("libero lets a free ball that is pinched between two slip out to the side wall", "[unit]") {
+  const MatchInfo info = infoOf(3);
+  for (const double side : {1.0, -1.0}) {
+    auto team = makeTeam(*parseTeam("libero"));
+    REQUIRE(team);
+    (*team)->begin(info);
+    Observation seen;
+    seen.own[0] = standingAt({{-0.71, 0.0}, 1.57});
+    seen.own[1] = standingAt({{-0.434, side * 0.4}, 0.0});
+    seen.own[2] = standingAt({{0.1, 0.0}, 0.0});
+    seen.opponents[0] = standingAt({{-0.316, side * 0.4}, math::kPi});
+    seen.ball.position = {-0.375, side * 0.4};
+    seen.restart = RestartKind::kFreeBall;
+    Twist first, last;
+    for (int i = 0; i < 24; ++i) {
+      seen.tick = static_cast<Tick>(12 + i);
+      seen.since_restart = static_cast<double>(seen.tick) / 60.0;
+      last = (*team)->decide(seen).robots[1].twist;
+      if (i == 0) first = last;
+    }
+    CHECK(std::abs(first.angular) < 0.2);
+    CHECK(last.angular * side > 1.0);
+    CHECK(last.linear > 0.9 * info.robot.maxSpeed());
+  }
+}
+
 TEST_CASE("libero waits for a kick-off on both sides of its line", "[unit]") {
   auto team = makeTeam(*parseTeam("libero"));
   REQUIRE(team);
