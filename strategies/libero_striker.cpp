@@ -16,7 +16,8 @@ constexpr double kDispute = 2.0;    // [s] for which a free ball or penalty is a
 constexpr double kPinched = 0.3;    // [s] of pressing after which a disputed ball is let slip
 constexpr double kSlip = 0.3;       // [s] that takes
 constexpr double kSlipTurn =
-    0.15;                        // [rad] a face turned by that slides it out; by 0.25 they come past it first
+    0.15;  // [rad] a face turned by that slides it out; by 0.25 they come past it first
+constexpr double kSqueeze = 0.06;  // [m] along the wall before the ball, at which its pusher then drives
 constexpr double kInner = 0.02;  // [m] off the ball's middle, on our goal's side, where a pushed ball is met
 
 /// Five a side, where crowds push through what three cannot.
@@ -112,6 +113,15 @@ Twist dispute(const Picture& picture, const RobotState& self, Vec2 rel, StrikerM
   return alongHeading(pitch, self, math::angleOf(rel) + out, pitch.speed);
 }
 
+/// Whether the ball lies at a wall of our half with us behind it and an opponent about it. Then a face that
+/// leans into the wall squeezes it along; who turns off in order to come round only holds it there.
+bool squeezes(const Picture& picture, Vec2 rel, const Aim& aim) {
+  const BallState& ball = picture.ball.now();
+  return aim.wall && ball.position.x < 0.0 && dot(rel, aim.direction) > 0.0 &&
+         squaredNorm(rel) < 0.13 * 0.13 && squaredNorm(ball.velocity) < 0.8 * 0.8 &&
+         crowdAt(picture, ball.position) > 0;
+}
+
 /// Whether an opponent pushes the ball toward our goal.
 bool carried(const Picture& picture) {
   const BallState& ball = picture.ball.now();
@@ -185,6 +195,9 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
     memory.jammed = 0.0;
     memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
     return spin(memory, picture.seen.dt);
+  }
+  if (squeezes(picture, rel, aim)) {
+    return alongHeading(pitch, self, math::angleOf(rel + aim.direction * kSqueeze), pitch.speed);
   }
   if (!aim.wall) aim.direction = blowInTime(self.pose.position, aim, now.velocity);
   if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory.turn);
