@@ -386,6 +386,22 @@ TEST_CASE("libero's keeper clears a ball that lies beside its goal, though two w
   CHECK(match->referee().score[1] == 0);
 }
 
+TEST_CASE("libero squeezes a ball that is pressed at the wall of its half out of there", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    auto config = matchOf("libero", "chaser", "vsss-3v3", 10.0);
+    Placement start;
+    start.ball = {-0.62, side * 0.628};
+    start.robots[0][1] = Pose2{{-0.67, side * 0.57}, side * 0.66};
+    start.robots[1][1] = Pose2{{-0.56, side * 0.607}, side * -1.9};
+    config.start = start;
+    auto match = Match::create(config);
+    REQUIRE(match);
+    while (match->seconds() < 4.0 && match->step()) {
+    }
+    CHECK(match->world().balls[0].position.x > start.ball.x + 0.15);
+  }
+}
+
 TEST_CASE("libero's striker waits outside their area until a mate has left it", "[unit]") {
   const MatchInfo info = infoOf(3);
   const auto speedIn = [&](Vec2 mate) {
