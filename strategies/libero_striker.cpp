@@ -13,7 +13,7 @@ namespace {
 constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
 constexpr double kSpinTime = 0.45;  // [s]
 constexpr double kDispute = 2.0;    // [s] for which a free ball or penalty is a duel of who keeps at it
-constexpr double kPinched = 0.3;    // [s] of pressing after which a disputed ball is let slip
+constexpr double kPinched = 0.3;    // [s] of pressing after which a pinched ball is let slip
 constexpr double kSlip = 0.3;       // [s] that takes
 constexpr double kSlipTurn =
     0.15;  // [rad] a face turned by that slides it out; by 0.25 they come past it first
@@ -102,15 +102,27 @@ Vec2 firstTouch(const Picture& picture) {
   return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
 }
 
-/// A free ball: straight at it, as who turns off in order to come round gives it away. Where two meet with
-/// equal force nothing moves, until a face that is a little turned lets the ball slip out to the side wall:
-/// who turned first is first at it.
-Twist dispute(const Picture& picture, const RobotState& self, Vec2 rel, StrikerMemory& memory) {
+/// Straight at the ball: who turns off in order to come round gives it away. Where two meet with equal force
+/// nothing moves, until a face that is a little turned lets the ball slip out to the side wall: who turned
+/// first is first at it.
+Twist pressOn(const Picture& picture, const RobotState& self, Vec2 rel, StrikerMemory& memory) {
   const Pitch& pitch = picture.pitch;
   memory.slipping = memory.jammed > kPinched ? kSlip : memory.slipping - picture.seen.dt;
   if (memory.slipping <= 0.0) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
   const double out = std::copysign(kSlipTurn, picture.ball.now().position.y);
   return alongHeading(pitch, self, math::angleOf(rel) + out, pitch.speed);
+}
+
+/// Whether an opponent presses from the other side on the ball that we push, roughly where we want it.
+bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
+  const double near = norm(rel);
+  if (aim.wall || near > kTouch || dot(rel, aim.direction) < 0.5 * near) return false;
+  const Vec2 opposite = picture.ball.now().position + unitOr(rel, {}) * 0.06;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    if (squaredNorm(picture.opponent(i).pose.position - opposite) < 0.03 * 0.03) return true;
+  }
+  return false;
 }
 
 /// Whether the ball lies at a wall of our half with us behind it and an opponent about it. Then a face that
@@ -176,7 +188,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   watchJam(picture, self, rel, memory);
   if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
 
-  if (disputesFreeBall(picture.seen)) return dispute(picture, self, rel, memory);
+  if (disputesFreeBall(picture.seen)) return pressOn(picture, self, rel, memory);
   if (rushes(picture, rel)) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
   if (canMeetCarried(picture, self)) return meetCarried(picture, self);
   Vec2 keeper;
@@ -196,6 +208,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
     memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
     return spin(memory, picture.seen.dt);
   }
+  if (headOn(picture, rel, aim)) return pressOn(picture, self, rel, memory);
   if (squeezes(picture, rel, aim)) {
     return alongHeading(pitch, self, math::angleOf(rel + aim.direction * kSqueeze), pitch.speed);
   }

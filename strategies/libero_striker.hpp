@@ -16,7 +16,7 @@ struct StrikerMemory {
   double spin_sense = 1.0;
   double locked = 0.0;    ///< [s] before the next spin
   double jammed = 0.0;    ///< [s] for which robot and ball have pressed without moving
-  double slipping = 0.0;  ///< [s] for which a disputed ball is still let slip
+  double slipping = 0.0;  ///< [s] for which a pinched ball is still let slip
 };
 
 /// When and where `robot` can have the ball.
