@@ -510,7 +510,7 @@ TEST_CASE("libero squeezes a ball that is pressed at the wall of its half out of
 
 TEST_CASE("libero's striker waits outside their area until a mate has left it", "[unit]") {
   const MatchInfo info = infoOf(3);
-  const auto speedIn = [&](Vec2 mate) {
+  const auto speedToward = [&](Vec2 mate) {
     auto team = makeTeam(*parseTeam("libero"));
     REQUIRE(team);
     (*team)->begin(info);
@@ -520,12 +520,14 @@ TEST_CASE("libero's striker waits outside their area until a mate has left it", 
     seen.since_restart = 5.0;
     seen.own[0] = standingAt({{-0.70, 0.0}, math::kPi / 2});
     seen.own[1] = standingAt({mate, 0.0});
-    seen.own[2] = standingAt({{0.50, 0.10}, 0.0});
-    seen.ball.position = {0.62, 0.10};
+    // The last moment at which it can still stop outside.
+    seen.own[2] = standingAt({{0.50, 0.0}, 0.0});
+    seen.own[2].state.velocity = {0.6, 0.0};
+    seen.ball.position = {0.62, 0.0};
     return (*team)->decide(seen).robots[2].twist.linear;
   };
-  CHECK(speedIn({0.20, -0.40}) > 0.3);
-  CHECK(speedIn({0.70, -0.25}) < 0.1);
+  CHECK(speedToward({0.20, -0.40}) > 0.3);
+  CHECK(speedToward({0.70, -0.25}) < 0.1);
 }
 
 }  // namespace fulbito
