@@ -127,7 +127,9 @@ struct Bound {
   /// Along the edge, to the hand to which `wanted` leads, and off it by `off`.
   Twist alongEdge(Twist wanted, double off) const {
     const Vec2 out = outward(robot.pose.position);
-    const Vec2 going = math::unit(robot.pose.heading) * wanted.linear;
+    // Who only turns goes away from the goal's middle: to the same hand on either side of it.
+    const Vec2 idle = 1e-9 * Vec2{1.0, std::copysign(1.0, robot.pose.position.y)};
+    const Vec2 going = math::unit(robot.pose.heading) * wanted.linear + idle;
     const double hand = dot(going, perp(out)) >= 0.0 ? 1.0 : -1.0;
     return along(perp(out) * hand + out * off);
   }
