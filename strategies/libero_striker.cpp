@@ -132,10 +132,23 @@ bool keeperRunsOut(const Picture& picture) {
   return false;
 }
 
+/// Whether an opponent is near enough to the ball to take it from who turns off. Once it is not, the ball is
+/// aimed: pushed on straight it ended in their corner and came back along the wall.
+bool contested(const Picture& picture) {
+  constexpr double kNear = 0.22;  // [m]
+  if (picture.seen.since_restart < 0.1) return true;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i) &&
+        squaredNorm(picture.opponent(i).pose.position - picture.ball.now().position) < kNear * kNear)
+      return true;
+  }
+  return false;
+}
+
 /// Right after a restart the touch counts, whatever the direction; at a free ball, or before a keeper that
 /// runs out, who turns off in order to come round gives the ball away.
 bool rushes(const Picture& picture, Vec2 rel) {
-  if (disputesFreeBall(picture.seen) || keeperRunsOut(picture)) return true;
+  if ((disputesFreeBall(picture.seen) && contested(picture)) || keeperRunsOut(picture)) return true;
   if (squaredNorm(rel) < 0.055 * 0.055) return false;
   const double since = picture.seen.since_restart;
   if (picture.seen.restart == RestartKind::kKickOff) return since < 0.4;
