@@ -198,7 +198,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
   const Vec2 ball = close ? now.position + now.velocity * 0.03 : meet.ball;
-  memory.mouth = openMouth(picture, ball, memory.mouth);
+  memory.mouth = openMouth(picture, ball, self.pose.position.y, memory.mouth);
   Aim aim = aimAt(pitch, ball, {pitch.half_length + 0.02, memory.mouth});
   const bool pinned = aim.wall && squaredNorm(rel) < 0.085 * 0.085 && squaredNorm(now.velocity) < 0.2 * 0.2 &&
                       dot(unitOr(rel, {}), aim.direction) < 0.5;

@@ -3,6 +3,7 @@
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
 #include "match/match.hpp"
+#include "referee/restart_call.hpp"
 #include "strategies/registry.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"
@@ -81,6 +82,51 @@ ObservedRobot standingAt(const Pose2& pose) {
   robot.present = true;
   robot.state.pose = pose;
   return robot;
+}
+
+/// Where libero's robots, the chaser's and the ball are a tenth of a second after a restart, libero being
+/// `seat`.
+std::vector<Vec2> afterRestart(RestartKind kind, bool ours, TeamId seat) {
+  MatchConfig config = matchOf("libero", "chaser", "vsss-3v3", 10.0);
+  if (seat == TeamId::kYellow) std::swap(config.teams[0], config.teams[1]);
+  config.placement_error = {0.0, 0.0};
+  RefereeSetup setup;
+  setup.rules = config.rules;
+  setup.field = config.field;
+  setup.robot = config.robot.robot;
+  setup.ball = config.robot.ball;
+  setup.dt = config.physics.controlPeriod();
+  const double own = seat == TeamId::kBlue ? -1.0 : 1.0;
+  config.opening =
+      makeCall(setup, {}, {kind, ours ? seat : other(seat), {ours ? -own * 0.3 : own * 0.3, 0.3}, nullptr});
+  auto match = Match::create(config);
+  REQUIRE(match);
+  for (int tick = 0; tick < 6; ++tick) match->step();
+  std::vector<Vec2> bodies{match->world().balls.front().position};
+  for (const TeamId team : {seat, other(seat)}) {
+    for (std::size_t i = 0; i < match->ids().size(); ++i) {
+      if (match->ids()[i].team == team) bodies.push_back(match->world().robots[i].pose.position);
+    }
+  }
+  return bodies;
+}
+
+/// The picture mirrored across the long axis.
+Observation acrossAxis(Observation seen) {
+  const auto flip = [](Vec2& v) { v.y = -v.y; };
+  const auto robots = [&](auto& team) {
+    for (ObservedRobot& robot : team) {
+      flip(robot.state.pose.position);
+      flip(robot.state.velocity);
+      robot.state.pose.heading = -robot.state.pose.heading;
+      robot.state.angular_velocity = -robot.state.angular_velocity;
+    }
+  };
+  robots(seen.own);
+  robots(seen.opponents);
+  flip(seen.ball.position);
+  flip(seen.ball.velocity);
+  return seen;
 }
 
 /// One robot alone with a resting ball: the seconds until it is in their goal; negative in its own; 0 never.
@@ -289,6 +335,66 @@ TEST_CASE("libero keeps its places legal at every restart", "[unit]") {
   }
 }
 
+TEST_CASE("libero plays to both hands alike", "[unit]") {
+  // The rules' places are mirrored between the sides: what has a hand of its own plays one side worse.
+  for (const int size : {3, 5}) {
+    const MatchInfo info = infoOf(size);
+    Rng rng(11, Stream::kTest, 0);
+    for (int round = 0; round < 1000; ++round) {
+      Observation seen = anything(rng, info);
+      if (seen.own[1].state.pose.position == seen.ball.position) continue;  // no way is the shorter one
+      seen.restart_is_ours = round % 2 == 0;
+      auto team = makeTeam(*parseTeam("libero")), twin = makeTeam(*parseTeam("libero"));
+      REQUIRE(team);
+      REQUIRE(twin);
+      (*team)->begin(info);
+      (*twin)->begin(info);
+      const TeamCommand command = (*team)->decide(seen), mirror = (*twin)->decide(acrossAxis(seen));
+      CAPTURE(size, round);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
+        CAPTURE(i, seen.ball.position.x, seen.ball.position.y, command.roles[i]);
+        CHECK(std::abs(command.robots[i].twist.linear - mirror.robots[i].twist.linear) < 1e-6);
+        CHECK(std::abs(command.robots[i].twist.angular + mirror.robots[i].twist.angular) < 1e-6);
+      }
+    }
+  }
+}
+
+TEST_CASE("libero begins restarts alike on both sides", "[unit]") {
+  for (const RestartKind kind :
+       {RestartKind::kKickOff, RestartKind::kFreeBall, RestartKind::kPenalty, RestartKind::kGoalKick}) {
+    for (const bool ours : {true, false}) {
+      const auto blue = afterRestart(kind, ours, TeamId::kBlue);
+      const auto yellow = afterRestart(kind, ours, TeamId::kYellow);
+      REQUIRE(blue.size() == yellow.size());
+      // Turned where the rules' places are alike on both sides, otherwise mirrored as they are.
+      const bool turned = kind == RestartKind::kKickOff;
+      for (std::size_t i = 0; i < blue.size(); ++i) {
+        CAPTURE(static_cast<int>(kind), ours, i);
+        CHECK(yellow[i].x == Approx(-blue[i].x).margin(1e-3));
+        CHECK(yellow[i].y == Approx(turned ? -blue[i].y : blue[i].y).margin(1e-3));
+      }
+    }
+  }
+}
+
+TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
+  auto team = makeTeam(*parseTeam("libero"));
+  REQUIRE(team);
+  (*team)->begin(infoOf(3));
+  for (const bool ours : {true, false}) {
+    PlacementRequest request{RestartKind::kKickOff, ours, {}, {}, {}};
+    const auto one = (*team)->place(request), next = (*team)->place(request);
+    REQUIRE(one);
+    REQUIRE(next);
+    for (const std::size_t i : {1, 2}) {
+      CHECK((*one)[i]->position.y != 0.0);
+      CHECK((*one)[i]->position.x == Approx((*next)[i]->position.x));
+      CHECK((*one)[i]->position.y == Approx(-(*next)[i]->position.y));
+    }
+  }
+}
+
 TEST_CASE("libero drives at a free ball from its mark beside the area", "[unit]") {
   auto team = makeTeam(*parseTeam("libero"));
   REQUIRE(team);
@@ -424,7 +530,7 @@ TEST_CASE("libero holds against one who presses on its ball head-on", "[unit]") 
 
 TEST_CASE("libero's striker waits outside their area until a mate has left it", "[unit]") {
   const MatchInfo info = infoOf(3);
-  const auto speedIn = [&](Vec2 mate) {
+  const auto speedToward = [&](Vec2 mate) {
     auto team = makeTeam(*parseTeam("libero"));
     REQUIRE(team);
     (*team)->begin(info);
@@ -434,12 +540,14 @@ TEST_CASE("libero's striker waits outside their area until a mate has left it", 
     seen.since_restart = 5.0;
     seen.own[0] = standingAt({{-0.70, 0.0}, math::kPi / 2});
     seen.own[1] = standingAt({mate, 0.0});
-    seen.own[2] = standingAt({{0.50, 0.10}, 0.0});
-    seen.ball.position = {0.62, 0.10};
+    // The last moment at which it can still stop outside.
+    seen.own[2] = standingAt({{0.50, 0.0}, 0.0});
+    seen.own[2].state.velocity = {0.6, 0.0};
+    seen.ball.position = {0.62, 0.0};
     return (*team)->decide(seen).robots[2].twist.linear;
   };
-  CHECK(speedIn({0.20, -0.40}) > 0.3);
-  CHECK(speedIn({0.70, -0.25}) < 0.1);
+  CHECK(speedToward({0.20, -0.40}) > 0.3);
+  CHECK(speedToward({0.70, -0.25}) < 0.1);
 }
 
 }  // namespace fulbito
