@@ -538,6 +538,26 @@ TEST_CASE("libero's keeper goes with a slanting ball that runs on along its face
   }
 }
 
+TEST_CASE("libero holds against one who presses on its ball head-on", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    auto config = matchOf("libero", "chaser", "vsss-3v3", 10.0);
+    Placement start;
+    start.ball = {-0.007, side * 0.046};
+    start.robots[0][1] = Pose2{{-0.069, side * 0.050}, side * -0.02};
+    start.robots[1][0] = Pose2{{0.053, side * 0.050}, side * 3.12};
+    config.start = start;
+    auto match = Match::create(config);
+    REQUIRE(match);
+    // Which way the ball leaves the two: sideways or up the field, not pushed back.
+    Vec2 moved;
+    while (norm(moved) < 0.04 && match->seconds() < 2.0 && match->step()) {
+      moved = match->world().balls[0].position - start.ball;
+    }
+    CHECK(norm(moved) >= 0.04);
+    CHECK(moved.x > -0.03);
+  }
+}
+
 TEST_CASE("libero's striker waits outside their area until a mate has left it", "[unit]") {
   const MatchInfo info = infoOf(3);
   const auto speedToward = [&](Vec2 mate) {
