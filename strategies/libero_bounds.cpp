@@ -137,12 +137,13 @@ struct Bound {
   /// Too near to the edge, but not in: as wanted if that leads off, else stop and turn off.
   RobotCommand fromEdge(Twist wanted) const {
     const Vec2 out = outward(robot.pose.position);
-    const Vec2 face = math::unit(robot.pose.heading);
-    const double ahead = dot(face, out);
-    if (dot(robot.velocity, out) < -0.05)
+    const double ahead = dot(math::unit(robot.pose.heading), out);
+    if (dot(robot.velocity, out) < -0.02) {
       return straight(std::abs(ahead) > 0.5 ? std::copysign(pitch.speed, ahead) : 0.0);
+    }
     if (wanted.linear * ahead > 0.1 * pitch.speed) return RobotCommand::byTwist(wanted);
-    return RobotCommand::byTwist(alongEdge(wanted, 1.0));
+    // Not to the hand of `wanted`: that changes faster than a robot turns.
+    return RobotCommand::byTwist(along(out));
   }
 
   /// What of all that can be done comes nearest to what is wanted and keeps out.
@@ -167,17 +168,19 @@ RobotState turned(const RobotState& robot) {
   return state;
 }
 
-/// Whether an opponent comes at the robot from outside, who would push it in.
+/// Whether an opponent from outside comes at the robot or past it toward our goal: it would push it in.
 bool isPressed(const Picture& picture, const RobotState& robot) {
-  constexpr double kNear = 0.30, kComes = 0.2;  // [m], [m/s]
+  constexpr double kNear = 0.30, kBeside = 0.05, kComes = 0.2;  // [m], [m], [m/s]
   const Vec2 goal = picture.pitch.ownGoal();
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
     const RobotState& other = picture.opponent(i);
     const Vec2 rel = robot.pose.position - other.pose.position;
     if (squaredNorm(rel) > kNear * kNear) continue;
-    if (dot(rel, goal - other.pose.position) < 0.0) continue;
+    const Vec2 home = unitOr(goal - other.pose.position, {});
+    if (dot(rel, home) < -kBeside) continue;
     if (dot(other.velocity, unitOr(rel, {})) > kComes) return true;
+    if (dot(other.velocity, home) > kComes) return true;
   }
   return false;
 }
