@@ -37,30 +37,30 @@ struct Roll {
 
   /// As a twist is carried out: what the wheels can gain goes to turning first.
   void drive(Twist wanted) {
-    const double most = pitch.acceleration * kTick;
+    const double before = forward, most = pitch.acceleration * kTick;
     const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most, most);
     const double rest = most - std::abs(turn);
     yaw = std::clamp(yaw + turn, -pitch.speed, pitch.speed);
     const double room = pitch.speed - std::abs(yaw);
     forward = std::clamp(forward + std::clamp(wanted.linear - forward, -rest, rest), -room, room);
-    move();
+    move((before + forward) / 2);
   }
 
   /// Both wheels told to stand.
   void brake() {
-    const double most = pitch.braking * kTick;
+    const double before = forward, most = pitch.braking * kTick;
     double left = forward - yaw, right = forward + yaw;
     left -= std::clamp(left, -most, most);
     right -= std::clamp(right, -most, most);
     forward = (left + right) / 2;
     yaw = (right - left) / 2;
-    move();
+    move((before + forward) / 2);
   }
 
-  void move() {
+  void move(double speed) {
     across -= std::clamp(across, -kGrip * kTick, kGrip * kTick);
     heading += yaw / pitch.half_track * kTick;
-    place += outOfFrame(math::unit(heading), {forward, across}) * kTick;
+    place += outOfFrame(math::unit(heading), {speed, across}) * kTick;
   }
 };
 
@@ -83,11 +83,11 @@ struct Bound {
     return most;
   }
 
-  /// Whether the robot could still stop outside after a tick of it.
-  bool allows(Twist twist) const {
+  /// Whether the robot could still stop no deeper than at `limit` [m] after a tick of it.
+  bool allows(Twist twist, double limit = 0.0) const {
     Roll roll(pitch, robot);
     roll.drive(twist);
-    return deepest(roll) <= 0.0;
+    return deepest(roll) <= limit;
   }
 
   /// Unit vector out of the area by the shortest way.
@@ -141,7 +141,8 @@ struct Bound {
     if (dot(robot.velocity, out) < -0.02) {
       return straight(std::abs(ahead) > 0.5 ? std::copysign(pitch.speed, ahead) : 0.0);
     }
-    if (wanted.linear * ahead > 0.1 * pitch.speed) return RobotCommand::byTwist(wanted);
+    const bool leads_off = wanted.linear * ahead > 0.1 * pitch.speed;
+    if (leads_off && allows(wanted, depth(robot.pose.position))) return RobotCommand::byTwist(wanted);
     // Not to the hand of `wanted`: that changes faster than a robot turns.
     return RobotCommand::byTwist(along(out));
   }
