@@ -98,9 +98,13 @@ class Libero final : public Strategy {
     return seen.restart != RestartKind::kGoalKick || !seen.restart_is_ours;
   }
 
+  bool isKeepers(Vec2 ball) const {
+    return inOwnArea(pitch_, ball, kKeepersMargin) && std::abs(ball.y) < pitch_.area_half;
+  }
+
   RobotCommand play(const Picture& picture, int robot, int& rank) {
     if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
-    const bool keepers = keeper_ >= 0 && inOwnArea(pitch_, ball_.at(kKeepersAhead), kKeepersMargin);
+    const bool keepers = keeper_ >= 0 && isKeepers(ball_.at(kKeepersAhead));
     if (robot == striker_ && !keepers) {
       const Twist twist = strike(picture, robot, strike_);
       // The mark of a free ball is at the area's edge: who minds that edge comes late.
