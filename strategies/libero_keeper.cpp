@@ -150,7 +150,8 @@ Twist guardPost(const Picture& picture, const RobotState& self) {
                   side * std::min(pitch.goal_half - 0.03, std::abs(ball.y) - 0.055)};
   const Vec2 way = post - self.pose.position;
   const double heading = side * (math::kPi / 2 - lean);
-  if (std::abs(way.y) < 0.02) {
+  // A keeper that was pushed into the goal has to come out of it first.
+  if (std::abs(way.y) < 0.02 && way.x < 0.04) {
     Twist twist = turnTo(pitch, self, heading);
     twist.linear = std::clamp(4.0 * dot(way, math::unit(self.pose.heading)), -0.2, 0.2);
     return twist;
