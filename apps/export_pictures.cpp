@@ -113,6 +113,7 @@ Result<void> writeSequence(const ExportRequest& request) {
 Result<void> exportPng(const ExportRequest& request) {
   const ReplayExportCommand& options = *request.options;
   std::vector<Still> stills;
+  stills.reserve(options.at.size() + request.events.size());
   for (const double at : options.at) stills.push_back(stillAt(request, at));
   for (const RecordedEvent& event : request.events) stills.push_back(stillOf(request, event));
   if (stills.empty() && (options.from || options.to || options.fps)) return writeSequence(request);

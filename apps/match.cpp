@@ -10,6 +10,7 @@
 #include "apps/commands.hpp"
 #include "apps/live_line.hpp"
 #include "apps/progress.hpp"
+#include "engine/core/output_file.hpp"
 #include "match/recorder.hpp"
 #include "match/start_state.hpp"
 #include "match/summary.hpp"
@@ -27,6 +28,7 @@ class LineFile {
  public:
   static Result<LineFile> open(const std::string& name) {
     if (name == kStdout) return LineFile(stdout, name);
+    if (auto there = checkFolderOf(name); !there) return tl::unexpected<Error>(there.error());
     std::FILE* file = std::fopen(name.c_str(), "w");
     if (file == nullptr) return fail(ErrorCode::kIo, fmt::format("{}: {}", name, std::strerror(errno)));
     return LineFile(file, name);

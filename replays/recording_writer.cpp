@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/output_file.hpp"
 #include "replays/block.hpp"
 #include "replays/chunk.hpp"
 #include "replays/header_json.hpp"
@@ -114,6 +115,7 @@ Result<RecordingWriter> RecordingWriter::create(Sink sink, const RecordingHeader
 }
 
 Result<RecordingWriter> RecordingWriter::create(const std::string& file, const RecordingHeader& header) {
+  if (auto there = checkFolderOf(file); !there) return tl::unexpected<Error>(there.error());
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return cannotWrite(file, errno);
   const auto stream = std::make_shared<OutputStream>(file, descriptor);
