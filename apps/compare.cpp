@@ -74,7 +74,7 @@ int compare(const CompareOptions& options) {
     if (auto folder = prepareFolder(config.record); !folder) return report(folder.error());
   }
   // It may lie in one of these two, so it comes after them.
-  if (auto folder = checkFolderOf(options.html); !folder) return report(folder.error());
+  if (auto folder = checkPlaceOf(options.html); !folder) return report(folder.error());
   if (!options.tune.empty()) {
     if (auto tuned = tuneFirst(options, config); !tuned) return report(tuned.error());
   }

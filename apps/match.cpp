@@ -28,7 +28,7 @@ class LineFile {
  public:
   static Result<LineFile> open(const std::string& name) {
     if (name == kStdout) return LineFile(stdout, name);
-    if (auto there = checkFolderOf(name); !there) return tl::unexpected<Error>(there.error());
+    if (auto there = checkPlaceOf(name); !there) return tl::unexpected<Error>(there.error());
     std::FILE* file = std::fopen(name.c_str(), "w");
     if (file == nullptr) return fail(ErrorCode::kIo, fmt::format("{}: {}", name, std::strerror(errno)));
     return LineFile(file, name);

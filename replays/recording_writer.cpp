@@ -115,7 +115,8 @@ Result<RecordingWriter> RecordingWriter::create(Sink sink, const RecordingHeader
 }
 
 Result<RecordingWriter> RecordingWriter::create(const std::string& file, const RecordingHeader& header) {
-  if (auto there = checkFolderOf(file); !there) return tl::unexpected<Error>(there.error());
+  if (file == "-") return fail(ErrorCode::kUsage, "'-': a recording goes to a file, not to stdout");
+  if (auto there = checkPlaceOf(file); !there) return tl::unexpected<Error>(there.error());
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return cannotWrite(file, errno);
   const auto stream = std::make_shared<OutputStream>(file, descriptor);

@@ -83,6 +83,12 @@ TEST_CASE("recordings are not made in folders that are not there", "[cli]") {
     CHECK(nowhere.err.find("there is no folder 'no'") != std::string::npos);
   }
   CHECK_FALSE(fs::exists(box.path / "no"));
+  fs::create_directory(box.path / "folder");
+  CHECK(box.run("replay export a.fbr --png folder --force").err.find("'folder': it is a folder") !=
+        std::string::npos);
+  CHECK(box.run("replay cut a.fbr - --plays 1").code == 2);
+  CHECK(box.run("match chaser idle --half-seconds 1 --record -").code == 2);
+  CHECK_FALSE(fs::exists(box.path / "-"));
 }
 
 TEST_CASE("replay events gives the lines that the match wrote", "[cli]") {
@@ -158,6 +164,7 @@ TEST_CASE("replay cut makes a recording that verifies, and replaces none unasked
   refuses("--plays 0", "'0' is no range");
   refuses("--plays x", "'x' is no range");
   refuses("--plays 1-999", "are not within 1 ... ");
+  refuses("--from 2 --to 1", "--from 2 is after --to 1");
   refuses("--from 500 --to 600", "no play has a part in 500 ... 600 s");
   CHECK_FALSE(fs::exists(box.path / "d.fbr"));
 }
