@@ -10,6 +10,7 @@
 #include "apps/commands.hpp"
 #include "apps/live_line.hpp"
 #include "apps/progress.hpp"
+#include "apps/whole_number.hpp"
 #include "engine/core/output_file.hpp"
 #include "match/recorder.hpp"
 #include "match/start_state.hpp"
@@ -240,7 +241,7 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
       ->capture_default_str();
   command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(wholeNumberFlaw)
       ->capture_default_str();
   command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
@@ -277,7 +278,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
   CLI::Option* recipe =
       command
           ->add_flag("--recipe", options.record_recipe,
-                     "of --record: without sampled states, which a reader computes again; a quarter smaller")
+                     "of --record: without sampled states, which a reader computes again; a third smaller")
           ->needs(record);
   command
       ->add_flag("--drawings", options.drawings,

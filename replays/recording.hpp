@@ -20,7 +20,7 @@
 namespace fulbito {
 
 /// Version of the file format that this library writes. It reads this one and all before it.
-inline constexpr std::uint32_t kRecordingVersion = 2;
+inline constexpr std::uint32_t kRecordingVersion = 3;
 
 /// What was recorded. The names stand in files: match, trial.
 enum class RecordingKind : std::uint8_t { kMatch, kTrial };
