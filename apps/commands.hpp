@@ -29,7 +29,8 @@ struct RunOptions {
   SensorModel sensors;
   std::optional<std::string> png;  ///< empty: named after the layout
   std::string trace;
-  std::string record;  ///< file; empty: none
+  std::string record;     ///< file; empty: none
+  bool drawings = false;  ///< the recording also holds what the navigator wants
   bool json = false;
 };
 

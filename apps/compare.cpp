@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -74,10 +73,8 @@ int compare(const CompareOptions& options) {
   if (!config.record.empty()) {
     if (auto folder = prepareFolder(config.record); !folder) return report(folder.error());
   }
-  if (!options.html.empty()) {
-    const std::string parent = std::filesystem::path(options.html).parent_path().string();
-    if (auto folder = prepareFolder(parent.empty() ? "." : parent); !folder) return report(folder.error());
-  }
+  // It may lie in one of these two, so it comes after them.
+  if (auto folder = checkPlaceOf(options.html); !folder) return report(folder.error());
   if (!options.tune.empty()) {
     if (auto tuned = tuneFirst(options, config); !tuned) return report(tuned.error());
   }

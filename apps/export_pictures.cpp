@@ -108,13 +108,20 @@ Result<void> writeSequence(const ExportRequest& request) {
   return {};
 }
 
+/// The times and calls that were asked for; none: empty.
+std::vector<Still> stillsOf(const ExportRequest& request) {
+  std::vector<Still> stills;
+  stills.reserve(request.options->at.size() + request.events.size());
+  for (const double at : request.options->at) stills.push_back(stillAt(request, at));
+  for (const RecordedEvent& event : request.events) stills.push_back(stillOf(request, event));
+  return stills;
+}
+
 }  // namespace
 
 Result<void> exportPng(const ExportRequest& request) {
   const ReplayExportCommand& options = *request.options;
-  std::vector<Still> stills;
-  for (const double at : options.at) stills.push_back(stillAt(request, at));
-  for (const RecordedEvent& event : request.events) stills.push_back(stillOf(request, event));
+  std::vector<Still> stills = stillsOf(request);
   if (stills.empty() && (options.from || options.to || options.fps)) return writeSequence(request);
   if (stills.empty()) stills.push_back(stillAt(request, request.timeline.seconds()));
   return writeStills(request, stills);
@@ -158,15 +165,16 @@ Result<void> exportTrails(const ExportRequest& request) {
 }
 
 Result<void> exportSvg(const ExportRequest& request) {
-  const auto file = outputFile(request, *request.options->svg, ".svg");
-  if (!file) return tl::unexpected<Error>(file.error());
-  const ReplayExportCommand& options = *request.options;
-  const Still still = !options.at.empty()       ? stillAt(request, options.at.front())
-                      : !request.events.empty() ? stillOf(request, request.events.front())
-                                                : stillAt(request, request.timeline.seconds());
-  const auto svg = matchSvg(request.specOf(kPictureWidth), still.moment, still.overlays);
-  if (!svg) return tl::unexpected<Error>(svg.error());
-  return deliver(*file, *svg);
+  std::vector<Still> stills = stillsOf(request);
+  if (stills.empty()) stills.push_back(stillAt(request, request.timeline.seconds()));
+  const auto files = pictureFiles(request, *request.options->svg, ".svg", stills.size());
+  if (!files) return tl::unexpected<Error>(files.error());
+  for (std::size_t i = 0; i < stills.size(); ++i) {
+    const auto svg = matchSvg(request.specOf(kPictureWidth), stills[i].moment, stills[i].overlays);
+    if (!svg) return tl::unexpected<Error>(svg.error());
+    if (auto written = deliver((*files)[i], *svg); !written) return written;
+  }
+  return {};
 }
 
 namespace {

@@ -154,7 +154,9 @@ Result<std::string> outputFile(const ExportRequest& request, const std::string& 
   const std::filesystem::path recording(request.options->file);
   std::string file = given.empty() ? recording.stem().string() + ending : given;
   std::error_code unreadable;
-  if (file == "-" || request.options->force || !std::filesystem::exists(file, unreadable)) return file;
+  if (file == "-") return file;
+  if (auto there = checkPlaceOf(file); !there) return tl::unexpected<Error>(there.error());
+  if (request.options->force || !std::filesystem::exists(file, unreadable)) return file;
   return usage(fmt::format("'{}' exists; --force replaces it", file));
 }
 

@@ -72,7 +72,12 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       ->add_option("--png", options.run_png, "write a picture (named after the layout if no FILE is given)")
       ->expected(0, 1)
       ->type_name("[FILE]");
-  command->add_option("--record", run.record, "write a recording")->type_name("FILE");
+  CLI::Option* record = command->add_option("--record", run.record, "write a recording")->type_name("FILE");
+  command
+      ->add_flag(
+          "--drawings", run.drawings,
+          "of --record: also the path or field that the robot follows, ten times a second, for pictures")
+      ->needs(record);
   command->add_option("--trace", run.trace, "write one line a control tick; - for stdout")->type_name("FILE");
   command->add_flag("--json", run.json, "print the score as JSON");
   return command;

@@ -11,6 +11,7 @@
 #include "apps/live_line.hpp"
 #include "apps/progress.hpp"
 #include "apps/whole_number.hpp"
+#include "engine/core/output_file.hpp"
 #include "match/recorder.hpp"
 #include "match/start_state.hpp"
 #include "match/summary.hpp"
@@ -28,6 +29,7 @@ class LineFile {
  public:
   static Result<LineFile> open(const std::string& name) {
     if (name == kStdout) return LineFile(stdout, name);
+    if (auto there = checkPlaceOf(name); !there) return tl::unexpected<Error>(there.error());
     std::FILE* file = std::fopen(name.c_str(), "w");
     if (file == nullptr) return fail(ErrorCode::kIo, fmt::format("{}: {}", name, std::strerror(errno)));
     return LineFile(file, name);

@@ -40,6 +40,9 @@ Result<PlayRange> rangeOf(const ReplayCutCommand& options, const RecordingReader
     return fail(ErrorCode::kUsage, "replay cut: say either --plays A-B or --from and --to in seconds");
   }
   if (!timed) return parsePlays(options.plays);
+  if (options.from && options.to && *options.from > *options.to) {
+    return fail(ErrorCode::kUsage, fmt::format("--from {} is after --to {}", *options.from, *options.to));
+  }
   const double length = static_cast<double>(recording.ticks()) / recording.header().control_rate;
   return playsBetween(recording, options.from.value_or(0.0), options.to.value_or(length));
 }

@@ -97,6 +97,7 @@ int run(const RunOptions& options) {
     auto created = TrialRecorder::create(options.record, *config);
     if (!created) return report(created.error());
     recorder.emplace(std::move(*created));
+    if (options.drawings) recorder->keepGuidance();
   }
   const auto result = runTrial(*config, now, recorder ? &*recorder : nullptr);
   if (!result) return report(result.error());

@@ -144,6 +144,9 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock, Tria
     scene.self = sensing.robot();
     scene.obstacles = sensing.obstacles();
     const WheelSpeeds wanted = timed(clock, result.compute_us, [&] { return (*pilot)->drive(scene); });
+    if (recorder != nullptr) {
+      recorder->planned((*pilot)->guidance(), scene.self.pose.position, scene.goal.position);
+    }
     const WheelSpeeds command = roundedTo(wanted, config.physics.wheel_command_step);
     world->step({&command, 1});
     sensing.commanded(command);

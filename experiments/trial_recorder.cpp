@@ -59,8 +59,24 @@ void TrialRecorder::begins(const WorldState& world) {
   writer_.beginPlay(play);
 }
 
+void TrialRecorder::keepGuidance() { drawn_every_ = std::max(1, writer_.header().control_rate / 10); }
+
+void TrialRecorder::planned(const Guidance& guidance, Vec2 position, Vec2 goal) {
+  strokes_.clear();
+  if (drawn_every_ > 0 && (writer_.tick() + 1) % drawn_every_ == 0) {
+    addStrokes(guidance, position, goal, strokes_);
+  }
+}
+
 void TrialRecorder::ticked(const WorldState& world, WheelSpeeds command, std::uint64_t hash) {
   writer_.add(RecordingTick{&world, {&command, 1}, hash, true});
+  for (const GuidanceStroke& stroke : strokes_) {
+    RecordedDrawing drawing;
+    drawing.tick = writer_.tick();
+    drawing.from = stroke.from;
+    drawing.to = stroke.to;
+    writer_.add(drawing);
+  }
 }
 
 Result<void> TrialRecorder::ends(const TrialResult& result) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "experiments/trial.hpp"
+#include "navigation/guidance_strokes.hpp"
 #include "replays/recording_writer.hpp"
 
 namespace fulbito {
@@ -15,8 +17,13 @@ class TrialRecorder {
   /// The same into a sink.
   static Result<TrialRecorder> create(RecordingWriter::Sink sink, const TrialConfig& config);
 
+  /// Also keeps what the navigator wants, ten times a second: off unless called.
+  void keepGuidance();
+
   /// The world before its first step.
   void begins(const WorldState& world);
+  /// Before a step: what the navigator wants for it.
+  void planned(const Guidance& guidance, Vec2 position, Vec2 goal);
   /// After a step; `hash` is of all states so far.
   void ticked(const WorldState& world, WheelSpeeds command, std::uint64_t hash);
   /// Errors: the first of any write.
@@ -25,6 +32,8 @@ class TrialRecorder {
  private:
   explicit TrialRecorder(RecordingWriter writer) : writer_(std::move(writer)) {}
   RecordingWriter writer_;
+  Tick drawn_every_ = 0;                 ///< ticks between kept guidances; 0: none is kept
+  std::vector<GuidanceStroke> strokes_;  ///< of the step to come
 };
 
 }  // namespace fulbito

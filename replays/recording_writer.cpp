@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/output_file.hpp"
 #include "replays/block.hpp"
 #include "replays/chunk.hpp"
 #include "replays/header_json.hpp"
@@ -115,6 +116,8 @@ Result<RecordingWriter> RecordingWriter::create(Sink sink, const RecordingHeader
 }
 
 Result<RecordingWriter> RecordingWriter::create(const std::string& file, const RecordingHeader& header) {
+  if (file == "-") return fail(ErrorCode::kUsage, "'-': a recording goes to a file, not to stdout");
+  if (auto there = checkPlaceOf(file); !there) return tl::unexpected<Error>(there.error());
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return cannotWrite(file, errno);
   const auto stream = std::make_shared<OutputStream>(file, descriptor);

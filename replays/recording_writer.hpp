@@ -27,7 +27,8 @@ class RecordingWriter {
   /// Takes the file's bytes in order.
   using Sink = std::function<Result<void>(std::string_view)>;
 
-  /// Begins the file, which is replaced if it exists. Errors: kIo; kUsage for a header out of its ranges.
+  /// Begins the file, which is replaced if it exists. Errors: kIo; kUsage for a header out of its ranges and
+  /// for the file "-".
   static Result<RecordingWriter> create(const std::string& file, const RecordingHeader& header);
   /// The same into a sink. Errors: the sink's; kUsage.
   static Result<RecordingWriter> create(Sink sink, const RecordingHeader& header);

@@ -28,6 +28,11 @@ export_game --contact-sheet "$images/match-sheet.png" --size 1200
 export_game --heatmap ball "$images/match-heatmap.png" --size 640
 export_game --heatmap yellow "$images/match-heatmap-light.png" --size 640 --theme light
 
+# Shortly before it, with what the teams had in mind.
+"$program" match libero classic --seed 7 --record drawn.fbr --drawings >/dev/null
+before=$(awk -v t="$goal" 'BEGIN { print (t > 2.5 ? t - 2.5 : 0) }')
+"$program" replay export drawn.fbr --force --png "$images/match-drawings.png" --at "$before"
+
 "$program" run --navigator bspline-time --layout moving:3 --record trial.fbr >/dev/null
 "$program" replay export trial.fbr --force --trails "$images/trial-trails.png" --size 640
 

@@ -37,12 +37,12 @@ void drawStriker(const Picture& picture, int robot, const StrikerMemory& memory,
   const Interception meet = interception(picture, picture.own(robot));
   const Vec2 mouth{picture.pitch.half_length, memory.mouth};
   const Aim aim = aimAt(picture.pitch, meet.ball, mouth);
-  const Vec2 behind = aim.contact - aim.direction * kBehind;
+  const Vec2 behind = picture.pitch.inside(aim.contact - aim.direction * kBehind, picture.pitch.robot_half);
   addLine(drawings, picture.own(robot).pose.position, behind);
   addCircle(drawings, behind, kPlace);
   addLine(drawings, behind, meet.ball);
   if (aim.wall) {
-    addLine(drawings, meet.ball, meet.ball + aim.direction * 0.15);
+    addLine(drawings, meet.ball, picture.pitch.inside(meet.ball + aim.direction * 0.15, 0.0));
   } else {
     addLine(drawings, meet.ball, mouth);
     addCircle(drawings, mouth, kPlace);

@@ -54,12 +54,24 @@ Result<void> prepareFolder(const std::string& folder) {
   return {};
 }
 
+Result<void> checkPlaceOf(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) return ioError("write", file, "it is a folder");
+  if (folder.empty() || std::filesystem::is_directory(folder, error)) return {};
+  const std::string name = fmt::format("'{}'", folder.string());
+  return ioError(
+      "write", file,
+      std::filesystem::exists(folder, error) ? name + " is not a folder" : "there is no folder " + name);
+}
+
 Result<void> writeFile(const std::string& file, const std::string& content, bool durable) {
   std::error_code unknown;
   const auto kind = std::filesystem::status(file, unknown).type();
   if (kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::fifo) {
     return writeDevice(file, content);
   }
+  if (auto there = checkPlaceOf(file); !there) return there;
   const std::string temporary = fmt::format("{}.{}.tmp", file, ::getpid());
   const int descriptor = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (descriptor < 0) return ioError("write", file, std::strerror(errno));

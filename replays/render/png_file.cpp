@@ -10,6 +10,8 @@
 
 #include <png.h>
 
+#include "engine/core/output_file.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -108,6 +110,7 @@ std::string PngEncoder::encode(int width, int height, const void* pixels, int pi
 
 Result<void> writePngFile(const std::string& file, const std::string& bytes) {
   if (bytes.empty()) return cannotWrite(file, "not enough memory");
+  if (auto there = checkPlaceOf(file); !there) return there;
   const std::string part = file + ".part";
   std::FILE* out = std::fopen(part.c_str(), "wb");
   if (out == nullptr) return cannotWrite(file, std::strerror(errno));

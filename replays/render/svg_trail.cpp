@@ -1,6 +1,7 @@
 #include "replays/render/svg_trail.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "replays/render/palette.hpp"
@@ -59,7 +60,7 @@ void svgFadingLine(SvgText& svg, std::span<const Vec2> points, double first, dou
     if (marked[i].share < static_cast<double>(band + 1) / kBands) continue;
     outline.insert(outline.end(), back.rbegin(), back.rend());
     const double opacity = (static_cast<double>(band) + 0.5) / kBands * colour.a;
-    svg.polygon(outline, withAlpha(colour, static_cast<std::uint8_t>(opacity + 0.5)));
+    svg.polygon(outline, withAlpha(colour, static_cast<std::uint8_t>(std::lround(opacity))));
     outline.assign({marked[i].place + aside});
     back.assign({marked[i].place - aside});
     ++band;

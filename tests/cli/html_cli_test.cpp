@@ -43,7 +43,10 @@ TEST_CASE("replay export --html says what is wrong", "[cli]") {
   box.write("bad.fbr", "nothing");
   CHECK(box.run("replay export bad.fbr --html a.html").code == 3);
   CHECK(box.run("replay export none.fbr --html a.html").code == 5);
-  CHECK(box.run("replay export a.fbr --html no/folder.html").code == 5);
+  const Output nowhere = box.run("replay export a.fbr --html no/folder.html");
+  CHECK(nowhere.code == 5);
+  CHECK(nowhere.err.find("no/folder.html': there is no folder 'no'") != std::string::npos);
+  CHECK_FALSE(fs::exists(box.path / "no"));
   CHECK(box.run("replay export a.fbr --html a.html --ghost bad.fbr").code == 3);
   REQUIRE(box.run("match chaser idle --rules vsss-5v5 --half-seconds 2 --record b.fbr").code == 0);
   const Output other = box.run("replay export a.fbr --html a.html --ghost b.fbr");
@@ -64,4 +67,9 @@ TEST_CASE("compare --html puts every drawn layout into one page", "[cli]") {
   CHECK(page["scenes"][0]["runs"][0]["label"] == "bezier");
   CHECK(box.run(compare + "--pictures 0 --html none.html").code == 2);
   CHECK_FALSE(fs::exists(box.path / "none.html"));
+  const Output nowhere = box.run(compare + "--html no/races.html");
+  CHECK(nowhere.code == 5);
+  CHECK(nowhere.err.find("no/races.html': there is no folder 'no'") != std::string::npos);
+  CHECK_FALSE(fs::exists(box.path / "no"));
+  CHECK(box.run(compare + "--html o/races.html").code == 0);
 }

@@ -52,6 +52,45 @@ TEST_CASE("a recipe is smaller, verifies, and can be shown as well", "[cli]") {
   CHECK(box.run("match chaser chaser --recipe").code == 2);
 }
 
+TEST_CASE("drawings are recorded on request, and change nothing that is played", "[cli]") {
+  const Recordings box;
+  REQUIRE(box.run("match chaser classic --half-seconds 5 --record plain.fbr").code == 0);
+  REQUIRE(box.run("match chaser classic --half-seconds 5 --record drawn.fbr --drawings").code == 0);
+  const Json plain = Json::parse(box.run("replay info plain.fbr --json").out);
+  const Json drawn = Json::parse(box.run("replay info drawn.fbr --json").out);
+  CHECK(plain["drawings"] == 0);
+  CHECK(drawn["drawings"].get<int>() > 600);
+  CHECK(drawn["result"] == plain["result"]);
+  CHECK(box.run("replay verify drawn.fbr").code == 0);
+  REQUIRE(box.run("replay export drawn.fbr --png with.png --at 3.1").code == 0);
+  REQUIRE(box.run("replay export drawn.fbr --png without.png --at 3.1 --no-drawings").code == 0);
+  CHECK(contentOf(box.path / "with.png") != contentOf(box.path / "without.png"));
+  CHECK(box.run("match chaser classic --drawings").code == 2);
+  CHECK(box.run("match chaser classic --record x.fbr --recipe --drawings").code == 2);
+  REQUIRE(box.run("run --navigator bezier --record way.fbr --drawings").code == 0);
+  CHECK(Json::parse(box.run("replay info way.fbr --json").out)["drawings"].get<int>() > 10);
+  CHECK(box.run("replay verify way.fbr").code == 0);
+}
+
+TEST_CASE("recordings are not made in folders that are not there", "[cli]") {
+  const Recordings box;
+  for (const char* made : {"match chaser idle --half-seconds 1 --record no/x.fbr", "run --record no/x.fbr",
+                           "run --png no/x.png", "replay cut a.fbr no/x.fbr --plays 1",
+                           "replay export a.fbr --png no/x.png", "replay export a.fbr --jsonl no/x.jsonl"}) {
+    INFO(made);
+    const Output nowhere = box.run(made);
+    CHECK(nowhere.code == 5);
+    CHECK(nowhere.err.find("there is no folder 'no'") != std::string::npos);
+  }
+  CHECK_FALSE(fs::exists(box.path / "no"));
+  fs::create_directory(box.path / "folder");
+  CHECK(box.run("replay export a.fbr --png folder --force").err.find("'folder': it is a folder") !=
+        std::string::npos);
+  CHECK(box.run("replay cut a.fbr - --plays 1").code == 2);
+  CHECK(box.run("match chaser idle --half-seconds 1 --record -").code == 2);
+  CHECK_FALSE(fs::exists(box.path / "-"));
+}
+
 TEST_CASE("replay events gives the lines that the match wrote", "[cli]") {
   const Recordings box;
   CHECK(box.run("replay events a.fbr --json").out == contentOf(box.path / "a.jsonl"));
@@ -125,6 +164,7 @@ TEST_CASE("replay cut makes a recording that verifies, and replaces none unasked
   refuses("--plays 0", "'0' is no range");
   refuses("--plays x", "'x' is no range");
   refuses("--plays 1-999", "are not within 1 ... ");
+  refuses("--from 2 --to 1", "--from 2 is after --to 1");
   refuses("--from 500 --to 600", "no play has a part in 500 ... 600 s");
   CHECK_FALSE(fs::exists(box.path / "d.fbr"));
 }

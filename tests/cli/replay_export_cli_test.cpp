@@ -153,6 +153,14 @@ TEST_CASE("videos", "[cli]") {
   CHECK(contains(nowhere.err, "/nonexistent-folder/x.mp4"));
 }
 
+TEST_CASE("several times make several SVG files", "[cli]") {
+  const Recorded box;
+  CHECK(box.make("--svg s.svg --at 1 2").code == 0);
+  CHECK(contentOf(box.path / "s-0001.svg") != contentOf(box.path / "s-0002.svg"));
+  CHECK(contentOf(box.path / "s-0001.svg").starts_with("<svg"));
+  CHECK_FALSE(fs::exists(box.path / "s.svg"));
+}
+
 TEST_CASE("without ffmpeg a video says what to do", "[cli]") {
   const Recorded box;
   const std::string said =

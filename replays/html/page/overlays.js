@@ -12,7 +12,8 @@ function paintTrail(ctx, view, scene, moment, index, seconds, colour, alpha) {
   const parts = seconds === Infinity ? 1 : kTrailParts;
   ctx.strokeStyle = colour;
   ctx.lineJoin = 'round';
-  ctx.lineWidth = Math.max(1.5, 0.009 * view.scale);
+  const width = (ctx.lineWidth = Math.max(1.5, 0.009 * view.scale));
+  if (scene.bodies[index].team === undefined && isDashed(index)) ctx.setLineDash([2.5 * width, 2 * width]);
   for (let part = 0; part < parts; ++part) {
     const from = begin + Math.floor(((moment.row - begin) * part) / parts);
     const to = begin + Math.floor(((moment.row - begin) * (part + 1)) / parts);
@@ -24,6 +25,7 @@ function paintTrail(ctx, view, scene, moment, index, seconds, colour, alpha) {
     ctx.stroke();
   }
   ctx.globalAlpha = 1;
+  ctx.setLineDash([]);
 }
 
 function paintTrails(ctx, view, scene, moment, wanted, alphaOf) {

@@ -28,6 +28,11 @@ function colourOf(scene, index) {
   return body.team === undefined ? kSeries[index % kSeries.length] : colours.team[body.team];
 }
 
+/** Colours come again after a dozen runs: dashes tell the second dozen from the first. */
+function isDashed(index) {
+  return Math.floor(index / kSeries.length) % 2 === 1;
+}
+
 /** A rectangle of the canvas that shows a whole field. */
 class View {
   constructor(field, x, y, width, height, flip) {

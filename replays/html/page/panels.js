@@ -54,6 +54,7 @@ function swatch(scene, index) {
   if (body.team === undefined) {
     mark.style.backgroundColor = colourOf(scene, index);
     mark.style.color = inkOn(colourOf(scene, index));
+    mark.classList.toggle('dashed', isDashed(index));
   } else mark.dataset.team = body.team;
   return mark;
 }

@@ -70,8 +70,11 @@ function paintPanelLabel(ctx, viewer, run, i, x, y, grid) {
   const over = viewer.time >= run.seconds;
   const size = grid.label, middle = y + size * 0.85;
   ctx.fillStyle = kSeries[i % kSeries.length];
-  roundRect(ctx, x + size * 0.4, middle - size * 0.4, size * 0.8, size * 0.8, size * 0.2);
-  ctx.fill();
+  // A dashed trail's is two bars.
+  for (const [from, share] of isDashed(i) ? [[0, 0.4], [0.6, 0.4]] : [[0, 1]]) {
+    roundRect(ctx, x + size * (0.4 + 0.8 * from), middle - size * 0.4, size * 0.8 * share, size * 0.8, size * 0.2 * share);
+    ctx.fill();
+  }
   ctx.textBaseline = 'middle';
   ctx.font = `600 ${size * 0.86}px system-ui, sans-serif`;
   ctx.textAlign = 'right';

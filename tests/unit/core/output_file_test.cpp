@@ -37,7 +37,12 @@ TEST_CASE("a file that cannot be written is named and leaves nothing behind", "[
   const auto missing = writeFile(folder.path / "no" / "a.txt", "x");
   REQUIRE_FALSE(missing);
   CHECK(missing.error().code == ErrorCode::kIo);
-  CHECK(missing.error().message.find("a.txt': No such file or directory") != std::string::npos);
+  CHECK(missing.error().message.find("a.txt': there is no folder '") != std::string::npos);
+  REQUIRE(writeFile(folder.path / "file", "x"));
+  const auto below = writeFile(folder.path / "file" / "a.txt", "x");
+  REQUIRE_FALSE(below);
+  CHECK(below.error().message.find("file' is not a folder") != std::string::npos);
+  fs::remove(folder.path / "file");
   fs::create_directories(folder.path / "b.txt" / "inside");
   CHECK_FALSE(writeFile(folder.path / "b.txt", "x"));
   CHECK(std::distance(fs::directory_iterator(folder.path), {}) == 1);

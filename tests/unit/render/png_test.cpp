@@ -114,7 +114,8 @@ TEST_CASE("a folder that does not exist is an error that names the file", "[unit
   const auto written = colourful().writePng(file);
   REQUIRE_FALSE(written);
   CHECK(written.error().code == ErrorCode::kIo);
-  CHECK(written.error().message == "cannot write " + file + ": No such file or directory");
+  CHECK(written.error().message == "cannot write '" + file + "': there is no folder '" +
+                                       std::filesystem::path(file).parent_path().string() + "'");
   CHECK(folder.entries() == 0);
 }
 
