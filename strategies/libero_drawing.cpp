@@ -67,7 +67,7 @@ void draw(const Picture& picture, const Roles& roles, const StrikerMemory& memor
       name = "striker";
       drawStriker(picture, i, memory, drawings);
     } else {
-      const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, rank);
+      const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, i, rank);
       ++rank;
       if (!canMeetCarried(picture, picture.own(i))) {
         addLine(drawings, self, place);
