@@ -29,7 +29,8 @@ std::vector<BandPoint> bandPoints(std::span<const Vec2> points) {
     if (step <= 0.0) continue;
     for (; next < kBands && static_cast<double>(next) / kBands * length < so_far + step; ++next) {
       const double share = static_cast<double>(next) / kBands;
-      marked.push_back({points[i - 1] + (points[i] - points[i - 1]) * ((share * length - so_far) / step), share});
+      marked.push_back(
+          {points[i - 1] + (points[i] - points[i - 1]) * ((share * length - so_far) / step), share});
     }
     so_far += step;
     marked.push_back({points[i], so_far / length});
@@ -40,7 +41,8 @@ std::vector<BandPoint> bandPoints(std::span<const Vec2> points) {
 
 /// Along the trail at point `i`.
 Vec2 wayAt(const std::vector<BandPoint>& points, std::size_t i) {
-  const Vec2 before = points[i == 0 ? 0 : i - 1].place, after = points[std::min(i + 1, points.size() - 1)].place;
+  const Vec2 before = points[i == 0 ? 0 : i - 1].place,
+             after = points[std::min(i + 1, points.size() - 1)].place;
   return unitOr(after - before, {1.0, 0.0});
 }
 
