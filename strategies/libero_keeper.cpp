@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <optional>
 
 #include "engine/core/math.hpp"
 #include "strategies/libero_striker.hpp"
@@ -31,31 +29,19 @@ bool crossing(const Picture& picture, double line, double& y) {
   return false;
 }
 
-/// A ball that comes at the keeper's front.
-struct Shot {
-  double time = 0.0;    ///< [s] until it touches
-  double y = 0.0;       ///< [m] where
-  double across = 0.0;  ///< [m/s] along the line, then
-};
+/// Along the line at `speed`, with a small lean that brings the robot back onto it while it moves.
+Twist alongLine(const RobotState& self, double line, double speed) {
+  const double dx = line - self.pose.position.x;
+  const double lean = std::clamp(dx * 6.0, -0.4, 0.4) * std::min(1.0, std::abs(speed) / 0.2);
+  const double along = speed >= 0.0 ? math::kPi / 2 - lean : -math::kPi / 2 + lean;
+  const double error = foldedError(along, self.pose.heading);
+  const double face = std::abs(math::wrapAngle(along - self.pose.heading)) > math::kPi / 2 ? -1.0 : 1.0;
+  return {face * std::abs(speed) * std::max(0.0, math::cos(error)), std::clamp(18.0 * error, -20.0, 20.0)};
+}
 
-inline double P(const char* n, double d) { const char* v = getenv(n); return v ? atof(v) : d; }
-
-std::optional<Shot> shotAt(const Picture& picture, const RobotState& self) {
-  const Pitch& pitch = picture.pitch;
-  const double plane = self.pose.position.x + pitch.robot_half + pitch.ball_radius;
-  Vec2 before = picture.ball.sample(0);
-  if (picture.ball.resting() || before.x < self.pose.position.x) return std::nullopt;
-  if (before.x <= plane + 0.002) return Shot{0.0, before.y, picture.ball.now().velocity.y};
-  for (int i = 1; i <= 24; ++i) {
-    const Vec2 after = picture.ball.sample(i);
-    if (after.x <= plane) {
-      const double part = (before.x - plane) / std::max(1e-9, before.x - after.x);
-      return Shot{(i - 1 + part) * BallForecast::kStep, before.y + (after.y - before.y) * part,
-                  (after.y - before.y) / BallForecast::kStep};
-    }
-    before = after;
-  }
-  return std::nullopt;
+/// The speed [m/s] toward a place `way` [m] off at which the robot can still stop there.
+double stoppableSpeed(const Pitch& pitch, double way, double gain) {
+  return std::min(std::sqrt(2.0 * 0.8 * pitch.acceleration * std::abs(way)), gain * std::abs(way));
 }
 
 /// One-dimensional, along the line; the body stays parallel to it.
@@ -72,24 +58,34 @@ Twist slideTo(const Picture& picture, const RobotState& self, double line, doubl
             std::clamp(12.0 * foldedError(along, self.pose.heading), -8.0, 8.0)};
   }
   if (std::abs(dx) > 0.06 || std::abs(dy) > 0.35) return restAt(pitch, self, {line, y}, math::kPi / 2);
-  const double fast = std::min(pitch.speed, std::sqrt(2.0 * 0.8 * pitch.acceleration * std::abs(dy)));
-  const double speed = std::copysign(std::min(fast, 20.0 * std::abs(dy)), dy);
-  // A small lean brings the robot back onto the line while it moves along it.
-  const double lean = std::clamp(dx * 6.0, -0.4, 0.4) * std::min(1.0, std::abs(speed) / 0.2);
-  const double along = speed >= 0.0 ? math::kPi / 2 - lean : -math::kPi / 2 + lean;
-  const double error = foldedError(along, self.pose.heading);
-  const double face = std::abs(math::wrapAngle(along - self.pose.heading)) > math::kPi / 2 ? -1.0 : 1.0;
-  return {face * std::abs(speed) * std::max(0.0, math::cos(error)), std::clamp(18.0 * error, -20.0, 20.0)};
+  return alongLine(self, line, std::copysign(std::min(pitch.speed, stoppableSpeed(pitch, dy, 20.0)), dy));
 }
 
-/// Drives along the line at `wanted`, and back onto it.
-Twist alongLine(const RobotState& self, double line, double wanted) {
-  const double dx = line - self.pose.position.x;
-  const double lean = std::clamp(dx * 6.0, -0.4, 0.4) * std::min(1.0, std::abs(wanted) / 0.2);
-  const double along = wanted >= 0.0 ? math::kPi / 2 - lean : -math::kPi / 2 + lean;
-  const double error = foldedError(along, self.pose.heading);
-  const double face = std::abs(math::wrapAngle(along - self.pose.heading)) > math::kPi / 2 ? -1.0 : 1.0;
-  return {face * std::abs(wanted) * std::max(0.0, math::cos(error)), std::clamp(18.0 * error, -20.0, 20.0)};
+/// Whether a ball that comes slanting touches the keeper's face now or soon: there it loses little of its
+/// speed across, runs on along the face, and its spin presses it on toward the goal. The keeper goes with it
+/// from a moment before the touch; a keeper that waits for the ball to be past is 0.1 s late.
+bool goWith(const Picture& picture, const RobotState& self, double line, Twist& twist) {
+  constexpr double kSoon = 0.04;    // [s] before the touch
+  constexpr double kFace = 0.04;    // [m] off the keeper's middle: a ball farther out has to be reached first
+  constexpr double kAcross = 0.2;   // [m/s] slower balls wait
+  constexpr double kShare = 0.8;    // of its speed: the face takes some of it
+  constexpr double kRoom = 0.24;    // [m] most |y|: a little past the post
+  constexpr double kTouch = 0.002;  // [m]
+  const Pitch& pitch = picture.pitch;
+  const BallState& ball = picture.ball.now();
+  const Vec2 rel = ball.position - self.pose.position;
+  const double gap = rel.x - pitch.robot_half - pitch.ball_radius;
+  const double across = ball.velocity.y;
+  if (rel.x < 0.0 || gap > std::max(kTouch, -kSoon * ball.velocity.x) || std::abs(across) < kAcross)
+    return false;
+  const double time = ball.velocity.x < 0.0 ? std::clamp(-gap / ball.velocity.x, 0.0, kSoon) : 0.0;
+  const double ahead = rel.y + across * time;
+  if (std::abs(ahead) > kFace) return false;
+  const double wanted = kShare * across + std::copysign(stoppableSpeed(pitch, ahead, 15.0), ahead);
+  const double room = std::max(0.0, kRoom - std::copysign(1.0, wanted) * self.pose.position.y);
+  const double speed = std::min({std::abs(wanted), pitch.speed, stoppableSpeed(pitch, room, 20.0)});
+  twist = alongLine(self, line, std::copysign(speed, wanted));
+  return true;
 }
 
 /// Whether the keeper is at a ball near the goal clearly before any opponent.
@@ -197,21 +193,7 @@ Twist keep(const Picture& picture, int robot) {
                       std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
   if (!coming && comesFirst(picture, self) && clear(picture, self, out)) return out;
   if (!(coming && rel.x > 0.03) && alongEndWall(picture)) return guardPost(picture, self);
-  static const double LEAD = P("LEAD", 0.02), MINV = P("MINV", 0.2), NEAR = P("NEAR", 0.03), R2 = P("R2", 0.24), G = P("G", 15), TN = P("TN", 0.03), FF=P("FF",1), PL=P("PL",0.0215), ALL=P("ALL",0);
-  const auto s = shotAt(picture, self);
-  const bool near = rel.x > 0.0 && rel.x < pitch.robot_half + pitch.ball_radius + NEAR;
-  if (s && s->time < TN && (coming || near) && std::abs(s->across) > MINV) {
-    const double d = s->y + std::copysign(LEAD, s->across) - self.pose.position.y;
-    double speed = FF * s->across + std::copysign(std::min(std::sqrt(2.0 * 5.0 * std::abs(d)), G * std::abs(d)), d);
-    const double room = std::max(0.0, R2 - std::copysign(self.pose.position.y, speed * self.pose.position.y));
-    speed = std::copysign(std::min({std::abs(speed), pitch.speed, std::sqrt(2 * 5.0 * room)}), speed);
-    return alongLine(self, line, speed);
-  }
-  double shoty = 0;
-  if ((ALL > 0 || coming) && crossing(picture, line + PL, shoty) && std::abs(shoty) < pitch.goal_half + 0.05) {
-    if (s && std::abs(s->across) > MINV) shoty += std::copysign(LEAD, s->across);
-    return slideTo(picture, self, line, std::clamp(shoty, -kReach, kReach));
-  }
+  if (goWith(picture, self, line, out)) return out;
   return slideTo(picture, self, line, keeperPlace(picture, line));
 }
 
