@@ -9,6 +9,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/progress.hpp"
+#include "apps/whole_number.hpp"
 #include "engine/core/suggest.hpp"
 
 namespace fulbito::app {
@@ -48,7 +49,9 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
   command->add_option("--drill", options.drills, "numbers or names (default: all)")->delimiter(',');
   command->add_option("--trials", options.run.trials, "of each drill (default: as the drill says)")
       ->check(CLI::Range(1, 1000000));
-  command->add_option("--seed", options.run.seed, "seed of starts and matches")->capture_default_str();
+  command->add_option("--seed", options.run.seed, "seed of starts and matches")
+      ->check(wholeNumberFlaw)
+      ->capture_default_str();
   command->add_option("--jobs", options.run.jobs, "worker threads (default: all cores)");
   command->add_option("--robot", options.run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", options.run.physics, "physics profile or TOML file")

@@ -13,6 +13,7 @@
 #include "apps/replay.hpp"
 #include "apps/rules.hpp"
 #include "apps/view.hpp"
+#include "apps/whole_number.hpp"
 #include "engine/core/build_info.hpp"
 #include "engine/core/suggest.hpp"
 
@@ -64,7 +65,7 @@ CLI::App* addRun(CLI::App& app, Options& options) {
   command->add_option("--robot", run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", run.physics, "physics profile or TOML file")->capture_default_str();
   command->add_option("--seed", run.seed, "seed of layouts and noise")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(wholeNumberFlaw)
       ->capture_default_str();
   addSensors(*command, run.sensors);
   command
@@ -97,7 +98,7 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   command->add_option("--speeds", config.speeds, "top speeds [m/s] (default: the suite's)")->delimiter(',');
   command->add_option("--trials", config.trials, "layouts of each suite and speed (default: the suite's)");
   command->add_option("--seed", config.seed, "seed of layouts and noise")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(wholeNumberFlaw)
       ->capture_default_str();
   command->add_option("--jobs", config.jobs, "worker threads (default: all cores)");
   command->add_option("--only", options.only, "run this layout of the suite alone")->type_name("NUMBER");

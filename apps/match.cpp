@@ -10,6 +10,7 @@
 #include "apps/commands.hpp"
 #include "apps/live_line.hpp"
 #include "apps/progress.hpp"
+#include "apps/whole_number.hpp"
 #include "match/recorder.hpp"
 #include "match/start_state.hpp"
 #include "match/summary.hpp"
@@ -143,6 +144,7 @@ Result<void> Watchers::attach(const MatchCommand& options, Match& match) {
                               options.record_recipe ? RecordingLevel::kRecipe : RecordingLevel::kFull);
     if (!created) return tl::unexpected<Error>(created.error());
     recorder.emplace(std::move(*created));
+    if (options.drawings) recorder->keepDrawings();
     match.watch(*recorder);
   }
   return {};
@@ -237,7 +239,7 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
       ->capture_default_str();
   command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices")
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(wholeNumberFlaw)
       ->capture_default_str();
   command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
@@ -271,10 +273,16 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
   addConditions(*command, options);
   CLI::Option* record =
       command->add_option("--record", options.record, "write a recording")->type_name("FILE");
+  CLI::Option* recipe =
+      command
+          ->add_flag("--recipe", options.record_recipe,
+                     "of --record: without sampled states, which a reader computes again; a third smaller")
+          ->needs(record);
   command
-      ->add_flag("--recipe", options.record_recipe,
-                 "of --record: without sampled states, which a reader computes again; a quarter smaller")
-      ->needs(record);
+      ->add_flag("--drawings", options.drawings,
+                 "of --record: also what the teams mean to do, ten times a second, for pictures")
+      ->needs(record)
+      ->excludes(recipe);
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
   command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match")

@@ -12,6 +12,7 @@
 #include "apps/commands.hpp"
 #include "apps/view/match_stage.hpp"
 #include "apps/view/replay_stage.hpp"
+#include "apps/whole_number.hpp"
 #include "match/expand.hpp"
 
 namespace fulbito::app {
@@ -115,7 +116,7 @@ void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed
   add(command.add_flag("--full-screen", options.full_screen, "fill the screen"));
   add(command.add_flag("--keys", options.help, "begin with the list of keys"));
   add(command.add_option("--frames", options.frames, "end after so many pictures, or once nothing moves"))
-      ->check(CLI::Validator(CLI::NonNegativeNumber).description(""))
+      ->check(wholeNumberFlaw)
       ->type_name("N");
   add(command.add_option("--screenshot", options.screenshot, "write the last picture as PNG"))
       ->type_name("FILE");

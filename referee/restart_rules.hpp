@@ -46,7 +46,7 @@ struct FreeBallRules {
   FreeBallOthers others = FreeBallOthers::kStay;
   double distance = 0.20;  ///< [m] of every robot's centre from the ball at least
   bool take_marks = true;  ///< one robot of each team goes to its mark, `distance` from the ball
-  PlaceTable places{{{0.675, 0.0}, {0.575, 0.40}, {-0.10, -0.20}},
+  PlaceTable places{{{0.675, 0.0}, {-0.175, 0.40}, {-0.10, -0.20}},
                     {{0.675, 0.0}, {0.575, 0.40}, {0.30, -0.10}}};
 };
 

@@ -5,8 +5,10 @@
 
 namespace fulbito {
 
+std::uint64_t headerSeed(std::uint32_t version) { return version < 3 ? 0 : version; }
+
 std::uint64_t blockSeed(std::uint64_t header_checksum, std::uint64_t number) {
-  return number == 0 ? 0 : header_checksum + number;
+  return header_checksum + number;
 }
 
 std::uint64_t appendBlock(BlockType type, Codec codec, std::size_t raw_size, BytesView payload,

@@ -54,7 +54,9 @@ struct Block {
   std::size_t end() const { return offset + kBlockHeadSize + payload.size(); }
 };
 
-/// The seed of a block's checksum: no block can stand in another's place or come from another file.
+/// The seed of the header's checksum: from version 3 on a damaged version is noticed by it.
+std::uint64_t headerSeed(std::uint32_t version);
+/// The seed of any other block's checksum: no block can stand in another's place or come from another file.
 std::uint64_t blockSeed(std::uint64_t header_checksum, std::uint64_t number);
 
 /// Appends a block to `out`; returns its checksum.

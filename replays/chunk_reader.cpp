@@ -101,14 +101,14 @@ class ChunkParser {
     if (section->raw > most) return std::nullopt;
     return unpack(section->codec, section->stored, section->raw);
   }
-  /// A section that is a table: by `model` where it was packed so, else as version 1 did.
+  /// A section that is a table: by `model(codec, bytes)` where it was packed so, else as version 1 did.
   template <typename Model>
   std::optional<Columns> table(SectionId id, std::size_t columns, std::size_t rows,
                                const Model& model) const {
     const Section* section = find(id);
     if (section == nullptr) return std::nullopt;
-    if (section->codec == static_cast<std::uint8_t>(Codec::kModelled)) {
-      return section->raw == columns * rows ? model(section->stored) : std::nullopt;
+    if (section->codec >= static_cast<std::uint8_t>(Codec::kModelled)) {
+      return section->raw == columns * rows ? model(Codec{section->codec}, section->stored) : std::nullopt;
     }
     const auto bytes = open(id, maxPackedSize(columns, rows));
     return bytes ? unpackColumns(*bytes, columns, rows) : std::nullopt;
@@ -174,9 +174,10 @@ class ChunkParser {
     chunk_.commands.resize(robots_ * ticks());
     if (values == 0) return find(SectionId::kCommands) == nullptr;
     if (header_.command_step == 0.0) return exactCommands(values);
-    const auto table = this->table(SectionId::kCommands, 2 * robots_, ticks(), [&](BytesView stored) {
-      return unpackCommands(stored, header_.command_model, 2 * robots_, ticks());
-    });
+    const auto table =
+        this->table(SectionId::kCommands, 2 * robots_, ticks(), [&](Codec codec, BytesView stored) {
+          return unpackCommands(stored, codec, header_.command_model, 2 * robots_, ticks());
+        });
     if (!table) return false;
     for (std::size_t row = 0; row < ticks(); ++row) {
       for (std::size_t robot = 0; robot < robots_; ++robot) {
@@ -277,8 +278,9 @@ class ChunkParser {
                           : std::size_t{0};
     const std::size_t columns = sampleColumns(header_);
     if (rows * columns == 0) return find(SectionId::kSamples) == nullptr;
-    const auto table = this->table(SectionId::kSamples, columns, rows,
-                                   [&](BytesView stored) { return unpackSamples(stored, header_, rows); });
+    const auto table = this->table(SectionId::kSamples, columns, rows, [&](Codec codec, BytesView stored) {
+      return codec == Codec::kModelled ? unpackSamples(stored, header_, rows) : std::nullopt;
+    });
     if (!table) return false;
     for (std::size_t row = 0; row < rows; ++row) {
       const Tick tick = (chunk_.first_tick / every + 1 + static_cast<Tick>(row)) * every;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
+#include <numeric>
 
 #include "replays/range_coder.hpp"
 
@@ -10,11 +12,18 @@ namespace {
 
 constexpr std::int64_t kFull = std::int64_t{1} << 16;  // 1 as a ratio
 constexpr std::int64_t kExactShare = 32;  // of the most change, within which a limit counts as hit
+constexpr std::int64_t kExactUnits = 2;   // and so many units more, as the model is rounded to units
 constexpr int kSatContexts = 9;
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 33;  // of what a residual may say
 
 /// How a value came about: free, at its upper limit, at its lower limit, or held for want of room.
 enum : unsigned { kFree, kUpper, kLower, kHeld };
+
+/// What is known of one robot's motors, in its units, and within what a limit of theirs counts as hit.
+struct Motors {
+  CommandModel model;
+  std::int64_t exact = 0;
+};
 
 /// One robot's wheels: turn is right less left, pace is right and left together.
 struct Wheels {
@@ -35,18 +44,29 @@ struct Learned {
 
 std::int64_t limited(std::int64_t value) { return std::clamp(value, -kMostSteps, kMostSteps); }
 
+/// What a robot on free ground makes of a commanded turn.
+std::int64_t reachedTurn(const CommandModel& model, std::int64_t turn) {
+  const std::int64_t span = std::int64_t{model.spin_to} - model.spin_from;
+  std::int64_t ratio = model.spin_slow;
+  if (span > 0) {
+    const std::int64_t over =
+        std::clamp<std::int64_t>(std::abs(turn), model.spin_from, model.spin_to) - model.spin_from;
+    ratio += (std::int64_t{model.spin_fast} - model.spin_slow) * over / span;
+  }
+  return turn * ratio / kFull;
+}
+
 /// Works through a table of commands, one robot's pair of wheels at a time.
 template <typename Coder>
 class CommandCode {
  public:
-  CommandCode(Coder& coder, const CommandModel& model)
-      : coder_(coder), model_(model), exact_(model.most_change / kExactShare) {}
+  explicit CommandCode(Coder& coder) : coder_(coder) {}
 
   struct Pair {
     std::int32_t left = 0, right = 0;
   };
 
-  Pair code(Wheels& w, Pair wheels) {
+  Pair code(const Motors& motors, Wheels& w, Pair wheels) {
     const auto [left, right] = wheels;
     const std::int64_t turn = std::int64_t{right} - left, pace = std::int64_t{right} + left;
     const unsigned same = coder_.bit(learned_.same[w.same * 16 + w.turn_case * 4 + w.pace_case],
@@ -56,9 +76,9 @@ class CommandCode {
     next.turn_before = w.turn;
     next.pace_before = w.pace;
     if (same == 0) {
-      const std::int64_t reached = reachedTurn(w.turn);
-      codeTurn(w, reached, turn, next);
-      codePace(w, std::abs(next.turn - reached), pace, next);
+      const std::int64_t reached = reachedTurn(motors.model, w.turn);
+      codeTurn(motors, w, reached, turn, next);
+      codePace(motors, w, std::abs(next.turn - reached), pace, next);
     }
     w = next;
     return {static_cast<std::int32_t>((w.pace - w.turn) / 2),
@@ -66,24 +86,13 @@ class CommandCode {
   }
 
  private:
-  /// What a robot on free ground makes of a commanded turn.
-  std::int64_t reachedTurn(std::int64_t turn) const {
-    const std::int64_t span = std::int64_t{model_.spin_to} - model_.spin_from;
-    std::int64_t ratio = model_.spin_slow;
-    if (span > 0) {
-      const std::int64_t over =
-          std::clamp<std::int64_t>(std::abs(turn), model_.spin_from, model_.spin_to) - model_.spin_from;
-      ratio += (std::int64_t{model_.spin_fast} - model_.spin_slow) * over / span;
-    }
-    return turn * ratio / kFull;
-  }
-
-  void codeTurn(const Wheels& w, std::int64_t reached, std::int64_t turn, Wheels& next) {
-    const std::int64_t most = model_.most_change;
+  void codeTurn(const Motors& motors, const Wheels& w, std::int64_t reached, std::int64_t turn,
+                Wheels& next) {
+    const std::int64_t most = motors.model.most_change;
     const std::int64_t change = turn - reached;
     unsigned how = kFree;
-    if (std::abs(change - most) <= exact_) how = kUpper;
-    if (std::abs(change + most) <= exact_) how = kLower;
+    if (std::abs(change - most) <= motors.exact) how = kUpper;
+    if (std::abs(change + most) <= motors.exact) how = kLower;
     how = learned_.turn_case[w.turn_case * 4 + w.pace_case].code(coder_, how);
     if (how == kFree) {
       const std::int64_t onward = w.turn_case == kFree ? w.turn + (w.turn - w.turn_before) / 2 : reached;
@@ -100,16 +109,16 @@ class CommandCode {
   }
 
   /// What the turn leaves of the wheels' acceleration is what the pace may change by.
-  void codePace(const Wheels& w, std::int64_t used, std::int64_t pace, Wheels& next) {
-    const std::int64_t room = std::max<std::int64_t>(0, model_.most_change - used);
-    const bool tight = room < exact_;
+  void codePace(const Motors& motors, const Wheels& w, std::int64_t used, std::int64_t pace, Wheels& next) {
+    const std::int64_t room = std::max<std::int64_t>(0, motors.model.most_change - used);
+    const bool tight = room < motors.exact;
     const std::int64_t change = pace - w.pace;
     unsigned how = kFree;
     if (tight) {
-      if (std::abs(change) <= 2 * exact_) how = kHeld;
-    } else if (std::abs(change - room) <= exact_) {
+      if (std::abs(change) <= 2 * motors.exact) how = kHeld;
+    } else if (std::abs(change - room) <= motors.exact) {
       how = kUpper;
-    } else if (std::abs(change + room) <= exact_) {
+    } else if (std::abs(change + room) <= motors.exact) {
       how = kLower;
     }
     const unsigned turn_case = next.turn_case;
@@ -130,37 +139,71 @@ class CommandCode {
   }
 
   Coder& coder_;
-  const CommandModel model_;
   Learned learned_;
-  const std::int64_t exact_;
 };
+
+/// The largest number of which all of a robot's commands are multiples; 1 where it never moves.
+std::int32_t unitOf(const Columns& table, std::size_t robot) {
+  std::int32_t unit = 0;
+  for (std::size_t row = 0; row < table.rows() && unit != 1; ++row) {
+    for (const std::size_t column : {2 * robot, 2 * robot + 1}) unit = std::gcd(unit, table.at(column, row));
+  }
+  return std::max(unit, 1);
+}
+
+Motors motorsIn(std::int32_t unit, CommandModel model, std::int64_t exact_units) {
+  for (int* steps : {&model.most_change, &model.spin_from, &model.spin_to}) *steps /= unit;
+  return {model, model.most_change / kExactShare + exact_units};
+}
 
 }  // namespace
 
 void packCommands(const Columns& table, const CommandModel& model, Bytes& out) {
+  const std::size_t robots = table.columns() / 2;
+  std::vector<std::int32_t> units(robots);
+  std::vector<Motors> motors(robots);
+  ByteWriter head(out);
+  for (std::size_t robot = 0; robot < robots; ++robot) {
+    units[robot] = unitOf(table, robot);
+    motors[robot] = motorsIn(units[robot], model, kExactUnits);
+    head.varint(static_cast<std::uint64_t>(units[robot]));
+  }
   RangeEncoder coder(out);
-  CommandCode<RangeEncoder> code(coder, model);
-  std::vector<Wheels> robots(table.columns() / 2);
+  CommandCode<RangeEncoder> code(coder);
+  std::vector<Wheels> wheels(robots);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-      code.code(robots[robot], {table.at(2 * robot, row), table.at(2 * robot + 1, row)});
+    for (std::size_t robot = 0; robot < robots; ++robot) {
+      const std::int32_t unit = units[robot];
+      code.code(motors[robot], wheels[robot],
+                {table.at(2 * robot, row) / unit, table.at(2 * robot + 1, row) / unit});
     }
   }
   coder.finish();
 }
 
-std::optional<Columns> unpackCommands(BytesView bytes, const CommandModel& model, std::size_t columns,
-                                      std::size_t rows) {
-  RangeDecoder coder(bytes);
-  CommandCode<RangeDecoder> code(coder, model);
-  std::vector<Wheels> robots(columns / 2);
+std::optional<Columns> unpackCommands(BytesView bytes, Codec codec, const CommandModel& model,
+                                      std::size_t columns, std::size_t rows) {
+  if (codec != Codec::kModelled && codec != Codec::kUnits) return std::nullopt;
+  const std::size_t robots = columns / 2;
+  std::vector<std::int32_t> units(robots, 1);
+  std::vector<Motors> motors(robots, motorsIn(1, model, codec == Codec::kUnits ? kExactUnits : 0));
+  ByteReader head(bytes);
+  for (std::size_t robot = 0; codec == Codec::kUnits && robot < robots; ++robot) {
+    units[robot] = static_cast<std::int32_t>(head.varint(std::numeric_limits<std::int32_t>::max()));
+    if (units[robot] < 1) return std::nullopt;
+    motors[robot] = motorsIn(units[robot], model, kExactUnits);
+  }
+  RangeDecoder coder(head.bytes(head.left()));
+  CommandCode<RangeDecoder> code(coder);
+  std::vector<Wheels> wheels(robots);
   Columns table(columns, rows);
   for (std::size_t row = 0; row < rows; ++row) {
     table.addRow();
-    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-      const auto wheels = code.code(robots[robot], {});
-      table.at(2 * robot, row) = wheels.left;
-      table.at(2 * robot + 1, row) = wheels.right;
+    for (std::size_t robot = 0; robot < robots; ++robot) {
+      const auto pair = code.code(motors[robot], wheels[robot], {});
+      // A broken file may leave the range of a command.
+      table.at(2 * robot, row) = static_cast<std::int32_t>(std::int64_t{pair.left} * units[robot]);
+      table.at(2 * robot + 1, row) = static_cast<std::int32_t>(std::int64_t{pair.right} * units[robot]);
     }
   }
   if (!coder.good()) return std::nullopt;

@@ -62,7 +62,7 @@ struct RecordingReader::Impl {
   }
 
   Step readHeader() {
-    const auto block = blockAt(bytes, kPrologueSize, blockSeed(0, 0));
+    const auto block = blockAt(bytes, kPrologueSize, headerSeed(version));
     if (!block) {
       return bad(block.error() == BlockFlaw::kCut ? "cut before the end of its header"
                                                   : "its header is damaged");

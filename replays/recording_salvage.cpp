@@ -45,7 +45,7 @@ Result<Salvage> salvaged(const Result<RecordingReader>& reader) {
   found.header = reader->header();
   found.whole = reader->finished();
   const BytesView bytes = reader->bytes();
-  const auto head = blockAt(bytes, kPrologueSize, blockSeed(0, 0));
+  const auto head = blockAt(bytes, kPrologueSize, headerSeed(reader->version()));
   if (!head) return fail(ErrorCode::kBadInput, reader->origin() + ": its header is damaged");
   std::size_t next = head->end(), known = next;
   for (std::uint64_t number = 1; const auto block = nextBlock(bytes, next, head->checksum, number);) {

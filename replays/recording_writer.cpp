@@ -61,8 +61,9 @@ struct RecordingWriter::Impl {
   }
   std::uint64_t writeBlock(BlockType type, Codec codec, std::size_t raw_size, BytesView content) {
     block.clear();
-    const std::uint64_t checksum =
-        appendBlock(type, codec, raw_size, content, blockSeed(header_checksum, blocks), block);
+    const std::uint64_t seed =
+        blocks == 0 ? headerSeed(kRecordingVersion) : blockSeed(header_checksum, blocks);
+    const std::uint64_t checksum = appendBlock(type, codec, raw_size, content, seed, block);
     if (blocks++ == 0) header_checksum = checksum;
     write(block);
     return checksum;

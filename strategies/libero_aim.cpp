@@ -36,13 +36,15 @@ Vec2 wayAlong(Vec2 normal, Vec2 ball) {
 
 }  // namespace
 
-double openMouth(const Picture& picture, Vec2 from, double last) {
+double openMouth(const Picture& picture, Vec2 from, double shooter_y, double last) {
   const Pitch& pitch = picture.pitch;
   const double edge = pitch.goal_half - pitch.ball_radius - 0.015;
   const double line = pitch.half_length;
+  // Of two that are alike the one across from the shooter: at a kick-off it stands askew already.
+  const double first = shooter_y >= from.y ? -1.0 : 1.0;
   double best = 0.0, best_score = -1e9;
   for (int i = 0; i < 7; ++i) {
-    const double y = edge * (i - 3) / 3.0;
+    const double y = first * edge * (3 - i) / 3.0;
     const Vec2 way = Vec2{line, y} - from;
     const double length = norm(way);
     const Vec2 to = way / std::max(length, 1e-6);

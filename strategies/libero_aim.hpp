@@ -12,9 +12,9 @@ struct Aim {
   bool wall = false;  ///< the ball lies at a wall: push along it
 };
 
-/// Where on the opponents' goal line the widest way in is, seen from `from`; `last` is kept while it is
-/// nearly as good.
-double openMouth(const Picture& picture, Vec2 from, double last);
+/// Where on the opponents' goal line the widest way in is, seen from `from`, for a shooter at `shooter_y`;
+/// `last` is kept while it is nearly as good.
+double openMouth(const Picture& picture, Vec2 from, double shooter_y, double last);
 
 /// The direction for a ball at `ball` toward `target`, led along the wall where there is no room behind it.
 Aim aimAt(const Pitch& pitch, Vec2 ball, Vec2 target);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "strategies/libero_areas.hpp"
 #include "strategies/libero_striker.hpp"
 
 namespace fulbito::libero {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
 constexpr double kLying = 0.1;    // [m/s] of a ball that nobody plays
+constexpr double kStuck = 2.0;    // [s] after which a ball in our area is cleared whoever waits for it
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
 /// y where the free ball crosses the line within `horizon` seconds; false when it does not.
@@ -111,7 +113,10 @@ bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.05);
   const Vec2 rel = ball - self.pose.position;
-  const bool at_wall = ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
+  // In the mouth there is no wall behind the keeper, which was pushed in and has the ball before it.
+  const bool in_mouth =
+      std::abs(ball.y) < pitch.goal_half - pitch.ball_radius && self.pose.position.x < ball.x - 0.03;
+  const bool at_wall = !in_mouth && ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
   const double out = ball.y >= 0.0 ? 1.0 : -1.0;
   const bool beside = rel.x < 0.03 && std::abs(rel.x) < 0.05 && rel.y * out > 0.04;
   if (at_wall || beside) {
@@ -168,6 +173,11 @@ double keeperPlace(const Picture& picture, double line) {
   return std::clamp(y, -kReach, kReach);
 }
 
+Vec2 keeperGoal(const Picture& picture) {
+  const double line = -picture.pitch.half_length + kDepth;
+  return {line, keeperPlace(picture, line)};
+}
+
 bool mustSave(const Picture& picture, int robot) {
   const Pitch& pitch = picture.pitch;
   double y = 0.0;
@@ -191,7 +201,8 @@ Twist keep(const Picture& picture, int robot) {
   double shot = 0.0;
   const bool coming = crossing(picture, -pitch.half_length, shot) &&
                       std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
-  if (!coming && comesFirst(picture, self) && clear(picture, self, out)) return out;
+  const bool stuck = picture.stuck > kStuck && inOwnArea(pitch, ball.position, 0.05);
+  if (!coming && (stuck || comesFirst(picture, self)) && clear(picture, self, out)) return out;
   if (!(coming && rel.x > 0.03) && alongEndWall(picture)) return guardPost(picture, self);
   if (goWith(picture, self, line, out)) return out;
   return slideTo(picture, self, line, keeperPlace(picture, line));

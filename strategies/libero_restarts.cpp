@@ -30,25 +30,27 @@ std::optional<Vec2> takerOf(const PlacementRequest& request) {
   return taker;
 }
 
-void kickOff(const Pitch& pitch, bool ours, const PlacementRequest& request, TeamPlacement& placed) {
+void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, TeamPlacement& placed) {
+  // Five a side the rules' places have a hand, which the robots that stay at them keep.
+  if (placed[2] && placed[2]->position.y != 0.0) hand = std::copysign(1.0, placed[2]->position.y);
   const double far = 0.05 + pitch.robot_corner;
-  if (ours) {
+  if (request.ours) {
     // Past those who come straight at the ball: off the middle, toward the side on which the support waits.
     const double angle = 0.6;
-    placed[1] = facing(-kBehind * math::unit(-angle), {});
-    placed[2] = facing({-far, -0.30}, {0.4, -0.3});
+    placed[1] = facing(-kBehind * math::unit(-hand * angle), {});
+    placed[2] = facing({-far, -0.30 * hand}, {0.4, -0.3 * hand});
   } else if (pitch.team_size > 3) {
     // From the side: the ball leaves the face of whoever pushes it straight on, toward the support.
     const double angle = 0.5;
-    placed[1] = facing(-(pitch.circle + 0.045) * math::unit(-angle), {});
-    placed[2] = facing({-pitch.circle - 0.02, -0.26}, {});
+    placed[1] = facing(-(pitch.circle + 0.045) * math::unit(-hand * angle), {});
+    placed[2] = facing({-pitch.circle - 0.02, -0.26 * hand}, {});
   } else {
     // Beside the line of the kick, as the taker's place tells it: met there the ball leaves its face toward
     // the support. Who kicks straight on is met from farther aside.
     const Vec2 taker = takerOf(request).value_or(Vec2{pitch.circle, 0.0});
     const double line = math::angleOf(taker);
     const bool straight = std::abs(line) < 0.2;
-    const double turn = line < -0.02 ? -1.0 : 1.0;
+    const double turn = std::abs(line) > 0.02 ? std::copysign(1.0, line) : hand;
     const Vec2 meeter = math::unit(line - turn * (straight ? 1.05 : 0.5));
     const Vec2 support = math::unit(line + turn * 0.87);
     placed[1] = facing(ownHalf(pitch, -(pitch.circle + (straight ? 0.04 : 0.001)) * meeter), {});
@@ -82,24 +84,25 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
     placed[1] = facing(ball - run_up * math::unit(hand * angle), ball);
     placed[2] = facing({-0.06, hand * 0.35}, ball);
   } else {
-    placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, 0.06}, 0.0};
+    const double hand = placed[1] && placed[1]->position.y < 0.0 ? -1.0 : 1.0;
+    placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, hand * 0.06}, 0.0};
     // Wide, off the way of those who run at the ball: they would be pushed into the area.
     constexpr double kWide[] = {-0.55, 0.55, -0.27, 0.27};
     for (std::size_t i = 1; i < std::min<std::size_t>(5, static_cast<std::size_t>(pitch.team_size)); ++i) {
-      placed[i] = facing({0.06, kWide[i - 1]}, ball);
+      placed[i] = facing({0.06, hand * kWide[i - 1]}, ball);
     }
   }
 }
 
 }  // namespace
 
-TeamPlacement placementAt(const Pitch& pitch, const PlacementRequest& request) {
+TeamPlacement placementAt(const Pitch& pitch, const PlacementRequest& request, double hand) {
   TeamPlacement placed = request.defaults;
   if (pitch.team_size < 3 || request.kind == RestartKind::kGiven) return placed;
   // At a free ball all but the nearest stay where they are; a free kick's places are good as they are.
   if (request.kind == RestartKind::kFreeBall || request.kind == RestartKind::kFreeKick) return placed;
   placed[0] = keeperPose(pitch);
-  if (request.kind == RestartKind::kKickOff) kickOff(pitch, request.ours, request, placed);
+  if (request.kind == RestartKind::kKickOff) kickOff(pitch, request, hand, placed);
   if (request.kind == RestartKind::kGoalKick) goalKick(pitch, request.ours, request.ball, placed);
   if (request.kind == RestartKind::kPenalty) penalty(pitch, request.ours, request.ball, placed);
   return placed;

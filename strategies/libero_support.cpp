@@ -66,14 +66,22 @@ Vec2 outlet(const Pitch& pitch, Vec2 ball, int rank) {
 
 namespace {
 
-Vec2 wantedPlace(const Picture& picture, int rank) {
+/// The side on which the ball is not: +1 or -1. Of a ball in the middle, as at a penalty, the robot's own:
+/// a fixed one would send it across the field from one of its two sides.
+double farSide(Vec2 ball, Vec2 robot) {
+  constexpr double kMiddle = 0.001;  // [m]
+  if (std::abs(ball.y) < kMiddle) return robot.y < 0.0 ? -1.0 : 1.0;
+  return ball.y > 0.0 ? -1.0 : 1.0;
+}
+
+Vec2 wantedPlace(const Picture& picture, int robot, int rank) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.15);
   if (rank == 1) return shadow(picture, ball);
   if (rank >= 2) return outlet(pitch, ball, rank);
   const double forward = 0.45 - 0.6 * picture.settings.aggression;
   if (ball.x > forward) {
-    const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
+    const double far_side = farSide(ball, picture.own(robot).pose.position);
     return {std::min(ball.x - 0.2, pitch.half_length - 0.35), far_side * 0.18};
   }
   // Where they crowd the ball none is left to stop what comes out on the other side.
@@ -85,10 +93,10 @@ Vec2 wantedPlace(const Picture& picture, int rank) {
 
 }  // namespace
 
-Vec2 supportPlace(const Picture& picture, int rank) {
+Vec2 supportPlace(const Picture& picture, int robot, int rank) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
-  Vec2 place = wantedPlace(picture, rank);
+  Vec2 place = wantedPlace(picture, robot, rank);
   constexpr double kRoom = 0.22;  // [m] about the striker's ball
   if (squaredNorm(place - ball) < kRoom * kRoom) {
     place = pitch.inside(ball + unitOr(place - ball, {-1.0, 0.0}) * kRoom, 0.06);

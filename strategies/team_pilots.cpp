@@ -4,10 +4,21 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "navigation/guidance_strokes.hpp"
 #include "navigation/limiter.hpp"
+#include "strategies/drawings.hpp"
 
 namespace fulbito {
 namespace {
+
+constexpr double kSpeeds = 256.0;  // of a wheel each way
+
+/// The step [rad/s] in which wheels are commanded: a whole number of those that the physics rounds to.
+double commandStep(const MatchInfo& info) {
+  const double step = info.robot.max_wheel_speed / kSpeeds;
+  const double least = info.physics.wheel_command_step;
+  return least > 0.0 ? std::max(1.0, std::floor(step / least + 1e-9)) * least : step;
+}
 
 /// The same robot with its back called its front.
 RobotState turnedRound(RobotState robot) {
@@ -36,6 +47,8 @@ double wantedDirection(const Pilot& pilot, bool planned, Vec2 from, Vec2 goal) {
 Result<TeamPilots> TeamPilots::create(const MatchInfo& info, std::span<const NavigatorChoice> navigators) {
   TeamPilots team;
   team.info_ = info;
+  team.step_ = commandStep(info);
+  team.top_ = std::floor(info.robot.max_wheel_speed / team.step_ + 1e-9) * team.step_;
   team.slowed_ = info.robot;
   team.foresight_ = Foresight(info);
   team.drivers_.resize(static_cast<std::size_t>(info.team_size));
@@ -95,13 +108,36 @@ std::array<WheelSpeeds, kMaxTeamSize> TeamPilots::drive(const Observation& obser
   return wheels;
 }
 
+void TeamPilots::draw(const Observation& observation, const TeamCommand& command,
+                      std::vector<DebugDrawing>& drawings) const {
+  constexpr double kPlace = 0.015;  // [m] radius of the mark of a place
+  std::vector<GuidanceStroke> strokes;
+  for (std::size_t i = 0; i < drivers_.size(); ++i) {
+    const Driver& driver = drivers_[i];
+    const RobotCommand& wanted = command.robots[i];
+    const bool driven = wanted.kind == RobotCommand::Kind::kGoTo && driver.last == wanted.go_to.navigator;
+    if (!observation.own[i].present || !driven) continue;
+    const Pilot& pilot = *driver.pilots[wanted.go_to.navigator];
+    addStrokes(pilot.guidance(), observation.own[i].state.pose.position, wanted.go_to.position, strokes);
+    addCircle(drawings, wanted.go_to.position, kPlace);
+  }
+  for (const GuidanceStroke& stroke : strokes) addLine(drawings, stroke.from, stroke.to);
+}
+
 WheelSpeeds TeamPilots::driveRobot(const Observation& observation, int robot, const RobotCommand& wanted) {
-  if (wanted.kind == RobotCommand::Kind::kGoTo) return goTo(observation, robot, wanted.go_to);
+  if (wanted.kind == RobotCommand::Kind::kGoTo) return inSteps(goTo(observation, robot, wanted.go_to));
   const auto i = static_cast<std::size_t>(robot);
   drivers_[i].last = -1;
   if (wanted.kind == RobotCommand::Kind::kWheels) return wanted.wheels;
   const Twist now = bodyTwist(observation.own[i].state);
-  return inverseKinematics(info_.robot, limitTwist(info_.robot, now, wanted.twist, observation.dt));
+  const Twist limited = limitTwist(info_.robot, now, wanted.twist, observation.dt);
+  return inSteps(inverseKinematics(info_.robot, limited));
+}
+
+// As the radio of a real robot would carry them. It costs no strength, and recordings are a quarter smaller.
+WheelSpeeds TeamPilots::inSteps(WheelSpeeds wheels) const {
+  const WheelSpeeds rounded = roundedTo(wheels, step_);
+  return {std::clamp(rounded.left, -top_, top_), std::clamp(rounded.right, -top_, top_)};
 }
 
 void TeamPilots::chooseFront(Driver& driver, const RobotState& robot, const GoTo& go_to) const {

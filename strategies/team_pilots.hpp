@@ -20,9 +20,13 @@ class TeamPilots {
   static Result<TeamPilots> create(const MatchInfo& info, std::span<const NavigatorChoice> navigators);
   /// Forgets everything: play was begun anew.
   void reset();
-  /// Wheel speeds [rad/s] of every robot, 0 for absent ones and for `kGoTo` without such a navigator.
+  /// Wheel speeds [rad/s] of every robot, 0 for absent ones and for `kGoTo` without such a navigator. What it
+  /// works out is rounded to 256 speeds each way, e.g. steps of 0.18 rad/s of the robot `vsss`.
   /// kWheels are passed on as they are, even when they are not finite: what to do then is the match's policy.
   std::array<WheelSpeeds, kMaxTeamSize> drive(const Observation& observation, const TeamCommand& command);
+  /// Appends what the navigators of the last `drive` wanted: paths, arrows of fields, places to drive to.
+  void draw(const Observation& observation, const TeamCommand& command,
+            std::vector<DebugDrawing>& drawings) const;
 
  private:
   void warmUp();
@@ -34,10 +38,13 @@ class TeamPilots {
   };
   WheelSpeeds driveRobot(const Observation& observation, int robot, const RobotCommand& wanted);
   WheelSpeeds goTo(const Observation& observation, int robot, const GoTo& go_to);
+  WheelSpeeds inSteps(WheelSpeeds wheels) const;
 
   void chooseFront(Driver& driver, const RobotState& robot, const GoTo& go_to) const;
 
   MatchInfo info_;
+  double step_ = 0.0;  ///< [rad/s] of the commands
+  double top_ = 0.0;   ///< [rad/s] the fastest in whole steps
   Foresight foresight_;
   std::vector<Driver> drivers_;
   std::vector<DiscObstacle> discs_;

@@ -209,7 +209,7 @@ TEST_CASE("what is wrong with a match is said before it begins", "[cli]") {
   expect("chaser chaser -n 2 --events -", 2, "--events");
   expect("chaser chaser -n 2 --profile", 2, "--profile");
   expect("chaser chaser --json --events -", 2, "--events");
-  expect("chaser chaser --seed -1", 2, "--seed");
+  expect("chaser chaser --seed -1", 2, "--seed: '-1' is not a whole number");
   expect("chaser chaser third", 2, "third");
   expect("chaser chaser --start missing.toml", 5, "missing.toml");
   expect("chaser chaser --record no/such/m.fbr", 5, "no/such/m.fbr");

@@ -52,6 +52,12 @@ std::string forged(const RecordingReader& original, const Forger::Change& change
   return bytes;
 }
 
+/// All its robots drive slowly and, from two columns, far from each other.
+const TestEntry& slowTeam() {
+  static const TestEntry slow([](const Observation&) { return allWheels({3.0, 3.5}); });
+  return slow;
+}
+
 void unchanged(Tick, RecordingTick&, WorldState&, std::vector<WheelSpeeds>&) {}
 
 }  // namespace
@@ -85,28 +91,29 @@ TEST_CASE("matches of other physics and with unrounded commands verify too", "[u
 }
 
 TEST_CASE("a forged command is found at its tick, with the robot", "[unit]") {
-  const RecordingReader reader = readerOf(recorded(shortMatch("chaser", "chaser", 20.0)));
+  MatchConfig config = shortMatch("chaser", "chaser", 4.0);
+  config.teams = {slowTeam().choice(), slowTeam().choice()};
+  config.start = twoColumns();
+  const RecordingReader reader = readerOf(recorded(config));
   REQUIRE(verify(readerOf(forged(reader, unchanged)))->same());
   const auto verification =
       verify(readerOf(forged(reader, [](Tick tick, RecordingTick&, WorldState&, auto& commands) {
-        if (tick == 402) commands[4] = {-commands[4].left - 1.0, 3.0};
+        if (tick == 102) commands[4] = {-commands[4].left - 1.0, 3.0};
       })));
   REQUIRE(verification);
   REQUIRE_FALSE(verification->same());
-  CHECK(verification->divergence->tick == 402);
+  CHECK(verification->divergence->tick == 102);
   REQUIRE(verification->divergence->body == 4u);
   CHECK(verification->divergence->body_name == "yellow 1");
-  CHECK(verification->divergence->body_tick <= 420);
+  CHECK(verification->divergence->body_tick <= 120);
   CAPTURE(verification->divergence->text);
-  CHECK(verification->divergence->text.find("differs from tick 402 on") == 0);
+  CHECK(verification->divergence->text.find("differs from tick 102 on") == 0);
   CHECK(verification->divergence->text.find("yellow 1") != std::string::npos);
 }
 
 TEST_CASE("without samples the hashes of a second name the body", "[unit]") {
-  // All drive slowly and far from each other.
-  const TestEntry slow([](const Observation&) { return allWheels({3.0, 3.5}); });
   MatchConfig config = shortMatch("chaser", "chaser", 2.0);
-  config.teams = {slow.choice(), slow.choice()};
+  config.teams = {slowTeam().choice(), slowTeam().choice()};
   config.start = twoColumns();
   const RecordingReader reader = readerOf(recorded(config, RecordingLevel::kRecipe));
   const auto verification =

@@ -333,4 +333,46 @@ TEST_CASE("the tables place every restart legally, for both teams and both sides
   }
 }
 
+TEST_CASE("a free ball's table has one robot of each team beside the ball, toward its own goal", "[unit]") {
+  for (const std::string profile : {"vsss-3v3", "vsss-5v5", "league-program-2021", "training"}) {
+    const RefereeSetup setup = setupOf(profile);
+    const RefereeState state;
+    for (const Vec2 ball : {Vec2{0.3, 0.3}, Vec2{-0.3, 0.3}, Vec2{-0.3, -0.3}, Vec2{0.3, -0.3}}) {
+      const RestartCall call = makeCall(setup, state, {RestartKind::kFreeBall, TeamId::kBlue, ball, nullptr});
+      for (const TeamId team : kTeams) {
+        const Vec2 beside = call.ball + Vec2{ownSign(state, team) * setup.rules.free_ball.distance, 0.0};
+        CHECK(distance(defaultPoses(call, team)[1]->position, beside) < 1e-9);
+      }
+    }
+  }
+}
+
+TEST_CASE("both sides are given the same places, x mirrored", "[unit]") {
+  for (const std::string profile : {"vsss-3v3", "vsss-5v5", "league-program-2021", "training"}) {
+    const RefereeSetup setup = setupOf(profile);
+    RefereeState state, exchanged;
+    exchanged.blue_side = opposite(state.blue_side);
+    for (const RestartKind kind : kKinds) {
+      for (const TeamId team : kTeams) {
+        for (const Vec2 ball : {Vec2{0.3, 0.3}, Vec2{-0.3, 0.3}, Vec2{-0.3, -0.3}, Vec2{0.3, -0.3}}) {
+          const RestartCall call = makeCall(setup, state, {kind, team, ball, nullptr});
+          const RestartCall twin = makeCall(setup, exchanged, {kind, team, {-ball.x, ball.y}, nullptr});
+          CAPTURE(profile, static_cast<int>(kind), ball.x, ball.y);
+          CHECK(twin.team == call.team);
+          CHECK(twin.ball == Vec2{-call.ball.x, call.ball.y});
+          for (const TeamId t : kTeams) {
+            for (int n = 0; n < setup.rules.team_size; ++n) {
+              const auto number = static_cast<std::size_t>(n);
+              const Pose2 wanted = mirrored(*defaultPoses(call, t)[number]);
+              const Pose2 given = *defaultPoses(twin, t)[number];
+              CHECK(given.position == wanted.position);
+              CHECK(math::cos(given.heading - wanted.heading) == Approx(1.0));
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace fulbito

@@ -25,7 +25,8 @@ std::vector<Block> blocksOf(const std::string& bytes) {
   std::size_t at = kPrologueSize;
   std::uint64_t header = 0;
   while (at + kFooterSize < bytes.size()) {
-    const auto block = blockAt(bytes, at, blockSeed(header, blocks.size()));
+    const auto block =
+        blockAt(bytes, at, blocks.empty() ? headerSeed(kRecordingVersion) : blockSeed(header, blocks.size()));
     REQUIRE(block);
     if (blocks.empty()) header = block->checksum;
     blocks.push_back(*block);
@@ -84,8 +85,8 @@ TEST_CASE("errors name the file and the place", "[unit]") {
     return RecordingReader::parse(std::move(bytes), "game.fbr").error().message;
   };
   CHECK(messageOf("") == "game.fbr: not a recording (.fbr) of this program");
-  CHECK(messageOf(std::string(kMagic) + std::string("\3\0\0\0", 4)) ==
-        "game.fbr: format version 3; this program reads versions 1 ... 2");
+  CHECK(messageOf(std::string(kMagic) + std::string("\4\0\0\0", 4)) ==
+        "game.fbr: format version 4; this program reads versions 1 ... 3");
   const Block chunk = blocksOf(told.bytes)[2];
   std::string damaged = told.bytes;
   damaged[chunk.offset + 40] ^= 1;

@@ -162,4 +162,27 @@ TEST_CASE("go-to drives with whichever end is nearer", "[unit]") {
   }
 }
 
+TEST_CASE("wheels are commanded in 256 speeds each way, a team's own as they are", "[unit]") {
+  MatchInfo info = test::matchInfo();
+  info.team_size = 1;
+  Observation seen;
+  seen.team_size = 1;
+  seen.dt = info.physics.controlPeriod();
+  seen.own[0].present = true;
+  const auto driven = [&](const RobotCommand& robot) {
+    TeamCommand command;
+    command.robots[0] = robot;
+    return TeamPilots::create(info, {})->drive(seen, command)[0];
+  };
+  CHECK(driven(RobotCommand::byWheels({1.237, -60.0})).left == 1.237);
+  CHECK(driven(RobotCommand::byTwist({0.0171, 0.0})).left == Approx(0.72).margin(1e-12));  // 0.658 asked for
+  // At top speed what is asked for stays within what the robot can do.
+  seen.own[0].state.velocity = {info.robot.maxSpeed(), 0.0};
+  CHECK(driven(RobotCommand::byTwist({9.0, 0.0})).right == Approx(46.08));
+  info.robot.max_wheel_speed = 46.0;
+  CHECK(driven(RobotCommand::byTwist({9.0, 0.0})).right == Approx(45.9));  // steps of 0.17
+  info.physics.wheel_command_step = 0.0;
+  CHECK(driven(RobotCommand::byTwist({9.0, 0.0})).right == Approx(46.0));
+}
+
 }  // namespace fulbito

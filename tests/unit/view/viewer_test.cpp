@@ -143,7 +143,7 @@ TEST_CASE("previous event goes on back while play runs", "[unit]") {
   Viewer viewer = viewerOf({shortRecording()});
   std::int64_t now = 0;
   viewer.advance(now);
-  press(viewer, ViewKey::kRight, true);
+  press(viewer, ViewKey::kN);
   press(viewer, ViewKey::kN);
   const double event = viewer.stage().seconds();
   run(viewer, 0.2, now);
