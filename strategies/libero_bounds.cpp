@@ -37,30 +37,30 @@ struct Roll {
 
   /// As a twist is carried out: what the wheels can gain goes to turning first.
   void drive(Twist wanted) {
-    const double most = pitch.acceleration * kTick;
+    const double before = forward, most = pitch.acceleration * kTick;
     const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most, most);
     const double rest = most - std::abs(turn);
     yaw = std::clamp(yaw + turn, -pitch.speed, pitch.speed);
     const double room = pitch.speed - std::abs(yaw);
     forward = std::clamp(forward + std::clamp(wanted.linear - forward, -rest, rest), -room, room);
-    move();
+    move((before + forward) / 2);
   }
 
   /// Both wheels told to stand.
   void brake() {
-    const double most = pitch.braking * kTick;
+    const double before = forward, most = pitch.braking * kTick;
     double left = forward - yaw, right = forward + yaw;
     left -= std::clamp(left, -most, most);
     right -= std::clamp(right, -most, most);
     forward = (left + right) / 2;
     yaw = (right - left) / 2;
-    move();
+    move((before + forward) / 2);
   }
 
-  void move() {
+  void move(double speed) {
     across -= std::clamp(across, -kGrip * kTick, kGrip * kTick);
     heading += yaw / pitch.half_track * kTick;
-    place += outOfFrame(math::unit(heading), {forward, across}) * kTick;
+    place += outOfFrame(math::unit(heading), {speed, across}) * kTick;
   }
 };
 
@@ -83,11 +83,11 @@ struct Bound {
     return most;
   }
 
-  /// Whether the robot could still stop outside after a tick of it.
-  bool allows(Twist twist) const {
+  /// Whether the robot could still stop no deeper than at `limit` [m] after a tick of it.
+  bool allows(Twist twist, double limit = 0.0) const {
     Roll roll(pitch, robot);
     roll.drive(twist);
-    return deepest(roll) <= 0.0;
+    return deepest(roll) <= limit;
   }
 
   /// Unit vector out of the area by the shortest way.
@@ -127,7 +127,9 @@ struct Bound {
   /// Along the edge, to the hand to which `wanted` leads, and off it by `off`.
   Twist alongEdge(Twist wanted, double off) const {
     const Vec2 out = outward(robot.pose.position);
-    const Vec2 going = math::unit(robot.pose.heading) * wanted.linear;
+    // Who only turns goes away from the goal's middle: to the same hand on either side of it.
+    const Vec2 idle = 1e-9 * Vec2{1.0, std::copysign(1.0, robot.pose.position.y)};
+    const Vec2 going = math::unit(robot.pose.heading) * wanted.linear + idle;
     const double hand = dot(going, perp(out)) >= 0.0 ? 1.0 : -1.0;
     return along(perp(out) * hand + out * off);
   }
@@ -135,12 +137,14 @@ struct Bound {
   /// Too near to the edge, but not in: as wanted if that leads off, else stop and turn off.
   RobotCommand fromEdge(Twist wanted) const {
     const Vec2 out = outward(robot.pose.position);
-    const Vec2 face = math::unit(robot.pose.heading);
-    const double ahead = dot(face, out);
-    if (dot(robot.velocity, out) < -0.05)
+    const double ahead = dot(math::unit(robot.pose.heading), out);
+    if (dot(robot.velocity, out) < -0.02) {
       return straight(std::abs(ahead) > 0.5 ? std::copysign(pitch.speed, ahead) : 0.0);
-    if (wanted.linear * ahead > 0.1 * pitch.speed) return RobotCommand::byTwist(wanted);
-    return RobotCommand::byTwist(alongEdge(wanted, 1.0));
+    }
+    const bool leads_off = wanted.linear * ahead > 0.1 * pitch.speed;
+    if (leads_off && allows(wanted, depth(robot.pose.position))) return RobotCommand::byTwist(wanted);
+    // Not to the hand of `wanted`: that changes faster than a robot turns.
+    return RobotCommand::byTwist(along(out));
   }
 
   /// What of all that can be done comes nearest to what is wanted and keeps out.
@@ -165,17 +169,19 @@ RobotState turned(const RobotState& robot) {
   return state;
 }
 
-/// Whether an opponent comes at the robot from outside, who would push it in.
+/// Whether an opponent from outside comes at the robot or past it toward our goal: it would push it in.
 bool isPressed(const Picture& picture, const RobotState& robot) {
-  constexpr double kNear = 0.30, kComes = 0.2;  // [m], [m/s]
+  constexpr double kNear = 0.30, kBeside = 0.05, kComes = 0.2;  // [m], [m], [m/s]
   const Vec2 goal = picture.pitch.ownGoal();
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
     const RobotState& other = picture.opponent(i);
     const Vec2 rel = robot.pose.position - other.pose.position;
     if (squaredNorm(rel) > kNear * kNear) continue;
-    if (dot(rel, goal - other.pose.position) < 0.0) continue;
+    const Vec2 home = unitOr(goal - other.pose.position, {});
+    if (dot(rel, home) < -kBeside) continue;
     if (dot(other.velocity, unitOr(rel, {})) > kComes) return true;
+    if (dot(other.velocity, home) > kComes) return true;
   }
   return false;
 }

@@ -84,6 +84,19 @@ bool keeperRunsOut(const Picture& picture) {
   return false;
 }
 
+/// Whether an opponent is near enough to the ball to take it from who turns off. Once it is not, the ball is
+/// aimed: pushed on straight it ended in their corner and came back along the wall.
+bool contested(const Picture& picture) {
+  constexpr double kNear = 0.22;  // [m]
+  if (picture.seen.since_restart < 0.1) return true;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (picture.opponentPresent(i) &&
+        squaredNorm(picture.opponent(i).pose.position - picture.ball.now().position) < kNear * kNear)
+      return true;
+  }
+  return false;
+}
+
 /// Right after a restart the touch counts, whatever the direction; before a keeper that runs out who turns
 /// off in order to come round gives the ball away.
 bool rushes(const Picture& picture, Vec2 rel) {
@@ -188,7 +201,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   watchJam(picture, self, rel, memory);
   if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
 
-  if (disputesFreeBall(picture.seen)) return pressOn(picture, self, rel, memory);
+  if (disputesFreeBall(picture.seen) && contested(picture)) return pressOn(picture, self, rel, memory);
   if (rushes(picture, rel)) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
   if (canMeetCarried(picture, self)) return meetCarried(picture, self);
   Vec2 keeper;
