@@ -499,31 +499,6 @@ TEST_CASE("libero's keeper clears a ball that lies beside its goal, though two w
   CHECK(match->referee().score[1] == 0);
 }
 
-TEST_CASE("libero's keeper goes with a slanting ball that runs on along its face", "[unit]") {
-  struct Shot {
-    Vec2 ball, velocity;
-    double keeper;
-  };
-  for (const Shot& shot :
-       {Shot{{-0.0899, 0.5091}, {-1.605, -1.039}, 0.0428}, Shot{{-0.1979, 0.4284}, {-1.537, -1.056}, 0.0431},
-        Shot{{-0.1038, 0.5223}, {-1.500, -0.996}, 0.0448}}) {
-    for (const double side : {1.0, -1.0}) {
-      CAPTURE(shot.keeper, side);
-      auto config = matchOf("libero", "idle", "vsss-3v3", 5.0);
-      Placement start;
-      start.ball = {shot.ball.x, side * shot.ball.y};
-      start.ball_velocity = {shot.velocity.x, side * shot.velocity.y};
-      start.robots[0] = {Pose2{{-0.695, side * shot.keeper}, math::kPi / 2}, Pose2{{0.6, -0.5}, 0.0}};
-      config.start = start;
-      auto match = Match::create(config);
-      REQUIRE(match);
-      while (match->seconds() < 2.0 && match->step()) {
-      }
-      CHECK(match->referee().score[1] == 0);
-    }
-  }
-}
-
 TEST_CASE("libero squeezes a ball that is pressed at the wall of its half out of there", "[unit]") {
   for (const double side : {1.0, -1.0}) {
     auto config = matchOf("libero", "chaser", "vsss-3v3", 10.0);
