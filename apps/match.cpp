@@ -144,6 +144,7 @@ Result<void> Watchers::attach(const MatchCommand& options, Match& match) {
                               options.record_recipe ? RecordingLevel::kRecipe : RecordingLevel::kFull);
     if (!created) return tl::unexpected<Error>(created.error());
     recorder.emplace(std::move(*created));
+    if (options.drawings) recorder->keepDrawings();
     match.watch(*recorder);
   }
   return {};
@@ -272,10 +273,16 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
   addConditions(*command, options);
   CLI::Option* record =
       command->add_option("--record", options.record, "write a recording")->type_name("FILE");
+  CLI::Option* recipe =
+      command
+          ->add_flag("--recipe", options.record_recipe,
+                     "of --record: without sampled states, which a reader computes again; a third smaller")
+          ->needs(record);
   command
-      ->add_flag("--recipe", options.record_recipe,
-                 "of --record: without sampled states, which a reader computes again; a third smaller")
-      ->needs(record);
+      ->add_flag("--drawings", options.drawings,
+                 "of --record: also what the teams mean to do, ten times a second, for pictures")
+      ->needs(record)
+      ->excludes(recipe);
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
   command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match")

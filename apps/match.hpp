@@ -27,6 +27,7 @@ struct MatchCommand {
   VisionModel vision;
   std::string record;          ///< file; empty: none
   bool record_recipe = false;  ///< the recording holds only what cannot be computed again
+  bool drawings = false;       ///< the recording also holds what the teams draw
   std::string events;          ///< file or "-"; empty: none
   std::optional<int> pairs;    ///< empty: one match
   int jobs = 0;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
 #include "apps/new_file.hpp"
@@ -11,6 +12,8 @@
 
 namespace fulbito::app {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// `3-5` or `3`, counted from 1.
 Result<PlayRange> parsePlays(const std::string& text) {
@@ -41,6 +44,18 @@ Result<PlayRange> rangeOf(const ReplayCutCommand& options, const RecordingReader
   return playsBetween(recording, options.from.value_or(0.0), options.to.value_or(length));
 }
 
+void print(const ReplayCutCommand& options, const PlayRange& plays, const RecordingReader& cut) {
+  const double seconds = static_cast<double>(cut.ticks()) / cut.header().control_rate;
+  if (!options.json) {
+    fmt::print("{}: plays {} to {}, {:.3f} s\n", options.out, plays.first + 1, plays.last + 1, seconds);
+    return;
+  }
+  const Json json{{"schema_version", 1},           {"file", options.file},        {"out", options.out},
+                  {"first_play", plays.first + 1}, {"last_play", plays.last + 1}, {"ticks", cut.ticks()},
+                  {"simulated_s", seconds},        {"bytes", cut.sizeInBytes()}};
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
 }  // namespace
 
 CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
@@ -58,6 +73,7 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
   command->add_option("--to", options.to, "seconds of the recording (default: its end)")->type_name("S");
   command->add_option("--plays", options.plays, "plays A to B, counted from 1")->type_name("A-B");
   command->add_flag("--force", options.force, "replace a file that exists");
+  command->add_flag("--json", options.json, "print JSON");
   return command;
 }
 
@@ -72,8 +88,7 @@ int replayCut(const ReplayCutCommand& options) {
   if (auto written = writeFile(options.out, *bytes); !written) return report(written.error());
   const auto cut = RecordingReader::parse(*bytes, options.out);
   if (!cut) return report(cut.error());
-  fmt::print("{}: plays {} to {}, {:.3f} s\n", options.out, range->first + 1, range->last + 1,
-             static_cast<double>(cut->ticks()) / cut->header().control_rate);
+  print(options, *range, *cut);
   return kOk;
 }
 

@@ -17,6 +17,7 @@ struct ReplayCutCommand {
   std::optional<double> to;    ///< [s]
   std::string plays;           ///< A-B, counted from 1
   bool force = false;
+  bool json = false;
 };
 
 /// Adds `cut` to `replay`.

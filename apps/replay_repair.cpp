@@ -1,13 +1,56 @@
 #include "apps/replay_repair.hpp"
 
+#include <optional>
+#include <utility>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
 #include "apps/new_file.hpp"
 #include "match/repair.hpp"
 
 namespace fulbito::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Of a file that nothing is wrong with, `repaired` is empty.
+Json toJson(const ReplayRepairCommand& options, const Salvage& found, const std::optional<Repair>& repaired) {
+  Json json{{"schema_version", 1}, {"file", options.file}, {"whole", found.whole}};
+  json["out"] = repaired ? Json(options.out) : Json(nullptr);
+  if (!repaired) return json;
+  const double dt = 1.0 / found.header.control_rate;
+  json["plays"] = repaired->plays;
+  json["ticks"] = repaired->ticks;
+  json["simulated_s"] = static_cast<double>(repaired->ticks) * dt;
+  json["bytes"] = repaired->bytes.size();
+  json["lost"] = {{"bytes", found.lost_bytes},
+                  {"gaps", repaired->gaps},
+                  {"ticks", repaired->lost_ticks},
+                  {"simulated_s", static_cast<double>(repaired->lost_ticks) * dt},
+                  {"end", repaired->end_lost}};
+  return json;
+}
+
+void print(const ReplayRepairCommand& options, const Salvage& found, const std::optional<Repair>& repaired) {
+  if (options.json) {
+    fmt::print("{}\n", toJson(options, found, repaired).dump(2, ' ', false, Json::error_handler_t::replace));
+    return;
+  }
+  if (!repaired) {
+    fmt::print("{}: nothing is wrong with it; nothing was written\n", options.file);
+    return;
+  }
+  const double dt = 1.0 / found.header.control_rate;
+  fmt::print("{}: {} plays, {:.3f} s kept\n", options.out, repaired->plays,
+             static_cast<double>(repaired->ticks) * dt);
+  fmt::print("lost: {} bytes, {} gaps, {:.3f} s of what is known{}\n", found.lost_bytes, repaired->gaps,
+             static_cast<double>(repaired->lost_ticks) * dt, repaired->end_lost ? ", and the end" : "");
+}
+
+}  // namespace
 
 CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options) {
   CLI::App* command =
@@ -19,6 +62,7 @@ CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options) {
   command->add_option("file", options.file, "recording (.fbr)")->required();
   command->add_option("out", options.out, "recording that is made")->required();
   command->add_flag("--force", options.force, "replace a file that exists");
+  command->add_flag("--json", options.json, "print JSON");
   return command;
 }
 
@@ -27,17 +71,13 @@ int replayRepair(const ReplayRepairCommand& options) {
   const auto found = salvage(options.file);
   if (!found) return report(found.error());
   if (found->whole) {
-    fmt::print("{}: nothing is wrong with it; nothing was written\n", options.file);
+    print(options, *found, std::nullopt);
     return kOk;
   }
-  const auto repaired = repair(*found);
+  auto repaired = repair(*found);
   if (!repaired) return report({repaired.error().code, options.file + ": " + repaired.error().message});
   if (auto written = writeFile(options.out, repaired->bytes); !written) return report(written.error());
-  const double dt = 1.0 / found->header.control_rate;
-  fmt::print("{}: {} plays, {:.3f} s kept\n", options.out, repaired->plays,
-             static_cast<double>(repaired->ticks) * dt);
-  fmt::print("lost: {} bytes, {} gaps, {:.3f} s of what is known{}\n", found->lost_bytes, repaired->gaps,
-             static_cast<double>(repaired->lost_ticks) * dt, repaired->end_lost ? ", and the end" : "");
+  print(options, *found, std::move(*repaired));
   return kOk;
 }
 

@@ -13,6 +13,7 @@ struct ReplayRepairCommand {
   std::string file;
   std::string out;
   bool force = false;
+  bool json = false;
 };
 
 /// Adds `repair` to `replay`.

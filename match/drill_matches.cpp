@@ -3,6 +3,7 @@
 
 #include "match/drill_trials.hpp"
 #include "match/match.hpp"
+#include "match/statistics.hpp"
 #include "referee/clauses.hpp"
 #include "strategies/team_frame.hpp"
 
@@ -22,7 +23,6 @@ class MatchTally final : public MatchObserver {
     dt_ = start.world->physics.controlPeriod();
     began_ = start.tick;
     event_ = start.tick;
-    own_touch_last_ = false;
     ++tally_.restarts;
     for (const GameEvent& event : start.events) {
       if (event.clause == "placement" && event.team == team_) ++tally_.illegal;
@@ -35,7 +35,6 @@ class MatchTally final : public MatchObserver {
     bool touched = false;
     for (const ContactEvent& contact : tick.contacts) {
       if (contact.b.kind != BodyKind::kBall || contact.a.kind != BodyKind::kRobot) continue;
-      own_touch_last_ = tick.ids[contact.a.index].team == team_;
       touched = true;
     }
     if (touched != touched_) event_ = tick.tick;
@@ -44,8 +43,10 @@ class MatchTally final : public MatchObserver {
     followRoles(*tick.decisions[indexOf(team_)], tick.tick);
   }
 
-  DrillMatch tally(const RefereeState& end) const {
+  /// Own goals are those of the match's statistics: what an opponent shot and ours deflect is none.
+  DrillMatch tally(const RefereeState& end, const MatchStatistics& statistics) const {
     DrillMatch match = tally_;
+    match.own_goals = statistics.teams[indexOf(team_)].own_goals;
     match.goals = end.score[indexOf(team_)];
     match.conceded = end.score[indexOf(other(team_))];
     return match;
@@ -55,7 +56,6 @@ class MatchTally final : public MatchObserver {
   void count(const GameEvent& event, Tick now) {
     if (event.clause == clause::kGoal) {
       if (event.team == team_) return;
-      tally_.own_goals += own_touch_last_ ? 1 : 0;
       tally_.early_goals += static_cast<double>(now - began_) * dt_ <= kEarly ? 1 : 0;
       return;
     }
@@ -94,7 +94,6 @@ class MatchTally final : public MatchObserver {
   Tick event_ = 0;  ///< when robots last came to the ball or lost it, or play began
   Tick switched_ = -1000;
   bool touched_ = false;  ///< a robot touched the ball in the last tick
-  bool own_touch_last_ = false;
   bool known_ = false;
   std::array<std::uint8_t, kMaxTeamSize> roles_{};
 };
@@ -191,10 +190,12 @@ Result<DrillMatch> playDrillMatch(const DrillRun& run, const Drill& drill, const
   auto match = Match::create(config);
   if (!match) return tl::unexpected<Error>(match.error());
   MatchTally tally(seat);
+  StatisticsObserver statistics;
   match->watch(tally);
+  match->watch(statistics);
   while (match->step()) {
   }
-  return tally.tally(match->referee());
+  return tally.tally(match->referee(), statistics.statistics());
 }
 
 std::vector<DrillVerdict> judgeMatches(const Drill& drill, const std::vector<DrillMatch>& matches) {

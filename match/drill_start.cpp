@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kGap = 0.12;         // [m] from a centred keeper's body to a ball beside the post
 constexpr double kLongestRoll = 5.0;  // [s] of a ball on its way into the goal
-constexpr int kMaxDraws = 2000;       // before a start is given up
+constexpr int kMaxDraws = 20000;      // before a start is given up: shots off the wall seldom go in
 
 /// What a ball does that nobody touches.
 struct BallWay {

@@ -1,5 +1,6 @@
 #include "match/match.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/core/hash.hpp"
@@ -140,7 +141,12 @@ GameEvent Match::Impl::eventNow() const {
 
 void Match::Impl::sense() {
   const Moment now = moment();
-  for (Seat& seat : seats) seat.sense(now);
+  const bool drawn = std::any_of(observers.begin(), observers.end(),
+                                 [&](const MatchObserver* o) { return o->wantsDrawings(tick + 1); });
+  for (Seat& seat : seats) {
+    seat.sense(now);
+    seat.wantDrawings(drawn);
+  }
   stages.lap(&MatchProfile::sense);
 }
 
@@ -204,6 +210,7 @@ void Match::Impl::report() {
                        events,
                        &referee.state(),
                        {&seats[0].policy().command(), &seats[1].policy().command()},
+                       {seats[0].ways(), seats[1].ways()},
                        hash.value()};
   for (MatchObserver* observer : observers) observer->ticked(done);
   stages.lap(&MatchProfile::record);

@@ -19,7 +19,9 @@ struct MatchTick {
   std::span<const GameEvent> events;  ///< of this tick
   const RefereeState* referee = nullptr;
   PerTeam<const TeamCommand*> decisions{};  ///< that were carried out, each in its team's frame
-  std::uint64_t hash = 0;                   ///< over the states of all ticks so far: `Match::hash`
+  /// What the teams' navigators wanted, as their decisions; empty unless somebody `wantsDrawings`.
+  PerTeam<std::span<const DebugDrawing>> ways{};
+  std::uint64_t hash = 0;  ///< over the states of all ticks so far: `Match::hash`
 };
 
 /// The beginning of a play: a new world from a placed state.
@@ -43,6 +45,9 @@ class MatchObserver {
   virtual void playBegins(const PlayStart&) {}
   virtual void ticked(const MatchTick&) {}
   virtual void matchEnds(const RefereeState&, Tick) {}
+  /// Whether what the teams draw in the step that leads to `tick` will be looked at. Teams are asked to draw
+  /// for no other.
+  virtual bool wantsDrawings(Tick) const { return false; }
 };
 
 }  // namespace fulbito

@@ -70,6 +70,11 @@ Result<MatchRecorder> MatchRecorder::create(RecordingWriter::Sink sink, const Ma
   return MatchRecorder(std::move(*writer));
 }
 
+void MatchRecorder::keepDrawings(int per_second) {
+  if (writer_.header().level != RecordingLevel::kFull) return;
+  drawn_every_ = std::max(1, writer_.header().control_rate / std::max(1, per_second));
+}
+
 void MatchRecorder::playBegins(const PlayStart& start) {
   RecordedPlay play;
   play.tick = start.tick;
@@ -102,7 +107,7 @@ void MatchRecorder::ticked(const MatchTick& tick) {
   hash_ = tick.hash;
   writer_.add(RecordingTick{tick.world, tick.commands, tick.hash, tick.referee->playing});
   for (const GameEvent& event : tick.events) add(event);
-  if (writer_.header().level == RecordingLevel::kFull) addDrawings(tick);
+  if (wantsDrawings(tick.tick)) addDrawings(tick);
 }
 
 void MatchRecorder::add(const GameEvent& event) {
@@ -111,15 +116,17 @@ void MatchRecorder::add(const GameEvent& event) {
 }
 
 void MatchRecorder::addDrawings(const MatchTick& tick) {
-  if (tick.tick % writer_.header().sample_every != 0) return;
   for (const TeamId team : kTeams) {
-    const TeamCommand* decision = tick.decisions[indexOf(team)];
-    if (decision == nullptr) continue;
-    for (const DebugDrawing& drawing : decision->drawings) {
-      describe(drawing, tick.tick, team, tick.referee->sideOf(team), drawing_);
-      writer_.add(drawing_);
+    if (const TeamCommand* decision = tick.decisions[indexOf(team)]) {
+      for (const DebugDrawing& drawing : decision->drawings) add(drawing, tick, team);
     }
+    for (const DebugDrawing& drawing : tick.ways[indexOf(team)]) add(drawing, tick, team);
   }
+}
+
+void MatchRecorder::add(const DebugDrawing& drawing, const MatchTick& tick, TeamId team) {
+  describe(drawing, tick.tick, team, tick.referee->sideOf(team), drawing_);
+  writer_.add(drawing_);
 }
 
 void MatchRecorder::matchEnds(const RefereeState& referee, Tick) {

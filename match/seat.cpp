@@ -83,6 +83,13 @@ void Seat::fillReferee(const Moment& moment) {
   observation_.opponent_score = referee.score[indexOf(other(team_))];
 }
 
+std::array<WheelSpeeds, kMaxTeamSize> Seat::drive() {
+  const auto wheels = pilots_.drive(observation_, policy_.command());
+  ways_.clear();
+  if (observation_.wants_drawings) pilots_.draw(observation_, policy_.command(), ways_);
+  return wheels;
+}
+
 void Seat::sense(const Moment& moment) {
   const Side side = moment.referee->sideOf(team_);
   observation_.tick = moment.tick - latency_ticks_;

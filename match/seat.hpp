@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "match/policy.hpp"
 #include "match/vision.hpp"
@@ -30,10 +32,14 @@ class Seat {
   void reset(const Moment& moment);
   /// Looks at the world: fills in what the team may know at this tick.
   void sense(const Moment& moment);
+  /// Whether drawings of the decision to come are wanted.
+  void wantDrawings(bool wanted) { observation_.wants_drawings = wanted; }
   /// Asks the team for its decision.
   TeamCommand decide() { return strategy_->decide(observation_); }
   /// Wheel speeds of the team's robots by the decision that holds, before they are cut and rounded.
-  std::array<WheelSpeeds, kMaxTeamSize> drive() { return pilots_.drive(observation_, policy_.command()); }
+  std::array<WheelSpeeds, kMaxTeamSize> drive();
+  /// What the navigators wanted in the last `drive`, where drawings were wanted.
+  std::span<const DebugDrawing> ways() const { return ways_; }
 
   /// What a robot was really told: part of the next observation.
   void told(std::uint8_t number, WheelSpeeds command) { observation_.sent[number] = command; }
@@ -55,6 +61,7 @@ class Seat {
   CommandPolicy policy_;
   std::optional<Vision> vision_;  ///< empty: the team sees the truth
   Observation observation_;
+  std::vector<DebugDrawing> ways_;
 };
 
 }  // namespace fulbito

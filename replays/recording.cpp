@@ -35,6 +35,10 @@ double sampleHeadingStep(const RecordingHeader& header) {
   return header.sample_turn > 0 ? 2.0 * math::kPi / header.sample_turn : 1e-3;
 }
 
+Tick drawingTicks(const RecordingHeader& header) {
+  return std::max(header.sample_every, header.control_rate / 5);
+}
+
 BodyHash bodyHash(const RobotState& robot) {
   ShortHash place, motion;
   place.add(robot.pose.position).add(robot.pose.heading);

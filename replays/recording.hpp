@@ -125,7 +125,8 @@ struct RecordedEvent {
   double value = 0.0, threshold = 0.0, margin = 0.0;
 };
 
-/// Something that a team wanted to show, in the world's frame, rounded to 0.1 mm.
+/// Something that a team, or a trial's navigator, wanted to show, in the world's frame, rounded to 0.1 mm.
+/// A text stands around its place.
 struct RecordedDrawing {
   enum class Kind : std::uint8_t { kLine, kCircle, kText };
   Tick tick = 0;
@@ -188,6 +189,9 @@ struct RecordingResult {
 double sampleHeadingStep(const RecordingHeader& header);
 /// [m] What places in drawings are multiples of.
 inline constexpr double kDrawingStep = 1e-4;
+
+/// Ticks for which a drawing is shown unless the same play has newer ones: a fifth of a second.
+Tick drawingTicks(const RecordingHeader& header);
 
 /// @{ Short hashes of one body; equal states give equal ones, -0 counts as +0.
 BodyHash bodyHash(const RobotState& robot);

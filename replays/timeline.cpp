@@ -146,19 +146,13 @@ void ReplayTimeline::place(double ticks, ReplayMoment& moment) const {
 }
 
 std::span<const RecordedDrawing> ReplayTimeline::drawingsAt(const ReplayMoment& moment) const {
-  const Tick tick = moment.tick - moment.tick % header_.sample_every;
-  if (tick <= plays_[moment.play].tick) return {};
-  const auto less = [](const auto& a, const auto& b) {
-    const auto tick_of = [](const auto& x) {
-      if constexpr (requires { x.tick; }) {
-        return x.tick;
-      } else {
-        return x;
-      }
-    };
-    return tick_of(a) < tick_of(b);
-  };
-  const auto [begin, end] = std::equal_range(drawings_.begin(), drawings_.end(), tick, less);
+  const auto end = std::upper_bound(drawings_.begin(), drawings_.end(), moment.tick,
+                                    [](Tick tick, const RecordedDrawing& d) { return tick < d.tick; });
+  if (end == drawings_.begin()) return {};
+  const Tick tick = std::prev(end)->tick;
+  if (tick <= plays_[moment.play].tick || moment.tick - tick >= drawingTicks(header_)) return {};
+  const auto begin = std::lower_bound(drawings_.begin(), end, tick,
+                                      [](const RecordedDrawing& d, Tick t) { return d.tick < t; });
   return {begin, end};
 }
 

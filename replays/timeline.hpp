@@ -53,7 +53,7 @@ class ReplayTimeline {
   ReplayMoment at(double seconds) const;
   /// The same into a moment whose memory is used again.
   void at(double seconds, ReplayMoment& moment) const;
-  /// What teams drew that belongs to a moment: of the last sampled tick in its play.
+  /// What teams drew that belongs to a moment: the last of its play, no older than `drawingTicks`.
   std::span<const RecordedDrawing> drawingsAt(const ReplayMoment& moment) const;
   /// In order of time.
   std::vector<ReplayGoal> goals() const;

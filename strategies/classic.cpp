@@ -6,6 +6,7 @@
 #include "strategies/area_projection.hpp"
 #include "strategies/ball_posture.hpp"
 #include "strategies/classic_team.hpp"
+#include "strategies/drawings.hpp"
 #include "strategies/interception.hpp"
 #include "strategies/positions.hpp"
 
@@ -140,7 +141,19 @@ TeamCommand Classic::decide(const Observation& seen) {
       own = RobotCommand::byTwist(*free);
     }
   }
+  if (seen.wants_drawings) draw(now, command.drawings);
   return command;
+}
+
+/// Everyone's role, and the way on which the ball is meant to go.
+void Classic::draw(const Observation& now, std::vector<DebugDrawing>& drawings) const {
+  constexpr std::array<const char*, 5> kNames = {"keeper", "attacker", "supporter", "defender", "winger"};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(now.team_size); ++i) {
+    if (!now.own[i].present) continue;
+    const Vec2 self = now.own[i].state.pose.position;
+    addName(drawings, self, kNames[static_cast<std::size_t>(roleOf(i))]);
+    if (i == attacker_) addLine(drawings, now.ball.position, aim(now, now.ball.position));
+  }
 }
 
 /// Brakes and turns back a robot on its way into an area where its role has no business.

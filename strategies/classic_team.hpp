@@ -60,6 +60,7 @@ class Classic final : public Strategy {
   Vec2 aim(const Observation& now, Vec2 ball) const;
   Vec2 wantedDirection(const Observation& now, Vec2 ball) const;
   Role roleOf(std::size_t robot) const;
+  void draw(const Observation& now, std::vector<DebugDrawing>& drawings) const;
 
   Params params_;
   std::vector<NavigatorChoice> navigators_;

@@ -6,6 +6,8 @@
 
 #include "strategies/foresight.hpp"
 #include "strategies/libero_areas.hpp"
+#include "strategies/libero_bounds.hpp"
+#include "strategies/libero_drawing.hpp"
 #include "strategies/libero_exercise.hpp"
 #include "strategies/libero_keeper.hpp"
 #include "strategies/libero_restarts.hpp"
@@ -40,7 +42,8 @@ class Libero final : public Strategy {
       if (takenAtOnce(now)) forgetStriker();
     }
     ball_.take(foresight_.ballNow(), foresight_.ball());
-    const Picture picture{now, pitch_, settings_, ball_};
+    watchStuck(now);
+    const Picture picture{now, pitch_, settings_, ball_, stuck_};
     chooseKeeper(picture);
     chooseStriker(picture);
     TeamCommand command;
@@ -50,6 +53,7 @@ class Libero final : public Strategy {
       command.roles[static_cast<std::size_t>(i)] = roleOf(i);
       command.robots[static_cast<std::size_t>(i)] = play(picture, i, rank);
     }
+    if (observation.wants_drawings) draw(picture, {keeper_, striker_}, strike_, command.drawings);
     return command;
   }
 
@@ -68,10 +72,24 @@ class Libero final : public Strategy {
   }
 
  private:
+  /// The keeper's alone is a ball that soon is in our area or this near to it: who goes on running back
+  /// beside those who bring it is pushed in with it.
+  static constexpr double kKeepersAhead = 0.45;   // [s]
+  static constexpr double kKeepersMargin = 0.06;  // [m]
+
   void forgetStriker() {
     striker_ = -1;
     strike_ = {};
     held_ = 1.0;
+  }
+
+  /// How long the ball has been where it is.
+  void watchStuck(const Observation& seen) {
+    constexpr double kCircle = 0.10;  // [m]
+    stuck_ += seen.dt;
+    if (!foresight_.playBegan() && squaredNorm(seen.ball.position - stuck_at_) < kCircle * kCircle) return;
+    stuck_at_ = seen.ball.position;
+    stuck_ = 0.0;
   }
 
   /// Whether play began with one of ours placed to be first at the ball. At our goal kicks that is the
@@ -82,7 +100,7 @@ class Libero final : public Strategy {
 
   RobotCommand play(const Picture& picture, int robot, int& rank) {
     if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
-    const bool keepers = keeper_ >= 0 && inOwnArea(pitch_, ball_.at(0.2), 0.0);
+    const bool keepers = keeper_ >= 0 && inOwnArea(pitch_, ball_.at(kKeepersAhead), kKeepersMargin);
     if (robot == striker_ && !keepers) {
       const Twist twist = strike(picture, robot, strike_);
       // The mark of a free ball is at the area's edge: who minds that edge comes late.
@@ -116,17 +134,17 @@ class Libero final : public Strategy {
 
   /// The last step: nobody but the keeper enters our area, only the striker theirs.
   RobotCommand legal(const Picture& picture, int robot, Twist wanted) const {
-    return RobotCommand::byTwist(
-        keptOut(pitch_, picture.own(robot), {keeper_ >= 0, robot != striker_ || mateIsIn(picture)}, wanted));
+    // Five a side a second attacker gains more than its goal kicks cost.
+    const bool theirs = pitch_.team_size <= 3 && (robot != striker_ || mateIsIn(picture));
+    return keptOut(picture, robot, {keeper_ >= 0, theirs}, wanted);
   }
 
   /// Whether one of ours but the striker, who stands outside, is still in their area: a second is a foul.
   bool mateIsIn(const Picture& picture) const {
-    constexpr double kBody = 0.05;  // [m] any part counts
-    if (inTheirArea(pitch_, picture.own(striker_).pose.position, kBody)) return false;
+    if (outsideOwnArea(pitch_, -picture.own(striker_).pose.position) < pitch_.robot_half) return false;
     for (int i = 0; i < picture.seen.team_size; ++i) {
       if (i == striker_ || !picture.ownPresent(i)) continue;
-      if (inTheirArea(pitch_, picture.own(i).pose.position, kBody)) return true;
+      if (outsideOwnArea(pitch_, -picture.own(i).pose.position) < pitch_.robot_corner + 0.004) return true;
     }
     return false;
   }
@@ -173,6 +191,8 @@ class Libero final : public Strategy {
   double held_ = 1.0;  // [s] since the striker was chosen
   StrikerMemory strike_;
   double kick_off_hand_ = -1.0;  // of the last one; they are played to either side in turn
+  Vec2 stuck_at_;
+  double stuck_ = 0.0;  // [s]
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Private header of strategies: not installed.
 #pragma once
 
-#include "strategies/libero_motion.hpp"
+#include "strategies/libero_pitch.hpp"
 
 namespace fulbito::libero {
 
@@ -14,14 +14,7 @@ bool inTheirArea(const Pitch& pitch, Vec2 p, double margin = 0.0);
 Vec2 outOfOwnArea(const Pitch& pitch, Vec2 p, double margin);
 Vec2 outOfTheirArea(const Pitch& pitch, Vec2 p, double margin);
 
-/// Which areas a robot must keep out of.
-struct Closed {
-  bool own = false;
-  bool theirs = false;
-};
-
-/// `wanted`, unless it would carry the robot into a closed area before it could stop: then it turns off or
-/// leaves by the shortest way.
-Twist keptOut(const Pitch& pitch, const RobotState& robot, Closed closed, Twist wanted);
+/// How far [m] `p` lies outside our goal area, the arc as it is; negative inside.
+double outsideOwnArea(const Pitch& pitch, Vec2 p);
 
 }  // namespace fulbito::libero

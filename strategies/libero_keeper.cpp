@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "strategies/libero_areas.hpp"
 #include "strategies/libero_striker.hpp"
 
 namespace fulbito::libero {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
 constexpr double kLying = 0.1;    // [m/s] of a ball that nobody plays
+constexpr double kStuck = 2.0;    // [s] after which a ball in our area is cleared whoever waits for it
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
 /// y where the free ball crosses the line within `horizon` seconds; false when it does not.
@@ -29,6 +31,21 @@ bool crossing(const Picture& picture, double line, double& y) {
   return false;
 }
 
+/// Along the line at `speed`, with a small lean that brings the robot back onto it while it moves.
+Twist alongLine(const RobotState& self, double line, double speed) {
+  const double dx = line - self.pose.position.x;
+  const double lean = std::clamp(dx * 6.0, -0.4, 0.4) * std::min(1.0, std::abs(speed) / 0.2);
+  const double along = speed >= 0.0 ? math::kPi / 2 - lean : -math::kPi / 2 + lean;
+  const double error = foldedError(along, self.pose.heading);
+  const double face = std::abs(math::wrapAngle(along - self.pose.heading)) > math::kPi / 2 ? -1.0 : 1.0;
+  return {face * std::abs(speed) * std::max(0.0, math::cos(error)), std::clamp(18.0 * error, -20.0, 20.0)};
+}
+
+/// The speed [m/s] toward a place `way` [m] off at which the robot can still stop there.
+double stoppableSpeed(const Pitch& pitch, double way, double gain) {
+  return std::min(std::sqrt(2.0 * 0.8 * pitch.acceleration * std::abs(way)), gain * std::abs(way));
+}
+
 /// One-dimensional, along the line; the body stays parallel to it.
 Twist slideTo(const Picture& picture, const RobotState& self, double line, double y) {
   const Pitch& pitch = picture.pitch;
@@ -43,14 +60,34 @@ Twist slideTo(const Picture& picture, const RobotState& self, double line, doubl
             std::clamp(12.0 * foldedError(along, self.pose.heading), -8.0, 8.0)};
   }
   if (std::abs(dx) > 0.06 || std::abs(dy) > 0.35) return restAt(pitch, self, {line, y}, math::kPi / 2);
-  const double fast = std::min(pitch.speed, std::sqrt(2.0 * 0.8 * pitch.acceleration * std::abs(dy)));
-  const double speed = std::copysign(std::min(fast, 20.0 * std::abs(dy)), dy);
-  // A small lean brings the robot back onto the line while it moves along it.
-  const double lean = std::clamp(dx * 6.0, -0.4, 0.4) * std::min(1.0, std::abs(speed) / 0.2);
-  const double along = speed >= 0.0 ? math::kPi / 2 - lean : -math::kPi / 2 + lean;
-  const double error = foldedError(along, self.pose.heading);
-  const double face = std::abs(math::wrapAngle(along - self.pose.heading)) > math::kPi / 2 ? -1.0 : 1.0;
-  return {face * std::abs(speed) * std::max(0.0, math::cos(error)), std::clamp(18.0 * error, -20.0, 20.0)};
+  return alongLine(self, line, std::copysign(std::min(pitch.speed, stoppableSpeed(pitch, dy, 20.0)), dy));
+}
+
+/// Whether a ball that comes slanting touches the keeper's face now or soon: there it loses little of its
+/// speed across, runs on along the face, and its spin presses it on toward the goal. The keeper goes with it
+/// from a moment before the touch; a keeper that waits for the ball to be past is 0.1 s late.
+bool goWith(const Picture& picture, const RobotState& self, double line, Twist& twist) {
+  constexpr double kSoon = 0.04;    // [s] before the touch
+  constexpr double kFace = 0.04;    // [m] off the keeper's middle: a ball farther out has to be reached first
+  constexpr double kAcross = 0.2;   // [m/s] slower balls wait
+  constexpr double kShare = 0.8;    // of its speed: the face takes some of it
+  constexpr double kRoom = 0.24;    // [m] most |y|: a little past the post
+  constexpr double kTouch = 0.002;  // [m]
+  const Pitch& pitch = picture.pitch;
+  const BallState& ball = picture.ball.now();
+  const Vec2 rel = ball.position - self.pose.position;
+  const double gap = rel.x - pitch.robot_half - pitch.ball_radius;
+  const double across = ball.velocity.y;
+  if (rel.x < 0.0 || gap > std::max(kTouch, -kSoon * ball.velocity.x) || std::abs(across) < kAcross)
+    return false;
+  const double time = ball.velocity.x < 0.0 ? std::clamp(-gap / ball.velocity.x, 0.0, kSoon) : 0.0;
+  const double ahead = rel.y + across * time;
+  if (std::abs(ahead) > kFace) return false;
+  const double wanted = kShare * across + std::copysign(stoppableSpeed(pitch, ahead, 15.0), ahead);
+  const double room = std::max(0.0, kRoom - std::copysign(1.0, wanted) * self.pose.position.y);
+  const double speed = std::min({std::abs(wanted), pitch.speed, stoppableSpeed(pitch, room, 20.0)});
+  twist = alongLine(self, line, std::copysign(speed, wanted));
+  return true;
 }
 
 /// Whether the keeper is at a ball near the goal clearly before any opponent.
@@ -76,7 +113,10 @@ bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.05);
   const Vec2 rel = ball - self.pose.position;
-  const bool at_wall = ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
+  // In the mouth there is no wall behind the keeper, which was pushed in and has the ball before it.
+  const bool in_mouth =
+      std::abs(ball.y) < pitch.goal_half - pitch.ball_radius && self.pose.position.x < ball.x - 0.03;
+  const bool at_wall = !in_mouth && ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
   const double out = ball.y >= 0.0 ? 1.0 : -1.0;
   const bool beside = rel.x < 0.03 && std::abs(rel.x) < 0.05 && rel.y * out > 0.04;
   if (at_wall || beside) {
@@ -133,6 +173,11 @@ double keeperPlace(const Picture& picture, double line) {
   return std::clamp(y, -kReach, kReach);
 }
 
+Vec2 keeperGoal(const Picture& picture) {
+  const double line = -picture.pitch.half_length + kDepth;
+  return {line, keeperPlace(picture, line)};
+}
+
 bool mustSave(const Picture& picture, int robot) {
   const Pitch& pitch = picture.pitch;
   double y = 0.0;
@@ -156,8 +201,10 @@ Twist keep(const Picture& picture, int robot) {
   double shot = 0.0;
   const bool coming = crossing(picture, -pitch.half_length, shot) &&
                       std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
-  if (!coming && comesFirst(picture, self) && clear(picture, self, out)) return out;
+  const bool stuck = picture.stuck > kStuck && inOwnArea(pitch, ball.position, 0.05);
+  if (!coming && (stuck || comesFirst(picture, self)) && clear(picture, self, out)) return out;
   if (!(coming && rel.x > 0.03) && alongEndWall(picture)) return guardPost(picture, self);
+  if (goWith(picture, self, line, out)) return out;
   return slideTo(picture, self, line, keeperPlace(picture, line));
 }
 

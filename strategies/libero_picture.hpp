@@ -13,6 +13,7 @@ struct Picture {
   const Pitch& pitch;
   const Settings& settings;
   const BallForecast& ball;
+  double stuck = 0.0;  ///< [s] for which the ball has not left a circle of 10 cm: referees count so
 
   const RobotState& own(int i) const { return seen.own[static_cast<std::size_t>(i)].state; }
   bool ownPresent(int i) const { return seen.own[static_cast<std::size_t>(i)].present; }

@@ -30,7 +30,9 @@ struct Pitch {
   double robot_corner = 0.053;  ///< [m] centre to corner
   double speed = 1.2;           ///< [m/s] of a robot at most
   double acceleration = 6.45;   ///< [m/s^2] of a wheel
+  double braking = 7.35;        ///< [m/s^2] of a wheel
   double half_track = 0.03875;  ///< [m]
+  double wheel_radius = 0.026;  ///< [m]
   int team_size = 3;
 };
 

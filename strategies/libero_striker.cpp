@@ -5,6 +5,7 @@
 
 #include "engine/core/math.hpp"
 #include "strategies/libero_areas.hpp"
+#include "strategies/libero_blow.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -12,6 +13,11 @@ namespace {
 constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
 constexpr double kSpinTime = 0.45;  // [s]
 constexpr double kDispute = 2.0;    // [s] for which a free ball or penalty is a duel of who keeps at it
+constexpr double kPinched = 0.3;    // [s] of pressing after which a pinched ball is let slip
+constexpr double kSlip = 0.3;       // [s] that takes
+constexpr double kSlipTurn =
+    0.15;  // [rad] a face turned by that slides it out; by 0.25 they come past it first
+constexpr double kSqueeze = 0.06;  // [m] along the wall before the ball, at which its pusher then drives
 constexpr double kInner = 0.02;  // [m] off the ball's middle, on our goal's side, where a pushed ball is met
 
 /// Five a side, where crowds push through what three cannot.
@@ -62,60 +68,6 @@ Interception interception(const Picture& picture, const RobotState& robot) {
 
 namespace {
 
-/// The direction of the blow that makes a ball of velocity `moving` run along `wanted`: what it has across
-/// must be taken from it.
-Vec2 blow(Vec2 wanted, Vec2 moving) {
-  const Vec2 local = intoFrame(wanted, moving);
-  return unitOr(outOfFrame(wanted, {std::max(0.8, 1.3 - local.x), -local.y}), wanted);
-}
-
-/// How badly bodies bar the way of a blow at `contact` along `direction`: in the place of the striker, or
-/// right in front of the ball.
-double barred(const Picture& picture, int robot, Vec2 contact, Vec2 direction) {
-  const Vec2 behind = contact - direction * 0.065, ahead = contact + direction * 0.07;
-  double cost = 0.0;
-  const auto look = [&](Vec2 body, double weight) {
-    const double near = squaredNorm(body - behind), far = squaredNorm(body - ahead);
-    if (near < 0.075 * 0.075) cost += weight;
-    if (far < 0.065 * 0.065) cost += 1.0 * weight;
-  };
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i)) look(picture.opponent(i).pose.position, 1.0);
-    if (i != robot && picture.ownPresent(i)) look(picture.own(i).pose.position, 1.0);
-  }
-  return cost;
-}
-
-/// Opponents that are about the ball.
-int crowdAt(const Picture& picture, Vec2 ball) {
-  int crowd = 0;
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) && squaredNorm(picture.opponent(i).pose.position - ball) < 0.16 * 0.16)
-      ++crowd;
-  }
-  return crowd;
-}
-
-/// The blow that is turned from the best one as little as the bodies about the ball demand.
-Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, StrikerMemory& memory) {
-  constexpr double kTurns[] = {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5};
-  const Vec2 self = picture.own(robot).pose.position;
-  double least = 1e9;
-  int best = 0;
-  Vec2 chosen = aim.direction;
-  for (int i = 0; i < 7; ++i) {
-    const Vec2 direction = i == 0 ? aim.direction : outOfFrame(aim.direction, math::unit(kTurns[i]));
-    const Vec2 spot = aim.contact - direction * 0.065;
-    double cost =
-        0.3 * std::abs(kTurns[i]) + barred(picture, robot, aim.contact, direction) + distance(self, spot);
-    if (squaredNorm(picture.pitch.inside(spot, 0.037) - spot) > 1e-4) cost += 2.0;
-    if (i == memory.turn) cost -= 0.15;
-    if (cost < least) least = cost, best = i, chosen = direction;
-  }
-  memory.turn = best;
-  return chosen;
-}
-
 /// Whether at our penalty somebody runs out of their goal at the ball; until that can be seen, so it is taken
 /// to be.
 bool keeperRunsOut(const Picture& picture) {
@@ -145,10 +97,10 @@ bool contested(const Picture& picture) {
   return false;
 }
 
-/// Right after a restart the touch counts, whatever the direction; at a free ball, or before a keeper that
-/// runs out, who turns off in order to come round gives the ball away.
+/// Right after a restart the touch counts, whatever the direction; before a keeper that runs out who turns
+/// off in order to come round gives the ball away.
 bool rushes(const Picture& picture, Vec2 rel) {
-  if ((disputesFreeBall(picture.seen) && contested(picture)) || keeperRunsOut(picture)) return true;
+  if (keeperRunsOut(picture)) return true;
   if (squaredNorm(rel) < 0.055 * 0.055) return false;
   const double since = picture.seen.since_restart;
   if (picture.seen.restart == RestartKind::kKickOff) return since < 0.4;
@@ -161,6 +113,38 @@ Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
   if (picture.seen.restart != RestartKind::kFreeBall || !isLargeGame(picture)) return ball;
   return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
+}
+
+/// Straight at the ball: who turns off in order to come round gives it away. Where two meet with equal force
+/// nothing moves, until a face that is a little turned lets the ball slip out to the side wall: who turned
+/// first is first at it.
+Twist pressOn(const Picture& picture, const RobotState& self, Vec2 rel, StrikerMemory& memory) {
+  const Pitch& pitch = picture.pitch;
+  memory.slipping = memory.jammed > kPinched ? kSlip : memory.slipping - picture.seen.dt;
+  if (memory.slipping <= 0.0) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
+  const double out = std::copysign(kSlipTurn, picture.ball.now().position.y);
+  return alongHeading(pitch, self, math::angleOf(rel) + out, pitch.speed);
+}
+
+/// Whether an opponent presses from the other side on the ball that we push, roughly where we want it.
+bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
+  const double near = norm(rel);
+  if (aim.wall || near > kTouch || dot(rel, aim.direction) < 0.5 * near) return false;
+  const Vec2 opposite = picture.ball.now().position + unitOr(rel, {}) * 0.06;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    if (squaredNorm(picture.opponent(i).pose.position - opposite) < 0.03 * 0.03) return true;
+  }
+  return false;
+}
+
+/// Whether the ball lies at a wall of our half with us behind it and an opponent about it. Then a face that
+/// leans into the wall squeezes it along; who turns off in order to come round only holds it there.
+bool squeezes(const Picture& picture, Vec2 rel, const Aim& aim) {
+  const BallState& ball = picture.ball.now();
+  return aim.wall && ball.position.x < 0.0 && dot(rel, aim.direction) > 0.0 &&
+         squaredNorm(rel) < 0.13 * 0.13 && squaredNorm(ball.velocity) < 0.8 * 0.8 &&
+         crowdAt(picture, ball.position) > 0;
 }
 
 /// Whether an opponent pushes the ball toward our goal.
@@ -217,6 +201,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   watchJam(picture, self, rel, memory);
   if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
 
+  if (disputesFreeBall(picture.seen) && contested(picture)) return pressOn(picture, self, rel, memory);
   if (rushes(picture, rel)) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
   if (canMeetCarried(picture, self)) return meetCarried(picture, self);
   Vec2 keeper;
@@ -236,8 +221,12 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
     memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
     return spin(memory, picture.seen.dt);
   }
-  if (!aim.wall) aim.direction = blow(aim.direction, now.velocity);
-  if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory);
+  if (headOn(picture, rel, aim)) return pressOn(picture, self, rel, memory);
+  if (squeezes(picture, rel, aim)) {
+    return alongHeading(pitch, self, math::angleOf(rel + aim.direction * kSqueeze), pitch.speed);
+  }
+  if (!aim.wall) aim.direction = blowInTime(self.pose.position, aim, now.velocity);
+  if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory.turn);
   return driveThrough(pitch, self, aim.contact, aim.direction,
                       kRound + 0.03 * std::min(2, crowdAt(picture, now.position)), memory.side);
 }

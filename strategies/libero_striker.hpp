@@ -14,8 +14,9 @@ struct StrikerMemory {
   int turn = 0;            ///< which blow of those about the best one is held
   double spin_left = 0.0;  ///< [s] of a spin that is under way
   double spin_sense = 1.0;
-  double locked = 0.0;  ///< [s] before the next spin
-  double jammed = 0.0;  ///< [s] for which robot and ball have pressed without moving
+  double locked = 0.0;    ///< [s] before the next spin
+  double jammed = 0.0;    ///< [s] for which robot and ball have pressed without moving
+  double slipping = 0.0;  ///< [s] for which a pinched ball is still let slip
 };
 
 /// When and where `robot` can have the ball.

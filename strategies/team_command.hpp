@@ -48,7 +48,7 @@ struct RobotCommand {
 struct DebugDrawing {
   enum class Kind : std::uint8_t { kLine, kCircle, kText };
   Kind kind = Kind::kLine;
-  Vec2 from;            ///< centre of a circle, place of a text
+  Vec2 from;            ///< centre of a circle or a text
   Vec2 to;              ///< end of a line
   double radius = 0.0;  ///< [m] of a circle
   std::string text;
@@ -60,7 +60,8 @@ struct TeamCommand {
   /// Units of work that the decision took, counted by the strategy (0: not counted). The match's allowance is
   /// in these, so that a slow machine changes no result.
   std::int64_t work = 0;
-  std::vector<DebugDrawing> drawings;  ///< left empty unless wanted
+  /// Left empty unless `Observation::wants_drawings`; nothing in a match depends on it.
+  std::vector<DebugDrawing> drawings;
   /// What each robot plays, as the team numbers its roles from 1; 0: not told. Nothing in a match depends on
   /// it: drills count how often roles change hands.
   std::array<std::uint8_t, kMaxTeamSize> roles{};

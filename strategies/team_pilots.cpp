@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "engine/core/math.hpp"
+#include "navigation/guidance_strokes.hpp"
 #include "navigation/limiter.hpp"
+#include "strategies/drawings.hpp"
 
 namespace fulbito {
 namespace {
@@ -104,6 +106,22 @@ std::array<WheelSpeeds, kMaxTeamSize> TeamPilots::drive(const Observation& obser
     if (now.own[i].present) wheels[i] = driveRobot(now, static_cast<int>(i), command.robots[i]);
   }
   return wheels;
+}
+
+void TeamPilots::draw(const Observation& observation, const TeamCommand& command,
+                      std::vector<DebugDrawing>& drawings) const {
+  constexpr double kPlace = 0.015;  // [m] radius of the mark of a place
+  std::vector<GuidanceStroke> strokes;
+  for (std::size_t i = 0; i < drivers_.size(); ++i) {
+    const Driver& driver = drivers_[i];
+    const RobotCommand& wanted = command.robots[i];
+    const bool driven = wanted.kind == RobotCommand::Kind::kGoTo && driver.last == wanted.go_to.navigator;
+    if (!observation.own[i].present || !driven) continue;
+    const Pilot& pilot = *driver.pilots[wanted.go_to.navigator];
+    addStrokes(pilot.guidance(), observation.own[i].state.pose.position, wanted.go_to.position, strokes);
+    addCircle(drawings, wanted.go_to.position, kPlace);
+  }
+  for (const GuidanceStroke& stroke : strokes) addLine(drawings, stroke.from, stroke.to);
 }
 
 WheelSpeeds TeamPilots::driveRobot(const Observation& observation, int robot, const RobotCommand& wanted) {

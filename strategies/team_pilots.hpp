@@ -24,6 +24,9 @@ class TeamPilots {
   /// works out is rounded to 256 speeds each way, e.g. steps of 0.18 rad/s of the robot `vsss`.
   /// kWheels are passed on as they are, even when they are not finite: what to do then is the match's policy.
   std::array<WheelSpeeds, kMaxTeamSize> drive(const Observation& observation, const TeamCommand& command);
+  /// Appends what the navigators of the last `drive` wanted: paths, arrows of fields, places to drive to.
+  void draw(const Observation& observation, const TeamCommand& command,
+            std::vector<DebugDrawing>& drawings) const;
 
  private:
   void warmUp();

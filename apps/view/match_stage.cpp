@@ -1,6 +1,7 @@
 #include "apps/view/match_stage.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "engine/core/math.hpp"
 #include "match/recorded_values.hpp"
@@ -103,11 +104,13 @@ void MatchStage::ticked(const MatchTick& tick) {
   }
   drawings_.clear();
   for (const TeamId team : kTeams) {
-    const TeamCommand* decision = tick.decisions[indexOf(team)];
-    if (decision == nullptr) continue;
-    for (const DebugDrawing& drawing : decision->drawings) {
-      describe(drawing, tick.tick, team, tick.referee->sideOf(team), drawings_.emplace_back());
-    }
+    const auto keep = [&](std::span<const DebugDrawing> drawings) {
+      for (const DebugDrawing& drawing : drawings) {
+        describe(drawing, tick.tick, team, tick.referee->sideOf(team), drawings_.emplace_back());
+      }
+    };
+    if (const TeamCommand* decision = tick.decisions[indexOf(team)]) keep(decision->drawings);
+    keep(tick.ways[indexOf(team)]);
   }
 }
 

@@ -35,6 +35,7 @@ class MatchStage final : public ViewStage, private MatchObserver {
 
   void playBegins(const PlayStart& start) override;
   void ticked(const MatchTick& tick) override;
+  bool wantsDrawings(Tick) const override { return true; }
   void fill(const Placement& placement, Poses& poses) const;
   void play();
   MatchBanner banner() const;

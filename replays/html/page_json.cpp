@@ -164,7 +164,7 @@ Json sceneJson(const PageScene& scene, std::size_t bytes) {
       {"events", listOf(scene.events, eventJson)},
       {"scores", scoresJson(scene)},
       {"commands", {{"every", scene.commands.every}, {"values", scene.commands.values.size()}}},
-      {"drawings", {{"every", scene.drawing_every}, {"count", scene.drawings.size()}, {"texts", texts}}},
+      {"drawings", {{"ticks", scene.drawing_ticks}, {"count", scene.drawings.size()}, {"texts", texts}}},
       {"runs", listOf(scene.runs, runJson)},
       {"facts", scene.facts}};
   if (scene.result) json["result"] = resultJson(*scene.result);

@@ -83,7 +83,7 @@ struct PageScene {
   std::vector<PagePlay> plays;
   std::vector<RecordedEvent> events;
   std::vector<RecordedDrawing> drawings;
-  int drawing_every = 2;  ///< ticks that a drawing is shown for
+  Tick drawing_ticks = 12;  ///< for which a drawing is shown unless there are newer ones
   PageCommands commands;
   std::optional<RecordingResult> result;  ///< of a finished recording
   std::optional<PageTask> task;

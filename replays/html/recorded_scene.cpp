@@ -178,7 +178,7 @@ Result<PageScene> recordedScene(const RecordingReader& recording, const ReplayTi
   scene.result = timeline.result();
   scene.events.assign(timeline.events().begin(), timeline.events().end());
   scene.drawings.assign(timeline.drawings().begin(), timeline.drawings().end());
-  scene.drawing_every = header.sample_every;
+  scene.drawing_ticks = drawingTicks(header);
   addRows(timeline, scene);
   if (auto added = addCommands(recording, scene.commands); !added) {
     return tl::unexpected<Error>(added.error());

@@ -108,9 +108,9 @@ void MatchPicture::drawFrame(Canvas& canvas, const ReplayMoment& moment,
   const Impl& m = *impl_;
   canvas.copyFrom(m.backgrounds[static_cast<std::size_t>(moment.blue_side)]);
   const FieldView view = m.plan.view(canvas);
-  drawTrails(view, m.spec, overlays.trails, m.style);
+  drawTrails(view, m.spec, overlays.trails);
+  drawDrawings(view, m.plan, m.spec, overlays.drawings);
   m.drawBodies(view, moment);
-  drawDrawings(view, m.plan, overlays.drawings, m.style);
   drawBanner(canvas, m.plan, overlays.banner, m.style);
   drawBoardNumbers(canvas, m.plan, m.spec, moment, m.style);
   drawTimeBarNow(canvas, m.plan, m.spec, moment.seconds, m.style);

@@ -16,6 +16,7 @@ struct TeamColours {
   Colour digit;
   Colour nose;  ///< the mark at a robot's front
   Colour goal;  ///< floor of the goal that the team defends
+  Colour ink;   ///< of what it draws on the floor
 };
 
 /// All colours of a match's picture.

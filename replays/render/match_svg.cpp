@@ -8,9 +8,11 @@
 #include "replays/render/field_drawing.hpp"
 #include "replays/render/match_plan.hpp"
 #include "replays/render/match_style.hpp"
+#include "replays/render/overlay_drawing.hpp"
 #include "replays/render/palette.hpp"
 #include "replays/render/score_board.hpp"
 #include "replays/render/svg_field.hpp"
+#include "replays/render/svg_trail.hpp"
 #include "replays/render/text_fit.hpp"
 
 namespace fulbito {
@@ -32,8 +34,8 @@ class SvgScene {
     svg_.rectangle({0, 0}, plan_.width, plan_.height, style_.page);
     field(moment.blue_side);
     for (const BodyTrail& path : overlays.trails) trail(path);
-    bodies(moment);
     for (const RecordedDrawing& drawn : overlays.drawings) drawing(drawn);
+    bodies(moment);
     board(moment);
     banner(overlays.banner);
     svg_.raw("</svg>");
@@ -58,12 +60,13 @@ class SvgScene {
   void trail(const BodyTrail& path) {
     if (path.body >= spec_.bodies.size()) return;
     const RecordedBody& body = spec_.bodies[path.body];
-    const bool ball = body.kind == BodyKind::kBall;
     std::vector<Vec2> points;
     points.reserve(path.points.size());
     for (const Vec2 p : path.points) points.push_back(pixelOf(plan_, p));
-    svg_.polyline(points, (ball ? 3.0 : 2.0) * plan_.unit,
-                  withAlpha(ball ? style_.ball : coloursOf(body.id, style_).body, ball ? 190 : 120));
+    const TrailLook look = lookOf(body, spec_);
+    if (path.fading)
+      return svgFadingLine(svg_, points, view_.px(look.first), view_.px(look.last), look.colour);
+    svg_.polyline(points, 2.0 * plan_.unit, look.colour);
   }
 
   void mark(Vec2 centre, double size, TeamId team, Colour colour) {
@@ -120,7 +123,7 @@ class SvgScene {
   }
 
   void drawing(const RecordedDrawing& drawn) {
-    const Colour colour = style_.teams[indexOf(drawn.team)].body;
+    const Colour colour = inkOf(drawn, spec_);
     const Vec2 from = pixelOf(plan_, drawn.from);
     const double thickness = 1.6 * plan_.unit;
     if (drawn.kind == RecordedDrawing::Kind::kLine) {
@@ -128,7 +131,8 @@ class SvgScene {
     } else if (drawn.kind == RecordedDrawing::Kind::kCircle) {
       svg_.ring(from, view_.px(drawn.radius), thickness, colour);
     }
-    svg_.text(from, drawn.text, {plan_.text(12), colour, TextAlign::kLeft, false});
+    const double size = plan_.text(12);
+    svg_.text(from + Vec2{0.0, 0.33 * size}, drawn.text, {size, colour, TextAlign::kCentre, false});
   }
 
   void board(const ReplayMoment& moment) {

@@ -12,19 +12,16 @@ namespace {
 
 constexpr double kLongestText = 0.6;  // of the picture's width
 
-struct TrailLook {
-  double first, last;  // [m] thickness
-  Colour colour;
-};
-
-TrailLook lookOf(const RecordedBody& body, const MatchPictureSpec& spec, const MatchStyle& style) {
-  if (body.kind == BodyKind::kBall) return {0.0, 1.5 * spec.ball.radius, withAlpha(style.ball, 200)};
-  const Colour colour = body.id ? style.teams[indexOf(body.id->team)].body : style.lone.body;
-  return {0.0, 0.32 * spec.robot.width, withAlpha(colour, 150)};
-}
-
-Colour drawingColour(TeamId team, const MatchStyle& style) {
-  return withAlpha(style.teams[indexOf(team)].body, 215);
+/// A word around its place, on a seam of the floor's colour so that it can be read over lines.
+void drawWord(Canvas& canvas, Vec2 place, const std::string& text, const TextStyle& ink, Colour floor) {
+  const Vec2 baseline = place + Vec2{0.0, 0.33 * ink.size};
+  const double seam = std::max(1.0, 0.09 * ink.size);
+  TextStyle under = ink;
+  under.colour = withAlpha(floor, 190);
+  for (const Vec2 off : {Vec2{seam, 0}, Vec2{-seam, 0}, Vec2{0, seam}, Vec2{0, -seam}}) {
+    canvas.label(baseline + off, text, under);
+  }
+  canvas.label(baseline, text, ink);
 }
 
 /// A plate with round ends.
@@ -36,8 +33,14 @@ void drawPlate(Canvas& canvas, Vec2 corner, double width, double height, Colour 
 
 }  // namespace
 
-void drawTrails(const FieldView& view, const MatchPictureSpec& spec, const std::vector<BodyTrail>& trails,
-                const MatchStyle& style) {
+TrailLook lookOf(const RecordedBody& body, const MatchPictureSpec& spec) {
+  const MatchStyle& style = styleOf(spec.theme);
+  if (body.kind == BodyKind::kBall) return {0.0, 1.5 * spec.ball.radius, withAlpha(style.ball, 200)};
+  const Colour colour = body.id ? style.teams[indexOf(body.id->team)].body : style.lone.body;
+  return {0.0, 0.32 * spec.robot.width, withAlpha(colour, 150)};
+}
+
+void drawTrails(const FieldView& view, const MatchPictureSpec& spec, const std::vector<BodyTrail>& trails) {
   std::vector<Vec2> line;
   for (const bool balls : {false, true}) {
     for (const BodyTrail& trail : trails) {
@@ -46,7 +49,7 @@ void drawTrails(const FieldView& view, const MatchPictureSpec& spec, const std::
       if ((body.kind == BodyKind::kBall) != balls) continue;
       line.clear();
       for (const Vec2 p : trail.points) line.push_back(view.at(p));
-      const TrailLook look = lookOf(body, spec, style);
+      const TrailLook look = lookOf(body, spec);
       const bool thick = balls || !body.id;  // what matters most: the ball, or a trial's robot
       if (trail.fading) {
         view.canvas.fadingLine(line, view.px(look.first), view.px(look.last), look.colour);
@@ -60,11 +63,16 @@ void drawTrails(const FieldView& view, const MatchPictureSpec& spec, const std::
   }
 }
 
-void drawDrawings(const FieldView& view, const MatchPlan& plan, std::span<const RecordedDrawing> drawings,
-                  const MatchStyle& style) {
+Colour inkOf(const RecordedDrawing& drawing, const MatchPictureSpec& spec) {
+  const MatchStyle& style = styleOf(spec.theme);
+  return spec.layout ? style.lone.ink : style.teams[indexOf(drawing.team)].ink;
+}
+
+void drawDrawings(const FieldView& view, const MatchPlan& plan, const MatchPictureSpec& spec,
+                  std::span<const RecordedDrawing> drawings) {
   const double thickness = std::max(1.0, 1.6 * plan.unit), size = plan.text(12);
   for (const RecordedDrawing& drawing : drawings) {
-    const Colour colour = drawingColour(drawing.team, style);
+    const Colour colour = inkOf(drawing, spec);
     const Vec2 from = view.at(drawing.from);
     if (drawing.kind == RecordedDrawing::Kind::kLine) {
       view.canvas.line(from, view.at(drawing.to), thickness, colour);
@@ -73,7 +81,8 @@ void drawDrawings(const FieldView& view, const MatchPlan& plan, std::span<const 
     }
     if (drawing.text.empty()) continue;
     const std::string text = fitted(view.canvas, drawing.text, size, kLongestText * plan.width);
-    view.canvas.label(from, text, {size, colour, TextAlign::kLeft, false});
+    drawWord(view.canvas, from, text, {size, colour, TextAlign::kCentre, false},
+             styleOf(spec.theme).field.floor);
   }
 }
 

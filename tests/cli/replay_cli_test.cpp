@@ -106,6 +106,11 @@ TEST_CASE("replay cut makes a recording that verifies, and replaces none unasked
   CHECK(box.run("replay verify c.fbr").code == 0);
   CHECK(box.run("replay cut a.fbr c.fbr --from 1 --to 2").code == 2);
   CHECK(box.run("replay cut a.fbr c.fbr --from 1 --to 2 --force").code == 0);
+  const Json cut = Json::parse(box.run("replay cut a.fbr c.fbr --from 1 --to 2 --force --json").out);
+  CHECK(cut["schema_version"] == 1);
+  CHECK(cut["out"] == "c.fbr");
+  CHECK(cut["first_play"] == 1);
+  CHECK(cut["bytes"] == fs::file_size(box.path / "c.fbr"));
   const Json info = Json::parse(box.run("replay info c.fbr --json").out);
   CHECK(info["recipe"]["more"]["cut_plays"].get<std::string>().find("1-") == 0);
   const auto refuses = [&](const std::string& arguments, const std::string& part) {
@@ -135,6 +140,15 @@ TEST_CASE("replay repair keeps what can be read and says what was lost", "[cli]"
   CHECK(mended.out.find("lost: ") != std::string::npos);
   CHECK(box.run("replay verify mended.fbr").code == 0);
   CHECK(box.run("replay repair damaged.fbr mended.fbr").code == 2);
+  const Json lost = Json::parse(box.run("replay repair damaged.fbr mended.fbr --force --json").out);
+  CHECK(lost["schema_version"] == 1);
+  CHECK(lost["whole"] == false);
+  CHECK(lost["bytes"] == fs::file_size(box.path / "mended.fbr"));
+  CHECK(lost["lost"]["bytes"].get<int>() > 0);
+  const Json none = Json::parse(box.run("replay repair a.fbr unneeded.fbr --json").out);
+  CHECK(none["whole"] == true);
+  CHECK(none["out"].is_null());
+  CHECK_FALSE(fs::exists(box.path / "unneeded.fbr"));
   box.write("nothing.fbr", "not a recording");
   CHECK(box.run("replay repair nothing.fbr x.fbr").code == 3);
 }

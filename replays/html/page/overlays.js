@@ -64,11 +64,13 @@ function paintVectors(ctx, view, scene, moment, wanted) {
 function paintDrawings(ctx, view, scene, moment) {
   const [from, to] = scene.drawnAt(moment);
   const { what, x, y, toX, toY, radius, text } = scene.drawn;
-  ctx.lineWidth = Math.max(1.25, 0.004 * view.scale);
   ctx.font = `600 ${Math.max(10, 0.03 * view.scale)}px system-ui, sans-serif`;
-  ctx.textAlign = 'left';
+  ctx.textAlign = 'center';
   ctx.textBaseline = 'middle';
+  ctx.lineJoin = 'round';
+  const thin = Math.max(1.25, 0.004 * view.scale), seam = Math.max(3, 0.008 * view.scale);
   for (let i = from; i < to; ++i) {
+    ctx.lineWidth = thin;
     ctx.strokeStyle = ctx.fillStyle = scene.match ? colours.trails[what[i] & 1] : colours.text;
     ctx.beginPath();
     if (what[i] >> 1 === 0) {
@@ -79,6 +81,10 @@ function paintDrawings(ctx, view, scene, moment) {
       ctx.arc(view.x(x[i]), view.y(y[i]), Math.max(2, radius[i] * view.scale), 0, 7);
       ctx.stroke();
     } else {
+      // On a seam of the floor's colour words can be read over lines.
+      ctx.strokeStyle = colours.floor;
+      ctx.lineWidth = seam;
+      ctx.strokeText(text[i].slice(0, 80), view.x(x[i]), view.y(y[i]));
       ctx.fillText(text[i].slice(0, 80), view.x(x[i]), view.y(y[i]));
     }
   }

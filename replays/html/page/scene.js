@@ -117,9 +117,11 @@ class Scene {
   /** Indices of what teams drew for the moment: [from, to). */
   drawnAt(moment) {
     const tick = Math.floor(moment.tick + 1e-6);
-    const shown = tick - (tick % this.drawings.every);
-    if (shown <= this.plays[moment.play].tick && !this.task) return [0, 0];
-    return [Scene.last(this.drawn.tick, shown - 0.5) + 1, Scene.last(this.drawn.tick, shown) + 1];
+    const last = Scene.last(this.drawn.tick, tick);
+    const shown = last < 0 ? -Infinity : this.drawn.tick[last];
+    const over = shown <= this.plays[moment.play].tick && !this.task;
+    if (over || tick - shown >= this.drawings.ticks) return [0, 0];
+    return [Scene.last(this.drawn.tick, shown - 0.5) + 1, last + 1];
   }
 
   playing(moment) {

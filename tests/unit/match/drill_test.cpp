@@ -7,6 +7,8 @@
 #include "match/drill_ideal.hpp"
 #include "match/drill_start.hpp"
 #include "match/drill_trials.hpp"
+#include "match/match.hpp"
+#include "match/statistics.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -321,6 +323,36 @@ TEST_CASE("whole matches count roles that change hands", "[unit]") {
   CHECK(flapping.verdicts[0].value.value == Approx(60.0).margin(3.0));
   CHECK(flapping.verdicts[1].value.value > 200.0);
   CHECK_FALSE(runOne(drill, still()).offered);
+}
+
+TEST_CASE("own goals of whole matches are those of a match's statistics", "[unit]") {
+  Drill drill = drillOf(
+      "[drill]\nnumber = 905\nwhat = \"own goals\"\ntrials = 2\nmatch_opponent = \"chaser\"\n"
+      "half_seconds = 60.0\n[[pass]]\nvalue = \"own-goal\"\nstatistic = \"mean\"\nat_most = 0\n");
+  DrillOptions options;
+  options.team = *parseTeam("chaser");
+  options.seed = 3;
+  const DrillRun run{options, *loadRobot("vsss"), *loadPhysics("standard")};
+  const auto base = drillMatch(run, drill);
+  REQUIRE(base);
+  int own_goals = 0;
+  for (int i = 0; i < 8; ++i) {
+    const auto tally = playDrillMatch(run, drill, *base, i);
+    REQUIRE(tally);
+    MatchConfig config = *base;
+    config.seed = options.seed + static_cast<std::uint64_t>(i / 2);
+    config.teams = {options.team, options.team};
+    auto match = Match::create(config);
+    REQUIRE(match);
+    StatisticsObserver statistics;
+    match->watch(statistics);
+    while (match->step()) {
+    }
+    const TeamId seat = i % 2 == 0 ? TeamId::kBlue : TeamId::kYellow;
+    CHECK(tally->own_goals == statistics.statistics().teams[indexOf(seat)].own_goals);
+    own_goals += tally->own_goals;
+  }
+  CHECK(own_goals > 0);
 }
 
 TEST_CASE("every restart begins as the rules say, for both teams", "[unit]") {

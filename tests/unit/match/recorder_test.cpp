@@ -25,6 +25,21 @@ struct Witness final : MatchObserver {
   }
 };
 
+/// A match with what its teams draw.
+RecordingReader recordedWithDrawings(const MatchConfig& config, int per_second) {
+  std::string bytes;
+  auto match = Match::create(config);
+  REQUIRE(match);
+  auto recorder = MatchRecorder::create(into(bytes), config);
+  REQUIRE(recorder);
+  recorder->keepDrawings(per_second);
+  match->watch(*recorder);
+  while (match->step()) {
+  }
+  REQUIRE(recorder->written());
+  return readerOf(bytes);
+}
+
 }  // namespace
 
 TEST_CASE("a recorded match holds what happened", "[unit]") {
@@ -128,24 +143,47 @@ TEST_CASE("what cannot be written is told before or after the match, never in it
 }
 
 TEST_CASE("teams' drawings are kept in the world's frame", "[unit]") {
-  const TestEntry artist([](const Observation&) {
+  const TestEntry artist([](const Observation& seen) {
     TeamCommand command = allWheels({});
+    if (!seen.wants_drawings) return command;
     command.drawings.push_back({DebugDrawing::Kind::kCircle, {0.25, -0.1}, {}, 0.05, "here"});
     return command;
   });
   MatchConfig config = shortMatch("chaser", "chaser", 1.0);
   config.teams[1] = artist.choice();
-  const auto reader = RecordingReader::parse(recorded(config, RecordingLevel::kFull), "match");
-  REQUIRE(reader);
-  const auto chunk = reader->chunk(0);
+  const auto chunk = recordedWithDrawings(config, 20).chunk(0);
   REQUIRE(chunk);
-  REQUIRE(chunk->drawings.size() == 60);  // two halves of a second, every other tick
+  REQUIRE(chunk->drawings.size() == 40);  // two halves of a second
   const RecordedDrawing& drawing = chunk->drawings[7];
-  CHECK(drawing.tick == 16);
+  CHECK(drawing.tick == 24);
   CHECK(drawing.team == TeamId::kYellow);
   CHECK(drawing.kind == RecordedDrawing::Kind::kCircle);
   CHECK(distance(drawing.from, {-0.25, 0.1}) < 1e-9);
   CHECK(drawing.text == "here");
+  CHECK(readerOf(recorded(config)).chunk(0)->drawings.empty());
+}
+
+TEST_CASE("drawing changes nothing that is played", "[unit]") {
+  for (const char* team : {"libero", "classic", "classic:navigator=bezier", "libero:navigator=univector"}) {
+    INFO(team);
+    MatchConfig config = shortMatch(team, "chaser", 5.0);
+    config.vision.latency_ticks = 2;
+    const RecordingReader plain = readerOf(recorded(config)), drawn = recordedWithDrawings(config, 60);
+    REQUIRE(plain.result());
+    REQUIRE(drawn.result());
+    CHECK(drawn.result()->final_hash == plain.result()->final_hash);
+    const auto chunk = drawn.chunk(0);
+    REQUIRE(chunk);
+    int lines = 0, names = 0;
+    for (const RecordedDrawing& drawing : chunk->drawings) {
+      CHECK(std::abs(drawing.from.x) < 1.5);
+      CHECK(std::abs(drawing.from.y) < 1.5);
+      if (drawing.kind == RecordedDrawing::Kind::kLine) ++lines;
+      if (drawing.kind == RecordedDrawing::Kind::kText) ++names;
+    }
+    CHECK(lines > chunk->ticks);
+    CHECK(names == 3 * chunk->ticks);
+  }
 }
 
 }  // namespace fulbito

@@ -191,7 +191,7 @@ TEST_CASE("the end may change the score at the table", "[unit]") {
   CHECK(timeline.at(0.4).score == PerTeam<int>{3, 0});
 }
 
-TEST_CASE("drawings belong to the sampled tick before a moment", "[unit]") {
+TEST_CASE("drawings are shown until newer ones, for a fifth of a second, in their play", "[unit]") {
   Story story;
   story.play(0, 0, {0, 0});
   story.ticks(4, true);
@@ -206,6 +206,7 @@ TEST_CASE("drawings belong to the sampled tick before a moment", "[unit]") {
   CHECK(timeline.drawingsAt(timeline.at(0.4)).size() == 2);
   CHECK(timeline.drawingsAt(timeline.at(0.59)).size() == 2);
   CHECK(timeline.drawingsAt(timeline.at(0.6)).empty());  // there the next play has begun
+  CHECK(timeline.drawingsAt(timeline.at(0.8)).empty());
 }
 
 TEST_CASE("a time out of range shows the nearest end", "[unit]") {
