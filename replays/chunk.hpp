@@ -73,6 +73,7 @@ class ChunkBuilder {
   void check(const TickData& data);
   void sample(const WorldState& world);
   void putSection(std::uint8_t id, std::span<const BytesView> parts, Compressor& compressor);
+  void putStored(std::uint8_t id, BytesView part);
   void putList(std::uint8_t id, const List& list, Compressor& compressor);
   template <typename Pack>
   void putModelled(std::uint8_t id, Codec codec, const Columns& table, const Pack& pack);
