@@ -30,6 +30,16 @@ double arrivingSpeed(const Pitch& pitch, double distance) {
   return std::min(pitch.speed, std::sqrt(kRoundSpeed * kRoundSpeed + 2.0 * kSlowing * way));
 }
 
+/// `heading` turned along a wall, or out of a goal's mouth, where it would lead the robot into it: between
+/// the ball and a post it stood still, wanting to turn.
+double alongWalls(const Pitch& pitch, Vec2 robot, double heading) {
+  constexpr double kAhead = 0.06, kMargin = 0.045, kHere = 0.01;  // [m]
+  const Vec2 to = robot + math::unit(heading) * kAhead;
+  const Vec2 kept = pitch.inside(to, kMargin) - robot;
+  if (squaredNorm(kept) < kHere * kHere || squaredNorm(kept - (to - robot)) < 1e-8) return heading;
+  return math::angleOf(kept);
+}
+
 }  // namespace
 
 double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius, double sharpness,
@@ -56,7 +66,8 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
     const Vec2 way = contact - self.pose.position;
     const bool comes_round = squaredNorm(rolling) < kLies * kLies &&
                              std::abs(math::wrapAngle(math::angleOf(way) - along)) > kTurnsOff;
-    return alongHeading(pitch, self, heading, comes_round ? arrivingSpeed(pitch, norm(way)) : pitch.speed);
+    const double led = alongWalls(pitch, self.pose.position, heading);
+    return alongHeading(pitch, self, led, comes_round ? arrivingSpeed(pitch, norm(way)) : pitch.speed);
   }
   side = 0;
   const double to_touch = std::max(0.0, -local.x - 0.06);

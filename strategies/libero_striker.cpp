@@ -205,14 +205,18 @@ bool isCaught(const Picture& picture, const RobotState& self, Vec2 rel, StrikerM
   return memory.freeing > 0.0;
 }
 
-/// Toward the field's middle; in a goal's mouth away from the post.
+/// Toward the field's middle; in a goal's mouth away from the post, and turning out of it, or it comes
+/// straight back to the same place.
 Twist driveOff(const Pitch& pitch, const RobotState& self) {
-  constexpr double kSpeed = 0.5;  // [m/s]
+  constexpr double kSpeed = 0.5, kTurn = 4.0;  // [m/s], [rad/s]
   const Vec2 place = self.pose.position;
   const bool in_mouth =
       std::abs(place.x) > pitch.half_length - pitch.robot_corner && std::abs(place.y) < pitch.goal_half;
   const Vec2 off = in_mouth ? Vec2{-0.3 * place.x, -place.y} : -place;
-  return {std::copysign(kSpeed, dot(math::unit(self.pose.heading), off)), 0.0};
+  const Vec2 out = in_mouth ? Vec2{-place.x, 0.0} : off;
+  const Vec2 face = math::unit(self.pose.heading);
+  const double end = std::copysign(1.0, dot(face, off));
+  return {end * kSpeed, std::copysign(kTurn, cross(face * end, out))};
 }
 
 }  // namespace
