@@ -6,6 +6,7 @@
 #include "engine/core/math.hpp"
 #include "strategies/libero_areas.hpp"
 #include "strategies/libero_blow.hpp"
+#include "strategies/libero_caught.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -193,32 +194,6 @@ Twist sweepIn(const Picture& picture, const RobotState& self) {
   return alongHeading(picture.pitch, self, math::angleOf({kInto, across}), picture.pitch.speed);
 }
 
-/// Whether a robot that wants to turn is held by a wall or a post, as in a goal's mouth; then it drives off,
-/// as it stands, for a moment.
-bool isCaught(const Picture& picture, const RobotState& self, Vec2 rel, StrikerMemory& memory) {
-  constexpr double kPatience = 0.3, kDriveOff = 0.15;  // [s]
-  const bool still = squaredNorm(self.velocity) < 0.04 * 0.04 && std::abs(self.angular_velocity) < 0.6;
-  const bool held = still && squaredNorm(rel) > kTouch * kTouch;
-  memory.freeing -= picture.seen.dt;
-  memory.caught = held && memory.freeing <= 0.0 ? memory.caught + picture.seen.dt : 0.0;
-  if (memory.caught > kPatience) memory.freeing = kDriveOff;
-  return memory.freeing > 0.0;
-}
-
-/// Toward the field's middle; in a goal's mouth away from the post, and turning out of it, or it comes
-/// straight back to the same place.
-Twist driveOff(const Pitch& pitch, const RobotState& self) {
-  constexpr double kSpeed = 0.5, kTurn = 4.0;  // [m/s], [rad/s]
-  const Vec2 place = self.pose.position;
-  const bool in_mouth =
-      std::abs(place.x) > pitch.half_length - pitch.robot_corner && std::abs(place.y) < pitch.goal_half;
-  const Vec2 off = in_mouth ? Vec2{-0.3 * place.x, -place.y} : -place;
-  const Vec2 out = in_mouth ? Vec2{-place.x, 0.0} : off;
-  const Vec2 face = math::unit(self.pose.heading);
-  const double end = std::copysign(1.0, dot(face, off));
-  return {end * kSpeed, std::copysign(kTurn, cross(face * end, out))};
-}
-
 }  // namespace
 
 bool disputesFreeBall(const Observation& seen) {
@@ -257,7 +232,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   if (squaredNorm(rel) > 0.075 * 0.075 && chargesKeeper(picture, self, keeper)) {
     return passThrough(pitch, self, self.pose.position * 2.0 - keeper, 0.6);
   }
-  if (isCaught(picture, self, rel, memory)) return driveOff(pitch, self);
+  if (isCaught(picture, self, memory)) return driveOff(pitch, self);
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
   const Vec2 ball = close ? now.position + now.velocity * 0.03 : meet.ball;
