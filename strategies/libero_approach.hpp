@@ -15,8 +15,9 @@ double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius
                        int& side);
 
 /// Drives so as to hit `contact` along the unit vector `direction`: round it on a circle of `round` [m] while
-/// it is in front of it, then onto the line behind it, slow enough to be aligned before the touch.
+/// it is in front of it, slow enough for that circle, then onto the line behind it, slow enough to be aligned
+/// before the touch. `rolling` is the ball's velocity [m/s].
 Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec2 direction, double round,
-                   int& side);
+                   Vec2 rolling, int& side);
 
 }  // namespace fulbito::libero

@@ -6,6 +6,7 @@
 #include "engine/core/math.hpp"
 #include "strategies/libero_areas.hpp"
 #include "strategies/libero_blow.hpp"
+#include "strategies/libero_caught.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -170,6 +171,29 @@ bool chargesKeeper(const Picture& picture, const RobotState& self, Vec2& keeper)
   return false;
 }
 
+/// A ball that runs along their goal line through the mouth is turned in by the face that pushes it: who
+/// comes round it first comes after the other post, and a robot that is alone goes on so from side to side.
+bool sweepsIn(const Picture& picture, Vec2 rel) {
+  constexpr double kBefore = 0.12;  // [m] before the line
+  constexpr double kPast = 0.03;    // [m] past a post
+  constexpr double kNear = 0.085;   // [m]
+  constexpr double kBehind = 0.01;  // [m] by which the robot may be nearer to the line
+  constexpr double kRolls = 0.15;   // [m/s]
+  const Pitch& pitch = picture.pitch;
+  const BallState& ball = picture.ball.now();
+  if (ball.position.x < pitch.half_length - kBefore || std::abs(ball.position.y) > pitch.goal_half + kPast)
+    return false;
+  return squaredNorm(rel) < kNear * kNear && rel.x > -kBehind && std::abs(ball.velocity.y) > kRolls &&
+         rel.y * ball.velocity.y > 0.0;
+}
+
+/// Straight on with the ball, with a little of it into the goal: more loses the ball to the side.
+Twist sweepIn(const Picture& picture, const RobotState& self) {
+  constexpr double kInto = 0.4;
+  const double across = std::copysign(1.0, picture.ball.now().velocity.y);
+  return alongHeading(picture.pitch, self, math::angleOf({kInto, across}), picture.pitch.speed);
+}
+
 }  // namespace
 
 bool disputesFreeBall(const Observation& seen) {
@@ -208,6 +232,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   if (squaredNorm(rel) > 0.075 * 0.075 && chargesKeeper(picture, self, keeper)) {
     return passThrough(pitch, self, self.pose.position * 2.0 - keeper, 0.6);
   }
+  if (isCaught(picture, self, memory)) return driveOff(pitch, self);
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
   const Vec2 ball = close ? now.position + now.velocity * 0.03 : meet.ball;
@@ -221,6 +246,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
     memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
     return spin(memory, picture.seen.dt);
   }
+  if (sweepsIn(picture, rel)) return sweepIn(picture, self);
   if (headOn(picture, rel, aim)) return pressOn(picture, self, rel, memory);
   if (squeezes(picture, rel, aim)) {
     return alongHeading(pitch, self, math::angleOf(rel + aim.direction * kSqueeze), pitch.speed);
@@ -228,7 +254,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   if (!aim.wall) aim.direction = blowInTime(self.pose.position, aim, now.velocity);
   if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory.turn);
   return driveThrough(pitch, self, aim.contact, aim.direction,
-                      kRound + 0.03 * std::min(2, crowdAt(picture, now.position)), memory.side);
+                      kRound + 0.03 * std::min(2, crowdAt(picture, now.position)), now.velocity, memory.side);
 }
 
 }  // namespace fulbito::libero

@@ -16,6 +16,8 @@ struct StrikerMemory {
   double spin_sense = 1.0;
   double locked = 0.0;    ///< [s] before the next spin
   double jammed = 0.0;    ///< [s] for which robot and ball have pressed without moving
+  double caught = 0.0;    ///< [s] for which the robot has not moved, away from the ball
+  double freeing = 0.0;   ///< [s] for which it still drives off what caught it
   double slipping = 0.0;  ///< [s] for which a pinched ball is still let slip
 };
 

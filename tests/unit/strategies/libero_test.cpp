@@ -5,6 +5,7 @@
 #include "match/match.hpp"
 #include "navigation/limiter.hpp"
 #include "referee/restart_call.hpp"
+#include "strategies/libero_approach.hpp"
 #include "strategies/libero_areas.hpp"
 #include "strategies/libero_bounds.hpp"
 #include "strategies/registry.hpp"
@@ -164,6 +165,21 @@ double secondsToTouch(const Pose2& robot, Vec2 ball, Vec2 velocity) {
     const Vec2 now = match->world().balls[0].velocity;
     if (norm(now - last) > 0.12) break;
     last = now;
+  }
+  return match->seconds();
+}
+
+/// When [s] a robot that is alone on the field has scored; 10 where it has not.
+double scoresAlone(Vec2 ball, Pose2 robot, double side) {
+  auto config = matchOf("libero", "idle", "vsss-3v3", 20.0);
+  config.rules.stuck.seconds = config.rules.stuck.area_seconds = 20.0;
+  Placement start;
+  start.ball = {ball.x, side * ball.y};
+  start.robots[0][1] = Pose2{{robot.position.x, side * robot.position.y}, side * robot.heading};
+  config.start = start;
+  auto match = Match::create(config);
+  REQUIRE(match);
+  while (match->seconds() < 10.0 && match->referee().score[0] == 0 && match->step()) {
   }
   return match->seconds();
 }
@@ -622,6 +638,43 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
     }
   }
   CHECK(near > 1000);
+}
+
+TEST_CASE("libero comes round a lying ball without sliding past it", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    CHECK(scoresAlone({0.533, 0.425}, {{-0.508, -0.193}, -2.98}, side) < 2.4);
+    CHECK(scoresAlone({0.532, 0.488}, {{-0.611, -0.241}, 0.09}, side) < 2.4);
+  }
+}
+
+TEST_CASE("libero turns a ball in that runs along their end wall", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    for (const double y : {0.30, 0.34, 0.42}) {
+      CAPTURE(side, y);
+      CHECK(scoresAlone({0.7285, y}, {{0.68, y + 0.10}, -1.3}, side) < 3.0);
+    }
+  }
+}
+
+TEST_CASE("libero frees itself from a post of its goal", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    CHECK(scoresAlone({-0.626, 0.189}, {{-0.728, 0.157}, 1.40}, side) < 7.0);
+    CHECK(scoresAlone({-0.638, 0.189}, {{-0.721, 0.163}, -1.55}, side) < 7.0);
+  }
+}
+
+TEST_CASE("libero overtakes a rolling ball whose direction it has to mend", "[unit]") {
+  const libero::Pitch pitch(infoOf(3));
+  for (const double side : {1.0, -1.0}) {
+    RobotState robot;
+    robot.pose = {{-0.095, side * 0.01}, side * -0.2};
+    robot.velocity = {0.72, 0.0};
+    int hand = 0;
+    const Twist twist = libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {0.72, 0.0}, hand);
+    CHECK(twist.linear > 1.1);
+  }
 }
 
 }  // namespace fulbito
