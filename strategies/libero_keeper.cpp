@@ -11,7 +11,8 @@ namespace fulbito::libero {
 namespace {
 
 constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
-constexpr double kLying = 0.1;    // [m/s] of a ball that nobody plays
+constexpr double kSlow =
+    0.6;  // [m/s] of a ball that nobody plays: it lies, or a push of our own left it creeping
 constexpr double kStuck = 2.0;    // [s] after which a ball in our area is cleared whoever waits for it
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
@@ -90,22 +91,23 @@ bool goWith(const Picture& picture, const RobotState& self, double line, Twist& 
   return true;
 }
 
-/// Whether the keeper is at a ball near the goal clearly before any opponent.
+/// Whether the keeper is at a ball near the goal before any opponent.
 bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.1);
   if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
   const double mine = timeToReach(pitch, self, ball);
-  // A ball that lies is cleared though two wait for it: left where it is, it is a penalty after ten seconds.
-  const bool lies = squaredNorm(picture.ball.now().velocity) < kLying * kLying;
+  // A slow ball is cleared though two wait for it: left where it is, it is a penalty after ten seconds. One
+  // that the keeper just touched counts as slow still, or it would leave it after half a push.
+  const bool slow = squaredNorm(picture.ball.now().velocity) < kSlow * kSlow;
   int soon = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
     const double theirs = timeToReach(pitch, picture.opponent(i), ball);
-    if (theirs < mine + 0.1) return false;
+    if (theirs < mine) return false;
     if (theirs < mine + 0.6) ++soon;
   }
-  return lies || soon < 2;
+  return slow || soon < 2;
 }
 
 /// Pushes a ball that lies near out to the side, from the goal's side; false when the keeper is not there.
@@ -113,10 +115,7 @@ bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.05);
   const Vec2 rel = ball - self.pose.position;
-  // In the mouth there is no wall behind the keeper, which was pushed in and has the ball before it.
-  const bool in_mouth =
-      std::abs(ball.y) < pitch.goal_half - pitch.ball_radius && self.pose.position.x < ball.x - 0.03;
-  const bool at_wall = !in_mouth && ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
+  const bool at_wall = ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
   const double out = ball.y >= 0.0 ? 1.0 : -1.0;
   const bool beside = rel.x < 0.03 && std::abs(rel.x) < 0.05 && rel.y * out > 0.04;
   if (at_wall || beside) {
