@@ -11,8 +11,7 @@ namespace fulbito::libero {
 namespace {
 
 constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
-constexpr double kSlow =
-    0.6;  // [m/s] of a ball that nobody plays: it lies, or a push of our own left it creeping
+constexpr double kSlow = 0.6;     // [m/s] of a ball that nobody plays, though it may creep
 constexpr double kStuck = 2.0;    // [s] after which a ball in our area is cleared whoever waits for it
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
@@ -158,6 +157,22 @@ Twist guardPost(const Picture& picture, const RobotState& self) {
   return slideTo(picture, self, post.x, post.y);
 }
 
+/// A ball in the mouth behind the keeper: whatever touches it from here pushes it in. The keeper gets out of
+/// its way along the line, and waits until the ball has come out or one of them has been moved.
+bool leaveBehind(const Picture& picture, const RobotState& self, double line, Twist& twist) {
+  constexpr double kBehind = 0.015;  // [m] of the ball's centre behind the keeper's
+  constexpr double kDeep = 0.025;    // [m] of the ball's centre before the goal line
+  constexpr double kApart = 0.08;    // [m] along the line
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.now().position;
+  const Vec2 rel = ball - self.pose.position;
+  if (rel.x > -kBehind || ball.x > -pitch.half_length + kDeep || std::abs(ball.y) > pitch.goal_half)
+    return false;
+  const double away = rel.y > 0.0 ? -1.0 : 1.0;
+  twist = std::abs(rel.y) < kApart ? alongLine(self, line, away * pitch.speed) : Twist{0.0, 0.0};
+  return true;
+}
+
 }  // namespace
 
 double keeperPlace(const Picture& picture, double line) {
@@ -202,6 +217,7 @@ Twist keep(const Picture& picture, int robot) {
   const bool coming = crossing(picture, -pitch.half_length, shot) &&
                       std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
   const bool stuck = picture.stuck > kStuck && inOwnArea(pitch, ball.position, 0.05);
+  if (leaveBehind(picture, self, line, out)) return out;
   if (!coming && (stuck || comesFirst(picture, self)) && clear(picture, self, out)) return out;
   if (!(coming && rel.x > 0.03) && alongEndWall(picture)) return guardPost(picture, self);
   if (goWith(picture, self, line, out)) return out;

@@ -519,6 +519,22 @@ TEST_CASE("libero's keeper clears a ball that creeps off it, though two wait for
   }
 }
 
+TEST_CASE("libero's keeper does not push a ball in that lies behind it in the mouth", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    auto config = matchOf("libero", "idle", "vsss-3v3", 5.0);
+    Placement start;
+    start.ball = {-0.745, side * -0.006};
+    start.robots[0] = {Pose2{{-0.712, side * 0.052}, math::kPi / 2}, Pose2{{-0.25, side * -0.45}, 0.0}};
+    config.start = start;
+    auto match = Match::create(config);
+    REQUIRE(match);
+    while (match->seconds() < 1.5 && match->step()) {
+    }
+    CHECK(match->referee().score[1] == 0);
+  }
+}
+
 TEST_CASE("libero squeezes a ball that is pressed at the wall of its half out of there", "[unit]") {
   for (const double side : {1.0, -1.0}) {
     auto config = matchOf("libero", "chaser", "vsss-3v3", 10.0);
