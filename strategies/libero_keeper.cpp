@@ -114,7 +114,12 @@ bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.05);
   const Vec2 rel = ball - self.pose.position;
-  const bool at_wall = ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
+  // In the mouth there is no wall behind the keeper, which was pushed in and has the ball before it: it
+  // pushes out what is stuck there; before that its turn would only let the ball in.
+  const bool in_mouth = picture.stuck > 2 * kStuck &&
+                        std::abs(ball.y) < pitch.goal_half - pitch.ball_radius &&
+                        self.pose.position.x < ball.x - 0.03;
+  const bool at_wall = !in_mouth && ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
   const double out = ball.y >= 0.0 ? 1.0 : -1.0;
   const bool beside = rel.x < 0.03 && std::abs(rel.x) < 0.05 && rel.y * out > 0.04;
   if (at_wall || beside) {
