@@ -11,7 +11,7 @@ namespace fulbito::libero {
 namespace {
 
 constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
-constexpr double kLying = 0.1;    // [m/s] of a ball that nobody plays
+constexpr double kSlow = 0.6;     // [m/s] of a ball that nobody plays, though it may creep
 constexpr double kStuck = 2.0;    // [s] after which a ball in our area is cleared whoever waits for it
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
@@ -90,22 +90,23 @@ bool goWith(const Picture& picture, const RobotState& self, double line, Twist& 
   return true;
 }
 
-/// Whether the keeper is at a ball near the goal clearly before any opponent.
+/// Whether the keeper is at a ball near the goal before any opponent.
 bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.1);
   if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
   const double mine = timeToReach(pitch, self, ball);
-  // A ball that lies is cleared though two wait for it: left where it is, it is a penalty after ten seconds.
-  const bool lies = squaredNorm(picture.ball.now().velocity) < kLying * kLying;
+  // A slow ball is cleared though two wait for it: left where it is, it is a penalty after ten seconds. One
+  // that the keeper just touched counts as slow still, or it would leave it after half a push.
+  const bool slow = squaredNorm(picture.ball.now().velocity) < kSlow * kSlow;
   int soon = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
     const double theirs = timeToReach(pitch, picture.opponent(i), ball);
-    if (theirs < mine + 0.1) return false;
+    if (theirs < mine) return false;
     if (theirs < mine + 0.6) ++soon;
   }
-  return lies || soon < 2;
+  return slow || soon < 2;
 }
 
 /// Pushes a ball that lies near out to the side, from the goal's side; false when the keeper is not there.
@@ -113,9 +114,11 @@ bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.05);
   const Vec2 rel = ball - self.pose.position;
-  // In the mouth there is no wall behind the keeper, which was pushed in and has the ball before it.
-  const bool in_mouth =
-      std::abs(ball.y) < pitch.goal_half - pitch.ball_radius && self.pose.position.x < ball.x - 0.03;
+  // In the mouth there is no wall behind the keeper, which was pushed in and has the ball before it: it
+  // pushes out what is stuck there; before that its turn would only let the ball in.
+  const bool in_mouth = picture.stuck > 2 * kStuck &&
+                        std::abs(ball.y) < pitch.goal_half - pitch.ball_radius &&
+                        self.pose.position.x < ball.x - 0.03;
   const bool at_wall = !in_mouth && ball.x < -pitch.half_length + pitch.ball_radius + 0.04;
   const double out = ball.y >= 0.0 ? 1.0 : -1.0;
   const bool beside = rel.x < 0.03 && std::abs(rel.x) < 0.05 && rel.y * out > 0.04;
@@ -157,6 +160,22 @@ Twist guardPost(const Picture& picture, const RobotState& self) {
     return twist;
   }
   return slideTo(picture, self, post.x, post.y);
+}
+
+/// A ball in the mouth behind the keeper: whatever touches it from here pushes it in. The keeper gets out of
+/// its way along the line, and waits until the ball has come out or one of them has been moved.
+bool leaveBehind(const Picture& picture, const RobotState& self, double line, Twist& twist) {
+  constexpr double kBehind = 0.015;  // [m] of the ball's centre behind the keeper's
+  constexpr double kDeep = 0.025;    // [m] of the ball's centre before the goal line
+  constexpr double kApart = 0.08;    // [m] along the line
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.now().position;
+  const Vec2 rel = ball - self.pose.position;
+  if (rel.x > -kBehind || ball.x > -pitch.half_length + kDeep || std::abs(ball.y) > pitch.goal_half)
+    return false;
+  const double away = rel.y > 0.0 ? -1.0 : 1.0;
+  twist = std::abs(rel.y) < kApart ? alongLine(self, line, away * pitch.speed) : Twist{0.0, 0.0};
+  return true;
 }
 
 }  // namespace
@@ -203,6 +222,7 @@ Twist keep(const Picture& picture, int robot) {
   const bool coming = crossing(picture, -pitch.half_length, shot) &&
                       std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
   const bool stuck = picture.stuck > kStuck && inOwnArea(pitch, ball.position, 0.05);
+  if (leaveBehind(picture, self, line, out)) return out;
   if (!coming && (stuck || comesFirst(picture, self)) && clear(picture, self, out)) return out;
   if (!(coming && rel.x > 0.03) && alongEndWall(picture)) return guardPost(picture, self);
   if (goWith(picture, self, line, out)) return out;

@@ -509,10 +509,46 @@ TEST_CASE("libero's keeper clears a ball that lies beside its goal, though two w
   config.start = start;
   auto match = Match::create(config);
   REQUIRE(match);
-  while (match->seconds() < 3.0 && match->step()) {
+  while (match->seconds() < 1.0 && match->step()) {
   }
   CHECK(distance(match->world().balls[0].position, start.ball) > 0.15);
   CHECK(match->referee().score[1] == 0);
+}
+
+TEST_CASE("libero's keeper clears a ball that creeps off it, though two wait for it", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    auto config = matchOf("libero", "idle", "vsss-3v3", 5.0);
+    Placement start;
+    start.ball = {-0.645, side * -0.079};
+    start.ball_velocity = {0.11, side * -0.07};
+    start.robots[0] = {Pose2{{-0.745, side * -0.077}, math::kPi / 2}, Pose2{{-0.25, side * -0.45}, 0.0},
+                       Pose2{{-0.25, side * 0.3}, 0.0}};
+    start.robots[1] = {Pose2{{-0.445, side * -0.25}, 0.0}, Pose2{{-0.369, side * 0.085}, 0.0}};
+    config.start = start;
+    auto match = Match::create(config);
+    REQUIRE(match);
+    while (match->seconds() < 1.0 && match->step()) {
+    }
+    CHECK(distance(match->world().balls[0].position, start.ball) > 0.2);
+    CHECK(match->referee().score[1] == 0);
+  }
+}
+
+TEST_CASE("libero's keeper does not push a ball in that lies behind it in the mouth", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    auto config = matchOf("libero", "idle", "vsss-3v3", 5.0);
+    Placement start;
+    start.ball = {-0.745, side * -0.006};
+    start.robots[0] = {Pose2{{-0.712, side * 0.052}, math::kPi / 2}, Pose2{{-0.25, side * -0.45}, 0.0}};
+    config.start = start;
+    auto match = Match::create(config);
+    REQUIRE(match);
+    while (match->seconds() < 1.5 && match->step()) {
+    }
+    CHECK(match->referee().score[1] == 0);
+  }
 }
 
 TEST_CASE("libero squeezes a ball that is pressed at the wall of its half out of there", "[unit]") {
