@@ -53,7 +53,8 @@ class Libero final : public Strategy {
       command.roles[static_cast<std::size_t>(i)] = roleOf(i);
       command.robots[static_cast<std::size_t>(i)] = play(picture, i, rank);
     }
-    if (observation.wants_drawings) draw(picture, {keeper_, striker_}, strike_, command.drawings);
+    if (observation.wants_drawings)
+      draw(picture, {keeper_, striker_, ballIsKeepers()}, strike_, command.drawings);
     return command;
   }
 
@@ -98,13 +99,14 @@ class Libero final : public Strategy {
     return seen.restart != RestartKind::kGoalKick || !seen.restart_is_ours;
   }
 
-  bool isKeepers(Vec2 ball) const {
-    return inOwnArea(pitch_, ball, kKeepersMargin) && std::abs(ball.y) < pitch_.area_half;
+  bool ballIsKeepers() const {
+    const Vec2 ball = ball_.at(kKeepersAhead);
+    return keeper_ >= 0 && inOwnArea(pitch_, ball, kKeepersMargin) && std::abs(ball.y) < pitch_.area_half;
   }
 
   RobotCommand play(const Picture& picture, int robot, int& rank) {
     if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
-    const bool keepers = keeper_ >= 0 && isKeepers(ball_.at(kKeepersAhead));
+    const bool keepers = ballIsKeepers();
     if (robot == striker_ && !keepers) {
       const Twist twist = strike(picture, robot, strike_);
       // The mark of a free ball is at the area's edge: who minds that edge comes late.

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "strategies/drawings.hpp"
-#include "strategies/libero_areas.hpp"
 #include "strategies/libero_keeper.hpp"
 #include "strategies/libero_support.hpp"
 
@@ -54,7 +53,6 @@ void drawStriker(const Picture& picture, int robot, const StrikerMemory& memory,
 void draw(const Picture& picture, const Roles& roles, const StrikerMemory& memory,
           std::vector<DebugDrawing>& drawings) {
   drawBall(picture, drawings);
-  const bool keepers = roles.keeper >= 0 && inOwnArea(picture.pitch, picture.ball.at(0.2), 0.0);
   int rank = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.ownPresent(i)) continue;
@@ -63,11 +61,11 @@ void draw(const Picture& picture, const Roles& roles, const StrikerMemory& memor
     if (i == roles.keeper) {
       name = "keeper";
       addCircle(drawings, keeperGoal(picture), kPlace);
-    } else if (i == roles.striker && !keepers) {
+    } else if (i == roles.striker && !roles.keepers_ball) {
       name = "striker";
       drawStriker(picture, i, memory, drawings);
     } else {
-      const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, i, rank);
+      const Vec2 place = roles.keepers_ball ? waitingPlace(picture, rank) : supportPlace(picture, i, rank);
       ++rank;
       if (!canMeetCarried(picture, picture.own(i))) {
         addLine(drawings, self, place);

@@ -12,6 +12,7 @@ namespace fulbito::libero {
 struct Roles {
   int keeper = -1;
   int striker = -1;
+  bool keepers_ball = false;  ///< the ball is the keeper's alone, all others wait
 };
 
 /// Shows what the team has in mind: roles, the ball's way, where the striker means to meet the ball and where
