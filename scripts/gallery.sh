@@ -30,7 +30,7 @@ export_game --heatmap yellow "$images/match-heatmap-light.png" --size 640 --them
 
 # Shortly before it, with what the teams had in mind.
 "$program" match libero classic --seed 7 --record drawn.fbr --drawings >/dev/null
-before=$(awk -v t="$goal" 'BEGIN { print (t > 2.5 ? t - 2.5 : 0) }')
+before=$(awk -v t="$goal" 'BEGIN { print (t > 1.2 ? t - 1.2 : 0) }')
 "$program" replay export drawn.fbr --force --png "$images/match-drawings.png" --at "$before"
 
 "$program" run --navigator bspline-time --layout moving:3 --record trial.fbr >/dev/null
