@@ -8,6 +8,7 @@
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
 #include "engine/sim/world.hpp"
+#include "match/match.hpp"
 #include "referee/restart_call.hpp"
 #include "strategies/team_frame.hpp"
 
@@ -265,17 +266,11 @@ bool placedByReferee(const DrillStart& start, const DrillScene& scene) {
 }
 
 RestartCall openingOf(const DrillStart& start, const DrillScene& scene, const MatchConfig& match) {
-  RefereeSetup setup;
-  setup.rules = match.rules;
-  setup.field = match.field;
-  setup.robot = match.robot.robot;
-  setup.ball = match.robot.ball;
-  setup.dt = match.physics.controlPeriod();
   Stoppage stoppage;
   stoppage.kind = static_cast<RestartKind>(start.restart);
   stoppage.team = start.ours ? scene.seat : other(scene.seat);
   stoppage.ball = seated(scene.placement, scene.seat).ball;
-  RestartCall call = makeCall(setup, {}, stoppage);
+  RestartCall call = makeCall(refereeSetup(match), {}, stoppage);
   // The rule gives a free ball to who attacks that half; the drill names whom it means.
   if (call.kind != RestartKind::kFreeBall) call.team = stoppage.team;
   return call;

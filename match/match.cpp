@@ -11,11 +11,8 @@
 #include "match/stage_clock.hpp"
 
 namespace fulbito {
-namespace {
 
-constexpr std::size_t kRoomForEvents = 64;
-
-RefereeSetup setupOf(const MatchConfig& config) {
+RefereeSetup refereeSetup(const MatchConfig& config) {
   RefereeSetup setup;
   setup.rules = config.rules;
   setup.field = config.field;
@@ -27,6 +24,10 @@ RefereeSetup setupOf(const MatchConfig& config) {
   setup.scoreboard = config.scoreboard;
   return setup;
 }
+
+namespace {
+
+constexpr std::size_t kRoomForEvents = 64;
 
 RestartCall givenStart(const MatchConfig& config) {
   const Placement& placement = *config.start;
@@ -42,7 +43,7 @@ RestartCall givenStart(const MatchConfig& config) {
 
 struct Match::Impl {
   explicit Impl(const MatchConfig& from)
-      : config(from), referee(setupOf(from)), misplacing(from.seed, Stream::kPlacement) {
+      : config(from), referee(refereeSetup(from)), misplacing(from.seed, Stream::kPlacement) {
     events.reserve(kRoomForEvents);
     seats.reserve(kTeams.size());
   }

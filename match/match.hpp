@@ -26,6 +26,9 @@ struct MatchProfile {
   std::int64_t total() const { return sense + decide + navigate + step + referee + restart + record; }
 };
 
+/// What the referee of such a match goes by.
+RefereeSetup refereeSetup(const MatchConfig& config);
+
 /// One match: sense, decide, navigate, actuate, step, referee, record, tick by tick.
 ///
 ///     auto match = Match::create(config);

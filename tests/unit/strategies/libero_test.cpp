@@ -94,15 +94,9 @@ std::vector<Vec2> afterRestart(RestartKind kind, bool ours, TeamId seat) {
   MatchConfig config = matchOf("libero", "chaser", "vsss-3v3", 10.0);
   if (seat == TeamId::kYellow) std::swap(config.teams[0], config.teams[1]);
   config.placement_error = {0.0, 0.0};
-  RefereeSetup setup;
-  setup.rules = config.rules;
-  setup.field = config.field;
-  setup.robot = config.robot.robot;
-  setup.ball = config.robot.ball;
-  setup.dt = config.physics.controlPeriod();
   const double own = seat == TeamId::kBlue ? -1.0 : 1.0;
-  config.opening =
-      makeCall(setup, {}, {kind, ours ? seat : other(seat), {ours ? -own * 0.3 : own * 0.3, 0.3}, nullptr});
+  config.opening = makeCall(refereeSetup(config), {},
+                            {kind, ours ? seat : other(seat), {ours ? -own * 0.3 : own * 0.3, 0.3}, nullptr});
   auto match = Match::create(config);
   REQUIRE(match);
   for (int tick = 0; tick < 6; ++tick) match->step();
