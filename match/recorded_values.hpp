@@ -1,6 +1,7 @@
 // Private header of match: not installed.
 #pragma once
 
+#include "match/match_observer.hpp"
 #include "referee/game_event.hpp"
 #include "replays/recording.hpp"
 #include "strategies/team_command.hpp"
@@ -12,5 +13,16 @@ void describe(const GameEvent& event, RecordedEvent& recorded);
 /// `side` is the team's.
 void describe(const DebugDrawing& drawing, Tick tick, TeamId team, Side side, RecordedDrawing& recorded);
 /// @}
+
+/// Calls `each(drawing, team)` with all that teams and their navigators want to show of a tick.
+template <typename Each>
+void forEachDrawing(const MatchTick& tick, const Each& each) {
+  for (const TeamId team : kTeams) {
+    if (const TeamCommand* decision = tick.decisions[indexOf(team)]) {
+      for (const DebugDrawing& drawing : decision->drawings) each(drawing, team);
+    }
+    for (const DebugDrawing& drawing : tick.ways[indexOf(team)]) each(drawing, team);
+  }
+}
 
 }  // namespace fulbito

@@ -116,17 +116,10 @@ void MatchRecorder::add(const GameEvent& event) {
 }
 
 void MatchRecorder::addDrawings(const MatchTick& tick) {
-  for (const TeamId team : kTeams) {
-    if (const TeamCommand* decision = tick.decisions[indexOf(team)]) {
-      for (const DebugDrawing& drawing : decision->drawings) add(drawing, tick, team);
-    }
-    for (const DebugDrawing& drawing : tick.ways[indexOf(team)]) add(drawing, tick, team);
-  }
-}
-
-void MatchRecorder::add(const DebugDrawing& drawing, const MatchTick& tick, TeamId team) {
-  describe(drawing, tick.tick, team, tick.referee->sideOf(team), drawing_);
-  writer_.add(drawing_);
+  forEachDrawing(tick, [&](const DebugDrawing& drawing, TeamId team) {
+    describe(drawing, tick.tick, team, tick.referee->sideOf(team), drawing_);
+    writer_.add(drawing_);
+  });
 }
 
 void MatchRecorder::matchEnds(const RefereeState& referee, Tick) {

@@ -39,7 +39,6 @@ class MatchRecorder final : public MatchObserver {
   explicit MatchRecorder(RecordingWriter writer) : writer_(std::move(writer)) {}
   void add(const GameEvent& event);
   void addDrawings(const MatchTick& tick);
-  void add(const DebugDrawing& drawing, const MatchTick& tick, TeamId team);
 
   RecordingWriter writer_;
   RecordedEvent event_;      ///< reused, so that texts need no new memory

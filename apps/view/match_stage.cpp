@@ -1,7 +1,6 @@
 #include "apps/view/match_stage.hpp"
 
 #include <algorithm>
-#include <span>
 
 #include "engine/core/math.hpp"
 #include "match/recorded_values.hpp"
@@ -103,15 +102,9 @@ void MatchStage::ticked(const MatchTick& tick) {
     called_ = true;
   }
   drawings_.clear();
-  for (const TeamId team : kTeams) {
-    const auto keep = [&](std::span<const DebugDrawing> drawings) {
-      for (const DebugDrawing& drawing : drawings) {
-        describe(drawing, tick.tick, team, tick.referee->sideOf(team), drawings_.emplace_back());
-      }
-    };
-    if (const TeamCommand* decision = tick.decisions[indexOf(team)]) keep(decision->drawings);
-    keep(tick.ways[indexOf(team)]);
-  }
+  forEachDrawing(tick, [&](const DebugDrawing& drawing, TeamId team) {
+    describe(drawing, tick.tick, team, tick.referee->sideOf(team), drawings_.emplace_back());
+  });
 }
 
 MatchBanner MatchStage::banner() const {
