@@ -73,11 +73,6 @@ class Libero final : public Strategy {
   }
 
  private:
-  /// The keeper's alone is a ball that soon is in our area or this near to it: who goes on running back
-  /// beside those who bring it is pushed in with it.
-  static constexpr double kKeepersAhead = 0.45;   // [s]
-  static constexpr double kKeepersMargin = 0.06;  // [m]
-
   void forgetStriker() {
     striker_ = -1;
     strike_ = {};
@@ -99,9 +94,13 @@ class Libero final : public Strategy {
     return seen.restart != RestartKind::kGoalKick || !seen.restart_is_ours;
   }
 
+  /// The keeper's alone is a ball that soon is in our area or near to it: who goes on running back beside
+  /// those who bring it is pushed in with it.
   bool ballIsKeepers() const {
-    const Vec2 ball = ball_.at(kKeepersAhead);
-    return keeper_ >= 0 && inOwnArea(pitch_, ball, kKeepersMargin) && std::abs(ball.y) < pitch_.area_half;
+    constexpr double kAhead = 0.45;   // [s]
+    constexpr double kMargin = 0.06;  // [m]
+    const Vec2 ball = ball_.at(kAhead);
+    return keeper_ >= 0 && inOwnArea(pitch_, ball, kMargin) && std::abs(ball.y) < pitch_.area_half;
   }
 
   RobotCommand play(const Picture& picture, int robot, int& rank) {

@@ -54,15 +54,6 @@ Vec2 blowInTime(Vec2 robot, const Aim& aim, Vec2 moving) {
   return early.x > kUpfield ? early : best;
 }
 
-int crowdAt(const Picture& picture, Vec2 ball) {
-  int crowd = 0;
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) && squaredNorm(picture.opponent(i).pose.position - ball) < 0.16 * 0.16)
-      ++crowd;
-  }
-  return crowd;
-}
-
 Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, int& held) {
   constexpr double kTurns[] = {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5};
   const Vec2 self = picture.own(robot).pose.position;

@@ -10,9 +10,6 @@ namespace fulbito::libero {
 /// Then the blow is turned toward the robot's own way to the ball, if that leads up the field.
 Vec2 blowInTime(Vec2 robot, const Aim& aim, Vec2 moving);
 
-/// Opponents that are about the ball.
-int crowdAt(const Picture& picture, Vec2 ball);
-
 /// The aim's blow, turned as little as the bodies about the ball demand; `held` keeps the choice.
 Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, int& held);
 

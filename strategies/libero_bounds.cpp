@@ -6,6 +6,7 @@
 #include "engine/core/math.hpp"
 #include "strategies/libero_areas.hpp"
 #include "strategies/libero_motion.hpp"
+#include "strategies/team_frame.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -162,13 +163,6 @@ struct Bound {
   }
 };
 
-RobotState turned(const RobotState& robot) {
-  RobotState state = robot;
-  state.pose = {-robot.pose.position, math::wrapAngle(robot.pose.heading + math::kPi)};
-  state.velocity = -robot.velocity;
-  return state;
-}
-
 /// Whether an opponent from outside comes at the robot or past it toward our goal: it would push it in.
 bool isPressed(const Picture& picture, const RobotState& robot) {
   constexpr double kNear = 0.30, kBeside = 0.05, kComes = 0.2;  // [m], [m], [m/s]
@@ -196,7 +190,8 @@ RobotCommand keptOut(const Picture& picture, int robot, Closed closed, Twist wan
     return Bound{picture.pitch, self, kOwnMargin + more}.kept(wanted);
   }
   if (closed.theirs && x > 0.0) {
-    return Bound{picture.pitch, turned(self), kTheirMargin + picture.pitch.robot_corner}.kept(wanted);
+    return Bound{picture.pitch, inTeamFrame(Side::kRight, self), kTheirMargin + picture.pitch.robot_corner}
+        .kept(wanted);
   }
   return RobotCommand::byTwist(wanted);
 }

@@ -19,6 +19,14 @@ struct Picture {
   bool ownPresent(int i) const { return seen.own[static_cast<std::size_t>(i)].present; }
   const RobotState& opponent(int i) const { return seen.opponents[static_cast<std::size_t>(i)].state; }
   bool opponentPresent(int i) const { return seen.opponents[static_cast<std::size_t>(i)].present; }
+  /// How many opponents' centres are within `radius` [m] of a place.
+  int opponentsNear(Vec2 place, double radius) const {
+    int near = 0;
+    for (int i = 0; i < seen.team_size; ++i) {
+      if (opponentPresent(i) && squaredNorm(opponent(i).pose.position - place) < radius * radius) ++near;
+    }
+    return near;
+  }
 };
 
 }  // namespace fulbito::libero

@@ -19,6 +19,7 @@ constexpr double kSlip = 0.3;       // [s] that takes
 constexpr double kSlipTurn =
     0.15;  // [rad] a face turned by that slides it out; by 0.25 they come past it first
 constexpr double kSqueeze = 0.06;  // [m] along the wall before the ball, at which its pusher then drives
+constexpr double kCrowd = 0.16;    // [m] about the ball, in which opponents are in the way
 constexpr double kInner = 0.02;  // [m] off the ball's middle, on our goal's side, where a pushed ball is met
 
 /// Five a side, where crowds push through what three cannot.
@@ -89,13 +90,7 @@ bool keeperRunsOut(const Picture& picture) {
 /// aimed: pushed on straight it ended in their corner and came back along the wall.
 bool contested(const Picture& picture) {
   constexpr double kNear = 0.22;  // [m]
-  if (picture.seen.since_restart < 0.1) return true;
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) &&
-        squaredNorm(picture.opponent(i).pose.position - picture.ball.now().position) < kNear * kNear)
-      return true;
-  }
-  return false;
+  return picture.seen.since_restart < 0.1 || picture.opponentsNear(picture.ball.now().position, kNear) > 0;
 }
 
 /// Right after a restart the touch counts, whatever the direction; before a keeper that runs out who turns
@@ -131,12 +126,7 @@ Twist pressOn(const Picture& picture, const RobotState& self, Vec2 rel, StrikerM
 bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
   const double near = norm(rel);
   if (aim.wall || near > kTouch || dot(rel, aim.direction) < 0.5 * near) return false;
-  const Vec2 opposite = picture.ball.now().position + unitOr(rel, {}) * 0.06;
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (!picture.opponentPresent(i)) continue;
-    if (squaredNorm(picture.opponent(i).pose.position - opposite) < 0.03 * 0.03) return true;
-  }
-  return false;
+  return picture.opponentsNear(picture.ball.now().position + unitOr(rel, {}) * 0.06, 0.03) > 0;
 }
 
 /// Whether the ball lies at a wall of our half with us behind it and an opponent about it. Then a face that
@@ -145,7 +135,7 @@ bool squeezes(const Picture& picture, Vec2 rel, const Aim& aim) {
   const BallState& ball = picture.ball.now();
   return aim.wall && ball.position.x < 0.0 && dot(rel, aim.direction) > 0.0 &&
          squaredNorm(rel) < 0.13 * 0.13 && squaredNorm(ball.velocity) < 0.8 * 0.8 &&
-         crowdAt(picture, ball.position) > 0;
+         picture.opponentsNear(ball.position, kCrowd) > 0;
 }
 
 /// Whether an opponent pushes the ball toward our goal.
@@ -254,7 +244,8 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   if (!aim.wall) aim.direction = blowInTime(self.pose.position, aim, now.velocity);
   if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory.turn);
   return driveThrough(pitch, self, aim.contact, aim.direction,
-                      kRound + 0.03 * std::min(2, crowdAt(picture, now.position)), now.velocity, memory.side);
+                      kRound + 0.03 * std::min(2, picture.opponentsNear(now.position, kCrowd)), now.velocity,
+                      memory.side);
 }
 
 }  // namespace fulbito::libero

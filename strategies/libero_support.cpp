@@ -32,16 +32,6 @@ double headingRound(const Picture& picture, int robot, Vec2 to) {
   return math::angleOf(turned);
 }
 
-/// Opponents within 0.25 m of the ball.
-int crowdAbout(const Picture& picture, Vec2 ball) {
-  int crowd = 0;
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) && squaredNorm(picture.opponent(i).pose.position - ball) < 0.25 * 0.25)
-      ++crowd;
-  }
-  return crowd;
-}
-
 /// On the line from the ball to our goal, outside the area; beside it where the ball lies deeper.
 Vec2 shadow(const Picture& picture, Vec2 ball) {
   const Pitch& pitch = picture.pitch;
@@ -85,7 +75,7 @@ Vec2 wantedPlace(const Picture& picture, int robot, int rank) {
     return {std::min(ball.x - 0.2, pitch.half_length - 0.35), far_side * 0.18};
   }
   // Where they crowd the ball none is left to stop what comes out on the other side.
-  if (pitch.team_size <= 3 && crowdAbout(picture, ball) >= 2) {
+  if (pitch.team_size <= 3 && picture.opponentsNear(ball, 0.25) >= 2) {
     return {std::min(ball.x + 0.3, pitch.half_length - 0.35), std::clamp(ball.y * 0.4, -0.3, 0.3)};
   }
   return shadow(picture, ball);
