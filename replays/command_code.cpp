@@ -19,10 +19,11 @@ constexpr std::int64_t kMostSteps = std::int64_t{1} << 33;  // of what a residua
 /// How a value came about: free, at its upper limit, at its lower limit, or held for want of room.
 enum : unsigned { kFree, kUpper, kLower, kHeld };
 
-/// What is known of one robot's motors, in its units, and within what a limit of theirs counts as hit.
+/// What is known of one robot's motors.
 struct Motors {
-  CommandModel model;
-  std::int64_t exact = 0;
+  std::int32_t unit = 1;   ///< its commands are multiples of
+  CommandModel model;      ///< in that unit
+  std::int64_t exact = 0;  ///< units within which a limit counts as hit
 };
 
 /// One robot's wheels: turn is right less left, pace is right and left together.
@@ -153,27 +154,25 @@ std::int32_t unitOf(const Columns& table, std::size_t robot) {
 
 Motors motorsIn(std::int32_t unit, CommandModel model, std::int64_t exact_units) {
   for (int* steps : {&model.most_change, &model.spin_from, &model.spin_to}) *steps /= unit;
-  return {model, model.most_change / kExactShare + exact_units};
+  return {unit, model, model.most_change / kExactShare + exact_units};
 }
 
 }  // namespace
 
 void packCommands(const Columns& table, const CommandModel& model, Bytes& out) {
   const std::size_t robots = table.columns() / 2;
-  std::vector<std::int32_t> units(robots);
   std::vector<Motors> motors(robots);
   ByteWriter head(out);
   for (std::size_t robot = 0; robot < robots; ++robot) {
-    units[robot] = unitOf(table, robot);
-    motors[robot] = motorsIn(units[robot], model, kExactUnits);
-    head.varint(static_cast<std::uint64_t>(units[robot]));
+    motors[robot] = motorsIn(unitOf(table, robot), model, kExactUnits);
+    head.varint(static_cast<std::uint64_t>(motors[robot].unit));
   }
   RangeEncoder coder(out);
   CommandCode<RangeEncoder> code(coder);
   std::vector<Wheels> wheels(robots);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     for (std::size_t robot = 0; robot < robots; ++robot) {
-      const std::int32_t unit = units[robot];
+      const std::int32_t unit = motors[robot].unit;
       code.code(motors[robot], wheels[robot],
                 {table.at(2 * robot, row) / unit, table.at(2 * robot + 1, row) / unit});
     }
@@ -185,13 +184,12 @@ std::optional<Columns> unpackCommands(BytesView bytes, Codec codec, const Comman
                                       std::size_t columns, std::size_t rows) {
   if (codec != Codec::kModelled && codec != Codec::kUnits) return std::nullopt;
   const std::size_t robots = columns / 2;
-  std::vector<std::int32_t> units(robots, 1);
   std::vector<Motors> motors(robots, motorsIn(1, model, codec == Codec::kUnits ? kExactUnits : 0));
   ByteReader head(bytes);
   for (std::size_t robot = 0; codec == Codec::kUnits && robot < robots; ++robot) {
-    units[robot] = static_cast<std::int32_t>(head.varint(std::numeric_limits<std::int32_t>::max()));
-    if (units[robot] < 1) return std::nullopt;
-    motors[robot] = motorsIn(units[robot], model, kExactUnits);
+    const auto unit = static_cast<std::int32_t>(head.varint(std::numeric_limits<std::int32_t>::max()));
+    if (unit < 1) return std::nullopt;
+    motors[robot] = motorsIn(unit, model, kExactUnits);
   }
   RangeDecoder coder(head.bytes(head.left()));
   CommandCode<RangeDecoder> code(coder);
@@ -202,8 +200,9 @@ std::optional<Columns> unpackCommands(BytesView bytes, Codec codec, const Comman
     for (std::size_t robot = 0; robot < robots; ++robot) {
       const auto pair = code.code(motors[robot], wheels[robot], {});
       // A broken file may leave the range of a command.
-      table.at(2 * robot, row) = static_cast<std::int32_t>(std::int64_t{pair.left} * units[robot]);
-      table.at(2 * robot + 1, row) = static_cast<std::int32_t>(std::int64_t{pair.right} * units[robot]);
+      const std::int64_t unit = motors[robot].unit;
+      table.at(2 * robot, row) = static_cast<std::int32_t>(pair.left * unit);
+      table.at(2 * robot + 1, row) = static_cast<std::int32_t>(pair.right * unit);
     }
   }
   if (!coder.good()) return std::nullopt;
