@@ -134,7 +134,8 @@ WheelSpeeds TeamPilots::driveRobot(const Observation& observation, int robot, co
   return inSteps(inverseKinematics(info_.robot, limited));
 }
 
-// As the radio of a real robot would carry them. It costs no strength, and recordings are a quarter smaller.
+// As the radio of a real robot would carry them. No team plays measurably better or worse for it, and
+// recordings are a fifth smaller.
 WheelSpeeds TeamPilots::inSteps(WheelSpeeds wheels) const {
   const WheelSpeeds rounded = roundedTo(wheels, step_);
   return {std::clamp(rounded.left, -top_, top_), std::clamp(rounded.right, -top_, top_)};
