@@ -67,7 +67,7 @@ TEST_CASE("what is shown is the recording's moment, with and without overlays", 
 TEST_CASE("a recording says whether it was edited", "[unit]") {
   CHECK_FALSE(replayStage(shortRecording())->edited());
   std::string bytes;
-  const MatchConfig config = shortMatch();
+  const MatchConfig config = shortMatch("chaser", "chaser", 10.0);
   auto match = Match::create(config);
   auto recorder = MatchRecorder::create(into(bytes), config);
   REQUIRE(match);
