@@ -87,7 +87,7 @@ TEST_CASE("libero lets a free ball that is pinched between two slip out to the s
     seen.restart = RestartKind::kFreeBall;
     Twist first, last;
     for (int i = 0; i < 24; ++i) {
-      seen.tick = static_cast<Tick>(12 + i);
+      seen.tick = Tick{12} + i;
       seen.since_restart = static_cast<double>(seen.tick) / 60.0;
       last = team->decide(seen).robots[1].twist;
       if (i == 0) first = last;

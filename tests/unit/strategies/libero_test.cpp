@@ -75,6 +75,7 @@ TEST_CASE("libero's decisions allocate nothing", "[unit]") {
   const auto team = test::liberoIn(info);
   Rng rng{6, Stream::kTest};
   std::vector<Observation> pictures;
+  pictures.reserve(200);
   for (int i = 0; i < 200; ++i) pictures.push_back(test::anything(rng, info));
   const std::uint64_t before = test::allocationCount();
   double sum = 0.0;
@@ -146,7 +147,7 @@ TEST_CASE("libero's penalties: who stands to take it does, and runs on when the 
 
 TEST_CASE("libero's striker waits outside their area until a mate has left it", "[unit]") {
   const MatchInfo info = test::infoOf(3);
-  const auto speedToward = [&](Vec2 mate) {
+  const auto speed = [&](Vec2 mate) {
     const auto team = test::liberoIn(info);
     Observation seen;
     seen.team_size = 3;
@@ -160,8 +161,8 @@ TEST_CASE("libero's striker waits outside their area until a mate has left it", 
     seen.ball.position = {0.62, 0.0};
     return team->decide(seen).robots[2].twist.linear;
   };
-  CHECK(speedToward({0.20, -0.40}) > 0.3);
-  CHECK(speedToward({0.70, -0.25}) < 0.1);
+  CHECK(speed({0.20, -0.40}) > 0.3);
+  CHECK(speed({0.70, -0.25}) < 0.1);
 }
 
 }  // namespace fulbito
