@@ -11,7 +11,7 @@ namespace {
 constexpr double kLeastStep = 1e-6;  // [rad/s]
 constexpr double kMostModel = 1e9;   // of what a header may say
 
-constexpr int kChunkSeconds = 10;
+constexpr int kChunkSeconds = 6;
 constexpr int kSampleRate = 30;  // [Hz]
 
 double recordedCommandStep(const PhysicsProfile& physics) {
