@@ -230,7 +230,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   if (sweepsIn(picture, rel)) return sweepIn(picture, self);
   if (headOn(picture, rel, aim)) return pressOn(picture, self, rel, memory);
   if (squeezes(picture, rel, aim)) return squeeze(picture, self, rel, aim);
-  if (racesToCorner(picture, rel, aim)) return raceToCorner(picture, self, aim);
+  if (racesAlongWall(picture, rel, aim)) return raceAlongWall(picture, self, aim);
   if (!aim.wall) aim.direction = blowInTime(self.pose.position, aim, now.velocity);
   if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory.turn);
   return driveThrough(pitch, self, aim.contact, aim.direction,
