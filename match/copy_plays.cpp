@@ -30,11 +30,7 @@ bool PlayCopier::playBegins(const ReplayedPlay& play) {
 }
 
 bool PlayCopier::ticked(const ReplayedTick& tick) {
-  bool same = static_cast<std::uint16_t>(tick.hash) == tick.chunk->tick_hashes[tick.row];
-  for (const RecordedCheck& check : tick.chunk->checks) {
-    same = same && (check.tick != tick.tick || check.hash == tick.hash);
-  }
-  if (!same) {
+  if (!asRecorded(tick)) {
     differs_ = tick.tick;
     return false;
   }

@@ -24,7 +24,6 @@ class Expander final : public ReplayVisitor {
   void chunkBegins(const RecordedChunk& chunk) override {
     events_.insert(events_.end(), chunk.events.begin(), chunk.events.end());
     drawings_.insert(drawings_.end(), chunk.drawings.begin(), chunk.drawings.end());
-    checks_.insert(checks_.end(), chunk.checks.begin(), chunk.checks.end());
   }
   bool playBegins(const ReplayedPlay& play) override {
     if (play.number > 0 && play.hash != play.recorded->hash) return stop(play.recorded->tick);
@@ -32,10 +31,7 @@ class Expander final : public ReplayVisitor {
     return true;
   }
   bool ticked(const ReplayedTick& tick) override {
-    if (static_cast<std::uint16_t>(tick.hash) != tick.chunk->tick_hashes[tick.row]) return stop(tick.tick);
-    for (; !checks_.empty() && checks_.front().tick <= tick.tick; checks_.pop_front()) {
-      if (checks_.front().hash != tick.hash) return stop(tick.tick);
-    }
+    if (!asRecorded(tick)) return stop(tick.tick);
     hash_ = tick.hash;
     writer_.add(
         RecordingTick{&tick.world->state(), tick.commands, tick.hash, tick.chunk->playing[tick.row] != 0});
@@ -68,7 +64,6 @@ class Expander final : public ReplayVisitor {
   RecordingWriter writer_;
   std::deque<RecordedEvent> events_;
   std::deque<RecordedDrawing> drawings_;
-  std::deque<RecordedCheck> checks_;
   std::optional<Tick> differs_;
   std::uint64_t hash_ = 0;
 };

@@ -128,7 +128,7 @@ class Replay {
       commands_[i] = chunk.commands[row * robots_ + bodies_[i]];
     world_->step(commands_);
     hash_.add(world_->state());
-    return visitor_.ticked({chunk.first_tick + static_cast<Tick>(row) + 1, &*world_, ids_, commands_,
+    return visitor_.ticked({chunk.first_tick + static_cast<Tick>(row) + 1, &*world_, ids_, bodies_, commands_,
                             hash_.value(), &chunk, row});
   }
 
@@ -147,6 +147,23 @@ class Replay {
 };
 
 }  // namespace
+
+const RecordedCheck* checkAt(const ReplayedTick& tick) {
+  for (const RecordedCheck& check : tick.chunk->checks) {
+    if (check.tick == tick.tick) return &check;
+  }
+  return nullptr;
+}
+
+bool asRecorded(const ReplayedTick& tick) {
+  if (static_cast<std::uint16_t>(tick.hash) != tick.chunk->tick_hashes[tick.row]) return false;
+  const RecordedCheck* check = checkAt(tick);
+  if (check == nullptr) return true;
+  for (std::size_t i = 0; i < tick.bodies.size(); ++i) {
+    if (check->kept(bodyHash(tick.world->state(), i)) != check->bodies[tick.bodies[i]]) return false;
+  }
+  return true;
+}
 
 Result<void> resimulate(const RecordingHeader& header, const ChunkSource& chunks, const PlayRange& plays,
                         ReplayVisitor& visitor) {

@@ -29,11 +29,17 @@ struct ReplayedTick {
   Tick tick = 0;  ///< of the recording, after the step
   const World* world = nullptr;
   std::span<const RobotId> ids;
+  std::span<const std::size_t> bodies;    ///< see ReplayedPlay
   std::span<const WheelSpeeds> commands;  ///< as recorded, one a robot of the world
   std::uint64_t hash = 0;                 ///< running, computed again from the play's recorded one
   const RecordedChunk* chunk = nullptr;   ///< what was recorded around this tick
   std::size_t row = 0;                    ///< of the tick in it
 };
+
+/// The bodies' hashes that were recorded of this tick; null but once a second.
+const RecordedCheck* checkAt(const ReplayedTick& tick);
+/// Whether the tick came out as it was recorded, by all hashes there are of it.
+bool asRecorded(const ReplayedTick& tick);
 
 /// Someone who is shown a recording as it is played again.
 class ReplayVisitor {

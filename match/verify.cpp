@@ -22,8 +22,6 @@ class Verifier final : public ReplayVisitor {
     if (found_) return false;
     play_ = play.number;
     began_ = play.recorded->tick;
-    bodies_.assign(play.bodies.begin(), play.bodies.end());
-    robots_ = play.world->state().robots.size();
     ++result_.plays;
     // What was cut out of a longer recording begins with the hash that had been reached there.
     const bool first = result_.plays == 1;
@@ -36,12 +34,9 @@ class Verifier final : public ReplayVisitor {
   bool ticked(const ReplayedTick& tick) override {
     result_.ticks = tick.tick;
     result_.final_hash = tick.hash;
-    const RecordedCheck* check = checkAt(tick);
-    const bool differs = static_cast<std::uint16_t>(tick.hash) != tick.chunk->tick_hashes[tick.row] ||
-                         (check != nullptr && check->hash != tick.hash);
-    if (differs && !found_) diverge(tick.tick, "");
-    if (!found_) return true;
-    if (check != nullptr) nameByHash(tick, *check);
+    if (!found_ && asRecorded(tick)) return true;
+    if (!found_) diverge(tick.tick, "");
+    if (const RecordedCheck* check = checkAt(tick)) nameByHash(tick, *check);
     if (const RecordedSample* sample = sampleAt(tick)) nameBySample(tick, *sample);
     return !found_->body;
   }
@@ -62,12 +57,6 @@ class Verifier final : public ReplayVisitor {
   }
 
  private:
-  static const RecordedCheck* checkAt(const ReplayedTick& tick) {
-    for (const RecordedCheck& check : tick.chunk->checks) {
-      if (check.tick == tick.tick) return &check;
-    }
-    return nullptr;
-  }
   const RecordedSample* sampleAt(const ReplayedTick& tick) const {
     const Tick every = header_.sample_every;
     if (tick.chunk->samples.empty() || tick.tick % every != 0) return nullptr;
@@ -91,40 +80,35 @@ class Verifier final : public ReplayVisitor {
   }
 
   void nameByHash(const ReplayedTick& tick, const RecordedCheck& check) {
-    const WorldState& world = tick.world->state();
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      const BodyHash now = hashOf(world, i), then = check.bodies[bodies_[i]];
+    for (std::size_t i = 0; i < tick.bodies.size(); ++i) {
+      const BodyHash now = check.kept(bodyHash(tick.world->state(), i)), then = check.bodies[tick.bodies[i]];
       if (now == then) continue;
-      if (!found_->body) nameBody(bodies_[i], tick.tick, now.place != then.place ? "place" : "motion");
+      if (!found_->body) nameBody(tick.bodies[i], tick.tick, now.place != then.place ? "place" : "motion");
       ++found_->bodies;
     }
   }
 
-  BodyHash hashOf(const WorldState& world, std::size_t i) const {
-    if (i < robots_) return bodyHash(world.robots[i]);
-    if (i < robots_ + world.balls.size()) return bodyHash(world.balls[i - robots_]);
-    return bodyHash(world.obstacles[i - robots_ - world.balls.size()]);
-  }
-  Pose2 poseOf(const WorldState& world, std::size_t i) const {
-    if (i < robots_) return world.robots[i].pose;
-    if (i < robots_ + world.balls.size()) return {world.balls[i - robots_].position, 0.0};
-    return world.obstacles[i - robots_ - world.balls.size()].pose;
+  static Pose2 poseOf(const WorldState& world, std::size_t i) {
+    if (i < world.robots.size()) return world.robots[i].pose;
+    i -= world.robots.size();
+    if (i < world.balls.size()) return {world.balls[i].position, 0.0};
+    return world.obstacles[i - world.balls.size()].pose;
   }
 
   /// The body that is farthest from where it was recorded, by at least one step of the samples.
   void nameBySample(const ReplayedTick& tick, const RecordedSample& sample) {
     double most = kRounding;
     int differ = 0;
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    for (std::size_t i = 0; i < tick.bodies.size(); ++i) {
       bool same = true;
       const Pose2 now = poseOf(tick.world->state(), i);
-      const Pose2& then = sample.poses[bodies_[i]];
+      const Pose2& then = sample.poses[tick.bodies[i]];
       const auto compare = [&](const char* field, double recorded, double replayed, double step) {
         const double steps = std::abs(recorded - replayed) / step;
         same = same && steps <= kRounding;
         if (!(steps > most)) return;
         most = steps;
-        nameBody(bodies_[i], tick.tick, field);
+        nameBody(tick.bodies[i], tick.tick, field);
         found_->recorded = recorded;
         found_->replayed = replayed;
       };
@@ -157,8 +141,6 @@ class Verifier final : public ReplayVisitor {
   const RecordingHeader& header_;
   Verification result_;
   std::optional<Divergence> found_;
-  std::vector<std::size_t> bodies_;
-  std::size_t robots_ = 0;
   std::int64_t play_ = 0;
   Tick began_ = 0;
 };

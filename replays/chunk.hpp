@@ -70,7 +70,7 @@ class ChunkBuilder {
   };
 
   void writeHead(Bytes& out) const;
-  void check(const TickData& data);
+  void check(const WorldState& world);
   void sample(const WorldState& world);
   void putSection(std::uint8_t id, std::span<const BytesView> parts, Compressor& compressor);
   void putStored(std::uint8_t id, BytesView part);

@@ -61,7 +61,7 @@ ChunkBuilder::ChunkBuilder(const RecordingHeader& header)
     drawings_.bytes.reserve(kListBytes);
   }
   hashes_.reserve(2 * ticks);
-  checks_.reserve((8 + 2 * header.bodies.size()) * (ticks / header.control_rate + 2));
+  checks_.reserve(8 * header.bodies.size() * (ticks / header.control_rate + 2));
   on_field_.reserve(header.bodies.size());
   events_.bytes.reserve(kListBytes);
   runs_.reserve(256);
@@ -110,30 +110,17 @@ void ChunkBuilder::tick(const TickData& data) {
   }
   ++run_length_;
   ++ticks_;
-  if (data.tick % header_.control_rate == 0) check(data);
+  if (data.tick % header_.control_rate == 0) check(*data.world);
   if (header_.level == RecordingLevel::kFull && data.tick % header_.sample_every == 0) sample(*data.world);
 }
 
-void ChunkBuilder::check(const TickData& data) {
+void ChunkBuilder::check(const WorldState& world) {
   ByteWriter out(checks_);
-  out.fixed(data.hash);
   std::size_t next = 0;
-  for (std::size_t body = 0; body < header_.bodies.size(); ++body) {
-    BodyHash hash;
-    if (next < on_field_.size() && on_field_[next] == body) {
-      const WorldState& world = *data.world;
-      const std::size_t balls = next - world.robots.size();
-      if (body < robots_) {
-        hash = bodyHash(world.robots[next]);
-      } else if (body < robots_ + balls_) {
-        hash = bodyHash(world.balls[balls]);
-      } else {
-        hash = bodyHash(world.obstacles[balls - world.balls.size()]);
-      }
-      ++next;
-    }
-    out.byte(hash.place);
-    out.byte(hash.motion);
+  for (const std::uint8_t present : present_) {
+    const BodyHash hash = present != 0 ? bodyHash(world, next++) : BodyHash{};
+    out.fixed(hash.place);
+    out.fixed(hash.motion);
   }
 }
 

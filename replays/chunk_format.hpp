@@ -16,10 +16,11 @@ enum class SectionId : std::uint8_t {
   kCommands,
   kTickHashes,
   kPlaying,
-  kChecks,
+  kShortChecks,  ///< before version 4
   kEvents,
   kDrawings,
-  kSamples
+  kSamples,
+  kChecks
 };
 
 /// Columns of one body in the table of samples: a ball has no heading.

@@ -221,18 +221,30 @@ class ChunkParser {
   }
 
   bool checks() {
-    const std::size_t each = 8 + 2 * header_.bodies.size();
+    // Before version 4: the running hash, of which the ticks have enough, and a byte for each of a body's
+    // hashes.
+    const bool is_short = find(SectionId::kShortChecks) != nullptr;
+    const std::size_t bodies = header_.bodies.size(), each = is_short ? 8 + 2 * bodies : 8 * bodies;
     const Tick every = header_.control_rate;
     const auto expected = static_cast<std::size_t>(multiplesIn(chunk_.first_tick, chunk_.ticks, every));
-    const auto bytes = open(SectionId::kChecks, each * expected);
+    const auto bytes = open(is_short ? SectionId::kShortChecks : SectionId::kChecks, each * expected);
     if (!bytes || bytes->size() != each * expected) return false;
     ByteReader in(*bytes);
     for (std::size_t i = 0; i < expected; ++i) {
       RecordedCheck& check = chunk_.checks.emplace_back();
       check.tick = (chunk_.first_tick / every + 1 + static_cast<Tick>(i)) * every;
-      check.hash = in.fixed<std::uint64_t>();
-      check.bodies.resize(header_.bodies.size());
-      for (BodyHash& hash : check.bodies) hash = {in.byte(), in.byte()};
+      check.bodies.resize(bodies);
+      if (is_short) {
+        check.mask = 0xff;
+        in.bytes(8);
+      }
+      for (BodyHash& hash : check.bodies) {
+        if (is_short) {
+          hash = {in.byte(), in.byte()};
+        } else {
+          hash = {in.fixed<std::uint32_t>(), in.fixed<std::uint32_t>()};
+        }
+      }
     }
     return true;
   }
@@ -317,8 +329,8 @@ tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const Reco
 }
 
 std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header) {
-  static constexpr std::array<const char*, 9> kNames{"other",  "plays",  "commands", "hashes", "clock",
-                                                     "checks", "events", "drawings", "samples"};
+  static constexpr std::array<const char*, 10> kNames{"other",  "plays",  "commands", "hashes",  "clock",
+                                                      "checks", "events", "drawings", "samples", "checks"};
   std::vector<SectionSize> sizes;
   const auto layout = layoutOf(payload, header);
   if (!layout) return sizes;

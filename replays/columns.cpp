@@ -1,7 +1,5 @@
 #include "replays/columns.hpp"
 
-#include <cmath>
-
 namespace fulbito {
 namespace {
 
@@ -55,12 +53,6 @@ std::optional<Columns> unpackColumns(BytesView bytes, std::size_t columns, std::
     }
   }
   return table;
-}
-
-std::int32_t wholeSteps(double value, double step) {
-  const double steps = value / step;
-  if (!(std::abs(steps) < 2147483000.0)) return 0;
-  return static_cast<std::int32_t>(steps + (steps < 0.0 ? -0.5 : 0.5));
 }
 
 }  // namespace fulbito

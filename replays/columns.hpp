@@ -1,6 +1,7 @@
 // Private header of replays: not installed.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -38,6 +39,10 @@ std::size_t maxPackedSize(std::size_t columns, std::size_t rows);
 std::optional<Columns> unpackColumns(BytesView bytes, std::size_t columns, std::size_t rows);
 
 /// `value / step` as the nearest whole number; 0 for what is not finite or too large.
-std::int32_t wholeSteps(double value, double step);
+inline std::int32_t wholeSteps(double value, double step) {
+  const double steps = value / step;
+  if (!(std::abs(steps) < 2147483000.0)) return 0;
+  return static_cast<std::int32_t>(steps + std::copysign(0.5, steps));  // no branch that nobody can foretell
+}
 
 }  // namespace fulbito

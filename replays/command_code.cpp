@@ -147,7 +147,10 @@ class CommandCode {
 std::int32_t unitOf(const Columns& table, std::size_t robot) {
   std::int32_t unit = 0;
   for (std::size_t row = 0; row < table.rows() && unit != 1; ++row) {
-    for (const std::size_t column : {2 * robot, 2 * robot + 1}) unit = std::gcd(unit, table.at(column, row));
+    for (const std::size_t column : {2 * robot, 2 * robot + 1}) {
+      const std::int32_t command = table.at(column, row);
+      if (unit == 0 || command % unit != 0) unit = std::gcd(unit, command);
+    }
   }
   return std::max(unit, 1);
 }

@@ -5,8 +5,9 @@
 namespace fulbito {
 namespace {
 
-// Of headers, plays and events; higher levels save nothing more. Tables have models of their own.
-constexpr int kLevel = 9;
+// Of headers, plays and events, of which higher levels save some hundred bytes. Tables have models of their
+// own.
+constexpr int kLevel = 3;
 
 }  // namespace
 

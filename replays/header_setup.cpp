@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "replays/header_json.hpp"
+
 namespace fulbito {
 namespace {
 
 constexpr double kLeastStep = 1e-6;  // [rad/s]
 constexpr double kMostModel = 1e9;   // of what a header may say
 
-constexpr int kChunkSeconds = 5;
+constexpr int kChunkSeconds = 10;
 constexpr int kSampleRate = 30;  // [Hz]
 
 double recordedCommandStep(const PhysicsProfile& physics) {
@@ -41,7 +43,7 @@ RecordingHeader headerFor(RecordingKind kind, const RobotModel& robot, const Phy
   header.command_step = recordedCommandStep(physics);
   header.command_model = commandModel(robot, physics);
   header.sample_every = std::max(1, (physics.control_rate + kSampleRate / 2) / kSampleRate);
-  header.chunk_ticks = kChunkSeconds * physics.control_rate;
+  header.chunk_ticks = std::min(kChunkSeconds * physics.control_rate, kMaxChunkTicks);
   header.build = buildInfo();
   return header;
 }

@@ -20,7 +20,7 @@
 namespace fulbito {
 
 /// Version of the file format that this library writes. It reads this one and all before it.
-inline constexpr std::uint32_t kRecordingVersion = 3;
+inline constexpr std::uint32_t kRecordingVersion = 4;
 
 /// What was recorded. The names stand in files: match, trial.
 enum class RecordingKind : std::uint8_t { kMatch, kTrial };
@@ -78,7 +78,7 @@ struct RecordingHeader {
   int sample_every = 2;              ///< ticks between sampled states
   double sample_step = 5e-4;         ///< [m] sampled places are multiples of it
   int sample_turn = 1024;            ///< steps of a turn; sampled headings are whole steps. 0: version 1
-  int chunk_ticks = 300;             ///< ticks that are lost at most when the file is cut
+  int chunk_ticks = 600;             ///< ticks that are lost at most when the file is cut
   std::vector<RecordedBody> bodies;  ///< robots, then balls, then obstacles
   RecordingRecipe recipe;
   BuildInfo build;
@@ -138,19 +138,21 @@ struct RecordedDrawing {
   std::string text;
 };
 
-/// Eight hash bits of where a body is and eight of how it moves: enough to name a body once the whole state's
-/// hash has told that something differs.
+/// Hash bits of where a body is and of how it moves.
 struct BodyHash {
-  std::uint8_t place = 0;
-  std::uint8_t motion = 0;
+  std::uint32_t place = 0;
+  std::uint32_t motion = 0;
   friend bool operator==(BodyHash, BodyHash) = default;
 };
 
-/// Hash of one state, kept once a second.
+/// Hashes of one state, body by body, kept once a second.
 struct RecordedCheck {
   Tick tick = 0;
-  std::uint64_t hash = 0;        ///< running hash of all states up to this one
-  std::vector<BodyHash> bodies;  ///< one a body of the header; 0 of an absent one
+  std::uint32_t mask = 0xffffffff;  ///< bits that were kept of each hash: before version 4 only the lowest 8
+  std::vector<BodyHash> bodies;     ///< one a body of the header; 0 of an absent one
+
+  /// What is kept of a hash.
+  BodyHash kept(BodyHash hash) const { return {hash.place & mask, hash.motion & mask}; }
 };
 
 /// Where the bodies were, rounded to the header's steps.
@@ -193,10 +195,8 @@ inline constexpr double kDrawingStep = 1e-4;
 /// Ticks for which a drawing is shown unless the same play has newer ones: a fifth of a second.
 Tick drawingTicks(const RecordingHeader& header);
 
-/// @{ Short hashes of one body; equal states give equal ones, -0 counts as +0.
-BodyHash bodyHash(const RobotState& robot);
-BodyHash bodyHash(const BallState& ball);
-BodyHash bodyHash(const ObstacleState& obstacle);
-/// @}
+/// Of one body of a world, counted through its robots, balls and obstacles. Equal states give equal hashes,
+/// -0 counts as +0.
+BodyHash bodyHash(const WorldState& world, std::size_t body);
 
 }  // namespace fulbito

@@ -129,6 +129,19 @@ TEST_CASE("without samples the hashes of a second name the body", "[unit]") {
   CHECK(verification->divergence->field == "place");
 }
 
+TEST_CASE("the hashes of a second alone tell that a body is another", "[unit]") {
+  const RecordingReader reader = readerOf(recorded(shortMatch("chaser", "chaser", 4.0)));
+  const auto verification = verify(readerOf(forged(reader, [](Tick tick, auto&, WorldState& world, auto&) {
+    if (tick == 120) world.robots[1].wheels.left += 1e-12;
+  })));
+  REQUIRE(verification);
+  REQUIRE_FALSE(verification->same());
+  CHECK(verification->divergence->tick == 120);
+  CHECK(verification->divergence->body_name == "blue 1");
+  CHECK(verification->divergence->bodies == 1);
+  CHECK(verification->divergence->field == "motion");
+}
+
 TEST_CASE("a sampled state that was moved is named with its coordinate", "[unit]") {
   const RecordingReader reader = readerOf(recorded(shortMatch("chaser", "chaser", 20.0)));
   const auto verification =
@@ -236,7 +249,7 @@ TEST_CASE("a navigation trial is recorded and verified by the same means", "[uni
   CHECK(verification->same());
   CHECK(verification->ticks == 400);
   // The robot did push the obstacle, so that its motion is part of what was compared.
-  const auto chunk = reader.chunk(1);
+  const auto chunk = reader.chunk(0);
   REQUIRE(chunk);
   CHECK(distance(chunk->samples.back().poses[2].position, pushed.pose.position) > 0.05);
 }

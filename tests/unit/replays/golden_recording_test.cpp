@@ -15,7 +15,7 @@ RecordingReader golden(int version) {
 struct Sums {
   std::size_t plays = 0, events = 0, samples = 0, checks = 0;
   double commands = 0.0, ball_x = 0.0, headings = 0.0;
-  std::uint64_t hashes = 0;
+  std::uint64_t hashes = 0, body_hashes = 0;
 };
 
 Sums sumsOf(const RecordingReader& reader) {
@@ -29,6 +29,12 @@ Sums sumsOf(const RecordingReader& reader) {
     sums.checks += chunk->checks.size();
     for (const WheelSpeeds& command : chunk->commands) sums.commands += command.left - 0.5 * command.right;
     for (const std::uint16_t hash : chunk->tick_hashes) sums.hashes = 31 * sums.hashes + hash;
+    for (const RecordedCheck& check : chunk->checks) {
+      CHECK(check.mask == (reader.version() < 4 ? 0xff : 0xffffffff));
+      for (const BodyHash& body : check.bodies) {
+        sums.body_hashes = 31 * sums.body_hashes + 256 * (body.place & 0xff) + (body.motion & 0xff);
+      }
+    }
     for (const RecordedSample& sample : chunk->samples) {
       sums.ball_x += sample.poses.back().position.x;
       sums.headings += sample.poses.front().heading;
@@ -56,6 +62,7 @@ TEST_CASE("recordings of every version of the format are read", "[unit]") {
     const Sums first = sumsOf(golden(1));
     CHECK(sums.commands == first.commands);
     CHECK(sums.hashes == first.hashes);
+    CHECK(sums.body_hashes == first.body_hashes);
     CHECK(sums.ball_x == Approx(first.ball_x).margin(300 * 3e-4));
     CHECK(sums.headings == Approx(first.headings).margin(300 * 4e-3));
   }

@@ -85,8 +85,8 @@ TEST_CASE("errors name the file and the place", "[unit]") {
     return RecordingReader::parse(std::move(bytes), "game.fbr").error().message;
   };
   CHECK(messageOf("") == "game.fbr: not a recording (.fbr) of this program");
-  CHECK(messageOf(std::string(kMagic) + std::string("\4\0\0\0", 4)) ==
-        "game.fbr: format version 4; this program reads versions 1 ... 3");
+  CHECK(messageOf(std::string(kMagic) + std::string("\5\0\0\0", 4)) ==
+        "game.fbr: format version 5; this program reads versions 1 ... 4");
   const Block chunk = blocksOf(told.bytes)[2];
   std::string damaged = told.bytes;
   damaged[chunk.offset + 40] ^= 1;

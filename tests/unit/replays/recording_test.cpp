@@ -157,12 +157,12 @@ TEST_CASE("events, drawings and checks come back", "[unit]") {
   CHECK(std::abs(all.drawings[1].from.x - 0.1234) < 1e-12);
   REQUIRE(all.checks.size() == 7);
   CHECK(all.checks[2].tick == 30);
-  CHECK(all.checks[2].hash == told.hashes[29]);
   // Blue's second robot sits out the play from tick 23 to 46, so yellow's second is the world's third.
   CHECK(all.checks[2].bodies[1] == BodyHash{});
-  CHECK(all.checks[2].bodies[3] == bodyHash(told.worlds[29].robots[2]));
-  CHECK(all.checks[2].bodies[4] == bodyHash(told.worlds[29].balls[0]));
-  CHECK(all.checks[2].bodies[5] == bodyHash(told.worlds[29].obstacles[0]));
+  CHECK(all.checks[2].bodies[3] == bodyHash(told.worlds[29], 2));
+  CHECK(all.checks[2].bodies[4] == bodyHash(told.worlds[29], 3));
+  CHECK(all.checks[2].bodies[5] == bodyHash(told.worlds[29], 4));
+  CHECK(all.checks[2].kept({0xfedcba98, 7}) == BodyHash{0xfedcba98, 7});
 }
 
 TEST_CASE("a recipe is a full recording without what can be computed again", "[unit]") {

@@ -67,7 +67,7 @@ TEST_CASE("what is shown is the recording's moment, with and without overlays", 
 TEST_CASE("a recording says whether it was edited", "[unit]") {
   CHECK_FALSE(replayStage(shortRecording())->edited());
   std::string bytes;
-  const MatchConfig config = shortMatch();
+  const MatchConfig config = shortMatch("chaser", "chaser", 10.0);
   auto match = Match::create(config);
   auto recorder = MatchRecorder::create(into(bytes), config);
   REQUIRE(match);
@@ -77,8 +77,8 @@ TEST_CASE("a recording says whether it was edited", "[unit]") {
   Placement wanted = match->placement();
   wanted.ball = {0.0, 0.5};
   REQUIRE(match->replace(wanted));
-  for (int i = 0; i < 400; ++i) REQUIRE(match->step());
-  // Cut: the chunk of the first five seconds was written, the result was not.
+  for (int i = 0; i < 700; ++i) REQUIRE(match->step());
+  // Cut: the chunk of the first ten seconds was written, the result was not.
   CHECK(replayStage(bytes)->edited());
   match->finish();
   CHECK(replayStage(bytes)->edited());

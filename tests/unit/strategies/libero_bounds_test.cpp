@@ -1,0 +1,52 @@
+#include "strategies/libero_bounds.hpp"
+
+#include "engine/core/random.hpp"
+#include "navigation/limiter.hpp"
+#include "strategies/libero_areas.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/libero_scenes.hpp"
+
+namespace fulbito {
+
+TEST_CASE("libero's areas step never lets a robot in that can still stop outside", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  libero::Pitch pitch(info);
+  pitch.braking = pitch.acceleration;  // as `rolledForward`
+  const libero::Settings settings;
+  const libero::BallForecast ball;
+  const double dt = 1.0 / 60.0;
+  Rng rng{3, Stream::kTest, 0};
+  int near = 0;
+  for (int run = 0; run < 400; ++run) {
+    const bool own = run % 2 == 0;
+    const double sign = own ? 1.0 : -1.0;
+    const double least = own ? libero::kOwnMargin : libero::kTheirMargin + pitch.robot_corner;
+    const auto outside = [&](Vec2 p) { return libero::outsideOwnArea(pitch, p * sign); };
+    Observation seen;
+    seen.team_size = 3;
+    RobotState& robot = seen.own[1].state;
+    seen.own[1].present = true;
+    // From rest anywhere, with whatever a skill asks for, changed at random times.
+    do {
+      robot.pose = {{-sign * rng.uniform(0.3, 0.7), rng.uniform(-0.6, 0.6)}, rng.uniform(-3.14, 3.14)};
+    } while (outside(robot.pose.position) < least + 0.01);
+    Twist wanted;
+    for (int tick = 0; tick < 240; ++tick) {
+      if (rng.uniform(0.0, 1.0) < 0.06) wanted = {rng.uniform(-1.2, 1.2), rng.uniform(-12.0, 12.0)};
+      const libero::Picture picture{seen, pitch, settings, ball};
+      const RobotCommand command = libero::keptOut(picture, 1, {own, !own}, wanted);
+      const Twist limited = limitTwist(info.robot, bodyTwist(robot), command.twist, dt);
+      const WheelSpeeds wheels = command.kind == RobotCommand::Kind::kWheels
+                                     ? command.wheels
+                                     : inverseKinematics(info.robot, limited);
+      robot = rolledForward(info.robot, robot, saturate(info.robot, wheels), dt);
+      const double room = outside(robot.pose.position);
+      near += room < least + 0.02 ? 1 : 0;
+      // A defender is inside with its centre at the line, an attacker with its corner.
+      REQUIRE(room > (own ? 0.0 : pitch.robot_corner - 0.001));
+    }
+  }
+  CHECK(near > 1000);
+}
+
+}  // namespace fulbito

@@ -1,0 +1,71 @@
+#include "engine/core/math.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/libero_scenes.hpp"
+
+namespace fulbito {
+namespace {
+
+/// A keeper that looks to the left in the scene and in its mirror image: what comes from its front in the one
+/// comes from its back in the other.
+Pose2 keeperAt(Vec2 place, double side) { return {place, side * math::kPi / 2}; }
+
+}  // namespace
+
+TEST_CASE("libero's keeper clears a ball that lies beside its goal, though two wait for it", "[unit]") {
+  Placement scene;
+  scene.ball = {-0.688, 0.225};
+  scene.robots[0] = {Pose2{{-0.70, 0.17}, math::kPi / 2}, Pose2{{0.2, 0.3}, 0.0}, Pose2{{0.2, -0.3}, 0.0}};
+  scene.robots[1] = {Pose2{{-0.50, 0.30}, 0.0}, Pose2{{-0.50, 0.42}, 0.0}};
+  const Match match = test::playedFrom(scene, 1.0);
+  CHECK(distance(match.world().balls[0].position, scene.ball) > 0.15);
+  CHECK(match.referee().score[1] == 0);
+}
+
+TEST_CASE("libero's keeper clears a ball that creeps off it, though two wait for it", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    Placement scene;
+    scene.ball = {-0.645, -0.079};
+    scene.ball_velocity = {0.11, -0.07};
+    scene.robots[0] = {keeperAt({-0.745, -0.077}, side), Pose2{{-0.25, -0.45}, 0.0},
+                       Pose2{{-0.25, 0.3}, 0.0}};
+    scene.robots[1] = {Pose2{{-0.445, -0.25}, 0.0}, Pose2{{-0.369, 0.085}, 0.0}};
+    scene = test::mirrored(scene, side);
+    const Match match = test::playedFrom(scene, 1.0);
+    CHECK(distance(match.world().balls[0].position, scene.ball) > 0.2);
+    CHECK(match.referee().score[1] == 0);
+  }
+}
+
+TEST_CASE("libero's keeper does not push a ball in that lies behind it in the mouth", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    Placement scene;
+    scene.ball = {-0.745, -0.006};
+    scene.robots[0] = {keeperAt({-0.712, 0.052}, side), Pose2{{-0.25, -0.45}, 0.0}};
+    const Match match = test::playedFrom(test::mirrored(scene, side), 1.5);
+    CHECK(match.referee().score[1] == 0);
+  }
+}
+
+TEST_CASE("libero's keeper goes with a slanting ball that runs on along its face", "[unit]") {
+  struct Shot {
+    Vec2 ball, velocity;
+    double keeper;
+  };
+  for (const Shot& shot :
+       {Shot{{-0.0899, 0.5091}, {-1.605, -1.039}, 0.0428}, Shot{{-0.1979, 0.4284}, {-1.537, -1.056}, 0.0431},
+        Shot{{-0.1038, 0.5223}, {-1.500, -0.996}, 0.0448}}) {
+    for (const double side : {1.0, -1.0}) {
+      CAPTURE(shot.keeper, side);
+      Placement scene;
+      scene.ball = shot.ball;
+      scene.ball_velocity = shot.velocity;
+      scene.robots[0] = {keeperAt({-0.695, shot.keeper}, side), Pose2{{0.6, -0.5}, 0.0}};
+      const Match match = test::playedFrom(test::mirrored(scene, side), 2.0);
+      CHECK(match.referee().score[1] == 0);
+    }
+  }
+}
+
+}  // namespace fulbito
