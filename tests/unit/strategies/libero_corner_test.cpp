@@ -1,9 +1,9 @@
-#include <algorithm>
+#include "strategies/libero_corner.hpp"
+
 #include <cmath>
 
 #include "engine/core/math.hpp"
 #include "match/match.hpp"
-#include "strategies/libero_corner.hpp"
 #include "strategies/registry.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/match_info.hpp"
@@ -45,16 +45,17 @@ struct Scene {
   RobotState self;
 };
 
-constexpr Vec2 kAtCut{-0.725, 0.56};     // at the end wall, where the corner's cut begins
+constexpr Vec2 kAtCut{-0.725, 0.56};      // at the end wall, where the corner's cut begins
 constexpr Vec2 kAtEndWall{-0.728, 0.45};  // on its way to our goal
 
 }  // namespace
 
-TEST_CASE("libero races for a ball in its corner only from our goal's side, with an opponent near", "[unit]") {
+TEST_CASE("libero races for a ball in its corner only from our goal's side, with an opponent near",
+          "[unit]") {
   for (const double side : {kUp, kDown}) {
     CHECK(Scene(kAtCut, {-0.55, 0.35}, {-0.50, 0.60}, side).races());
-    CHECK_FALSE(Scene(kAtCut, {-0.55, 0.35}, {-0.10, 0.50}, side).races());  // time enough
-    CHECK_FALSE(Scene(kAtCut, {-0.66, 0.62}, {-0.50, 0.60}, side).races());  // it would push it home
+    CHECK_FALSE(Scene(kAtCut, {-0.55, 0.35}, {-0.10, 0.50}, side).races());         // time enough
+    CHECK_FALSE(Scene(kAtCut, {-0.66, 0.62}, {-0.50, 0.60}, side).races());         // it would push it home
     CHECK_FALSE(Scene({-0.50, 0.30}, {-0.60, 0.20}, {-0.40, 0.40}, side).races());  // no wall
   }
 }
