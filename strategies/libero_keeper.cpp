@@ -109,6 +109,25 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   return slow || soon < 2;
 }
 
+/// Whether the keeper goes out along the end wall to a ball there. Far from the post it has the wall behind
+/// it, and nothing gets past. At the post whoever brings the ball arrives at full speed and pushes beside the
+/// keeper's middle, which turns it, and the ball goes in behind it.
+bool meetsAlongWall(const Picture& picture, const RobotState& self) {
+  constexpr double kStrip = 0.06;     // [m] off the wall, the ball
+  constexpr double kOwnStrip = 0.09;  // [m] off the wall, the keeper
+  constexpr double kFarthest = 0.55;  // [m] |y| of the ball
+  constexpr double kFastest = 1.0;    // [m/s] toward the goal; a faster one is there first
+  constexpr double kBetween = 0.03;   // [m] that the keeper is nearer to the goal's middle
+  const Pitch& pitch = picture.pitch;
+  const BallState& ball = picture.ball.now();
+  const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
+  const double y = ball.position.y * out;
+  if (ball.position.x > -pitch.half_length + kStrip || y < pitch.goal_half - 0.02 || y > kFarthest)
+    return false;
+  if (ball.velocity.y * out < -kFastest) return false;
+  return self.pose.position.x < -pitch.half_length + kOwnStrip && self.pose.position.y * out < y - kBetween;
+}
+
 /// Pushes a ball that lies near out to the side, from the goal's side; false when the keeper is not there.
 bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
   const Pitch& pitch = picture.pitch;
@@ -143,14 +162,16 @@ bool alongEndWall(const Picture& picture) {
   return ball.x < -pitch.half_length + 0.08 && std::abs(ball.y) > 0.10 && std::abs(ball.y) < 0.5;
 }
 
-/// Closes the near post with a face that leads the ball out to the field, and holds.
+/// Closes the near post with a face that leads the ball out to the field, and holds: from within the mouth,
+/// so that a ball that is pushed along the wall meets the middle of the face. Beside its middle it would turn
+/// the keeper and pass behind it.
 Twist guardPost(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
   const double side = ball.y > 0.0 ? 1.0 : -1.0;
-  const double lean = 0.3;
-  const Vec2 post{-pitch.half_length + 0.046,
-                  side * std::min(pitch.goal_half - 0.03, std::abs(ball.y) - 0.055)};
+  const double lean = 0.15;
+  const Vec2 post{-pitch.half_length + 0.025,
+                  side * std::min(pitch.goal_half - 0.045, std::abs(ball.y) - 0.055)};
   const Vec2 way = post - self.pose.position;
   const double heading = side * (math::kPi / 2 - lean);
   // A keeper that was pushed into the goal has to come out of it first.
@@ -165,7 +186,7 @@ Twist guardPost(const Picture& picture, const RobotState& self) {
 /// A ball in the mouth behind the keeper: whatever touches it from here pushes it in. The keeper gets out of
 /// its way along the line, and waits until the ball has come out or one of them has been moved.
 bool leaveBehind(const Picture& picture, const RobotState& self, double line, Twist& twist) {
-  constexpr double kBehind = 0.015;  // [m] of the ball's centre behind the keeper's
+  constexpr double kBehind = 0.025;  // [m] of the ball's centre behind the keeper's
   constexpr double kDeep = 0.025;    // [m] of the ball's centre before the goal line
   constexpr double kApart = 0.08;    // [m] along the line
   const Pitch& pitch = picture.pitch;
@@ -223,7 +244,9 @@ Twist keep(const Picture& picture, int robot) {
                       std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
   const bool stuck = picture.stuck > kStuck && inOwnArea(pitch, ball.position, 0.05);
   if (leaveBehind(picture, self, line, out)) return out;
-  if (!coming && (stuck || comesFirst(picture, self)) && clear(picture, self, out)) return out;
+  if (!coming && (stuck || comesFirst(picture, self) || meetsAlongWall(picture, self)) &&
+      clear(picture, self, out))
+    return out;
   if (!(coming && rel.x > 0.03) && alongEndWall(picture)) return guardPost(picture, self);
   if (goWith(picture, self, line, out)) return out;
   return slideTo(picture, self, line, keeperPlace(picture, line));

@@ -7,6 +7,7 @@
 #include "strategies/libero_areas.hpp"
 #include "strategies/libero_blow.hpp"
 #include "strategies/libero_caught.hpp"
+#include "strategies/libero_corner.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -17,9 +18,8 @@ constexpr double kDispute = 2.0;    // [s] for which a free ball or penalty is a
 constexpr double kPinched = 0.3;    // [s] of pressing after which a pinched ball is let slip
 constexpr double kSlip = 0.3;       // [s] that takes
 constexpr double kSlipTurn =
-    0.15;  // [rad] a face turned by that slides it out; by 0.25 they come past it first
-constexpr double kSqueeze = 0.06;  // [m] along the wall before the ball, at which its pusher then drives
-constexpr double kCrowd = 0.16;    // [m] about the ball, in which opponents are in the way
+    0.15;                        // [rad] a face turned by that slides it out; by 0.25 they come past it first
+constexpr double kCrowd = 0.16;  // [m] about the ball, in which opponents are in the way
 constexpr double kInner = 0.02;  // [m] off the ball's middle, on our goal's side, where a pushed ball is met
 
 /// Five a side, where crowds push through what three cannot.
@@ -129,15 +129,6 @@ bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
   return picture.opponentsNear(picture.ball.now().position + unitOr(rel, {}) * 0.06, 0.03) > 0;
 }
 
-/// Whether the ball lies at a wall of our half with us behind it and an opponent about it. Then a face that
-/// leans into the wall squeezes it along; who turns off in order to come round only holds it there.
-bool squeezes(const Picture& picture, Vec2 rel, const Aim& aim) {
-  const BallState& ball = picture.ball.now();
-  return aim.wall && ball.position.x < 0.0 && dot(rel, aim.direction) > 0.0 &&
-         squaredNorm(rel) < 0.13 * 0.13 && squaredNorm(ball.velocity) < 0.8 * 0.8 &&
-         picture.opponentsNear(ball.position, kCrowd) > 0;
-}
-
 /// Whether an opponent pushes the ball toward our goal.
 bool carried(const Picture& picture) {
   const BallState& ball = picture.ball.now();
@@ -238,9 +229,8 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   }
   if (sweepsIn(picture, rel)) return sweepIn(picture, self);
   if (headOn(picture, rel, aim)) return pressOn(picture, self, rel, memory);
-  if (squeezes(picture, rel, aim)) {
-    return alongHeading(pitch, self, math::angleOf(rel + aim.direction * kSqueeze), pitch.speed);
-  }
+  if (squeezes(picture, rel, aim)) return squeeze(picture, self, rel, aim);
+  if (racesAlongWall(picture, rel, aim)) return raceAlongWall(picture, self, aim);
   if (!aim.wall) aim.direction = blowInTime(self.pose.position, aim, now.velocity);
   if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory.turn);
   return driveThrough(pitch, self, aim.contact, aim.direction,

@@ -68,4 +68,35 @@ TEST_CASE("libero's keeper goes with a slanting ball that runs on along its face
   }
 }
 
+TEST_CASE("libero's keeper goes out to a ball that creeps along its end wall", "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    for (const char* opponent : {"chaser", "classic"}) {
+      CAPTURE(side, opponent);
+      Placement scene;
+      scene.ball = {-0.728, -0.446};
+      scene.ball_velocity = {0.0, 0.21};
+      scene.robots[0] = {keeperAt({-0.708, -0.173}, side), Pose2{{-0.46, -0.245}, 0.0}};
+      scene.robots[1] = {Pose2{{0.6, 0.0}, 0.0}, Pose2{{-0.70, -0.56}, -1.15}};
+      const Match match = test::playedFrom(test::mirrored(scene, side), 0.5, opponent);
+      // It has met the ball outside its post, and lets nobody past.
+      CHECK(side * match.world().robots[0].pose.position.y < -0.30);
+      CHECK(side * match.world().balls[0].position.y < -0.35);
+    }
+  }
+}
+
+TEST_CASE("libero's keeper stays at its post before a ball that is brought fast along the end wall",
+          "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    Placement scene;
+    scene.ball = {-0.728, -0.45};
+    scene.ball_velocity = {0.0, 2.0};
+    scene.robots[0] = {keeperAt({-0.708, -0.15}, side), Pose2{{-0.2, 0.3}, 0.0}};
+    const Match match = test::playedFrom(test::mirrored(scene, side), 0.10);
+    CHECK(side * match.world().robots[0].pose.position.y > -0.19);
+    CHECK(test::playedFrom(test::mirrored(scene, side), 2.0).referee().score[1] == 0);
+  }
+}
+
 }  // namespace fulbito
