@@ -78,7 +78,7 @@ struct RecordingHeader {
   int sample_every = 2;              ///< ticks between sampled states
   double sample_step = 5e-4;         ///< [m] sampled places are multiples of it
   int sample_turn = 1024;            ///< steps of a turn; sampled headings are whole steps. 0: version 1
-  int chunk_ticks = 600;             ///< ticks that are lost at most when the file is cut
+  int chunk_ticks = 360;             ///< ticks that are lost at most when the file is cut
   std::vector<RecordedBody> bodies;  ///< robots, then balls, then obstacles
   RecordingRecipe recipe;
   BuildInfo build;

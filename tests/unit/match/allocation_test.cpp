@@ -37,7 +37,7 @@ int allocatingTicksRecorded(const MatchConfig& config, Tick warm_up) {
   for (bool more = true; more;) {
     const long before = mallocCount();
     more = match->step();
-    const bool left_out = match->world().tick == 0 || match->tick() % 300 == 1;
+    const bool left_out = match->world().tick == 0 || match->tick() % RecordingHeader{}.chunk_ticks == 1;
     if (match->tick() > warm_up && !left_out && more && mallocCount() != before) ++count;
   }
   return count;

@@ -77,8 +77,8 @@ TEST_CASE("a recording says whether it was edited", "[unit]") {
   Placement wanted = match->placement();
   wanted.ball = {0.0, 0.5};
   REQUIRE(match->replace(wanted));
-  for (int i = 0; i < 700; ++i) REQUIRE(match->step());
-  // Cut: the chunk of the first ten seconds was written, the result was not.
+  for (int i = 0; i < 400; ++i) REQUIRE(match->step());
+  // Cut: the chunk of the first six seconds was written, the result was not.
   CHECK(replayStage(bytes)->edited());
   match->finish();
   CHECK(replayStage(bytes)->edited());
