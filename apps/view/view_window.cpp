@@ -265,12 +265,17 @@ void ViewWindow::Impl::take(const SDL_Event& event, Viewer& viewer) {
   }
 }
 
-/// Takes all events there are; waits for the first one at most so long [ns].
+/// Takes all events there are; waits for the first one at most so long [ns]. SDL_WaitEvent is left out: on
+/// X11 it sends the window a message by a second connection, and where the window is gone before that arrives
+/// the program ends with BadWindow.
 void ViewWindow::Impl::takeAll(Viewer& viewer, std::int64_t wait) {
+  constexpr std::int64_t kLook = 4;  // [ms] from one look to the next
   SDL_Event event;
-  const auto milliseconds = static_cast<int>((wait + 999'999) / 1'000'000);
-  bool there =
-      milliseconds > 0 ? SDL_WaitEventTimeout(&event, milliseconds) == 1 : SDL_PollEvent(&event) == 1;
+  bool there = SDL_PollEvent(&event) == 1;
+  for (std::int64_t left = (wait + 999'999) / 1'000'000; !there && left > 0; left -= kLook) {
+    SDL_Delay(static_cast<Uint32>(std::min(left, kLook)));
+    there = SDL_PollEvent(&event) == 1;
+  }
   for (; there && !closed; there = SDL_PollEvent(&event) == 1) take(event, viewer);
 }
 

@@ -38,7 +38,8 @@ soon() {
   return 1
 }
 
-Xvfb -displayfd 3 -screen 0 1280x1000x24 -nolisten tcp 3>display 2>xvfb.log >/dev/null &
+# Without -noreset the server starts anew whenever its last client leaves, and refuses whoever comes meanwhile.
+Xvfb -displayfd 3 -noreset -screen 0 1280x1000x24 -nolisten tcp 3>display 2>xvfb.log >/dev/null &
 server=$!
 soon test -s display || fail "Xvfb did not start: $(cat xvfb.log)"
 DISPLAY=:$(head -n 1 display)
