@@ -46,7 +46,9 @@ void DrillWatch::playBegins(const PlayStart& start) {
   if (begun_) {  // the referee placed everything anew
     const bool to_last = std::any_of(drill_.successes.begin(), drill_.successes.end(),
                                      [](const DrillEnd& end) { return end.what == DrillCondition::kLasted; });
-    if (to_last && !done_ && !at_fault_ && goal_ == 0) succeed(duration_);
+    // A penalty is as good as a goal; what else is called ends the attack.
+    const bool penalty = start.call.kind == RestartKind::kPenalty && start.call.team != scene_.seat;
+    if (to_last && !done_ && !penalty && goal_ == 0) succeed(duration_);
     finish();
     return;
   }
@@ -112,7 +114,6 @@ void DrillWatch::hear(const MatchTick& tick) {
       goal_ = *event.team == scene_.seat ? 1 : -1;
     } else if (event.clause != "kick-off") {
       trial_.stopped_by = event.clause;
-      at_fault_ = event.team == scene_.seat;
     }
   }
 }

@@ -57,12 +57,11 @@ class DrillWatch final : public MatchObserver {
   bool begun_ = false;
   bool done_ = false;
   bool own_touch_last_ = false;
-  int goal_ = 0;           ///< 1: in the opponents' goal, -1: in the own
-  bool at_fault_ = false;  ///< the referee stopped play because of the tested team
-  bool touched_ = false;   ///< ever, by the tested team
-  bool met_ = false;       ///< any robot touched the ball
-  bool failed_ = false;    ///< a condition of failure came true
-  bool at_wall_ = false;   ///< the ball pressed on a wall in the last tick
+  int goal_ = 0;          ///< 1: in the opponents' goal, -1: in the own
+  bool touched_ = false;  ///< ever, by the tested team
+  bool met_ = false;      ///< any robot touched the ball
+  bool failed_ = false;   ///< a condition of failure came true
+  bool at_wall_ = false;  ///< the ball pressed on a wall in the last tick
   int bounces_ = 0;
   double inside_since_ = -1.0;
   double drift_ = 0.0;

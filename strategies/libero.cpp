@@ -10,6 +10,7 @@
 #include "strategies/libero_drawing.hpp"
 #include "strategies/libero_exercise.hpp"
 #include "strategies/libero_keeper.hpp"
+#include "strategies/libero_meet.hpp"
 #include "strategies/libero_restarts.hpp"
 #include "strategies/libero_striker.hpp"
 #include "strategies/libero_support.hpp"
@@ -97,7 +98,7 @@ class Libero final : public Strategy {
   /// The keeper's alone is a ball that soon is in our area or near to it: who goes on running back beside
   /// those who bring it is pushed in with it.
   bool ballIsKeepers() const {
-    constexpr double kAhead = 0.45;   // [s]
+    constexpr double kAhead = 0.3;    // [s]
     constexpr double kMargin = 0.06;  // [m]
     const Vec2 ball = ball_.at(kAhead);
     return keeper_ >= 0 && inOwnArea(pitch_, ball, kMargin) && std::abs(ball.y) < pitch_.area_half;
@@ -113,7 +114,7 @@ class Libero final : public Strategy {
     }
     if (!keepers && meetsToo(picture, robot)) {
       ++rank;
-      return legal(picture, robot, meetCarried(picture, picture.own(robot)));
+      return legal(picture, robot, meetBrought(picture, picture.own(robot)));
     }
     const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, robot, rank);
     ++rank;
@@ -131,7 +132,7 @@ class Libero final : public Strategy {
   /// goal that it would be pushed into the area.
   bool meetsToo(const Picture& picture, int robot) const {
     const RobotState& self = picture.own(robot);
-    return self.pose.position.x > -pitch_.half_length + 0.45 && canMeetCarried(picture, self);
+    return self.pose.position.x > -pitch_.half_length + 0.45 && canMeetBrought(picture, self);
   }
 
   /// 1 keeper, 2 striker, 3 support.
@@ -140,7 +141,7 @@ class Libero final : public Strategy {
   /// The last step: nobody but the keeper enters our area, only the striker theirs.
   RobotCommand legal(const Picture& picture, int robot, Twist wanted) const {
     // Five a side a second attacker gains more than its goal kicks cost.
-    const bool theirs = pitch_.team_size <= 3 && (robot != striker_ || mateIsIn(picture));
+    const bool theirs = !pitch_.isLarge() && (robot != striker_ || mateIsIn(picture));
     return keptOut(picture, robot, {keeper_ >= 0, theirs}, wanted);
   }
 

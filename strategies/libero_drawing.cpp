@@ -4,6 +4,7 @@
 
 #include "strategies/drawings.hpp"
 #include "strategies/libero_keeper.hpp"
+#include "strategies/libero_meet.hpp"
 #include "strategies/libero_support.hpp"
 
 namespace fulbito::libero {
@@ -67,7 +68,7 @@ void draw(const Picture& picture, const Roles& roles, const StrikerMemory& memor
     } else {
       const Vec2 place = roles.keepers_ball ? waitingPlace(picture, rank) : supportPlace(picture, i, rank);
       ++rank;
-      if (!canMeetCarried(picture, picture.own(i))) {
+      if (!canMeetBrought(picture, picture.own(i))) {
         addLine(drawings, self, place);
         addCircle(drawings, place, kPlace);
       }

@@ -5,62 +5,31 @@
 
 #include "engine/core/math.hpp"
 #include "strategies/libero_areas.hpp"
+#include "strategies/libero_goal_line.hpp"
+#include "strategies/libero_meet.hpp"
 #include "strategies/libero_striker.hpp"
 
 namespace fulbito::libero {
 namespace {
 
 constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
-constexpr double kSlow = 0.6;     // [m/s] of a ball that nobody plays, though it may creep
+constexpr double kSlow = 0.6;     // [m/s] of a ball that the keeper goes out to
 constexpr double kStuck = 2.0;    // [s] after which a ball in our area is cleared whoever waits for it
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
-/// y where the free ball crosses the line within `horizon` seconds; false when it does not.
-bool crossing(const Picture& picture, double line, double& y) {
-  Vec2 before = picture.ball.sample(0);
-  if (picture.ball.resting() || before.x < line) return false;
-  for (int i = 1; i <= 24; ++i) {
-    const Vec2 after = picture.ball.sample(i);
-    if (after.x <= line) {
-      const double part = (before.x - line) / std::max(1e-9, before.x - after.x);
-      y = before.y + (after.y - before.y) * part;
-      return true;
-    }
-    before = after;
-  }
-  return false;
-}
-
-/// Along the line at `speed`, with a small lean that brings the robot back onto it while it moves.
-Twist alongLine(const RobotState& self, double line, double speed) {
-  const double dx = line - self.pose.position.x;
-  const double lean = std::clamp(dx * 6.0, -0.4, 0.4) * std::min(1.0, std::abs(speed) / 0.2);
-  const double along = speed >= 0.0 ? math::kPi / 2 - lean : -math::kPi / 2 + lean;
-  const double error = foldedError(along, self.pose.heading);
-  const double face = std::abs(math::wrapAngle(along - self.pose.heading)) > math::kPi / 2 ? -1.0 : 1.0;
-  return {face * std::abs(speed) * std::max(0.0, math::cos(error)), std::clamp(18.0 * error, -20.0, 20.0)};
-}
-
-/// The speed [m/s] toward a place `way` [m] off at which the robot can still stop there.
-double stoppableSpeed(const Pitch& pitch, double way, double gain) {
-  return std::min(std::sqrt(2.0 * 0.8 * pitch.acceleration * std::abs(way)), gain * std::abs(way));
-}
-
-/// One-dimensional, along the line; the body stays parallel to it.
-Twist slideTo(const Picture& picture, const RobotState& self, double line, double y) {
+/// How far beside its crossing a carried ball is awaited [m]: on the side from which it comes, so that the
+/// keeper already moves across with it at the touch. A standing keeper was passed by what slid along its
+/// face.
+double lead(const Picture& picture, double line) {
+  constexpr double kShare = 0.6;    // of the ball's way across
+  constexpr double kLongest = 0.2;  // [s] before the touch
+  constexpr double kComing = 0.1;   // [m/s]
+  if (!carried(picture)) return 0.0;
   const Pitch& pitch = picture.pitch;
-  const double dx = line - self.pose.position.x, dy = y - self.pose.position.y;
-  const Vec2 rel = picture.ball.now().position - self.pose.position;
-  if (dx > 0.02 && squaredNorm(rel) < 0.13 * 0.13 && rel.x > 0.0) {
-    // Pushed into the goal with the ball before it: stay side on and before the ball, turning would let it
-    // in.
-    const double along = self.pose.heading >= 0.0 ? math::kPi / 2 : -math::kPi / 2;
-    const double ahead = picture.ball.at(0.05).y - self.pose.position.y;
-    return {std::copysign(1.0, self.pose.heading) * std::clamp(15.0 * ahead, -pitch.speed, pitch.speed),
-            std::clamp(12.0 * foldedError(along, self.pose.heading), -8.0, 8.0)};
-  }
-  if (std::abs(dx) > 0.06 || std::abs(dy) > 0.35) return restAt(pitch, self, {line, y}, math::kPi / 2);
-  return alongLine(self, line, std::copysign(std::min(pitch.speed, stoppableSpeed(pitch, dy, 20.0)), dy));
+  const BallState& ball = picture.ball.now();
+  const double gap = ball.position.x - (line + pitch.robot_half + pitch.ball_radius);
+  const double time = std::clamp(gap / std::max(kComing, -ball.velocity.x), 0.0, kLongest);
+  return -kShare * ball.velocity.y * time;
 }
 
 /// Whether a ball that comes slanting touches the keeper's face now or soon: there it loses little of its
@@ -90,23 +59,20 @@ bool goWith(const Picture& picture, const RobotState& self, double line, Twist& 
   return true;
 }
 
-/// Whether the keeper is at a ball near the goal before any opponent.
+/// Whether the keeper is at a ball near the goal before any opponent. It keeps its line before a fast one,
+/// but for what runs along the end wall: it turned in order to clear while the ball arrived, and that went in
+/// beside it.
 bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.1);
   if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
+  const BallState& now = picture.ball.now();
+  if (now.position.x > -pitch.half_length + 0.06 && squaredNorm(now.velocity) > kSlow * kSlow) return false;
   const double mine = timeToReach(pitch, self, ball);
-  // A slow ball is cleared though two wait for it: left where it is, it is a penalty after ten seconds. One
-  // that the keeper just touched counts as slow still, or it would leave it after half a push.
-  const bool slow = squaredNorm(picture.ball.now().velocity) < kSlow * kSlow;
-  int soon = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (!picture.opponentPresent(i)) continue;
-    const double theirs = timeToReach(pitch, picture.opponent(i), ball);
-    if (theirs < mine) return false;
-    if (theirs < mine + 0.6) ++soon;
+    if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball) < mine) return false;
   }
-  return slow || soon < 2;
+  return true;
 }
 
 /// Whether the keeper goes out along the end wall to a ball there. Far from the post it has the wall behind
@@ -183,19 +149,83 @@ Twist guardPost(const Picture& picture, const RobotState& self) {
   return slideTo(picture, self, post.x, post.y);
 }
 
+/// Out along the line, at speed, to a ball that is carried slanting past the near post: to where it comes
+/// into the keeper's row, from within. A keeper that waits there is pushed along its own line into the goal.
+bool runOut(const Picture& picture, const RobotState& self, double line, Twist& twist) {
+  constexpr double kStrip = 0.16;     // [m] off the wall, the ball
+  constexpr double kNearest = 0.15;   // [m] |y| of the ball
+  constexpr double kFarthest = 0.45;  // [m]
+  constexpr double kComing = 0.3;     // [m/s] across
+  constexpr double kRow = 0.03;       // [m] before the keeper's line, where a ball meets its front
+  constexpr double kRoom = 0.06;      // [m] between the middles of both where they touch
+  constexpr double kLeast = 0.10;     // [m] |y| of the keeper there; further in it waits
+  constexpr double kOffLine = 0.05;   // [m] of the keeper
+  constexpr double kTurned = 0.5;     // [rad] out of its line
+  const Pitch& pitch = picture.pitch;
+  const BallState& ball = picture.ball.now();
+  const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
+  const double y = ball.position.y * out, across = -ball.velocity.y * out;
+  if (ball.position.x > -pitch.half_length + kStrip || y < kNearest || y > kFarthest || across < kComing ||
+      !carried(picture))
+    return false;
+  const double before = std::max(0.0, ball.position.x - (line + kRow));
+  const double meet = y - across * before / -ball.velocity.x - kRoom;
+  const double own = self.pose.position.y * out;
+  if (meet < kLeast || own > y - kRoom / 2) return false;
+  if (std::abs(self.pose.position.x - line) > kOffLine ||
+      std::abs(foldedError(math::kPi / 2, self.pose.heading)) > kTurned)
+    return false;
+  const bool there = own > meet - 0.01;
+  twist = there ? slideTo(picture, self, line, out * meet) : alongLine(self, line, out * pitch.speed);
+  return true;
+}
+
 /// A ball in the mouth behind the keeper: whatever touches it from here pushes it in. The keeper gets out of
 /// its way along the line, and waits until the ball has come out or one of them has been moved.
 bool leaveBehind(const Picture& picture, const RobotState& self, double line, Twist& twist) {
   constexpr double kBehind = 0.025;  // [m] of the ball's centre behind the keeper's
   constexpr double kDeep = 0.025;    // [m] of the ball's centre before the goal line
   constexpr double kApart = 0.08;    // [m] along the line
+  constexpr double kBeside = 0.045;  // [m] along the line
+  constexpr double kPushed = 0.09;   // [m] from the ball to an opponent's middle
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
   const Vec2 rel = ball - self.pose.position;
+  // Beside its front, with an opponent pushing from the other side, it is held out by the keeper that stays.
+  if (std::abs(rel.y) > kBeside && picture.opponentsNear(ball, kPushed) > 0) return false;
   if (rel.x > -kBehind || ball.x > -pitch.half_length + kDeep || std::abs(ball.y) > pitch.goal_half)
     return false;
   const double away = rel.y > 0.0 ? -1.0 : 1.0;
   twist = std::abs(rel.y) < kApart ? alongLine(self, line, away * pitch.speed) : Twist{0.0, 0.0};
+  return true;
+}
+
+/// A keeper that was pushed into the goal, with the ball before it, pushes it out while nobody is near: one
+/// that waited was pushed in with it by the next run at the ball.
+bool pushOut(const Picture& picture, const RobotState& self, Twist& twist) {
+  constexpr double kIn = 0.02;      // [m] of the keeper's middle before the goal line at most
+  constexpr double kBefore = 0.03;  // [m] by which the ball is farther out
+  constexpr double kAside = 0.06;   // [m]
+  constexpr double kNear = 0.115;   // [m]
+  constexpr double kLies = 0.35;    // [m/s]
+  constexpr double kInTime = 0.2;   // [s] that nobody is at the ball
+  constexpr double kTurned = 0.9;   // [rad] off straight out: from there on it goes on whoever comes
+  constexpr double kOut = 0.2;      // tangent, to the side of the near post
+  const Pitch& pitch = picture.pitch;
+  const BallState& ball = picture.ball.now();
+  const Vec2 rel = ball.position - self.pose.position;
+  if (self.pose.position.x > -pitch.half_length + kIn || std::abs(ball.position.y) > pitch.goal_half)
+    return false;
+  if (rel.x < kBefore || std::abs(rel.y) > kAside || squaredNorm(rel) > kNear * kNear) return false;
+  if (std::abs(foldedError(0.0, self.pose.heading)) > kTurned) {
+    if (squaredNorm(ball.velocity) > kLies * kLies) return false;
+    for (int i = 0; i < picture.seen.team_size; ++i) {
+      if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball.position) < kInTime)
+        return false;
+    }
+  }
+  const double side = ball.position.y >= 0.0 ? kOut : -kOut;
+  twist = alongHeading(pitch, self, math::angleOf(unitOr(rel, {1.0, 0.0}) + Vec2{0.0, side}), pitch.speed);
   return true;
 }
 
@@ -205,7 +235,7 @@ double keeperPlace(const Picture& picture, double line) {
   const Pitch& pitch = picture.pitch;
   double y = 0.0;
   if (crossing(picture, line + pitch.ball_radius, y) && std::abs(y) < pitch.goal_half + 0.05) {
-    return std::clamp(y, -kReach, kReach);
+    return std::clamp(y + lead(picture, line), -kReach, kReach);
   }
   const Vec2 ball = picture.ball.at(0.05);
   const double depth = std::max(ball.x + pitch.half_length, kDepth);
@@ -244,9 +274,11 @@ Twist keep(const Picture& picture, int robot) {
                       std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
   const bool stuck = picture.stuck > kStuck && inOwnArea(pitch, ball.position, 0.05);
   if (leaveBehind(picture, self, line, out)) return out;
+  if (pushOut(picture, self, out)) return out;
   if (!coming && (stuck || comesFirst(picture, self) || meetsAlongWall(picture, self)) &&
       clear(picture, self, out))
     return out;
+  if (runOut(picture, self, line, out)) return out;
   if (!(coming && rel.x > 0.03) && alongEndWall(picture)) return guardPost(picture, self);
   if (goWith(picture, self, line, out)) return out;
   return slideTo(picture, self, line, keeperPlace(picture, line));

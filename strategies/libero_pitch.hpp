@@ -14,6 +14,8 @@ struct Pitch {
   Vec2 inside(Vec2 p, double margin) const;
   Vec2 ownGoal() const { return {-half_length, 0.0}; }
   Vec2 theirGoal() const { return {half_length, 0.0}; }
+  /// Five a side, where crowds push through what three cannot.
+  bool isLarge() const { return team_size > 3; }
 
   double half_length = 0.75;    ///< [m]
   double half_width = 0.65;     ///< [m]

@@ -39,7 +39,7 @@ void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, T
     const double angle = 0.6;
     placed[1] = facing(-kBehind * math::unit(-hand * angle), {});
     placed[2] = facing({-far, -0.30 * hand}, {0.4, -0.3 * hand});
-  } else if (pitch.team_size > 3) {
+  } else if (pitch.isLarge()) {
     // From the side: the ball leaves the face of whoever pushes it straight on, toward the support.
     const double angle = 0.5;
     placed[1] = facing(-(pitch.circle + 0.045) * math::unit(-hand * angle), {});
@@ -79,7 +79,7 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
     // little to the support's side, so that the ball slips past it there. The rules' places, and with them
     // those of many teams, are not turned but mirrored between the sides: so is this.
     const double hand = placed[2] && placed[2]->position.y < 0.0 ? -1.0 : 1.0;
-    const bool large = pitch.team_size > 3;
+    const bool large = pitch.isLarge();
     const double run_up = large ? 0.33 : 0.30, angle = large ? 0.03 : 0.10;
     placed[1] = facing(ball - run_up * math::unit(hand * angle), ball);
     placed[2] = facing({-0.06, hand * 0.35}, ball);

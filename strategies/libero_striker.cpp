@@ -8,6 +8,7 @@
 #include "strategies/libero_blow.hpp"
 #include "strategies/libero_caught.hpp"
 #include "strategies/libero_corner.hpp"
+#include "strategies/libero_meet.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -20,10 +21,7 @@ constexpr double kSlip = 0.3;       // [s] that takes
 constexpr double kSlipTurn =
     0.15;                        // [rad] a face turned by that slides it out; by 0.25 they come past it first
 constexpr double kCrowd = 0.16;  // [m] about the ball, in which opponents are in the way
-constexpr double kInner = 0.02;  // [m] off the ball's middle, on our goal's side, where a pushed ball is met
-
-/// Five a side, where crowds push through what three cannot.
-bool isLargeGame(const Picture& picture) { return picture.pitch.team_size > 3; }
+constexpr double kInner = 0.02;  // [m] off a free ball's middle, on our goal's side
 
 Twist spin(StrikerMemory& memory, double dt) {
   memory.spin_left -= dt;
@@ -107,7 +105,7 @@ bool rushes(const Picture& picture, Vec2 rel) {
 /// between the two toward the side wall: from the middle of both it was carried to our goal.
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
-  if (picture.seen.restart != RestartKind::kFreeBall || !isLargeGame(picture)) return ball;
+  if (picture.seen.restart != RestartKind::kFreeBall || !picture.pitch.isLarge()) return ball;
   return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
 }
 
@@ -127,18 +125,6 @@ bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
   const double near = norm(rel);
   if (aim.wall || near > kTouch || dot(rel, aim.direction) < 0.5 * near) return false;
   return picture.opponentsNear(picture.ball.now().position + unitOr(rel, {}) * 0.06, 0.03) > 0;
-}
-
-/// Whether an opponent pushes the ball toward our goal.
-bool carried(const Picture& picture) {
-  const BallState& ball = picture.ball.now();
-  if (ball.velocity.x > -0.3) return false;
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (!picture.opponentPresent(i)) continue;
-    const Vec2 rel = picture.opponent(i).pose.position - ball.position;
-    if (squaredNorm(rel) < 0.11 * 0.11 && dot(rel, ball.velocity) < 0.0) return true;
-  }
-  return false;
 }
 
 /// Whether the robot presses on the opponents' keeper in its area, the ball not between: that is a foul.
@@ -181,23 +167,6 @@ bool disputesFreeBall(const Observation& seen) {
   return seen.restart == RestartKind::kFreeBall && seen.since_restart < kDispute;
 }
 
-bool canMeetCarried(const Picture& picture, const RobotState& robot) {
-  if (!isLargeGame(picture) || !carried(picture)) return false;
-  const BallState& ball = picture.ball.now();
-  const Vec2 way = unitOr(ball.velocity, {-1.0, 0.0});
-  const Vec2 rel = intoFrame(way, robot.pose.position - ball.position);
-  return rel.x > 0.02 && std::abs(rel.y) < 0.5 * rel.x + 0.05;
-}
-
-Twist meetCarried(const Picture& picture, const RobotState& robot) {
-  const BallState& ball = picture.ball.now();
-  const Vec2 way = unitOr(ball.velocity, {-1.0, 0.0});
-  const Vec2 goal = intoFrame(way, picture.pitch.ownGoal() - ball.position);
-  const double lead = std::min(0.3, 0.4 * distance(robot.pose.position, ball.position));
-  const Vec2 to = ball.position + outOfFrame(way, {lead, std::copysign(kInner, goal.y)});
-  return passThrough(picture.pitch, robot, to, picture.pitch.speed);
-}
-
 Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   const RobotState& self = picture.own(robot);
   const Pitch& pitch = picture.pitch;
@@ -208,7 +177,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
 
   if (disputesFreeBall(picture.seen) && contested(picture)) return pressOn(picture, self, rel, memory);
   if (rushes(picture, rel)) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
-  if (canMeetCarried(picture, self)) return meetCarried(picture, self);
+  if (canMeetBrought(picture, self)) return meetBrought(picture, self);
   Vec2 keeper;
   if (squaredNorm(rel) > 0.075 * 0.075 && chargesKeeper(picture, self, keeper)) {
     return passThrough(pitch, self, self.pose.position * 2.0 - keeper, 0.6);

@@ -33,13 +33,6 @@ Interception interception(const Picture& picture, const RobotState& robot);
 /// Whether a free ball is still disputed: its taker drives at the ball, and nothing else.
 bool disputesFreeBall(const Observation& seen);
 
-/// Five a side: whether opponents push the ball toward our goal and `robot` stands in its way.
-bool canMeetCarried(const Picture& picture, const RobotState& robot);
-
-/// Drives at such a ball, off its middle on our goal's side: it slips from those who push it, away from the
-/// goal.
-Twist meetCarried(const Picture& picture, const RobotState& robot);
-
 /// The striker's way: intercept, come round, push it in.
 Twist strike(const Picture& picture, int robot, StrikerMemory& memory);
 

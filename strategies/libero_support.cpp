@@ -75,7 +75,7 @@ Vec2 wantedPlace(const Picture& picture, int robot, int rank) {
     return {std::min(ball.x - 0.2, pitch.half_length - 0.35), far_side * 0.18};
   }
   // Where they crowd the ball none is left to stop what comes out on the other side.
-  if (pitch.team_size <= 3 && picture.opponentsNear(ball, 0.25) >= 2) {
+  if (!pitch.isLarge() && picture.opponentsNear(ball, 0.25) >= 2) {
     return {std::min(ball.x + 0.3, pitch.half_length - 0.35), std::clamp(ball.y * 0.4, -0.3, 0.3)};
   }
   return shadow(picture, ball);
