@@ -23,12 +23,11 @@ constexpr double kReach = 0.175;  // [m] most |y| on the line
 double lead(const Picture& picture, double line) {
   constexpr double kShare = 0.6;    // of the ball's way across
   constexpr double kLongest = 0.2;  // [s] before the touch
-  constexpr double kComing = 0.1;   // [m/s]
   if (!carried(picture)) return 0.0;
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
   const double gap = ball.position.x - (line + pitch.robot_half + pitch.ball_radius);
-  const double time = std::clamp(gap / std::max(kComing, -ball.velocity.x), 0.0, kLongest);
+  const double time = std::clamp(gap / -ball.velocity.x, 0.0, kLongest);
   return -kShare * ball.velocity.y * time;
 }
 

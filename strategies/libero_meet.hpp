@@ -5,7 +5,7 @@
 
 namespace fulbito::libero {
 
-/// Whether an opponent pushes the ball toward our goal.
+/// Whether an opponent pushes the ball toward our goal; its velocity is below -0.3 m/s along x then.
 bool carried(const Picture& picture);
 
 /// Whether opponents bring the ball toward our goal and `robot` stands in its way. Three a side that is one
