@@ -8,8 +8,6 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kInner = 0.02;  // [m] off the ball's middle
-
 /// Whether an opponent is near a ball in our half, which lies between it and our goal.
 bool threatened(const Picture& picture) {
   constexpr double kNear = 0.35;     // [m]
@@ -26,11 +24,10 @@ bool threatened(const Picture& picture) {
   return false;
 }
 
-/// One opponent that has the ball or will have it. Two push past whoever meets one of them.
-bool comesAlone(const Picture& picture) {
+/// Two push past whoever meets one of them.
+bool crowded(const Picture& picture) {
   constexpr double kCrowd = 0.3;  // [m]
-  return picture.opponentsNear(picture.ball.now().position, kCrowd) <= 1 &&
-         (carried(picture) || threatened(picture));
+  return picture.opponentsNear(picture.ball.now().position, kCrowd) > 1;
 }
 
 /// Unit vector of the ball's way: where it is pushed, or to our goal while nobody pushes it yet.
@@ -54,7 +51,8 @@ bool carried(const Picture& picture) {
 
 bool canMeetBrought(const Picture& picture, const RobotState& robot) {
   const bool pushed = carried(picture);
-  if (!(picture.pitch.isLarge() ? pushed : comesAlone(picture))) return false;
+  if (!picture.pitch.isLarge() && crowded(picture)) return false;
+  if (!pushed && (picture.pitch.isLarge() || !threatened(picture))) return false;
   const Vec2 rel = intoFrame(wayOf(picture, pushed), robot.pose.position - picture.ball.now().position);
   return rel.x > 0.02 && std::abs(rel.y) < 0.5 * rel.x + 0.05;
 }

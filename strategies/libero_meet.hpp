@@ -5,6 +5,10 @@
 
 namespace fulbito::libero {
 
+/// How far off its middle [m], on our goal's side, a disputed ball is met, so that it slips away from the
+/// goal.
+inline constexpr double kInner = 0.02;
+
 /// Whether an opponent pushes the ball toward our goal; its velocity is below -0.3 m/s along x then.
 bool carried(const Picture& picture);
 
@@ -12,8 +16,8 @@ bool carried(const Picture& picture);
 /// opponent, which pushes the ball or stands ready to; five a side whoever pushes it.
 bool canMeetBrought(const Picture& picture, const RobotState& robot);
 
-/// Drives at such a ball, whose pusher can then bring it no farther. A pushed one is met off its middle, on
-/// our goal's side: it slips from those who push it, away from the goal.
+/// Drives at such a ball, whose pusher can then bring it no farther. A pushed one is met `kInner` off
+/// its middle.
 Twist meetBrought(const Picture& picture, const RobotState& robot);
 
 }  // namespace fulbito::libero

@@ -21,7 +21,6 @@ constexpr double kSlip = 0.3;       // [s] that takes
 constexpr double kSlipTurn =
     0.15;                        // [rad] a face turned by that slides it out; by 0.25 they come past it first
 constexpr double kCrowd = 0.16;  // [m] about the ball, in which opponents are in the way
-constexpr double kInner = 0.02;  // [m] off a free ball's middle, on our goal's side
 
 Twist spin(StrikerMemory& memory, double dt) {
   memory.spin_left -= dt;

@@ -53,6 +53,14 @@ inline Match playedFrom(const Placement& scene, double seconds, const char* yell
   return match;
 }
 
+/// Checks that libero concedes nothing in `seconds` from `scene`, nor from its mirror image.
+inline void checkHolds(const Placement& scene, double seconds, const char* yellow = "idle") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    CHECK(playedFrom(mirrored(scene, side), seconds, yellow).referee().score[1] == 0);
+  }
+}
+
 /// When [s] a robot that is alone on the field has scored; 10 where it has not.
 inline double scoresAlone(Vec2 ball, const Pose2& robot, double side) {
   auto config = matchOf("libero", "idle", "vsss-3v3", 20.0);
