@@ -44,8 +44,10 @@ void excuse(const DetectorInput& in, RobotSet entering, const TouchMemory& touch
             PresenceMemory& presence) {
   if (entering == 0 || !in.setup.rules.areas.pushed_excused) return;
   for (std::size_t i = 0; i < robotsIn(in.view); ++i) {
-    if (!holds(entering, i) || !pushedIn(in, i, touches)) continue;
-    presence.excused_until[i] = in.view.tick + ticksOf(in.setup.rules.areas.excuse_seconds, in.setup.dt);
+    if (!holds(entering, i)) continue;
+    // An excuse is for this time inside: one that left and comes back by itself has none.
+    const Tick leave = in.view.tick + ticksOf(in.setup.rules.areas.excuse_seconds, in.setup.dt);
+    presence.excused_until[i] = pushedIn(in, i, touches) ? leave : kLongAgo;
   }
 }
 
