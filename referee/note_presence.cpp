@@ -15,7 +15,7 @@ double towardGoal(const DetectorInput& in, Vec2 robot, Vec2 impulse) {
 void noteOpponents(const DetectorInput& in, const PresenceMemory& presence, std::size_t i, std::size_t j,
                    Vec2 impulse, TouchMemory& touches) {
   touches.opponent[i] = in.view.tick;
-  if (presence.keeper[indexOf(in.view.ids[j].team)] == j) touches.keeper[i] = in.view.tick;
+  if (keeperOf(in, in.view.ids[j].team, presence) == j) touches.keeper[i] = in.view.tick;
   const double push = towardGoal(in, in.view.robots[i].pose.position, impulse);
   if (push > 0.0) {
     touches.pushed[i].add(in.view.tick, ticksOf(in.setup.rules.areas.pushed_seconds, in.setup.dt), push);
