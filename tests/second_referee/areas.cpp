@@ -7,18 +7,6 @@
 namespace fulbito::second {
 namespace {
 
-bool bodyIn(const Marking& area, const Play& play, const Pose2& pose, int end, BodyPart part) {
-  const RobotModel& body = play.body();
-  const Vec2 centre = atEnd(play.match->field, end, pose.position);
-  if (part == BodyPart::kCentre) return isIn(area, centre);
-  const double reach = std::hypot(body.length, body.width) / 2;
-  if (std::abs(centre.y) > area.half_width + reach) return false;
-  if (centre.x > std::max(area.depth, area.arc_u + area.arc_radius) + reach) return false;
-  Corners corners = cornersOf(pose, body.length, body.width);
-  for (Vec2& corner : corners) corner = atEnd(play.match->field, end, corner);
-  return part == BodyPart::kAnyPart ? anyPartIn(area, corners) : shareIn(area, corners) > 0.5;
-}
-
 /// In this half; a body that was in the area counts until it has left the widened one.
 bool stillIn(const Marking& area, const Play& play, const Player& player, bool was) {
   const AreaRules& rules = play.rules().areas;
@@ -85,6 +73,18 @@ std::optional<std::size_t> keeperOf(const Play& play, TeamId team, std::optional
 }
 
 }  // namespace
+
+bool bodyIn(const Marking& area, const Play& play, const Pose2& pose, int end, BodyPart part) {
+  const RobotModel& body = play.body();
+  const Vec2 centre = atEnd(play.match->field, end, pose.position);
+  if (part == BodyPart::kCentre) return isIn(area, centre);
+  const double reach = std::hypot(body.length, body.width) / 2;
+  if (std::abs(centre.y) > area.half_width + reach) return false;
+  if (centre.x > std::max(area.depth, area.arc_u + area.arc_radius) + reach) return false;
+  Corners corners = cornersOf(pose, body.length, body.width);
+  for (Vec2& corner : corners) corner = atEnd(play.match->field, end, corner);
+  return part == BodyPart::kAnyPart ? anyPartIn(area, corners) : shareIn(area, corners) > 0.5;
+}
 
 void noteAreas(Play& play) {
   Moment& now = play.moments.back();

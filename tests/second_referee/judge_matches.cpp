@@ -61,6 +61,10 @@ std::vector<Rules> judgedRules() {
   strict.fouls.push = true;
   strict.fouls.holding = true;
   strict.periods.swap_sides = true;
+  all.push_back(all.front());
+  Rules& kicks = all.back();
+  kicks.name = "vsss-3v3 with shoot-outs";
+  kicks.periods.tie_break = TieBreak::kShootOut;
   return all;
 }
 

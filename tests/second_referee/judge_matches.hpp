@@ -14,8 +14,8 @@ struct Verdict {
   int calls() const;
 };
 
-/// Profiles that the built-in teams are judged by: the four of the program, and the book's with pushing and
-/// pinning called as well, which no profile of the program calls.
+/// Profiles that the built-in teams are judged by: the four of the program; the book's with pushing and
+/// pinning called as well, which no profile of the program calls; and with a shoot-out after a draw.
 std::vector<Rules> judgedRules();
 
 /// A match of two built-in teams with `vsss` robots on `standard` physics. Throws what is wrong.

@@ -47,14 +47,14 @@ std::optional<Call> stuckBall(const Play& play) {
   const TeamId defenders = play.defenderAt(now.ballEnd()), attackers = other(defenders);
   if (!in_area) {
     const TeamId takes = now.ball.x == 0.0 ? other(play.begun_by) : attackers;
-    return Call{now.tick, "free-ball", std::nullopt, std::nullopt, RestartKind::kFreeBall, takes};
+    return Call{now.tick, "free-ball", std::nullopt, std::nullopt, RestartKind::kFreeBall, takes, {}};
   }
   const bool disputed = nearBall(play, now, defenders, rules.dispute_lengths) &&
                         nearBall(play, now, attackers, rules.dispute_lengths);
   if (disputed || rules.undisputed == UndisputedCall::kGoalKick) {
-    return Call{now.tick, "goal-kick.stuck", attackers, std::nullopt, RestartKind::kGoalKick, defenders};
+    return Call{now.tick, "goal-kick.stuck", attackers, std::nullopt, RestartKind::kGoalKick, defenders, {}};
   }
-  return Call{now.tick, "penalty.stuck", defenders, std::nullopt, RestartKind::kPenalty, attackers};
+  return Call{now.tick, "penalty.stuck", defenders, std::nullopt, RestartKind::kPenalty, attackers, {}};
 }
 
 }  // namespace fulbito::second

@@ -30,7 +30,7 @@ std::optional<Call> goal(const Play& play) {
   if (std::abs(now.ball.y) >= play.match->field.goal_width / 2) return std::nullopt;
   if (rules.attack_foul_voids && attackCounts(play, now.ballEnd())) return attackersCall(play);
   const TeamId conceded = play.defenderAt(now.ballEnd()), team = other(conceded);
-  return Call{now.tick, "goal", team, scorer(play, team), RestartKind::kKickOff, conceded};
+  return Call{now.tick, "goal", team, scorer(play, team), RestartKind::kKickOff, conceded, {}};
 }
 
 }  // namespace fulbito::second

@@ -109,8 +109,13 @@ bool due(const Play& play, const std::optional<Crowd>& foul, double seconds) {
 
 Call callOf(const Play& play, const Crowd& foul, bool attack) {
   const RobotId robot = play.now().players[foul.robot].id;
-  return {play.now().tick, attack ? "goal-kick.attackers" : "penalty.defenders",    robot.team,
-          robot.number,    attack ? RestartKind::kGoalKick : RestartKind::kPenalty, other(robot.team)};
+  return {play.now().tick,
+          attack ? "goal-kick.attackers" : "penalty.defenders",
+          robot.team,
+          robot.number,
+          attack ? RestartKind::kGoalKick : RestartKind::kPenalty,
+          other(robot.team),
+          {}};
 }
 
 }  // namespace

@@ -64,7 +64,8 @@ std::optional<Call> pinnedToWall(const Play& play) {
     const RobotId id = now.players[robot].id;
     const bool own = now.ball_in_goal_area && now.ballEnd() == play.ownEnd(id.team);
     return Call{now.tick,  own ? "penalty.holding" : "free-kick.holding",        id.team,
-                id.number, own ? RestartKind::kPenalty : RestartKind::kFreeKick, other(id.team)};
+                id.number, own ? RestartKind::kPenalty : RestartKind::kFreeKick, other(id.team),
+                {}};
   }
   return std::nullopt;
 }
@@ -86,7 +87,7 @@ std::optional<Call> pushedAway(const Play& play) {
     }
     if (ticks < play.ticks(rules.push_seconds) || sum < rules.push_impulse) continue;
     const RobotId id = now.players[*robot].id;
-    return Call{now.tick, "free-kick.push", id.team, id.number, RestartKind::kFreeKick, other(id.team)};
+    return Call{now.tick, "free-kick.push", id.team, id.number, RestartKind::kFreeKick, other(id.team), {}};
   }
   return std::nullopt;
 }

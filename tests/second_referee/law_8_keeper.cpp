@@ -49,8 +49,13 @@ std::optional<Call> keeperCharged(const Play& play) {
       if (!isPlayer(now, body) || pressOnKeeper(play, now, contact, body.index) <= 0.0) continue;
       if (!charges(play, body.index)) continue;
       const RobotId robot = now.players[body.index].id;
-      return Call{now.tick,     "goal-kick.keeper-charged", robot.team,
-                  robot.number, RestartKind::kGoalKick,     other(robot.team)};
+      return Call{now.tick,
+                  "goal-kick.keeper-charged",
+                  robot.team,
+                  robot.number,
+                  RestartKind::kGoalKick,
+                  other(robot.team),
+                  {}};
     }
   }
   return std::nullopt;
@@ -83,7 +88,8 @@ std::optional<Call> keeperHolds(const Play& play) {
               team,
               now.players[*now.keeper[indexOf(team)]].id.number,
               RestartKind::kPenalty,
-              other(team)};
+              other(team),
+              {}};
 }
 
 }  // namespace fulbito::second

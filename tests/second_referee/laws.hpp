@@ -27,6 +27,9 @@ enum class Beat { kYes, kPause, kEnd };
 Tick lasted(const Play& play, Tick release, const std::function<Beat(std::size_t)>& beat);
 /// @}
 
+/// Whether as much of the body as counts is in the area of the goal at this end.
+bool bodyIn(const Marking& area, const Play& play, const Pose2& pose, int end, BodyPart part);
+
 /// Fills in what follows from the moments before: who is inside since when, keepers, excuses, waiting fouls,
 /// the standstill.
 void noteAreas(Play& play);
@@ -42,6 +45,9 @@ std::optional<Call> pinnedToWall(const Play& play);   // 8.1
 std::optional<Call> pushedAway(const Play& play);     // 8.1
 std::optional<Call> stuckBall(const Play& play);      // 13, 14
 /// @}
+
+/// Of a kick of the shoot-out (7.2): a value once it is over, whether it is a goal.
+std::optional<bool> kickOver(const Play& play);
 
 /// The keeper of the team in whose area the ball is has it for itself: law 8.1's undisputed control. kPause:
 /// it has lost the ball, and nothing has ended its count.

@@ -65,6 +65,7 @@ struct Play {
   bool blue_left = true;  ///< blue defends the left goal
   TeamId begun_by = TeamId::kBlue;
   Tick signal = 0;              ///< tick of the match
+  Vec2 mark;                    ///< [m] where the ball lay when play began
   std::vector<Moment> moments;  ///< the last is now
 
   const Rules& rules() const { return match->rules; }
@@ -88,6 +89,7 @@ struct Call {
   std::optional<int> robot;
   RestartKind restart = RestartKind::kKickOff;
   std::optional<TeamId> restart_team;  ///< none: whoever
+  std::optional<double> value;         ///< where the law gives one: of a kick 1 for a goal, 0 for a miss
 };
 
 }  // namespace fulbito::second

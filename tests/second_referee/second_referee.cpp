@@ -12,7 +12,7 @@ namespace {
 
 /// Clauses that this referee knows; all else is none of its business (placements, policy).
 bool known(std::string_view clause) {
-  constexpr std::array<std::string_view, 14> kKnown = {"kick-off",
+  constexpr std::array<std::string_view, 15> kKnown = {"kick-off",
                                                        "half",
                                                        "full-time",
                                                        "goal",
@@ -25,7 +25,8 @@ bool known(std::string_view clause) {
                                                        "penalty.holding",
                                                        "penalty.stuck",
                                                        "free-kick.push",
-                                                       "free-kick.holding"};
+                                                       "free-kick.holding",
+                                                       "shoot-out"};
   return std::find(kKnown.begin(), kKnown.end(), clause) != kKnown.end();
 }
 
@@ -42,11 +43,14 @@ Call callOf(const GameEvent& event) {
   call.clause = event.clause;
   call.team = event.team;
   if (event.robot) call.robot = *event.robot;
+  call.value = event.value;
   return call;
 }
 
+/// Whether `b` is what `a` says; a value that `a` lacks may be any.
 bool same(const Call& a, const Call& b) {
-  return a.tick == b.tick && a.clause == b.clause && a.team == b.team && a.robot == b.robot;
+  return a.tick == b.tick && a.clause == b.clause && a.team == b.team && a.robot == b.robot &&
+         (!a.value || a.value == b.value);
 }
 
 /// The first in this order stops play: docs/rules.md, "What stops play".
@@ -61,7 +65,9 @@ std::optional<Call> firstCall(const Play& play) {
 
 std::string SecondReferee::unfit(const MatchConfig& config) {
   if (!config.present[0] || !config.present[1]) return "a team is absent";
-  if (config.rules.periods.tie_break != TieBreak::kNone) return "there may be overtime or a shoot-out";
+  const TieBreak tie = config.rules.periods.tie_break;
+  if (tie != TieBreak::kNone && tie != TieBreak::kShootOut) return "there may be overtime";
+  if (config.rules.shoot_out.order != ShootOutOrder::kAlternating) return "kicks may be in series";
   if (config.rules.periods.mercy_goals > 0) return "mercy may end the match";
   if (!config.rules.restart.hold_robots) return "there may be false starts";
   return "";
@@ -89,6 +95,7 @@ void SecondReferee::playBegins(const PlayStart& start) {
   restart_.reset();
   play_.moments.clear();
   play_.begun_by = start.call.team;
+  play_.mark = start.call.ball;
   play_.signal = start.tick + start.call.delay;
   announce_ = start.call.kind == RestartKind::kKickOff;
 }
@@ -114,29 +121,65 @@ std::vector<Call> SecondReferee::judge() {
   const Tick now = play_.now().tick;
   std::vector<Call> calls;
   ++played_;
-  if (announce_) calls.push_back({now, "kick-off", play_.begun_by, {}, {}, {}});
+  if (announce_) calls.push_back({now, "kick-off", play_.begun_by, {}, {}, {}, {}});
   announce_ = false;
   if (auto call = firstCall(play_)) {
     calls.push_back(*call);
     restart_ = *call;
+    if (call->clause == "goal") ++score_[indexOf(*call->team)];
   }
   if (played_ < play_.ticks(config_.rules.half_seconds)) return calls;
-  played_ = 0;
   // Time is up: whatever was called, its restart is not taken.
-  if (period_ == 2) {
-    calls.push_back({now, "full-time", {}, {}, {}, {}});
-    restart_.reset();
-    return calls;
-  }
+  played_ = 0;
+  calls.push_back(period_ == 2 ? afterFullTime() : half());
+  return calls;
+}
+
+Call SecondReferee::half() {
   period_ = 2;
   const PeriodRules& rules = config_.rules.periods;
   if (rules.swap_sides) play_.blue_left = !play_.blue_left;
-  calls.push_back({now,
-                   "half",
-                   {},
-                   {},
-                   RestartKind::kKickOff,
-                   rules.swap_kick_off ? other(first_kick_off_) : first_kick_off_});
+  const TeamId first = rules.swap_kick_off ? other(first_kick_off_) : first_kick_off_;
+  restart_ = Call{play_.now().tick, "half", {}, {}, RestartKind::kKickOff, first, {}};
+  return *restart_;
+}
+
+Call SecondReferee::afterFullTime() {
+  if (score_[0] != score_[1] || config_.rules.periods.tie_break == TieBreak::kNone) return fullTime(score_);
+  // The toss says who begins.
+  shoot_out_ = true;
+  restart_ = Call{play_.now().tick, "shoot-out", {}, {}, RestartKind::kPenalty, {}, {}};
+  return *restart_;
+}
+
+Call SecondReferee::fullTime(const PerTeam<int>& score) {
+  restart_.reset();
+  Call call{play_.now().tick, "full-time", {}, {}, {}, {}, {}};
+  if (score[0] != score[1]) call.team = score[0] > score[1] ? TeamId::kBlue : TeamId::kYellow;
+  return call;
+}
+
+/// Law 7.2: as many kicks each as the rules say, then in pairs; who cannot be caught has won.
+std::vector<Call> SecondReferee::judgeKick() {
+  const auto goal = kickOver(play_);
+  if (!goal) return {};
+  const ShootOutRules& rules = config_.rules.shoot_out;
+  const TeamId kicker = play_.begun_by, rival = other(kicker);
+  ++kicks_[indexOf(kicker)];
+  hits_[indexOf(kicker)] += *goal ? 1 : 0;
+  std::vector<Call> calls = {
+      {play_.now().tick, "shoot-out", kicker, {}, RestartKind::kPenalty, {}, *goal ? 1.0 : 0.0}};
+  const auto left = [&](TeamId team) {
+    return std::max(0, std::max(rules.kicks, kicks_[indexOf(other(team))]) - kicks_[indexOf(team)]);
+  };
+  const bool decided = hits_[indexOf(kicker)] > hits_[indexOf(rival)] + left(rival) ||
+                       hits_[indexOf(rival)] > hits_[indexOf(kicker)] + left(kicker);
+  tossed_ = !decided && kicks_[0] >= rules.max_kicks && kicks_[1] >= rules.max_kicks;
+  if (decided || tossed_) {
+    calls.push_back(fullTime(hits_));
+    return calls;
+  }
+  calls.back().restart_team = rival;  // in turn
   restart_ = calls.back();
   return calls;
 }
@@ -146,7 +189,7 @@ void SecondReferee::compare(const std::vector<Call>& calls, std::span<const Game
   for (const GameEvent& event : events) {
     if (!known(event.clause)) continue;
     theirs.push_back(callOf(event));
-    if (event.clause == "full-time") theirs.back().team.reset();  // who won is the score's, not a law's
+    if (event.clause == "full-time" && tossed_) theirs.back().team.reset();
   }
   for (const Call& call : calls) {
     const auto match =
@@ -169,7 +212,7 @@ void SecondReferee::ticked(const MatchTick& tick) {
   std::vector<Call> calls;
   if (tick.tick > play_.signal) {
     see(tick);
-    calls = judge();
+    calls = shoot_out_ ? judgeKick() : judge();
   }
   compare(calls, tick.events);
 }

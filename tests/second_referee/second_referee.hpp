@@ -16,8 +16,8 @@ struct Tally {
 
 /// Watches a match tick by tick, re-derives every call from the states alone and compares it with what the
 /// match's own referee called: tick, clause, team, robot, and the restart with the team that takes it.
-/// Laws and clock: kick-off, half, full-time, goal, fouls, stuck balls. Matches with both teams, no overtime,
-/// no shoot-out, robots held until the signal; `unfit` says what else does not fit.
+/// Laws and clock: kick-off, half, full-time, goal, fouls, stuck balls, shoot-out. For matches with both
+/// teams, no overtime, and robots held until the signal: `unfit`.
 class SecondReferee final : public MatchObserver {
  public:
   /// Empty, or why it cannot judge matches of this configuration.
@@ -35,6 +35,10 @@ class SecondReferee final : public MatchObserver {
  private:
   void see(const MatchTick& tick);
   std::vector<Call> judge();
+  std::vector<Call> judgeKick();
+  Call half();
+  Call afterFullTime();
+  Call fullTime(const PerTeam<int>& score);
   void compare(const std::vector<Call>& calls, std::span<const GameEvent> events);
 
   MatchConfig config_;
@@ -43,7 +47,11 @@ class SecondReferee final : public MatchObserver {
   int period_ = 1;
   Tick played_ = 0;  ///< ticks of play in this half
   TeamId first_kick_off_ = TeamId::kBlue;
-  std::optional<Call> restart_;  ///< that must follow
+  PerTeam<int> score_{};
+  bool shoot_out_ = false;
+  PerTeam<int> kicks_{}, hits_{};  ///< of the shoot-out: taken, scored
+  bool tossed_ = false;            ///< too many kicks: chance decides
+  std::optional<Call> restart_;    ///< that must follow
   std::map<std::string, Tally> tallies_;
   std::vector<std::string> disagreements_;
 };

@@ -60,7 +60,7 @@ TEST_CASE("the second referee's areas: known shares", "[unit]") {
 TEST_CASE("both referees agree on every call of short matches", "[unit]") {
   Verdict verdict;
   // Of each profile a few pairings; the long test plays them all.
-  for (const int index : {5, 9, 12, 22, 27, 42, 44, 57, 68, 72}) judgeMatch(index, 25.0, 1000, verdict);
+  for (const int index : {5, 9, 12, 22, 27, 42, 44, 57, 68, 72, 78, 84}) judgeMatch(index, 25.0, 1000, verdict);
   CHECK(verdict.calls() > 60);
   for (const std::string& line : verdict.disagreements) FAIL_CHECK(line);
 }
@@ -70,14 +70,15 @@ TEST_CASE("the second referee sees calls that are missing, wrong, early and late
     const char* what;
     void (*tell)(Rules&);
   };
-  const std::array<Lie, 7> lies = {
+  const std::array<Lie, 8> lies = {
       Lie{"goals as soon as the centre is over", [](Rules& r) { r.goal.ball = BallPart::kCentre; }},
       Lie{"penalties half a second sooner", [](Rules& r) { r.areas.defenders_wait = 0.5; }},
       Lie{"attackers by their centre", [](Rules& r) { r.areas.attackers_part = BodyPart::kCentre; }},
       Lie{"who touched a tick longer ago takes part", [](Rules& r) { r.areas.part_seconds = 0.6; }},
       Lie{"charges of a tick less", [](Rules& r) { r.keeper.charge_seconds = 11.0 / 60.0; }},
       Lie{"free balls a tick later", [](Rules& r) { r.stuck.seconds = 601.0 / 60.0; }},
-      Lie{"no 8.3", [](Rules& r) { r.areas.defenders = false; }}};
+      Lie{"no 8.3", [](Rules& r) { r.areas.defenders = false; }},
+      Lie{"kicks that go on in the keeper's hold", [](Rules& r) { r.shoot_out.held_seconds = 0.0; }}};
   /// A second referee that goes by other rules than the match.
   struct Misled final : MatchObserver {
     void matchBegins(const MatchConfig& config) override {
@@ -93,8 +94,7 @@ TEST_CASE("the second referee sees calls that are missing, wrong, early and late
   std::array<Misled, lies.size()> misled;
   for (std::size_t i = 0; i < lies.size(); ++i) misled[i].lie = &lies[i];
   std::array<int, lies.size()> seen{};
-  for (const char* yellow : {"chaser", "classic"}) {
-    Match match = matchOf("chaser", yellow, judgedRules().front(), 120.0, 7);
+  const auto look = [&](Match match) {
     for (Misled& one : misled) {
       one.second = {};
       match.watch(one);
@@ -104,6 +104,11 @@ TEST_CASE("the second referee sees calls that are missing, wrong, early and late
     for (std::size_t i = 0; i < lies.size(); ++i) {
       seen[i] += static_cast<int>(misled[i].second.disagreements().size());
     }
+  };
+  look(matchOf("chaser", "chaser", judgedRules().front(), 120.0, 7));
+  look(matchOf("chaser", "classic", judgedRules().front(), 120.0, 7));
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    look(matchOf("classic", "libero", judgedRules().back(), 1.0, seed));  // to the shoot-out
   }
   for (std::size_t i = 0; i < lies.size(); ++i) {
     INFO(lies[i].what);
