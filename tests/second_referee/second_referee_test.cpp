@@ -60,7 +60,8 @@ TEST_CASE("the second referee's areas: known shares", "[unit]") {
 TEST_CASE("both referees agree on every call of short matches", "[unit]") {
   Verdict verdict;
   // Of each profile a few pairings; the long test plays them all.
-  for (const int index : {5, 9, 12, 22, 27, 42, 44, 57, 68, 72, 78, 84}) judgeMatch(index, 25.0, 1000, verdict);
+  for (const int index : {5, 9, 12, 22, 27, 42, 44, 57, 68, 72, 78, 84})
+    judgeMatch(index, 25.0, 1000, verdict);
   CHECK(verdict.calls() > 60);
   for (const std::string& line : verdict.disagreements) FAIL_CHECK(line);
 }
