@@ -61,10 +61,13 @@ std::vector<Rules> judgedRules() {
   strict.fouls.push = true;
   strict.fouls.holding = true;
   strict.periods.swap_sides = true;
+  strict.restart.delay = 0.5;
+  strict.restart.goal_delay = 1.0;
   all.push_back(all.front());
   Rules& kicks = all.back();
   kicks.name = "vsss-3v3 with shoot-outs";
   kicks.periods.tie_break = TieBreak::kShootOut;
+  kicks.restart.delay = 0.25;
   return all;
 }
 

@@ -15,7 +15,8 @@ struct Verdict {
 };
 
 /// Profiles that the built-in teams are judged by: the four of the program; the book's with pushing and
-/// pinning called as well, which no profile of the program calls; and with a shoot-out after a draw.
+/// pinning called as well, which no profile of the program calls; and with a shoot-out after a draw. The last
+/// two wait before each signal.
 std::vector<Rules> judgedRules();
 
 /// A match of two built-in teams with `vsss` robots on `standard` physics. Throws what is wrong.
