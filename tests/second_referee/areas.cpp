@@ -91,13 +91,13 @@ void noteAreas(Play& play) {
   const Moment* before = play.moments.size() > 1 ? &play.moments[play.moments.size() - 2] : nullptr;
   const AreaRules& rules = play.rules().areas;
   const Marking goal = goalArea(play.match->field, rules.arc), big = bigArea(play.match->field);
-  const auto ballIn = [&](const Marking& area, bool was) {
+  const auto ball_in = [&](const Marking& area, bool was) {
     const bool here = before != nullptr && before->ballEnd() == now.ballEnd() && was;
     return isIn(here ? area.widened(rules.hysteresis) : area,
                 atEnd(play.match->field, now.ballEnd(), now.ball));
   };
-  now.ball_in_goal_area = ballIn(goal, before != nullptr && before->ball_in_goal_area);
-  now.ball_in_big_area = ballIn(big, before != nullptr && before->ball_in_big_area);
+  now.ball_in_goal_area = ball_in(goal, before != nullptr && before->ball_in_goal_area);
+  now.ball_in_big_area = ball_in(big, before != nullptr && before->ball_in_big_area);
   for (std::size_t i = 0; i < now.players.size(); ++i) {
     Player& player = now.players[i];
     const Player* was = before != nullptr ? &before->players[i] : nullptr;

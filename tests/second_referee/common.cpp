@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "tests/second_referee/laws.hpp"
@@ -18,9 +19,12 @@ bool touchesBall(const Moment& moment, std::size_t robot) {
   return false;
 }
 
+std::size_t ticksBefore(std::size_t at, Tick ticks) {
+  return at - std::min(at, static_cast<std::size_t>(ticks));  // every tick of play is a moment
+}
+
 bool touchedBall(const Play& play, std::size_t at, std::size_t robot, double seconds) {
-  const Tick earliest = play.moments[at].tick - play.ticks(seconds);
-  for (std::size_t i = at + 1; i-- > 0 && play.moments[i].tick >= earliest;) {
+  for (std::size_t i = ticksBefore(at, play.ticks(seconds)); i <= at; ++i) {
     if (touchesBall(play.moments[i], robot)) return true;
   }
   return false;

@@ -8,9 +8,10 @@ namespace {
 
 /// Who of the team touched the ball last, if not too long ago; of several in one tick the first of the list.
 std::optional<int> scorer(const Play& play, TeamId team) {
-  const Tick earliest = play.now().tick - play.ticks(play.rules().goal.scorer_seconds);
-  for (std::size_t i = play.moments.size(); i-- > 0 && play.moments[i].tick >= earliest;) {
-    const Moment& then = play.moments[i];
+  const std::size_t now = play.moments.size() - 1;
+  const std::size_t earliest = ticksBefore(now, play.ticks(play.rules().goal.scorer_seconds));
+  for (std::size_t after = now + 1; after > earliest; --after) {
+    const Moment& then = play.moments[after - 1];
     for (std::size_t robot = 0; robot < then.players.size(); ++robot) {
       if (then.players[robot].id.team == team && touchesBall(then, robot))
         return then.players[robot].id.number;

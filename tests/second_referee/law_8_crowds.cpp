@@ -44,8 +44,7 @@ bool takesPart(const Play& play, std::size_t robot, bool attack) {
   if (!(attack ? rules.attackers_take_part : rules.defenders_take_part)) return true;
   const std::size_t now = play.moments.size() - 1;
   if (touchedBall(play, now, robot, rules.part_seconds)) return true;
-  const Tick earliest = play.now().tick - play.ticks(rules.part_seconds);
-  for (std::size_t i = now + 1; i-- > 0 && play.moments[i].tick >= earliest;) {
+  for (std::size_t i = ticksBefore(now, play.ticks(rules.part_seconds)); i <= now; ++i) {
     if (hinders(play, i, robot, attack)) return true;
   }
   return false;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "tests/second_referee/laws.hpp"
@@ -82,7 +83,8 @@ std::optional<Call> pushedAway(const Play& play) {
       return pushBy(play, i, *robot) > 0.0 ? Beat::kYes : Beat::kPause;
     });
     double sum = 0.0;
-    for (std::size_t i = play.moments.size(); i-- > 0 && now.tick - play.moments[i].tick < ticks;) {
+    const std::size_t last = play.moments.size() - 1;
+    for (std::size_t i = ticksBefore(last, std::max<Tick>(0, ticks - 1)); i <= last; ++i) {
       sum += pushBy(play, i, *robot);
     }
     if (ticks < play.ticks(rules.push_seconds) || sum < rules.push_impulse) continue;

@@ -10,6 +10,8 @@ namespace fulbito::second {
 /// @{ What the laws have in common: who touches, who is near, who keeps. Robots by index of `players`.
 bool isPlayer(const Moment& moment, BodyId body);
 bool touchesBall(const Moment& moment, std::size_t robot);
+/// The first moment of the play that is at most so many ticks before moment `at`.
+std::size_t ticksBefore(std::size_t at, Tick ticks);
 /// In this tick or at most so many seconds before it.
 bool touchedBall(const Play& play, std::size_t at, std::size_t robot, double seconds);
 /// A robot of the team has its centre within so many robot lengths of the ball.
