@@ -1,5 +1,8 @@
 #include "referee/rules.hpp"
 
+#include <filesystem>
+#include <fstream>
+
 #include "engine/core/presets.hpp"
 #include "engine/core/random.hpp"
 #include "referee/check_places.hpp"
@@ -63,6 +66,18 @@ TEST_CASE("a profile that lacks keys keeps the defaults, and is named after its 
   CHECK(rules->name == "mine");
   CHECK(rules->half_seconds == 60.0);
   CHECK(rules->team_size == 3);
+}
+
+TEST_CASE("a recorded profile may have keys of earlier versions, a file may not", "[unit]") {
+  const std::string text = "[rules]\n[fouls]\nhidden_share = 0.3\nhidden_seconds = 1\npinned_gap = 0.005\n";
+  CHECK(parseRules(text, "recorded rules"));
+  const std::string path =
+      (std::filesystem::temp_directory_path() / "fulbito-rules-test-retired.toml").string();
+  std::ofstream(path) << text;
+  const auto refused = loadRules(path);
+  std::filesystem::remove(path);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find(":3: fouls.hidden_share is not a key") != std::string::npos);
 }
 
 TEST_CASE("a bad profile is refused with file, line, key and range", "[unit]") {
