@@ -160,6 +160,10 @@ Result<std::string> outputFile(const ExportRequest& request, const std::string& 
   return usage(fmt::format("'{}' exists; --force replaces it", file));
 }
 
+std::string sizeText(std::size_t bytes) {
+  return fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1000.0);
+}
+
 void announce(const std::string& file, const std::string& what) {
   if (file != "-") fmt::print(stderr, "{}: {}\n", file, what);
 }
@@ -171,7 +175,7 @@ Result<void> deliver(const std::string& file, const std::string& content) {
     return {};
   }
   if (auto written = writeFile(file, content); !written) return written;
-  announce(file, fmt::format("{:.1f} kB", static_cast<double>(content.size()) / 1000.0));
+  announce(file, sizeText(content.size()));
   return {};
 }
 

@@ -15,6 +15,7 @@
 #include "match/recorder.hpp"
 #include "match/start_state.hpp"
 #include "match/summary.hpp"
+#include "referee/check_places.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -224,7 +225,7 @@ int playPairs(const MatchCommand& options, const MatchConfig& config) {
   SeriesReport summary{{config, *options.pairs, options.jobs}, {}, 0.0};
   const std::int64_t begin = now();
   {
-    ProgressBar bar(fmt::format("{} v {}", options.blue, options.yellow), options.json);
+    ProgressBar bar(fmt::format("{} v {}", options.blue, options.yellow));
     auto played = playSeries(summary.config,
                              [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
     if (!played) return report(played.error());
@@ -287,7 +288,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       ->excludes(recipe);
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
-  command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match")
+  command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs, 2 matches each, instead of one match")
       ->type_name("PAIRS");
   command->add_option("--jobs", options.jobs, "worker threads of a series (default: all cores)");
   CLI::Option* view = command->add_flag("--view", options.view, "watch it in a window while it is played");
@@ -301,6 +302,9 @@ int match(const MatchCommand& options) {
   if (auto checked = checkFlags(options); !checked) return report(checked.error());
   const auto config = configOf(options);
   if (!config) return report(config.error());
+  if (const auto foreign = findForeignPlaces(config->rules, config->field, config->robot.robot)) {
+    fmt::print(stderr, "note: {}\n", *foreign);
+  }
   return options.pairs ? playPairs(options, *config) : playOne(options, *config);
 }
 

@@ -186,3 +186,23 @@ TEST_CASE("an interrupted film leaves nothing behind", "[cli]") {
     }
   }
 }
+
+TEST_CASE("short films run in real time, long ones four times as fast", "[cli]") {
+  const Recorded box;
+  REQUIRE(box.run("match idle idle --half-seconds 20 --record long.fbr").code == 0);
+  const auto frames = [&](const std::string& arguments) {
+    REQUIRE(box.run("replay export " + arguments + " --gif f.gif --size 200x160 --fps 5 --force").code == 0);
+    const std::string gif = box.bytes("f.gif");
+    int count = 0;
+    for (std::size_t at = gif.find("\x21\xf9\x04"); at != std::string::npos; at = gif.find("\x21\xf9\x04", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  CHECK(frames("g.fbr --from 2 --to 4") >= 10);
+  CHECK(frames("g.fbr --from 2 --to 4 --speed 4") <= 4);
+  CHECK(frames("long.fbr --to 30") >= 150);
+  const int all = frames("long.fbr");
+  CHECK(all >= 50);
+  CHECK(all <= 52);
+}
