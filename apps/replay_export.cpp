@@ -68,7 +68,7 @@ void addWhen(CLI::App& command, ReplayExportCommand& options) {
   command.add_option("--at", options.at, "seconds of the recording")->group("When");
   command
       .add_option("--around", options.around,
-                  "events: goals, penalty, free-ball, half ...; films show 5 s around each")
+                  "events: goals, penalty, free-ball, half ..., or one of them: goals:1; films show 5 s around each")
       ->group("When");
   command.add_flag("--highlights", options.highlights, "the same as --around goals")->group("When");
   command.add_option("--from", options.from, "seconds (default: the beginning)")->group("When");
@@ -119,6 +119,7 @@ CLI::App* addReplayExport(CLI::App& replay, ReplayExportCommand& options) {
       "Examples:\n"
       "  fulbito replay export game.fbr --png shot.png --at 83.2\n"
       "  fulbito replay export game.fbr --png goal.png --around goals     goal-0001.png ...\n"
+      "  fulbito replay export game.fbr --gif goal.gif --around goals:1   the first goal, as fast as it was\n"
       "  fulbito replay export game.fbr --gif goals.gif --highlights\n"
       "  fulbito replay export game.fbr --html game.html                  a page to look at it\n"
       "  fulbito replay export game.fbr --html both.html --ghost other.fbr\n"

@@ -206,3 +206,26 @@ TEST_CASE("short films run in real time, long ones four times as fast", "[cli]")
   CHECK(all >= 50);
   CHECK(all <= 52);
 }
+
+TEST_CASE("one of several events can be named by its number", "[cli]") {
+  const Recorded box;
+  const auto pictures = [&](const std::string& around) {
+    REQUIRE(box.make("--png e.png --size 200x160 --around " + around).code == 0);
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(box.path)) {
+      if (entry.path().extension() == ".png") ++count;
+    }
+    for (const auto& entry : std::vector<fs::path>{fs::directory_iterator(box.path), {}}) {
+      if (entry.extension() == ".png") fs::remove(entry);
+    }
+    return count;
+  };
+  CHECK(pictures("kick-off") >= 2);
+  CHECK(pictures("kick-off:2") == 1);
+  for (const char* wrong : {"kick-off:0", "kick-off:x", "kick-off:", "kick-off:99", "kick-off:1:1"}) {
+    INFO(wrong);
+    const Output refused = box.make(std::string("--png e.png --around ") + wrong);
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "--around kick-off:"));
+  }
+}
