@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kVideoWidth = 900, kGifWidth = 480;  // [px]
 constexpr double kVideoFps = 30.0, kGifFps = 12.5;
-constexpr double kHurried = 4.0;     // times real time
+constexpr double kHurried = 4.0;    // times real time
 constexpr double kPatience = 30.0;  // [s] up to which a film shows everything as fast as it was
 constexpr std::size_t kPaletteSamples = 12;
 

@@ -185,7 +185,8 @@ std::optional<Error> wrongCommand(const CLI::App& app, std::span<char*> words) {
 std::string remedyFor(const std::string& word, const std::vector<std::string>& flags) {
   const bool takes_rules = std::find(flags.begin(), flags.end(), "--rules") != flags.end();
   if (word == "--field" && takes_rules) {
-    return " The field belongs to the rules: set rules.field in a profile (fulbito rules show vsss-5v5 > mine.toml) "
+    return " The field belongs to the rules: set rules.field in a profile (fulbito rules show vsss-5v5 > "
+           "mine.toml) "
            "and give it with --rules.";
   }
   return suggestion(word, flags);

@@ -288,7 +288,9 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       ->excludes(recipe);
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
-  command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs, 2 matches each, instead of one match")
+  command
+      ->add_option("-n,--pairs", options.pairs,
+                   "play this many swapped pairs, 2 matches each, instead of one match")
       ->type_name("PAIRS");
   command->add_option("--jobs", options.jobs, "worker threads of a series (default: all cores)");
   CLI::Option* view = command->add_flag("--view", options.view, "watch it in a window while it is played");

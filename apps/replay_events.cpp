@@ -65,7 +65,8 @@ CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options) {
   CLI::App* command = replay.add_subcommand("events", "list what the referee called, with what was measured");
   command->footer(
       "Columns: time in the recording; period and its clock (minutes, seconds, tenths, cut); score after it; "
-      "call or (-) restart;\nteam and robot: of a goal who scored, of a restart who takes it, else against whom "
+      "call or (-) restart;\nteam and robot: of a goal who scored, of a restart who takes it, else against "
+      "whom "
       "it is called; the ball's place;\nlaw; what was measured and the limit.\n"
       "Examples:\n"
       "  fulbito replay events game.fbr\n"

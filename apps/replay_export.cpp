@@ -51,8 +51,7 @@ void addProducts(CLI::App& command, ReplayExportCommand& options) {
   addProduct(command, "--contact-sheet", options.contact_sheet,
              "twelve small pictures in one, or one an event");
   addProduct(command, "--trails", options.trails, "the ways of all over the field");
-  command
-      .add_option("--heatmap", options.heatmap, "heat map of ball, blue, yellow or one robot (blue:1)")
+  command.add_option("--heatmap", options.heatmap, "heat map of ball, blue, yellow or one robot (blue:1)")
       ->expected(1, 2)
       ->type_name("WHO [OUT]")
       ->group("What to make (OUT: a file, - for stdout; default: named after the recording)");
@@ -67,17 +66,19 @@ void addProducts(CLI::App& command, ReplayExportCommand& options) {
 void addWhen(CLI::App& command, ReplayExportCommand& options) {
   command.add_option("--at", options.at, "seconds of the recording")->group("When");
   command
-      .add_option("--around", options.around,
-                  "events: goals, penalty, free-ball, half ..., or one of them: goals:1; films show 5 s around each")
+      .add_option(
+          "--around", options.around,
+          "events: goals, penalty, free-ball, half ..., or one of them: goals:1; films show 5 s around each")
       ->group("When");
   command.add_flag("--highlights", options.highlights, "the same as --around goals")->group("When");
   command.add_option("--from", options.from, "seconds (default: the beginning)")->group("When");
   command.add_option("--to", options.to, "seconds (default: the end)")->group("When");
   command.add_option("--fps", options.fps, "frames a second, 0.01 ... 240")->group("When");
   command
-      .add_option("--speed", options.speed,
-                  "playback speed of films: 1 = real time (default: 1 with --around or --highlights and up to "
-                  "30 s, else 4)")
+      .add_option(
+          "--speed", options.speed,
+          "playback speed of films: 1 = real time (default: 1 with --around or --highlights and up to "
+          "30 s, else 4)")
       ->group("When");
 }
 

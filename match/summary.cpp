@@ -24,8 +24,9 @@ std::string goalLine(const MatchReport& report, const GoalRecord& goal) {
     who = fmt::format("{} robot {}{}", fulbito::nameOf(goal.scorer->team), goal.scorer->number,
                       goal.own_goal ? ", own goal" : "");
   }
-  return fmt::format("  {:>7}  {} {:>7}   {} : {}   {} ({})\n", clockText(goal.seconds), periodName(goal.period),
-                     clockText(goal.play_time), goal.score[0], goal.score[1], nameOf(report, goal.team), who);
+  return fmt::format("  {:>7}  {} {:>7}   {} : {}   {} ({})\n", clockText(goal.seconds),
+                     periodName(goal.period), clockText(goal.play_time), goal.score[0], goal.score[1],
+                     nameOf(report, goal.team), who);
 }
 
 /// Head of a team's column: its name, or its colour where names would not tell.

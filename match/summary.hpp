@@ -48,8 +48,8 @@ struct SeriesReport {
   double simulated() const;  ///< [s] of all matches
 };
 
-/// The team that a series shows to be better, 0: A, 1: B: the one on whose side of 50 % the whole 95 % interval of
-/// the points share lies. Empty: no difference is shown.
+/// The team that a series shows to be better, 0: A, 1: B: the one on whose side of 50 % the whole 95 %
+/// interval of the points share lies. Empty: no difference is shown.
 std::optional<std::size_t> betterTeam(const SeriesResult& result);
 
 /// @{ As for a match. Intervals that need more pairs than there are say so (JSON: null).

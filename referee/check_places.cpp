@@ -83,13 +83,15 @@ std::optional<std::string> findForeignPlaces(const Rules& rules, const FieldGeom
                          keeper.before_line);
   } else {
     const std::vector<std::string> bad = findBadPlaces(rules, field, robot);
-    const auto off = std::find_if(bad.begin(), bad.end(),
-                                  [](const std::string& flaw) { return flaw.ends_with("is not on the field"); });
+    const auto off = std::find_if(bad.begin(), bad.end(), [](const std::string& flaw) {
+      return flaw.ends_with("is not on the field");
+    });
     if (off != bad.end()) reason = *off;
   }
   if (reason.empty()) return std::nullopt;
   return fmt::format(
-      "the places of the rules '{}' are metres, and look as if they were written for another field than '{}', "
+      "the places of the rules '{}' are metres, and look as if they were written for another field than "
+      "'{}', "
       "{:g} x {:g} m ({}). Begin with: fulbito rules show {}",
       rules.name, field.name, field.length, field.width, reason, presetFor(field));
 }

@@ -17,8 +17,8 @@ std::vector<std::string> findBadPlaces(const Rules& rules, const FieldGeometry& 
                                        const RobotModel& robot);
 
 /// Whether a profile's places look as if they were written for another field, and what to do then: a keeper
-/// (robot 0) that stands farther before its goal line than its goal area is deep, or a place off the field. The
-/// match can be played all the same. Empty: they fit.
+/// (robot 0) that stands farther before its goal line than its goal area is deep, or a place off the field.
+/// The match can be played all the same. Empty: they fit.
 std::optional<std::string> findForeignPlaces(const Rules& rules, const FieldGeometry& field,
                                              const RobotModel& robot);
 

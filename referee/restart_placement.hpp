@@ -29,8 +29,8 @@ struct PlacementFlaw {
   std::string_view reason;  ///< such as "overlaps a robot"; static lifetime
 };
 
-/// All robots that break the rule of their restart, those of the taking team first. Of robots that overlap the
-/// later one is named.
+/// All robots that break the rule of their restart, those of the taking team first. Of robots that overlap
+/// the later one is named.
 std::vector<PlacementFlaw> findPlacementFlaws(const RefereeSetup& setup, const RefereeState& state,
                                               const RestartCall& call, const Placement& placement);
 /// The first of them.

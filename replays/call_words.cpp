@@ -57,8 +57,8 @@ constexpr std::array kClauses{
 };
 
 const Clause* clauseOf(const std::string& name) {
-  const auto* const found =
-      std::find_if(kClauses.begin(), kClauses.end(), [&](const Clause& clause) { return clause.name == name; });
+  const auto* const found = std::find_if(kClauses.begin(), kClauses.end(),
+                                         [&](const Clause& clause) { return clause.name == name; });
   return found == kClauses.end() ? nullptr : found;
 }
 

@@ -22,9 +22,8 @@ std::optional<Flaw> wheelFlaw(const RobotModel& robot) {
                             longest_wheel)};
   }
   if (robot.axle_track > widest) {
-    return Flaw{
-        "robot", -1, "axle_track",
-        fmt::format("= {} must be at most the body's diagonal, {:.6g} m", robot.axle_track, widest)};
+    return Flaw{"robot", -1, "axle_track",
+                fmt::format("= {} must be at most the body's diagonal, {:.6g} m", robot.axle_track, widest)};
   }
   return std::nullopt;
 }

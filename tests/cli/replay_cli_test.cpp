@@ -109,7 +109,8 @@ TEST_CASE("replay events prints a table with a head, in which a kick-off stands 
   std::istringstream lines(text);
   int restarts = 0;
   for (std::string line; std::getline(lines, line);) {
-    CHECK(line.find(" kick-off  ") == line.find("- kick-off  ") + (line.find("- kick-off  ") != std::string::npos));
+    CHECK(line.find(" kick-off  ") ==
+          line.find("- kick-off  ") + (line.find("- kick-off  ") != std::string::npos));
     restarts += line.find("- kick-off") != std::string::npos ? 1 : 0;
   }
   CHECK(restarts >= 2);

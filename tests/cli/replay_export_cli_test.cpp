@@ -194,7 +194,8 @@ TEST_CASE("short films run in real time, long ones four times as fast", "[cli]")
     REQUIRE(box.run("replay export " + arguments + " --gif f.gif --size 200x160 --fps 5 --force").code == 0);
     const std::string gif = box.bytes("f.gif");
     int count = 0;
-    for (std::size_t at = gif.find("\x21\xf9\x04"); at != std::string::npos; at = gif.find("\x21\xf9\x04", at + 1)) {
+    for (std::size_t at = gif.find("\x21\xf9\x04"); at != std::string::npos;
+         at = gif.find("\x21\xf9\x04", at + 1)) {
       ++count;
     }
     return count;

@@ -166,7 +166,8 @@ TEST_CASE("a speed has two digits at least, and is left out where it is not know
 
 TEST_CASE("goals stand in the summary at the clock's time, cut to tenths", "[unit]") {
   Played played(chasers(), 10);
-  played.report.statistics.goals = {{417.95, 2, 117.95, TeamId::kBlue, RobotId{TeamId::kBlue, 1}, false, {1, 0}}};
+  played.report.statistics.goals = {
+      {417.95, 2, 117.95, TeamId::kBlue, RobotId{TeamId::kBlue, 1}, false, {1, 0}}};
   CHECK(matchText(played.report).find("6:57.9  2nd half  1:57.9   1 : 0") != std::string::npos);
 }
 

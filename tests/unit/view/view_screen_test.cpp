@@ -70,7 +70,8 @@ TEST_CASE("the screen always says how fast it plays and that H shows the keys", 
   const auto inked = [&] {  // pixels of the board's foot, right of the clock, that are not its panel's
     int count = 0;
     for (int y = 68; y < 82; ++y) {
-      for (int x = 700; x < 890; ++x) count += screen.canvas()->row(y)[x] != screen.canvas()->row(y)[690] ? 1 : 0;
+      for (int x = 700; x < 890; ++x)
+        count += screen.canvas()->row(y)[x] != screen.canvas()->row(y)[690] ? 1 : 0;
     }
     return count;
   };
