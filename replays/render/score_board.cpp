@@ -36,7 +36,8 @@ TimeBar barOf(const MatchPlan& plan) {
 
 /// A moment of a recording of `whole` seconds: minutes say too little of a trial.
 std::string barTime(double seconds, double whole) {
-  if (whole < 30.0) return fmt::format("{:.1f} s", seconds);
+  // Cut as clocks are.
+  if (whole < 30.0) return fmt::format("{:.1f} s", std::floor(seconds * 10 + 1e-6) / 10);
   const int count = static_cast<int>(std::clamp(std::floor(seconds), 0.0, 1e8));
   return fmt::format("{}:{:02}", count / 60, count % 60);
 }

@@ -236,7 +236,7 @@ TEST_CASE("a match on another field than its places are written for says so and 
   CHECK(box.run("rules check vsss-5v5").out.find("note") == std::string::npos);
 }
 
-TEST_CASE("--field says where the field is set", "[cli]") {
+TEST_CASE("a match that is given a field says where that is set", "[cli]") {
   const Sandbox box;
   const Output output = box.run("match chaser chaser --field vsss-5v5");
   CHECK(output.code == 2);
@@ -274,4 +274,22 @@ TEST_CASE("Ctrl-C ends a series with the pairs that were played", "[cli]") {
   const Json json = Json::parse(contentOf(box.path / "out.txt"));
   CHECK(json["complete"] == false);
   CHECK(json["matches"].size() == 2 * json["pairs"].get<std::size_t>());
+}
+
+TEST_CASE("drills and series show how far they are, with --json too", "[cli]") {
+  if (std::system("command -v script >/dev/null 2>&1") != 0) {
+    WARN("skipped: no script (bsdutils), which gives a program a terminal");
+    return;
+  }
+  const Sandbox box;
+  const auto shown = [&](const std::string& arguments) {
+    // A terminal sees both; the JSON goes elsewhere.
+    const std::string command = "cd '" + box.path.string() + "' && script -qec \"'" FULBITO_PROGRAM "' " +
+                                arguments + " --json >json.txt\" tty.txt >/dev/null </dev/null";
+    REQUIRE(std::system(command.c_str()) == 0);
+    CHECK_FALSE(Json::parse(contentOf(box.path / "json.txt"), nullptr, false).is_discarded());
+    return contentOf(box.path / "tty.txt");
+  };
+  CHECK(shown("drill chaser --drill 3 --trials 4000").find("drills of chaser [") != std::string::npos);
+  CHECK(shown("match chaser chaser -n 40 --half-seconds 20").find("chaser v chaser [") != std::string::npos);
 }
