@@ -265,7 +265,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       "Examples:\n"
       "  fulbito match                                  libero against classic, two halves of five minutes\n"
       "  fulbito match libero chaser --seed 7 --record game.fbr\n"
-      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20\n"
+      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20   pairs, 2 matches each\n"
       "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
       "  fulbito match libero idle --start corner.toml --events -\n"
       "  fulbito match libero classic --view --record game.fbr   watch it, drag ball and robots\n"
@@ -288,9 +288,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       ->excludes(recipe);
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
-  command
-      ->add_option("-n,--pairs", options.pairs,
-                   "play this many swapped pairs, 2 matches each, instead of one match")
+  command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match")
       ->type_name("PAIRS");
   command->add_option("--jobs", options.jobs, "worker threads of a series (default: all cores)");
   CLI::Option* view = command->add_flag("--view", options.view, "watch it in a window while it is played");

@@ -10,7 +10,6 @@
 
 #include "apps/commands.hpp"
 #include "apps/progress.hpp"
-#include "match/summary.hpp"
 #include "match/verify_many.hpp"
 
 namespace fulbito::app {
@@ -85,8 +84,8 @@ void printTable(const std::vector<VerifiedFile>& files, double wall) {
   const Counts counts = countsOf(files);
   fmt::print("\n{} recordings: {} the same, {} different, {} cut, {} bad\n", files.size(), counts.same,
              counts.different, counts.cut, counts.bad);
-  fmt::print("{:.1f} s simulated in {:.2f} s: {}\n", counts.simulated, wall,
-             paceText(counts.simulated, wall));
+  fmt::print("{:.1f} s simulated in {:.2f} s: {:.0f} x real time\n", counts.simulated, wall,
+             counts.simulated / wall);
 }
 
 Json divergenceJson(const Divergence& d, double dt) {

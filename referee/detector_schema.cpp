@@ -78,8 +78,7 @@ Schema schemaOf(AreaRules& r) {
       {"pushed_seconds", &r.pushed_seconds, 0, kLongest, "s", "pushed in: so long before it came in; ours"},
       {"pushed_impulse", &r.pushed_impulse, 0, 10, "kg m/s", "pushed in: by this toward the goal; ours"},
       {"excuse_seconds", &r.excuse_seconds, 0, kLongest, "s", "that a robot pushed in has for leaving; ours"},
-      {"cool_down", &r.cool_down, 0, kLongest, "s",
-       "no such call within this time of a play's beginning; ours"},
+      {"cool_down", &r.cool_down, 0, kLongest, "s", "after play began without such a call; ours"},
   };
 }
 
@@ -98,8 +97,7 @@ Schema schemaOf(KeeperRules& r) {
       {"charge_release", &r.charge_release, 0, kLongest, "s", "without contact end it; ours"},
       {"part_seconds", &r.part_seconds, 0, kLongest, "s",
        "who touched the ball this recently disputes it; ours"},
-      {"cool_down", &r.cool_down, 0, kLongest, "s",
-       "no such call within this time of a play's beginning; ours"},
+      {"cool_down", &r.cool_down, 0, kLongest, "s", "after play began without such a call; ours"},
   };
 }
 
@@ -124,8 +122,7 @@ Schema schemaOf(FoulRules& r) {
       {"holding_release", &r.holding_release, 0, kLongest, "s", "without holding end it; ours"},
       {"dispute_lengths", &r.dispute_lengths, 0, 20, "robot lengths",
        "an opponent's centre this near to the ball disputes it; as the league program's stuck ball"},
-      {"cool_down", &r.cool_down, 0, kLongest, "s",
-       "no such call within this time of a play's beginning; ours"},
+      {"cool_down", &r.cool_down, 0, kLongest, "s", "after play began without such a call; ours"},
   };
 }
 
