@@ -90,7 +90,7 @@ std::string detailOf(const RecordedEvent& event, const Clause& clause,
                      const std::vector<std::string>& teams) {
   if (clause.name == "full-time" && !event.team) return "draw";
   if (!event.team) return std::string(clause.detail);
-  const std::string name = teamName(*event.team, teams);
+  std::string name = teamName(*event.team, teams);
   if (clause.name == "goal") return name;
   if (clause.name == "false-start") return name + " moved before the signal";
   if (clause.name == "full-time") return name + " wins";
