@@ -290,6 +290,6 @@ TEST_CASE("drills and series show how far they are, with --json too", "[cli]") {
     CHECK_FALSE(Json::parse(contentOf(box.path / "json.txt"), nullptr, false).is_discarded());
     return contentOf(box.path / "tty.txt");
   };
-  CHECK(shown("drill chaser --drill 3 --trials 4000").find("drills of chaser [") != std::string::npos);
-  CHECK(shown("match chaser chaser -n 40 --half-seconds 20").find("chaser v chaser [") != std::string::npos);
+  CHECK(shown("drill chaser --drill 3 --trials 400").find("drills of chaser [") != std::string::npos);
+  CHECK(shown("match chaser chaser -n 20 --half-seconds 20").find("chaser v chaser [") != std::string::npos);
 }
