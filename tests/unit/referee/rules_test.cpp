@@ -137,6 +137,41 @@ TEST_CASE("places that the laws do not allow are told, and the embedded profiles
                                  "goal-kick: robot 1 of the taking team is not on the field"});
 }
 
+TEST_CASE("every robot that overlaps is told, not the first alone", "[unit]") {
+  Rules rules;
+  rules.team_size = 5;
+  rules.kick_off.places.taker = {{0.675, 0.0}, {0.2, 0.0}, {0.4, 0.0}, {0.4, 0.02}, {0.4, -0.02}};
+  rules.kick_off.places.other = {{0.675, 0.0}, {0.3, 0.0}, {0.4, 0.1}, {0.4, -0.1}, {0.4, -0.3}};
+  std::vector<std::string> of_kick_off;
+  for (const std::string& flaw : findBadPlaces(rules, FieldGeometry(), RobotModel())) {
+    if (flaw.starts_with("kick-off")) of_kick_off.push_back(flaw);
+  }
+  CHECK(of_kick_off == std::vector<std::string>{"kick-off: robot 3 of the taking team overlaps a robot",
+                                                "kick-off: robot 4 of the taking team overlaps a robot"});
+}
+
+TEST_CASE("places of another field are told with the profile to begin with", "[unit]") {
+  for (const std::string& name : rulesPresetNames()) {
+    const Rules rules = *loadRules(name);
+    INFO(name);
+    CHECK_FALSE(findForeignPlaces(rules, *loadField(rules.field), RobotModel()));
+  }
+  FieldGeometry large = *loadField("vsss-5v5");
+  large.name = "large";
+  Rules rules;  // its places are those of the field of 1.5 m
+  rules.name = "mine";
+  const auto note = findForeignPlaces(rules, large, RobotModel());
+  REQUIRE(note);
+  CHECK(note->find("'mine'") != std::string::npos);
+  CHECK(note->find("'large', 2.2 x 1.8 m") != std::string::npos);
+  CHECK(note->find("robot 0 stands 0.45 m before its goal line") != std::string::npos);
+  CHECK(note->ends_with("fulbito rules show vsss-5v5"));
+  const auto small = findForeignPlaces(*loadRules("vsss-5v5"), FieldGeometry(), RobotModel());
+  REQUIRE(small);
+  CHECK(small->find("is not on the field") != std::string::npos);
+  CHECK(small->ends_with("fulbito rules show vsss-3v3"));
+}
+
 TEST_CASE("an unknown profile is a usage error with a suggestion", "[unit]") {
   const auto rules = loadRules("vsss-3v4");
   REQUIRE_FALSE(rules);
