@@ -1,11 +1,12 @@
 #include "apps/live_line.hpp"
 
 #include <cstdio>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "engine/core/error_text.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -21,7 +22,7 @@ const char* periodText(int period) {
 }  // namespace
 
 LiveLine::LiveLine(const MatchConfig& config)
-    : config_(config), terminal_(::isatty(STDERR_FILENO) == 1), begin_(now()), last_(begin_) {}
+    : config_(config), terminal_(drawsLines()), begin_(now()), last_(begin_) {}
 
 LiveLine::~LiveLine() {
   if (drawn_) std::fputs("\r\033[K", stderr);
@@ -35,9 +36,11 @@ void LiveLine::update(const Match& match) {
   const RefereeState& referee = match.referee();
   const int clock =
       static_cast<int>(static_cast<double>(referee.play_ticks) * config_.physics.controlPeriod());
-  fmt::print(stderr, "\r{} {} : {} {}   {} {:02}:{:02}   {:.0f} x real time\033[K", config_.teams[0].text,
-             referee.score[0], referee.score[1], config_.teams[1].text, periodText(referee.period),
-             clock / 60, clock % 60, match.seconds() / elapsed);
+  const std::string line = fmt::format("\r{} {} : {} {}   {} {:02}:{:02}   {:.0f} x real time\033[K",
+                                       terminalText(config_.teams[0].text), referee.score[0], referee.score[1],
+                                       terminalText(config_.teams[1].text), periodText(referee.period),
+                                       clock / 60, clock % 60, match.seconds() / elapsed);
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   last_ = time;
   drawn_ = true;

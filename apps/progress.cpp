@@ -1,9 +1,10 @@
 #include "apps/progress.hpp"
 
 #include <cstdio>
-#include <unistd.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "engine/core/error_text.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -15,9 +16,9 @@ constexpr int kBarWidth = 30;
 }  // namespace
 
 ProgressBar::ProgressBar(std::string what, bool quiet)
-    : what_(std::move(what)),
+    : what_(terminalText(what)),
       quiet_(quiet),
-      terminal_(::isatty(STDERR_FILENO) == 1),
+      terminal_(drawsLines()),
       begin_(now()),
       last_(begin_) {}
 

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
-#include "apps/new_file.hpp"
+#include "apps/console.hpp"
+#include "apps/output_names.hpp"
+#include "engine/core/output_file.hpp"
 #include "match/cut.hpp"
 
 namespace fulbito::app {
@@ -50,13 +52,13 @@ Result<PlayRange> rangeOf(const ReplayCutCommand& options, const RecordingReader
 void print(const ReplayCutCommand& options, const PlayRange& plays, const RecordingReader& cut) {
   const double seconds = static_cast<double>(cut.ticks()) / cut.header().control_rate;
   if (!options.json) {
-    fmt::print("{}: plays {} to {}, {:.3f} s\n", options.out, plays.first + 1, plays.last + 1, seconds);
+    say("{}: plays {} to {}, {:.3f} s\n", options.out, plays.first + 1, plays.last + 1, seconds);
     return;
   }
   const Json json{{"schema_version", 1},           {"file", options.file},        {"out", options.out},
                   {"first_play", plays.first + 1}, {"last_play", plays.last + 1}, {"ticks", cut.ticks()},
                   {"simulated_s", seconds},        {"bytes", cut.sizeInBytes()}};
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  writeOut(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace
@@ -81,7 +83,9 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
 }
 
 int replayCut(const ReplayCutCommand& options) {
-  if (auto may = mayWrite(options.out, options.force); !may) return report(may.error());
+  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force); !may) {
+    return report(may.error());
+  }
   const auto recording = RecordingReader::open(options.file);
   if (!recording) return report(recording.error());
   const auto range = rangeOf(options, *recording);

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "engine/core/error_text.hpp"
 #include "match/recorded_events.hpp"
 #include "match/resimulate.hpp"
 #include "referee/referee_state.hpp"
@@ -47,7 +49,7 @@ Result<void> printLines(const RecordingReader& recording) {
   const auto events = eventsOf(recording);
   if (!events) return tl::unexpected<Error>(events.error());
   const double dt = 1.0 / recording.header().control_rate;
-  for (const ReplayEvent& event : *events) std::fputs((lineOf(event, dt) + '\n').c_str(), stdout);
+  for (const ReplayEvent& event : *events) printOut(lineOf(event, dt) + '\n');
   return {};
 }
 
@@ -72,9 +74,9 @@ int replayEvents(const ReplayEventsCommand& options) {
   const auto written =
       options.json
           ? writeEventLines(*recording,
-                            [](std::string_view line) { std::fwrite(line.data(), 1, line.size(), stdout); })
+                            [](std::string_view line) { writeOut(line); })
           : printLines(*recording);
-  if (!written) return report({written.error().code, options.file + ": " + written.error().message});
+  if (!written) return report(inFile(options.file, written.error()).value());
   return kOk;
 }
 

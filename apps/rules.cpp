@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "engine/core/presets.hpp"
 #include "referee/check_places.hpp"
 #include "referee/rules.hpp"
@@ -21,19 +22,19 @@ int showRules(const std::string& name_or_file) {
   const std::vector<std::string> presets = rulesPresetNames();
   const bool preset = std::find(presets.begin(), presets.end(), name_or_file) != presets.end();
   const std::string text = preset ? rulesPresetText(name_or_file).value_or("") : toToml(*loaded);
-  std::fputs(text.c_str(), stdout);
+  writeOut(text);
   return kOk;
 }
 
 int checkRules(const std::string& file) {
   const auto loaded = loadRules(file);
   if (!loaded) return report(loaded.error());
-  fmt::print("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
+  say("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
              loaded->team_size, loaded->field);
   const auto field = loadField(loaded->field);
   if (!field) return report(field.error());
   for (const std::string& place : findBadPlaces(*loaded, *field, RobotModel())) {
-    fmt::print("note: {}; the referee will move it\n", place);
+    say("note: {}; the referee will move it\n", place);
   }
   return kOk;
 }
