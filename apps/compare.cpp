@@ -31,7 +31,7 @@ Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) 
         tune(config, tuning, [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
     if (!result) return tl::unexpected<Error>(result.error());
     note("tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, defaults {:.3f}, {} tries)\n",
-        speed, result->navigator, tuning.layouts, result->objective, result->initial, result->evaluations);
+         speed, result->navigator, tuning.layouts, result->objective, result->initial, result->evaluations);
     config.navigators.push_back(result->navigator);
   }
   return {};
@@ -73,7 +73,8 @@ Result<void> checkPage(const CompareOptions& options) {
   };
   if ((lies_in(options.out) && page.extension() == ".png") ||
       (lies_in(options.config.record) && page.extension() == ".fbr")) {
-    return fail(ErrorCode::kUsage, fmt::format("--html: '{}' would be the name of another output", options.html));
+    return fail(ErrorCode::kUsage,
+                fmt::format("--html: '{}' would be the name of another output", options.html));
   }
   return mayWriteAll({{"--html", options.html}},
                      {{"--out", options.out + "/results.json"},
@@ -117,7 +118,7 @@ int compare(const CompareOptions& options) {
   if (!pictures) return report(pictures.error());
   if (auto written = writeRaces(options, *comparison); !written) return report(written.error());
   note("\n{} trials in {:.1f} s; results.json, trials.csv and {} pictures are in {}\n",
-             comparison->records.size(), secondsSince(begin), pictures->size(), options.out);
+       comparison->records.size(), secondsSince(begin), pictures->size(), options.out);
   return kOk;
 }
 

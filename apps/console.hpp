@@ -15,7 +15,8 @@ void openStandardDescriptors();
 /// Writes to stdout, byte by byte as it is: for JSON, tables and files. What cannot be written is remembered
 /// until `finishOutput`.
 void writeOut(std::string_view text);
-/// @{ Writes to stdout or stderr for people: control characters stand as \x1b, since names come from anywhere.
+/// @{ Writes to stdout or stderr for people: control characters stand as \x1b, since names come from
+/// anywhere.
 void printOut(std::string_view text);
 void printNote(std::string_view text);
 template <typename... Args>

@@ -50,8 +50,9 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       "Exit codes: 0 ran, 1 a drill was not passed (with --check only).");
   command->add_option("team", options.teams, "team, e.g. classic; several: side by side");
   command->add_option("--drill", options.drills, "numbers or names (default: all)")->delimiter(',');
-  wholeNumber(command->add_option("--trials", options.run.trials, "of each drill (default: as the drill says)"),
-              1, kMostTrials);
+  wholeNumber(
+      command->add_option("--trials", options.run.trials, "of each drill (default: as the drill says)"), 1,
+      kMostTrials);
   wholeNumber(command->add_option("--seed", options.run.seed, "seed of starts and matches"))
       ->capture_default_str();
   addJobs(*command, options.run.jobs, "worker threads");

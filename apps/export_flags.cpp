@@ -20,23 +20,23 @@ struct Use {
 
 const std::vector<Use>& uses() {
   static const std::vector<std::string_view> kStills{"--png", "--contact-sheet", "--svg"};
-  static const std::vector<std::string_view> kScenes{"--png", "--contact-sheet", "--svg", "--gif",
-                                                     "--mp4", "--webm"};
-  static const std::vector<std::string_view> kCalls{"--png", "--contact-sheet", "--svg", "--gif",
+  static const std::vector<std::string_view> kScenes{"--png", "--contact-sheet", "--svg",
+                                                     "--gif", "--mp4",           "--webm"};
+  static const std::vector<std::string_view> kCalls{"--png", "--contact-sheet", "--svg",   "--gif",
                                                     "--mp4", "--webm",          "--trails"};
-  static const std::vector<std::string_view> kPictures{"--png",  "--contact-sheet", "--svg",    "--gif", "--mp4",
-                                                       "--webm", "--trails",        "--heatmap"};
-  static const std::vector<std::string_view> kRanges{"--png",    "--contact-sheet", "--svg", "--gif",
-                                                     "--mp4",    "--webm",          "--csv", "--trails",
+  static const std::vector<std::string_view> kPictures{"--png", "--contact-sheet", "--svg",    "--gif",
+                                                       "--mp4", "--webm",          "--trails", "--heatmap"};
+  static const std::vector<std::string_view> kRanges{"--png",     "--contact-sheet", "--svg", "--gif",
+                                                     "--mp4",     "--webm",          "--csv", "--trails",
                                                      "--heatmap", "--jsonl"};
   static const std::vector<std::string_view> kFilms{"--png", "--gif", "--mp4", "--webm"};
-  static const std::vector<Use> kUses{{"--ghost", {"--html"}},        {"--at", kStills},
-                                      {"--around", kCalls},           {"--highlights", kCalls},
-                                      {"--from", kRanges},            {"--to", kRanges},
-                                      {"--fps", kFilms},              {"--speed", kFilms},
-                                      {"--size", kPictures},          {"--theme", kPictures},
-                                      {"--trail", kScenes},           {"--no-banner", kCalls},
-                                      {"--no-drawings", kCalls},      {"--quality", {"--mp4", "--webm"}},
+  static const std::vector<Use> kUses{{"--ghost", {"--html"}},   {"--at", kStills},
+                                      {"--around", kCalls},      {"--highlights", kCalls},
+                                      {"--from", kRanges},       {"--to", kRanges},
+                                      {"--fps", kFilms},         {"--speed", kFilms},
+                                      {"--size", kPictures},     {"--theme", kPictures},
+                                      {"--trail", kScenes},      {"--no-banner", kCalls},
+                                      {"--no-drawings", kCalls}, {"--quality", {"--mp4", "--webm"}},
                                       {"--jobs", kFilms}};
   return kUses;
 }
@@ -59,12 +59,12 @@ Result<void> checkExportFlags(const ReplayExportCommand& options) {
     return NamedFile{flag, name.value_or(""), Dash::kStdout};
   };
   const std::string heat = options.heatmap.size() > 1 ? options.heatmap[1] : std::string();
-  return mayWriteAll({file("--png", options.png), file("--contact-sheet", options.contact_sheet),
-                      file("--trails", options.trails), file("--svg", options.svg), file("--gif", options.gif),
-                      file("--mp4", options.mp4), file("--webm", options.webm), file("--csv", options.csv),
-                      file("--jsonl", options.jsonl), file("--heatmap", heat),
-                      file("--html", options.html.html)},
-                     {{"replay export", options.file}, {"--ghost", options.html.ghost}}, true);
+  return mayWriteAll(
+      {file("--png", options.png), file("--contact-sheet", options.contact_sheet),
+       file("--trails", options.trails), file("--svg", options.svg), file("--gif", options.gif),
+       file("--mp4", options.mp4), file("--webm", options.webm), file("--csv", options.csv),
+       file("--jsonl", options.jsonl), file("--heatmap", heat), file("--html", options.html.html)},
+      {{"replay export", options.file}, {"--ghost", options.html.ghost}}, true);
 }
 
 }  // namespace fulbito::app

@@ -79,20 +79,18 @@ void printParameter(const ParameterSpec& spec) {
   } else if (spec.type != ParameterSpec::Type::kFlag) {
     range = fmt::format("{} ... {}{}", spec.minimum, spec.maximum, spec.unit.empty() ? "" : " " + spec.unit);
   }
-  say("    {:<16} {:<9} {}{}{}\n", spec.name, valueText(spec), spec.doc, range.empty() ? "" : "; ",
-             range);
+  say("    {:<16} {:<9} {}{}{}\n", spec.name, valueText(spec), spec.doc, range.empty() ? "" : "; ", range);
 }
 
 void printNavigators() {
   for (const NavigatorInfo& info : navigators()) {
     say("{}{}{}\n  {}\n  source: {}\n", info.name, info.name == kDefaultNavigator ? " (default)" : "",
-               info.plans_speed ? " *" : "", info.summary, info.source);
+        info.plans_speed ? " *" : "", info.summary, info.source);
     for (const ParameterSpec& spec : info.parameters) printParameter(spec);
   }
   say("every method also takes\n");
   for (const ParameterSpec& spec : commonParameters()) printParameter(spec);
-  say(
-      "* plans its own speeds. Set parameters like this: --navigator "
+  say("* plans its own speeds. Set parameters like this: --navigator "
       "bezier:clearance=0.03,follower=classic\n");
 }
 
@@ -101,12 +99,10 @@ void printTeams() {
     say("{}\n  {}\n", info.name, info.summary);
     for (const ParameterSpec& spec : info.parameters) printParameter(spec);
     if (info.takes_navigator) {
-      say("    {:<16} {:<9} {}\n", "navigator", info.default_navigator,
-                 "any of fulbito list navigators");
+      say("    {:<16} {:<9} {}\n", "navigator", info.default_navigator, "any of fulbito list navigators");
     }
   }
-  say(
-      "Set parameters like this: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
+  say("Set parameters like this: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
 }
 
 /// The first sentence of the comment that a preset file begins with.

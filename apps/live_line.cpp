@@ -36,10 +36,10 @@ void LiveLine::update(const Match& match) {
   const RefereeState& referee = match.referee();
   const int clock =
       static_cast<int>(static_cast<double>(referee.play_ticks) * config_.physics.controlPeriod());
-  const std::string line = fmt::format("\r{} {} : {} {}   {} {:02}:{:02}   {:.0f} x real time\033[K",
-                                       terminalText(config_.teams[0].text), referee.score[0], referee.score[1],
-                                       terminalText(config_.teams[1].text), periodText(referee.period),
-                                       clock / 60, clock % 60, match.seconds() / elapsed);
+  const std::string line = fmt::format(
+      "\r{} {} : {} {}   {} {:02}:{:02}   {:.0f} x real time\033[K", terminalText(config_.teams[0].text),
+      referee.score[0], referee.score[1], terminalText(config_.teams[1].text), periodText(referee.period),
+      clock / 60, clock % 60, match.seconds() / elapsed);
   std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   last_ = time;

@@ -102,11 +102,10 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   command->add_option("--navigators", config.navigators,
                       "methods, e.g. bezier limit-cycle:mu=3 (default: the suite's)");
   command->add_option("--speeds", config.speeds, "top speeds [m/s] (default: the suite's)")->delimiter(',');
-  wholeNumber(
-      command->add_option("--trials", config.trials, "layouts of each suite and speed (default: the suite's)"),
-      1, kMostTrials);
-  wholeNumber(command->add_option("--seed", config.seed, "seed of layouts and noise"))
-      ->capture_default_str();
+  wholeNumber(command->add_option("--trials", config.trials,
+                                  "layouts of each suite and speed (default: the suite's)"),
+              1, kMostTrials);
+  wholeNumber(command->add_option("--seed", config.seed, "seed of layouts and noise"))->capture_default_str();
   addJobs(*command, config.jobs, "worker threads");
   wholeNumber(command->add_option("--only", options.only, "run this layout of the suite alone"))
       ->type_name("NUMBER");

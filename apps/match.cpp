@@ -79,7 +79,7 @@ Result<void> checkFlags(const MatchCommand& options) {
 
 Result<void> addStart(const std::string& file, MatchConfig& config) {
   if (file.empty()) return {};
-  auto start = loadStartState(file);
+  auto start = loadStartState(file, config);
   if (!start) return tl::unexpected<Error>(start.error());
   config.start = start->placement;
   config.scoreboard = start->scoreboard;
@@ -147,10 +147,9 @@ Result<void> Watchers::attach(const MatchCommand& options, Match& match) {
     match.watch(*lines);
   }
   if (!options.record.empty()) {
-    auto created =
-        MatchRecorder::create(options.record, match.config(),
-                              options.record_recipe ? RecordingLevel::kRecipe : RecordingLevel::kFull,
-                              options.force);
+    auto created = MatchRecorder::create(
+        options.record, match.config(),
+        options.record_recipe ? RecordingLevel::kRecipe : RecordingLevel::kFull, options.force);
     if (!created) return tl::unexpected<Error>(created.error());
     recorder.emplace(std::move(*created));
     if (options.drawings) recorder->keepDrawings();
@@ -204,7 +203,10 @@ Result<void> play(Match& match, std::optional<ViewWindow>& window, const MatchCo
 
 /// Who closes a window has seen enough, which is no failure.
 int exitCode(const MatchReport& report, bool closed) {
-  if (report.faults.abandoned) return kInternal;
+  if (report.faults.abandoned) {
+    return app::report(
+        {ErrorCode::kBadInput, "the match could not go on: " + report.faults.abandoned->message});
+  }
   return report.complete || (closed && !interrupted()) ? kOk : interruptedCode();
 }
 
@@ -254,8 +256,8 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--physics", options.physics, "physics profile or TOML file")->capture_default_str();
   command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
       ->capture_default_str();
-  wholeNumber(command.add_option("--seed", options.seed,
-                                 "of tosses, placements, noise and the teams' own choices"))
+  wholeNumber(
+      command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices"))
       ->capture_default_str();
   command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
@@ -301,8 +303,9 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       ->excludes(recipe);
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
-  wholeNumber(command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match"),
-              1, kMostPairs)
+  wholeNumber(
+      command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match"),
+      1, kMostPairs)
       ->type_name("PAIRS");
   addJobs(*command, options.jobs, "worker threads of a series");
   command->add_flag("--force", options.force, "replace files that exist");

@@ -36,7 +36,8 @@ Result<void> apart(const NamedFile& output, const NamedFile& other, const char* 
     return usage(fmt::format("{} and {} both want stdout; give one of them a file", output.flag, other.flag));
   }
   if (!sameFile(output.file, other.file)) return {};
-  return usage(fmt::format("{}: '{}' is {} {}; give it another name", output.flag, output.file, use, other.flag));
+  return usage(
+      fmt::format("{}: '{}' is {} {}; give it another name", output.flag, output.file, use, other.flag));
 }
 
 }  // namespace

@@ -67,12 +67,12 @@ bool interrupted() { return stopRequested(); }
 int interruptedCode() { return kInterruptedBase + (first_signal != 0 ? first_signal.load() : SIGINT); }
 
 void catchSignals() {
-  struct sigaction action {};
+  struct sigaction action{};
   action.sa_handler = onSignal;
   sigfillset(&action.sa_mask);
   // Without SA_RESTART, so that a signal ends waits.
   for (const int signal : {SIGINT, SIGTERM, SIGALRM}) ::sigaction(signal, &action, nullptr);
-  struct sigaction hang_up {};
+  struct sigaction hang_up{};
   ::sigaction(SIGHUP, nullptr, &hang_up);
   if (hang_up.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // as nohup has it
   // These come back as errors of the write.

@@ -16,11 +16,7 @@ constexpr int kBarWidth = 30;
 }  // namespace
 
 ProgressBar::ProgressBar(std::string what, bool quiet)
-    : what_(terminalText(what)),
-      quiet_(quiet),
-      terminal_(drawsLines()),
-      begin_(now()),
-      last_(begin_) {}
+    : what_(terminalText(what)), quiet_(quiet), terminal_(drawsLines()), begin_(now()), last_(begin_) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);

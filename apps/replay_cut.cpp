@@ -83,7 +83,8 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
 }
 
 int replayCut(const ReplayCutCommand& options) {
-  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force); !may) {
+  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force);
+      !may) {
     return report(may.error());
   }
   const auto recording = RecordingReader::open(options.file);

@@ -47,13 +47,12 @@ void printTicks(const RecordingDifference& found, double dt) {
     say("all {} ticks ({:.3f} s) are the same, bit for bit\n", both, static_cast<double>(both) * dt);
     if (found.ticks_a != found.ticks_b) {
       say("{} goes on for {} more\n", found.ticks_a > found.ticks_b ? "A" : "B",
-                 std::max(found.ticks_a, found.ticks_b) - both);
+          std::max(found.ticks_a, found.ticks_b) - both);
     }
     return;
   }
-  say("they part at tick {} ({:.3f} s), in play {}{}\n", *found.tick,
-             static_cast<double>(*found.tick) * dt, found.play + 1,
-             found.start ? ", which does not begin the same" : "");
+  say("they part at tick {} ({:.3f} s), in play {}{}\n", *found.tick, static_cast<double>(*found.tick) * dt,
+      found.play + 1, found.start ? ", which does not begin the same" : "");
   std::size_t shown = 0;
   for (const BodyDifference& d : found.bodies) {
     if (shown++ == kShownBodies) {
@@ -92,8 +91,7 @@ int replayDiff(const ReplayDiffCommand& options) {
   } else {
     say("A = {}, B = {}\n", options.a, options.b);
     for (const RecipeDifference& d : found->recipe) {
-      say("{}: {} in A, {} in B\n", d.name, d.a.empty() ? "nothing" : d.a,
-                 d.b.empty() ? "nothing" : d.b);
+      say("{}: {} in A, {} in B\n", d.name, d.a.empty() ? "nothing" : d.a, d.b.empty() ? "nothing" : d.b);
     }
     printTicks(*found, dt);
   }

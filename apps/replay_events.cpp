@@ -71,11 +71,9 @@ CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options) {
 int replayEvents(const ReplayEventsCommand& options) {
   const auto recording = RecordingReader::open(options.file);
   if (!recording) return report(recording.error());
-  const auto written =
-      options.json
-          ? writeEventLines(*recording,
-                            [](std::string_view line) { writeOut(line); })
-          : printLines(*recording);
+  const auto written = options.json
+                           ? writeEventLines(*recording, [](std::string_view line) { writeOut(line); })
+                           : printLines(*recording);
   if (!written) return report(inFile(options.file, written.error()).value());
   return kOk;
 }

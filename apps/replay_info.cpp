@@ -180,21 +180,21 @@ std::string recipeText(const RecordingHeader& header) {
 void print(const std::string& file, const RecordingReader& recording, const Tally& tally) {
   const RecordingHeader& header = recording.header();
   say("{}: {}, level {}, format {}, {}\n", file, kindOf(header), levelOf(header), recording.version(),
-             endOf(recording));
+      endOf(recording));
   say("{}{}", whoText(recording), recipeText(header));
   say("  length     {:.1f} s, {} ticks at {} Hz, {} plays\n",
-             static_cast<double>(recording.ticks()) / header.control_rate, recording.ticks(),
-             header.control_rate, tally.plays);
+      static_cast<double>(recording.ticks()) / header.control_rate, recording.ticks(), header.control_rate,
+      tally.plays);
   if (header.kind == RecordingKind::kMatch) {
     say("  restarts   {}\n  events     {}\n", countsText(tally.restarts), countsText(tally.calls));
   }
   if (recording.result()) say("  hash       {:016x}\n", recording.result()->final_hash);
-  say("  build      {}, {}, {}, Box2D {}\n", header.build.version, header.build.compiler,
-             header.build.type, header.build.box2d);
+  say("  build      {}, {}, {}, Box2D {}\n", header.build.version, header.build.compiler, header.build.type,
+      header.build.box2d);
   say("  size       {} bytes in {} chunks\n", recording.sizeInBytes(), recording.chunkCount());
   for (const RecordingPart& part : recording.sizeByPart()) {
     say("    {:<9}{:>10} {:>5.1f} %\n", part.name, part.bytes,
-               100.0 * static_cast<double>(part.bytes) / static_cast<double>(recording.sizeInBytes()));
+        100.0 * static_cast<double>(part.bytes) / static_cast<double>(recording.sizeInBytes()));
   }
 }
 
@@ -214,7 +214,8 @@ int replayInfo(const ReplayInfoCommand& options) {
   const auto tally = tallyOf(*recording);
   if (!tally) return report(tally.error());
   if (options.json) {
-    writeOut(toJson(options.file, *recording, *tally).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    writeOut(toJson(options.file, *recording, *tally).dump(2, ' ', false, Json::error_handler_t::replace) +
+             "\n");
   } else {
     print(options.file, *recording, *tally);
   }

@@ -48,9 +48,9 @@ void print(const ReplayRepairCommand& options, const Salvage& found, const std::
   }
   const double dt = 1.0 / found.header.control_rate;
   say("{}: {} plays, {:.3f} s kept\n", options.out, repaired->plays,
-             static_cast<double>(repaired->ticks) * dt);
+      static_cast<double>(repaired->ticks) * dt);
   say("lost: {} bytes, {} gaps, {:.3f} s of what is known{}\n", found.lost_bytes, repaired->gaps,
-             static_cast<double>(repaired->lost_ticks) * dt, repaired->end_lost ? ", and the end" : "");
+      static_cast<double>(repaired->lost_ticks) * dt, repaired->end_lost ? ", and the end" : "");
 }
 
 }  // namespace
@@ -70,7 +70,8 @@ CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options) {
 }
 
 int replayRepair(const ReplayRepairCommand& options) {
-  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force); !may) {
+  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force);
+      !may) {
     return report(may.error());
   }
   const auto found = salvage(options.file);

@@ -68,26 +68,26 @@ void printTable(const std::vector<VerifiedFile>& files, double wall) {
     return std::filesystem::path(file.file).filename().string();
   };
   for (const VerifiedFile& file : files) width = std::max(width, name_of(file).size());
-  say("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", "file", width, "verdict", "seconds", "plays",
-             "hash", "what");
+  say("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", "file", width, "verdict", "seconds", "plays", "hash",
+      "what");
   for (const VerifiedFile& file : files) {
     if (!file.result) {
       say("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", name_of(file), width, "bad", "", "", "",
-                 file.result.error().message);
+          file.result.error().message);
       continue;
     }
     const Verification& v = *file.result;
     say("{:<{}}  {:>9}  {:>9.1f}  {:>5}  {:016x}  {}\n", name_of(file), width,
-               !v.same()    ? "different"
-               : v.finished ? "same"
-                            : "cut",
-               v.seconds, v.plays, v.final_hash, v.same() ? std::string() : v.divergence->text);
+        !v.same()    ? "different"
+        : v.finished ? "same"
+                     : "cut",
+        v.seconds, v.plays, v.final_hash, v.same() ? std::string() : v.divergence->text);
   }
   const Counts counts = countsOf(files);
   say("\n{} recordings: {} the same, {} different, {} cut, {} bad\n", files.size(), counts.same,
-             counts.different, counts.cut, counts.bad);
+      counts.different, counts.cut, counts.bad);
   say("{:.1f} s simulated in {:.2f} s: {:.0f} x real time\n", counts.simulated, wall,
-             counts.simulated / wall);
+      counts.simulated / wall);
 }
 
 Json divergenceJson(const Divergence& d, double dt) {

@@ -8,7 +8,10 @@
 
 #include "apps/commands.hpp"
 #include "apps/console.hpp"
+#include "apps/match.hpp"
+#include "engine/core/error_text.hpp"
 #include "engine/core/presets.hpp"
+#include "referee/check_field.hpp"
 #include "referee/check_places.hpp"
 #include "referee/rules.hpp"
 
@@ -29,11 +32,17 @@ int showRules(const std::string& name_or_file) {
 int checkRules(const std::string& file) {
   const auto loaded = loadRules(file);
   if (!loaded) return report(loaded.error());
-  say("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
-             loaded->team_size, loaded->field);
   const auto field = loadField(loaded->field);
   if (!field) return report(field.error());
-  for (const std::string& place : findBadPlaces(*loaded, *field, RobotModel())) {
+  // The ball of a match unless it says otherwise.
+  const auto robot = loadRobot(MatchCommand().robot);
+  if (!robot) return report(robot.error());
+  if (auto playable = checkField(*loaded, *field, robot->ball); !playable) {
+    return report(inFile(file, playable.error()).value());
+  }
+  say("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
+      loaded->team_size, loaded->field);
+  for (const std::string& place : findBadPlaces(*loaded, *field, robot->robot)) {
     say("note: {}; the referee will move it\n", place);
   }
   return kOk;

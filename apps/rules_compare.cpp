@@ -94,14 +94,14 @@ std::string leadText(std::int64_t count, double lead) {
 
 void printTable(const RulesComparison& comparison) {
   say("A = {}, B = {}: {} plays of {} recordings, {:.0f} s\n", comparison.a, comparison.b,
-             comparison.plays.size(), comparison.files, comparison.seconds);
+      comparison.plays.size(), comparison.files, comparison.seconds);
   say("as recorded: A {}, B {} plays\n\n", comparison.recorded_a, comparison.recorded_b);
   say("{:<26}{:>7}{:>7}{:>7}{:>16}{:>16}{:>8}{:>8}{:>11}\n", "rule", "A", "B", "same", "A earlier",
-             "B earlier", "only A", "only B", "different");
+      "B earlier", "only A", "only B", "different");
   for (const RuleAgreement& rule : byRule(comparison)) {
     say("{:<26}{:>7}{:>7}{:>7}{:>16}{:>16}{:>8}{:>8}{:>11}\n", rule.clause, rule.a, rule.b, rule.same,
-               leadText(rule.a_earlier, rule.a_lead), leadText(rule.b_earlier, rule.b_lead), rule.only_a,
-               rule.only_b, rule.different);
+        leadText(rule.a_earlier, rule.a_lead), leadText(rule.b_earlier, rule.b_lead), rule.only_a,
+        rule.only_b, rule.different);
   }
   const std::vector<VerdictPair> pairs = differentPairs(comparison);
   if (!pairs.empty()) say("\nwhere they called different things (A: B):\n");
@@ -121,8 +121,8 @@ void printList(const RulesComparison& comparison, const std::vector<Source>& sou
     if (!differs(play)) continue;
     const Source& source = sources[play.file];
     say("  {} play {} at {:.2f} s: A {}, B {}\n", source.file, play.play + 1,
-               static_cast<double>(play.begin) * source.dt, verdictText(play.a, play.begin, source.dt),
-               verdictText(play.b, play.begin, source.dt));
+        static_cast<double>(play.begin) * source.dt, verdictText(play.a, play.begin, source.dt),
+        verdictText(play.b, play.begin, source.dt));
   }
 }
 
@@ -167,7 +167,8 @@ int compareRules(const RulesCompareOptions& options) {
     if (interrupted()) return interruptedCode();
   }
   if (options.json) {
-    writeOut(toJson(comparison, sources, options.list).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    writeOut(toJson(comparison, sources, options.list).dump(2, ' ', false, Json::error_handler_t::replace) +
+             "\n");
     return kOk;
   }
   printTable(comparison);

@@ -71,8 +71,7 @@ Result<TrialConfig> configOf(const RunOptions& options) {
 void printScore(const TrialConfig& config, const TrialResult& result) {
   const TrialScore& s = result.score;
   std::vector<double> compute = result.compute_us;
-  say(
-      "{} on {} at {:.2f} m/s (seed {}): {}\n"
+  say("{} on {} at {:.2f} m/s (seed {}): {}\n"
       "  time       {:.3f} s    (T* {:.3f} s, ratio {:.3f})\n"
       "  length     {:.3f} m    (L* {:.3f} m, ratio {:.3f})\n"
       "  contacts   {} with obstacles ({} by own motion), {} with walls, impulse {:.4f} N s\n"
@@ -94,11 +93,12 @@ std::string pictureOf(const RunOptions& options, const TrialConfig& config) {
 }
 
 Result<void> checkFiles(const RunOptions& options, const TrialConfig& config) {
-  return mayWriteAll({{"--png", pictureOf(options, config)},
-                      {"--record", options.record},
-                      {"--trace", options.trace, Dash::kStdout}},
-                     {{"--layout", options.layout}, {"--robot", options.robot}, {"--physics", options.physics}},
-                     options.force);
+  return mayWriteAll(
+      {{"--png", pictureOf(options, config)},
+       {"--record", options.record},
+       {"--trace", options.trace, Dash::kStdout}},
+      {{"--layout", options.layout}, {"--robot", options.robot}, {"--physics", options.physics}},
+      options.force);
 }
 
 }  // namespace

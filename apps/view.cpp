@@ -74,8 +74,8 @@ Result<std::unique_ptr<ViewStage>> stageOf(const std::string& file, double from)
     return named ? tl::unexpected<Error>(timeline.error()) : inFile(file, timeline.error());
   }
   if (!(from >= 0.0 && from <= timeline->seconds())) {
-    return fail(ErrorCode::kUsage, fmt::format("--from {}: the recording goes from 0 to {:.2f} s", from,
-                                               timeline->seconds()));
+    return fail(ErrorCode::kUsage,
+                fmt::format("--from {}: the recording goes from 0 to {:.2f} s", from, timeline->seconds()));
   }
   auto stage = ReplayStage::create(std::move(*timeline), file);
   if (!stage) return inFile(file, stage.error());
@@ -121,8 +121,8 @@ void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed
   add(command.add_flag("--paused", options.paused, "begin with a still picture"));
   add(command.add_flag("--full-screen", options.full_screen, "fill the screen"));
   add(command.add_flag("--keys", options.help, "begin with the list of keys"));
-  wholeNumber(
-      add(command.add_option("--frames", options.frames, "end after so many pictures, or once nothing moves")))
+  wholeNumber(add(command.add_option("--frames", options.frames,
+                                     "end after so many pictures, or once nothing moves")))
       ->type_name("N");
   add(command.add_option("--screenshot", options.screenshot, "write the last picture as PNG"))
       ->type_name("FILE");
@@ -172,7 +172,8 @@ Result<void> playInWindow(Match& match, ViewWindow& window, const ViewOptions& o
 int view(const ViewCommand& options) {
   std::vector<NamedFile> recordings;
   for (const std::string& file : options.files) recordings.push_back({"the recording", file});
-  if (auto may = mayWriteAll({{"--screenshot", options.window.screenshot}}, recordings, options.force); !may) {
+  if (auto may = mayWriteAll({{"--screenshot", options.window.screenshot}}, recordings, options.force);
+      !may) {
     return report(may.error());
   }
   std::vector<std::unique_ptr<ViewStage>> stages;

@@ -87,7 +87,8 @@ class Comparer final : public ReplayVisitor {
   void chunkBegins(const RecordedChunk& chunk) override {
     calls_.clear();
     for (const RecordedEvent& event : chunk.events) {
-      if (event.clause != "kick-off" && event.clause != "placement") calls_[event.tick].push_back(event.clause);
+      if (event.clause != "kick-off" && event.clause != "placement")
+        calls_[event.tick].push_back(event.clause);
     }
   }
 

@@ -41,7 +41,8 @@ struct RecordingReader::Impl {
   };
   using Step = Result<void>;
 
-  Impl(std::string content, std::string name) : bytes(std::move(content)), origin(std::move(name)), budget(bytes.size()) {}
+  Impl(std::string content, std::string name)
+      : bytes(std::move(content)), origin(std::move(name)), budget(bytes.size()) {}
 
   tl::unexpected<Error> bad(const std::string& what) const {
     return fail(ErrorCode::kBadInput, fmt::format("{}: {}", origin, what));

@@ -109,7 +109,7 @@ Result<void> OutputFile::Impl::openTemporary() {
   }
   if (descriptor < 0) return failWith(errno);
   listed.emplace(place);
-  struct stat old {};
+  struct stat old{};
   if (::stat(target.c_str(), &old) == 0) ::fchmod(descriptor, old.st_mode & 0777u);
   return {};
 }

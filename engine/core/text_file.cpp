@@ -58,8 +58,8 @@ Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes,
   std::string text;
   while (text.size() <= max_bytes && mayGoOn(text, beginning)) {
     const std::size_t begin = text.size();
-    const std::size_t room = std::min(begin < beginning.size() ? beginning.size() - begin : kStep,
-                                      max_bytes + 1 - begin);
+    const std::size_t room =
+        std::min(begin < beginning.size() ? beginning.size() - begin : kStep, max_bytes + 1 - begin);
     text.resize(begin + room);
     const ssize_t count = waiting([&] { return ::read(file.number, text.data() + begin, room); });
     if (count < 0) return cannotRead(path, errno);

@@ -2,10 +2,11 @@
 
 #include <array>
 #include <atomic>
-#include <climits>
 #include <csignal>
 #include <cstring>
 #include <unistd.h>
+
+#include <climits>
 
 namespace fulbito {
 namespace {

@@ -88,7 +88,10 @@ class FramePainter {
 
  private:
   FramePainter(const FrameJob& job, FramePacker pack, Canvas canvas)
-      : job_(&job), pack_(std::move(pack)), canvas_(std::move(canvas)), director_(*job.timeline, job.overlays) {}
+      : job_(&job),
+        pack_(std::move(pack)),
+        canvas_(std::move(canvas)),
+        director_(*job.timeline, job.overlays) {}
 
   const FrameJob* job_;
   FramePacker pack_;
