@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <optional>
+#include <string>
 #include <system_error>
 #include <unistd.h>
 
@@ -50,9 +51,11 @@ bool drawsLines() {
 
 int finishOutput(int code) {
   flushOut();
-  if (!lost && std::ferror(stdout) != 0) lost = EIO;  // written by somebody else, as --help is
+  if (!lost && std::ferror(stdout) != 0) lost = 0;  // written by somebody else, as --help is
   if (!lost || code > kInterruptedBase) return code;
-  if (*lost != EPIPE) note("fulbito: cannot write to stdout: {}\n", std::generic_category().message(*lost));
+  if (*lost == EPIPE) return kIo;
+  const std::string why = *lost != 0 ? ": " + std::generic_category().message(*lost) : "";
+  note("fulbito: cannot write to stdout{}\n", why);
   return kIo;
 }
 

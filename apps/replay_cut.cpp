@@ -8,6 +8,7 @@
 
 #include "apps/commands.hpp"
 #include "apps/console.hpp"
+#include "apps/option_values.hpp"
 #include "apps/output_names.hpp"
 #include "engine/core/output_file.hpp"
 #include "match/cut.hpp"
@@ -73,9 +74,10 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
       "  fulbito replay cut game.fbr some.fbr --plays 3-5");
   command->add_option("file", options.file, "recording (.fbr)")->required();
   command->add_option("out", options.out, "recording that is made")->required();
-  command->add_option("--from", options.from, "seconds of the recording (default: its start)")
+  number(command->add_option("--from", options.from, "seconds of the recording (default: its start)"))
       ->type_name("S");
-  command->add_option("--to", options.to, "seconds of the recording (default: its end)")->type_name("S");
+  number(command->add_option("--to", options.to, "seconds of the recording (default: its end)"))
+      ->type_name("S");
   command->add_option("--plays", options.plays, "plays A to B, counted from 1")->type_name("A-B");
   command->add_flag("--force", options.force, "replace a file that exists");
   command->add_flag("--json", options.json, "print JSON");

@@ -44,7 +44,8 @@ Result<std::vector<VerifiedFile>> verifyRecordings(
     // One that was broken off is not done.
     if (!verified && verified.error().code == ErrorCode::kInterrupted) return false;
     results[i].result = std::move(verified);
-    return !progress || progress(++done, files.size()) || done == files.size();
+    ++done;
+    return !progress || progress(done, files.size()) || done == files.size();
   });
   if (done < files.size()) return fail(ErrorCode::kInterrupted, "interrupted");
   return results;

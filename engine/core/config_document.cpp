@@ -93,8 +93,10 @@ std::string ConfigDocument::fallbackName() const {
   std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
   name.erase(0, name.find_first_not_of('.'));
   if (name.empty()) return "unnamed";
-  // A file's name may be any bytes.
-  return std::string(firstBytes(terminalText(name), 100));
+  // A file's name may be any bytes, and backslashes are not for labels.
+  name = terminalText(name);
+  std::replace(name.begin(), name.end(), '\\', '_');
+  return std::string(firstBytes(name, 100));
 }
 
 }  // namespace fulbito

@@ -75,7 +75,7 @@ TEST_CASE("results that nobody gets are an error of every command", "[cli]") {
     INFO(command);
     const Output full = box.shell("$F " + command + " > /dev/full");
     CHECK(full.code == 5);
-    CHECK(contains(full.err, "cannot write to stdout: No space left on device"));
+    CHECK(contains(full.err, "cannot write to stdout"));
     CHECK(box.shell("$F " + command + " >&-").code == 5);
   }
 }
@@ -109,7 +109,7 @@ TEST_CASE("no output takes the place of an input or of another output", "[cli]")
   }
   fs::create_hard_link(box.path / "a.fbr", box.path / "same.fbr");
   const std::string before = contentOf(box.path / "a.fbr"), rules = contentOf(box.path / "rules.toml");
-  for (const std::string command :
+  for (const std::string& command :
        {kMatch + "--rules rules.toml --events rules.toml",
         kMatch + "--robot robot.toml --record ./robot.toml", kMatch + "--record b --events b",
         std::string("run --layout layout.toml --record layout.toml"),
@@ -133,9 +133,9 @@ TEST_CASE("no output takes the place of an input or of another output", "[cli]")
 
 TEST_CASE("files that exist are replaced with --force only", "[cli]") {
   const Sandbox box;
-  for (const std::string command : {kMatch + "--record x", kMatch + "--events x", std::string("run --png x"),
-                                    std::string("run --record x"), std::string("run --trace x"),
-                                    std::string("compare --suite corner --trials 1 --out o --html x")}) {
+  for (const std::string& command : {kMatch + "--record x", kMatch + "--events x", std::string("run --png x"),
+                                     std::string("run --record x"), std::string("run --trace x"),
+                                     std::string("compare --suite corner --trials 1 --out o --html x")}) {
     INFO(command);
     box.write("x", "old");
     const Output refused = box.run(command);
@@ -149,7 +149,7 @@ TEST_CASE("files that exist are replaced with --force only", "[cli]") {
 
 TEST_CASE("a dash is no file where nothing goes to stdout", "[cli]") {
   const Sandbox box;
-  for (const std::string command :
+  for (const std::string& command :
        {std::string("run --png -"), std::string("run --record -"), kMatch + "--record -",
         std::string("compare --suite corner --trials 1 --html -"),
         std::string("view none.fbr --screenshot -")}) {
