@@ -149,7 +149,7 @@ std::string matchJson(const MatchReport& report) {
   }
   if (report.faults.abandoned) json["abandoned"] = report.faults.abandoned->message;
   if (report.profile) json["compute_profile"] = profileJson(*report.profile);
-  return json.dump(2) + '\n';
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string seriesJson(const SeriesReport& report) {
@@ -180,7 +180,7 @@ std::string seriesJson(const SeriesReport& report) {
   for (std::size_t pair = 0; pair < r.pairs.size(); ++pair) {
     for (std::size_t leg : {0, 1}) json["matches"].push_back(legJson(report, pair, leg));
   }
-  return json.dump(2) + '\n';
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace fulbito

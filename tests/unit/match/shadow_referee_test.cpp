@@ -129,4 +129,25 @@ TEST_CASE("several recordings add up, and a trial is refused", "[unit]") {
   CHECK(compareRules(*trial, rules, rules, comparison).error().code == ErrorCode::kBadInput);
 }
 
+TEST_CASE("a play without its ball cannot be judged", "[unit]") {
+  const MatchConfig config = standstill(2.0);
+  const RecordingHeader header = recordingHeader(config, RecordingLevel::kRecipe);
+  std::string bytes;
+  auto writer = RecordingWriter::create(into(bytes), header);
+  REQUIRE(writer);
+  RecordedPlay play;
+  play.starts.resize(header.bodies.size());  // nobody is there
+  writer->beginPlay(play);
+  const WorldState empty;
+  for (int tick = 0; tick < 5; ++tick) writer->add(RecordingTick{&empty, {}, 0, true});
+  REQUIRE(writer->finish({}));
+  const auto reader = RecordingReader::parse(bytes, "test");
+  REQUIRE(reader);
+  RulesComparison comparison;
+  const auto judged = compareRules(*reader, *loadRules("vsss-3v3"), *loadRules("training"), comparison);
+  REQUIRE_FALSE(judged);
+  CHECK(judged.error().code == ErrorCode::kBadInput);
+  CHECK(judged.error().message == "there is no ball in play 1");
+}
+
 }  // namespace fulbito
