@@ -44,6 +44,8 @@ class Libero final : public Strategy {
     }
     ball_.take(foresight_.ballNow(), foresight_.ball());
     watchStuck(now);
+    // Before the signal nobody can move: that tells nothing of what presses or is caught.
+    if (!now.playing) strike_ = {};
     const Picture picture{now, pitch_, settings_, ball_, stuck_};
     chooseKeeper(picture);
     chooseStriker(picture);
@@ -59,7 +61,7 @@ class Libero final : public Strategy {
     return command;
   }
 
-  std::optional<TeamPlacement> place(const PlacementRequest& request) override {
+  std::optional<TeamProposal> place(const PlacementRequest& request) override {
     if (request.kind == RestartKind::kKickOff) kick_off_hand_ = -kick_off_hand_;
     return placementAt(pitch_, request, kick_off_hand_);
   }
@@ -84,7 +86,9 @@ class Libero final : public Strategy {
   void watchStuck(const Observation& seen) {
     constexpr double kCircle = 0.10;  // [m]
     stuck_ += seen.dt;
-    if (!foresight_.playBegan() && squaredNorm(seen.ball.position - stuck_at_) < kCircle * kCircle) return;
+    if (seen.playing && !foresight_.playBegan() &&
+        squaredNorm(seen.ball.position - stuck_at_) < kCircle * kCircle)
+      return;
     stuck_at_ = seen.ball.position;
     stuck_ = 0.0;
   }
@@ -167,7 +171,7 @@ class Libero final : public Strategy {
 
   /// The one who has the ball first; the present one is kept unless another is clearly better.
   void chooseStriker(const Picture& picture) {
-    held_ += picture.seen.dt;
+    if (picture.seen.playing) held_ += picture.seen.dt;
     constexpr double kStays = 0.5;   // [s] in their area, which the next one may enter only after it has left
     constexpr double kAlike = 1e-9;  // [s] what is less is rounding, which is not the same on both sides
     int best = -1;

@@ -14,7 +14,7 @@ TEST_CASE("libero keeps its places legal at every restart", "[unit]") {
         PlacementRequest request{static_cast<RestartKind>(kind), ours, {-0.375, 0.4}, {}, {}};
         const auto placed = team->place(request);
         REQUIRE(placed);
-        for (const auto& pose : *placed) {
+        for (const auto& pose : placed->robots) {
           if (pose) CHECK(insideField(info.field, pose->position, 0.03));
         }
       }
@@ -48,9 +48,9 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
     REQUIRE(one);
     REQUIRE(next);
     for (const std::size_t i : {1, 2}) {
-      CHECK((*one)[i]->position.y != 0.0);
-      CHECK((*one)[i]->position.x == Approx((*next)[i]->position.x));
-      CHECK((*one)[i]->position.y == Approx(-(*next)[i]->position.y));
+      CHECK(one->robots[i]->position.y != 0.0);
+      CHECK(one->robots[i]->position.x == Approx(next->robots[i]->position.x));
+      CHECK(one->robots[i]->position.y == Approx(-next->robots[i]->position.y));
     }
   }
 }
@@ -64,7 +64,7 @@ TEST_CASE("libero waits for a kick-off on both sides of its line", "[unit]") {
     (*request.opponents)[2] = Pose2{{0.4, 0.0}, 3.14};
     const auto placed = team->place(request);
     REQUIRE(placed);
-    const Vec2 meeter = (*placed)[1]->position, support = (*placed)[2]->position;
+    const Vec2 meeter = placed->robots[1]->position, support = placed->robots[2]->position;
     CHECK(cross(taker, meeter) * cross(taker, support) < 0.0);
     CHECK(norm(meeter) < norm(support));
     for (const Vec2 place : {meeter, support}) {
@@ -81,7 +81,7 @@ TEST_CASE("libero stands at the ball of their goal kick, outside their area", "[
     const Vec2 ball{0.6, side * 0.35};
     const auto placed = team->place({RestartKind::kGoalKick, false, ball, {}, {}});
     REQUIRE(placed);
-    const Vec2 place = (*placed)[1]->position;
+    const Vec2 place = placed->robots[1]->position;
     CHECK(distance(place, ball) < 0.09);
     CHECK(std::abs(place.y) > info.field.goal_area_width / 2 + info.robot.circumradius());
   }
