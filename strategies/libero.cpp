@@ -12,6 +12,7 @@
 #include "strategies/libero_keeper.hpp"
 #include "strategies/libero_meet.hpp"
 #include "strategies/libero_restarts.hpp"
+#include "strategies/libero_room.hpp"
 #include "strategies/libero_striker.hpp"
 #include "strategies/libero_support.hpp"
 
@@ -32,6 +33,7 @@ class Libero final : public Strategy {
     pitch_ = Pitch(info);
     foresight_ = Foresight(info);
     forgetStriker();
+    dispute_left_ = {};
     kick_off_hand_ = -1.0;
   }
 
@@ -46,7 +48,8 @@ class Libero final : public Strategy {
     watchStuck(now);
     // Before the signal nobody can move: that tells nothing of what presses or is caught.
     if (!now.playing) strike_ = {};
-    const Picture picture{now, pitch_, settings_, ball_, stuck_};
+    watchTouches(now);
+    const Picture picture{now, pitch_, settings_, ball_, stuck_, dispute_left_};
     chooseKeeper(picture);
     chooseStriker(picture);
     TeamCommand command;
@@ -91,6 +94,16 @@ class Libero final : public Strategy {
       return;
     stuck_at_ = seen.ball.position;
     stuck_ = 0.0;
+  }
+
+  /// Who has touched the ball lately.
+  void watchTouches(const Observation& seen) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
+      double& left = dispute_left_[i];
+      left =
+          atBall(pitch_, seen.own[i].state, seen.ball.position) ? kDisputes : std::max(0.0, left - seen.dt);
+      if (!seen.playing || !seen.own[i].present) left = 0.0;
+    }
   }
 
   /// Whether play began with one of ours placed to be first at the ball. At our goal kicks that is the
@@ -146,6 +159,9 @@ class Libero final : public Strategy {
   RobotCommand legal(const Picture& picture, int robot, Twist wanted) const {
     // Five a side a second attacker gains more than its goal kicks cost.
     const bool theirs = !pitch_.isLarge() && (robot != striker_ || mateIsIn(picture));
+    if (!theirs) {
+      if (const auto off = clearOfKeeper(picture, robot, wanted)) return *off;
+    }
     return keptOut(picture, robot, {keeper_ >= 0, theirs}, wanted);
   }
 
@@ -201,6 +217,7 @@ class Libero final : public Strategy {
   double held_ = 1.0;  // [s] since the striker was chosen
   StrikerMemory strike_;
   double kick_off_hand_ = -1.0;  // of the last one; they are played to either side in turn
+  std::array<double, kMaxTeamSize> dispute_left_{};  // [s]
   Vec2 stuck_at_;
   double stuck_ = 0.0;  // [s]
 };
