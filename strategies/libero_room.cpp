@@ -113,6 +113,13 @@ bool keeps(const Picture& picture, int opponent) {
          inTheirArea(picture.pitch, other.pose.position + other.velocity * kSoon);
 }
 
+/// Whether the ball lies between the two: who meets a keeper there meets it at the ball.
+bool ballBetween(const Picture& picture, const RobotState& self, const RobotState& keeper) {
+  const Vec2 way = keeper.pose.position - self.pose.position;
+  const Vec2 ball = intoFrame(unitOr(way, {1.0, 0.0}), picture.seen.ball.position - self.pose.position);
+  return ball.x > 0.0 && ball.x < norm(way) && std::abs(ball.y) < picture.pitch.ball_radius;
+}
+
 }  // namespace
 
 bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball) {
@@ -152,6 +159,7 @@ std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twi
     if (!keeps(picture, i)) continue;
     const RobotState& other = picture.opponent(i);
     if (squaredNorm(other.pose.position - self.pose.position) > kNear * kNear) continue;
+    if (ballBetween(picture, self, other)) continue;
     const Keeper keeper{picture.pitch, self, other};
     if (keeper.gap() < kTouch) return keeper.away();
     if (!keeper.allows(wanted)) return keeper.kept(wanted);
