@@ -8,6 +8,7 @@
 
 #include "engine/core/random.hpp"
 #include "engine/core/worker_threads.hpp"
+#include "match/foul_goals.hpp"
 #include "match/match.hpp"
 
 namespace fulbito {
@@ -74,10 +75,13 @@ bool Schedule::failWith(const Error& error) {
 bool Schedule::playLeg(std::size_t leg) {
   auto match = Match::create(configOf(leg));
   if (!match) return failWith(match.error());
+  FoulGoalCounter fouls;
+  match->watch(fouls);
   while (match->step()) {
     if (match->tick() % kTicksBetweenLooks == 0 && !look(0)) return false;
   }
-  pairs_[leg / 2].legs[leg % 2] = {match->referee().score, match->tick(), match->hash(), match->faults()};
+  pairs_[leg / 2].legs[leg % 2] = {match->referee().score, fouls.goals(), match->tick(), match->hash(),
+                                   match->faults()};
   legs_done_[leg] = 1;
   return look(1);
 }
@@ -90,6 +94,8 @@ void count(SeriesResult& result) {
       result.wins += mine > theirs ? 1 : 0;
       result.draws += mine == theirs ? 1 : 0;
       result.losses += mine < theirs ? 1 : 0;
+      result.goals_after_foul_for += pair.legs[leg].goals_after_foul[leg];
+      result.goals_after_foul_against += pair.legs[leg].goals_after_foul[1 - leg];
     }
     result.goals_for += pair.goalsOfA();
     result.goals_against += pair.goalsOfB();
