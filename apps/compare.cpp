@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/compare_map.hpp"
 #include "apps/progress.hpp"
 #include "engine/core/output_file.hpp"
 #include "experiments/paper_plan.hpp"
@@ -65,6 +66,7 @@ Result<void> writeRaces(const CompareOptions& options, const Comparison& compari
 }  // namespace
 
 int compare(const CompareOptions& options) {
+  if (options.mapped) return compareMap(options);
   const std::int64_t begin = now();
   ComparisonConfig config = options.config;
   // Everything that can be wrong with the question is found before work begins.

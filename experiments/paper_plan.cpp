@@ -19,6 +19,7 @@ Result<Block> blockOf(const ComparisonConfig& config, const std::string& suite, 
   Block block;
   block.suite = suiteNamed(suite);
   block.speed = speed;
+  block.seed = config.seed;
   block.trials = config.trials > 0 && suite != "cases" ? config.trials : block.suite->default_trials;
   std::vector<std::string> texts = config.navigators;
   if (texts.empty()) {
@@ -34,10 +35,6 @@ Result<Block> blockOf(const ComparisonConfig& config, const std::string& suite, 
   }
   return block;
 }
-
-constexpr double kHung =
-    4.0;  // a run that needs more than this times T* has hung; the mean would be of the hanging
-constexpr double kNeverHung = 1e9;
 
 struct Place {
   std::size_t block;

@@ -73,7 +73,7 @@ std::string trialsCsv(const Comparison& comparison) {
     const TrialScore& s = r.score;
     out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:016x}\n",
                        block.suite->name, block.speed, csvText(block.navigators[r.navigator].text), r.index,
-                       block.suite->layout(comparison.config.seed, r.index).name, nameOf(s.outcome),
+                       block.suite->layout(block.seed, r.index).name, nameOf(s.outcome),
                        s.arrived ? 1 : 0, s.time, s.length, s.time_limit, s.length_limit, s.obstacle_contacts,
                        s.wall_contacts, s.own_contacts, s.contact_impulse, s.min_clearance, s.mean_clearance,
                        s.turning, s.curvature_jumps, s.wheel_jerk, s.heading_error, s.longest_stuck,

@@ -4,8 +4,8 @@
 
 namespace fulbito {
 
-Pilot::Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower)
-    : navigator_(std::move(navigator)), follower_(std::move(follower)) {}
+Pilot::Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower, WallEscapeKind escape)
+    : navigator_(std::move(navigator)), follower_(std::move(follower)), escape_(escape) {}
 
 void Pilot::reset() {
   navigator_->reset();

@@ -12,7 +12,8 @@ namespace fulbito {
 /// tick. Methods that control the wheels themselves get neither follower nor escape.
 class Pilot {
  public:
-  Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower);
+  Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower,
+        WallEscapeKind escape = WallEscapeKind::kCorners);
   /// Forgets everything: the next tick starts a new trial.
   void reset();
   /// Wheel speeds for this tick, within the robot's limits and always finite.
