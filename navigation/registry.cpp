@@ -42,14 +42,13 @@ const std::vector<ParameterSpec>& common() {
        "",
        "what turns the guidance into wheel speeds: the shared preview follower or the papers' control law"},
       {"wall_escape",
-       ParameterSpec::Type::kChoice,
+       ParameterSpec::Type::kFlag,
+       1.0,
        0.0,
-       0.0,
-       2.0,
-       {"on", "one-wall", "off"},
+       1.0,
+       {},
        "",
-       "how a robot that cannot turn at a wall gets away: corners seen whole, the nearest wall alone, or not "
-       "at all"},
+       "whether a robot that has no room to turn at a wall gets away from it first"},
   };
   return specs;
 }
@@ -63,7 +62,7 @@ Result<bool> takeShared(const Setting& setting, NavigatorChoice& choice) {
     if (&spec == &common().front()) {
       choice.classic_follower = *value != 0.0;
     } else {
-      choice.wall_escape = static_cast<WallEscapeKind>(static_cast<int>(*value));
+      choice.wall_escape = *value != 0.0;
     }
     return true;
   }

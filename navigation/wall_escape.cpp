@@ -53,16 +53,11 @@ struct Barrier {
   Vec2 inward;
 };
 
-Barrier barrierAt(const FieldGeometry& field, Vec2 p, double reach, double post, bool nearest_alone) {
+Barrier barrierAt(const FieldGeometry& field, Vec2 p, double reach, double post) {
   Barrier barrier;
   for (const Wall& wall : wallsNear(field, p, post)) {
-    const bool nearer = wall.gap < barrier.gap;
     barrier.gap = std::min(barrier.gap, wall.gap);
     if (wall.gap >= reach) continue;
-    if (nearest_alone) {
-      if (nearer) barrier.walls = 1, barrier.inward = wall.inward;
-      continue;
-    }
     ++barrier.walls;
     barrier.inward += wall.inward;
   }
@@ -128,14 +123,12 @@ Twist escapeTwist(const NavigationScene& scene, double direction) {
 
 }  // namespace
 
-void WallEscape::reset() { *this = WallEscape(kind_); }
+void WallEscape::reset() { *this = {}; }
 
 Twist WallEscape::apply(const NavigationScene& scene, Twist wanted) {
-  if (kind_ == WallEscapeKind::kNone) return wanted;
   const double radius = scene.robot->circumradius();
   const Pose2& pose = scene.self.pose;
-  const Barrier barrier =
-      barrierAt(*scene.field, pose.position, radius + kReach, radius, kind_ == WallEscapeKind::kOneWall);
+  const Barrier barrier = barrierAt(*scene.field, pose.position, radius + kReach, radius);
   if (active()) {
     const bool late = static_cast<double>(scene.tick - since_) * scene.dt > kLongest;
     if (late) rest_until_ = scene.tick + static_cast<Tick>(kRest / scene.dt);

@@ -4,13 +4,6 @@
 
 namespace fulbito {
 
-/// Which walls a robot gets away from.
-enum class WallEscapeKind {
-  kCorners,  ///< two walls that are near count as one, along their diagonal
-  kOneWall,  ///< the nearest wall alone, as paper 004 treats its boundary zones (Fig. 5)
-  kNone,     ///< no escape: the follower has its way
-};
-
 /// Gets a robot away from a wall or corner that leaves it no room to turn (docs/navigators.md; paper 004,
 /// Figs 4-5). It acts after the follower and only on a slow robot whose wanted turn would press its body
 /// into a wall:
@@ -25,14 +18,12 @@ enum class WallEscapeKind {
 /// alone.
 class WallEscape {
  public:
-  explicit WallEscape(WallEscapeKind kind = WallEscapeKind::kCorners) : kind_(kind) {}
   void reset();
   /// `wanted` of the follower, or the escape's own twist.
   Twist apply(const NavigationScene& scene, Twist wanted);
   bool active() const { return direction_ != 0.0; }
 
  private:
-  WallEscapeKind kind_;
   double direction_ = 0.0;  ///< +1 driving off forward, -1 backing out, 0 not escaping
   Tick since_ = 0;
   Tick rest_until_ = 0;
