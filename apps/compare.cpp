@@ -25,14 +25,14 @@ Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) 
   if (config.navigators.empty()) config.navigators = {"bezier", options.tune};
   for (double speed : config.speeds.empty() ? (*suite)->speeds : config.speeds) {
     ProgressBar bar(fmt::format("tuning {} at {:.1f} m/s", options.tune, speed), options.json);
-    const TuneConfig tuning{options.tune, speed, options.tune_evaluations, 40};
+    const TuneConfig tuning{options.tune, speed, options.tune_evaluations};
     const auto result =
         tune(config, tuning, [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
     if (!result) return tl::unexpected<Error>(result.error());
     fmt::print(
         stderr,
         "tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, defaults {:.3f}, {} tries)\n",
-        speed, result->navigator, tuning.layouts, result->objective, result->initial, result->evaluations);
+        speed, result->navigator, result->layouts, result->objective, result->initial, result->evaluations);
     config.navigators.push_back(result->navigator);
   }
   return {};
