@@ -102,7 +102,7 @@ void addMap(CLI::App& command, CompareOptions& compare) {
       ->needs(map);
   command
       .add_option("--headings", config.headings,
-                  "of --map: where robots look at the start: goal, random, away (default: goal,random)")
+                  "of --map: where robots look at the start: goal, random, away (default: all)")
       ->delimiter(',')
       ->needs(map);
   command.add_option("--seeds", config.seeds, "of --map: seeds of layouts, --seed and the numbers after it")

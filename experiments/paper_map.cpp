@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -46,11 +48,12 @@ Result<std::size_t> placeOf(const std::string& name, const std::vector<std::stri
 }
 
 Result<MapConfig> resolved(MapConfig config) {
-  if (config.base.suite == kPaperSuite) config.base.suite = "corner";
+  config.suites = {config.base.suite};
+  if (config.base.suite == kPaperSuite) config.suites = {"corner", "close-range"};
   if (config.base.speeds.empty()) config.base.speeds = {0.6, 1.0, 1.2, 2.6};
-  if (config.base.trials == 0) config.base.trials = 20;
-  if (config.radii.empty()) config.radii = {0.08, 0.10, 0.12, 0.14, 0.16, 0.18, 0.20, 0.24};
-  if (config.widths.empty()) config.widths = {0.02, 0.03, 0.05, 0.10, 0.20};
+  if (config.base.trials == 0) config.base.trials = 12;
+  if (config.radii.empty()) config.radii = {0.0, 0.04, 0.08, 0.12, 0.16, 0.18, 0.20, 0.24};
+  if (config.widths.empty()) config.widths = {0.01, 0.02, 0.05, 0.10, 0.15, 0.20, 0.30};
   if (config.laws.empty()) config.laws = {"preview", "classic"};
   if (config.headings.empty()) config.headings = {"goal", "random"};
   config.base.pictures = 0;
@@ -103,8 +106,8 @@ Result<std::vector<NavigatorChoice>> methodsOf(const Axes& axes, bool classic) {
 
 /// The blocks of one law, heading and speed: one a seed, side by side in the comparison.
 std::vector<std::size_t> blocksFrom(std::size_t first, int seeds) {
-  std::vector<std::size_t> blocks;
-  for (int i = 0; i < seeds; ++i) blocks.push_back(first + static_cast<std::size_t>(i));
+  std::vector<std::size_t> blocks(static_cast<std::size_t>(seeds));
+  std::iota(blocks.begin(), blocks.end(), first);
   return blocks;
 }
 
@@ -145,6 +148,7 @@ void fillCells(PaperMap& map) {
     for (double width : config.widths) {
       for (double radius : config.radii) {
         MapCell cell;
+        cell.suite = block.suite->name;
         cell.radius = radius, cell.width = width;
         cell.classic = block.navigators[ring].classic_follower;
         cell.speed = block.speed, cell.heading = block.heading;
@@ -158,6 +162,23 @@ void fillCells(PaperMap& map) {
   }
 }
 
+Result<void> addBlocks(const MapConfig& config, const Axes& axes, const Suite& suite,
+                       std::vector<Block>& blocks) {
+  for (bool classic : axes.classic) {
+    const auto methods = methodsOf(axes, classic);
+    if (!methods) return tl::unexpected<Error>(methods.error());
+    for (StartHeading heading : axes.headings) {
+      for (double speed : axes.speeds) {
+        for (int i = 0; i < config.seeds; ++i) {
+          blocks.push_back({&suite, speed, config.base.trials, *methods,
+                            config.base.seed + static_cast<std::uint64_t>(i), heading});
+        }
+      }
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<PaperMap> planMap(const MapConfig& asked) {
@@ -165,20 +186,13 @@ Result<PaperMap> planMap(const MapConfig& asked) {
   if (!config) return tl::unexpected<Error>(config.error());
   const auto axes = axesOf(*config);
   if (!axes) return tl::unexpected<Error>(axes.error());
-  const auto suite = findSuite(config->base.suite);
-  if (!suite) return tl::unexpected<Error>(suite.error());
   auto comparison = prepareComparison(config->base);
   if (!comparison) return tl::unexpected<Error>(comparison.error());
-  for (bool classic : axes->classic) {
-    const auto methods = methodsOf(*axes, classic);
-    if (!methods) return tl::unexpected<Error>(methods.error());
-    for (StartHeading heading : axes->headings) {
-      for (double speed : axes->speeds) {
-        for (int i = 0; i < config->seeds; ++i) {
-          comparison->blocks.push_back({*suite, speed, config->base.trials, *methods,
-                                        config->base.seed + static_cast<std::uint64_t>(i), heading});
-        }
-      }
+  for (const std::string& name : config->suites) {
+    const auto suite = findSuite(name);
+    if (!suite) return tl::unexpected<Error>(suite.error());
+    if (auto added = addBlocks(*config, *axes, **suite, comparison->blocks); !added) {
+      return tl::unexpected<Error>(added.error());
     }
   }
   return PaperMap{std::move(*config), std::move(*comparison), {}, {}};
@@ -188,8 +202,12 @@ Result<void> runMap(PaperMap& map, const Progress& progress) {
   if (auto ran = runComparison(map.comparison, {}, progress); !ran) return ran;
   fillCells(map);
   map.findings.clear();
-  for (const PaperTarget& target : kPaperTargets) {
-    for (bool with_hung : {false, true}) map.findings.push_back(findTarget(map.cells, target, with_hung));
+  for (const std::string& suite : map.config.suites) {
+    for (const PaperTarget& target : kPaperTargets) {
+      for (bool with_hung : {false, true}) {
+        map.findings.push_back(findTarget(map.cells, suite, target, with_hung));
+      }
+    }
   }
   return {};
 }
@@ -199,12 +217,13 @@ double distanceTo(const PaperTarget& target, const MapGap& gap) {
   return std::max(std::abs(gap.length.value - target.length), std::abs(gap.time.value - target.time));
 }
 
-MapFinding findTarget(const std::vector<MapCell>& cells, const PaperTarget& target, bool with_hung) {
-  MapFinding finding{target, with_hung, {}, 0, std::numeric_limits<double>::quiet_NaN()};
+MapFinding findTarget(const std::vector<MapCell>& cells, const std::string& suite, const PaperTarget& target,
+                      bool with_hung) {
+  MapFinding finding{suite, target, with_hung, {}, 0, std::numeric_limits<double>::quiet_NaN()};
   const auto off = [&](std::size_t i) { return distanceTo(target, with_hung ? cells[i].raw : cells[i].cut); };
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double distance = off(i);
-    if (std::isnan(distance)) continue;
+    if (cells[i].suite != suite || std::isnan(distance)) continue;
     if (distance <= kTargetTolerance) finding.region.push_back(i);
     if (std::isnan(finding.off) || distance < finding.off) finding.nearest = i, finding.off = distance;
   }
@@ -216,7 +235,7 @@ MapFinding findTarget(const std::vector<MapCell>& cells, const PaperTarget& targ
 std::vector<std::size_t> safestCells(const std::vector<MapCell>& cells) {
   std::vector<std::size_t> best;
   const auto same_group = [&](const MapCell& a, const MapCell& b) {
-    return a.classic == b.classic && a.heading == b.heading && a.speed == b.speed;
+    return a.suite == b.suite && a.classic == b.classic && a.heading == b.heading && a.speed == b.speed;
   };
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (best.empty() || !same_group(cells[best.back()], cells[i])) {
@@ -227,6 +246,27 @@ std::vector<std::size_t> safestCells(const std::vector<MapCell>& cells) {
     const bool better = other.safe.value > now.safe.value ||
                         (other.safe.value == now.safe.value && other.time_ratio_all < now.time_ratio_all);
     if (better) best.back() = i;
+  }
+  return best;
+}
+
+RingRecord bestRing(const std::vector<MapCell>& cells, const std::string& suite) {
+  std::map<std::pair<double, double>, std::pair<RingRecord, int>> rings;
+  for (const MapCell& cell : cells) {
+    if (cell.suite != suite) continue;
+    auto& [ring, count] = rings[{cell.radius, cell.width}];
+    ring.radius = cell.radius, ring.width = cell.width;
+    ring.safe += cell.safe.value;
+    ring.least_safe = std::min(ring.least_safe, cell.safe.value);
+    ring.time_ratio_all += cell.time_ratio_all;
+    ++count;
+  }
+  RingRecord best;
+  best.time_ratio_all = std::numeric_limits<double>::infinity();
+  for (auto& [size, entry] : rings) {
+    auto& [ring, count] = entry;
+    ring.safe /= count, ring.time_ratio_all /= count;
+    if (ring.time_ratio_all < best.time_ratio_all) best = ring;
   }
   return best;
 }

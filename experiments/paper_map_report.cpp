@@ -17,8 +17,9 @@ constexpr std::size_t kMostListed = 8;  // cells of a region in the text; map.cs
 const char* lawOf(const MapCell& cell) { return cell.classic ? "classic" : "preview"; }
 
 std::string placeText(const MapCell& cell) {
-  return fmt::format("radius {:.1f} cm, width {:.1f} cm, {} law, {:.1f} m/s, start heading {}",
-                     100 * cell.radius, 100 * cell.width, lawOf(cell), cell.speed, nameOf(cell.heading));
+  return fmt::format("{}, radius {:.1f} cm, width {:.1f} cm, {} law, {:.1f} m/s, start heading {}",
+                     cell.suite, 100 * cell.radius, 100 * cell.width, lawOf(cell), cell.speed,
+                     nameOf(cell.heading));
 }
 
 std::string percent(double value) { return std::isnan(value) ? "-" : fmt::format("{:+.1f} %", 100 * value); }
@@ -36,8 +37,8 @@ std::string cellText(const MapCell& cell, bool with_hung) {
 }
 
 void appendFinding(std::string& out, const PaperMap& map, const MapFinding& finding) {
-  out += fmt::format("- **{}, {:+.1f} % distance and {:+.1f} % time, {}**: ", finding.target.name,
-                     100 * finding.target.length, 100 * finding.target.time,
+  out += fmt::format("- **{}: {}, {:+.1f} % distance and {:+.1f} % time, {}**: ", finding.suite,
+                     finding.target.name, 100 * finding.target.length, 100 * finding.target.time,
                      finding.with_hung ? "hung runs too" : "without hung runs");
   if (std::isnan(finding.off)) {
     out += fmt::format("no cell has {} safe pairs.\n", kLeastMapPairs);
@@ -70,7 +71,8 @@ Json gapJson(const MapGap& gap) {
 }
 
 Json cellJson(const MapCell& cell) {
-  return {{"radius_m", cell.radius},
+  return {{"suite", cell.suite},
+          {"radius_m", cell.radius},
           {"width_m", cell.width},
           {"law", lawOf(cell)},
           {"speed", cell.speed},
@@ -86,10 +88,10 @@ Json cellJson(const MapCell& cell) {
 }
 
 Json findingJson(const MapFinding& finding) {
-  Json json = {{"target", finding.target.name}, {"distance", finding.target.length},
-               {"time", finding.target.time},   {"with_hung", finding.with_hung},
-               {"region", finding.region},      {"nearest", nullptr},
-               {"off", number(finding.off)}};
+  Json json = {
+      {"suite", finding.suite},      {"target", finding.target.name},  {"distance", finding.target.length},
+      {"time", finding.target.time}, {"with_hung", finding.with_hung}, {"region", finding.region},
+      {"nearest", nullptr},          {"off", number(finding.off)}};
   if (!std::isnan(finding.off)) json["nearest"] = finding.nearest;
   return json;
 }
@@ -102,35 +104,51 @@ std::string mapReport(const PaperMap& map) {
       "## Map of the ring field, {} (seeds {} ... {}, {} layouts each, robot {}, physics {})\n\n"
       "{} cells; each compares the Bezier method with one ring under the same law, on the layouts that both "
       "solved. A run over 4 T* has hung.\n\n### Where the paper's two figures hold together\n\n",
-      config.base.suite, config.base.seed, config.base.seed + static_cast<std::uint64_t>(config.seeds - 1),
-      config.base.trials, map.comparison.robot.robot.name, map.comparison.physics.name, map.cells.size());
+      fmt::join(config.suites, " and "), config.base.seed,
+      config.base.seed + static_cast<std::uint64_t>(config.seeds - 1), config.base.trials,
+      map.comparison.robot.robot.name, map.comparison.physics.name, map.cells.size());
   for (const MapFinding& finding : map.findings) appendFinding(out, map, finding);
   out +=
-      "\n### The safest ring of each law, start and speed (chosen by its own safety, then its time)\n\n"
-      "| law | start heading | m/s | radius cm | width cm | safe (95 %) | T/T* all | distance, time without "
+      "\n### The safest ring of each suite, law, start and speed (chosen by its own safety, then its "
+      "time)\n\n"
+      "| suite | law | start heading | m/s | radius cm | width cm | safe (95 %) | T/T* all | distance, time "
+      "without "
       "hung | "
-      "pairs | distance, time with hung | pairs |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "pairs | distance, time with hung | pairs |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (std::size_t i : safestCells(map.cells)) {
     const MapCell& c = map.cells[i];
     out += fmt::format(
-        "| {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.0f} % ({:.0f}-{:.0f}) | {:.2f} | {}, {} | {} | {}, {} | "
+        "| {} | {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.0f} % ({:.0f}-{:.0f}) | {:.2f} | {}, {} | {} | {}, "
+        "{} | "
         "{} |\n",
-        lawOf(c), nameOf(c.heading), c.speed, 100 * c.radius, 100 * c.width, 100 * c.safe.value,
+        c.suite, lawOf(c), nameOf(c.heading), c.speed, 100 * c.radius, 100 * c.width, 100 * c.safe.value,
         100 * c.safe.low, 100 * c.safe.high, c.time_ratio_all, percent(c.cut.length.value),
         percent(c.cut.time.value), c.cut.pairs, percent(c.raw.length.value), percent(c.raw.time.value),
         c.raw.pairs);
+  }
+  out +=
+      "\n### One ring for all laws, starts and speeds (least mean T/T* of its own runs, failures as 8)\n\n";
+  for (const std::string& suite : config.suites) {
+    const RingRecord ring = bestRing(map.cells, suite);
+    out += fmt::format(
+        "- {}: radius {:.1f} cm, width {:.1f} cm: T/T* {:.2f}, safe in {:.0f} % on average, in {:.0f} % "
+        "where "
+        "it is least\n",
+        suite, 100 * ring.radius, 100 * ring.width, ring.time_ratio_all, 100 * ring.safe,
+        100 * ring.least_safe);
   }
   return out;
 }
 
 std::string mapCsv(const PaperMap& map) {
   std::string out =
-      "radius_m,width_m,law,speed,heading,trials,safe_share,safe_low,safe_high,bezier_safe_share,time_ratio_"
+      "suite,radius_m,width_m,law,speed,heading,trials,safe_share,safe_low,safe_high,bezier_safe_share,time_"
+      "ratio_"
       "all,pairs,distance,distance_low,distance_high,time,time_low,time_high,raw_pairs,raw_distance,raw_"
       "distance_low,raw_distance_high,raw_time,raw_time_low,raw_time_high\n";
   const auto value = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : std::string(); };
   for (const MapCell& c : map.cells) {
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", c.radius, c.width, lawOf(c), c.speed,
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", c.suite, c.radius, c.width, lawOf(c), c.speed,
                        nameOf(c.heading), c.trials, c.safe.value, c.safe.low, c.safe.high,
                        c.bezier_safe.value, c.time_ratio_all);
     for (const MapGap* gap : {&c.cut, &c.raw}) {
@@ -148,7 +166,7 @@ std::string mapJson(const PaperMap& map, double wall_seconds) {
   const BuildInfo& build = buildInfo();
   Json json = {{"schema_version", kSchemaVersion},
                {"kind", "map"},
-               {"suite", config.base.suite},
+               {"suites", config.suites},
                {"seed", config.base.seed},
                {"build",
                 {{"version", build.version},
