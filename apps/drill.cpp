@@ -44,6 +44,8 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       "  fulbito drill libero --json > drills.json\n"
       "  fulbito drill chaser classic --drill 3,10,13 --trials 80\n"
       "  fulbito drill --list\n"
+      "All drills take some five minutes of one core, most of it drills 18 and 21, which are whole matches;\n"
+      "stderr shows how far they are. --drill and --trials make it shorter.\n"
       "Exit codes: 0 ran, 1 a drill was not passed (with --check only).");
   command->add_option("team", options.teams, "team, e.g. classic; several: side by side");
   command->add_option("--drill", options.drills, "numbers or names (default: all)")->delimiter(',');
@@ -73,8 +75,8 @@ Result<std::vector<Drill>> chosenDrills(const DrillCommand& options) {
 }
 
 Result<std::vector<DrillReport>> runTeam(const std::vector<Drill>& drills, const std::vector<int>& numbers,
-                                         const DrillOptions& options, bool quiet) {
-  ProgressBar bar("drills of " + options.team.text, quiet);
+                                         const DrillOptions& options) {
+  ProgressBar bar("drills of " + options.team.text);
   return runDrills(drills, numbers, options,
                    [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
 }
@@ -112,7 +114,7 @@ int drill(DrillCommand options) {
   bool passed = true;
   for (const TeamChoice& team : *teams) {
     options.run.team = team;
-    auto ran = runTeam(*drills, numbers, options.run, options.json);
+    auto ran = runTeam(*drills, numbers, options.run);
     if (!ran) return report(ran.error());
     passed = passed && std::all_of(ran->begin(), ran->end(), [](const DrillReport& r) { return r.passed(); });
     reports.push_back(std::move(*ran));

@@ -15,14 +15,17 @@ namespace fulbito::app {
 namespace {
 
 constexpr int kVideoWidth = 900, kGifWidth = 480;  // [px]
-constexpr double kVideoFps = 30.0, kGifFps = 12.5, kFilmSpeed = 4.0, kHighlightSpeed = 1.0;
+constexpr double kVideoFps = 30.0, kGifFps = 12.5;
+constexpr double kHurried = 4.0;    // times real time
+constexpr double kPatience = 30.0;  // [s] up to which a film shows everything as fast as it was
 constexpr std::size_t kPaletteSamples = 12;
 
 bool quiet() { return ::isatty(STDERR_FILENO) == 0; }
 
-/// Scenes are shown as they were; a whole match is hurried through.
+/// Scenes are shown as they were; what lasts long is hurried through.
 double speedOf(const ExportRequest& request) {
-  return request.options->speed.value_or(request.events.empty() ? kFilmSpeed : kHighlightSpeed);
+  const bool scene = !request.events.empty() || request.whole.to - request.whole.from <= kPatience;
+  return request.options->speed.value_or(scene ? 1.0 : kHurried);
 }
 
 FrameJob jobOf(const ExportRequest& request, const MatchPicture& picture, double fps) {

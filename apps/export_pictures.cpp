@@ -36,7 +36,7 @@ Still stillOf(const ExportRequest& request, const RecordedEvent& event) {
   const ReplayMoment after = timeline.at(timeline.secondsAt(event.tick));
   still.moment.score = after.score;
   if (request.overlays.banner) {
-    still.overlays.banner = bannerOf(event, timeline.plays()[after.play], timeline.header().recipe);
+    still.overlays.banner = bannerOf(event, timeline.header().recipe);
   }
   return still;
 }

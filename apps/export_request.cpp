@@ -60,13 +60,37 @@ bool means(std::string name, const std::string& clause) {
   return name == clause || clause.starts_with(name + ".");
 }
 
-Result<void> findEvents(const std::string& name, const char* flag, ExportRequest& request) {
+/// What --around names: events of a name, or the one of a number among them, as in "goals:2".
+struct EventChoice {
+  std::string name;
+  std::optional<std::size_t> number;  ///< from 1
+};
+
+Result<EventChoice> eventChoice(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return EventChoice{text, {}};
+  std::size_t number = 0;
+  const char *begin = text.data() + colon + 1, *end = text.data() + text.size();
+  const auto [stop, wrong] = std::from_chars(begin, end, number);
+  if (wrong == std::errc() && stop == end && number > 0) return EventChoice{text.substr(0, colon), number};
+  return usage(fmt::format("--around {}: after the colon stands which one, 1 or more: goals:1", text));
+}
+
+Result<void> findEvents(const EventChoice& choice, const char* flag, ExportRequest& request) {
+  const std::string& name = choice.name;
   std::set<std::string> known;
   for (const RecordedEvent& event : request.timeline.events()) {
     const double seconds = request.timeline.secondsAt(event.tick);
     const bool within = seconds >= request.whole.from && seconds <= request.whole.to;
     if (event.clause != "placement" && within) known.insert(event.clause);
     if (within && means(name, event.clause)) request.events.push_back(event);
+  }
+  if (choice.number && !request.events.empty()) {
+    if (*choice.number > request.events.size()) {
+      return usage(fmt::format("{} {}:{}: there are {} from {:.2f} to {:.2f} s", flag, name, *choice.number,
+                               request.events.size(), request.whole.from, request.whole.to));
+    }
+    request.events = {request.events[*choice.number - 1]};
   }
   if (!request.events.empty()) return {};
   return usage(fmt::format("{}: there is no '{}' from {:.2f} to {:.2f} s. What there is: {}", flag, name,
@@ -143,7 +167,9 @@ Result<ExportRequest> readRequest(const ReplayExportCommand& options) {
   if (auto good = setRange(options, request); !good) return tl::unexpected<Error>(good.error());
   if (options.highlights || !options.around.empty()) {
     const bool around = !options.around.empty();
-    auto found = findEvents(around ? options.around : "goal", around ? "--around" : "--highlights", request);
+    const auto choice = eventChoice(around ? options.around : "goal");
+    if (!choice) return tl::unexpected<Error>(choice.error());
+    auto found = findEvents(*choice, around ? "--around" : "--highlights", request);
     if (!found) return tl::unexpected<Error>(found.error());
   }
   return request;
@@ -160,6 +186,10 @@ Result<std::string> outputFile(const ExportRequest& request, const std::string& 
   return usage(fmt::format("'{}' exists; --force replaces it", file));
 }
 
+std::string sizeText(std::size_t bytes) {
+  return fmt::format("{:.1f} kB", static_cast<double>(bytes) / 1000.0);
+}
+
 void announce(const std::string& file, const std::string& what) {
   if (file != "-") fmt::print(stderr, "{}: {}\n", file, what);
 }
@@ -171,7 +201,7 @@ Result<void> deliver(const std::string& file, const std::string& content) {
     return {};
   }
   if (auto written = writeFile(file, content); !written) return written;
-  announce(file, fmt::format("{:.1f} kB", static_cast<double>(content.size()) / 1000.0));
+  announce(file, sizeText(content.size()));
   return {};
 }
 

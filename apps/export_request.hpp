@@ -39,6 +39,8 @@ Result<std::string> outputFile(const ExportRequest& request, const std::string& 
 
 /// Writes the whole file or nothing; "-" is stdout. Says on stderr what was written. Errors: kIo.
 Result<void> deliver(const std::string& file, const std::string& content);
+/// E.g. "71.2 kB".
+std::string sizeText(std::size_t bytes);
 /// Says on stderr what was written, unless it went to stdout.
 void announce(const std::string& file, const std::string& what);
 

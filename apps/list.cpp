@@ -40,8 +40,23 @@ std::string valueText(const ParameterSpec& spec) {
   return fmt::format("{}", spec.default_value);
 }
 
+/// In the type of the values that the parameter takes.
+Json defaultJson(const ParameterSpec& spec) {
+  switch (spec.type) {
+    case ParameterSpec::Type::kNumber:
+      return spec.default_value;
+    case ParameterSpec::Type::kInteger:
+      return static_cast<std::int64_t>(spec.default_value);
+    case ParameterSpec::Type::kFlag:
+      return spec.default_value != 0.0;
+    case ParameterSpec::Type::kChoice:
+      break;
+  }
+  return valueText(spec);
+}
+
 Json parameterJson(const ParameterSpec& spec) {
-  Json json = {{"name", spec.name}, {"type", typeName(spec)}, {"default", valueText(spec)}};
+  Json json = {{"name", spec.name}, {"type", typeName(spec)}, {"default", defaultJson(spec)}};
   if (spec.type == ParameterSpec::Type::kChoice) json["choices"] = spec.choices;
   if (spec.type == ParameterSpec::Type::kNumber || spec.type == ParameterSpec::Type::kInteger) {
     json["minimum"] = spec.minimum;
@@ -100,8 +115,7 @@ void printTeams() {
     fmt::print("{}\n  {}\n", info.name, info.summary);
     for (const ParameterSpec& spec : info.parameters) printParameter(spec);
     if (info.takes_navigator) {
-      fmt::print("    {:<16} {:<9} {}\n", "navigator", info.default_navigator,
-                 "any of fulbito list navigators");
+      fmt::print("    {:<16} {}; any of fulbito list navigators\n", "navigator", info.default_navigator);
     }
   }
   fmt::print(

@@ -6,17 +6,13 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "engine/core/match_clock.hpp"
+#include "match/summary.hpp"
 
 namespace fulbito::app {
 namespace {
 
 constexpr double kPeriod = 0.1;  // [s] between redraws
-
-const char* periodText(int period) {
-  if (period == kShootOutPeriod) return "shoot-out";
-  if (period == kOvertimePeriod) return "overtime";
-  return period == 1 ? "1st half" : "2nd half";
-}
 
 }  // namespace
 
@@ -33,11 +29,10 @@ void LiveLine::update(const Match& match) {
   if (static_cast<double>(time - last_) * 1e-9 < kPeriod) return;
   const double elapsed = static_cast<double>(time - begin_) * 1e-9;
   const RefereeState& referee = match.referee();
-  const int clock =
-      static_cast<int>(static_cast<double>(referee.play_ticks) * config_.physics.controlPeriod());
-  fmt::print(stderr, "\r{} {} : {} {}   {} {:02}:{:02}   {:.0f} x real time\033[K", config_.teams[0].text,
-             referee.score[0], referee.score[1], config_.teams[1].text, periodText(referee.period),
-             clock / 60, clock % 60, match.seconds() / elapsed);
+  const double clock = static_cast<double>(referee.play_ticks) * config_.physics.controlPeriod();
+  fmt::print(stderr, "\r{} {} : {} {}   {} {}   {}\033[K", config_.teams[0].text, referee.score[0],
+             referee.score[1], config_.teams[1].text, periodName(referee.period), clockText(clock),
+             paceText(match.seconds(), elapsed));
   std::fflush(stderr);
   last_ = time;
   drawn_ = true;

@@ -211,6 +211,17 @@ std::optional<Error> wrongCommand(const CLI::App& app, std::span<char*> words) {
                                               words.front(), suggestion(words.front(), names), whole)};
 }
 
+/// What to do instead of an option that is not there.
+std::string remedyFor(const std::string& word, const std::vector<std::string>& flags) {
+  const bool takes_rules = std::find(flags.begin(), flags.end(), "--rules") != flags.end();
+  if (word == "--field" && takes_rules) {
+    return " The field belongs to the rules: set rules.field in a profile (fulbito rules show vsss-5v5 > "
+           "mine.toml) "
+           "and give it with --rules.";
+  }
+  return suggestion(word, flags);
+}
+
 /// CLI11's message, or for an option that does not exist one with a suggestion.
 Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words) {
   const CLI::App* last = &app;
@@ -228,7 +239,7 @@ Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<ch
       const bool known =
           std::any_of(flags.begin(), flags.end(), [&](const std::string& f) { return word == f; });
       if (word.starts_with("--") && !known && word.find('=') == std::string::npos) {
-        message = fmt::format("there is no option '{}'.{}", word, suggestion(word, flags));
+        message = fmt::format("there is no option '{}'.{}", word, remedyFor(word, flags));
       }
     }
   }

@@ -15,6 +15,7 @@
 #include "match/recorder.hpp"
 #include "match/start_state.hpp"
 #include "match/summary.hpp"
+#include "referee/check_places.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -224,7 +225,7 @@ int playPairs(const MatchCommand& options, const MatchConfig& config) {
   SeriesReport summary{{config, *options.pairs, options.jobs}, {}, 0.0};
   const std::int64_t begin = now();
   {
-    ProgressBar bar(fmt::format("{} v {}", options.blue, options.yellow), options.json);
+    ProgressBar bar(fmt::format("{} v {}", options.blue, options.yellow));
     auto played = playSeries(summary.config,
                              [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
     if (!played) return report(played.error());
@@ -264,7 +265,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       "Examples:\n"
       "  fulbito match                                  libero against classic, two halves of five minutes\n"
       "  fulbito match libero chaser --seed 7 --record game.fbr\n"
-      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20\n"
+      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20   pairs, 2 matches each\n"
       "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
       "  fulbito match libero idle --start corner.toml --events -\n"
       "  fulbito match libero classic --view --record game.fbr   watch it, drag ball and robots\n"
@@ -301,6 +302,9 @@ int match(const MatchCommand& options) {
   if (auto checked = checkFlags(options); !checked) return report(checked.error());
   const auto config = configOf(options);
   if (!config) return report(config.error());
+  if (const auto foreign = findForeignPlaces(config->rules, config->field, config->robot.robot)) {
+    fmt::print(stderr, "note: {}\n", *foreign);
+  }
   return options.pairs ? playPairs(options, *config) : playOne(options, *config);
 }
 

@@ -9,7 +9,7 @@ namespace fulbito::app {
 /// Silent when `quiet`.
 class ProgressBar {
  public:
-  ProgressBar(std::string what, bool quiet);
+  explicit ProgressBar(std::string what, bool quiet = false);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;

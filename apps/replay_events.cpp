@@ -6,48 +6,56 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "engine/core/match_clock.hpp"
 #include "match/recorded_events.hpp"
-#include "match/resimulate.hpp"
-#include "referee/referee_state.hpp"
+#include "replays/call_words.hpp"
 
 namespace fulbito::app {
 namespace {
-
-std::string clockText(double seconds) {
-  const int minutes = static_cast<int>(seconds / 60.0);
-  return fmt::format("{:02}:{:04.1f}", minutes, seconds - 60.0 * minutes);
-}
-
-std::string periodText(int period) {
-  if (period == kShootOutPeriod) return "shoot-out";
-  if (period == kOvertimePeriod) return "overtime";
-  return period == 1 ? "1st half" : "2nd half";
-}
 
 std::string whoText(const RecordedEvent& call) {
   if (!call.team) return "";
   return call.robot ? fmt::format("{} {}", nameOf(*call.team), *call.robot) : nameOf(*call.team);
 }
 
+/// The columns; so wide that the longest clause fits.
+std::string rowOf(const std::string& time, const std::string& period, const std::string& clock,
+                  const std::string& score, const std::string& what, const std::string& who,
+                  const std::string& place, const std::string& law, const std::string& measured) {
+  std::string row = fmt::format("{:>7}  {:<9} {:>7}  {:<7} {:<25} {:<9} {:<16} {:<7} {}", time, period, clock,
+                                score, what, who, place, law, measured);
+  row.erase(row.find_last_not_of(' ') + 1);
+  return row + '\n';
+}
+
+std::string headText() {
+  return rowOf("time", "period", "clock", "score", "call, - restart", "team", "ball [m]", "law", "measured");
+}
+
 std::string lineOf(const ReplayEvent& event, double dt) {
   const RecordedEvent& call = event.call;
-  std::string line =
-      fmt::format("{}  {:<9} {}  {} : {}  {:<26}{:<9}", clockText(static_cast<double>(call.tick) * dt),
-                  periodText(call.period), clockText(call.play_time), event.score[0], event.score[1],
-                  event.restart ? fmt::format("- {}", nameOf(*event.restart)) : call.clause, whoText(call));
-  line += fmt::format(" ({:+.3f}, {:+.3f})", call.place.x, call.place.y);
-  if (event.restart) return line;
-  line += fmt::format("  {:.4g}", call.value);
-  if (call.threshold != 0.0) line += fmt::format(" (limit {:.4g})", call.threshold);
-  if (!call.law.empty()) line += fmt::format("  law {}", call.law);
-  return line;
+  return rowOf(clockText(static_cast<double>(call.tick) * dt), periodName(call.period),
+               clockText(call.play_time), fmt::format("{} : {}", event.score[0], event.score[1]),
+               event.restart ? fmt::format("- {}", nameOf(*event.restart)) : call.clause, whoText(call),
+               fmt::format("({:+.3f}, {:+.3f})", call.place.x, call.place.y), call.law,
+               event.restart ? "" : measuredText(call));
+}
+
+/// Whether the call says no more than the restart before it: that a kick-off was taken.
+bool repeatsRestart(const ReplayEvent& event, const std::optional<RestartKind>& last) {
+  return !event.restart && event.call.clause == "kick-off" && last == RestartKind::kKickOff;
 }
 
 Result<void> printLines(const RecordingReader& recording) {
   const auto events = eventsOf(recording);
   if (!events) return tl::unexpected<Error>(events.error());
   const double dt = 1.0 / recording.header().control_rate;
-  for (const ReplayEvent& event : *events) std::fputs((lineOf(event, dt) + '\n').c_str(), stdout);
+  std::fputs(headText().c_str(), stdout);
+  std::optional<RestartKind> last;
+  for (const ReplayEvent& event : *events) {
+    if (event.restart) last = event.restart;
+    if (!repeatsRestart(event, last)) std::fputs(lineOf(event, dt).c_str(), stdout);
+  }
   return {};
 }
 
@@ -56,8 +64,10 @@ Result<void> printLines(const RecordingReader& recording) {
 CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options) {
   CLI::App* command = replay.add_subcommand("events", "list what the referee called, with what was measured");
   command->footer(
-      "Time in the recording, clock of the period, score, call or (-) restart, team and robot, place [m], "
-      "value and limit, law.\n"
+      "Columns: time in the recording; period and its clock (minutes, seconds, tenths, cut); score after it; "
+      "call or (-) restart;\nteam and robot: of a goal who scored, of a restart who takes it, else against "
+      "whom "
+      "it is called; the ball's place;\nlaw; what was measured and the limit.\n"
       "Examples:\n"
       "  fulbito replay events game.fbr\n"
       "  fulbito replay events game.fbr --json     the lines of fulbito match --events");

@@ -46,12 +46,12 @@ void addProduct(CLI::App& command, const char* flag, std::optional<std::string>&
 
 void addProducts(CLI::App& command, ReplayExportCommand& options) {
   addProduct(command, "--png", options.png,
-             "pictures: at --at, of the events of --around, of a range with --fps, else of the end");
+             "stills at the times --at, at the events --around, or every 1/--fps s from --from to --to; "
+             "otherwise the last frame");
   addProduct(command, "--contact-sheet", options.contact_sheet,
              "twelve small pictures in one, or one an event");
   addProduct(command, "--trails", options.trails, "the ways of all over the field");
-  command
-      .add_option("--heatmap", options.heatmap, "where ball, blue, yellow or one robot (blue:1) was, and OUT")
+  command.add_option("--heatmap", options.heatmap, "heat map of ball, blue, yellow or one robot (blue:1)")
       ->expected(1, 2)
       ->type_name("WHO [OUT]")
       ->group("What to make (OUT: a file, - for stdout; default: named after the recording)");
@@ -66,16 +66,19 @@ void addProducts(CLI::App& command, ReplayExportCommand& options) {
 void addWhen(CLI::App& command, ReplayExportCommand& options) {
   command.add_option("--at", options.at, "seconds of the recording")->group("When");
   command
-      .add_option("--around", options.around,
-                  "events: goals, penalty, free-ball, half ...; films show 5 s around each")
+      .add_option(
+          "--around", options.around,
+          "events: goals, penalty, free-ball, half ..., or one of them: goals:1; films show 5 s around each")
       ->group("When");
   command.add_flag("--highlights", options.highlights, "the same as --around goals")->group("When");
   command.add_option("--from", options.from, "seconds (default: the beginning)")->group("When");
   command.add_option("--to", options.to, "seconds (default: the end)")->group("When");
   command.add_option("--fps", options.fps, "frames a second, 0.01 ... 240")->group("When");
   command
-      .add_option("--speed", options.speed,
-                  "of films, in times of the real one (default: 4, events and pictures 1)")
+      .add_option(
+          "--speed", options.speed,
+          "playback speed of films: 1 = real time (default: 1 with --around or --highlights and up to "
+          "30 s, else 4)")
       ->group("When");
 }
 
@@ -117,11 +120,11 @@ CLI::App* addReplayExport(CLI::App& replay, ReplayExportCommand& options) {
       "Examples:\n"
       "  fulbito replay export game.fbr --png shot.png --at 83.2\n"
       "  fulbito replay export game.fbr --png goal.png --around goals     goal-0001.png ...\n"
+      "  fulbito replay export game.fbr --gif goal.gif --around goals:1   the first goal, as fast as it was\n"
       "  fulbito replay export game.fbr --gif goals.gif --highlights\n"
       "  fulbito replay export game.fbr --html game.html                  a page to look at it\n"
       "  fulbito replay export game.fbr --html both.html --ghost other.fbr\n"
-      "  fulbito replay export game.fbr --mp4 game.mp4                    the whole match at 4 times its "
-      "speed\n"
+      "  fulbito replay export game.fbr --mp4 game.mp4                    the whole match, 4 times as fast\n"
       "  fulbito replay export game.fbr --heatmap ball --theme light --size 1920\n"
       "  fulbito replay export game.fbr --csv - --from 60 --to 90 | head\n"
       "More: docs/pictures.md.");

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/export_request.hpp"
 #include "engine/core/output_file.hpp"
 #include "match/expand.hpp"
 #include "replays/html/html_page.hpp"
@@ -78,6 +79,7 @@ int replayExportHtml(const std::string& file, const HtmlExport& options, bool fo
   const auto html = pageOf(file, options.ghost);
   if (!html) return report(html.error());
   if (auto written = writePage(options.html, *html, force); !written) return report(written.error());
+  announce(options.html, sizeText(html->size()));
   return kOk;
 }
 

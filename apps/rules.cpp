@@ -32,6 +32,8 @@ int checkRules(const std::string& file) {
              loaded->team_size, loaded->field);
   const auto field = loadField(loaded->field);
   if (!field) return report(field.error());
+  if (const auto foreign = findForeignPlaces(*loaded, *field, RobotModel()))
+    fmt::print("note: {}\n", *foreign);
   for (const std::string& place : findBadPlaces(*loaded, *field, RobotModel())) {
     fmt::print("note: {}; the referee will move it\n", place);
   }

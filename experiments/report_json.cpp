@@ -83,7 +83,7 @@ Json scoreJson(const TrialScore& s) {
           {"obstacle_contacts", s.obstacle_contacts},
           {"wall_contacts", s.wall_contacts},
           {"own_contacts", s.own_contacts},
-          {"contact_impulse_ns", s.contact_impulse},
+          {"contact_impulse_kg_m_s", s.contact_impulse},
           {"min_clearance_m", s.min_clearance},
           {"mean_clearance_m", s.mean_clearance},
           {"turning_rad", s.turning},

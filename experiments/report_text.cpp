@@ -78,7 +78,8 @@ std::string trialsCsv(const Comparison& comparison) {
   std::string out =
       "suite,speed,navigator,index,layout,outcome,arrived,time_s,path_length_m,time_limit_s,length_limit_m,"
       "obstacle_contacts,"
-      "wall_contacts,own_contacts,contact_impulse_ns,min_clearance_m,mean_clearance_m,turning_rad,curvature_"
+      "wall_contacts,own_contacts,contact_impulse_kg_m_s,min_clearance_m,mean_clearance_m,turning_rad,"
+      "curvature_"
       "jumps,"
       "wheel_jerk_m_s3,heading_error_rad,longest_stuck_s,final_hash\n";
   for (const TrialRecord& r : comparison.records) {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/float_mode.hpp"
 #include "engine/core/hash.hpp"
 #include "engine/core/math.hpp"
 #include "engine/sim/world.hpp"
@@ -126,6 +127,7 @@ void appendDiscs(const ObstacleSpec& spec, const ObstacleState& state, std::vect
 }
 
 Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock, TrialRecorder* recorder) {
+  const FloatMode floats;
   if (auto checked = check(config); !checked) return tl::unexpected<Error>(checked.error());
   auto world = World::create(worldOf(config));
   if (!world) return tl::unexpected<Error>(world.error());

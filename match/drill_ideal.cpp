@@ -51,13 +51,12 @@ double timeToReach(const RobotModel& robot, double distance, double bearing) {
   const double folded = std::min(std::abs(bearing), math::kPi - std::abs(bearing));
   const double a = robot.wheel_acceleration;
   const double v = robot.maxSpeed();
-  const double turn = 1.4 * std::sqrt(folded * robot.axle_track / (2.0 * a));
+  const double turn = 1.4 * std::sqrt(folded / robot.turnAcceleration());
   return turn + (distance < v * v / (2.0 * a) ? std::sqrt(2.0 * distance / a) : distance / v + v / (2.0 * a));
 }
 
 double timeToTurn(const RobotModel& robot, double angle) {
-  const double rim = std::abs(angle) * robot.axle_track / 2.0;
-  return 2.0 * std::sqrt(rim / robot.wheel_acceleration);
+  return 2.0 * std::sqrt(std::abs(angle) / robot.turnAcceleration());
 }
 
 double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig& config) {

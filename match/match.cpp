@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/core/float_mode.hpp"
 #include "engine/core/hash.hpp"
 #include "match/check_match.hpp"
 #include "match/edit.hpp"
@@ -223,6 +224,7 @@ Match& Match::operator=(Match&&) noexcept = default;
 Match::~Match() = default;
 
 Result<Match> Match::create(const MatchConfig& config) {
+  const FloatMode floats;
   if (auto checked = checkMatch(config); !checked) return tl::unexpected<Error>(checked.error());
   auto impl = std::make_unique<Impl>(config);
   for (const TeamId team : kTeams) {
@@ -246,6 +248,7 @@ void Match::limitDecisionTime(const MatchClock& now, std::int64_t limit) {
 }
 
 bool Match::step() {
+  const FloatMode floats;
   Impl& m = *impl_;
   if (m.ended) return false;
   m.stages.begin();
@@ -282,6 +285,7 @@ void Match::finish() {
 Placement Match::placement() const { return placementOf(world(), ids()); }
 
 Result<void> Match::replace(const Placement& placement) {
+  const FloatMode floats;
   Impl& m = *impl_;
   if (m.ended) return fail(ErrorCode::kUsage, "the match is over");
   if (const auto flaw = flawOfEdit(m.config, this->placement(), placement)) {

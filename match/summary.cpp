@@ -4,28 +4,18 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/match_clock.hpp"
+
 namespace fulbito {
 namespace {
 
 constexpr int kLabelWidth = 36;
 constexpr int kColumnWidth = 14;
 
-/// Minutes and seconds.
-std::string clockText(double seconds) {
-  const int minutes = static_cast<int>(seconds / 60.0);
-  return fmt::format("{:02}:{:04.1f}", minutes, seconds - 60.0 * minutes);
-}
-
 std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
 const std::string& nameOf(const MatchReport& report, TeamId team) {
   return report.config.teams[indexOf(team)].text;
-}
-
-std::string periodText(int period) {
-  if (period == kShootOutPeriod) return "shoot-out";
-  if (period == kOvertimePeriod) return "overtime";
-  return period == 1 ? "1st half" : "2nd half";
 }
 
 std::string goalLine(const MatchReport& report, const GoalRecord& goal) {
@@ -34,8 +24,9 @@ std::string goalLine(const MatchReport& report, const GoalRecord& goal) {
     who = fmt::format("{} robot {}{}", fulbito::nameOf(goal.scorer->team), goal.scorer->number,
                       goal.own_goal ? ", own goal" : "");
   }
-  return fmt::format("  {}  {} {}   {} : {}   {} ({})\n", clockText(goal.seconds), periodText(goal.period),
-                     clockText(goal.play_time), goal.score[0], goal.score[1], nameOf(report, goal.team), who);
+  return fmt::format("  {:>7}  {} {:>7}   {} : {}   {} ({})\n", clockText(goal.seconds),
+                     periodName(goal.period), clockText(goal.play_time), goal.score[0], goal.score[1],
+                     nameOf(report, goal.team), who);
 }
 
 /// Head of a team's column: its name, or its colour where names would not tell.
@@ -88,6 +79,8 @@ std::string robotRows(const MatchReport& report) {
   }
   text += row("wall contacts", [&](TeamId t) { return fmt::format("{}", of(t).wall_contacts); });
   text += row("contacts of mates", [&](TeamId t) { return fmt::format("{}", of(t).mate_contacts); });
+  // One number: such a contact is of both teams.
+  text += row("contacts of opponents", [&](TeamId) { return fmt::format("{}", s.opponent_contacts); });
   text += row("commands rejected",
               [&](TeamId t) { return fmt::format("{}", report.faults.teams[indexOf(t)].rejected()); });
   return text;
@@ -123,7 +116,24 @@ std::string headline(const MatchReport& report) {
                             c.rules.half_seconds, c.physics.name, c.seed);
 }
 
-double timesRealTime(double simulated, double wall) { return wall > 0.0 ? simulated / wall : 0.0; }
+/// The line of the speed.
+std::string speedLine(double simulated, double wall) {
+  if (!(wall > 0.0)) return fmt::format("  {:.1f} s simulated\n", simulated);
+  return fmt::format("  {:.1f} s simulated in {:.2f} s: {}\n", simulated, wall, paceText(simulated, wall));
+}
+
+/// The series in a sentence.
+std::string verdictText(const SeriesReport& report) {
+  if (report.result.pairs.empty()) return "no pair was finished";
+  if (const auto better = betterTeam(report.result)) {
+    return report.config.match.teams[*better].text + " is better (95 %)";
+  }
+  return "no difference shown (95 %)";
+}
+
+std::string counted(int count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
 
 std::string faultLine(const MatchReport& report) {
   return report.faults.abandoned ? "the match could not go on: " + report.faults.abandoned->message + "\n"
@@ -154,12 +164,16 @@ std::string matchText(const MatchReport& report) {
   for (const GoalRecord& goal : s.goals) text += goalLine(report, goal);
   text += "\n" + row("", [&](TeamId t) { return columnText(report, t); });
   text += ballRows(s) + robotRows(report) + restartRows(s);
-  text += row("contacts of opponents", "", fmt::format("{}", s.opponent_contacts));
-  text += fmt::format("\n  {:.1f} s simulated in {:.2f} s: {:.0f} x real time\n  final hash {:016x}\n",
-                      report.simulated, report.wall, timesRealTime(report.simulated, report.wall),
-                      report.final_hash);
+  text += "\n" + speedLine(report.simulated, report.wall);
+  text += fmt::format("  final hash {:016x}\n", report.final_hash);
   if (report.profile) text += "\n" + profileText(*report.profile);
   return text;
+}
+
+std::string paceText(double simulated, double wall) {
+  if (!(wall > 0.0)) return {};
+  const double times = simulated / wall;
+  return times < 10.0 ? fmt::format("{:.2g} x real time", times) : fmt::format("{:.0f} x real time", times);
 }
 
 std::string profileText(const MatchProfile& profile) {
@@ -177,6 +191,13 @@ std::string profileText(const MatchProfile& profile) {
   return text + fmt::format("  {:<12}{:>6.1f} %{:>14.2f}\n", "all", 100.0, 1e-3 * total / ticks);
 }
 
+std::optional<std::size_t> betterTeam(const SeriesResult& result) {
+  if (result.pairs.empty()) return std::nullopt;
+  if (result.points_share.low > 0.5) return 0;
+  if (result.points_share.high < 0.5) return 1;
+  return std::nullopt;
+}
+
 double SeriesReport::simulated() const {
   Tick ticks = 0;
   for (const PairRecord& pair : result.pairs) ticks += pair.legs[0].ticks + pair.legs[1].ticks;
@@ -191,8 +212,8 @@ std::string seriesText(const SeriesReport& report) {
       "{} against {}: {} swapped pair{}, {} matches{}\n{}, halves of {:g} s, {} physics, seed {}\n\n", a,
       c.teams[1].text, r.pairs.size(), r.pairs.size() == 1 ? "" : "s", 2 * r.pairs.size(),
       r.interrupted ? " (broken off)" : "", c.rules.name, c.rules.half_seconds, c.physics.name, c.seed);
-  text +=
-      fmt::format("  {:<18}{} wins, {} draws, {} losses of {}\n", "matches", r.wins, r.draws, r.losses, a);
+  text += fmt::format("  {:<18}{}, {}, {} of {}\n", "matches", counted(r.wins, "win", "wins"),
+                      counted(r.draws, "draw", "draws"), counted(r.losses, "loss", "losses"), a);
   text += fmt::format("  {:<18}{:.1f} %  ({:.1f} ... {:.1f} %, 95 %)\n", "points share",
                       100 * r.points_share.value, 100 * r.points_share.low, 100 * r.points_share.high);
   text += fmt::format("  {:<18}{:+.2f} a match  ", "goal difference", r.goal_difference.value);
@@ -200,8 +221,8 @@ std::string seriesText(const SeriesReport& report) {
               ? fmt::format("({:+.2f} ... {:+.2f}, 95 %)\n", r.goal_difference.low, r.goal_difference.high)
               : "(no interval from one pair)\n";
   text += fmt::format("  {:<18}{} : {}\n", "goals", r.goals_for, r.goals_against);
-  return text + fmt::format("\n  {:.0f} s simulated in {:.1f} s: {:.0f} x real time\n", report.simulated(),
-                            report.wall, timesRealTime(report.simulated(), report.wall));
+  text += fmt::format("  {:<18}{}\n", "verdict", verdictText(report));
+  return text + "\n" + speedLine(report.simulated(), report.wall);
 }
 
 }  // namespace fulbito

@@ -34,6 +34,8 @@ std::string matchText(const MatchReport& report);
 /// One JSON object (docs/results-format.md), with a line end. Measured times stand under keys that begin with
 /// `compute_` or `wall_`, and under `x_realtime`; all else is the same bytes for the same match.
 std::string matchJson(const MatchReport& report);
+/// How fast it went, to two digits at least: "0.25 x real time". Empty if the wall time [s] is not known.
+std::string paceText(double simulated, double wall);
 /// Shares of the wall time, a line each.
 std::string profileText(const MatchProfile& profile);
 
@@ -45,6 +47,10 @@ struct SeriesReport {
 
   double simulated() const;  ///< [s] of all matches
 };
+
+/// The team that a series shows to be better, 0: A, 1: B: the one on whose side of 50 % the whole 95 %
+/// interval of the points share lies. Empty: no difference is shown.
+std::optional<std::size_t> betterTeam(const SeriesResult& result);
 
 /// @{ As for a match. Intervals that need more pairs than there are say so (JSON: null).
 std::string seriesText(const SeriesReport& report);

@@ -105,6 +105,11 @@ Json profileJson(const MatchProfile& p) {
 
 double timesRealTime(double simulated, double wall) { return wall > 0.0 ? simulated / wall : 0.0; }
 
+Json betterJson(const SeriesResult& result) {
+  const auto better = betterTeam(result);
+  return better ? Json(*better == 0 ? "a" : "b") : Json(nullptr);
+}
+
 Json legJson(const SeriesReport& report, std::size_t pair, std::size_t leg) {
   const PairRecord& record = report.result.pairs[pair];
   const LegRecord& played = record.legs[leg];
@@ -162,6 +167,7 @@ std::string seriesJson(const SeriesReport& report) {
                {"goal_difference", numberOrNull(r.goal_difference.value)},
                {"goal_difference_low", numberOrNull(r.goal_difference.low)},
                {"goal_difference_high", numberOrNull(r.goal_difference.high)},
+               {"better", betterJson(r)},
                {"goals_for", r.goals_for},
                {"goals_against", r.goals_against},
                {"matches", Json::array()},

@@ -21,7 +21,8 @@ double sample(double low, double high, int index, int count) {
 
 double Dwa::rimChange(const NavigationScene& scene, const Window& window, Twist twist) {
   return std::abs(twist.linear - window.now.linear) +
-         std::abs(twist.angular - window.now.angular) * scene.robot->axle_track / 2;
+         std::abs(twist.angular - window.now.angular) * scene.robot->axle_track / 2 /
+             scene.robot->turnShare();
 }
 
 Guidance Dwa::plan(const NavigationScene& scene) {
@@ -61,7 +62,7 @@ Dwa::Window Dwa::windowOf(const NavigationScene& scene) const {
 }
 
 Twist Dwa::choose(const NavigationScene& scene, const Window& window) const {
-  const double turn_reach = 2.0 * window.reach / scene.robot->axle_track;
+  const double turn_reach = 2.0 * window.reach * scene.robot->turnShare() / scene.robot->axle_track;
   const double low = std::max(0.0, window.now.linear - window.reach);
   const double high = std::clamp(window.now.linear + window.reach, low, std::max(low, window.top_speed));
   Twist best{0.0, 0.0};  // brakes straight when nothing is admissible

@@ -12,10 +12,11 @@ Twist bodyTwist(const RobotState& state) {
 }
 
 Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt) {
-  const double budget = robot.wheel_acceleration * dt;
   const double half_track = robot.axle_track / 2;
-  const double turn = std::clamp(wanted.angular - current.angular, -budget / half_track, budget / half_track);
-  const double rest = budget - std::abs(turn) * half_track;
+  const double most_turn = robot.turnAcceleration() * dt;
+  const double turn = std::clamp(wanted.angular - current.angular, -most_turn, most_turn);
+  // The motors' share that turning leaves.
+  const double rest = most_turn > 0.0 ? robot.wheel_acceleration * dt * (1.0 - std::abs(turn) / most_turn) : 0.0;
   Twist limited;
   limited.angular = current.angular + turn;
   limited.linear = current.linear + std::clamp(wanted.linear - current.linear, -rest, rest);

@@ -54,8 +54,7 @@ Twist PreviewFollower::follow(const Guidance& guidance, const NavigationScene& s
   Twist wanted = steer(ahead, scene, speed, timed);
   if (guidance.speed_cap < speed) {
     // Slowing down for a cap is urgent: the yaw rate, which the limiter serves first, leaves room for it.
-    const double budget = scene.robot->wheel_acceleration * scene.dt;
-    const double swing = kUrgentYaw * 2.0 * budget / scene.robot->axle_track;
+    const double swing = kUrgentYaw * scene.robot->turnAcceleration() * scene.dt;
     const double yaw_rate = scene.self.angular_velocity;
     wanted.angular = std::clamp(wanted.angular, yaw_rate - swing, yaw_rate + swing);
   }

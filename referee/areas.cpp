@@ -190,11 +190,6 @@ bool counts(const AreaShape& area, const AreaBody& body, BodyPart part) {
   return countsExactly(area, body, part);
 }
 
-double shareOfDisc(double half_length, double half_width, Vec2 centre, double radius) {
-  const Polygon rectangle = polygonOf({{}, {1.0, 0.0}, half_length, half_width});
-  return areaWithDisc(rectangle, centre, radius) / (math::kPi * radius * radius);
-}
-
 AreaSetup areaSetup(const FieldGeometry& field, const AreaRules& rules) {
   const AreaShape goal_area = goalAreaOf(field, rules.arc), big_area = bigAreaOf(field);
   return {goal_area, grown(goal_area, rules.hysteresis), big_area, grown(big_area, rules.hysteresis)};

@@ -61,9 +61,6 @@ double shareInside(const AreaShape& area, const AreaBody& body);
 /// Whether the body counts as inside.
 bool counts(const AreaShape& area, const AreaBody& body, BodyPart part);
 
-/// The share of a disc that a rectangle with its centre at the origin and its sides along the axes covers.
-double shareOfDisc(double half_length, double half_width, Vec2 centre, double radius);
-
 /// Who is in the areas at one goal, counted as the rules count.
 struct GoalAreaReport {
   bool ball = false;           ///< its centre is in the goal area

@@ -35,9 +35,14 @@ Finding callOf(const DetectorInput& in, const PendingFoul& pending, bool attack)
   return call;
 }
 
-/// Whether the attackers' foul counts rather than the defenders'.
-bool attackCounts(const AreaFoulMemory& memory) {
-  return memory.attack && (!memory.defence || memory.attack->ticks >= memory.defence->ticks);
+bool atOneGoal(const AreaFoulMemory& memory) {
+  return memory.attack && memory.defence && memory.attack->foul.side == memory.defence->foul.side;
+}
+
+/// Whether the attackers' foul counts rather than the defenders' at the same goal.
+bool attackCounts(const DetectorInput& in, const AreaFoulMemory& memory) {
+  if (!atOneGoal(memory)) return memory.attack.has_value();
+  return in.setup.rules.areas.both == BothFouls::kAttackers || memory.attack->ticks >= memory.defence->ticks;
 }
 
 }  // namespace
@@ -53,7 +58,7 @@ void noteAreaFouls(const DetectorInput& in, const TouchMemory& touches, const Pr
 Finding decideGoal(const DetectorInput& in, const Finding& goal, const AreaFoulMemory& memory) {
   if (!in.setup.rules.goal.attack_foul_voids || !memory.attack) return goal;
   const bool here = memory.attack->foul.side == halfOf(in.view.ball.position);
-  return here && attackCounts(memory) ? callOf(in, *memory.attack, true) : goal;
+  return here && attackCounts(in, memory) ? callOf(in, *memory.attack, true) : goal;
 }
 
 std::optional<Finding> decideAreaFouls(const DetectorInput& in, const AreaFoulMemory& memory) {
@@ -62,8 +67,7 @@ std::optional<Finding> decideAreaFouls(const DetectorInput& in, const AreaFoulMe
   const bool attack_due = due(in, attack, rules.attackers_wait);
   const bool defence_due = due(in, defence, rules.defenders_wait);
   if (!attack_due && !defence_due) return std::nullopt;
-  const bool both = attack && defence && attack->foul.side == defence->foul.side;
-  const bool attack_first = both ? attackCounts(memory) : attack_due;
+  const bool attack_first = atOneGoal(memory) ? attackCounts(in, memory) : attack_due;
   if (attack && attack_first) return callOf(in, *attack, true);
   if (defence) return callOf(in, *defence, false);
   return std::nullopt;

@@ -10,11 +10,11 @@ void noteAreaFouls(const DetectorInput& input, const TouchMemory& touches, const
                    AreaFoulMemory& memory);
 
 /// What becomes of a goal while area fouls wait: it stands after a foul of the defenders, it is a goal kick
-/// after one of the attackers; after both the one that lasted longer counts.
+/// after one of the attackers; after both the one counts that `AreaRules::both` names.
 Finding decideGoal(const DetectorInput& input, const Finding& goal, const AreaFoulMemory& memory);
 
 /// The call that is due, if one is: when the foul has waited long enough or the ball has left the area. Of
-/// two at the same goal the one that lasted longer, at equal length that of the attackers.
+/// two at the same goal the one that `AreaRules::both` names.
 std::optional<Finding> decideAreaFouls(const DetectorInput& input, const AreaFoulMemory& memory);
 
 }  // namespace fulbito

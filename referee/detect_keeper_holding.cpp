@@ -18,12 +18,13 @@ std::optional<Finding> detectKeeperHolding(const DetectorInput& in, const Presen
     control = {};
     return std::nullopt;
   }
-  if (!ballGap(in.setup.robot, in.view.robots[*keeper].pose, in.setup.ball, in.view.ball.position,
-               rules.control_gap)) {
-    return std::nullopt;
-  }
+  // Also while the keeper has lost the ball for a moment, a challenge ends the count.
   if (disputes(in, other(team), rules.dispute_lengths)) {
     control = {};
+    return std::nullopt;
+  }
+  if (!ballGap(in.setup.robot, in.view.robots[*keeper].pose, in.setup.ball, in.view.ball.position,
+               rules.control_gap)) {
     return std::nullopt;
   }
   control.add(in.view.tick, ticksOf(rules.release_seconds, in.setup.dt));

@@ -6,7 +6,7 @@ namespace fulbito {
 namespace {
 
 void beginCount(StuckMemory& memory, const MatchView& view) {
-  memory = {true, view.tick, view.ball.position, -1};
+  memory = {true, view.tick, view.ball.position, -1, 0};
 }
 
 void countByRadius(const StuckRules& rules, const MatchView& view, StuckMemory& memory) {
@@ -66,9 +66,16 @@ Finding stuckInArea(const DetectorInput& in, Side side) {
   return call;
 }
 
+/// The stalemate is between robots that dispute the ball: what a keeper has for itself is law 8.1's, which
+/// has a count of its own.
+bool keeperControls(const DetectorInput& in, Side side, const KeeperMemory& keepers) {
+  return keepers.control[indexOf(defenderOf(in.state, side))].last == in.view.tick;
+}
+
 }  // namespace
 
-std::optional<Finding> detectStuckBall(const DetectorInput& in, StuckMemory& memory) {
+std::optional<Finding> detectStuckBall(const DetectorInput& in, const KeeperMemory& keepers,
+                                       StuckMemory& memory) {
   const StuckRules& rules = in.setup.rules.stuck;
   if (rules.measure == StuckMeasure::kRadius) {
     countByRadius(rules, in.view, memory);
@@ -77,9 +84,15 @@ std::optional<Finding> detectStuckBall(const DetectorInput& in, StuckMemory& mem
   }
   if (!memory.counting) return std::nullopt;
   const Side side = halfOf(in.view.ball.position);
-  const bool in_area = at(in.areas, side).ball;
-  const double allowed = in_area ? rules.area_seconds : rules.seconds;
+  if (keeperControls(in, side, keepers)) {
+    ++memory.since;
+    return std::nullopt;
+  }
+  const bool inside = at(in.areas, side).ball;
+  if (inside) ++memory.in_area;
   const Tick age = in.view.tick - memory.since;
+  const bool in_area = rules.place == StuckPlace::kNow ? inside : 2 * memory.in_area > age;
+  const double allowed = in_area ? rules.area_seconds : rules.seconds;
   if (age < ticksOf(allowed, in.setup.dt)) return std::nullopt;
   Finding call = in_area ? stuckInArea(in, side) : freeBall(in);
   measureTicks(in, call, age, allowed);

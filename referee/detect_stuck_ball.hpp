@@ -6,7 +6,9 @@
 namespace fulbito {
 
 /// Laws 13 and 14: the ball is stuck. In a goal area: a goal kick where robots of both teams dispute it, else
-/// a penalty (or a goal kick, as the rules say); elsewhere a free ball.
-std::optional<Finding> detectStuckBall(const DetectorInput& input, StuckMemory& memory);
+/// what `StuckRules::undisputed` says; elsewhere a free ball. `keepers` of this tick: the count stands while
+/// a keeper has undisputed control.
+std::optional<Finding> detectStuckBall(const DetectorInput& input, const KeeperMemory& keepers,
+                                       StuckMemory& memory);
 
 }  // namespace fulbito

@@ -47,9 +47,10 @@ struct TouchMemory {
 /// Of the stuck ball.
 struct StuckMemory {
   bool counting = false;
-  Tick since = 0;        ///< the count began
+  Tick since = 0;        ///< the count began; later by the ticks for which it stood
   Vec2 anchor;           ///< [m] where the ball was then
   Tick fast_since = -1;  ///< the ball has been too fast since; -1: it is not
+  Tick in_area = 0;      ///< ticks of the count in which the ball was in a goal area
 };
 
 /// Since when robots are in the areas, and who keeps the goal.
@@ -92,8 +93,7 @@ struct KeeperMemory {
 /// Of pushing and holding.
 struct FoulMemory {
   std::array<Run, kMostRobots> pushes;  ///< by the pushing robot; sum in kg m/s
-  std::array<Run, kMostRobots> hidden;
-  std::array<Run, kMostRobots> pinned;
+  std::array<Run, kMostRobots> pinned;  ///< by the robot that presses the ball against a wall
 };
 
 /// What the detectors know between ticks: a plain value, empty at every restart.

@@ -24,7 +24,20 @@ enum class StuckMeasure {
 /// What is called where the ball is stuck in a goal area and no robot disputes it with one of the other team.
 enum class UndisputedCall { kPenalty, kGoalKick };
 
-/// [stuck] Laws 13 and 14.
+/// Where a ball counts as stuck that lay partly in a goal area, partly outside.
+enum class StuckPlace {
+  kMost,  ///< where it lay for most of the count; after equal times in the area
+  kNow    ///< where it lies when the count is over
+};
+
+/// Which of two fouls counts, of the attackers (8.2) and the defenders (8.3) at the same goal.
+enum class BothFouls {
+  kAttackers,  ///< the attackers'
+  kLonger      ///< the one that lasted longer, after equal times the attackers'
+};
+
+/// [stuck] Laws 13 and 14. While a keeper has undisputed control (`KeeperRules`), the count stands: law 8.1
+/// counts those seconds.
 struct StuckRules {
   StuckMeasure measure = StuckMeasure::kRadius;
   double seconds = 10.0;         ///< [s] outside the goal areas
@@ -35,7 +48,8 @@ struct StuckRules {
   double release_seconds = 0.1;  ///< [s] that it must be above, without a break, to end the count
   double dispute_lengths =
       1.5;  ///< [robot lengths] a robot whose centre is within this of the ball disputes it
-  UndisputedCall undisputed = UndisputedCall::kPenalty;
+  UndisputedCall undisputed = UndisputedCall::kGoalKick;
+  StuckPlace place = StuckPlace::kMost;
 };
 
 /// [areas] Laws 8.2 and 8.3.
@@ -61,6 +75,7 @@ struct AreaRules {
   double pushed_impulse = 0.01;               ///< [kg m/s] toward the goal, in that time
   double excuse_seconds = 3.0;                ///< [s] that it has for leaving
   double cool_down = 0.5;                     ///< [s] after play began without a call of these laws
+  BothFouls both = BothFouls::kAttackers;     ///< which one counts where both teams commit one
 };
 
 /// [keeper] Laws 2.2.3, 8.1 and 13.
@@ -87,13 +102,10 @@ struct FoulRules {
   double push_distance = 0.15;   ///< [m] from the ball to both robots' centres at least
   double push_release = 0.05;    ///< [s] without contact that end it
   double part_seconds = 0.5;     ///< [s] a robot that touched the ball this recently disputes it
-  bool holding = true;           ///< whether holding by others than the keeper is called
-  double hidden_share = 0.30;    ///< of the ball that a robot may hide
-  double hidden_seconds = 1.0;   ///< [s] that it must hide more
-  double pinned_seconds = 0.0;   ///< [s] that a robot may pin an undisputed ball; 0 = as long as it likes
-  double pinned_gap = 0.005;     ///< [m] between body and ball, up to which it is pinned
-  double pinned_speed = 0.1;     ///< [m/s] up to which it is pinned
-  double holding_release = 0.2;  ///< [s] without holding that end it
+  bool holding = false;          ///< whether pinning the ball to a wall by others than the keeper is called
+  double pinned_seconds = 3.0;   ///< [s] that a robot may press an undisputed ball against a wall
+  double pinned_speed = 0.1;     ///< [m/s] of ball and robot, up to which the ball is pinned
+  double holding_release = 0.2;  ///< [s] without pinning that end it
   double dispute_lengths = 1.5;  ///< [robot lengths] an opponent this near to the ball disputes it
   double cool_down = 0.5;        ///< [s] after play began without a call of this law
 };

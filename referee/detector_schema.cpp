@@ -40,7 +40,11 @@ Schema schemaOf(StuckRules& r) {
       {"dispute_lengths", &r.dispute_lengths, 0, 20, "robot lengths",
        "a robot whose centre is this near to the ball disputes it; league program: 1.5"},
       {"undisputed", choice(r.undisputed, {"penalty", "goal-kick"}), 0, 0, "",
-       "called where a ball stuck in a goal area is not disputed; league program: penalty"},
+       "for a ball stuck in an area that nobody disputes; league program: penalty; ours by law 13: "
+       "goal-kick"},
+      {"place", choice(r.place, {"most", "now"}), 0, 0, "",
+       "where a ball is stuck that was in and out of an area: where it lay most (ours), or now (league "
+       "program)"},
   };
 }
 
@@ -75,10 +79,13 @@ Schema schemaOf(AreaRules& r) {
        "in the own big area with the ball; 5v5 text: 3, league program: 4"},
       {"pushed_excused", &r.pushed_excused, 0, 0, "",
        "a robot pushed in while disputing does not count; laws 8.2, 8.3"},
-      {"pushed_seconds", &r.pushed_seconds, 0, kLongest, "s", "pushed in: so long before it came in; ours"},
+      {"pushed_seconds", &r.pushed_seconds, 0, kLongest, "s",
+       "pushed in: the push had no longer break, and ended no longer before; ours"},
       {"pushed_impulse", &r.pushed_impulse, 0, 10, "kg m/s", "pushed in: by this toward the goal; ours"},
       {"excuse_seconds", &r.excuse_seconds, 0, kLongest, "s", "that a robot pushed in has for leaving; ours"},
       {"cool_down", &r.cool_down, 0, kLongest, "s", "after play began without such a call; ours"},
+      {"both", choice(r.both, {"attackers", "longer"}), 0, 0, "",
+       "which of two fouls at one goal counts; law 8.2: attackers, league program: longer"},
   };
 }
 
@@ -112,14 +119,11 @@ Schema schemaOf(FoulRules& r) {
       {"part_seconds", &r.part_seconds, 0, kLongest, "s",
        "who touched the ball this recently disputes it; ours"},
       {"holding", &r.holding, 0, 0, "",
-       "holding by a non-keeper is called; laws 2.2.3, 8.1; not by the league program"},
-      {"hidden_share", &r.hidden_share, 0, 1, "", "of the ball that a robot may hide; law 2.2.3: 0.3"},
-      {"hidden_seconds", &r.hidden_seconds, 0, kLongest, "s", "that it must hide more; ours"},
+       "a non-keeper that pins the ball to a wall is called; by laws 2.2.3, 8.1 only who hides it; ours"},
       {"pinned_seconds", &r.pinned_seconds, 0, kLongest, "s",
-       "that a robot may pin an undisputed ball; 0 = as long as it likes; ours"},
-      {"pinned_gap", &r.pinned_gap, 0, 1, "m", "between body and ball: pinned; ours"},
+       "that a robot may press an undisputed ball against a wall; ours"},
       {"pinned_speed", &r.pinned_speed, 0, 10, "m/s", "of ball and robot: pinned; ours"},
-      {"holding_release", &r.holding_release, 0, kLongest, "s", "without holding end it; ours"},
+      {"holding_release", &r.holding_release, 0, kLongest, "s", "without pinning end it; ours"},
       {"dispute_lengths", &r.dispute_lengths, 0, 20, "robot lengths",
        "an opponent's centre this near to the ball disputes it; as the league program's stuck ball"},
       {"cool_down", &r.cool_down, 0, kLongest, "s", "after play began without such a call; ours"},

@@ -38,13 +38,16 @@ inline bool cooledDown(const DetectorInput& in, double seconds) {
 }
 
 /// Whether a robot of the team has its centre within `lengths` robot lengths of the ball.
-inline bool disputes(const DetectorInput& in, TeamId team, double lengths) {
-  const double reach = lengths * in.setup.robot.length;
-  for (std::size_t i = 0; i < robotsIn(in.view); ++i) {
-    if (in.view.ids[i].team != team) continue;
-    if (squaredNorm(in.view.robots[i].pose.position - in.view.ball.position) <= reach * reach) return true;
+inline bool disputes(const MatchView& view, const RobotModel& robot, TeamId team, double lengths) {
+  const double reach = lengths * robot.length;
+  for (std::size_t i = 0; i < robotsIn(view); ++i) {
+    if (view.ids[i].team != team) continue;
+    if (squaredNorm(view.robots[i].pose.position - view.ball.position) <= reach * reach) return true;
   }
   return false;
+}
+inline bool disputes(const DetectorInput& in, TeamId team, double lengths) {
+  return disputes(in.view, in.setup.robot, team, lengths);
 }
 
 /// A call of play to be stopped, with what every event has in common.

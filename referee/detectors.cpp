@@ -20,7 +20,7 @@ std::optional<Finding> detectFouls(const DetectorInput& in, DetectorMemory& memo
   const auto holding_keeper = detectKeeperHolding(in, memory.presence, memory.keeper);
   const auto holding = detectHolding(in, memory.presence, memory.fouls);
   const auto push = detectPush(in, memory.touches, memory.fouls);
-  const auto stuck = detectStuckBall(in, memory.stuck);
+  const auto stuck = detectStuckBall(in, memory.keeper, memory.stuck);
   for (const auto* call : {&area_foul, &charged, &holding_keeper, &holding, &push, &stuck}) {
     if (*call) return *call;
   }

@@ -65,6 +65,7 @@ void MatchReferee::restarted(const RestartCall& call, const Placement& placement
   if (state_.period == kShootOutPeriod) {
     state_.play_ticks = 0;
     state_.shoot_out.still_ticks = 0;
+    state_.shoot_out.held_ticks = 0;
     state_.shoot_out.entered_area = false;
   }
   memory_ = {};
@@ -266,7 +267,7 @@ RestartCall MatchReferee::beginShootOut(const MatchView& view, Events& events) {
 }
 
 std::optional<RestartCall> MatchReferee::kick(const MatchView& view, Events& events) {
-  const auto end = observeKick(setup_, state_, view.ball, state_.shoot_out);
+  const auto end = observeKick(setup_, state_, view, state_.shoot_out);
   if (!end) return std::nullopt;
   return endKick(*end == KickEnd::kGoal, view, events);
 }

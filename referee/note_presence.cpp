@@ -15,7 +15,7 @@ double towardGoal(const DetectorInput& in, Vec2 robot, Vec2 impulse) {
 void noteOpponents(const DetectorInput& in, const PresenceMemory& presence, std::size_t i, std::size_t j,
                    Vec2 impulse, TouchMemory& touches) {
   touches.opponent[i] = in.view.tick;
-  if (presence.keeper[indexOf(in.view.ids[j].team)] == j) touches.keeper[i] = in.view.tick;
+  if (keeperOf(in, in.view.ids[j].team, presence) == j) touches.keeper[i] = in.view.tick;
   const double push = towardGoal(in, in.view.robots[i].pose.position, impulse);
   if (push > 0.0) {
     touches.pushed[i].add(in.view.tick, ticksOf(in.setup.rules.areas.pushed_seconds, in.setup.dt), push);
@@ -44,8 +44,10 @@ void excuse(const DetectorInput& in, RobotSet entering, const TouchMemory& touch
             PresenceMemory& presence) {
   if (entering == 0 || !in.setup.rules.areas.pushed_excused) return;
   for (std::size_t i = 0; i < robotsIn(in.view); ++i) {
-    if (!holds(entering, i) || !pushedIn(in, i, touches)) continue;
-    presence.excused_until[i] = in.view.tick + ticksOf(in.setup.rules.areas.excuse_seconds, in.setup.dt);
+    if (!holds(entering, i)) continue;
+    // An excuse is for this time inside: one that left and comes back by itself has none.
+    const Tick leave = in.view.tick + ticksOf(in.setup.rules.areas.excuse_seconds, in.setup.dt);
+    presence.excused_until[i] = pushedIn(in, i, touches) ? leave : kLongAgo;
   }
 }
 

@@ -35,11 +35,12 @@ enum class ShootOutOrder {
 struct ShootOutRules {
   int kicks = 3;  ///< regular kicks of each team; then sudden death in pairs
   ShootOutOrder order = ShootOutOrder::kAlternating;
-  int max_kicks = 20;              ///< of each team; then the toss decides
-  double kick_seconds = 30.0;      ///< [s] a kick lasts at most
-  bool ends_at_rest = true;        ///< a kick ends when the ball rests
-  double rest_speed = 0.02;        ///< [m/s] at most this is rest
-  double rest_seconds = 1.0;       ///< [s] of rest that end the kick, once the ball has been moved
+  int max_kicks = 20;          ///< of each team; then the toss decides
+  double kick_seconds = 30.0;  ///< [s] a kick lasts at most
+  bool ends_at_rest = true;    ///< a kick ends when the ball rests
+  double rest_speed = 0.02;    ///< [m/s] at most this is rest
+  double rest_seconds = 1.0;   ///< [s] of rest that end the kick, once the ball has been moved
+  double held_seconds = 0.5;   ///< [s] of undisputed control by the keeper in its area that end it; 0: none
   bool ends_leaving_area = true;   ///< a kick ends when the ball leaves the goal area again, backwards
   bool ends_past_midfield = true;  ///< a kick ends when the ball passes the half-way line backwards
 };

@@ -49,6 +49,7 @@ struct ShootOutState {
   PerTeam<int> goals{};  ///< not part of the match's score
   TeamId first = TeamId::kBlue;
   Tick still_ticks = 0;       ///< for how long the ball has been at rest
+  Tick held_ticks = 0;        ///< for how long the keeper has held it
   bool entered_area = false;  ///< the ball has been in the keeper's area
 };
 

@@ -276,17 +276,24 @@ Placement place(const RefereeSetup& setup, const RefereeState& state, const Rest
   return placement;
 }
 
-std::optional<PlacementFlaw> findPlacementFlaw(const RefereeSetup& setup, const RefereeState& state,
-                                               const RestartCall& call, const Placement& placement) {
+std::vector<PlacementFlaw> findPlacementFlaws(const RefereeSetup& setup, const RefereeState& state,
+                                              const RestartCall& call, const Placement& placement) {
   Placer placer(setup, state, call);
-  if (placement.ball != call.ball) return PlacementFlaw{call.team, 0, "the ball is not on its spot"};
+  std::vector<PlacementFlaw> flaws;
+  if (placement.ball != call.ball) flaws.push_back({call.team, 0, "the ball is not on its spot"});
   for (const TeamId team : {call.team, other(call.team)}) {
     for (const Standing& robot : placer.standing(team, placement.robots[indexOf(team)])) {
       const std::string_view reason = placer.judge(robot);
-      if (!reason.empty()) return PlacementFlaw{team, robot.id.number, reason};
+      if (!reason.empty()) flaws.push_back({team, robot.id.number, reason});
     }
   }
-  return std::nullopt;
+  return flaws;
+}
+
+std::optional<PlacementFlaw> findPlacementFlaw(const RefereeSetup& setup, const RefereeState& state,
+                                               const RestartCall& call, const Placement& placement) {
+  const std::vector<PlacementFlaw> flaws = findPlacementFlaws(setup, state, call, placement);
+  return flaws.empty() ? std::nullopt : std::optional(flaws.front());
 }
 
 bool legalPlacement(const RefereeSetup& setup, const RefereeState& state, const RestartCall& call,

@@ -29,7 +29,11 @@ struct PlacementFlaw {
   std::string_view reason;  ///< such as "overlaps a robot"; static lifetime
 };
 
-/// The first thing in which a placement breaks the rule of its restart.
+/// All robots that break the rule of their restart, those of the taking team first. Of robots that overlap
+/// the later one is named.
+std::vector<PlacementFlaw> findPlacementFlaws(const RefereeSetup& setup, const RefereeState& state,
+                                              const RestartCall& call, const Placement& placement);
+/// The first of them.
 std::optional<PlacementFlaw> findPlacementFlaw(const RefereeSetup& setup, const RefereeState& state,
                                                const RestartCall& call, const Placement& placement);
 /// Whether there is none.

@@ -1,5 +1,6 @@
 #include "referee/rules.hpp"
 
+#include <array>
 #include <filesystem>
 #include <span>
 
@@ -23,8 +24,19 @@ struct RulesFile {
   Rules rules;
 };
 
-Result<RulesFile> readRules(std::string_view text, const std::string& origin) {
+/// Keys of [fouls] that are no more. Recordings hold whole profiles, so those of earlier versions have them.
+using RetiredKeys = std::array<double, 3>;
+
+void append(Schema& schema, RetiredKeys& values) {
+  schema.push_back({"hidden_share", &values[0], 0, 1, "", ""});
+  schema.push_back({"hidden_seconds", &values[1], 0, 600, "s", ""});
+  schema.push_back({"pinned_gap", &values[2], 0, 1, "m", ""});
+}
+
+/// `recorded`: the text may be of an earlier version.
+Result<RulesFile> readRules(std::string_view text, const std::string& origin, bool recorded) {
   Rules rules;
+  RetiredKeys retired{};
   const std::vector<RulesTable> tables = tablesOf(rules);
   std::vector<std::string> names;
   names.reserve(tables.size());
@@ -33,7 +45,9 @@ Result<RulesFile> readRules(std::string_view text, const std::string& origin) {
   if (!document) return tl::unexpected<Error>(document.error());
   rules.name = document->fallbackName();
   for (const RulesTable& table : tables) {
-    if (auto read = document->read(table.name, table.schema, table.name == "rules"); !read) {
+    Schema schema = table.schema;
+    if (recorded && table.name == "fouls") append(schema, retired);
+    if (auto read = document->read(table.name, schema, table.name == "rules"); !read) {
       return tl::unexpected<Error>(read.error());
     }
   }
@@ -59,7 +73,7 @@ Result<Rules> withField(RulesFile file, const std::string& path) {
 }  // namespace
 
 Result<Rules> parseRules(std::string_view text, const std::string& origin) {
-  auto file = readRules(text, origin);
+  auto file = readRules(text, origin, true);
   if (!file) return tl::unexpected<Error>(file.error());
   return std::move(file->rules);
 }
@@ -77,7 +91,7 @@ Result<Rules> loadRules(const std::string& name_or_file) {
   }
   const auto text = readTextFile(name_or_file, kMaxTomlBytes);
   if (!text) return tl::unexpected<Error>(text.error());
-  auto file = readRules(*text, name_or_file);
+  auto file = readRules(*text, name_or_file, false);
   if (!file) return tl::unexpected<Error>(file.error());
   return withField(std::move(*file), name_or_file);
 }

@@ -38,7 +38,8 @@ struct Rules {
 /// suggestion), kIo for a file that cannot be read, kBadInput as `file:line: table.key ...` with the range.
 /// A field that is a relative path counts from the profile's folder and must load.
 Result<Rules> loadRules(const std::string& name_or_file);
-/// The same from text; `origin` stands for the file name in errors. Opens no field.
+/// The same from text; `origin` stands for the file name in errors. Opens no field. Skips keys that earlier
+/// versions had, as recordings hold them.
 Result<Rules> parseRules(std::string_view text, const std::string& origin);
 /// Checks ranges and consistency; the error names the key.
 Result<void> validate(const Rules& rules);

@@ -53,6 +53,8 @@ Schema schemaOf(ShootOutRules& s) {
       {"rest_speed", &s.rest_speed, 0, 1, "m/s", "at most this is rest; ours"},
       {"rest_seconds", &s.rest_seconds, 0, kLongestWait, "s",
        "of rest that end a kick, once it was moved; ours"},
+      {"held_seconds", &s.held_seconds, 0, kLongestWait, "s",
+       "of the keeper's undisputed control in its area that end a kick, 0 = none do; law 7.2, time ours"},
       {"ends_leaving_area", &s.ends_leaving_area, 0, 0, "",
        "a kick ends when the ball leaves the goal area backwards; law 7.2"},
       {"ends_past_midfield", &s.ends_past_midfield, 0, 0, "",

@@ -19,10 +19,10 @@ std::optional<TeamId> leader(const ShootOutRules& rules, const ShootOutState& sh
 bool exhausted(const ShootOutRules& rules, const ShootOutState& shoot_out);
 
 /// How a kick ended.
-enum class KickEnd { kGoal, kTime, kRest, kLeftArea, kMidfield };
+enum class KickEnd { kGoal, kTime, kRest, kHeld, kLeftArea, kMidfield };
 
 /// Takes in one tick of the kick of `state.last.team`, `state.play_ticks` into it; a value when it is over.
 std::optional<KickEnd> observeKick(const RefereeSetup& setup, const RefereeState& state,
-                                   const BallState& ball, ShootOutState& shoot_out);
+                                   const MatchView& view, ShootOutState& shoot_out);
 
 }  // namespace fulbito

@@ -16,7 +16,7 @@ echo
 echo "A first look: all methods on 20 layouts, corner to corner at 2.6 m/s"
 build/release/fulbito compare --suite corner --speeds 2.6 --trials 20 --pictures 4 --out "$out/first-look" --html "$out/races.html"
 echo
-echo "The comparison: 200 layouts, three speeds, and the paper's own runs"
+echo "The comparison: 400 layouts, three speeds, and the paper's own runs"
 build/release/fulbito compare --out "$out"
 echo
 echo "A match: two halves of five minutes, recorded"

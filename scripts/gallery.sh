@@ -23,7 +23,9 @@ to=$(awk -v t="$goal" 'BEGIN { print t + 1.5 }')
 export_game --png "$images/match-goal.png" --around goals --from "$from" --to "$to"
 export_game --png "$images/match-goal-light.png" --around goals --from "$from" --to "$to" --theme light
 export_game --trails "$images/match-trails.png" --around goals --from "$from" --to "$to" --theme light --size 640
-export_game --gif "$images/match-goal.gif" --from "$from" --to "$to" --speed 1 --size 400
+# The film by the very commands of README.md.
+"$program" match libero classic --seed 7 --half-seconds 30 --record goals.fbr >/dev/null
+"$program" replay export goals.fbr --force --gif "$images/match-goal.gif" --around goals:1
 export_game --contact-sheet "$images/match-sheet.png" --size 1200
 export_game --heatmap ball "$images/match-heatmap.png" --size 640
 export_game --heatmap yellow "$images/match-heatmap-light.png" --size 640 --theme light

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kTick = 1.0 / 60.0;  // [s]
 constexpr int kHorizon = 16;          // [ticks] in which a robot comes to rest from any speed
+constexpr double kStands = 1e-9;      // [m/s]
 constexpr double kGrip = 5.5;         // [m/s^2] at which a robot that slides across comes to rest
 
 /// A robot rolled forward.
@@ -39,8 +40,9 @@ struct Roll {
   /// As a twist is carried out: what the wheels can gain goes to turning first.
   void drive(Twist wanted) {
     const double before = forward, most = pitch.acceleration * kTick;
-    const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most, most);
-    const double rest = most - std::abs(turn);
+    const double most_turn = pitch.turning * pitch.half_track * kTick;
+    const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most_turn, most_turn);
+    const double rest = most * (1.0 - std::abs(turn) / most_turn);
     yaw = std::clamp(yaw + turn, -pitch.speed, pitch.speed);
     const double room = pitch.speed - std::abs(yaw);
     forward = std::clamp(forward + std::clamp(wanted.linear - forward, -rest, rest), -room, room);
@@ -49,12 +51,13 @@ struct Roll {
 
   /// Both wheels told to stand.
   void brake() {
-    const double before = forward, most = pitch.braking * kTick;
-    double left = forward - yaw, right = forward + yaw;
-    left -= std::clamp(left, -most, most);
-    right -= std::clamp(right, -most, most);
-    forward = (left + right) / 2;
-    yaw = (right - left) / 2;
+    const double before = forward;
+    const RimSpeeds rims{forward - yaw, forward + yaw};
+    const RimSpeeds most{pitch.motors.limit(), pitch.motors.limit()};
+    const RimSpeeds change = pitch.motors.change(rims, {}, pitch.motors.pulls(rims, {}, most));
+    forward += (change.left + change.right) / 2;
+    yaw += (change.right - change.left) / 2;
+    if (std::abs(forward) + std::abs(yaw) < kStands) forward = yaw = 0.0;
     move((before + forward) / 2);
   }
 

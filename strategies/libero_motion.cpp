@@ -37,8 +37,8 @@ double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target) {
   if (d < 0.01) return 0.0;
   const Vec2 to = way / d;
   const Vec2 face = math::unit(robot.pose.heading);
-  const double turn = 1.4 * std::sqrt(foldedAngle(std::abs(cross(face, to)), std::abs(dot(face, to))) *
-                                      pitch.half_track / pitch.acceleration);
+  const double turn = 1.4 * std::sqrt(foldedAngle(std::abs(cross(face, to)), std::abs(dot(face, to))) /
+                                      pitch.turning);
   const double v0 = std::clamp(dot(robot.velocity, to), -pitch.speed, pitch.speed);
   const double a = pitch.acceleration, v = pitch.speed;
   if (v0 < 0.0) {
@@ -70,8 +70,7 @@ Twist alongHeading(const Pitch&, const RobotState& robot, double heading, double
 }
 
 double fastestTurn(const Pitch& pitch, double angle) {
-  const double yaw_acceleration = pitch.acceleration / pitch.half_track;
-  return std::min(std::sqrt(2.0 * 0.6 * yaw_acceleration * angle), 25.0 * angle);
+  return std::min(std::sqrt(2.0 * 0.6 * pitch.turning * angle), 25.0 * angle);
 }
 
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading) {

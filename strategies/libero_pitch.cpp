@@ -21,9 +21,10 @@ Pitch::Pitch(const MatchInfo& info)
       robot_corner(info.robot.circumradius()),
       speed(info.robot.maxSpeed()),
       acceleration(info.robot.wheel_acceleration),
-      braking(info.robot.wheel_braking),
+      turning(info.robot.turnAcceleration()),
       half_track(info.robot.axle_track / 2),
       wheel_radius(info.robot.wheel_radius),
+      motors(info.robot, info.physics.controlPeriod()),
       team_size(info.team_size) {}
 
 Vec2 Pitch::inside(Vec2 p, double margin) const {

@@ -1,6 +1,7 @@
 // Private header of strategies: not installed.
 #pragma once
 
+#include "engine/core/drive_law.hpp"
 #include "strategies/observation.hpp"
 
 namespace fulbito::libero {
@@ -31,10 +32,11 @@ struct Pitch {
   double robot_half = 0.0375;   ///< [m] half of the longer side
   double robot_corner = 0.053;  ///< [m] centre to corner
   double speed = 1.2;           ///< [m/s] of a robot at most
-  double acceleration = 6.45;   ///< [m/s^2] of a wheel
-  double braking = 7.35;        ///< [m/s^2] of a wheel
+  double acceleration = 7.0;    ///< [m/s^2] straight on
+  double turning = 289.0;       ///< [rad/s^2] in place
   double half_track = 0.03875;  ///< [m]
   double wheel_radius = 0.026;  ///< [m]
+  DriveLaw motors{RobotModel{}, 1.0 / 60.0};  ///< in a tick
   int team_size = 3;
 };
 

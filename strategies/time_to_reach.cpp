@@ -10,7 +10,7 @@ namespace fulbito {
 RobotPace::RobotPace(const RobotModel& robot)
     : speed(robot.maxSpeed()),
       acceleration(std::min(robot.wheel_acceleration, robot.longitudinal_grip)),
-      track(robot.axle_track) {}
+      turning(robot.turnAcceleration()) {}
 
 double timeAlong(const RobotPace& pace, double distance, double speed) {
   const double v = pace.speed, a = pace.acceleration;
@@ -25,8 +25,8 @@ double timeAlong(const RobotPace& pace, double distance, double speed) {
 }
 
 double timeToTurn(const RobotPace& pace, double angle) {
-  // Bang-bang turning takes 2 sqrt(angle b / 2a); a robot that is already driving hides part of it.
-  return 2.0 * std::sqrt(angle * pace.track / (2.0 * pace.acceleration));
+  // Bang-bang turning takes 2 sqrt(angle / a); a robot that is already driving hides part of it.
+  return 2.0 * std::sqrt(angle / pace.turning);
 }
 
 double foldedAngle(double sine, double cosine) {

@@ -8,7 +8,7 @@ namespace fulbito {
 struct RobotPace {
   double speed = 1.2;         ///< [m/s] top speed
   double acceleration = 6.0;  ///< [m/s^2] of the body: the lesser of motors and grip
-  double track = 0.0775;      ///< [m]
+  double turning = 289.0;     ///< [rad/s^2] in place
 
   RobotPace() = default;
   explicit RobotPace(const RobotModel& robot);

@@ -15,6 +15,8 @@ namespace {
 constexpr double kText = 17.0, kBadgeText = 12.0;   // [px] at 900 x 780
 constexpr double kSmallest = 7.0, kLargest = 30.0;  // [px]
 constexpr double kLine = 1.62;                      // of the letters' size
+constexpr double kHintText = 12.0;                  // [px] at 900 x 780
+constexpr double kEdge = 22.0;                      // [px] from the board's ends to its texts at 900 x 780
 constexpr double kNoteText = 13.0;                  // [px] at 900 x 780
 constexpr double kFoot = 36.0;                      // [px] height of the bar of time at 900 x 780
 constexpr double kBoard = 84.0;                     // [px] height of the score board at 900 x 780
@@ -110,6 +112,12 @@ void drawBadge(Canvas& canvas, const std::string& word) {
   const Vec2 corner{std::round((canvas.width() - extent.x) / 2), std::round(kBoard * unitOf(canvas)) + 3.0};
   drawPlate(canvas, corner, extent, 0.3 * size, {255, 176, 46, 255});
   canvas.label({corner.x + extent.x / 2, std::round(corner.y + 1.1 * size)}, word, style);
+}
+
+void drawHint(Canvas& canvas, PictureTheme theme, const std::string& hint) {
+  const double unit = unitOf(canvas), size = std::max(kHintText * unit, 8.0);
+  canvas.label({std::round(canvas.width() - kEdge * unit), std::round(kBoard * unit - 0.45 * size)}, hint,
+               {size, coloursOf(theme).text, TextAlign::kRight, false});
 }
 
 void drawNote(Canvas& canvas, PictureTheme theme, const std::string& note) {

@@ -14,6 +14,9 @@ void drawHelp(Canvas& canvas, PictureTheme theme, bool live);
 /// A word on a plate under the score, for what must not be overlooked.
 void drawBadge(Canvas& canvas, const std::string& word);
 
+/// A small line at the right end of the score board's foot.
+void drawHint(Canvas& canvas, PictureTheme theme, const std::string& hint);
+
 /// A line on a plate at the foot of the field: how play stands, or what was done. Nothing for an empty one.
 void drawNote(Canvas& canvas, PictureTheme theme, const std::string& note);
 

@@ -97,7 +97,7 @@ void MatchStage::ticked(const MatchTick& tick) {
     describe(event, event_);
     // Of several calls at one tick a goal is the news.
     const bool goal_stays = called_ && call_.tick == event.tick && call_.clause == "goal";
-    if (goal_stays || bannerOf(event_, play_, header_.recipe).title.empty()) continue;
+    if (goal_stays || bannerOf(event_, header_.recipe).title.empty()) continue;
     call_ = event_;
     called_ = true;
   }
@@ -110,7 +110,7 @@ void MatchStage::ticked(const MatchTick& tick) {
 MatchBanner MatchStage::banner() const {
   const bool waits = !match_->referee().playing && call_.tick >= play_.tick;
   const double age = match_->seconds() - static_cast<double>(call_.tick) * frameSeconds();
-  if (called_ && (waits || age < kBanner)) return bannerOf(call_, play_, header_.recipe);
+  if (called_ && (waits || age < kBanner)) return bannerOf(call_, header_.recipe);
   return match_->referee().playing || over_ ? MatchBanner{} : bannerOf(play_, header_.recipe);
 }
 

@@ -11,7 +11,7 @@ std::vector<double> eventsOf(const ReplayTimeline& timeline) {
   std::vector<double> times;
   for (const RecordedEvent& event : timeline.events()) {
     // What has no banner, such as a repaired placement, is no news.
-    if (bannerOf(event, timeline.plays().front(), timeline.header().recipe).title.empty()) continue;
+    if (bannerOf(event, timeline.header().recipe).title.empty()) continue;
     times.push_back(std::max(0.0, timeline.secondsAt(event.tick) - ReplayStage::kLead));
   }
   std::sort(times.begin(), times.end());

@@ -33,6 +33,7 @@ Result<void> ViewScreen::draw(Viewer& viewer, int width, int height) {
   }
   viewer.show(moment_, overlays_);
   picture_->drawFrame(*canvas_, moment_, overlays_);
+  drawHint(*canvas_, settings.theme, viewer.hint());
   drawNote(*canvas_, settings.theme, viewer.note());
   if (viewer.stage().edited()) drawBadge(*canvas_, kEdited);
   if (settings.help) drawHelp(*canvas_, settings.theme, viewer.stage().live());

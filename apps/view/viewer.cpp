@@ -258,9 +258,10 @@ std::string Viewer::note() const {
   const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : " - ") + part; };
   if (settings_.paused && !stage().over()) add("paused");
   if (stage().over()) add("end");
-  if (settings_.speed != 1.0) add(speedText(settings_.speed));
   if (stages_.size() > 1) add(fmt::format("file {} of {}", current_ + 1, stages_.size()));
   return text;
 }
+
+std::string Viewer::hint() const { return speedText(settings_.speed) + " speed,  H: keys"; }
 
 }  // namespace fulbito

@@ -73,8 +73,10 @@ class Viewer {
   std::size_t count() const { return stages_.size(); }
   /// E.g. "libero 2 : 1 classic - game.fbr".
   std::string title() const;
-  /// How play stands and what was done last, e.g. "saved a.png - paused - 1/2x".
+  /// How play stands and what was done last, e.g. "saved a.png - paused".
   std::string note() const;
+  /// What is always to be seen: the speed of play, and where help is.
+  std::string hint() const;
 
  private:
   bool playing() const;

@@ -13,6 +13,21 @@ std::optional<Flaw> ownRangeFlaw(T value, const char* table, int index = -1) {
   return rangeFlaw(schemaOf(value), table, index);
 }
 
+/// Wheels that the body has no room for: a slip of the decimal point in most cases.
+std::optional<Flaw> wheelFlaw(const RobotModel& robot) {
+  const double longest_wheel = std::max(robot.length, robot.width) / 2, widest = 2 * robot.circumradius();
+  if (robot.wheel_radius > longest_wheel) {
+    return Flaw{"robot", -1, "wheel_radius",
+                fmt::format("= {} must be at most half of the body's longer side, {} m", robot.wheel_radius,
+                            longest_wheel)};
+  }
+  if (robot.axle_track > widest) {
+    return Flaw{"robot", -1, "axle_track",
+                fmt::format("= {} must be at most the body's diagonal, {:.6g} m", robot.axle_track, widest)};
+  }
+  return std::nullopt;
+}
+
 bool allEqual(const std::vector<Vec2>& path) {
   return std::all_of(path.begin(), path.end(), [&](Vec2 p) { return p == path.front(); });
 }
@@ -35,6 +50,7 @@ std::optional<Flaw> pathFlaw(const ObstacleSpec& obstacle, int index) {
 
 std::optional<Flaw> findFlaw(const RobotModel& robot) {
   if (auto flaw = ownRangeFlaw(robot, "robot")) return flaw;
+  if (auto flaw = wheelFlaw(robot)) return flaw;
   if (robot.spin_slow_speed > 0.0 && !(robot.spin_fast_speed > robot.spin_slow_speed)) {
     return Flaw{
         "robot", -1, "spin_fast_speed",

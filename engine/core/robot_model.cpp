@@ -3,11 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/drive_law.hpp"
 #include "engine/core/math.hpp"
 
 namespace fulbito {
 
 double RobotModel::circumradius() const { return 0.5 * std::sqrt(length * length + width * width); }
+
+double RobotModel::inertia() const { return mass * (length * length + width * width) / 12; }
+
+double RobotModel::motorPull() const {
+  return std::max(wheel_acceleration + rolling_drag, wheel_braking - rolling_drag);
+}
+
+// Motors that pull F each give the mass 2 F / m, and against each other the rims track^2 F / (2 I).
+double RobotModel::turnShare() const {
+  const double half_track = axle_track / 2;
+  if (yaw_acceleration > 0.0) return yaw_acceleration * half_track / std::max(motorPull(), 1e-9);
+  return mass * half_track * half_track / inertia();
+}
+
+double RobotModel::turnAcceleration() const { return turnShare() * motorPull() / (axle_track / 2); }
 
 WheelSpeeds inverseKinematics(const RobotModel& robot, Twist twist) {
   const double turn = twist.angular * robot.axle_track / 2;
@@ -35,10 +51,13 @@ WheelSpeeds roundedTo(WheelSpeeds wheels, double step) {
 }
 
 RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt) {
-  const double change = model.wheel_acceleration * dt / model.wheel_radius;
+  const DriveLaw law(model, dt);
+  const double radius = model.wheel_radius;
+  const RimSpeeds ground{robot.wheels.left * radius, robot.wheels.right * radius};
+  const RimSpeeds target{command.left * radius, command.right * radius};
+  const RimSpeeds change = law.change(ground, target, law.pulls(ground, target, {law.limit(), law.limit()}));
   const WheelSpeeds before = robot.wheels;
-  robot.wheels.left += std::clamp(command.left - before.left, -change, change);
-  robot.wheels.right += std::clamp(command.right - before.right, -change, change);
+  robot.wheels = {(ground.left + change.left) / radius, (ground.right + change.right) / radius};
   const Twist twist = forwardKinematics(
       model, {(before.left + robot.wheels.left) / 2, (before.right + robot.wheels.right) / 2});
   const double middle = robot.pose.heading + twist.angular * dt / 2;

@@ -8,8 +8,8 @@
 namespace fulbito {
 
 /// Differential-drive robot: a rectangular body on two wheels whose rim speed follows the command by a servo
-/// with a limited torque, and whose grip on the floor is limited along and across the wheels. Defaults: a 7.5
-/// cm league robot.
+/// with a limited force, and whose grip on the floor is limited along and across the wheels. The body couples
+/// the wheels: what one pulls, the other feels (docs/models.md). Defaults: a 7.5 cm league robot.
 struct RobotModel {
   std::string name = "vsss";
   double length = 0.075;           ///< [m] body along x
@@ -18,9 +18,10 @@ struct RobotModel {
   double wheel_radius = 0.026;     ///< [m]
   double axle_track = 0.0775;      ///< [m] between wheel centres
   double max_wheel_speed = 46.08;  ///< [rad/s] saturates, does not fail
-  double wheel_acceleration =
-      6.45;                        ///< [m/s^2] rim acceleration that the motor torque allows when speeding up
-  double wheel_braking = 7.5;      ///< [m/s^2] the same when slowing down
+  double wheel_acceleration = 7.0;  ///< [m/s^2] straight on, both motors pulling
+  double wheel_braking = 7.0;       ///< [m/s^2] straight on, both motors braking
+  double yaw_acceleration = 0.0;    ///< [rad/s^2] in place, motors against each other; 0 = from mass and shape
+  double rolling_drag = 0.0;        ///< [m/s^2] that the motors overcome beside `wheel_acceleration`
   double longitudinal_grip = 9.0;  ///< [m/s^2] Coulomb limit along the wheels
   double lateral_grip = 6.0;       ///< [m/s^2] Coulomb limit across the wheels
   double spin_slow_speed = 0.0;  ///< [m/s] rim speed of the first measured spin in place; 0 = ideal spinning
@@ -30,6 +31,10 @@ struct RobotModel {
   double friction = 0.2;         ///< of the body against robots, walls and obstacles
   double restitution = 0.1;      ///< of the body against robots, walls and obstacles
 
+  double inertia() const;         ///< [kg m^2] of the body's rectangle about its middle
+  double motorPull() const;       ///< [m/s^2] that both motors together give the mass, drag included
+  double turnShare() const;       ///< rims' acceleration in place over `motorPull`
+  double turnAcceleration() const;  ///< [rad/s^2] in place: `yaw_acceleration`, or what the motors give
   double maxSpeed() const { return max_wheel_speed * wheel_radius; }  ///< [m/s]
   double circumradius() const;                                        ///< [m] of the body's rectangle
 };
@@ -47,7 +52,7 @@ WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels);
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step);
 
 /// State of `robot` one tick of `dt` [s] later when its wheels follow `command` as fast as its motors allow
-/// and do not slip.
+/// (`DriveLaw`) and do not slip.
 RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt);
 
 }  // namespace fulbito

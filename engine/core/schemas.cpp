@@ -11,7 +11,7 @@ constexpr double kLongestLabel = 100;
 // A member that is added to a struct needs a key below, and then its size here.
 template <typename T, std::size_t labels, std::size_t numbers>
 constexpr bool kHasOnly = sizeof(T) == labels * sizeof(std::string) + numbers * sizeof(double);
-static_assert(kHasOnly<RobotModel, 1, 16>);
+static_assert(kHasOnly<RobotModel, 1, 18>);
 static_assert(kHasOnly<BallModel, 0, 10>);
 static_assert(kHasOnly<FieldGeometry, 1, 16>);
 
@@ -26,8 +26,10 @@ Schema schemaOf(RobotModel& r) {
       {"wheel_radius", &r.wheel_radius, 0.001, 0.5, "m", ""},
       {"axle_track", &r.axle_track, 0.005, 1.0, "m", "between wheel centres"},
       {"max_wheel_speed", &r.max_wheel_speed, 0.1, 1000.0, "rad/s", "saturates, does not fail"},
-      {"wheel_acceleration", &r.wheel_acceleration, 0.01, 1000.0, "m/s^2", "of the rim when speeding up"},
-      {"wheel_braking", &r.wheel_braking, 0.01, 1000.0, "m/s^2", "of the rim when slowing down"},
+      {"wheel_acceleration", &r.wheel_acceleration, 0.01, 1000.0, "m/s^2", "straight on, both motors pulling"},
+      {"wheel_braking", &r.wheel_braking, 0.01, 1000.0, "m/s^2", "straight on, both motors braking"},
+      {"yaw_acceleration", &r.yaw_acceleration, 0.0, 1e5, "rad/s^2", "in place; 0 = from mass and shape"},
+      {"rolling_drag", &r.rolling_drag, 0.0, 100.0, "m/s^2", "that the motors overcome beside wheel_acceleration"},
       {"longitudinal_grip", &r.longitudinal_grip, 0.01, 1000.0, "m/s^2", "Coulomb limit along the wheels"},
       {"lateral_grip", &r.lateral_grip, 0.01, 1000.0, "m/s^2", "Coulomb limit across the wheels"},
       {"spin_slow_speed", &r.spin_slow_speed, 0.0, 20.0, "m/s", "rim speed of the first spin; 0 = ideal"},
@@ -62,6 +64,7 @@ Schema schemaOf(PhysicsProfile& p) {
       {"velocity_iterations", &p.velocity_iterations, 1, 50, "", "of the contact solver"},
       {"position_iterations", &p.position_iterations, 1, 50, "", "of the contact solver"},
       {"bullet_ball", &p.bullet_ball, 0, 0, "", "continuous collision of the ball against moving bodies"},
+      {"contact_depth", &p.contact_depth, 0.0, 0.1, "m", "steps are split so that bodies meet no deeper; 0 = never"},
       {"max_ball_speed", &p.max_ball_speed, 0.1, 50.0, "m/s", "up to which the ball does not tunnel"},
       {"restitution_threshold", &p.restitution_threshold, 0.0, 10.0, "m/s", "slower impacts do not bounce"},
       {"wheel_command_step", &p.wheel_command_step, 0.0, 10.0, "rad/s", "rounds commands; 0 = not rounded"},

@@ -27,8 +27,9 @@ b2BodyDef definition(b2BodyType type, const Pose2& pose, std::size_t number) {
 }
 
 // Friction and restitution belong to pairs: ContactLog sets them when two bodies meet.
-void addShape(b2Body& body, const b2Shape& shape, const WorldConfig& config) {
+void addShape(b2Body& body, const b2Shape& shape, const WorldConfig& config, std::size_t part = 0) {
   b2FixtureDef def;
+  def.userData.pointer = part;
   def.shape = &shape;
   def.restitutionThreshold = units::length(config.physics.restitution_threshold);
   body.CreateFixture(&def);
@@ -65,12 +66,13 @@ b2BodyType typeOf(ObstacleMotion motion) {
 b2Body* addWalls(b2World& world, const WorldConfig& config, std::size_t number) {
   const b2BodyDef def = definition(b2_staticBody, {}, number);
   b2Body* body = world.CreateBody(&def);
+  std::size_t part = 0;
   for (const WallOutline& outline : wallOutlines(config.field, units::kPolygonInset)) {
     std::array<b2Vec2, 4> points;
     for (std::size_t i = 0; i < points.size(); ++i) points[i] = units::vector(outline[i]);
     b2PolygonShape wall;
     wall.Set(points.data(), static_cast<int32>(points.size()));
-    addShape(*body, wall, config);
+    addShape(*body, wall, config, part++);
   }
   return body;
 }
@@ -82,7 +84,7 @@ b2Body* addRobot(b2World& world, const WorldConfig& config, const RobotPlacement
   def.angularVelocity = static_cast<float>(robot.angular_velocity);
   b2Body* body = world.CreateBody(&def);
   addBox(*body, model.length, model.width, config);
-  setMass(*body, model.mass, model.mass * (model.length * model.length + model.width * model.width) / 12);
+  setMass(*body, model.mass, model.inertia());
   return body;
 }
 

@@ -79,6 +79,7 @@ Result<void> checkPhysics(const PhysicsProfile& physics) {
       .range("velocity_iterations", physics.velocity_iterations, 1, 50)
       .range("position_iterations", physics.position_iterations, 1, 50)
       .range("restitution_threshold", physics.restitution_threshold, 0.0, 10.0)
+      .range("contact_depth", physics.contact_depth, 0.0, 0.1)
       .range("wheel_command_step", physics.wheel_command_step, 0.0, 10.0)
       .that(physics.wheel_command_step == 0.0 || physics.wheel_command_step >= 1e-6, "wheel_command_step",
             "must be 0 or at least 1e-6")
@@ -100,6 +101,8 @@ Result<void> checkRobot(const RobotPlacement& robot, const FieldGeometry& field,
       .range("max_wheel_speed", model.max_wheel_speed, 0.0, 1e4)
       .range("wheel_acceleration", model.wheel_acceleration, 0.0, kMaxRate)
       .range("wheel_braking", model.wheel_braking, 0.0, kMaxRate)
+      .range("yaw_acceleration", model.yaw_acceleration, 0.0, 1e5)
+      .range("rolling_drag", model.rolling_drag, 0.0, kMaxRate)
       .range("longitudinal_grip", model.longitudinal_grip, 0.0, kMaxRate)
       .range("lateral_grip", model.lateral_grip, 0.0, kMaxRate)
       .range("spin_slow_speed", model.spin_slow_speed, 0.0, 100.0)

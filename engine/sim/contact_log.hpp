@@ -22,7 +22,8 @@ class ContactLog final : public b2ContactListener {
   };
 
   /// @param bodies  identity of each body, by its number
-  ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces);
+  /// @param walls  unit vectors into the field, by number of the walls' fixtures
+  ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces, std::vector<Vec2> walls);
 
   void startTick(Tick tick);
   void startStep() { wall_hits_.clear(); }
@@ -33,6 +34,7 @@ class ContactLog final : public b2ContactListener {
   std::span<const WallHit> wallHits() const { return wall_hits_; }
 
   void BeginContact(b2Contact* contact) override;
+  void PreSolve(b2Contact* contact, const b2Manifold* before) override;
   void PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) override;
 
  private:
@@ -44,6 +46,7 @@ class ContactLog final : public b2ContactListener {
 
   std::vector<BodyId> bodies_;
   std::vector<Surface> surfaces_;
+  std::vector<Vec2> walls_;
   std::vector<Pair> pairs_;  // by number of the first body times count plus number of the second
   std::vector<ContactEvent> events_;
   std::vector<WallHit> wall_hits_;

@@ -15,15 +15,14 @@ SpinRatio::SpinRatio(const RobotModel& robot) {
 }
 
 Drive::Drive(const RobotModel& robot, double step_period, double command_step)
-    : spin_ratio_(robot),
+    : law_(robot, step_period),
+      spin_ratio_(robot),
       max_wheel_speed_(robot.max_wheel_speed),
       command_step_(std::max(command_step, 0.0)),
       per_command_step_(command_step > 0.0 ? 1.0 / command_step : 0.0),
       radius_(robot.wheel_radius),
       half_track_(robot.axle_track / 2),
       per_radius_(1.0 / robot.wheel_radius),
-      max_gain_(robot.wheel_acceleration * step_period),
-      max_loss_(robot.wheel_braking * step_period),
       max_grip_(robot.longitudinal_grip * step_period),
       max_lateral_(robot.lateral_grip * step_period) {}
 
@@ -38,38 +37,41 @@ double Drive::rimTarget(double wheel_speed) const {
 
 void Drive::setCommand(WheelSpeeds command) {
   const double left = rimTarget(command.left), right = rimTarget(command.right);
-  const double half_difference = (right - left) / 2;
-  const double turn = half_difference * spin_ratio_.at(std::abs(half_difference));
-  left_.target = (left + right) / 2 - turn;
-  right_.target = (left + right) / 2 + turn;
+  const double common = (left + right) / 2, half_difference = (right - left) / 2;
+  const double in_place = std::abs(half_difference) - std::abs(common);  // 0 where one wheel stands
+  double turn = half_difference;
+  if (in_place > 0.0) turn += (spin_ratio_.at(std::abs(half_difference)) - 1.0) * std::copysign(in_place, turn);
+  target_ = {common - turn, common + turn};
 }
 
-double Drive::pull(Wheel& wheel, double ground) const {
-  const bool slows = wheel.target * ground < 0.0 || std::abs(wheel.target) < std::abs(ground);
-  const double limit = slows ? max_loss_ : max_gain_;
-  const double demand = std::clamp(wheel.target - ground, -limit, limit);
-  if (std::abs(demand) <= max_grip_) {
-    wheel.slips = false;
-    return demand;
+// The most that the floor passes on to a wheel. A motor that pulls more turns the rim by itself.
+double Drive::slippingLimit(double pull, double target, double ground, double& rim, bool& slips) const {
+  if (std::abs(pull) <= max_grip_) {
+    slips = false;
+    return law_.limit();
   }
-  if (!wheel.slips) wheel.rim = ground;
-  wheel.slips = true;
-  wheel.rim += std::clamp(wheel.target - wheel.rim, -limit, limit);
-  return std::copysign(max_grip_, demand);
+  if (!slips) rim = ground;
+  slips = true;
+  rim += std::clamp(target - rim, -law_.limit(), law_.limit());
+  return max_grip_;
 }
 
 BodyMotion Drive::step(const BodyMotion& motion) {
   const double turn = motion.yaw * half_track_;
-  const double left = pull(left_, motion.forward - turn);
-  const double right = pull(right_, motion.forward + turn);
-  return {(left + right) / 2, -std::clamp(motion.sideways, -max_lateral_, max_lateral_),
-          (right - left) / (2 * half_track_)};
+  const RimSpeeds ground{motion.forward - turn, motion.forward + turn};
+  RimSpeeds pulls = law_.pulls(ground, target_, {law_.limit(), law_.limit()});
+  const double left = slippingLimit(pulls.left, target_.left, ground.left, rim_.left, left_slips_);
+  const double right = slippingLimit(pulls.right, target_.right, ground.right, rim_.right, right_slips_);
+  if (left_slips_ || right_slips_) pulls = law_.pulls(ground, target_, {left, right});
+  const RimSpeeds change = law_.change(ground, target_, pulls);
+  return {(change.left + change.right) / 2, -std::clamp(motion.sideways, -max_lateral_, max_lateral_),
+          (change.right - change.left) / (2 * half_track_)};
 }
 
 WheelSpeeds Drive::encoders(double forward, double yaw) const {
   const double turn = yaw * half_track_;
-  const double left = left_.slips ? left_.rim : forward - turn;
-  const double right = right_.slips ? right_.rim : forward + turn;
+  const double left = left_slips_ ? rim_.left : forward - turn;
+  const double right = right_slips_ ? rim_.right : forward + turn;
   return {left * per_radius_, right * per_radius_};
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/core/robot_model.hpp"
+#include "engine/core/drive_law.hpp"
 #include "engine/core/values.hpp"
 
 namespace fulbito {
@@ -16,7 +16,8 @@ struct BodyMotion {
 };
 
 /// Yaw rate that a robot reaches spinning in place, over that of ideal wheels: linear in the rim speed
-/// between the model's two measured points, constant outside; 1 where the model has none.
+/// between the model's two measured points, constant outside; 1 where the model has none. Wheels that roll
+/// the same way scrub less: the ratio fades from spinning in place to turning about a wheel.
 class SpinRatio {
  public:
   explicit SpinRatio(const RobotModel& robot);
@@ -30,9 +31,9 @@ class SpinRatio {
   double slope_ = 0.0;  // [s/m]
 };
 
-/// Motors, wheels and tyres of one robot. Each wheel's motor pulls its rim toward the command with a limited
-/// acceleration; the floor passes on no more than the tyre's grip, beyond which the wheel slips; across the
-/// wheels the tyres resist up to their own limit (Coulomb).
+/// Motors, wheels and tyres of one robot. The motors pull the rims toward the command by the `DriveLaw`; the
+/// floor passes on no more than the tyre's grip, beyond which the wheel slips; across the wheels the tyres
+/// resist up to their own limit (Coulomb).
 class Drive {
  public:
   /// @param step_period   [s] one physics step
@@ -50,14 +51,10 @@ class Drive {
   WheelSpeeds encoders(double forward, double yaw) const;
 
  private:
-  struct Wheel {
-    double target = 0.0;  // [m/s] at the rim
-    double rim = 0.0;     // [m/s], its own only while it slips
-    bool slips = false;
-  };
   double rimTarget(double wheel_speed) const;
-  double pull(Wheel& wheel, double ground) const;
+  double slippingLimit(double pull, double target, double ground, double& rim, bool& slips) const;
 
+  DriveLaw law_;
   SpinRatio spin_ratio_;
   double max_wheel_speed_;
   double command_step_;      // [rad/s], 0: not rounded
@@ -65,12 +62,12 @@ class Drive {
   double radius_;            // [m]
   double half_track_;        // [m]
   double per_radius_;        // [1/m]
-  double max_gain_;          // [m/s] in one step, speeding up
-  double max_loss_;          // [m/s] in one step, slowing down
   double max_grip_;          // [m/s] in one step, along the wheels
   double max_lateral_;       // [m/s] in one step, across
-  Wheel left_;
-  Wheel right_;
+  RimSpeeds target_;
+  RimSpeeds rim_;  // its own only while the wheel slips
+  bool left_slips_ = false;
+  bool right_slips_ = false;
 };
 
 }  // namespace fulbito

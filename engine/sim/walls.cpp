@@ -55,4 +55,11 @@ std::vector<WallOutline> wallOutlines(const FieldGeometry& field, double shift) 
   return walls;
 }
 
+Vec2 inward(const WallOutline& wall) { return perp(unitOr(wall[3] - wall[0], {})); }
+
+bool pushesInward(Vec2 inward, Vec2 normal) {
+  constexpr double kAlong = -0.1;  // a goal post pushes along the wall's face too
+  return dot(inward, normal) >= kAlong;
+}
+
 }  // namespace fulbito

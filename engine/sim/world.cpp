@@ -1,5 +1,6 @@
 #include "engine/sim/world.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,19 +8,25 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_world.h>
 
+#include "engine/core/float_mode.hpp"
 #include "engine/core/math.hpp"
+#include "engine/sim/approach.hpp"
 #include "engine/sim/ball_motion.hpp"
 #include "engine/sim/bodies.hpp"
 #include "engine/sim/check_config.hpp"
 #include "engine/sim/contact_log.hpp"
+#include "engine/sim/contact_work.hpp"
 #include "engine/sim/drive.hpp"
 #include "engine/sim/engine_clock.hpp"
 #include "engine/sim/obstacle_motion.hpp"
 #include "engine/sim/reserve.hpp"
 #include "engine/sim/units.hpp"
+#include "engine/sim/walls.hpp"
 
 namespace fulbito {
 namespace {
+
+constexpr int kMostParts = 64;  // of a physics step
 
 Vec2 direction(const b2Body& body) {
   const b2Rot& q = body.GetTransform().q;
@@ -54,7 +61,9 @@ struct World::Impl {
   void driveRobots();
   void rollBalls();
   void moveObstacles(double time);
+  void collide();
   void settleSpins();
+  void watchMovers();
   void readState();
 
   WorldConfig config;
@@ -64,6 +73,10 @@ struct World::Impl {
   std::vector<b2Body*> balls;
   std::vector<b2Body*> obstacles;
   ContactLog contacts;
+  Approach approach;
+  ContactWork contact_work;
+  bool contacts_do_no_work = true;
+  float last_part = 0.0f;  // [s] of the engine's step before
   WorldState state;
 
  private:
@@ -84,11 +97,16 @@ ContactLog World::Impl::makeLog(const WorldConfig& config) {
   Surface obstacle;
   obstacle.kind = Surface::Kind::kObstacle;
   for (std::size_t i = 0; i < config.obstacles.size(); ++i) add(BodyKind::kObstacle, i, obstacle);
-  return ContactLog(std::move(ids), std::move(surfaces));
+  std::vector<Vec2> walls;
+  for (const WallOutline& wall : wallOutlines(config.field, 0.0)) walls.push_back(inward(wall));
+  return ContactLog(std::move(ids), std::move(surfaces), std::move(walls));
 }
 
 World::Impl::Impl(const WorldConfig& from)
-    : config(from), dt(from.physics.stepPeriod()), contacts(makeLog(from)) {
+    : config(from),
+      dt(from.physics.stepPeriod()),
+      contacts(makeLog(from)),
+      approach(units::length(from.physics.contact_depth), from.physics.bullet_ball) {
   reserveContacts(engine, config.robots.size() + config.balls.size() + config.obstacles.size());
   engine.SetAllowSleeping(false);
   engine.SetContactListener(&contacts);
@@ -101,12 +119,34 @@ World::Impl::Impl(const WorldConfig& from)
   for (const BallPlacement& ball : config.balls) balls.push_back(addBall(engine, config, ball, number++));
   for (const ObstacleSpec& obstacle : config.obstacles)
     obstacles.push_back(addObstacle(engine, config, obstacle, number++));
+  watchMovers();
 
   state.robots.resize(robots.size());
   state.balls.resize(balls.size());
   state.obstacles.resize(obstacles.size());
   for (std::size_t i = 0; i < balls.size(); ++i) state.balls[i].spin = config.balls[i].spin;
   readState();
+}
+
+void World::Impl::watchMovers() {
+  const FieldGeometry& field = config.field;
+  approach.setOpen(units::length(field.length / 2 - field.corner), units::length(field.width / 2 - field.corner));
+  for (const WallOutline& wall : wallOutlines(field, 0.0)) {
+    approach.addWall(units::vector(wall[0]), units::vector(wall[3]));
+  }
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const RobotModel& model = config.robots[i].model;
+    approach.addBox(robots[i].body, units::length(model.length / 2), units::length(model.width / 2));
+    contact_work.add(robots[i].body);
+  }
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    approach.addDisc(balls[i], units::length(config.balls[i].model.radius));
+    contact_work.add(balls[i]);
+  }
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (config.obstacles[i].motion == ObstacleMotion::kPath) contacts_do_no_work = false;  // such a one pushes
+    if (config.obstacles[i].motion == ObstacleMotion::kPushable) contact_work.add(obstacles[i]);
+  }
 }
 
 void World::Impl::driveRobots() {
@@ -140,6 +180,24 @@ void World::Impl::moveObstacles(double time) {
   }
 }
 
+void World::Impl::collide() {
+  const float least = static_cast<float>(dt / kMostParts);
+  // What met in a part moves otherwise in the next.
+  for (float left = static_cast<float>(dt); left > 0.0f;) {
+    float part = std::max(left * approach.share(left), least);
+    if (left - part < least) part = left;
+    // The engine begins with the impulses of the step before, scaled up where this one is longer: right for
+    // forces that last, far too much for impacts.
+    engine.SetWarmStarting(part <= last_part);
+    last_part = part;
+    if (contacts_do_no_work) contact_work.remember();
+    engine.Step(part, config.physics.velocity_iterations, config.physics.position_iterations);
+    if (contacts_do_no_work) contact_work.takeBack();
+    for (const Robot& robot : robots) unwindAngle(*robot.body);
+    left -= part;
+  }
+}
+
 void World::Impl::settleSpins() {
   for (const ContactLog::WallHit& hit : contacts.wallHits()) {
     Vec2& spin = state.balls[hit.ball].spin;
@@ -152,14 +210,13 @@ void World::Impl::stepOnce(double time) {
   driveRobots();
   rollBalls();
   moveObstacles(time);
-  engine.Step(static_cast<float>(dt), config.physics.velocity_iterations, config.physics.position_iterations);
+  collide();
   settleSpins();
 }
 
 void World::Impl::readState() {
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    b2Body& body = *robots[i].body;
-    unwindAngle(body);
+    const b2Body& body = *robots[i].body;
     const Vec2 velocity = units::metres(body.GetLinearVelocity());
     const double yaw = static_cast<double>(body.GetAngularVelocity());
     state.robots[i] = {poseOf(body), velocity, yaw,
@@ -184,12 +241,14 @@ World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
 
 Result<World> World::create(const WorldConfig& config) {
+  const FloatMode floats;
   keepEngineClockOut();
   if (auto checked = checkConfig(config); !checked) return tl::unexpected<Error>(checked.error());
   return World(std::make_unique<Impl>(config));
 }
 
 void World::step(std::span<const WheelSpeeds> commands) {
+  const FloatMode floats;
   Impl& world = *impl_;
   const Tick tick = ++world.state.tick;
   world.contacts.startTick(tick);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/build_info.hpp"
+#include "replays/call_words.hpp"
 
 namespace fulbito {
 namespace {
@@ -62,6 +63,7 @@ Json playJson(const PagePlay& play) {
             {"side", play.blue_side == Side::kLeft ? 0 : 1}};
   if (!play.kind.empty()) json["kind"] = play.kind;
   if (play.team) json["team"] = indexOf(*play.team);
+  if (play.favours) json["favours"] = indexOf(*play.favours);
   // Mostly all are there: then nothing is said.
   Json absent = Json::array();
   for (std::size_t i = 0; i < play.present.size(); ++i) {
@@ -71,14 +73,16 @@ Json playJson(const PagePlay& play) {
   return json;
 }
 
-Json eventJson(const RecordedEvent& event) {
+Json eventJson(const RecordedEvent& event, const std::vector<std::string>& teams) {
   Json json{{"tick", event.tick},     {"clock", event.play_time}, {"period", event.period},
             {"clause", event.clause}, {"law", event.law},         {"place", pointOf(event.place)}};
   if (event.team) json["team"] = indexOf(*event.team);
   if (event.robot) json["robot"] = *event.robot;
-  if (event.threshold != 0.0 || event.value != 0.0) {
-    json["measured"] = {shortOf(event.value), shortOf(event.threshold)};
-  }
+  const CallWords words = wordsOf(event, teams);
+  if (!words.title.empty()) json["title"] = words.title;
+  if (!words.detail.empty()) json["detail"] = words.detail;
+  if (words.favours) json["favours"] = indexOf(*words.favours);
+  if (const std::string measured = measuredText(event); !measured.empty()) json["measured"] = measured;
   return json;
 }
 
@@ -161,7 +165,7 @@ Json sceneJson(const PageScene& scene, std::size_t bytes) {
       {"field", fieldJson(scene.field)},
       {"bodies", listOf(scene.bodies, bodyJson)},
       {"plays", listOf(scene.plays, playJson)},
-      {"events", listOf(scene.events, eventJson)},
+      {"events", listOf(scene.events, [&](const RecordedEvent& e) { return eventJson(e, scene.teams); })},
       {"scores", scoresJson(scene)},
       {"commands", {{"every", scene.commands.every}, {"values", scene.commands.values.size()}}},
       {"drawings", {{"ticks", scene.drawing_ticks}, {"count", scene.drawings.size()}, {"texts", texts}}},

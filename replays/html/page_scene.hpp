@@ -39,8 +39,9 @@ struct PagePlay {
   Tick signal = 0;      ///< from here on the clock runs; beyond the play's end: it never does
   double clock = 0.0;   ///< [s] of the period at the beginning
   int period = 1;
-  std::string kind;            ///< how it begins, e.g. kick-off; empty for a trial
-  std::optional<TeamId> team;  ///< who takes the restart
+  std::string kind;               ///< how it begins, e.g. kick-off; empty for a trial
+  std::optional<TeamId> team;     ///< who takes the restart
+  std::optional<TeamId> favours;  ///< whose colour the restart has, see `CallWords`
   PerTeam<int> score{};
   Side blue_side = Side::kLeft;
   std::vector<std::uint8_t> present;  ///< one a body: on the field

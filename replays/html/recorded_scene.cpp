@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/presets.hpp"
+#include "replays/call_words.hpp"
 
 namespace fulbito {
 namespace {
@@ -59,6 +60,7 @@ PagePlay pagePlay(const ReplayTimeline& timeline, std::size_t index, ReplayMomen
   if (timeline.header().kind == RecordingKind::kMatch) {
     play.kind = nameOf(from.kind);
     play.team = from.team;
+    play.favours = wordsOf(from.kind, from.team, {}).favours;
   }
   for (const RecordedStart& start : from.starts) play.present.push_back(start.present ? 1 : 0);
   return play;

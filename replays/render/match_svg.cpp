@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/match_clock.hpp"
 #include "replays/render/body_drawing.hpp"
 #include "replays/render/field_drawing.hpp"
 #include "replays/render/match_plan.hpp"

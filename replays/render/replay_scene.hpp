@@ -47,8 +47,9 @@ Result<Canvas> drawContactSheet(const ReplayTimeline& timeline, const MatchPictu
 /// The call to show at a moment: one of the last seconds, or the one that the restart waits for.
 MatchBanner bannerAt(const ReplayTimeline& timeline, const ReplayMoment& moment);
 
-/// A call in words, e.g. "Penalty" and "ball stuck in the area"; `next` is the play that followed it.
-MatchBanner bannerOf(const RecordedEvent& event, const RecordedPlay& next, const RecordingRecipe& recipe);
+/// A call in words, e.g. "Penalty" and "ball stuck in the area", in the colour of the team that gains by it
+/// (see `CallWords`); empty where a call is no news.
+MatchBanner bannerOf(const RecordedEvent& event, const RecordingRecipe& recipe);
 /// A restart in words, for those that no call tells of; empty for a placed state.
 MatchBanner bannerOf(const RecordedPlay& play, const RecordingRecipe& recipe);
 

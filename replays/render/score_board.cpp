@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/match_clock.hpp"
 #include "replays/render/body_drawing.hpp"
 #include "replays/render/text_fit.hpp"
 
@@ -35,7 +36,8 @@ TimeBar barOf(const MatchPlan& plan) {
 
 /// A moment of a recording of `whole` seconds: minutes say too little of a trial.
 std::string barTime(double seconds, double whole) {
-  if (whole < 30.0) return fmt::format("{:.1f} s", seconds);
+  // Cut as clocks are.
+  if (whole < 30.0) return fmt::format("{:.1f} s", std::floor(seconds * 10 + 1e-6) / 10);
   const int count = static_cast<int>(std::clamp(std::floor(seconds), 0.0, 1e8));
   return fmt::format("{}:{:02}", count / 60, count % 60);
 }
@@ -66,26 +68,6 @@ void drawTrialTitle(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpe
 }
 
 }  // namespace
-
-std::string periodName(int period) {
-  switch (period) {
-    case 1:
-      return "1st half";
-    case 2:
-      return "2nd half";
-    case 3:
-      return "overtime";
-    case 4:
-      return "shoot-out";
-    default:
-      return fmt::format("period {}", period);
-  }
-}
-
-std::string clockText(double seconds) {
-  const auto tenths = static_cast<long long>(std::clamp(std::floor(seconds * 10 + 1e-6), 0.0, 1e9));
-  return fmt::format("{}:{:02}.{}", tenths / 600, tenths / 10 % 60, tenths % 10);
-}
 
 void drawBoard(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, const MatchStyle& style) {
   canvas.fillRectangle({0, 0}, plan.width, plan.board, style.panel);

@@ -23,9 +23,4 @@ void drawTimeBarNow(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpe
 double secondsOnBar(const MatchPlan& plan, const MatchPictureSpec& spec, double x);
 /// @}
 
-/// "1st half", "2nd half", "overtime", "shoot-out".
-std::string periodName(int period);
-/// Minutes, seconds and tenths, cut and not rounded: "4:32.1".
-std::string clockText(double seconds);
-
 }  // namespace fulbito

@@ -2,6 +2,8 @@
 //   browser_pages positions FILE...   where everything is at 50 times of a recording, one JSON object a line
 //   browser_pages hostile             a page of names and texts that want to break out, on stdout
 //   browser_pages drawings            a page of a trial with drawings, and a team whose robot is away
+//   browser_pages calls               a page in which every clause is called, once against each team
+//   browser_pages banners             what pictures show of the same calls, one JSON object a line
 
 #include <cstdio>
 #include <string>
@@ -12,6 +14,7 @@
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
 #include "replays/html/html_page.hpp"
+#include "replays/render/replay_scene.hpp"
 #include "replays/timeline.hpp"
 
 namespace fulbito {
@@ -125,6 +128,54 @@ int drawings() {
   return print({PageKind::kReplay, "drawings", {scene}});
 }
 
+constexpr Tick kBetweenCalls = 180;  // longer than any banner stays
+
+/// Every clause that has words, once against or for each team, a call every three seconds.
+std::vector<RecordedEvent> everyCall() {
+  std::vector<RecordedEvent> events;
+  for (const char* clause :
+       {"goal", "free-ball", "goal-kick.attackers", "goal-kick.keeper-charged", "goal-kick.stuck",
+        "penalty.defenders", "penalty.keeper-holds", "penalty.holding", "penalty.stuck", "free-kick.push",
+        "free-kick.holding", "half", "full-time", "overtime", "shoot-out", "false-start", "mercy",
+        "walk-over"}) {
+    for (const TeamId team : kTeams) {
+      RecordedEvent event;
+      event.tick = kBetweenCalls * static_cast<Tick>(events.size() + 1);
+      event.clause = clause;
+      event.law = "8";
+      event.team = team;
+      event.robot = 1;
+      event.value = 0.12;
+      event.threshold = 0.02;
+      events.push_back(event);
+    }
+  }
+  return events;
+}
+
+int calls() {
+  PageScene scene = circles();
+  scene.teams = {"one", "two"};
+  scene.events = everyCall();
+  scene.ticks = kBetweenCalls * static_cast<Tick>(scene.events.size() + 1);
+  scene.plays.front().present.assign(scene.bodies.size(), 1);
+  scene.rows.push_back({scene.ticks, scene.rows.back().poses});
+  return print({PageKind::kReplay, "calls", {scene}});
+}
+
+int banners() {
+  RecordingRecipe recipe;
+  recipe.teams = {"one", "two"};
+  for (const RecordedEvent& event : everyCall()) {
+    const MatchBanner banner = bannerOf(event, recipe);
+    fmt::print(R"({{"seconds":{},"title":"{}","detail":"{}","team":{}}})"
+               "\n",
+               static_cast<double>(event.tick) / 60.0, banner.title, banner.detail,
+               banner.team ? fmt::format("{}", indexOf(*banner.team)) : "null");
+  }
+  return 0;
+}
+
 }  // namespace
 }  // namespace fulbito
 
@@ -133,6 +184,8 @@ int main(int argc, char** argv) {
   if (what == "positions" && argc == 3) return fulbito::positions(argv[2]);
   if (what == "hostile") return fulbito::hostile();
   if (what == "drawings") return fulbito::drawings();
-  std::fputs("Usage: browser_pages positions FILE | hostile | drawings\n", stderr);
+  if (what == "calls") return fulbito::calls();
+  if (what == "banners") return fulbito::banners();
+  std::fputs("Usage: browser_pages positions FILE | hostile | drawings | calls | banners\n", stderr);
   return 2;
 }

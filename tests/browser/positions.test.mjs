@@ -90,3 +90,31 @@ test('possession and thirds are those of the match summary', async () => {
   [blue.own_third_share, blue.middle_third_share, yellow.own_third_share].forEach((share, i) => near(shares(third)[i], share, 0.01, 'third:'));
   await page.quiet();
 });
+
+test('calls have the words and the colour that pictures give them', async () => {
+  const page = await open('calls');
+  const banners = readFileSync(`${pages}/calls.banners`, 'utf8').trim().split('\n').map((line) => JSON.parse(line));
+  assert.ok(banners.length > 30);
+  const rows = await page.locator('#events tbody tr:not(.restart)').all();
+  assert.equal(rows.length, banners.length);
+  for (const [i, banner] of banners.entries()) {
+    await page.evaluate((t) => fulbitoViewer.seek(t + 0.5), banner.seconds);
+    await settled(page);
+    const team = banner.team === null ? null : String(banner.team);
+    assert.equal(await page.getAttribute('#banner', 'data-team'), team, `${banner.title} ${banner.detail}`);
+    assert.equal(await rows[i].getAttribute('data-team'), team, `${banner.title} ${banner.detail} in the list`);
+    const shown = await page.textContent('#banner');
+    if (shown.startsWith('Goal for')) continue;  // the page names the colour, the picture the team
+    assert.ok(shown.startsWith(banner.title) && shown.endsWith(banner.detail), `${shown}: ${banner.title}, ${banner.detail}`);
+  }
+  const charged = banners.findIndex((banner) => banner.detail === 'keeper charged');
+  assert.match(await rows[charged].textContent(), /against blue robot 1 · law 8 · pressed with 0\.12 N s \(limit 0\.02 N s\)/);
+  await page.quiet();
+});
+
+test('clocks are cut as in pictures and summaries', async () => {
+  const page = await open('short');
+  const texts = await page.evaluate('[14.05, 14.0999, 59.99, 417.95, 163.05, 14 - 1e-9].map((t) => clockText(t))');
+  assert.deepEqual(texts, ['0:14.0', '0:14.0', '0:59.9', '6:57.9', '2:43.0', '0:14.0']);
+  await page.quiet();
+});

@@ -18,8 +18,11 @@ std::string partOf(const std::string& html, const std::string& mark) {
 TEST_CASE("replay export --html writes a page, to a file or stdout, and the same one twice", "[cli]") {
   const Sandbox box;
   REQUIRE(box.run(std::string(kMatch) + "a.fbr").code == 0);
-  REQUIRE(box.run("replay export a.fbr --html a.html").code == 0);
+  const Output made = box.run("replay export a.fbr --html a.html");
+  REQUIRE(made.code == 0);
   const std::string html = contentOf(box.path / "a.html");
+  CHECK(made.err.starts_with("a.html: "));
+  CHECK(made.err.ends_with(" kB\n"));
   CHECK(html.starts_with("<!doctype html>"));
   CHECK(Json::parse(partOf(html, "id=\"meta\">"))["scenes"][0]["teams"] == Json{"chaser", "idle"});
   CHECK(box.run("replay export a.fbr --html -").out == html);

@@ -222,6 +222,36 @@ TEST_CASE("what is wrong with a match is said before it begins", "[cli]") {
   CHECK(std::distance(fs::directory_iterator(box.path), {}) == 2);
 }
 
+TEST_CASE("a match on another field than its places are written for says so and is played", "[cli]") {
+  const Sandbox box;
+  const std::string field = box.run("show field vsss-5v5").out;
+  box.write("big.toml", field);
+  box.write("mine.toml", "[rules]\nname = \"mine\"\nfield = \"big.toml\"\nteam_size = 5\n");
+  const Output output = box.run("match chaser chaser --half-seconds 1 --rules mine.toml");
+  CHECK(output.code == 0);
+  CHECK(output.err.find("Begin with: fulbito rules show vsss-5v5") != std::string::npos);
+  const Output check = box.run("rules check mine.toml");
+  CHECK(check.code == 0);
+  CHECK(check.out.find("note: the places of the rules 'mine'") != std::string::npos);
+  CHECK(box.run("rules check vsss-5v5").out.find("note") == std::string::npos);
+}
+
+TEST_CASE("a match that is given a field says where that is set", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run("match chaser chaser --field vsss-5v5");
+  CHECK(output.code == 2);
+  CHECK(output.err.find("The field belongs to the rules: set rules.field") != std::string::npos);
+}
+
+TEST_CASE("a series says what it shows, and counts pairs", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run("match chaser chaser --half-seconds 1 -n 2");
+  CHECK(output.code == 0);
+  CHECK(output.out.find("2 swapped pairs, 4 matches") != std::string::npos);
+  CHECK(output.out.find("  verdict           no difference shown (95 %)\n") != std::string::npos);
+  CHECK(box.run("match --help").out.find("2 matches each") != std::string::npos);
+}
+
 TEST_CASE("Ctrl-C ends a match with its summary, events and a whole recording", "[cli]") {
   const Sandbox box;
   const int code = interruptedRun(
@@ -244,4 +274,22 @@ TEST_CASE("Ctrl-C ends a series with the pairs that were played", "[cli]") {
   const Json json = Json::parse(contentOf(box.path / "out.txt"));
   CHECK(json["complete"] == false);
   CHECK(json["matches"].size() == 2 * json["pairs"].get<std::size_t>());
+}
+
+TEST_CASE("drills and series show how far they are, with --json too", "[cli]") {
+  if (std::system("command -v script >/dev/null 2>&1") != 0) {
+    WARN("skipped: no script (bsdutils), which gives a program a terminal");
+    return;
+  }
+  const Sandbox box;
+  const auto shown = [&](const std::string& arguments) {
+    // A terminal sees both; the JSON goes elsewhere.
+    const std::string command = "cd '" + box.path.string() + "' && script -qec \"'" FULBITO_PROGRAM "' " +
+                                arguments + " --json >json.txt\" tty.txt >/dev/null </dev/null";
+    REQUIRE(std::system(command.c_str()) == 0);
+    CHECK_FALSE(Json::parse(contentOf(box.path / "json.txt"), nullptr, false).is_discarded());
+    return contentOf(box.path / "tty.txt");
+  };
+  CHECK(shown("drill chaser --drill 3 --trials 400").find("drills of chaser [") != std::string::npos);
+  CHECK(shown("match chaser chaser -n 20 --half-seconds 20").find("chaser v chaser [") != std::string::npos);
 }

@@ -1,3 +1,5 @@
+#include <sstream>
+
 #include "tests/cli/sandbox.hpp"
 #include "tests/support/catch.hpp"
 
@@ -97,6 +99,21 @@ TEST_CASE("replay events gives the lines that the match wrote", "[cli]") {
   const Output text = box.run("replay events a.fbr");
   CHECK(text.code == 0);
   CHECK(text.out.find("- kick-off") != std::string::npos);
+}
+
+TEST_CASE("replay events prints a table with a head, in which a kick-off stands once", "[cli]") {
+  const Recordings box;
+  const std::string text = box.run("replay events a.fbr").out;
+  CHECK(text.starts_with("   time  period      clock  score   call, - restart"));
+  CHECK(text.substr(0, text.find('\n')).ends_with("measured"));
+  std::istringstream lines(text);
+  int restarts = 0;
+  for (std::string line; std::getline(lines, line);) {
+    CHECK(line.find(" kick-off  ") ==
+          line.find("- kick-off  ") + (line.find("- kick-off  ") != std::string::npos));
+    restarts += line.find("- kick-off") != std::string::npos ? 1 : 0;
+  }
+  CHECK(restarts >= 2);
 }
 
 TEST_CASE("replay verify: the same, different, damaged and cut have their exit codes", "[cli]") {

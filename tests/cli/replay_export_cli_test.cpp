@@ -186,3 +186,47 @@ TEST_CASE("an interrupted film leaves nothing behind", "[cli]") {
     }
   }
 }
+
+TEST_CASE("short films run in real time, long ones four times as fast", "[cli]") {
+  const Recorded box;
+  REQUIRE(box.run("match idle idle --half-seconds 20 --record long.fbr").code == 0);
+  const auto frames = [&](const std::string& arguments) {
+    REQUIRE(box.run("replay export " + arguments + " --gif f.gif --size 200x160 --fps 5 --force").code == 0);
+    const std::string gif = box.bytes("f.gif");
+    int count = 0;
+    for (std::size_t at = gif.find("\x21\xf9\x04"); at != std::string::npos;
+         at = gif.find("\x21\xf9\x04", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  CHECK(frames("g.fbr --from 2 --to 4") >= 10);
+  CHECK(frames("g.fbr --from 2 --to 4 --speed 4") <= 4);
+  CHECK(frames("long.fbr --to 30") >= 150);
+  const int all = frames("long.fbr");
+  CHECK(all >= 50);
+  CHECK(all <= 52);
+}
+
+TEST_CASE("one of several events can be named by its number", "[cli]") {
+  const Recorded box;
+  const auto pictures = [&](const std::string& around) {
+    REQUIRE(box.make("--png e.png --size 200x160 --around " + around).code == 0);
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(box.path)) {
+      if (entry.path().extension() == ".png") ++count;
+    }
+    for (const auto& entry : std::vector<fs::path>{fs::directory_iterator(box.path), {}}) {
+      if (entry.extension() == ".png") fs::remove(entry);
+    }
+    return count;
+  };
+  CHECK(pictures("kick-off") >= 2);
+  CHECK(pictures("kick-off:2") == 1);
+  for (const char* wrong : {"kick-off:0", "kick-off:x", "kick-off:", "kick-off:99", "kick-off:1:1"}) {
+    INFO(wrong);
+    const Output refused = box.make(std::string("--png e.png --around ") + wrong);
+    CHECK(refused.code == 2);
+    CHECK(contains(refused.err, "--around kick-off:"));
+  }
+}

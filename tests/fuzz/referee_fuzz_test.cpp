@@ -127,7 +127,7 @@ TEST_CASE("random short matches through overtime, shoot-out and mercy, with all 
   rules.periods.mercy_goals = 3;
   rules.periods.swap_sides = true;
   rules.fouls.push = true;
-  rules.fouls.pinned_seconds = 2.0;
+  rules.fouls.holding = true;
   match.eager = 0.8;
   playLong(match, 500).print("short");
 }

@@ -108,7 +108,7 @@ struct Reader {
                            {"until", &c.until, 0, kLong, "s", "", true},
                            {"impulse", &c.impulse, 0, 10, "kg m/s", ""}};
     if (auto done = document.readElement("contact", i, schema); !done) return done;
-    c.a = words.robot(a);
+    if (a != "wall" || b != "ball") c.a = words.robot(a);
     c.b = words.robotOrBall(b);
     scenario.contacts.push_back(c);
     return {};

@@ -39,7 +39,7 @@ Scenario inVariant(Scenario s, ScenarioVariant variant) {
     if (m.heading && variant.sides) m.heading = math::wrapAngle(*m.heading + math::kPi);
   }
   for (ScenarioContact& c : s.contacts) {
-    swap(c.a.team);
+    if (c.a) swap(c.a->team);
     if (c.b) swap(c.b->team);
   }
   for (ExpectedEvent& e : s.expected) {
@@ -195,7 +195,17 @@ void Play::advance() {
 void Play::addContacts() {
   for (const ScenarioContact& c : scenario_.contacts) {
     if (tick_ + 1 < ticksOf(c.from, setup_.dt) || tick_ + 1 > ticksOf(c.until, setup_.dt)) continue;
-    const std::size_t a = find(c.a);
+    if (!c.a) {
+      const Vec2 normal = nearestWallNormal(setup_.field, ball_.position);
+      contacts_.push_back({{BodyKind::kWall, 0},
+                           {BodyKind::kBall, 0},
+                           ball_.position - normal * setup_.ball.radius,
+                           normal,
+                           c.impulse,
+                           false});
+      continue;
+    }
+    const std::size_t a = find(*c.a);
     const std::size_t b = c.b ? find(*c.b) : 0;
     if (a == ids_.size() || b == ids_.size()) continue;
     const Vec2 from = robots_[a].pose.position, to = c.b ? robots_[b].pose.position : ball_.position;

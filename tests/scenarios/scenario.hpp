@@ -45,9 +45,9 @@ struct ScenarioMove {
 /// Kinematic: two bodies press on each other in each tick of a time.
 struct ScenarioContact {
   double from = 0.0, until = 0.0;  ///< [s]
-  RobotId a;
-  std::optional<RobotId> b;  ///< none: the ball
-  double impulse = 0.01;     ///< [kg m/s] in each tick, from a to b
+  std::optional<RobotId> a;        ///< none: the nearest wall, on the ball
+  std::optional<RobotId> b;        ///< none: the ball
+  double impulse = 0.01;           ///< [kg m/s] in each tick, from a to b
 };
 
 /// An event that must come, once.

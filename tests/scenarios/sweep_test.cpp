@@ -122,10 +122,13 @@ Scenario keeperHoldsFor(double seconds) {
   return s;
 }
 
-Scenario holdingWith(double depth, double until) {
-  Scenario s = scene({0.10, 0.20}, until + 1.0);
-  robot(s, kBlue1).pose.position = {0.10 - kHalf - kRadius + depth, 0.20};
-  s.moves = {jump(until, {}, {0.30, 0.30})};
+/// A robot presses the ball against the wall from 1 s on, for so many ticks.
+Scenario pinnedFor(double ticks) {
+  Scenario s = scene({-0.10, 0.65 - kRadius}, 6.0);
+  s.rules.fouls.holding = true;
+  robot(s, kBlue1).pose.position = {-0.10, 0.65 - 2 * kRadius - kHalf};
+  const double until = 1.0 + (ticks - 1) * kTick;
+  s.contacts = {{1.0, until, kBlue1, {}, 0.01}, {1.0, until, {}, {}, 0.01}};
   return s;
 }
 
@@ -188,12 +191,13 @@ TEST_CASE("the ball in the area, to the millimetre", "[scenarios]") {
                       return s;
                     }});
   checkMillimetres(
-      {clause::kPenaltyStuck, [](double k) { return scene({0.55 + k * kMillimetre, 0.0}, 10.5); }});
+      {clause::kGoalKickStuck, [](double k) { return scene({0.55 + k * kMillimetre, 0.0}, 10.5); }});
 }
 
 TEST_CASE("who disputes a stuck ball, to the millimetre", "[scenarios]") {
   checkMillimetres({clause::kGoalKickStuck, [](double k) {
                       Scenario s = scene({0.67, 0.20}, 10.5);
+                      s.rules.stuck.undisputed = UndisputedCall::kPenalty;  // so that it matters
                       robot(s, kYellow0).pose.position = {0.70, 0.12};
                       robot(s, kBlue1).pose.position = {0.67 - 0.1125 + k * kMillimetre, 0.20};
                       return s;
@@ -214,11 +218,31 @@ TEST_CASE("the keeper's control of the ball, to the millimetre", "[scenarios]") 
                     }});
 }
 
-TEST_CASE("how much of the ball is hidden, to the millimetre", "[scenarios]") {
-  double depth = 0.0;
-  while (shareOfDisc(kHalf, kHalf, {kHalf + kRadius - depth, 0.0}, kRadius) < 0.30) depth += 1e-6;
-  checkMillimetres(
-      {clause::kFreeKickHolding, [&](double k) { return holdingWith(depth + k * kMillimetre, 2.0); }});
+TEST_CASE("who disputes a pinned ball, to the millimetre", "[scenarios]") {
+  checkMillimetres({clause::kFreeKickHolding, [](double k) {
+                      Scenario s = pinnedFor(240);
+                      robot(s, kYellow1).pose.position = {s.ball.x + 0.1125 + k * kMillimetre, s.ball.y};
+                      return s;
+                    }});
+}
+
+TEST_CASE("how much a pinned ball may move", "[scenarios]") {
+  check({clause::kFreeKickHolding,
+         [](double k) {
+           Scenario s = pinnedFor(240);
+           s.ball_velocity = {0.1 - 1e-3 * k, 0.0};
+           return s;
+         }},
+        {-3, -2, -1, 1, 2, 3});
+}
+
+TEST_CASE("where a ball that was in and out of an area is stuck, to the tick", "[scenarios]") {
+  // Of the 601 ticks of the count it is inside for at least half from the 301st on.
+  checkTicks({clause::kGoalKickStuck, [](double k) {
+                Scenario s = scene({0.67, 0.375}, 10.5);
+                s.moves = {jump((301 - k) * kTick, {}, {0.67, 0.335})};
+                return s;
+              }});
 }
 
 TEST_CASE("how far from the ball a push is, to the millimetre", "[scenarios]") {
@@ -236,7 +260,7 @@ TEST_CASE("for how long a ball is stuck, to the tick", "[scenarios]") {
   // The first tick of play counts as 0: the ball must lie there in 601 of them.
   checkTicks({clause::kFreeBall, [](double k) { return lyingUntil({0.10, 0.20}, 10.0 + (k + 2) * kTick); }});
   checkTicks(
-      {clause::kPenaltyStuck, [](double k) { return lyingUntil({0.68, 0.20}, 10.0 + (k + 2) * kTick); }});
+      {clause::kGoalKickStuck, [](double k) { return lyingUntil({0.68, 0.20}, 10.0 + (k + 2) * kTick); }});
 }
 
 TEST_CASE("for how long the keeper holds the ball, to the tick", "[scenarios]") {
@@ -251,8 +275,8 @@ TEST_CASE("for how long a robot is pushed, to the tick", "[scenarios]") {
   checkTicks({clause::kPush, [](double k) { return pushFor(30 + k, {0.0, -0.3}); }});
 }
 
-TEST_CASE("for how long a ball is hidden, to the tick", "[scenarios]") {
-  checkTicks({clause::kFreeKickHolding, [](double k) { return holdingWith(0.018, 1.5 + (k + 1) * kTick); }});
+TEST_CASE("for how long a ball is pinned, to the tick", "[scenarios]") {
+  checkTicks({clause::kFreeKickHolding, [](double k) { return pinnedFor(181 + k); }});
 }
 
 TEST_CASE("how recent a touch is taking part, to the tick", "[scenarios]") {

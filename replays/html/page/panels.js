@@ -33,19 +33,24 @@ const teamNames = ['blue', 'yellow'];
 /** A specification such as classic:navigator=bezier is a long name; its first word is a short one. */
 const shortName = (name) => (name.length > 24 ? name.split(':')[0] : name);
 
+/** Titles, details and colours (`favours`) come with the data: pictures and films have the same. */
 function eventText(event) {
   const [head, rest] = event.clause.split('.');
-  if (event.goal) return `Goal for ${teamNames[event.team] || 'nobody'}`;
-  return capital(words(head)) + (rest && !event.restart ? `: ${words(rest)}` : '');
+  const named = event.goal ? 'Goal' : (!event.restart && event.title) || capital(words(head));
+  const gains = event.favours !== undefined && (event.goal || event.restart || rest);
+  const detail = event.title ? event.detail : rest && words(rest);
+  return named + (gains ? ` for ${teamNames[event.favours]}` : '') + (detail && !event.goal && !event.restart ? `: ${detail}` : '');
 }
 
 function eventDetail(event) {
   const parts = [];
-  if (event.team !== undefined && !event.goal) parts.push(teamNames[event.team]);
-  if (event.robot !== undefined) parts.push(`robot ${event.robot}`);
-  if (event.law) parts.push(`law ${event.law}`);
-  if (event.measured && event.measured[1]) parts.push(`${+event.measured[0].toFixed(2)}, limit ${+event.measured[1].toFixed(2)}`);
-  return parts.join(' · ');
+  const robot = event.robot === undefined ? '' : `robot ${event.robot}`;
+  if (event.goal) parts.push(robot && `by ${robot}`);
+  else if (event.team !== undefined && !event.restart) {
+    parts.push(`${event.favours === 1 - event.team ? 'against ' : ''}${teamNames[event.team]} ${robot}`.trim());
+  }
+  parts.push(event.law && `law ${event.law}`, event.measured);
+  return parts.filter((part) => part).join(' · ');
 }
 
 function swatch(scene, index) {
@@ -74,7 +79,7 @@ class EventList {
       const what = element('td', null, {}, element('span', eventText(event)), element('small', eventDetail(event)));
       const row = element('tr', null, { class: event.goal ? 'goal' : event.restart ? 'restart' : 'call' },
         element('td', null, {}, button), what, element('td', event.goal ? scene.score(event.tick).join('–') : ''));
-      if (event.team !== undefined) row.dataset.team = event.team;
+      if (event.favours !== undefined) row.dataset.team = event.favours;
       return row;
     });
     this.body.replaceChildren(...this.rows);
@@ -190,7 +195,7 @@ function fillAbout(scene, ghost) {
 function fillMarks(scene) {
   const at = (seconds) => `calc(${scene.seconds ? seconds / scene.seconds : 0} * (100% - 1.25rem) + 0.625rem)`;
   const marks = scene.marks.filter((event) => event.goal).map((event) => {
-    const mark = element('span', null, { class: 'mark', 'data-team': event.team });
+    const mark = element('span', null, { class: 'mark', 'data-team': event.favours });
     mark.style.left = at(event.seconds);
     return mark;
   });

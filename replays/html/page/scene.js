@@ -146,7 +146,7 @@ class Scene {
     for (const play of this.plays) {
       if (!play.kind) continue;
       // A restart that the referee also calls is one event.
-      const called = marks.findIndex((event) => event.clause === play.kind && Math.abs(event.tick - play.tick) <= 1 && !event.restart);
+      const called = marks.findIndex((event) => event.clause === play.kind && event.tick >= play.tick - 1 && event.tick <= play.signal + 1 && !event.restart);
       const call = called < 0 ? {} : marks.splice(called, 1)[0];
       marks.push({ ...call, ...play, seconds: play.tick / this.rate, restart: true, clause: play.kind });
     }

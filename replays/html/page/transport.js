@@ -219,13 +219,13 @@ class Viewer {
 
   tellBanner() {
     const { scene, time } = this;
-    const recent = scene.marks.filter((event) => event.seconds <= time + 1e-6 && event.seconds > time - kBannerSeconds);
+    const news = scene.marks.filter((event) => event.title || event.restart);
+    const recent = news.filter((event) => event.seconds <= time + 1e-6 && event.seconds > time - kBannerSeconds);
     const event = recent.find((e) => e.goal) || recent.filter((e) => !e.restart).pop() || recent.pop();
     const banner = $('#banner');
     banner.classList.toggle('goal', !!(event && event.goal));
-    if (event && event.team !== undefined) banner.dataset.team = event.team;
+    if (event && event.favours !== undefined) banner.dataset.team = event.favours;
     else delete banner.dataset.team;
-    const team = event && event.team !== undefined && !event.goal ? ` (${teamNames[event.team]})` : '';
-    setText(banner, event ? `${eventText(event)}${event.goal ? '!' : team}` : '');
+    setText(banner, event ? eventText(event) + (event.goal ? '!' : '') : '');
   }
 }

@@ -51,6 +51,7 @@ TEST_CASE("the robot vsss has the figures of rSim", "[unit]") {
   CHECK(preset.robot.wheel_radius == 0.026);
   CHECK(preset.robot.axle_track == 0.0775);
   CHECK(preset.robot.maxSpeed() == Approx(1.20).epsilon(0.002));
+  CHECK(preset.robot.turnAcceleration() == Approx(289.0).epsilon(0.01));
   // Yaw rate of a spin at +-w: ratio * 2 w r / track; measured 13.0 at 20 rad/s and 27.3 at 40 rad/s.
   CHECK(preset.robot.spin_slow_ratio * 2 * 20 * 0.026 / 0.0775 == Approx(13.0));
   CHECK(preset.robot.spin_fast_ratio * 2 * 40 * 0.026 / 0.0775 == Approx(27.3));
@@ -65,6 +66,8 @@ TEST_CASE("the robot firasim has the figures of FIRASim", "[unit]") {
   CHECK(preset.robot.wheel_radius == 0.02);
   CHECK(preset.robot.axle_track == 0.08);
   CHECK(preset.robot.wheel_acceleration == 1.27);
+  CHECK(preset.robot.turnAcceleration() == Approx(157.0));
+  CHECK(preset.robot.motorPull() == Approx(5.2));
   CHECK(preset.robot.spin_slow_ratio * 2 * 20 * 0.02 / 0.08 == Approx(9.41));
   CHECK(preset.robot.spin_fast_ratio * 2 * 40 * 0.02 / 0.08 == Approx(21.3));
   CHECK(preset.ball.mass == 0.043);
@@ -83,7 +86,7 @@ TEST_CASE("the robot paper-004 has the figures of the comparison", "[unit]") {
 
 TEST_CASE("the physics profiles step at 60, 120 and 240 Hz under one control rate", "[unit]") {
   CHECK(loadPhysics("fast")->stepPeriod() == 1.0 / 60);
-  CHECK(loadPhysics("fast")->bullet_ball);
+  for (const auto& name : presetNames("physics")) CHECK(loadPhysics(name)->bullet_ball);
   CHECK(loadPhysics("standard")->stepPeriod() == 1.0 / 120);
   CHECK(loadPhysics("faithful")->stepPeriod() == 1.0 / 240);
   for (const auto& name : presetNames("physics")) CHECK(loadPhysics(name)->controlPeriod() == 1.0 / 60);

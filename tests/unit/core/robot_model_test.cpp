@@ -59,4 +59,18 @@ TEST_CASE("validation names the key, the value and the allowed range", "[unit]")
   CHECK(validate(robot).error().message == "robot.spin_fast_speed = 0.5 must be above spin_slow_speed = 0.5");
 }
 
+TEST_CASE("wheels that the body has no room for are refused", "[unit]") {
+  RobotModel robot;
+  robot.wheel_radius = 0.5;  // within the key's own range
+  CHECK(validate(robot).error().message ==
+        "robot.wheel_radius = 0.5 must be at most half of the body's longer side, 0.0375 m");
+  robot.wheel_radius = 0.0375;
+  CHECK(validate(robot));
+  robot.axle_track = 0.1061;
+  CHECK(validate(robot).error().message ==
+        "robot.axle_track = 0.1061 must be at most the body's diagonal, 0.106066 m");
+  robot.axle_track = 0.106;
+  CHECK(validate(robot));
+}
+
 }  // namespace fulbito

@@ -246,20 +246,21 @@ TEST_CASE("a standing keeper saves what rolls at it and nothing else", "[unit]")
 }
 
 TEST_CASE("who is to last fails by a penalty, not by what else the referee calls", "[unit]") {
-  const auto lasts = [](const char* ball) {
+  const auto lasts = [](const char* ball, const char* robot) {
     return runOne(std::string("[drill]\nnumber = 903\nwhat = \"stuck\"\nduration = 19.0\ntrials = 4\n"
                               "referee = true\n[[start]]\nball = ") +
-                      ball +
-                      "\n[[robot]]\nat = [[0.53, 0.25]]\n[[robot]]\nteam = \"opponent\"\nplays = \"stand\"\n"
+                      ball + "\n[[robot]]\nat = [" + robot +
+                      "]\n[[robot]]\nteam = \"opponent\"\nplays = \"stand\"\n"
                       "at = [[0.71, 0.25]]\n[[success]]\nwhat = \"lasted\"\n[[failure]]\n"
                       "what = \"conceded\"\n[[pass]]\nvalue = \"success\"\nstatistic = \"rate\"\n"
                       "by_value = true\nat_least = 1.0\n",
                   still());
   };
-  // Between the two a goal kick for the opponents, in the own area a penalty.
-  const DrillReport goal_kick = lasts("[[0.62, 0.25]]"), penalty = lasts("[[-0.65, 0.2]]");
+  // Between the two a goal kick for the opponents; the keeper that holds the ball gives a penalty.
+  const DrillReport goal_kick = lasts("[[0.62, 0.25]]", "[0.53, 0.25]");
+  const DrillReport penalty = lasts("[[-0.65, 0.2]]", "[-0.71, 0.2]");
   CHECK(goal_kick.verdicts[0].value.value == 1.0);
-  CHECK(penalty.trials.front().stopped_by == "penalty.stuck");
+  CHECK(penalty.trials.front().stopped_by == "penalty.keeper-holds");
   CHECK(penalty.verdicts[0].value.value == 0.0);
 }
 

@@ -143,4 +143,59 @@ TEST_CASE("a series' report: rows of both legs, intervals, null where one pair g
   CHECK(seriesText(report).find("points share") != std::string::npos);
 }
 
+TEST_CASE("contacts of opponents stand in both columns, beside those of mates", "[unit]") {
+  Played played(chasers(), 10);
+  played.report.statistics.opponent_contacts = 83;
+  const std::string text = matchText(played.report);
+  const std::size_t mates = text.find("contacts of mates"), opponents = text.find("contacts of opponents");
+  const std::string row = text.substr(opponents, text.find('\n', opponents) - opponents);
+  CHECK(text.find('\n', mates) + 3 == opponents);
+  CHECK(row.find("83") != row.rfind("83"));
+}
+
+TEST_CASE("a speed has two digits at least, and is left out where it is not known", "[unit]") {
+  CHECK(paceText(8.3, 33.77) == "0.25 x real time");
+  CHECK(paceText(8.3, 1.0) == "8.3 x real time");
+  CHECK(paceText(99.6, 10.0) == "10 x real time");
+  CHECK(paceText(60.0, 0.01) == "6000 x real time");
+  CHECK(paceText(60.0, 0.0).empty());
+  Played played(chasers(), 10);
+  played.report.wall = 0.0;
+  CHECK(matchText(played.report).find("real time") == std::string::npos);
+}
+
+TEST_CASE("goals stand in the summary at the clock's time, cut to tenths", "[unit]") {
+  Played played(chasers(), 10);
+  played.report.statistics.goals = {
+      {417.95, 2, 117.95, TeamId::kBlue, RobotId{TeamId::kBlue, 1}, false, {1, 0}}};
+  CHECK(matchText(played.report).find("6:57.9  2nd half  1:57.9   1 : 0") != std::string::npos);
+}
+
+TEST_CASE("a series ends with a verdict by the interval of its points share", "[unit]") {
+  SeriesReport report{{chasers(), 1, 1}, {}, 0.5};
+  report.config.match.teams[0] = *parseTeam("libero");
+  report.result.pairs.resize(1);
+  const auto verdict = [&](double low, double high) {
+    report.result.points_share = {(low + high) / 2, low, high};
+    const Json better = Json::parse(seriesJson(report))["better"];
+    const std::string text = seriesText(report);
+    const std::size_t at = text.find("  verdict           ") + 20;
+    return text.substr(at, text.find('\n', at) - at) + " " + better.dump();
+  };
+  CHECK(verdict(0.51, 0.6) == "libero is better (95 %) \"a\"");
+  CHECK(verdict(0.4, 0.49) == "chaser is better (95 %) \"b\"");
+  CHECK(verdict(0.5, 0.7) == "no difference shown (95 %) null");
+  CHECK(verdict(0.3, 0.5) == "no difference shown (95 %) null");
+  report.result.pairs.clear();
+  CHECK(verdict(0.0, 1.0) == "no pair was finished null");
+}
+
+TEST_CASE("one win is not many", "[unit]") {
+  SeriesReport report{{chasers(), 1, 1}, {}, 0.5};
+  report.result.wins = 1;
+  report.result.draws = 2;
+  report.result.losses = 1;
+  CHECK(seriesText(report).find("1 win, 2 draws, 1 loss of chaser") != std::string::npos);
+}
+
 }  // namespace fulbito

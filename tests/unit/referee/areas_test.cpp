@@ -76,14 +76,6 @@ TEST_CASE("share and overlap agree with a count of points", "[unit]") {
   }
 }
 
-TEST_CASE("the share of a disc under a rectangle", "[unit]") {
-  CHECK(shareOfDisc(1.0, 1.0, {0.0, 0.0}, 0.5) == Approx(1.0));
-  CHECK(shareOfDisc(1.0, 1.0, {1.0, 0.0}, 0.5) == Approx(0.5));
-  CHECK(shareOfDisc(1.0, 1.0, {1.0, -1.0}, 0.5) == Approx(0.25));
-  CHECK(shareOfDisc(1.0, 1.0, {1.6, 0.0}, 0.5) == Approx(0.0).margin(1e-12));
-  CHECK(shareOfDisc(0.1, 0.1, {0.0, 0.0}, 0.5) == Approx(0.04 / (math::kPi * 0.25)));
-}
-
 TEST_CASE("a goal's frame is a rotation of the other's", "[unit]") {
   const FieldGeometry field;
   const Vec2 p{0.61, -0.22};

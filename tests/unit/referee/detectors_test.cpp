@@ -19,7 +19,7 @@ RefereeSetup bookSetup() {
   setup.robot = loadRobot("vsss").value().robot;
   setup.ball = loadRobot("vsss").value().ball;
   setup.rules.fouls.push = true;
-  setup.rules.fouls.pinned_seconds = 2.0;
+  setup.rules.fouls.holding = true;
   return setup;
 }
 
@@ -103,8 +103,8 @@ TEST_CASE("the tables of the detectors refuse what makes no sense", "[unit]") {
   keeper.hold_seconds = std::numeric_limits<double>::quiet_NaN();
   CHECK(findFlaw(keeper)->key == "hold_seconds");
   FoulRules fouls;
-  fouls.hidden_share = 1.5;
-  CHECK(findFlaw(fouls)->key == "hidden_share");
+  fouls.pinned_speed = -1.0;
+  CHECK(findFlaw(fouls)->key == "pinned_speed");
 }
 
 TEST_CASE("every key of the detectors has a meaning and a source", "[unit]") {

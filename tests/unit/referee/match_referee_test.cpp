@@ -231,9 +231,49 @@ TEST_CASE("a kick ends by time, rest, leaving the area, or midfield", "[unit]") 
     match.ball.position.x = toward * 0.65;
     match.step();
     CHECK(began(match));
-    match.ball.position.x = toward * 0.55;
+    match.ball.position = {toward * 0.56, 0.0};  // the arc is of the area
+    match.step();
+    CHECK(began(match));
+    match.ball.position.x = toward * 0.54;
     match.step();
     CHECK_FALSE(began(match));
+  }
+  SECTION("the keeper holds the ball, alone and in its area, for half a second") {
+    for (const bool by_the_book : {true, false}) {
+      PaperMatch match = at_penalty;
+      RobotState& keeper = match.robots[match.ids[0].team == match.call.team ? 1 : 0];
+      keeper.pose = {{toward * 0.70, 0.1}, 0.0};
+      // A ball that hardly moves is not at rest: only the keeper's control can end the kick.
+      match.ball.velocity = {0.1, 0.0};
+      const Vec2 held{toward * (0.70 - 0.0375 - 0.0215 - (by_the_book ? 0.009 : 0.011)), 0.1};
+      match.ball.position = held;
+      for (int i = 0; i < 29; ++i) match.step();
+      match.ball.position.x = toward * 0.62;  // lost for a tick: the count begins anew
+      match.step();
+      match.ball.position = held;
+      for (int i = 0; i < 29; ++i) match.step();
+      CHECK(began(match));
+      match.step();
+      CHECK(began(match) != by_the_book);
+    }
+  }
+  SECTION("not while the kicker is there, nor outside the area, nor where the profile says so") {
+    enum { kKickerNear, kOutside, kOff };
+    for (const auto otherwise : {kKickerNear, kOutside, kOff}) {
+      RefereeSetup changed = setup;
+      if (otherwise == kOff) changed.rules.shoot_out.held_seconds = 0.0;
+      PaperMatch match(changed);
+      toShootOut(match);
+      const bool keeper_first = match.ids[0].team != match.call.team;
+      RobotState &keeper = match.robots[keeper_first ? 0 : 1], &kicker = match.robots[keeper_first ? 1 : 0];
+      const double x = toward * (otherwise == kOutside ? 0.50 : 0.70);
+      keeper.pose = {{x, 0.1}, 0.0};
+      match.ball.position = {x - toward * 0.06, 0.1};
+      match.ball.velocity = {0.1, 0.0};
+      if (otherwise == kKickerNear) kicker.pose.position = match.ball.position - Vec2{toward * 0.11, 0.0};
+      for (int i = 0; i < 100; ++i) match.step();
+      CHECK(began(match));
+    }
   }
   SECTION("midfield") {
     PaperMatch match = at_penalty;

@@ -1,5 +1,8 @@
 #include "referee/rules.hpp"
 
+#include <filesystem>
+#include <fstream>
+
 #include "engine/core/presets.hpp"
 #include "engine/core/random.hpp"
 #include "referee/check_places.hpp"
@@ -65,6 +68,18 @@ TEST_CASE("a profile that lacks keys keeps the defaults, and is named after its 
   CHECK(rules->team_size == 3);
 }
 
+TEST_CASE("a recorded profile may have keys of earlier versions, a file may not", "[unit]") {
+  const std::string text = "[rules]\n[fouls]\nhidden_share = 0.3\nhidden_seconds = 1\npinned_gap = 0.005\n";
+  CHECK(parseRules(text, "recorded rules"));
+  const std::string path =
+      (std::filesystem::temp_directory_path() / "fulbito-rules-test-retired.toml").string();
+  std::ofstream(path) << text;
+  const auto refused = loadRules(path);
+  std::filesystem::remove(path);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find(":3: fouls.hidden_share is not a key") != std::string::npos);
+}
+
 TEST_CASE("a bad profile is refused with file, line, key and range", "[unit]") {
   CHECK(errorOf("[periods]\n") == "x.toml:1: the table [rules] is missing");
   CHECK(errorOf("[rules]\n\n[periods]\nhalf_seconds = -3\n") ==
@@ -120,6 +135,41 @@ TEST_CASE("places that the laws do not allow are told, and the embedded profiles
   CHECK(findBadPlaces(rules, FieldGeometry(), RobotModel()) ==
         std::vector<std::string>{"penalty: robot 2 of the other team is not beyond the half-way line",
                                  "goal-kick: robot 1 of the taking team is not on the field"});
+}
+
+TEST_CASE("every robot that overlaps is told, not the first alone", "[unit]") {
+  Rules rules;
+  rules.team_size = 5;
+  rules.kick_off.places.taker = {{0.675, 0.0}, {0.2, 0.0}, {0.4, 0.0}, {0.4, 0.02}, {0.4, -0.02}};
+  rules.kick_off.places.other = {{0.675, 0.0}, {0.3, 0.0}, {0.4, 0.1}, {0.4, -0.1}, {0.4, -0.3}};
+  std::vector<std::string> of_kick_off;
+  for (const std::string& flaw : findBadPlaces(rules, FieldGeometry(), RobotModel())) {
+    if (flaw.starts_with("kick-off")) of_kick_off.push_back(flaw);
+  }
+  CHECK(of_kick_off == std::vector<std::string>{"kick-off: robot 3 of the taking team overlaps a robot",
+                                                "kick-off: robot 4 of the taking team overlaps a robot"});
+}
+
+TEST_CASE("places of another field are told with the profile to begin with", "[unit]") {
+  for (const std::string& name : rulesPresetNames()) {
+    const Rules rules = *loadRules(name);
+    INFO(name);
+    CHECK_FALSE(findForeignPlaces(rules, *loadField(rules.field), RobotModel()));
+  }
+  FieldGeometry large = *loadField("vsss-5v5");
+  large.name = "large";
+  Rules rules;  // its places are those of the field of 1.5 m
+  rules.name = "mine";
+  const auto note = findForeignPlaces(rules, large, RobotModel());
+  REQUIRE(note);
+  CHECK(note->find("'mine'") != std::string::npos);
+  CHECK(note->find("'large', 2.2 x 1.8 m") != std::string::npos);
+  CHECK(note->find("robot 0 stands 0.45 m before its goal line") != std::string::npos);
+  CHECK(note->ends_with("fulbito rules show vsss-5v5"));
+  const auto small = findForeignPlaces(*loadRules("vsss-5v5"), FieldGeometry(), RobotModel());
+  REQUIRE(small);
+  CHECK(small->find("is not on the field") != std::string::npos);
+  CHECK(small->ends_with("fulbito rules show vsss-3v3"));
 }
 
 TEST_CASE("an unknown profile is a usage error with a suggestion", "[unit]") {

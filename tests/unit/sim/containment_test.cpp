@@ -3,6 +3,7 @@
 
 #include "engine/core/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/outlines.hpp"
 #include "tests/support/worlds.hpp"
 
 using namespace fulbito;
@@ -22,42 +23,64 @@ bool allInside(const World& world) {
   return true;
 }
 
-// The ball's centre as the robot sees it.
-Vec2 seenFromRobot(const World& world) {
-  const Pose2& pose = world.state().robots[0].pose;
-  const Vec2 ahead = math::unit(pose.heading), to = world.state().balls[0].position - pose.position;
-  return {dot(ahead, to), cross(ahead, to)};
+enum class Target { kRobot, kTwoRobots, kRobotAtWall };
+
+// A ball shot along +x at resting robots around the origin, from anywhere behind, at any of their headings.
+WorldConfig shotAt(Target target, const RobotPreset& preset, const PhysicsProfile& physics, double speed, Rng& rng) {
+  WorldConfig config{wideField(), readEachStep(physics), {}, {}, {}};
+  const double half = preset.robot.width / 2;
+  double aside = rng.uniform(-0.045, 0.045);
+  if (target == Target::kRobot) {
+    config.robots.push_back({preset.robot, {{}, rng.uniform(-math::kPi, math::kPi)}, {}, 0.0});
+  } else if (target == Target::kTwoRobots) {
+    const double gap = rng.uniform(0.0, 0.035);
+    for (double side : {-1.0, 1.0}) {
+      config.robots.push_back({preset.robot, {{0.0, side * (half + gap / 2)}, 0.0}, {}, 0.0});
+    }
+    aside = rng.uniform(-0.02, 0.02);
+  } else {
+    config.field.width = 2.0;
+    config.robots.push_back({preset.robot, {{0.0, -1.0 + half}, 0.0}, {}, 0.0});
+    aside = -1.0 + preset.ball.radius + rng.uniform(0.0, 0.03);
+  }
+  const Vec2 velocity = math::unit(target == Target::kRobot ? 0.0 : rng.uniform(-0.03, 0.03)) * speed;
+  config.balls.push_back({preset.ball, {rng.uniform(-0.35, -0.15), aside}, velocity, velocity});
+  return config;
 }
 
-// Whether a ball shot at `speed` at a resting robot goes through it: from behind its centre to before it in
-// one physics step, between its sides.
-bool passesRobot(const PhysicsProfile& physics, double speed, double start, double aside) {
-  WorldConfig config{wideField(), readEachStep(physics), {}, {}, {}};
-  config.robots.push_back({vsssPreset().robot, {}, {}, 0.0});
-  config.balls.push_back({vsssPreset().ball, {start, aside}, {speed, 0.0}, {speed, 0.0}});
+// Whether the ball's centre goes deep into a robot, between two steps too, and comes out in front.
+bool passesThrough(const WorldConfig& config, double speed) {
+  constexpr double kDeep = 0.022;  // [m] past the surface: the ball's centre is inside
   World world = makeWorld(config);
-  Vec2 before = seenFromRobot(world);
-  for (int step = 0; step < config.physics.control_rate / 6; ++step) {
+  Vec2 before = world.state().balls[0].position;
+  bool deep = false;
+  for (int step = 0; step < config.physics.control_rate / 4; ++step) {
     run(world, {}, 1);
-    const Vec2 now = seenFromRobot(world);
-    const bool between_sides = std::abs(now.y) < 0.0375 && std::abs(before.y) < 0.0375;
-    if (between_sides && before.x < 0.0 && now.x > 0.0) return true;
+    const Vec2 now = world.state().balls[0].position;
+    for (const RobotState& robot : world.state().robots) {
+      for (int k = 1; k <= 8; ++k) {
+        const Vec2 between = before + (now - before) * (k / 8.0);
+        deep |= depthOf(config.robots[0].model, robot.pose, between, config.balls[0].model.radius) > kDeep;
+      }
+    }
     before = now;
   }
-  return false;
+  return deep && before.x > 0.06 && world.state().balls[0].velocity.x > 0.3 * speed;
 }
 
 }  // namespace
 
-TEST_CASE("no ball passes through a robot up to the profile's ball speed", "[unit]") {
+TEST_CASE("no ball passes through robots up to the profile's ball speed", "[unit]") {
   const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
-  CAPTURE(physics.name);
+  const auto preset = GENERATE(vsssPreset(), firasimPreset());
+  const auto target = GENERATE(Target::kRobot, Target::kTwoRobots, Target::kRobotAtWall);
+  CAPTURE(physics.name, preset.robot.name, static_cast<int>(target));
+  Rng rng(5, Stream::kTest);
   int passed = 0;
-  for (int step = 1; step <= 10; ++step) {
-    const double speed = physics.max_ball_speed * step / 10;
-    for (int i = 0; i < 50; ++i) {
-      // Different distances meet the robot at different places within a step's travel.
-      if (passesRobot(physics, speed, -0.12 - 0.0031 * i, 0.001 * (i % 21 - 10))) ++passed;
+  for (const double share : {0.4, 0.6, 0.8, 1.0}) {
+    const double speed = share * physics.max_ball_speed;
+    for (int i = 0; i < 100; ++i) {
+      passed += passesThrough(shotAt(target, preset, physics, speed, rng), speed) ? 1 : 0;
     }
   }
   CHECK(passed == 0);

@@ -15,8 +15,7 @@ RobotModel plainRobot() {
   robot.wheel_radius = 0.02;
   robot.axle_track = 0.08;
   robot.max_wheel_speed = 100.0;
-  robot.wheel_acceleration = 5.0;
-  robot.wheel_braking = 8.0;
+  robot.wheel_acceleration = robot.wheel_braking = 5.0;
   robot.longitudinal_grip = 10.0;
   robot.lateral_grip = 6.0;
   return robot;
@@ -29,8 +28,8 @@ TEST_CASE("a wheel pulls with the motor's limit and no further than its command"
   drive.setCommand({50.0, 50.0});  // 1 m/s
   CHECK(drive.step({0.5, 0.0, 0.0}).forward == Approx(5.0 * kStep));
   CHECK(drive.step({0.97, 0.0, 0.0}).forward == Approx(0.03));
-  CHECK(drive.step({1.5, 0.0, 0.0}).forward == Approx(-8.0 * kStep));
-  CHECK(drive.step({-0.5, 0.0, 0.0}).forward == Approx(8.0 * kStep));
+  CHECK(drive.step({1.5, 0.0, 0.0}).forward == Approx(-5.0 * kStep));
+  CHECK(drive.step({-0.5, 0.0, 0.0}).forward == Approx(5.0 * kStep));
 }
 
 TEST_CASE("wheels that turn against each other turn the body", "[unit]") {
@@ -38,8 +37,62 @@ TEST_CASE("wheels that turn against each other turn the body", "[unit]") {
   drive.setCommand({-50.0, 50.0});
   const BodyMotion change = drive.step({});
   CHECK(change.forward == Approx(0.0).margin(1e-12));
-  CHECK(change.yaw == Approx(2 * 5.0 * kStep / 0.08));
+  // Each motor gives half of the mass 5 m/s2, at 0.04 m from the middle.
+  const RobotModel robot = plainRobot();
+  CHECK(change.yaw == Approx(robot.mass * 5.0 * 0.04 / robot.inertia() * kStep));
   CHECK(drive.step({0.0, 0.0, 25.0}).yaw == Approx(0.0).margin(1e-12));  // 1 m/s at each rim already
+}
+
+TEST_CASE("a measured yaw acceleration stands for mass and shape", "[unit]") {
+  RobotModel robot = plainRobot();
+  robot.yaw_acceleration = 100.0;
+  Drive drive(robot, kStep, 0.0);
+  drive.setCommand({-50.0, 50.0});
+  CHECK(drive.step({}).yaw == Approx(100.0 * kStep));
+  CHECK(robot.turnAcceleration() == Approx(100.0));
+}
+
+TEST_CASE("a wheel that holds its speed helps to move the body that the other one turns", "[unit]") {
+  // Right pulls F, left keeps its rim at rest: v = (track / 2) w at every moment, and both forces are limited.
+  const RobotModel robot = plainRobot();
+  const double share = robot.turnShare();
+  Drive drive(robot, kStep, 0.0);
+  drive.setCommand({0.0, 50.0});
+  const BodyMotion change = drive.step({});
+  CHECK(change.forward == Approx(change.yaw * robot.axle_track / 2));
+  CHECK(change.forward == Approx(5.0 * share / (1.0 + share) * kStep));
+}
+
+TEST_CASE("drag slows what speeds up, helps what brakes, and leaves turning alone", "[unit]") {
+  RobotModel robot = plainRobot();
+  robot.rolling_drag = 2.0;
+  robot.wheel_braking = 8.5;  // of the 9 m/s2 that motors and drag could give
+  Drive drive(robot, kStep, 0.0);
+  drive.setCommand({50.0, 50.0});
+  CHECK(drive.step({}).forward == Approx(5.0 * kStep));
+  CHECK(drive.step({1.0, 0.0, 0.0}).forward == Approx(0.0).margin(1e-12));  // held, against the drag
+  drive.setCommand({});
+  CHECK(drive.step({0.5, 0.0, 0.0}).forward == Approx(-8.5 * kStep));
+  CHECK(drive.step({0.01, 0.0, 0.0}).forward == Approx(-0.01));
+  drive.setCommand({-50.0, 50.0});
+  CHECK(drive.step({}).yaw == Approx(robot.mass * 7.0 * 0.04 / robot.inertia() * kStep));
+}
+
+TEST_CASE("the spin ratio is of turning in place and does not act on arcs", "[unit]") {
+  RobotModel robot = plainRobot();
+  robot.wheel_acceleration = robot.wheel_braking = robot.longitudinal_grip = 1e6;  // the rims follow at once
+  robot.spin_slow_speed = 0.4;
+  robot.spin_slow_ratio = robot.spin_fast_ratio = 0.9;
+  robot.spin_fast_speed = 0.8;
+  Drive drive(robot, kStep, 0.0);
+  const auto yaw = [&](double left, double right) {
+    drive.setCommand({left, right});
+    return drive.step({}).yaw * robot.axle_track / robot.wheel_radius;  // over the wheels' difference
+  };
+  CHECK(yaw(-10.0, 10.0) == Approx(0.9 * 20.0));
+  CHECK(yaw(0.0, 20.0) == Approx(20.0));
+  CHECK(yaw(10.0, 30.0) == Approx(20.0));
+  CHECK(yaw(-5.0, 15.0) == Approx(0.95 * 20.0));  // halfway
 }
 
 TEST_CASE("the tyres resist sideways motion up to their grip", "[unit]") {
@@ -52,7 +105,7 @@ TEST_CASE("the tyres resist sideways motion up to their grip", "[unit]") {
 
 TEST_CASE("a motor stronger than the grip makes the wheel slip and its encoder run on", "[unit]") {
   RobotModel robot = plainRobot();
-  robot.wheel_acceleration = 30.0;
+  robot.wheel_acceleration = robot.wheel_braking = 30.0;
   Drive drive(robot, kStep, 0.0);
   drive.setCommand({50.0, 50.0});
   BodyMotion motion;
@@ -93,7 +146,7 @@ TEST_CASE("the measured spin ratio holds at its points, between and outside", "[
 
 TEST_CASE("commands are limited, then rounded to the nearest step, away from zero in between", "[unit]") {
   RobotModel robot = plainRobot();
-  robot.wheel_acceleration = robot.longitudinal_grip = 1e6;  // the rims follow at once
+  robot.wheel_acceleration = robot.wheel_braking = robot.longitudinal_grip = 1e6;  // the rims follow at once
   Drive drive(robot, kStep, 0.5);
   const auto reached = [&](double command) {
     drive.setCommand({command, command});

@@ -80,6 +80,26 @@ TEST_CASE("walls leave the field free and close it all around", "[unit]") {
   }
 }
 
+TEST_CASE("where walls overlap at a goal post, only faces that look into the field push", "[unit]") {
+  const auto walls = wallOutlines(FieldGeometry{}, 0.0);
+  int end_walls = 0, goal_sides = 0;
+  for (const WallOutline& wall : walls) {
+    const Vec2 in = inward(wall);
+    CHECK(norm(in) == Approx(1.0));
+    CHECK(dot(in, wall[1] - wall[0]) < 0.0);  // the wall lies on the other side of its face
+    CHECK(pushesInward(in, in));
+    CHECK_FALSE(pushesInward(in, in * -1.0));
+    const Vec2 middle = (wall[0] + wall[3]) / 2;
+    end_walls += std::abs(std::abs(middle.x) - 0.75) < 1e-9 && std::abs(in.x) > 0.99 ? 1 : 0;
+    goal_sides += std::abs(middle.x) > 0.76 && std::abs(in.y) > 0.99 ? 1 : 0;
+  }
+  CHECK(end_walls == 4);
+  CHECK(goal_sides == 4);
+  // The upper side of the left goal looks down: its end pushes along the end wall's face, its back does not push.
+  CHECK(pushesInward({0.0, -1.0}, {1.0, 0.0}));
+  CHECK_FALSE(pushesInward({0.0, -1.0}, {0.0, 1.0}));
+}
+
 TEST_CASE("shifted walls lie further out by just that much", "[unit]") {
   const auto walls = wallOutlines(FieldGeometry{}, 0.002);
   CHECK_FALSE(inAnyWall(walls, {0.0, 0.6519}, 0.0));

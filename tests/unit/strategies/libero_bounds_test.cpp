@@ -10,8 +10,7 @@ namespace fulbito {
 
 TEST_CASE("libero's areas step never lets a robot in that can still stop outside", "[unit]") {
   const MatchInfo info = test::infoOf(3);
-  libero::Pitch pitch(info);
-  pitch.braking = pitch.acceleration;  // as `rolledForward`
+  const libero::Pitch pitch(info);
   const libero::Settings settings;
   const libero::BallForecast ball;
   const double dt = 1.0 / 60.0;

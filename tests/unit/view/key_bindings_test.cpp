@@ -1,5 +1,6 @@
 #include "apps/view/key_bindings.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "tests/support/catch.hpp"
@@ -35,6 +36,10 @@ TEST_CASE("the help tells of seeking only where one can, and of dragging only wh
     replay += row.replay && !row.live ? 1 : 0;
     live += row.live && !row.replay ? 1 : 0;
   }
+  const auto closes = [](const KeyHelp& row) {
+    return row.keys == "Q, Esc" && row.text.starts_with("close this list");
+  };
+  CHECK(std::any_of(keyHelp().begin(), keyHelp().end(), closes));
   CHECK(replay > 0);
   CHECK(live > 0);
 }

@@ -63,6 +63,21 @@ TEST_CASE("a saved picture shows no help and no note", "[unit]") {
   CHECK(*readTextFile(saved, 1 << 24) == *readTextFile(plain, 1 << 24));
 }
 
+TEST_CASE("the screen always says how fast it plays and that H shows the keys", "[unit]") {
+  Viewer viewer = shortViewer();
+  ViewScreen screen;
+  REQUIRE(screen.draw(viewer, 900, 780));
+  const auto inked = [&] {  // pixels of the board's foot, right of the clock, that are not its panel's
+    int count = 0;
+    for (int y = 68; y < 82; ++y) {
+      for (int x = 700; x < 890; ++x)
+        count += screen.canvas()->row(y)[x] != screen.canvas()->row(y)[690] ? 1 : 0;
+    }
+    return count;
+  };
+  CHECK(inked() > 200);
+}
+
 TEST_CASE("a pointer aims at what the picture shows there", "[unit]") {
   Viewer viewer = shortViewer();
   ViewScreen screen;

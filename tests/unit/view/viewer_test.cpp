@@ -86,6 +86,15 @@ TEST_CASE("a machine that slept does not skip the match", "[unit]") {
   CHECK(viewer.stage().seconds() == Approx(0.1));
 }
 
+TEST_CASE("the hint tells the speed, at 1x too, and the key of the help", "[unit]") {
+  Viewer viewer = viewerOf({shortRecording()});
+  CHECK(viewer.hint() == "1x speed,  H: keys");
+  press(viewer, ViewKey::kMinus);
+  CHECK(viewer.hint() == "1/2x speed,  H: keys");
+  press(viewer, ViewKey::kPlus);
+  CHECK(viewer.hint() == "1x speed,  H: keys");
+}
+
 TEST_CASE("a paused picture is drawn once", "[unit]") {
   Viewer viewer = viewerOf({shortRecording()});
   std::int64_t now = 0;

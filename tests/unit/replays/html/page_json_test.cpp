@@ -65,4 +65,23 @@ TEST_CASE("the score changes with goals, at restarts and at the table", "[unit]"
   CHECK(jsonOf(scene)["scenes"][0]["scores"][2] == Json({20, 2, 1}));
 }
 
+TEST_CASE("a call's words and colour are in the data, not in the page", "[unit]") {
+  PageScene scene = test::sampleScene();
+  RecordedEvent charged;
+  charged.tick = 3;
+  charged.clause = "goal-kick.keeper-charged";
+  charged.team = TeamId::kBlue;
+  charged.value = 0.12;
+  charged.threshold = 0.02;
+  scene.events = {charged, goalAt(19, TeamId::kYellow)};
+  const Json events = jsonOf(scene)["scenes"][0]["events"];
+  CHECK(events[0]["title"] == "Goal kick");
+  CHECK(events[0]["detail"] == "keeper charged");
+  CHECK(events[0]["favours"] == 1);  // who takes the kick; `team` is at fault
+  CHECK(events[0]["team"] == 0);
+  CHECK(events[0]["measured"] == "pressed with 0.12 N s (limit 0.02 N s)");
+  CHECK(events[1]["favours"] == 1);
+  CHECK_FALSE(events[1].contains("measured"));
+}
+
 }  // namespace fulbito
