@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "experiments/comparison.hpp"
+#include "experiments/paper_map.hpp"
 
 namespace fulbito::app {
 
@@ -41,6 +41,8 @@ struct CompareOptions {
   std::string html;  ///< page of races; empty: none
   std::string tune;  ///< empty: no tuning
   int tune_evaluations = 150;
+  bool mapped = false;  ///< the map of the ring field instead
+  MapConfig map;        ///< its base is `config`
   bool json = false;
   bool force = false;  ///< `html` is replaced if it exists
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/compare_map.hpp"
 #include "apps/console.hpp"
 #include "apps/output_names.hpp"
 #include "apps/progress.hpp"
@@ -26,12 +27,12 @@ Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) 
   if (config.navigators.empty()) config.navigators = {"bezier", options.tune};
   for (double speed : config.speeds.empty() ? (*suite)->speeds : config.speeds) {
     ProgressBar bar(fmt::format("tuning {} at {:.1f} m/s", options.tune, speed), options.json);
-    const TuneConfig tuning{options.tune, speed, options.tune_evaluations, 40};
+    const TuneConfig tuning{options.tune, speed, options.tune_evaluations};
     const auto result =
         tune(config, tuning, [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
     if (!result) return tl::unexpected<Error>(result.error());
     note("tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, defaults {:.3f}, {} tries)\n",
-         speed, result->navigator, tuning.layouts, result->objective, result->initial, result->evaluations);
+         speed, result->navigator, result->layouts, result->objective, result->initial, result->evaluations);
     config.navigators.push_back(result->navigator);
   }
   return {};
@@ -87,6 +88,7 @@ Result<void> checkPage(const CompareOptions& options) {
 }  // namespace
 
 int compare(const CompareOptions& options) {
+  if (options.mapped) return compareMap(options);
   const std::int64_t begin = now();
   ComparisonConfig config = options.config;
   // Everything that can be wrong with the question is found before work begins.

@@ -15,6 +15,7 @@
 #include "apps/rules.hpp"
 #include "apps/view.hpp"
 #include "engine/core/build_info.hpp"
+#include "engine/core/float_mode.hpp"
 #include "engine/core/suggest.hpp"
 
 namespace fulbito::app {
@@ -84,6 +85,33 @@ CLI::App* addRun(CLI::App& app, Options& options) {
   return command;
 }
 
+/// What `--map` needs; other flags than its own and the general ones say nothing to it and are refused.
+void addMap(CLI::App& command, CompareOptions& compare) {
+  MapConfig& config = compare.map;
+  CLI::Option* map = command.add_flag(
+      "--map", compare.mapped,
+      "map the gap between the Bezier method and rings of many sizes, instead of comparing methods");
+  for (const char* other :
+       {"--navigators", "--only", "--pictures", "--record", "--tune", "--tune-evaluations", "--html"}) {
+    map->excludes(command.get_option(other));
+  }
+  command.add_option("--radii", config.radii, "of --map: the rings' radii [m]")->delimiter(',')->needs(map);
+  command.add_option("--widths", config.widths, "of --map: the rings' widths [m]")
+      ->delimiter(',')
+      ->needs(map);
+  command.add_option("--laws", config.laws, "of --map: preview, classic (default: both)")
+      ->delimiter(',')
+      ->needs(map);
+  command
+      .add_option("--headings", config.headings,
+                  "of --map: where robots look at the start: goal, random, away (default: all)")
+      ->delimiter(',')
+      ->needs(map);
+  command.add_option("--seeds", config.seeds, "of --map: seeds of layouts, --seed and the numbers after it")
+      ->needs(map)
+      ->capture_default_str();
+}
+
 CLI::App* addCompare(CLI::App& app, Options& options) {
   CompareOptions& compare = options.compare;
   ComparisonConfig& config = compare.config;
@@ -96,6 +124,8 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       "  fulbito compare --suite corner --only 17 --out one     one layout again, with its picture\n"
       "  fulbito compare --suite moving --trials 8 --html races.html   a page to watch them race\n"
       "  fulbito compare --tune tangent-field --speeds 1.0      tune a method, then judge it\n"
+      "  fulbito compare --map                                  where the paper's figures can come from\n"
+      "  fulbito compare --map --laws classic --speeds 1.0 --trials 100 --out map\n"
       "Exit code 0 also when a figure is outside its band. Names: fulbito list suites, fulbito list "
       "navigators.");
   command->add_option("--suite", config.suite, "suite of layouts")->capture_default_str();
@@ -128,6 +158,7 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
                    "write a page in which all methods race through the layouts that are drawn")
       ->type_name("FILE");
   command->add_flag("--force", compare.force, "replace the page of --html if it exists");
+  addMap(*command, compare);
   command->add_flag("--json", compare.json, "print results.json instead of tables");
   return command;
 }
@@ -298,6 +329,7 @@ int codeOf(int argc, char** argv) {
 }  // namespace fulbito::app
 
 int main(int argc, char** argv) {
+  const fulbito::FloatMode floats;
   fulbito::app::openStandardDescriptors();
   fulbito::app::catchSignals();
   return fulbito::app::finishOutput(fulbito::app::codeOf(argc, argv));

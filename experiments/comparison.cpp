@@ -1,9 +1,12 @@
 #include "experiments/comparison.hpp"
 
+#include <array>
 #include <mutex>
 
 #include <fmt/format.h>
 
+#include "engine/core/math.hpp"
+#include "engine/core/random.hpp"
 #include "engine/core/worker_threads.hpp"
 #include "experiments/paper_plan.hpp"
 #include "experiments/summary.hpp"
@@ -13,6 +16,7 @@ namespace fulbito {
 namespace {
 
 constexpr int kMaxTrials = 1000000;
+constexpr double kAwayBy = 171.0 * math::kPi / 180.0;
 
 struct Task {
   std::size_t block;
@@ -71,7 +75,8 @@ Result<std::vector<Block>> plainBlocks(const ComparisonConfig& config) {
   if (!choices) return tl::unexpected<Error>(choices.error());
   std::vector<Block> blocks;
   for (double speed : config.speeds.empty() ? (*suite)->speeds : config.speeds) {
-    blocks.push_back({*suite, speed, config.trials > 0 ? config.trials : (*suite)->default_trials, *choices});
+    blocks.push_back({*suite, speed, config.trials > 0 ? config.trials : (*suite)->default_trials, *choices,
+                      config.seed, StartHeading::kLayout});
   }
   return blocks;
 }
@@ -121,13 +126,31 @@ Result<TrialRecord> runTask(const Comparison& comparison, const Task& task, cons
                 fmt::format("{} at {} m/s, {}: {}", config->layout.name, block.speed,
                             block.navigators[task.navigator].text, result.error().message));
   }
-  TrialRecord record{task.block, task.navigator, task.index, result->score, result->final_hash, {}, {}};
+  TrialRecord record{task.block, task.navigator, task.index, result->score, result->final_hash, {}, {}, {}};
   record.compute_us.assign(result->compute_us.begin(), result->compute_us.end());
-  if (drawn) record.trace = std::move(result->trace);
+  if (drawn) {
+    record.trace = std::move(result->trace);
+    record.touches = std::move(result->touches);
+  }
   return record;
 }
 
+void turnStart(Layout& layout, const Block& block, std::uint64_t index) {
+  const double to_goal = math::angleOf(layout.goal - layout.start.position);
+  if (block.heading == StartHeading::kRandom) {
+    Rng rng(block.seed, Stream::kStartHeading, index);
+    layout.start.heading = rng.uniform(-math::kPi, math::kPi);
+  } else if (block.heading == StartHeading::kAway) {
+    layout.start.heading = math::wrapAngle(to_goal + kAwayBy);
+  }
+}
+
 }  // namespace
+
+std::string_view nameOf(StartHeading heading) {
+  constexpr std::array<std::string_view, 3> kNames{"goal", "random", "away"};
+  return kNames[static_cast<std::size_t>(heading)];
+}
 
 RobotPreset robotAt(const RobotPreset& robot, double speed) {
   RobotPreset limited = robot;
@@ -145,7 +168,8 @@ std::size_t referenceOf(const Block& block) {
 Result<TrialConfig> trialConfig(const Comparison& comparison, const Block& block, std::size_t navigator,
                                 std::uint64_t index) {
   TrialConfig config;
-  config.layout = block.suite->layout(comparison.config.seed, index);
+  config.layout = block.suite->layout(block.seed, index);
+  turnStart(config.layout, block, index);
   auto field = loadField(config.layout.field);
   if (!field) return tl::unexpected<Error>(field.error());
   config.field = std::move(*field);
@@ -155,12 +179,12 @@ Result<TrialConfig> trialConfig(const Comparison& comparison, const Block& block
   config.sensors = comparison.config.sensors;
   config.forbidden = block.suite->forbidden;
   config.limit_clearance = block.suite->limit_clearance;
-  config.seed = comparison.config.seed;
+  config.seed = block.seed;
   config.index = index;
   return config;
 }
 
-Result<Comparison> planComparison(const ComparisonConfig& config) {
+Result<Comparison> prepareComparison(const ComparisonConfig& config) {
   Comparison comparison;
   comparison.config = config;
   if (auto checked = checkRanges(config); !checked) return tl::unexpected<Error>(checked.error());
@@ -170,6 +194,13 @@ Result<Comparison> planComparison(const ComparisonConfig& config) {
   auto physics = loadPhysics(config.physics);
   if (!physics) return tl::unexpected<Error>(physics.error());
   comparison.physics = std::move(*physics);
+  return comparison;
+}
+
+Result<Comparison> planComparison(const ComparisonConfig& config) {
+  auto prepared = prepareComparison(config);
+  if (!prepared) return prepared;
+  Comparison comparison = std::move(*prepared);
   auto blocks = config.suite == kPaperSuite ? paperBlocks(config) : plainBlocks(config);
   if (!blocks) return tl::unexpected<Error>(blocks.error());
   comparison.blocks = std::move(*blocks);

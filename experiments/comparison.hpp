@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/statistics.hpp"
@@ -27,12 +28,22 @@ struct ComparisonConfig {
   std::string record;                 ///< folder for recordings of these layouts; empty: none
 };
 
+/// Where robots look at the start of a block's trials.
+enum class StartHeading {
+  kLayout,  ///< as the layout says; in most suites at the goal
+  kRandom,  ///< anywhere, by a draw of its own for each layout
+  kAway,    ///< 171 degrees off the goal
+};
+std::string_view nameOf(StartHeading heading);
+
 /// One suite at one speed with the navigators that are compared on it.
 struct Block {
   const Suite* suite = nullptr;
   double speed = 1.0;  ///< [m/s]
   int trials = 0;
   std::vector<NavigatorChoice> navigators;
+  std::uint64_t seed = 2015;  ///< of its layouts
+  StartHeading heading = StartHeading::kLayout;
 };
 
 /// One trial's place and figures.
@@ -43,7 +54,8 @@ struct TrialRecord {
   TrialScore score;
   std::uint64_t final_hash = 0;
   std::vector<float> compute_us;  ///< each tick
-  std::vector<TraceRow> trace;    ///< kept where a picture is wanted
+  std::vector<TraceRow> trace;    ///< @{ kept where a picture is wanted
+  std::vector<Touch> touches;     ///< @}
 };
 
 /// One line of the table: a navigator on a block.
@@ -94,6 +106,9 @@ struct Comparison {
 
 /// Called from time to time with the number of finished trials; returning false stops the run.
 using Progress = std::function<bool(std::size_t done, std::size_t total)>;
+
+/// Robot, physics and ranges of a comparison, without blocks. Errors: kUsage, kIo, kBadInput.
+Result<Comparison> prepareComparison(const ComparisonConfig& config);
 
 /// Checks names, files and ranges and lays out the blocks without running anything. Errors: kUsage, kIo,
 /// kBadInput.

@@ -6,12 +6,15 @@
 
 #include <fmt/format.h>
 
+#include "experiments/field_arrows.hpp"
+#include "experiments/paper_figures.hpp"
 #include "replays/render/bar_chart.hpp"
 #include "replays/render/field_picture.hpp"
 
 namespace fulbito {
 namespace {
 
+constexpr Vec2 kShown{1050, 810};         // [px] that a window fills
 constexpr double kFootprintEvery = 0.15;  // [m] of way between outlined bodies
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
@@ -21,12 +24,33 @@ std::string remarkOf(const TrialScore& score) {
                          : std::string(nameOf(score.outcome)) + (score.arrived ? ", " + figures : "");
 }
 
-DrawnPath drawnPath(const std::string& label, const TrialScore& score, const std::vector<TraceRow>& trace,
-                    bool bodies) {
+/// A method has one colour in all pictures.
+std::size_t colourOf(const NavigatorChoice& navigator) {
+  std::size_t index = 0;
+  for (const NavigatorInfo& info : navigators()) {
+    if (info.name == navigator.info->name) return index;
+    ++index;
+  }
+  return index;
+}
+
+/// Of paths of one colour all but the first are hollow.
+void markVariants(std::vector<DrawnPath>& paths) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    paths[i].hollow = std::any_of(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i),
+                                  [&](const DrawnPath& before) { return before.colour == paths[i].colour; });
+  }
+}
+
+DrawnPath drawnPath(const NavigatorChoice& navigator, const TrialScore& score,
+                    const std::vector<TraceRow>& trace, const std::vector<Touch>& touches, bool bodies) {
   DrawnPath path;
-  path.label = label;
+  path.label = navigator.text;
   path.remark = remarkOf(score);
   path.failed = !score.success();
+  path.arrived = score.arrived;
+  for (const Touch& touch : touches) path.touches.push_back(touch.point);
+  path.colour = colourOf(navigator);
   double since = kFootprintEvery;
   for (std::size_t i = 0; i < trace.size(); ++i) {
     const Pose2& pose = trace[i].robot.pose;
@@ -53,9 +77,19 @@ void shorten(ObstacleSpec& obstacle, double seconds) {
   }
 }
 
-FieldPicture pictureOf(const std::string& title, const TrialConfig& config) {
+/// With the title and window of one of the paper's figures where the layout is one.
+FieldPicture pictureOf(const TrialConfig& config) {
   FieldPicture picture;
-  picture.title = title;
+  const PaperFigure* figure = figureOf(config.layout.name);
+  const double speed = config.robot.robot.maxSpeed();
+  picture.title = figure != nullptr ? fmt::format("{}, top speed {:.1f} m/s", figure->title, speed)
+                                    : fmt::format("Ways through layout {} at a top speed of {:.1f} m/s",
+                                                  config.layout.name, speed);
+  if (figure != nullptr && figure->window) {
+    picture.window = FieldWindow{figure->window->first, figure->window->second};
+    const Vec2 size = picture.window->high - picture.window->low;
+    picture.pixels_per_metre = static_cast<int>(std::min(kShown.x / size.x, kShown.y / size.y));
+  }
   picture.field = config.field;
   picture.robot = config.robot.robot;
   picture.layout = config.layout;
@@ -74,6 +108,47 @@ Result<void> save(Result<Canvas> canvas, const std::string& file) {
   return canvas->writePng(file);
 }
 
+/// What the paper's figure shows and whether the run named does; empty for other layouts.
+std::string captionOf(const Layout& layout, const std::string& method, const TrialRecord& run) {
+  const PaperFigure* figure = figureOf(layout.name);
+  if (figure == nullptr) return {};
+  const FigureVerdict verdict = figure->judge(layout, run);
+  const char* conclusion = "";
+  if (method == figure->method) {
+    conclusion = verdict.shown ? ": the weakness shows." : ": the figure does not reproduce.";
+  }
+  return fmt::format("Jung & Lee (2015): {}. Here {} {}{}", figure->sentence, method, verdict.measured,
+                     *conclusion != 0 ? conclusion : ".");
+}
+
+/// Arrows of a method that is a field, over what the picture shows.
+Result<void> addArrows(FieldPicture& picture, const TrialConfig& config) {
+  FieldWindow shown{{-config.field.length / 2, -config.field.width / 2},
+                    {config.field.length / 2, config.field.width / 2}};
+  if (picture.window) shown = *picture.window;
+  auto places = fieldArrows(config, shown.low, shown.high);
+  if (!places) return tl::unexpected<Error>(places.error());
+  picture.arrows = {fmt::format("the field at the start"), arrowSpacing(shown.low, shown.high) * 0.62,
+                    std::move(*places)};
+  return {};
+}
+
+/// Which of a block's runs a picture shows: of a figure's case its own method and those beside it, where the
+/// block has the method; else all.
+std::vector<std::size_t> drawnNavigators(const Block& block, const PaperFigure* figure) {
+  std::vector<std::size_t> all, chosen;
+  bool own = false;
+  for (std::size_t n = 0; n < block.navigators.size(); ++n) {
+    const std::string& text = block.navigators[n].text;
+    all.push_back(n);
+    if (figure == nullptr) continue;
+    own = own || text == figure->method;
+    const bool beside = std::find(figure->beside.begin(), figure->beside.end(), text) != figure->beside.end();
+    if (text == figure->method || beside) chosen.push_back(n);
+  }
+  return own ? chosen : all;
+}
+
 /// A bar for each navigator that solved anything; the others say so.
 BarChart chartOf(const Comparison& comparison, const std::string& title, const std::string& axis,
                  double SummaryRow::* ratio) {
@@ -84,18 +159,19 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
   chart.reference = 1.0;
   chart.reference_label = "limit";
   std::size_t row = 0;
-  std::vector<std::string> seen;  // a method has one colour in all groups
   for (const Block& block : comparison.blocks) {
     BarGroup group{fmt::format("{} at {:.1f} m/s", block.suite->name, block.speed), {}};
-    for (std::size_t n = 0; n < block.navigators.size(); ++n) {
+    std::vector<std::size_t> seen;
+    for (const NavigatorChoice& navigator : block.navigators) {
       const SummaryRow& s = comparison.summary[row++];
       Bar bar;
       bar.label = s.navigator;
       bar.value = s.success.value > 0.0 ? s.*ratio : kNoValue;
       bar.remark =
           s.success.value > 0.0 ? fmt::format("{:.0f} % solved", 100 * s.success.value) : "none solved";
-      bar.colour = static_cast<std::size_t>(std::find(seen.begin(), seen.end(), s.navigator) - seen.begin());
-      if (bar.colour == seen.size()) seen.push_back(s.navigator);
+      bar.colour = colourOf(navigator);
+      bar.hollow = std::find(seen.begin(), seen.end(), bar.colour) != seen.end();
+      seen.push_back(bar.colour);
       group.bars.push_back(std::move(bar));
     }
     chart.groups.push_back(std::move(group));
@@ -105,31 +181,48 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
 
 }  // namespace
 
-Result<void> writePathPicture(const std::string& file, const std::string& title, const TrialConfig& config,
-                              const std::vector<const TrialRecord*>& records,
-                              const std::vector<std::string>& labels) {
-  FieldPicture picture = pictureOf(title, config);
-  for (std::size_t i = 0; i < records.size(); ++i) {
-    picture.paths.push_back(drawnPath(labels[i], records[i]->score, records[i]->trace, false));
+Result<void> writePathPicture(const std::string& file, const Comparison& comparison, std::size_t b,
+                              std::uint64_t index) {
+  const Block& block = comparison.blocks[b];
+  const auto config = trialConfig(comparison, block, 0, index);
+  if (!config) return tl::unexpected<Error>(config.error());
+  FieldPicture picture = pictureOf(*config);
+  const PaperFigure* figure = figureOf(config->layout.name);
+  for (std::size_t n : drawnNavigators(block, figure)) {
+    for (const TrialRecord& record : recordsOf(comparison, b, n)) {
+      if (record.index != index) continue;
+      picture.paths.push_back(
+          drawnPath(block.navigators[n], record.score, record.trace, record.touches, false));
+      if (figure == nullptr || block.navigators[n].text != figure->method) continue;
+      picture.caption = captionOf(config->layout, figure->method, record);
+      const auto own = trialConfig(comparison, block, n, index);
+      if (!own) return tl::unexpected<Error>(own.error());
+      if (auto added = addArrows(picture, *own); !added) return added;
+    }
   }
-  limitMotion(picture, config.physics.controlPeriod());
+  markVariants(picture.paths);
+  limitMotion(picture, config->physics.controlPeriod());
   return save(drawFieldPicture(picture), file);
 }
 
 Result<void> writeTrialPicture(const std::string& file, const TrialConfig& config,
                                const TrialResult& result) {
-  FieldPicture picture =
-      pictureOf(fmt::format("{} at {:.1f} m/s", config.layout.name, config.robot.robot.maxSpeed()), config);
+  FieldPicture picture = pictureOf(config);
+  TrialRecord run;
+  run.score = result.score, run.trace = result.trace, run.touches = result.touches;
+  picture.caption = captionOf(config.layout, config.navigator.text, run);
+  if (auto added = addArrows(picture, config); !added) return added;
+  picture.paths.push_back(drawnPath(config.navigator, result.score, result.trace, result.touches, true));
+  limitMotion(picture, config.physics.controlPeriod());
   TrialScore limit;
   limit.outcome = TrialOutcome::kReached;
   limit.time = result.score.time_limit;
   limit.length = result.score.length_limit;
-  picture.paths.push_back(drawnPath(config.navigator.text, result.score, result.trace, true));
-  limitMotion(picture, config.physics.controlPeriod());
   DrawnPath shortest;
   shortest.label = "limit L*, T*";
   shortest.remark = remarkOf(limit);
   shortest.points = result.limit_path;
+  shortest.colour = picture.paths.front().colour == std::size_t{0} ? 1 : 0;
   picture.paths.push_back(std::move(shortest));
   return save(drawFieldPicture(picture), file);
 }
@@ -146,18 +239,10 @@ Result<std::vector<std::string>> writePictures(const Comparison& comparison, con
     const std::size_t layouts = recordsOf(comparison, b, 0).size();
     for (std::size_t i = 0; i < layouts; ++i) {
       if (recordsOf(comparison, b, 0)[i].trace.empty()) continue;
-      std::vector<const TrialRecord*> records;
-      std::vector<std::string> labels;
-      for (std::size_t n = 0; n < block.navigators.size(); ++n) {
-        records.push_back(&recordsOf(comparison, b, n)[i]);
-        labels.push_back(block.navigators[n].text);
-      }
-      const std::uint64_t index = records.front()->index;
-      const auto config = trialConfig(comparison, block, 0, index);
-      if (!config) return tl::unexpected<Error>(config.error());
-      const std::string name = fmt::format("{}-{:.1f}.png", config->layout.name, block.speed);
-      const std::string title = fmt::format("{} at {:.1f} m/s", config->layout.name, block.speed);
-      auto written = add(name, writePathPicture(file_of(name), title, *config, records, labels));
+      const std::uint64_t index = recordsOf(comparison, b, 0)[i].index;
+      const Layout layout = block.suite->layout(block.seed, index);
+      const std::string name = fmt::format("{}-{:.1f}.png", layout.name, block.speed);
+      auto written = add(name, writePathPicture(file_of(name), comparison, b, index));
       if (!written) return tl::unexpected<Error>(written.error());
     }
   }

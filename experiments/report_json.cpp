@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/build_info.hpp"
+#include "experiments/paper_figures.hpp"
 #include "experiments/report.hpp"
 
 namespace fulbito {
@@ -110,6 +111,13 @@ std::string resultsJson(const Comparison& comparison, double wall_seconds) {
                                       {"inside_band", row.inside_band},
                                       {"reason", row.reason}});
     }
+  }
+  for (const FigureRow& row : judgeFigures(comparison)) {
+    json["figures"].push_back({{"case", row.figure->layout},
+                               {"paper", row.figure->sentence},
+                               {"navigator", row.figure->method},
+                               {"here", row.verdict.measured},
+                               {"shows", row.verdict.shown}});
   }
   json["wall_seconds"] = numberOrNull(wall_seconds);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

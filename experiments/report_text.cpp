@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "experiments/paper_figures.hpp"
 #include "experiments/report.hpp"
 
 namespace fulbito {
@@ -33,6 +34,17 @@ void appendBlock(std::string& out, const Comparison& comparison, const Block& bl
   for (std::size_t n = 0; n < block.navigators.size(); ++n) appendRow(out, comparison.summary[next++]);
 }
 
+void appendFigures(std::string& out, const std::vector<FigureRow>& rows) {
+  if (rows.empty()) return;
+  out +=
+      "\n### The paper's figures\n\n| case | the paper's figure | run | here | shows "
+      "|\n|---|---|---|---|---|\n";
+  for (const FigureRow& row : rows) {
+    out += fmt::format("| {} | {} | `{}` | {} | {} |\n", row.figure->layout, row.figure->sentence,
+                       row.figure->method, row.verdict.measured, row.verdict.shown ? "yes" : "no");
+  }
+}
+
 std::string csvText(const std::string& text) {
   return text.find(',') == std::string::npos ? text : '"' + text + '"';
 }
@@ -58,6 +70,7 @@ std::string markdownReport(const Comparison& comparison) {
                          row.band, row.inside_band ? "yes" : "no", row.reason);
     }
   }
+  appendFigures(out, judgeFigures(comparison));
   return out;
 }
 
@@ -74,11 +87,10 @@ std::string trialsCsv(const Comparison& comparison) {
     const TrialScore& s = r.score;
     out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:016x}\n",
                        block.suite->name, block.speed, csvText(block.navigators[r.navigator].text), r.index,
-                       block.suite->layout(comparison.config.seed, r.index).name, nameOf(s.outcome),
-                       s.arrived ? 1 : 0, s.time, s.length, s.time_limit, s.length_limit, s.obstacle_contacts,
-                       s.wall_contacts, s.own_contacts, s.contact_impulse, s.min_clearance, s.mean_clearance,
-                       s.turning, s.curvature_jumps, s.wheel_jerk, s.heading_error, s.longest_stuck,
-                       r.final_hash);
+                       block.suite->layout(block.seed, r.index).name, nameOf(s.outcome), s.arrived ? 1 : 0,
+                       s.time, s.length, s.time_limit, s.length_limit, s.obstacle_contacts, s.wall_contacts,
+                       s.own_contacts, s.contact_impulse, s.min_clearance, s.mean_clearance, s.turning,
+                       s.curvature_jumps, s.wheel_jerk, s.heading_error, s.longest_stuck, r.final_hash);
   }
   return out;
 }

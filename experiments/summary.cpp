@@ -5,7 +5,6 @@
 namespace fulbito {
 namespace {
 
-constexpr double kFailureTimeRatio = 8.0;
 constexpr double kStuckTooLong = 2.0;  // [s]
 
 /// Sums over the trials that succeeded.
@@ -86,23 +85,31 @@ void summarise(Comparison& comparison) {
   }
 }
 
-PairedDifference compareSafePairs(const Comparison& comparison, std::size_t block, std::size_t a,
-                                  std::size_t b, double hung) {
-  const auto first = recordsOf(comparison, block, a), second = recordsOf(comparison, block, b);
+PairedDifference compareSafePairs(const Comparison& comparison, std::span<const std::size_t> blocks,
+                                  std::size_t a, std::size_t b, double hung, std::size_t resamples) {
   std::vector<double> length_a, length_b, time_a, time_b;
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    if (!first[i].score.success() || !second[i].score.success()) continue;
-    if (first[i].score.timeRatio() > hung || second[i].score.timeRatio() > hung) continue;
-    length_a.push_back(first[i].score.length);
-    length_b.push_back(second[i].score.length);
-    time_a.push_back(first[i].score.time);
-    time_b.push_back(second[i].score.time);
+  for (std::size_t block : blocks) {
+    const auto first = recordsOf(comparison, block, a), second = recordsOf(comparison, block, b);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      if (!first[i].score.success() || !second[i].score.success()) continue;
+      if (first[i].score.timeRatio() > hung || second[i].score.timeRatio() > hung) continue;
+      length_a.push_back(first[i].score.length);
+      length_b.push_back(second[i].score.length);
+      time_a.push_back(first[i].score.time);
+      time_b.push_back(second[i].score.time);
+    }
   }
   PairedDifference difference;
   difference.pairs = static_cast<int>(length_a.size());
-  difference.length = pairedRelativeDifference(length_a, length_b, comparison.config.seed);
-  difference.time = pairedRelativeDifference(time_a, time_b, comparison.config.seed);
+  const std::uint64_t seed = comparison.config.seed;
+  difference.length = pairedRelativeDifference(length_a, length_b, seed, resamples);
+  difference.time = pairedRelativeDifference(time_a, time_b, seed, resamples);
   return difference;
+}
+
+PairedDifference compareSafePairs(const Comparison& comparison, std::size_t block, std::size_t a,
+                                  std::size_t b, double hung) {
+  return compareSafePairs(comparison, std::span(&block, 1), a, b, hung, 10000);
 }
 
 }  // namespace fulbito

@@ -98,6 +98,15 @@ auto timed(const Clock& now, std::vector<double>& durations, const Work& work) {
   return value;
 }
 
+void addTouches(std::span<const ContactEvent> contacts, Tick tick, double dt, std::vector<Touch>& touches) {
+  const auto solid = [](BodyId id) { return id.kind == BodyKind::kObstacle || id.kind == BodyKind::kWall; };
+  const BodyId robot{BodyKind::kRobot, 0};
+  for (const ContactEvent& event : contacts) {
+    const bool its_own = (event.a == robot && solid(event.b)) || (event.b == robot && solid(event.a));
+    if (event.began && its_own) touches.push_back({static_cast<double>(tick) * dt, event.point});
+  }
+}
+
 }  // namespace
 
 void appendDiscs(const ObstacleSpec& spec, const ObstacleState& state, std::vector<DiscObstacle>& discs) {
@@ -154,6 +163,7 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock, Tria
     sensing.commanded(command);
     sensing.observe(world->state());
     over = referee.observe(world->state(), world->contacts(), command);
+    addTouches(world->contacts(), world->state().tick, dt, result.touches);
     hash.add(world->state());
     if (recorder != nullptr) recorder->ticked(world->state(), command, hash.value());
     result.trace.push_back(

@@ -44,10 +44,17 @@ struct TraceRow {
   WheelSpeeds command;
 };
 
+/// Where and when the robot began to touch an obstacle or a wall.
+struct Touch {
+  double time = 0.0;  ///< [s]
+  Vec2 point;         ///< [m] of contact
+};
+
 /// What came of it.
 struct TrialResult {
   TrialScore score;
   std::vector<TraceRow> trace;     ///< from the start, one row a tick
+  std::vector<Touch> touches;      ///< in the order in which they began
   std::vector<Vec2> limit_path;    ///< the L* path
   std::vector<double> compute_us;  ///< navigator and follower, each tick; empty without a clock
   std::uint64_t final_hash = 0;    ///< of all states of the trial

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
 #include "experiments/paper_plan.hpp"
 
@@ -14,7 +15,10 @@ namespace {
 constexpr std::uint64_t kTrainingSeedOffset =
     1000003;  // training layouts are not those that the method is judged on
 constexpr int kMostEvaluations = 100000;
-constexpr double kLocalSpread = 0.1;  // of a parameter's range, near the best
+constexpr double kFirstSpread = 0.1, kLastSpread = 0.002;  // of a parameter's range, near the best
+constexpr double kMoved = 0.5;  // share of the parameters that a try near the best changes
+constexpr std::size_t kFinalists = 5;
+constexpr int kLastRound = 3;  // times as many layouts
 
 using Point = std::vector<double>;
 
@@ -54,19 +58,44 @@ Point defaults(const Space& space) {
   return point;
 }
 
-Point draw(const Space& space, Rng& rng, const Point& best, bool local) {
+Point drawAnywhere(const Space& space, Rng& rng) {
   Point point;
-  for (std::size_t i = 0; i < space.parameters.size(); ++i) {
+  for (const ParameterSpec& spec : space.parameters) point.push_back(rng.uniform(spec.minimum, spec.maximum));
+  return point;
+}
+
+/// Some parameters of `best` moved by `spread` of their range; at least one.
+Point drawNear(const Space& space, Rng& rng, const Point& best, double spread) {
+  Point point = best;
+  const std::size_t always = rng.below(static_cast<std::uint32_t>(point.size()));
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const bool moved = rng.uniform(0.0, 1.0) < kMoved || i == always;
+    if (!moved) continue;
     const ParameterSpec& spec = space.parameters[i];
-    const double range = spec.maximum - spec.minimum;
-    const double value =
-        local ? best[i] + rng.normal(0.0, kLocalSpread * range) : rng.uniform(spec.minimum, spec.maximum);
-    point.push_back(std::clamp(value, spec.minimum, spec.maximum));
+    point[i] = std::clamp(best[i] + rng.normal(0.0, spread * (spec.maximum - spec.minimum)), spec.minimum,
+                          spec.maximum);
   }
   return point;
 }
 
+struct Candidate {
+  Point point;
+  double value = 0.0;
+};
+
+/// The candidates in the order of their values, the first few of them.
+void keepBest(std::vector<Candidate>& best, Candidate candidate) {
+  const auto place = std::upper_bound(best.begin(), best.end(), candidate.value,
+                                      [](double value, const Candidate& c) { return value < c.value; });
+  best.insert(place, std::move(candidate));
+  if (best.size() > kFinalists) best.pop_back();
+}
+
 }  // namespace
+
+double tuningSpread(double progress) {
+  return kFirstSpread * math::exp(progress * math::log(kLastSpread / kFirstSpread));
+}
 
 Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, const Progress& progress) {
   if (config.evaluations < 1 || config.evaluations > kMostEvaluations) {
@@ -82,6 +111,7 @@ Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, 
   training.seed = base.seed + kTrainingSeedOffset;
   training.pictures = 0;
   training.only.reset();
+  training.record.clear();
   const auto objective = [&](const Point& point) -> Result<double> {
     training.navigators = {specificationAt(*space, point)};
     auto comparison = planComparison(training);
@@ -89,23 +119,43 @@ Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, 
     if (auto ran = runComparison(*comparison, {}, {}); !ran) return tl::unexpected<Error>(ran.error());
     return comparison->summary.front().time_ratio_all;
   };
+  const std::size_t total = static_cast<std::size_t>(config.evaluations) + kFinalists + 1;
+  std::size_t done = 0;
+  const auto go_on = [&]() -> Result<void> {
+    if (!progress || progress(done++, total)) return {};
+    return fail(ErrorCode::kInterrupted, "interrupted");
+  };
+
   Rng rng(base.seed, Stream::kTuner);
-  Point best = defaults(*space);
-  auto value = objective(best);
-  if (!value) return tl::unexpected<Error>(value.error());
-  TuneResult result{specificationAt(*space, best), *value, *value, 1};
-  for (int i = 1; i < config.evaluations; ++i) {
-    if (progress && !progress(static_cast<std::size_t>(i), static_cast<std::size_t>(config.evaluations))) {
-      return fail(ErrorCode::kInterrupted, "interrupted");
+  std::vector<Candidate> best;
+  for (int i = 0; i < config.evaluations; ++i) {
+    if (auto on = go_on(); !on) return tl::unexpected<Error>(on.error());
+    const double local =
+        (2.0 * i - config.evaluations) / config.evaluations;  // from 0 to 1 in the second half
+    Point point = defaults(*space);
+    if (i > 0) {
+      point = local < 0.0 ? drawAnywhere(*space, rng)
+                          : drawNear(*space, rng, best.front().point, tuningSpread(local));
     }
-    const Point candidate = draw(*space, rng, best, 2 * i >= config.evaluations);
-    value = objective(candidate);
+    const auto value = objective(point);
     if (!value) return tl::unexpected<Error>(value.error());
-    ++result.evaluations;
-    if (*value >= result.objective) continue;
-    best = candidate;
+    keepBest(best, {std::move(point), *value});
+  }
+
+  training.seed += kTrainingSeedOffset;
+  training.trials = kLastRound * config.layouts;
+  TuneResult result;
+  result.evaluations = config.evaluations;
+  result.layouts = training.trials;
+  best.insert(best.begin(), {defaults(*space), 0.0});
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    if (auto on = go_on(); !on) return tl::unexpected<Error>(on.error());
+    const auto value = objective(best[i].point);
+    if (!value) return tl::unexpected<Error>(value.error());
+    if (i == 0) result.initial = *value;
+    if (i > 0 && *value >= result.objective) continue;
     result.objective = *value;
-    result.navigator = specificationAt(*space, best);
+    result.navigator = specificationAt(*space, best[i].point);
   }
   return result;
 }

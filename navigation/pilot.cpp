@@ -4,8 +4,8 @@
 
 namespace fulbito {
 
-Pilot::Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower)
-    : navigator_(std::move(navigator)), follower_(std::move(follower)) {}
+Pilot::Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower, bool wall_escape)
+    : navigator_(std::move(navigator)), follower_(std::move(follower)), wall_escape_(wall_escape) {}
 
 void Pilot::reset() {
   navigator_->reset();
@@ -17,7 +17,8 @@ void Pilot::reset() {
 WheelSpeeds Pilot::drive(const NavigationScene& scene) {
   guidance_ = navigator_->plan(scene);
   if (guidance_.kind == GuidanceKind::kWheels) return saturate(*scene.robot, guidance_.wheels);
-  const Twist wanted = escape_.apply(scene, follower_->follow(guidance_, scene));
+  Twist wanted = follower_->follow(guidance_, scene);
+  if (wall_escape_) wanted = escape_.apply(scene, wanted);
   const Twist limited = limitTwist(*scene.robot, bodyTwist(scene.self), wanted, scene.dt);
   return saturate(*scene.robot, inverseKinematics(*scene.robot, limited));
 }

@@ -12,7 +12,7 @@ namespace fulbito {
 /// tick. Methods that control the wheels themselves get neither follower nor escape.
 class Pilot {
  public:
-  Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower);
+  Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower, bool wall_escape = true);
   /// Forgets everything: the next tick starts a new trial.
   void reset();
   /// Wheel speeds for this tick, within the robot's limits and always finite.
@@ -25,6 +25,7 @@ class Pilot {
  private:
   std::unique_ptr<Navigator> navigator_;
   std::unique_ptr<Follower> follower_;
+  bool wall_escape_;  ///< whether the robot gets away from walls that leave it no room to turn
   WallEscape escape_;
   Guidance guidance_;
 };

@@ -41,8 +41,32 @@ const std::vector<ParameterSpec>& common() {
        {"preview", "classic"},
        "",
        "what turns the guidance into wheel speeds: the shared preview follower or the papers' control law"},
+      {"wall_escape",
+       ParameterSpec::Type::kFlag,
+       1.0,
+       0.0,
+       1.0,
+       {},
+       "",
+       "whether a robot that has no room to turn at a wall gets away from it first"},
   };
   return specs;
+}
+
+/// Whether `setting` is one that all methods share; it is then set in `choice`. Errors: of its value.
+Result<bool> takeShared(const Setting& setting, NavigatorChoice& choice) {
+  for (const ParameterSpec& spec : common()) {
+    if (setting.name != spec.name) continue;
+    const auto value = parseParameter(spec, setting.value);
+    if (!value) return tl::unexpected<Error>(value.error());
+    if (&spec == &common().front()) {
+      choice.classic_follower = *value != 0.0;
+    } else {
+      choice.wall_escape = *value != 0.0;
+    }
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -69,13 +93,9 @@ Result<NavigatorChoice> parseNavigator(const std::string& specification) {
     auto settings = parseSettings(specification.substr(colon + 1), specification);
     if (!settings) return tl::unexpected<Error>(settings.error());
     for (Setting& setting : *settings) {
-      if (setting.name != common().front().name) {
-        choice.settings.push_back(std::move(setting));
-        continue;
-      }
-      const auto value = parseParameter(common().front(), setting.value);
-      if (!value) return tl::unexpected<Error>(value.error());
-      choice.classic_follower = *value != 0.0;
+      const auto shared = takeShared(setting, choice);
+      if (!shared) return tl::unexpected<Error>(shared.error());
+      if (!*shared) choice.settings.push_back(std::move(setting));
     }
   }
   // Making one now reports a wrong parameter before anything runs.
@@ -93,7 +113,7 @@ Result<std::unique_ptr<Pilot>> makePilot(const NavigatorChoice& choice) {
   } else {
     follower = std::make_unique<PreviewFollower>();
   }
-  return std::make_unique<Pilot>(std::move(*navigator), std::move(follower));
+  return std::make_unique<Pilot>(std::move(*navigator), std::move(follower), choice.wall_escape);
 }
 
 }  // namespace fulbito

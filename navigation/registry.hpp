@@ -14,7 +14,8 @@ inline constexpr const char* kDefaultNavigator = "bspline-time";
 /// All navigation methods, in the order in which tables list them.
 std::span<const NavigatorInfo> navigators();
 
-/// Parameters that every method takes beside its own: `follower=preview|classic`.
+/// Parameters that every method takes beside its own: `follower=preview|classic` and
+/// `wall_escape=on|off`.
 std::span<const ParameterSpec> commonParameters();
 
 /// A specification such as `bezier:clearance=0.02,follower=classic`, taken apart and checked by name.
@@ -23,6 +24,7 @@ struct NavigatorChoice {
   std::string text;                     ///< as given
   std::vector<Setting> settings;        ///< the method's own
   bool classic_follower = false;
+  bool wall_escape = true;
 };
 
 /// Errors: kUsage naming the unknown method or parameter, with a suggestion.

@@ -18,11 +18,12 @@ constexpr double kRestTurn = 0.35;          // [rad] 20 degrees
 constexpr double kOutside = -0.01;  // [m] beyond the contour at which a robot's centre has left the field
 
 /// Share of the step from `a` to `b` after which the circle about `centre` is entered; 1 when only `b` is
-/// inside.
+/// inside, and where `a` is too: the robot has been there, what was missing came right at the end of the
+/// step.
 double entry(Vec2 a, Vec2 b, Vec2 centre, double radius) {
   const Vec2 d = b - a, f = a - centre;
   const double qa = dot(d, d), qb = dot(f, d), qc = dot(f, f) - radius * radius;
-  if (qc <= 0.0) return 0.0;
+  if (qc <= 0.0) return 1.0;
   const double discriminant = qb * qb - qa * qc;
   if (qa <= 0.0 || discriminant < 0.0) return 1.0;
   return std::clamp((-qb - std::sqrt(discriminant)) / qa, 0.0, 1.0);

@@ -40,6 +40,9 @@ before=$(awk -v t="$goal" 'BEGIN { print (t > 1.2 ? t - 1.2 : 0) }')
 
 "$program" compare --suite jung-lee-2015 --trials 1 --out figures >/dev/null
 cp figures/fig1-abrupt-turns-1.0.png "$images/"
+"$program" compare --map --suite close-range --laws classic --speeds 1.0,1.2 --radii 0,0.02,0.04,0.06,0.08,0.10,0.12,0.14 \
+  --widths 0.10,0.15,0.20,0.25,0.30,0.35,0.40 --trials 40 --out map >/dev/null
+cp map/map-close-range-classic.png "$images/"
 
 # What is shown in pages has to load quickly.
 find "$images" \( -name 'match-*.png' -o -name 'trial-*.png' \) -size +150k -print | while IFS= read -r file; do

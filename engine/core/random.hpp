@@ -23,6 +23,7 @@ enum class Stream : std::uint32_t {
   kRandomTeam = 11,    ///< the team `random`
   kCoinToss = 12,      ///< a referee's tosses: first kick-offs, ties without end
   kDrill = 13,         ///< starts of drills
+  kStartHeading = 14,  ///< where robots look at the start of a comparison's trials
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of

@@ -11,7 +11,6 @@ namespace fulbito {
 namespace {
 
 constexpr double kZ95 = 1.959963984540054;  // two-sided 95 % point of the normal distribution
-constexpr int kResamples = 10000;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Wilson's interval about the rate `p` of `n` trials, which need not be whole.
@@ -65,13 +64,14 @@ Interval shareInterval(std::span<const double> shares) {
   return scoreInterval(p, n * most / variance);
 }
 
-Interval pairedRelativeDifference(std::span<const double> a, std::span<const double> b, std::uint64_t seed) {
+Interval pairedRelativeDifference(std::span<const double> a, std::span<const double> b, std::uint64_t seed,
+                                  std::size_t resamples) {
   const std::size_t n = std::min(a.size(), b.size());
   if (n == 0) return {kNaN, kNaN, kNaN};
   double sum_a = 0.0, sum_b = 0.0;
   for (std::size_t i = 0; i < n; ++i) sum_a += a[i], sum_b += b[i];
   Rng rng(seed, Stream::kBootstrap);
-  std::vector<double> resampled(kResamples);
+  std::vector<double> resampled(std::max<std::size_t>(resamples, 1));
   for (double& ratio : resampled) {
     double ra = 0.0, rb = 0.0;
     for (std::size_t i = 0; i < n; ++i) {

@@ -25,9 +25,10 @@ Interval meanInterval(std::span<const double> values);
 /// variance counts one more value that varies as much as a rate can. Below 1 value: 0 with 0 ... 1.
 Interval shareInterval(std::span<const double> shares);
 
-/// Ratio of means `sum(a) / sum(b) - 1` over pairs, with a percentile bootstrap over pairs (10,000 resamples
-/// of `seed`). Empty input gives NaN.
-Interval pairedRelativeDifference(std::span<const double> a, std::span<const double> b, std::uint64_t seed);
+/// Ratio of means `sum(a) / sum(b) - 1` over pairs, with a percentile bootstrap over pairs (`resamples` of
+/// `seed`). Empty input gives NaN.
+Interval pairedRelativeDifference(std::span<const double> a, std::span<const double> b, std::uint64_t seed,
+                                  std::size_t resamples = 10000);
 
 /// Mean; NaN when empty.
 double mean(std::span<const double> values);

@@ -9,6 +9,7 @@
 #include "replays/render/field_picture.hpp"
 #include "replays/render/palette.hpp"
 #include "replays/render/text_fit.hpp"
+#include "replays/render/text_wrap.hpp"
 
 namespace fulbito {
 namespace {
@@ -19,7 +20,8 @@ constexpr Colour kGrid{226, 229, 232}, kStripe{241, 243, 244}, kBaseLine{120, 12
 
 // [px]
 constexpr double kMargin = 36, kPlotWidth = 640, kGap = 12, kIndent = 10;
-constexpr double kMostLabel = 260, kMostRemark = 300;
+constexpr double kMostLabel = 300, kMostRemark = 300, kLabelLine = 17;
+constexpr std::size_t kMostLines = 4;  // of a label
 constexpr double kTop = 114, kBottom = 72, kHeading = 38, kRow = 25, kBarHeight = 16, kGroupGap = 14;
 constexpr double kTitleText = 24, kHeadingText = 15, kText = 14, kSmallText = 13;
 
@@ -70,11 +72,34 @@ double columnWidth(const Canvas& canvas, const BarChart& chart, TextOf text_of) 
   return widest;
 }
 
+std::vector<std::string> labelLines(const Canvas& canvas, const Bar& bar) {
+  std::vector<std::string> lines = wrapped(canvas, bar.label, kText, kMostLabel);
+  if (lines.size() <= kMostLines) return lines;
+  lines.resize(kMostLines);
+  lines.back() = fitted(canvas, lines.back() + "\u2026", kText, kMostLabel);
+  return lines;
+}
+
+double rowHeight(const Canvas& canvas, const Bar& bar) {
+  return kRow + kLabelLine * static_cast<double>(labelLines(canvas, bar).size() - 1);
+}
+
+double labelWidth(const Canvas& canvas, const BarChart& chart) {
+  double widest = 0.0;
+  for (const BarGroup& group : chart.groups) {
+    for (const Bar& bar : group.bars) {
+      for (const std::string& line : labelLines(canvas, bar)) {
+        widest = std::max(widest, canvas.textWidth(line, kText));
+      }
+    }
+  }
+  return widest;
+}
+
 Plan makePlan(const Canvas& canvas, const BarChart& chart) {
   Plan plan;
   plan.axis = axisOf(chart);
-  const double label = columnWidth(
-      canvas, chart, [&](const Bar& bar) { return fitted(canvas, bar.label, kText, kMostLabel); });
+  const double label = labelWidth(canvas, chart);
   const double value = columnWidth(canvas, chart, [&](const Bar& bar) { return valueText(plan.axis, bar); });
   const double remark = columnWidth(
       canvas, chart, [&](const Bar& bar) { return fitted(canvas, bar.remark, kText, kMostRemark); });
@@ -82,7 +107,8 @@ Plan makePlan(const Canvas& canvas, const BarChart& chart) {
   plan.width = plan.left + kPlotWidth + 2 * kGap + value + remark + kMargin;
   plan.height = kTop + kBottom;
   for (const BarGroup& group : chart.groups) {
-    plan.height += kHeading + kRow * static_cast<double>(group.bars.size()) + kGroupGap;
+    plan.height += kHeading + kGroupGap;
+    for (const Bar& bar : group.bars) plan.height += rowHeight(canvas, bar);
   }
   return plan;
 }
@@ -138,12 +164,17 @@ void drawBar(Canvas& canvas, const Plan& plan, const Bar& bar, double middle) {
   const Colour colour = seriesColour(bar.colour);
   canvas.fillRectangle(corner, width, kBarHeight, darkened(colour, 0.25));
   canvas.fillRectangle(corner + Vec2{1, 1}, width - 2, kBarHeight - 2, colour);
+  if (bar.hollow && width > 8) canvas.fillRectangle(corner + Vec2{4, 5}, width - 8, kBarHeight - 10, kPaper);
 }
 
 void drawBarTexts(Canvas& canvas, const Plan& plan, const Bar& bar, double middle) {
   const double baseline = middle + 5, zero = plan.at(0.0);
-  canvas.text({plan.left - kGap, baseline}, fitted(canvas, bar.label, kText, kMostLabel), kText, kInk,
-              TextAlign::kRight);
+  const std::vector<std::string> label = labelLines(canvas, bar);
+  double y = baseline - kLabelLine / 2 * static_cast<double>(label.size() - 1);
+  for (const std::string& line : label) {
+    canvas.text({plan.left - kGap, y}, line, kText, kInk, TextAlign::kRight);
+    y += kLabelLine;
+  }
   double pen = zero + 8;
   if (std::isfinite(bar.value)) {
     if (hasInterval(bar)) drawWhisker(canvas, plan, bar, middle);
@@ -165,14 +196,15 @@ void drawHeading(Canvas& canvas, const Plan& plan, const BarGroup& group, double
 
 /// Calls `draw(bar, middle)` with the height of each bar's middle, and `heading(group, top)` before.
 template <typename Heading, typename Draw>
-void forEachRow(const BarChart& chart, Heading heading, Draw draw) {
+void forEachRow(const Canvas& canvas, const BarChart& chart, Heading heading, Draw draw) {
   double top = kTop;
   for (const BarGroup& group : chart.groups) {
     heading(group, top);
     top += kHeading;
     for (const Bar& bar : group.bars) {
-      draw(bar, top + 2 + kRow / 2);
-      top += kRow;
+      const double height = rowHeight(canvas, bar);
+      draw(bar, top + 2 + height / 2);
+      top += height;
     }
     top += kGroupGap;
   }
@@ -190,11 +222,11 @@ Result<Canvas> drawBarChart(const BarChart& chart) {
   drawGrid(*canvas, plan);
   drawTitles(*canvas, plan, chart);
   forEachRow(
-      chart, [](const BarGroup&, double) {},
+      *canvas, chart, [](const BarGroup&, double) {},
       [&](const Bar& bar, double middle) { drawBar(*canvas, plan, bar, middle); });
   drawReference(*canvas, plan, chart);
   forEachRow(
-      chart, [&](const BarGroup& group, double top) { drawHeading(*canvas, plan, group, top); },
+      *canvas, chart, [&](const BarGroup& group, double top) { drawHeading(*canvas, plan, group, top); },
       [&](const Bar& bar, double middle) { drawBarTexts(*canvas, plan, bar, middle); });
   return canvas;
 }

@@ -16,6 +16,7 @@ struct Bar {
   double high = 0.0;
   std::string remark;
   std::size_t colour = 0;  ///< index for seriesColour
+  bool hollow = false;     ///< with a bright core: of two bars of one colour the other variant
 };
 
 /// A group of bars under a heading, e.g. one speed.
@@ -34,7 +35,8 @@ struct BarChart {
   std::string reference_label;
 };
 
-/// Draws it, as tall as it needs. Labels and remarks that are too long end in an ellipsis. Errors: kIo as
+/// Draws it, as tall as it needs. Long labels take two lines or more; remarks that are too long, and labels
+/// beyond four lines, end in an ellipsis. Errors: kIo as
 /// Canvas; kUsage when there are more bars than fit in the tallest picture (about 640).
 Result<Canvas> drawBarChart(const BarChart& chart);
 

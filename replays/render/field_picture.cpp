@@ -9,12 +9,13 @@
 #include "replays/render/palette.hpp"
 #include "replays/render/path_drawing.hpp"
 #include "replays/render/text_fit.hpp"
+#include "replays/render/text_wrap.hpp"
 
 namespace fulbito {
 namespace {
 
 // In typographic units.
-constexpr double kMargin = 26, kHeader = 84, kFooter = 54;
+constexpr double kMargin = 26, kHeader = 84, kFooter = 54, kCaptionLine = 21, kCaptionText = 15;
 
 /// Where everything stands [px].
 struct Plan {
@@ -24,25 +25,53 @@ struct Plan {
   Vec2 legend_corner;
   double legend_height;
   Vec2 size;
+  Vec2 middle;  ///< [m] of what is shown of the field
+  std::vector<std::string> caption;
 };
 
-Plan makePlan(const FieldPicture& picture) {
+/// What is shown of the field: with its walls and goals unless there is a window.
+FieldWindow shownPart(const FieldPicture& picture) {
+  if (picture.window) return *picture.window;
   const FieldGeometry& field = picture.field;
   const double goals = field.hasGoals() ? field.goal_depth : 0.0;
+  const Vec2 half{field.length / 2 + goals + kDrawnWall, field.width / 2 + kDrawnWall};
+  return {-half, half};
+}
+
+Plan makePlan(const Canvas& measure, const FieldPicture& picture) {
+  const FieldWindow shown = shownPart(picture);
   Plan plan;
-  plan.field_size = Vec2{field.length + 2 * (goals + kDrawnWall), field.width + 2 * kDrawnWall} *
-                    static_cast<double>(picture.pixels_per_metre);
+  plan.middle = (shown.low + shown.high) / 2;
+  plan.field_size = (shown.high - shown.low) * static_cast<double>(picture.pixels_per_metre);
   // Letters grow with the picture, but stay readable in a small one.
   plan.unit = std::clamp(plan.field_size.y / 810.0, 0.8, 4.0);
   const double u = plan.unit;
-  const Legend legend(picture, u);
-  plan.field_corner = {kMargin * u, kHeader * u};
+  const Legend legend(measure, picture, u);
+  if (!picture.caption.empty()) {
+    const double width = plan.field_size.x + kMargin * u + legend.width();
+    plan.caption = wrapped(measure, picture.caption, kCaptionText * u, std::min(width, 1e5));
+  }
+  const double caption = kCaptionLine * u * static_cast<double>(plan.caption.size());
+  plan.field_corner = {kMargin * u, kHeader * u + caption};
   plan.legend_corner = {plan.field_corner.x + plan.field_size.x + kMargin * u, plan.field_corner.y};
   plan.legend_height = std::max(legend.height(), plan.field_size.y);
   plan.size = {
       plan.legend_corner.x + legend.width() + kMargin * u,
       plan.field_corner.y + std::max(plan.field_size.y + kFooter * u, plan.legend_height + kMargin * u)};
   return plan;
+}
+
+/// The paths as far as they are within the window, for marks that are to stand there; an end outside has
+/// none.
+std::vector<DrawnPath> shownPaths(std::vector<DrawnPath> paths, const FieldWindow& window) {
+  const auto outside = [&](Vec2 p) {
+    return !(p.x > window.low.x && p.x < window.high.x && p.y > window.low.y && p.y < window.high.y);
+  };
+  for (DrawnPath& path : paths) {
+    if (!path.points.empty() && outside(path.points.back())) path.arrived = true;
+    std::erase_if(path.points, outside);
+  }
+  return paths;
 }
 
 /// NaN and sizes beyond int become one that is refused.
@@ -58,15 +87,24 @@ void clearMargins(Canvas& canvas, const Plan& plan) {
   canvas.fillRectangle({b.x, a.y}, width - b.x, plan.field_size.y, theme::kPage);
 }
 
-std::string subtitle(const FieldGeometry& field) {
-  return fmt::format("{}, {:.2f} m \u00d7 {:.2f} m", field.name, field.length, field.width);
+std::string subtitle(const FieldPicture& picture) {
+  const FieldGeometry& field = picture.field;
+  const std::string whole =
+      fmt::format("{}, {:.2f} m \u00d7 {:.2f} m", field.name, field.length, field.width);
+  if (!picture.window) return whole;
+  const Vec2 size = picture.window->high - picture.window->low;
+  return fmt::format("detail, {:.2f} m \u00d7 {:.2f} m, of {}", size.x, size.y, whole);
 }
 
 void drawHeader(Canvas& canvas, const FieldPicture& picture, const Plan& plan) {
   const double u = plan.unit, width = canvas.width() - 2 * kMargin * u;
   canvas.text({kMargin * u, 42 * u}, fitted(canvas, picture.title, 25 * u, width), 25 * u, theme::kText);
-  canvas.text({kMargin * u, 66 * u}, fitted(canvas, subtitle(picture.field), 14 * u, width), 14 * u,
-              theme::kDimText);
+  double y = 66 * u;
+  for (const std::string& line : plan.caption) {
+    canvas.text({kMargin * u, y + 2 * u}, line, kCaptionText * u, theme::kText);
+    y += kCaptionLine * u;
+  }
+  canvas.text({kMargin * u, y}, fitted(canvas, subtitle(picture), 14 * u, width), 14 * u, theme::kDimText);
 }
 
 void drawScaleBar(const FieldView& view, const Plan& plan) {
@@ -82,24 +120,34 @@ void drawScaleBar(const FieldView& view, const Plan& plan) {
 Result<Canvas> drawFieldPicture(const FieldPicture& picture) {
   if (picture.pixels_per_metre < 1) return fail(ErrorCode::kUsage, "pixels_per_metre must be at least 1");
   if (auto valid = validate(picture.field); !valid) return tl::unexpected(valid.error());
-  const Plan plan = makePlan(picture);
+  const FieldWindow shown = shownPart(picture);
+  if (!(shown.low.x < shown.high.x && shown.low.y < shown.high.y)) {
+    return fail(ErrorCode::kUsage, "the window of the picture is empty");
+  }
+  auto measure = Canvas::create(1, 1, theme::kPage);
+  if (!measure) return measure;
+  const Plan plan = makePlan(*measure, picture);
   auto canvas = Canvas::create(wholePixels(plan.size.x), wholePixels(plan.size.y), theme::kPage);
   if (!canvas && canvas.error().code == ErrorCode::kUsage) {
     return fail(ErrorCode::kUsage, canvas.error().message + "; lower pixels_per_metre");
   }
   if (!canvas) return canvas;
-  const FieldView view{*canvas, plan.field_corner + plan.field_size / 2,
-                       static_cast<double>(picture.pixels_per_metre), plan.unit};
+  const double scale = picture.pixels_per_metre;
+  const Vec2 centre = plan.field_corner + plan.field_size / 2 - Vec2{plan.middle.x, -plan.middle.y} * scale;
+  const FieldView view{*canvas, centre, scale, plan.unit};
   drawField(view, picture.field);
+  drawArrows(view, picture.arrows);
   for (const ObstacleSpec& obstacle : picture.layout.obstacles) drawObstacle(view, obstacle);
+  // A detail shows what happens at the start itself.
+  if (picture.window) drawStart(view, picture.robot, picture.layout.start);
   drawPaths(view, picture.robot, picture.paths);
-  drawStart(view, picture.robot, picture.layout.start);
+  if (!picture.window) drawStart(view, picture.robot, picture.layout.start);
   drawGoal(view, picture.layout);
-  drawPathMarks(view, picture.paths);
+  drawPathMarks(view, picture.window ? shownPaths(picture.paths, shown) : picture.paths);
   clearMargins(*canvas, plan);
   drawHeader(*canvas, picture, plan);
   drawScaleBar(view, plan);
-  Legend(picture, plan.unit).draw(view, plan.legend_corner, plan.legend_height);
+  Legend(*canvas, picture, plan.unit).draw(view, plan.legend_corner, plan.legend_height);
   return canvas;
 }
 

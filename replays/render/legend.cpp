@@ -7,13 +7,15 @@
 #include "replays/render/palette.hpp"
 #include "replays/render/path_drawing.hpp"
 #include "replays/render/text_fit.hpp"
+#include "replays/render/text_wrap.hpp"
 
 namespace fulbito {
 namespace {
 
 // All in typographic units.
 constexpr double kWidth = 400, kPadding = 20, kHeading = 34, kPathRow = 29, kKeyRow = 30, kGap = 18;
-constexpr double kSwatch = 72, kText = 15, kRemark = 13;
+constexpr double kSwatch = 72, kText = 15, kRemark = 13, kTextLine = 19;
+constexpr std::size_t kMostLines = 6;  // of a label
 
 struct KeyRow {
   std::string label;
@@ -71,11 +73,35 @@ void addObstacleRow(std::vector<KeyRow>& rows, const Layout& layout, ObstacleMot
 }
 
 KeyRow failedRow() {
-  return {"failed run and where it ended", [](const FieldView& view, Vec2 centre) {
+  return {"failed run", [](const FieldView& view, Vec2 centre) {
             const double u = view.unit;
-            const std::array<Vec2, 2> line{centre - Vec2{30 * u, 0}, centre + Vec2{20 * u, 0}};
+            const std::array<Vec2, 2> line{centre - Vec2{26 * u, 0}, centre + Vec2{26 * u, 0}};
             drawDashed(view.canvas, line, failedDashes(view), pathThickness(view), theme::kDimText);
-            drawCross(view, line[1], 7 * u, theme::kDimText);
+          }};
+}
+
+KeyRow endRow() {
+  return {"where a run ended that did not arrive", [](const FieldView& view, Vec2 centre) {
+            drawCross(view, centre, 7 * view.unit, theme::kDimText);
+          }};
+}
+
+KeyRow touchRow() {
+  return {"touch", [](const FieldView& view, Vec2 centre) { drawTouch(view, centre, theme::kDimText); }};
+}
+
+KeyRow hollowRow() {
+  return {"same method, other settings", [](const FieldView& view, Vec2 centre) {
+            const double u = view.unit;
+            const std::array<Vec2, 2> line{centre - Vec2{26 * u, 0}, centre + Vec2{26 * u, 0}};
+            view.canvas.polyline(line, pathThickness(view), theme::kDimText);
+            drawCore(view, line);
+          }};
+}
+
+KeyRow arrowRow(const std::string& label) {
+  return {label, [](const FieldView& view, Vec2 centre) {
+            drawArrows(symbolView(view, centre), {"", 0.09, {Pose2{}}});
           }};
 }
 
@@ -84,40 +110,70 @@ std::vector<KeyRow> keyRows(const FieldPicture& picture) {
   for (ObstacleMotion motion : {ObstacleMotion::kFixed, ObstacleMotion::kPath, ObstacleMotion::kPushable}) {
     addObstacleRow(rows, picture.layout, motion);
   }
-  const bool failed = std::any_of(picture.paths.begin(), picture.paths.end(),
-                                  [](const DrawnPath& path) { return path.failed; });
-  if (failed) rows.push_back(failedRow());
+  const auto any = [&](auto test) { return std::any_of(picture.paths.begin(), picture.paths.end(), test); };
+  if (!picture.arrows.places.empty()) rows.push_back(arrowRow(picture.arrows.label));
+  if (any([](const DrawnPath& path) { return path.hollow; })) rows.push_back(hollowRow());
+  if (any([](const DrawnPath& path) { return path.failed; })) rows.push_back(failedRow());
+  if (any([](const DrawnPath& path) { return path.failed && !path.arrived; })) rows.push_back(endRow());
+  if (any([](const DrawnPath& path) { return !path.touches.empty(); })) rows.push_back(touchRow());
   return rows;
 }
 
 }  // namespace
 
+Legend::Legend(const Canvas& measure, const FieldPicture& picture, double unit)
+    : picture_(picture), unit_(unit) {
+  rows_.reserve(picture.paths.size());
+  for (const DrawnPath& path : picture.paths) rows_.push_back(pathRow(measure, path));
+}
+
 double Legend::width() const { return kWidth * unit_; }
 
 double Legend::height() const {
-  const double paths = static_cast<double>(picture_.paths.size());
   const double keys = static_cast<double>(keyRows(picture_).size());
-  const double upper = paths > 0 ? kHeading + paths * kPathRow + kGap : 0.0;
-  return (2 * kPadding + upper + kHeading + keys * kKeyRow) * unit_;
+  double paths = 0.0;
+  for (const PathRow& row : rows_) paths += row.height;
+  const double upper = rows_.empty() ? 0.0 : (kHeading + kGap) * unit_ + paths;
+  return (2 * kPadding + kHeading + keys * kKeyRow) * unit_ + upper;
+}
+
+Legend::PathRow Legend::pathRow(const Canvas& measure, const DrawnPath& path) const {
+  const double u = unit_, inner = (kWidth - 2 * kPadding - kSwatch) * u;
+  PathRow row;
+  row.label = wrapped(measure, path.label, kText * u, inner);
+  if (row.label.size() > kMostLines) {
+    row.label.resize(kMostLines);
+    row.label.back() = fitted(measure, row.label.back() + "\u2026", kText * u, inner);
+  }
+  row.remark = fitted(measure, path.remark, kRemark * u, inner);
+  const double beside = measure.textWidth(row.label.back(), kText * u) + 12 * u;
+  row.remark_below = beside + measure.textWidth(row.remark, kRemark * u) > inner;
+  const double lines = static_cast<double>(row.label.size()) + (row.remark_below ? 1.0 : 0.0);
+  row.height = (kPathRow + (lines - 1.0) * kTextLine) * u;
+  return row;
 }
 
 void Legend::drawPathRow(const FieldView& view, Vec2 corner, std::size_t index) const {
   const DrawnPath& path = picture_.paths[index];
+  const PathRow& row = rows_[index];
+  const Colour colour = pathColour(path, index);
   const double u = view.unit, inner = (kWidth - 2 * kPadding - kSwatch) * u;
   const Vec2 middle = corner + Vec2{0, kPathRow / 2 * u};
   const std::array<Vec2, 2> sample{middle + Vec2{26 * u, 0}, middle + Vec2{58 * u, 0}};
   if (path.failed) {
-    drawDashed(view.canvas, sample, failedDashes(view), pathThickness(view), seriesColour(index));
+    drawDashed(view.canvas, sample, failedDashes(view), pathThickness(view), colour);
   } else {
-    view.canvas.polyline(sample, pathThickness(view), seriesColour(index));
+    view.canvas.polyline(sample, pathThickness(view), colour);
   }
-  drawBadge(view, middle + Vec2{10 * u, 0}, index);
-  const double baseline = middle.y + 5 * u;
-  const std::string remark = fitted(view.canvas, path.remark, kRemark * u, 0.55 * inner);
-  const double remark_width = view.canvas.textWidth(remark, kRemark * u);
-  const std::string label = fitted(view.canvas, path.label, kText * u, inner - remark_width - 12 * u);
-  view.canvas.text({corner.x + kSwatch * u, baseline}, label, kText * u, theme::kText);
-  view.canvas.text({corner.x + kSwatch * u + inner, baseline}, remark, kRemark * u,
+  if (path.hollow) drawCore(view, sample);
+  drawBadge(view, middle + Vec2{10 * u, 0}, index, colour);
+  double baseline = middle.y + 5 * u;
+  for (const std::string& line : row.label) {
+    view.canvas.text({corner.x + kSwatch * u, baseline}, line, kText * u, theme::kText);
+    baseline += kTextLine * u;
+  }
+  if (!row.remark_below) baseline -= kTextLine * u;
+  view.canvas.text({corner.x + kSwatch * u + inner, baseline}, row.remark, kRemark * u,
                    path.failed ? theme::kWarningText : theme::kDimText, TextAlign::kRight);
 }
 
@@ -133,7 +189,10 @@ void Legend::draw(const FieldView& view, Vec2 corner, double height) const {
   };
   if (!picture_.paths.empty()) {
     heading("PATHS");
-    for (std::size_t i = 0; i < picture_.paths.size(); ++i, pen.y += kPathRow * u) drawPathRow(view, pen, i);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      drawPathRow(view, pen, i);
+      pen.y += rows_[i].height;
+    }
     pen.y += kGap * u;
   }
   heading("KEY");

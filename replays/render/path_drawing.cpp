@@ -72,7 +72,7 @@ Vec2 badgePlace(const std::vector<Line>& places, const Line& taken, std::size_t 
   return best;
 }
 
-void drawBadges(const FieldView& view, const std::vector<Line>& lines) {
+void drawBadges(const FieldView& view, const std::vector<DrawnPath>& paths, const std::vector<Line>& lines) {
   std::vector<Line> places;
   places.reserve(lines.size());
   for (const Line& line : lines) places.push_back(badgePlaces(line));
@@ -80,7 +80,7 @@ void drawBadges(const FieldView& view, const std::vector<Line>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (places[i].empty()) continue;
     taken.push_back(badgePlace(places, taken, i, 30 * view.unit));
-    drawBadge(view, taken.back(), i);
+    drawBadge(view, taken.back(), i, pathColour(paths[i], i));
   }
 }
 
@@ -97,20 +97,21 @@ void drawFootprints(const FieldView& view, const RobotModel& robot, const DrawnP
 }
 
 /// The lines of `members`, dashed as `each` is; then each line again in its turn of one such dash.
-void drawBundle(const FieldView& view, const std::vector<Line>& lines,
+void drawBundle(const FieldView& view, const std::vector<DrawnPath>& paths, const std::vector<Line>& lines,
                 const std::vector<std::size_t>& members, Dashes each) {
+  const auto colour_of = [&](std::size_t i) { return pathColour(paths[i], i); };
   const double thickness = pathThickness(view), count = static_cast<double>(members.size());
   for (std::size_t i : members) {
     if (each.on < each.period) {
-      drawDashed(view.canvas, lines[i], each, thickness, seriesColour(i));
+      drawDashed(view.canvas, lines[i], each, thickness, colour_of(i));
     } else {
-      view.canvas.polyline(lines[i], thickness, seriesColour(i));
+      view.canvas.polyline(lines[i], thickness, colour_of(i));
     }
   }
   if (members.size() < 2) return;
   double phase = 0.0;
   for (std::size_t i : members) {
-    drawDashed(view.canvas, lines[i], {each.period * count, each.on, phase}, thickness, seriesColour(i));
+    drawDashed(view.canvas, lines[i], {each.period * count, each.on, phase}, thickness, colour_of(i));
     phase += each.period;
   }
 }
@@ -123,30 +124,62 @@ void drawLines(const FieldView& view, const std::vector<DrawnPath>& paths, const
   }
   const double fair = kRound / std::max(1.0, static_cast<double>(whole.size()));
   const double turn = std::clamp(fair, kShortestTurn, kLongestTurn) * view.unit;
-  drawBundle(view, lines, whole, {turn, turn});
-  drawBundle(view, lines, failed, failedDashes(view));
+  drawBundle(view, paths, lines, whole, {turn, turn});
+  drawBundle(view, paths, lines, failed, failedDashes(view));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (paths[i].hollow) drawCore(view, lines[i]);
+  }
 }
 
 }  // namespace
 
 void drawPaths(const FieldView& view, const RobotModel& robot, const std::vector<DrawnPath>& paths) {
-  for (std::size_t i = 0; i < paths.size(); ++i) drawFootprints(view, robot, paths[i], seriesColour(i));
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    drawFootprints(view, robot, paths[i], pathColour(paths[i], i));
   drawLines(view, paths, linesOf(view, paths));
 }
 
 void drawPathMarks(const FieldView& view, const std::vector<DrawnPath>& paths) {
   const std::vector<Line> lines = linesOf(view, paths);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    if (paths[i].failed && !lines[i].empty()) {
-      drawCross(view, lines[i].back(), 9 * view.unit, seriesColour(i));
+    const Colour colour = pathColour(paths[i], i);
+    if (paths[i].failed && !paths[i].arrived && !lines[i].empty()) {
+      drawCross(view, lines[i].back(), 9 * view.unit, colour);
+    }
+    for (Vec2 touch : paths[i].touches) {
+      if (isFinite(touch)) drawTouch(view, view.at(touch), colour);
     }
   }
-  drawBadges(view, lines);
+  drawBadges(view, paths, lines);
 }
 
-void drawBadge(const FieldView& view, Vec2 centre, std::size_t index) {
+void drawArrows(const FieldView& view, const FieldArrows& arrows) {
+  const Colour colour = withAlpha(theme::kDimText, 130);
+  for (const Pose2& place : arrows.places) {
+    const Vec2 along = math::unit(place.heading) * (arrows.length / 2);
+    const Vec2 tail = view.at(place.position - along), tip = view.at(place.position + along);
+    view.canvas.line(tail, tip, 1.2 * view.unit, colour);
+    drawArrowHead(view.canvas, tip, unitOr(tip - tail, {1.0, 0.0}), 5 * view.unit, colour);
+  }
+}
+
+Colour pathColour(const DrawnPath& path, std::size_t index) {
+  return seriesColour(path.colour.value_or(index));
+}
+
+void drawTouch(const FieldView& view, Vec2 centre, Colour colour) {
   const double u = view.unit;
-  const Colour colour = seriesColour(index);
+  view.canvas.fillCircle(centre, 12 * u, withAlpha(theme::kPage, 190));
+  view.canvas.circle(centre, 11 * u, 2 * u, theme::kMarker);
+  drawCross(view, centre, 6 * u, colour);
+}
+
+void drawCore(const FieldView& view, std::span<const Vec2> line) {
+  view.canvas.polyline(line, 1.2 * view.unit, theme::kPage);
+}
+
+void drawBadge(const FieldView& view, Vec2 centre, std::size_t index, Colour colour) {
+  const double u = view.unit;
   view.canvas.fillCircle(centre, 10.5 * u, theme::kPage);
   view.canvas.fillCircle(centre, 9 * u, colour);
   const double brightness = 0.299 * colour.r + 0.587 * colour.g + 0.114 * colour.b;

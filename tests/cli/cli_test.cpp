@@ -152,6 +152,35 @@ TEST_CASE("compare prints tables, and one layout again with --only", "[cli]") {
   CHECK(fs::exists(box.path / "o/short-17-1.0.png"));
 }
 
+TEST_CASE("compare --map writes the map as text, CSV, JSON and pictures, the same for any number of jobs",
+          "[cli]") {
+  const Sandbox box;
+  const std::string common =
+      "compare --map --suite close-range --speeds 1.0 --radii 0.06,0.1 --widths 0.2 --laws classic "
+      "--headings goal "
+      "--trials 6 --seeds 2 ";
+  const Output text = box.run(common + "--jobs 1 --out one"),
+               json = box.run(common + "--json --jobs 3 --out two");
+  REQUIRE(text.code == 0);
+  CHECK(text.out.find("### Where the paper's two figures hold together") != std::string::npos);
+  CHECK(Json::parse(json.out)["cells"].size() == 2);
+  CHECK(contentOf(box.path / "two/map.json") == json.out);
+  CHECK(contentOf(box.path / "one/map.csv") == contentOf(box.path / "two/map.csv"));
+  CHECK(contentOf(box.path / "one/map-close-range-classic.png") ==
+        contentOf(box.path / "two/map-close-range-classic.png"));
+  CHECK(std::distance(fs::directory_iterator(box.path / "one"), {}) == 3);
+  const auto refused = [&](const std::string& line, const std::string& message) {
+    const Output output = box.run(line);
+    CAPTURE(line, output.err);
+    CHECK(output.code == 2);
+    CHECK(output.err.find(message) != std::string::npos);
+  };
+  refused("compare --map --radii 2 --out o", "--radii: 2 is outside 0 ... 1 m");
+  refused("compare --map --navigators bezier --out o", "--map");
+  refused("compare --radii 0.1 --out o", "--map");
+  CHECK_FALSE(fs::exists(box.path / "o"));
+}
+
 TEST_CASE("latency, noise, physics and robot can be chosen", "[cli]") {
   const Sandbox box;
   const Output output = box.run(

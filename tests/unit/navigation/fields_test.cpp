@@ -204,7 +204,7 @@ TEST_CASE("near a wall the orbit for an arrival heading is smaller", "[unit]") {
 
 TEST_CASE("every heading field keeps what every navigator promises", "[unit]") {
   for (const char* specification :
-       {"vector-field", "vector-field:goal=spiral,width=0",
+       {"vector-field", "vector-field:goal=spiral,offset=0.10,width=0",
         "vector-field:offset=0.10,width=0.20,follower=classic", "univector",
         "univector:goal=bearing,k0=0,d_min=0.09,delta=0.10", "univector:goal=posture",
         "univector:hold_side=on,shrink=on,ignore_beyond=on", "univector:follower=classic", "tangent-field",
@@ -217,7 +217,8 @@ TEST_CASE("the fields fare corner to corner as the bench page says", "[unit]") {
   // Of 50 layouts at 0.6 m/s; the untuned wide fields lose many runs at the saddles in front of obstacles.
   CHECK(safeRuns("tangent-field", 50, 0.6) >= 49);
   CHECK(safeRuns("limit-cycle", 50, 0.6) >= 47);
-  CHECK(safeRuns("vector-field", 50, 0.6) == Approx(40).margin(8));
+  CHECK(safeRuns("vector-field:offset=0.10,width=0.05", 50, 0.6) == Approx(40).margin(8));
+  CHECK(safeRuns("vector-field", 50, 0.6) >= 40);
   CHECK(safeRuns("univector:goal=bearing,k0=0,d_min=0.09,delta=0.10", 50, 0.6) == Approx(32).margin(8));
   CHECK(safeRuns("univector:goal=bearing,k0=0,d_min=0.09,delta=0.20,follower=classic", 50, 0.6) < 10);
 }

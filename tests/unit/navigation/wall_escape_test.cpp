@@ -148,4 +148,21 @@ TEST_CASE("a run that ends facing a wall is not disturbed", "[unit]") {
   CHECK(near.time == free.time);
 }
 
+TEST_CASE("the escape can be switched off by every method", "[unit]") {
+  Stage stage({{kTouchingX, kAside}, 0.0}, {-0.4, 0.1});
+  stage.scene.obstacles = stage.obstacles;
+  const auto first = [&](const char* specification) {
+    auto pilot = makePilot(*parseNavigator(specification));
+    REQUIRE(pilot);
+    (*pilot)->reset();
+    (*pilot)->drive(stage.scene);
+    return (*pilot)->escaping();
+  };
+  CHECK(first("vector-field:follower=classic"));
+  CHECK(first("bezier:wall_escape=on"));
+  CHECK_FALSE(first("vector-field:follower=classic,wall_escape=off"));
+  CHECK_FALSE(first("bezier:wall_escape=off"));
+  CHECK(parseNavigator("bezier:wall_escape=maybe").error().code == ErrorCode::kUsage);
+}
+
 }  // namespace fulbito

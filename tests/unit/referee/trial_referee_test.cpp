@@ -82,6 +82,21 @@ TEST_CASE("arrival with the wrong heading does not count where a heading is want
   CHECK(score.heading_error == Approx(0.1));
 }
 
+TEST_CASE("a robot that turns in the goal has arrived when its heading comes right, not a tick earlier",
+          "[unit]") {
+  Drive drive;
+  drive.layout.goal_heading = 1.0;
+  drive.layout.heading_tolerance = 0.1;
+  drive.world.robots[0].pose.position = {0.49, 0.0};
+  TrialReferee referee(drive.layout, drive.field, drive.robot, drive.rules, kDt);
+  CHECK_FALSE(drive.advance(referee, {0.06, 0.0}));  // in the circle, looking elsewhere
+  const double length = referee.score().length;
+  drive.world.robots[0].pose.heading = 1.0;
+  CHECK(drive.advance(referee, {0.06, 0.0}));
+  CHECK(referee.score().time == Approx(2 * kDt));
+  CHECK(referee.score().length == Approx(length + 0.06 * kDt));
+}
+
 TEST_CASE("a contact spoils a trial as its rules say", "[unit]") {
   Drive drive;
   const ContactEvent wall{{BodyKind::kWall, 0}, {BodyKind::kRobot, 0}, {-0.6, 0.0}, {1.0, 0.0}, 0.02, true};

@@ -98,6 +98,16 @@ TEST_CASE("the reference line stands at its value over the bars", "[unit]") {
   CHECK(count(drawn(chart), kPaper) < count(canvas, kPaper) - 50);
 }
 
+TEST_CASE("a long name takes two lines, and a hollow bar has a bright core", "[unit]") {
+  BarChart chart = twoBars();
+  const Canvas plain = drawn(chart);
+  chart.groups[0].bars[0].label = "tangent-field:offset=0.0784,range=5.56,hysteresis=0.239";
+  CHECK(drawn(chart).height() > plain.height() + 10);
+  chart = twoBars();
+  chart.groups[0].bars[1].hollow = true;
+  CHECK(count(drawn(chart), seriesColour(1)) < 3 * count(plain, seriesColour(1)) / 4);
+}
+
 TEST_CASE("many groups make a tall picture, too many a refusal", "[unit]") {
   BarChart chart = twoBars();
   const int height = drawn(chart).height();

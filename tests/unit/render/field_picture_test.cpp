@@ -199,6 +199,79 @@ TEST_CASE("a failed path is dashed and crossed out at its end", "[unit]") {
   }
 }
 
+TEST_CASE("a touch is marked where it was, and a run that arrived all the same has no cross at its end",
+          "[unit]") {
+  FieldPicture picture = emptyPicture();
+  picture.paths = {samplePath(picture.layout, "a", -0.3)};
+  picture.paths[0].points.resize(80);
+  const Vec2 end = picture.paths[0].points.back(), touch{0.1, -0.4}, arm{0.01, -0.01};
+  picture.paths[0].failed = picture.paths[0].arrived = true;
+  CHECK_FALSE(same(colourAt(drawn(picture), end + arm), seriesColour(0)));
+  CHECK(countAround(drawn(picture), touch, 0.01, seriesColour(0)) == 0);
+  picture.paths[0].touches = {touch};
+  const Canvas marked = drawn(picture);
+  CHECK(same(colourAt(marked, touch), seriesColour(0)));
+  CHECK(countAround(marked, touch, 0.02, theme::kMarker) > 30);
+}
+
+TEST_CASE("paths can share a colour, and the hollow one has a dark core", "[unit]") {
+  FieldPicture picture = emptyPicture();
+  picture.paths = {samplePath(picture.layout, "a", 0.2), samplePath(picture.layout, "b", -0.3)};
+  picture.paths[1].colour = 0;
+  picture.paths[1].hollow = true;
+  const Canvas canvas = drawn(picture);
+  CHECK(count(canvas, seriesColour(1), kLeft, kTop, kRight, kBottom) == 0);
+  int core = 0;
+  for (Vec2 p : picture.paths[1].points) core += same(colourAt(canvas, p), theme::kPage) ? 1 : 0;
+  CHECK(core > 20);
+}
+
+TEST_CASE("a window shows a part of the field, larger", "[unit]") {
+  FieldPicture picture = emptyPicture();
+  picture.layout.obstacles = {disc({0.1, 0.1})};
+  picture.window = FieldWindow{{0.0, 0.0}, {0.3, 0.2}};
+  picture.pixels_per_metre = 2000;
+  const Canvas canvas = drawn(picture);
+  // 600 x 400 pixels; the ball's middle is 200 from the left and 200 from the foot.
+  const auto ball = [&](int x, int y) { return same(canvas.pixel(x, y), theme::kTennisBall); };
+  const double unit = 0.8;
+  const int left = static_cast<int>(26 * unit), top = static_cast<int>(84 * unit);
+  CHECK(ball(left + 200 + 15, top + 200));
+  CHECK_FALSE(ball(left + 200 + 80, top + 200));
+  // A path that goes on beyond it has its number inside.
+  picture.paths = {samplePath(picture.layout, "long", 0.0)};
+  picture.window = FieldWindow{{-0.5, 0.2}, {-0.4, 0.4}};
+  const Canvas start = drawn(picture);
+  CHECK(count(start, theme::kPage, left + 20, top + 20, left + 180, top + 380) > 4);  // of the number
+  picture.window = FieldWindow{{0.1, 0.0}, {0.1, 0.2}};
+  CHECK(drawFieldPicture(picture).error().code == ErrorCode::kUsage);
+}
+
+TEST_CASE("a caption makes room above the field and arrows lie on it", "[unit]") {
+  FieldPicture picture = emptyPicture();
+  const int height = drawn(picture).height();
+  picture.caption = "What the paper's figure shows.";
+  CHECK(drawn(picture).height() > height + 15);
+  picture.caption.clear();
+  const Vec2 place{0.2, -0.3};
+  CHECK(same(colourAt(drawn(picture), place), theme::kFloor));
+  picture.arrows = {"the field", 0.04, {Pose2{place, 0.0}}};
+  CHECK_FALSE(same(colourAt(drawn(picture), place), theme::kFloor));
+  CHECK(same(colourAt(drawn(picture), place + Vec2{0.0, 0.03}), theme::kFloor));
+}
+
+TEST_CASE("a name that is too long for a row takes more lines and is not cut", "[unit]") {
+  FieldPicture picture = emptyPicture();
+  const auto ink = [&](const std::string& label) {
+    picture.paths = {samplePath(picture.layout, label, 0.1)};
+    const Canvas canvas = drawn(picture);
+    return count(canvas, theme::kText, kLegend, kTop, canvas.width(), canvas.height());
+  };
+  const int method = ink("vector-field:offset=0.10,width=0.20,follow"),
+            whole = ink("vector-field:offset=0.10,width=0.20,follower=classic");
+  CHECK(whole > method);  // the letters that were cut are there
+}
+
 TEST_CASE("a failed path keeps its gaps among twenty", "[unit]") {
   FieldPicture picture = emptyPicture();
   for (int i = 0; i < 20; ++i) picture.paths.push_back(samplePath(picture.layout, "path", -0.03 * i));
