@@ -28,8 +28,8 @@ int compareMap(const CompareOptions& options) {
   for (const auto& [name, text] : {std::pair{"map.csv", mapCsv(*map)}, std::pair{"map.json", json}}) {
     if (auto written = writeFile(options.out + "/" + name, text); !written) return report(written.error());
   }
-  note("\n{} trials in {:.1f} s; map.json, map.csv, {} are in {}\n",
-       map->comparison.records.size(), seconds, fmt::join(*pictures, ", "), options.out);
+  note("\n{} trials in {:.1f} s; map.json, map.csv, {} are in {}\n", map->comparison.records.size(), seconds,
+       fmt::join(*pictures, ", "), options.out);
   return kOk;
 }
 
