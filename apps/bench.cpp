@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "bench/benchmark.hpp"
 #include "bench/scenes.hpp"
 #include "experiments/crowd.hpp"
@@ -50,7 +51,7 @@ void printJson(const BenchReport& report, const CrowdResult& crowd) {
                         {"compute_us_mean", crowd.compute_us_mean},
                         {"compute_us_p99", crowd.compute_us_p99},
                         {"compute_us_max", crowd.compute_us_max}};
-  std::puts(json.dump(2).c_str());
+  writeOut(json.dump(2) + "\n");
 }
 
 }  // namespace
@@ -61,20 +62,20 @@ int bench(const BenchCommand& command) {
     return report({ErrorCode::kUsage, "bench: --repetitions must be 1 ... 1000, --episodes 1 ... 100000"});
   }
   if (command.signature_only) {
-    std::puts(signatureText(sceneSignature()).c_str());
+    writeOut(signatureText(sceneSignature()) + "\n");
     return kOk;
   }
   const auto crowd = runCrowd({}, now);
   if (!crowd) return report(crowd.error());
-  const BenchReport benchmark = runBenchmark({command.repetitions, command.episodes, true});
+  const auto benchmark = runBenchmark({command.repetitions, command.episodes, true});
+  if (!benchmark) return report(benchmark.error());
   if (command.json) {
-    printJson(benchmark, *crowd);
+    printJson(*benchmark, *crowd);
   } else {
-    fmt::print(
-        "six robots navigated by {}: {:.2f} us a robot and tick on average, p99 {:.1f}, max {:.0f} "
+    say("six robots navigated by {}: {:.2f} us a robot and tick on average, p99 {:.1f}, max {:.0f} "
         "({} goals reached in a minute, {} contacts)\n{}",
         kDefaultNavigator, crowd->compute_us_mean, crowd->compute_us_p99, crowd->compute_us_max,
-        crowd->arrivals, crowd->contacts, toTable(benchmark));
+        crowd->arrivals, crowd->contacts, toTable(*benchmark));
   }
   return kOk;
 }

@@ -16,7 +16,7 @@ enum ExitCode {
   kIo = 5,
   kDifferent = 7,
   kInternal = 70,
-  kInterrupted = 130,
+  kInterruptedBase = 128,  ///< plus the signal's number: 129 hang-up, 130 Ctrl-C, 143 SIGTERM
 };
 
 struct RunOptions {
@@ -32,6 +32,7 @@ struct RunOptions {
   std::string record;     ///< file; empty: none
   bool drawings = false;  ///< the recording also holds what the navigator wants
   bool json = false;
+  bool force = false;  ///< files that exist are replaced
 };
 
 struct CompareOptions {
@@ -43,6 +44,7 @@ struct CompareOptions {
   bool mapped = false;  ///< the map of the ring field instead
   MapConfig map;        ///< its base is `config`
   bool json = false;
+  bool force = false;  ///< `html` is replaced if it exists
 };
 
 struct ListOptions {
@@ -71,14 +73,17 @@ int version(bool json);
 int bench(const BenchCommand& command);
 /// @}
 
-/// Prints the error and returns its exit code.
+/// Prints the error on stderr, cut where it is very long, and returns its exit code.
 int report(const Error& error);
 
 /// Monotonic time [ns], handed to the libraries, which read no clock of their own.
 std::int64_t now();
 
-/// From the first SIGINT or SIGTERM on; a second one ends the program at once.
+/// From the first SIGINT, SIGTERM or SIGHUP on. Work that does not end then is ended after a few seconds, and
+/// by a second signal at once; nothing half-made is left.
 bool interrupted();
+/// The exit code of what a signal ended.
+int interruptedCode();
 void catchSignals();
 
 }  // namespace fulbito::app

@@ -1,9 +1,11 @@
-#include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
 #include "apps/compare_map.hpp"
+#include "apps/console.hpp"
+#include "apps/output_names.hpp"
 #include "apps/progress.hpp"
 #include "engine/core/output_file.hpp"
 #include "experiments/paper_plan.hpp"
@@ -29,10 +31,8 @@ Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) 
     const auto result =
         tune(config, tuning, [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
     if (!result) return tl::unexpected<Error>(result.error());
-    fmt::print(
-        stderr,
-        "tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, defaults {:.3f}, {} tries)\n",
-        speed, result->navigator, result->layouts, result->objective, result->initial, result->evaluations);
+    note("tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, defaults {:.3f}, {} tries)\n",
+         speed, result->navigator, result->layouts, result->objective, result->initial, result->evaluations);
     config.navigators.push_back(result->navigator);
   }
   return {};
@@ -59,8 +59,30 @@ Result<void> writeRaces(const CompareOptions& options, const Comparison& compari
   const auto html = htmlPage(*page);
   if (!html) return tl::unexpected<Error>(html.error());
   if (auto written = writeFile(options.html, *html); !written) return written;
-  fmt::print(stderr, "races: {}\n", options.html);
+  note("races: {}\n", options.html);
   return {};
+}
+
+/// The page's name: in the folders it must be no file that is written there.
+Result<void> checkPage(const CompareOptions& options) {
+  namespace fs = std::filesystem;
+  if (options.html.empty()) return {};
+  const fs::path page(options.html), folder = page.has_parent_path() ? page.parent_path() : fs::path(".");
+  const auto lies_in = [&](const std::string& other) {
+    std::error_code error;
+    return !other.empty() && fs::equivalent(folder, other, error);
+  };
+  if ((lies_in(options.out) && page.extension() == ".png") ||
+      (lies_in(options.config.record) && page.extension() == ".fbr")) {
+    return fail(ErrorCode::kUsage,
+                fmt::format("--html: '{}' would be the name of another output", options.html));
+  }
+  return mayWriteAll({{"--html", options.html}},
+                     {{"--out", options.out + "/results.json"},
+                      {"--out", options.out + "/trials.csv"},
+                      {"--robot", options.config.robot},
+                      {"--physics", options.config.physics}},
+                     options.force);
 }
 
 }  // namespace
@@ -75,8 +97,8 @@ int compare(const CompareOptions& options) {
   if (!config.record.empty()) {
     if (auto folder = prepareFolder(config.record); !folder) return report(folder.error());
   }
-  // It may lie in one of these two, so it comes after them.
-  if (auto folder = checkPlaceOf(options.html); !folder) return report(folder.error());
+  // The page may lie in one of these two, so it comes after them.
+  if (auto checked = checkPage(options); !checked) return report(checked.error());
   if (!options.tune.empty()) {
     if (auto tuned = tuneFirst(options, config); !tuned) return report(tuned.error());
   }
@@ -89,16 +111,16 @@ int compare(const CompareOptions& options) {
   }
   const std::string json = resultsJson(*comparison, secondsSince(begin));
   if (options.json) {
-    std::fputs(json.c_str(), stdout);
+    writeOut(json);
   } else {
-    std::fputs(markdownReport(*comparison).c_str(), stdout);
+    printOut(markdownReport(*comparison));
   }
-  std::fflush(stdout);
+  flushOut();
   const auto pictures = writeAll(options, *comparison, json);
   if (!pictures) return report(pictures.error());
   if (auto written = writeRaces(options, *comparison); !written) return report(written.error());
-  fmt::print(stderr, "\n{} trials in {:.1f} s; results.json, trials.csv and {} pictures are in {}\n",
-             comparison->records.size(), secondsSince(begin), pictures->size(), options.out);
+  note("\n{} trials in {:.1f} s; results.json, trials.csv and {} pictures are in {}\n",
+       comparison->records.size(), secondsSince(begin), pictures->size(), options.out);
   return kOk;
 }
 

@@ -1,9 +1,8 @@
 #include "apps/compare_map.hpp"
 
-#include <cstdio>
-
 #include <fmt/format.h>
 
+#include "apps/console.hpp"
 #include "apps/progress.hpp"
 #include "engine/core/output_file.hpp"
 
@@ -23,15 +22,14 @@ int compareMap(const CompareOptions& options) {
   }
   const double seconds = static_cast<double>(now() - begin) * 1e-9;
   const std::string json = mapJson(*map, seconds);
-  std::fputs(options.json ? json.c_str() : mapReport(*map).c_str(), stdout);
-  std::fflush(stdout);
+  printOut(options.json ? json : mapReport(*map));
   const auto pictures = writeMapPictures(*map, options.out);
   if (!pictures) return report(pictures.error());
   for (const auto& [name, text] : {std::pair{"map.csv", mapCsv(*map)}, std::pair{"map.json", json}}) {
     if (auto written = writeFile(options.out + "/" + name, text); !written) return report(written.error());
   }
-  fmt::print(stderr, "\n{} trials in {:.1f} s; map.json, map.csv, {} are in {}\n",
-             map->comparison.records.size(), seconds, fmt::join(*pictures, ", "), options.out);
+  note("\n{} trials in {:.1f} s; map.json, map.csv, {} are in {}\n", map->comparison.records.size(), seconds,
+       fmt::join(*pictures, ", "), options.out);
   return kOk;
 }
 

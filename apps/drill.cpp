@@ -8,12 +8,15 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "apps/option_values.hpp"
 #include "apps/progress.hpp"
-#include "apps/whole_number.hpp"
 #include "engine/core/suggest.hpp"
 
 namespace fulbito::app {
 namespace {
+
+constexpr std::uint64_t kMostTrials = 1'000'000;
 
 /// Numbers of the drills that a word names: a number or a name.
 Result<int> drillNumber(const std::vector<Drill>& drills, const std::string& word) {
@@ -30,7 +33,7 @@ Result<int> drillNumber(const std::vector<Drill>& drills, const std::string& wor
 }
 
 int listDrills(const std::vector<Drill>& drills) {
-  for (const Drill& drill : drills) fmt::print("{:>3}  {:<20} {}\n", drill.number, drill.name, drill.what);
+  for (const Drill& drill : drills) say("{:>3}  {:<20} {}\n", drill.number, drill.name, drill.what);
   return kOk;
 }
 
@@ -49,12 +52,12 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       "Exit codes: 0 ran, 1 a drill was not passed (with --check only).");
   command->add_option("team", options.teams, "team, e.g. classic; several: side by side");
   command->add_option("--drill", options.drills, "numbers or names (default: all)")->delimiter(',');
-  command->add_option("--trials", options.run.trials, "of each drill (default: as the drill says)")
-      ->check(CLI::Range(1, 1000000));
-  command->add_option("--seed", options.run.seed, "seed of starts and matches")
-      ->check(wholeNumberFlaw)
+  wholeNumber(
+      command->add_option("--trials", options.run.trials, "of each drill (default: as the drill says)"), 1,
+      kMostTrials);
+  wholeNumber(command->add_option("--seed", options.run.seed, "seed of starts and matches"))
       ->capture_default_str();
-  command->add_option("--jobs", options.run.jobs, "worker threads (default: all cores)");
+  addJobs(*command, options.run.jobs, "worker threads");
   command->add_option("--robot", options.run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", options.run.physics, "physics profile or TOML file")
       ->capture_default_str();
@@ -122,7 +125,11 @@ int drill(DrillCommand options) {
   const std::string text = options.json         ? drillJson(reports.front(), options.run)
                            : teams->size() == 1 ? drillTable(reports.front(), options.run)
                                                 : drillOverview(options.teams, reports);
-  std::fputs(text.c_str(), stdout);
+  if (options.json) {
+    writeOut(text);
+  } else {
+    printOut(text);
+  }
   return options.check && !passed ? kTestFailed : kOk;
 }
 

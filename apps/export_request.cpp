@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <set>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include "apps/console.hpp"
+#include "apps/output_names.hpp"
+#include "engine/core/error_text.hpp"
 #include "engine/core/output_file.hpp"
+#include "engine/core/worker_threads.hpp"
 #include "match/expand.hpp"
 
 namespace fulbito::app {
@@ -18,6 +20,8 @@ namespace {
 
 constexpr double kAround = 5.0;  // [s] before and after an event
 constexpr int kLeastSide = 160, kMostSide = 16384;
+constexpr std::size_t kMostDrawers = 256;  // each has a canvas of its own
+constexpr std::size_t kShownCalls = 20;
 
 tl::unexpected<Error> usage(std::string message) { return fail(ErrorCode::kUsage, std::move(message)); }
 
@@ -26,11 +30,11 @@ Result<ReplayTimeline> readTimeline(const std::string& file) {
   if (!recording) return tl::unexpected<Error>(recording.error());
   if (recording->header().level != RecordingLevel::kFull) {
     auto full = expanded(*recording);
-    if (!full) return fail(full.error().code, file + ": " + full.error().message);
+    if (!full) return inFile(file, full.error());
     recording = std::move(full);
   }
   auto timeline = ReplayTimeline::read(*recording);
-  if (!timeline) return fail(timeline.error().code, file + ": " + timeline.error().message);
+  if (!timeline) return inFile(file, timeline.error());
   return timeline;
 }
 
@@ -93,9 +97,14 @@ Result<void> findEvents(const EventChoice& choice, const char* flag, ExportReque
     request.events = {request.events[*choice.number - 1]};
   }
   if (!request.events.empty()) return {};
+  std::vector<std::string> shown(known.begin(), known.end());
+  if (shown.size() > kShownCalls) {
+    shown.resize(kShownCalls);
+    shown.push_back(fmt::format("{} more", known.size() - kShownCalls));
+  }
   return usage(fmt::format("{}: there is no '{}' from {:.2f} to {:.2f} s. What there is: {}", flag, name,
                            request.whole.from, request.whole.to,
-                           known.empty() ? "nothing" : fmt::format("{}", fmt::join(known, ", "))));
+                           shown.empty() ? "nothing" : fmt::format("{}", fmt::join(shown, ", "))));
 }
 
 std::optional<int> sideOf(std::string_view text) {
@@ -130,7 +139,6 @@ Result<void> checkNumbers(const ReplayExportCommand& options) {
   if (auto good = within("--speed", options.speed.value_or(1.0), 0.01, 1000.0); !good) return good;
   if (auto good = within("--trail", options.trail_seconds, 0.0, 60.0); !good) return good;
   if (auto good = within("--quality", options.quality, 0, 51); !good) return good;
-  if (auto good = within("--jobs", options.jobs, 0, 256); !good) return good;
   if (options.theme == "dark" || options.theme == "light") return {};
   return usage(fmt::format("--theme '{}': must be dark or light", options.theme));
 }
@@ -157,12 +165,11 @@ Result<ExportRequest> readRequest(const ReplayExportCommand& options) {
   auto timeline = readTimeline(options.file);
   if (!timeline) return tl::unexpected<Error>(timeline.error());
   auto spec = pictureSpecOf(*timeline);
-  if (!spec) return fail(spec.error().code, options.file + ": " + spec.error().message);
+  if (!spec) return inFile(options.file, spec.error());
   ExportRequest request{&options, std::move(*timeline), std::move(*spec), false, {}, {}, {}, 1};
   request.spec.theme = options.theme == "light" ? PictureTheme::kLight : PictureTheme::kDark;
   request.overlays = {!options.no_banner, !options.no_drawings, options.trail_seconds};
-  request.jobs =
-      options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  request.jobs = threadsFor(options.jobs, kMostDrawers);
   if (auto good = setSize(options.size, request); !good) return tl::unexpected<Error>(good.error());
   if (auto good = setRange(options, request); !good) return tl::unexpected<Error>(good.error());
   if (options.highlights || !options.around.empty()) {
@@ -179,11 +186,10 @@ Result<std::string> outputFile(const ExportRequest& request, const std::string& 
                                const std::string& ending) {
   const std::filesystem::path recording(request.options->file);
   std::string file = given.empty() ? recording.stem().string() + ending : given;
-  std::error_code unreadable;
-  if (file == "-") return file;
-  if (auto there = checkPlaceOf(file); !there) return tl::unexpected<Error>(there.error());
-  if (request.options->force || !std::filesystem::exists(file, unreadable)) return file;
-  return usage(fmt::format("'{}' exists; --force replaces it", file));
+  auto may = mayWriteAll({{"export", file, Dash::kStdout}}, {{"replay export", request.options->file}},
+                         request.options->force);
+  if (!may) return tl::unexpected<Error>(may.error());
+  return file;
 }
 
 std::string sizeText(std::size_t bytes) {
@@ -191,13 +197,12 @@ std::string sizeText(std::size_t bytes) {
 }
 
 void announce(const std::string& file, const std::string& what) {
-  if (file != "-") fmt::print(stderr, "{}: {}\n", file, what);
+  if (file != "-") note("{}: {}\n", file, what);
 }
 
 Result<void> deliver(const std::string& file, const std::string& content) {
   if (file == "-") {
-    const bool whole = std::fwrite(content.data(), 1, content.size(), stdout) == content.size();
-    if (!whole || std::fflush(stdout) != 0) return fail(ErrorCode::kIo, "cannot write to stdout");
+    writeOut(content);  // what is lost is told at the end
     return {};
   }
   if (auto written = writeFile(file, content); !written) return written;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "engine/core/presets.hpp"
 #include "engine/core/suggest.hpp"
 #include "experiments/paper_plan.hpp"
@@ -93,33 +94,30 @@ void printParameter(const ParameterSpec& spec) {
   } else if (spec.type != ParameterSpec::Type::kFlag) {
     range = fmt::format("{} ... {}{}", spec.minimum, spec.maximum, spec.unit.empty() ? "" : " " + spec.unit);
   }
-  fmt::print("    {:<16} {:<9} {}{}{}\n", spec.name, valueText(spec), spec.doc, range.empty() ? "" : "; ",
-             range);
+  say("    {:<16} {:<9} {}{}{}\n", spec.name, valueText(spec), spec.doc, range.empty() ? "" : "; ", range);
 }
 
 void printNavigators() {
   for (const NavigatorInfo& info : navigators()) {
-    fmt::print("{}{}{}\n  {}\n  source: {}\n", info.name, info.name == kDefaultNavigator ? " (default)" : "",
-               info.plans_speed ? " *" : "", info.summary, info.source);
+    say("{}{}{}\n  {}\n  source: {}\n", info.name, info.name == kDefaultNavigator ? " (default)" : "",
+        info.plans_speed ? " *" : "", info.summary, info.source);
     for (const ParameterSpec& spec : info.parameters) printParameter(spec);
   }
-  fmt::print("every method also takes\n");
+  say("every method also takes\n");
   for (const ParameterSpec& spec : commonParameters()) printParameter(spec);
-  fmt::print(
-      "* plans its own speeds. Set parameters like this: --navigator "
+  say("* plans its own speeds. Set parameters like this: --navigator "
       "bezier:clearance=0.03,follower=classic\n");
 }
 
 void printTeams() {
   for (const TeamInfo& info : teams()) {
-    fmt::print("{}\n  {}\n", info.name, info.summary);
+    say("{}\n  {}\n", info.name, info.summary);
     for (const ParameterSpec& spec : info.parameters) printParameter(spec);
     if (info.takes_navigator) {
-      fmt::print("    {:<16} {}; any of fulbito list navigators\n", "navigator", info.default_navigator);
+      say("    {:<16} {}; any of fulbito list navigators\n", "navigator", info.default_navigator);
     }
   }
-  fmt::print(
-      "Set parameters like this: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
+  say("Set parameters like this: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
 }
 
 /// The first sentence of the comment that a preset file begins with.
@@ -169,7 +167,7 @@ void printJson(const std::string& kind) {
     for (const auto& [name, summary] : entries(kind))
       json[kind].push_back({{"name", name}, {"summary", summary}});
   }
-  std::puts(json.dump(2).c_str());
+  writeOut(json.dump(2) + "\n");
 }
 
 }  // namespace
@@ -187,7 +185,7 @@ int list(const ListOptions& options) {
   } else if (options.kind == "navigators") {
     printNavigators();
   } else {
-    for (const auto& [name, summary] : entries(options.kind)) fmt::print("{:<30} {}\n", name, summary);
+    for (const auto& [name, summary] : entries(options.kind)) say("{:<30} {}\n", name, summary);
   }
   return kOk;
 }

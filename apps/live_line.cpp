@@ -1,11 +1,12 @@
 #include "apps/live_line.hpp"
 
 #include <cstdio>
-#include <unistd.h>
 
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "engine/core/error_text.hpp"
 #include "engine/core/match_clock.hpp"
 #include "match/summary.hpp"
 
@@ -17,7 +18,7 @@ constexpr double kPeriod = 0.1;  // [s] between redraws
 }  // namespace
 
 LiveLine::LiveLine(const MatchConfig& config)
-    : config_(config), terminal_(::isatty(STDERR_FILENO) == 1), begin_(now()), last_(begin_) {}
+    : config_(config), terminal_(drawsLines()), begin_(now()), last_(begin_) {}
 
 LiveLine::~LiveLine() {
   if (drawn_) std::fputs("\r\033[K", stderr);
@@ -30,9 +31,11 @@ void LiveLine::update(const Match& match) {
   const double elapsed = static_cast<double>(time - begin_) * 1e-9;
   const RefereeState& referee = match.referee();
   const double clock = static_cast<double>(referee.play_ticks) * config_.physics.controlPeriod();
-  fmt::print(stderr, "\r{} {} : {} {}   {} {}   {}\033[K", config_.teams[0].text, referee.score[0],
-             referee.score[1], config_.teams[1].text, periodName(referee.period), clockText(clock),
-             paceText(match.seconds(), elapsed));
+  const std::string line =
+      fmt::format("\r{} {} : {} {}   {} {}   {}\033[K", terminalText(config_.teams[0].text), referee.score[0],
+                  referee.score[1], terminalText(config_.teams[1].text), periodName(referee.period),
+                  clockText(clock), paceText(match.seconds(), elapsed));
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   last_ = time;
   drawn_ = true;

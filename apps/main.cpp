@@ -1,24 +1,27 @@
 #include <algorithm>
-#include <cstdio>
 #include <exception>
+#include <new>
 #include <span>
-#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "apps/drill.hpp"
 #include "apps/match.hpp"
+#include "apps/option_values.hpp"
 #include "apps/replay.hpp"
 #include "apps/rules.hpp"
 #include "apps/view.hpp"
-#include "apps/whole_number.hpp"
 #include "engine/core/build_info.hpp"
+#include "engine/core/float_mode.hpp"
 #include "engine/core/suggest.hpp"
 
 namespace fulbito::app {
 namespace {
+
+constexpr std::uint64_t kMostTrials = 1'000'000;
 
 /// The whole command line as values.
 struct Options {
@@ -64,9 +67,7 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       ->capture_default_str();
   command->add_option("--robot", run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", run.physics, "physics profile or TOML file")->capture_default_str();
-  command->add_option("--seed", run.seed, "seed of layouts and noise")
-      ->check(wholeNumberFlaw)
-      ->capture_default_str();
+  wholeNumber(command->add_option("--seed", run.seed, "seed of layouts and noise"))->capture_default_str();
   addSensors(*command, run.sensors);
   command
       ->add_option("--png", options.run_png, "write a picture (named after the layout if no FILE is given)")
@@ -79,6 +80,7 @@ CLI::App* addRun(CLI::App& app, Options& options) {
           "of --record: also the path or field that the robot follows, ten times a second, for pictures")
       ->needs(record);
   command->add_option("--trace", run.trace, "write one line a control tick; - for stdout")->type_name("FILE");
+  command->add_flag("--force", run.force, "replace files that exist");
   command->add_flag("--json", run.json, "print the score as JSON");
   return command;
 }
@@ -130,12 +132,13 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   command->add_option("--navigators", config.navigators,
                       "methods, e.g. bezier limit-cycle:mu=3 (default: the suite's)");
   command->add_option("--speeds", config.speeds, "top speeds [m/s] (default: the suite's)")->delimiter(',');
-  command->add_option("--trials", config.trials, "layouts of each suite and speed (default: the suite's)");
-  command->add_option("--seed", config.seed, "seed of layouts and noise")
-      ->check(wholeNumberFlaw)
-      ->capture_default_str();
-  command->add_option("--jobs", config.jobs, "worker threads (default: all cores)");
-  command->add_option("--only", options.only, "run this layout of the suite alone")->type_name("NUMBER");
+  wholeNumber(command->add_option("--trials", config.trials,
+                                  "layouts of each suite and speed (default: the suite's)"),
+              1, kMostTrials);
+  wholeNumber(command->add_option("--seed", config.seed, "seed of layouts and noise"))->capture_default_str();
+  addJobs(*command, config.jobs, "worker threads");
+  wholeNumber(command->add_option("--only", options.only, "run this layout of the suite alone"))
+      ->type_name("NUMBER");
   command->add_option("--pictures", config.pictures, "layouts of each suite and speed that are drawn")
       ->capture_default_str();
   command->add_option("--record", config.record, "folder for recordings of the layouts that are drawn")
@@ -143,9 +146,10 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
   addSensors(*command, config.sensors);
-  command->add_option("--tune", compare.tune, "tune this method on other layouts first")
-      ->type_name("NAVIGATOR");
+  CLI::Option* tune = command->add_option("--tune", compare.tune, "tune this method on other layouts first")
+                          ->type_name("NAVIGATOR");
   command->add_option("--tune-evaluations", compare.tune_evaluations, "parameter sets that the tuner tries")
+      ->needs(tune)
       ->capture_default_str();
   command->add_option("--out", compare.out, "folder for results.json, trials.csv and pictures")
       ->capture_default_str();
@@ -153,6 +157,7 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       ->add_option("--html", compare.html,
                    "write a page in which all methods race through the layouts that are drawn")
       ->type_name("FILE");
+  command->add_flag("--force", compare.force, "replace the page of --html if it exists");
   addMap(*command, compare);
   command->add_flag("--json", compare.json, "print results.json instead of tables");
   return command;
@@ -281,7 +286,7 @@ int mainWithoutCatch(int argc, char** argv) {
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
       "  fulbito list teams\n"
       "Exit codes: 0 ran, 1 the thing tested failed, 2 usage, 3 bad input file, 5 cannot read or write, 7 a "
-      "recording differs, 70 internal error, 130 interrupted.");
+      "recording differs, 70 internal error, 129, 130, 143 ended by a signal.");
   app.set_version_flag("--version", buildInfo().version);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
@@ -294,33 +299,38 @@ int mainWithoutCatch(int argc, char** argv) {
   addRest(app, options);
   addDrill(app, options.drill);
   addRules(app, options.rules);
-  if (const auto error = wrongCommand(app, {argv + 1, argv + std::max(argc, 1)})) return report(*error);
+  readNumbers(app);
+  const std::span<char*> words{argv + 1, argv + std::max(argc, 1)};
+  if (const auto error = emptyWord(words)) return report(*error);
+  if (const auto error = wrongCommand(app, words)) return report(*error);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {  // --help, --version
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return report(parseError(app, error, {argv + 1, argv + argc}));
+    return report(parseError(app, error, words));
   }
   return dispatch(app, *run_command, *compare_command, options);
+}
+
+/// What the system refuses is no bug of this program.
+int codeOf(int argc, char** argv) {
+  try {
+    return mainWithoutCatch(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return report({ErrorCode::kIo, "there is not enough memory; fewer --jobs or a smaller --size need less"});
+  } catch (const std::exception& error) {
+    note("fulbito: internal error: {}\n", error.what());
+    return kInternal;
+  }
 }
 
 }  // namespace
 }  // namespace fulbito::app
 
 int main(int argc, char** argv) {
+  const fulbito::FloatMode floats;
+  fulbito::app::openStandardDescriptors();
   fulbito::app::catchSignals();
-  try {
-    return fulbito::app::mainWithoutCatch(argc, argv);
-  } catch (const std::system_error& error) {
-    // Printing throws when the reader has gone, as with `| head`, or the disk is full.
-    const bool output =
-        error.code() == std::errc::broken_pipe || error.code() == std::errc::no_space_on_device;
-    std::fprintf(stderr, "fulbito: %s: %s\n", output ? "cannot write to stdout" : "internal error",
-                 error.code().message().c_str());
-    return output ? fulbito::app::kIo : fulbito::app::kInternal;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "fulbito: internal error: %s\n", error.what());
-    return fulbito::app::kInternal;
-  }
+  return fulbito::app::finishOutput(fulbito::app::codeOf(argc, argv));
 }

@@ -1,16 +1,16 @@
 #include "apps/match.hpp"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "apps/live_line.hpp"
+#include "apps/option_values.hpp"
+#include "apps/output_names.hpp"
 #include "apps/progress.hpp"
-#include "apps/whole_number.hpp"
 #include "engine/core/output_file.hpp"
 #include "match/recorder.hpp"
 #include "match/start_state.hpp"
@@ -21,6 +21,7 @@ namespace fulbito::app {
 namespace {
 
 constexpr Tick kTicksBetweenLooks = 64;  // of the match, at the clock and for signals
+constexpr std::uint64_t kMostPairs = 100'000;
 constexpr const char* kStdout = "-";
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
@@ -28,33 +29,38 @@ double secondsSince(std::int64_t begin) { return static_cast<double>(now() - beg
 /// A file, or stdout, that takes lines at once; the first failure is kept.
 class LineFile {
  public:
-  static Result<LineFile> open(const std::string& name) {
-    if (name == kStdout) return LineFile(stdout, name);
-    if (auto there = checkPlaceOf(name); !there) return tl::unexpected<Error>(there.error());
-    std::FILE* file = std::fopen(name.c_str(), "w");
-    if (file == nullptr) return fail(ErrorCode::kIo, fmt::format("{}: {}", name, std::strerror(errno)));
-    return LineFile(file, name);
-  }
-  LineFile(LineFile&& from) noexcept
-      : file_(std::exchange(from.file_, nullptr)), name_(std::move(from.name_)) {}
-  LineFile& operator=(LineFile&&) = delete;
-  ~LineFile() {
-    if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+  static Result<LineFile> open(const std::string& name, bool replace) {
+    if (name == kStdout) return LineFile(std::nullopt);
+    auto file = OutputFile::grow(name, replace);
+    if (!file) return tl::unexpected<Error>(file.error());
+    return LineFile(std::move(*file));
   }
   void write(std::string_view line) {
-    if (!written_) return;
-    if (std::fwrite(line.data(), 1, line.size(), file_) != line.size() || std::fflush(file_) != 0) {
-      written_ = fail(ErrorCode::kIo, fmt::format("{}: {}", name_, std::strerror(errno)));
+    if (file_) {
+      (void)file_->write(line);
+    } else {
+      writeOut(line);
+      flushOut();
     }
   }
-  const Result<void>& written() const { return written_; }
+  /// Ends the file. Errors: the first of any line.
+  Result<void> finish() { return file_ ? file_->commit() : Result<void>(); }
 
  private:
-  LineFile(std::FILE* file, std::string name) : file_(file), name_(std::move(name)) {}
-  std::FILE* file_;
-  std::string name_;
-  Result<void> written_;
+  explicit LineFile(std::optional<OutputFile> file) : file_(std::move(file)) {}
+  std::optional<OutputFile> file_;  ///< none: stdout, whose failures the end of the program tells
 };
+
+Result<void> checkFiles(const MatchCommand& options) {
+  return mayWriteAll({{"--record", options.record},
+                      {"--events", options.events, Dash::kStdout},
+                      {"--screenshot", options.window.screenshot}},
+                     {{"--rules", options.rules},
+                      {"--robot", options.robot},
+                      {"--physics", options.physics},
+                      {"--start", options.start}},
+                     options.force);
+}
 
 /// The flags that speak of one match only.
 Result<void> checkFlags(const MatchCommand& options) {
@@ -74,7 +80,7 @@ Result<void> checkFlags(const MatchCommand& options) {
 
 Result<void> addStart(const std::string& file, MatchConfig& config) {
   if (file.empty()) return {};
-  auto start = loadStartState(file);
+  auto start = loadStartState(file, config);
   if (!start) return tl::unexpected<Error>(start.error());
   config.start = start->placement;
   config.scoreboard = start->scoreboard;
@@ -127,24 +133,24 @@ struct Watchers {
   std::optional<MatchRecorder> recorder;
 
   Result<void> attach(const MatchCommand& options, Match& match);
-  /// Errors of whatever was written.
-  Result<void> written() const;
+  /// Ends all files. Errors of whatever was written.
+  Result<void> finish();
 };
 
 Result<void> Watchers::attach(const MatchCommand& options, Match& match) {
   match.watch(statistics);
   match.watch(log);
   if (!options.events.empty()) {
-    auto opened = LineFile::open(options.events);
+    auto opened = LineFile::open(options.events, options.force);
     if (!opened) return tl::unexpected<Error>(opened.error());
     file.emplace(std::move(*opened));
     lines.emplace([this](std::string_view line) { file->write(line); });
     match.watch(*lines);
   }
   if (!options.record.empty()) {
-    auto created =
-        MatchRecorder::create(options.record, match.config(),
-                              options.record_recipe ? RecordingLevel::kRecipe : RecordingLevel::kFull);
+    auto created = MatchRecorder::create(
+        options.record, match.config(),
+        options.record_recipe ? RecordingLevel::kRecipe : RecordingLevel::kFull, options.force);
     if (!created) return tl::unexpected<Error>(created.error());
     recorder.emplace(std::move(*created));
     if (options.drawings) recorder->keepDrawings();
@@ -153,8 +159,10 @@ Result<void> Watchers::attach(const MatchCommand& options, Match& match) {
   return {};
 }
 
-Result<void> Watchers::written() const {
-  if (file && !file->written()) return file->written();
+Result<void> Watchers::finish() {
+  if (file) {
+    if (auto finished = file->finish(); !finished) return finished;
+  }
   if (recorder && !recorder->written()) return recorder->written();
   return {};
 }
@@ -172,12 +180,12 @@ void play(Match& match) {
 
 void print(const MatchCommand& options, const MatchReport& report) {
   if (options.json) {
-    std::fputs(matchJson(report).c_str(), stdout);
+    writeOut(matchJson(report));
   } else {
-    std::fputs(matchText(report).c_str(), options.events == kStdout ? stderr : stdout);
+    const std::string text = matchText(report);
+    options.events == kStdout ? printNote(text) : printOut(text);
   }
-  std::fflush(stdout);
-  if (!options.record.empty()) fmt::print(stderr, "recording: {}\n", options.record);
+  flushOut();
 }
 
 /// The window of `--view`, if it was asked for. Errors: as `openWindow`.
@@ -196,8 +204,11 @@ Result<void> play(Match& match, std::optional<ViewWindow>& window, const MatchCo
 
 /// Who closes a window has seen enough, which is no failure.
 int exitCode(const MatchReport& report, bool closed) {
-  if (report.faults.abandoned) return kInternal;
-  return report.complete || (closed && !interrupted()) ? kOk : kInterrupted;
+  if (report.faults.abandoned) {
+    return app::report(
+        {ErrorCode::kBadInput, "the match could not go on: " + report.faults.abandoned->message});
+  }
+  return report.complete || (closed && !interrupted()) ? kOk : interruptedCode();
 }
 
 int playOne(const MatchCommand& options, const MatchConfig& config) {
@@ -216,7 +227,8 @@ int playOne(const MatchCommand& options, const MatchConfig& config) {
   summary.wall = secondsSince(begin);
   if (options.profile) summary.profile = profile;
   print(options, summary);
-  if (auto written = watchers.written(); !written) return report(written.error());
+  if (auto written = watchers.finish(); !written) return report(written.error());
+  if (!options.record.empty()) note("recording: {}\n", options.record);
   if (!played) return report(played.error());
   return exitCode(summary, options.view);
 }
@@ -232,8 +244,12 @@ int playPairs(const MatchCommand& options, const MatchConfig& config) {
     summary.result = std::move(*played);
   }
   summary.wall = secondsSince(begin);
-  std::fputs((options.json ? seriesJson(summary) : seriesText(summary)).c_str(), stdout);
-  return summary.result.interrupted ? kInterrupted : kOk;
+  if (options.json) {
+    writeOut(seriesJson(summary));
+  } else {
+    printOut(seriesText(summary));
+  }
+  return summary.result.interrupted ? interruptedCode() : kOk;
 }
 
 void addConditions(CLI::App& command, MatchCommand& options) {
@@ -241,8 +257,8 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--physics", options.physics, "physics profile or TOML file")->capture_default_str();
   command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
       ->capture_default_str();
-  command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices")
-      ->check(wholeNumberFlaw)
+  wholeNumber(
+      command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices"))
       ->capture_default_str();
   command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
@@ -288,9 +304,12 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       ->excludes(recipe);
   command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
       ->type_name("FILE");
-  command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match")
+  wholeNumber(
+      command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match"),
+      1, kMostPairs)
       ->type_name("PAIRS");
-  command->add_option("--jobs", options.jobs, "worker threads of a series (default: all cores)");
+  addJobs(*command, options.jobs, "worker threads of a series");
+  command->add_flag("--force", options.force, "replace files that exist");
   CLI::Option* view = command->add_flag("--view", options.view, "watch it in a window while it is played");
   addViewOptions(*command, options.window, view);
   command->add_flag("--profile", options.profile, "say where the time went");
@@ -300,10 +319,11 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
 
 int match(const MatchCommand& options) {
   if (auto checked = checkFlags(options); !checked) return report(checked.error());
+  if (auto checked = checkFiles(options); !checked) return report(checked.error());
   const auto config = configOf(options);
   if (!config) return report(config.error());
   if (const auto foreign = findForeignPlaces(config->rules, config->field, config->robot.robot)) {
-    fmt::print(stderr, "note: {}\n", *foreign);
+    note("note: {}\n", *foreign);
   }
   return options.pairs ? playPairs(options, *config) : playOne(options, *config);
 }

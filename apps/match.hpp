@@ -35,6 +35,7 @@ struct MatchCommand {
   ViewOptions window;
   bool profile = false;
   bool json = false;
+  bool force = false;  ///< files that exist are replaced
 };
 
 /// Adds `match`.

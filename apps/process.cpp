@@ -1,24 +1,48 @@
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
+#include <unistd.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "engine/core/error_text.hpp"
+#include "engine/core/stop_request.hpp"
+#include "engine/core/unfinished_work.hpp"
 
 namespace fulbito::app {
 namespace {
 
-std::atomic<bool> signalled{false};
+constexpr std::size_t kMostWords = 2000;  // [bytes] of an error: an argument may be of any length
+/// Seconds that work has to end by itself. Each second an alarm also ends a wait that began just after the
+/// signal.
+constexpr int kGrace = 4;
+
+std::atomic<int> first_signal{0};
+std::atomic<int> alarms{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+[[noreturn]] void endNow() {
+  abandonUnfinishedWork();
+  ::_exit(kInterruptedBase + first_signal);
+}
 
 void onSignal(int signal) {
-  signalled = true;
-  std::signal(signal, SIG_DFL);
+  if (signal == SIGALRM) {
+    if (++alarms >= kGrace) endNow();
+  } else if (first_signal != 0) {
+    endNow();
+  } else {
+    first_signal = signal;
+    requestStop();
+  }
+  ::alarm(1);
 }
 
 }  // namespace
 
 int report(const Error& error) {
-  std::fprintf(stderr, "fulbito: %s\n", error.message.c_str());
+  note("fulbito: {}\n", shortened(error.message, kMostWords));
   switch (error.code) {
     case ErrorCode::kUsage:
       return kUsage;
@@ -27,7 +51,7 @@ int report(const Error& error) {
     case ErrorCode::kIo:
       return kIo;
     case ErrorCode::kInterrupted:
-      return kInterrupted;
+      return interruptedCode();
   }
   return kInternal;
 }
@@ -38,12 +62,21 @@ std::int64_t now() {
       .count();
 }
 
-bool interrupted() { return signalled; }
+bool interrupted() { return stopRequested(); }
+
+int interruptedCode() { return kInterruptedBase + (first_signal != 0 ? first_signal.load() : SIGINT); }
 
 void catchSignals() {
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
-  std::signal(SIGPIPE, SIG_IGN);
+  struct sigaction action{};
+  action.sa_handler = onSignal;
+  sigfillset(&action.sa_mask);
+  // Without SA_RESTART, so that a signal ends waits.
+  for (const int signal : {SIGINT, SIGTERM, SIGALRM}) ::sigaction(signal, &action, nullptr);
+  struct sigaction hang_up{};
+  ::sigaction(SIGHUP, nullptr, &hang_up);
+  if (hang_up.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // as nohup has it
+  // These come back as errors of the write.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 }  // namespace fulbito::app

@@ -1,9 +1,10 @@
 #include "apps/progress.hpp"
 
 #include <cstdio>
-#include <unistd.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "engine/core/error_text.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -15,11 +16,7 @@ constexpr int kBarWidth = 30;
 }  // namespace
 
 ProgressBar::ProgressBar(std::string what, bool quiet)
-    : what_(std::move(what)),
-      quiet_(quiet),
-      terminal_(::isatty(STDERR_FILENO) == 1),
-      begin_(now()),
-      last_(begin_) {}
+    : what_(terminalText(what)), quiet_(quiet), terminal_(drawsLines()), begin_(now()), last_(begin_) {}
 
 ProgressBar::~ProgressBar() {
   if (drawn_ && terminal_) std::fputs("\r\033[K", stderr);

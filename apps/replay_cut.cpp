@@ -7,7 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
-#include "apps/new_file.hpp"
+#include "apps/console.hpp"
+#include "apps/option_values.hpp"
+#include "apps/output_names.hpp"
+#include "engine/core/output_file.hpp"
 #include "match/cut.hpp"
 
 namespace fulbito::app {
@@ -50,13 +53,13 @@ Result<PlayRange> rangeOf(const ReplayCutCommand& options, const RecordingReader
 void print(const ReplayCutCommand& options, const PlayRange& plays, const RecordingReader& cut) {
   const double seconds = static_cast<double>(cut.ticks()) / cut.header().control_rate;
   if (!options.json) {
-    fmt::print("{}: plays {} to {}, {:.3f} s\n", options.out, plays.first + 1, plays.last + 1, seconds);
+    say("{}: plays {} to {}, {:.3f} s\n", options.out, plays.first + 1, plays.last + 1, seconds);
     return;
   }
   const Json json{{"schema_version", 1},           {"file", options.file},        {"out", options.out},
                   {"first_play", plays.first + 1}, {"last_play", plays.last + 1}, {"ticks", cut.ticks()},
                   {"simulated_s", seconds},        {"bytes", cut.sizeInBytes()}};
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  writeOut(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace
@@ -71,9 +74,10 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
       "  fulbito replay cut game.fbr some.fbr --plays 3-5");
   command->add_option("file", options.file, "recording (.fbr)")->required();
   command->add_option("out", options.out, "recording that is made")->required();
-  command->add_option("--from", options.from, "seconds of the recording (default: its start)")
+  number(command->add_option("--from", options.from, "seconds of the recording (default: its start)"))
       ->type_name("S");
-  command->add_option("--to", options.to, "seconds of the recording (default: its end)")->type_name("S");
+  number(command->add_option("--to", options.to, "seconds of the recording (default: its end)"))
+      ->type_name("S");
   command->add_option("--plays", options.plays, "plays A to B, counted from 1")->type_name("A-B");
   command->add_flag("--force", options.force, "replace a file that exists");
   command->add_flag("--json", options.json, "print JSON");
@@ -81,7 +85,10 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
 }
 
 int replayCut(const ReplayCutCommand& options) {
-  if (auto may = mayWrite(options.out, options.force); !may) return report(may.error());
+  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force);
+      !may) {
+    return report(may.error());
+  }
   const auto recording = RecordingReader::open(options.file);
   if (!recording) return report(recording.error());
   const auto range = rangeOf(options, *recording);

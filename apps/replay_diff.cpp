@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "match/diff.hpp"
 
 namespace fulbito::app {
@@ -38,30 +39,29 @@ Json toJson(const ReplayDiffCommand& options, const RecordingDifference& found, 
 
 void printTicks(const RecordingDifference& found, double dt) {
   if (!found.comparable) {
-    fmt::print("other bodies or another control rate: ticks cannot be compared\n");
+    say("other bodies or another control rate: ticks cannot be compared\n");
     return;
   }
   if (!found.tick) {
     const Tick both = std::min(found.ticks_a, found.ticks_b);
-    fmt::print("all {} ticks ({:.3f} s) are the same, bit for bit\n", both, static_cast<double>(both) * dt);
+    say("all {} ticks ({:.3f} s) are the same, bit for bit\n", both, static_cast<double>(both) * dt);
     if (found.ticks_a != found.ticks_b) {
-      fmt::print("{} goes on for {} more\n", found.ticks_a > found.ticks_b ? "A" : "B",
-                 std::max(found.ticks_a, found.ticks_b) - both);
+      say("{} goes on for {} more\n", found.ticks_a > found.ticks_b ? "A" : "B",
+          std::max(found.ticks_a, found.ticks_b) - both);
     }
     return;
   }
-  fmt::print("they part at tick {} ({:.3f} s), in play {}{}\n", *found.tick,
-             static_cast<double>(*found.tick) * dt, found.play + 1,
-             found.start ? ", which does not begin the same" : "");
+  say("they part at tick {} ({:.3f} s), in play {}{}\n", *found.tick, static_cast<double>(*found.tick) * dt,
+      found.play + 1, found.start ? ", which does not begin the same" : "");
   std::size_t shown = 0;
   for (const BodyDifference& d : found.bodies) {
     if (shown++ == kShownBodies) {
-      fmt::print("  and {} more\n", found.bodies.size() - kShownBodies);
+      say("  and {} more\n", found.bodies.size() - kShownBodies);
       break;
     }
-    fmt::print("  {} of {}: {:.9g} in A, {:.9g} in B\n", d.field, d.body_name, d.a, d.b);
+    say("  {} of {}: {:.9g} in A, {:.9g} in B\n", d.field, d.body_name, d.a, d.b);
   }
-  if (found.bodies.empty()) fmt::print("  played again they are the same there: see fulbito replay verify\n");
+  if (found.bodies.empty()) say("  played again they are the same there: see fulbito replay verify\n");
 }
 
 }  // namespace
@@ -87,12 +87,11 @@ int replayDiff(const ReplayDiffCommand& options) {
   if (!found) return report(found.error());
   const double dt = 1.0 / a->header().control_rate;
   if (options.json) {
-    fmt::print("{}\n", toJson(options, *found, dt).dump(2, ' ', false, Json::error_handler_t::replace));
+    writeOut(toJson(options, *found, dt).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   } else {
-    fmt::print("A = {}, B = {}\n", options.a, options.b);
+    say("A = {}, B = {}\n", options.a, options.b);
     for (const RecipeDifference& d : found->recipe) {
-      fmt::print("{}: {} in A, {} in B\n", d.name, d.a.empty() ? "nothing" : d.a,
-                 d.b.empty() ? "nothing" : d.b);
+      say("{}: {} in A, {} in B\n", d.name, d.a.empty() ? "nothing" : d.a, d.b.empty() ? "nothing" : d.b);
     }
     printTicks(*found, dt);
   }

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "engine/core/error_text.hpp"
 #include "engine/core/match_clock.hpp"
 #include "match/recorded_events.hpp"
 #include "replays/call_words.hpp"
@@ -50,11 +52,11 @@ Result<void> printLines(const RecordingReader& recording) {
   const auto events = eventsOf(recording);
   if (!events) return tl::unexpected<Error>(events.error());
   const double dt = 1.0 / recording.header().control_rate;
-  std::fputs(headText().c_str(), stdout);
+  printOut(headText());
   std::optional<RestartKind> last;
   for (const ReplayEvent& event : *events) {
     if (event.restart) last = event.restart;
-    if (!repeatsRestart(event, last)) std::fputs(lineOf(event, dt).c_str(), stdout);
+    if (!repeatsRestart(event, last)) printOut(lineOf(event, dt));
   }
   return {};
 }
@@ -79,12 +81,10 @@ CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options) {
 int replayEvents(const ReplayEventsCommand& options) {
   const auto recording = RecordingReader::open(options.file);
   if (!recording) return report(recording.error());
-  const auto written =
-      options.json
-          ? writeEventLines(*recording,
-                            [](std::string_view line) { std::fwrite(line.data(), 1, line.size(), stdout); })
-          : printLines(*recording);
-  if (!written) return report({written.error().code, options.file + ": " + written.error().message});
+  const auto written = options.json
+                           ? writeEventLines(*recording, [](std::string_view line) { writeOut(line); })
+                           : printLines(*recording);
+  if (!written) return report(inFile(options.file, written.error()).value());
   return kOk;
 }
 

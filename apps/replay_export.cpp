@@ -5,7 +5,9 @@
 #include <CLI/CLI.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/export_flags.hpp"
 #include "apps/export_request.hpp"
+#include "apps/option_values.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -93,7 +95,7 @@ void addLook(CLI::App& command, ReplayExportCommand& options) {
   command.add_option("--quality", options.quality, "of videos, 0 (best) ... 51")
       ->capture_default_str()
       ->group("How");
-  command.add_option("--jobs", options.jobs, "threads that draw (default: all cores)")->group("How");
+  addJobs(command, options.jobs, "threads that draw")->group("How");
   command.add_flag("--force", options.force, "replace files that exist")->group("How");
 }
 
@@ -128,6 +130,7 @@ CLI::App* addReplayExport(CLI::App& replay, ReplayExportCommand& options) {
       "  fulbito replay export game.fbr --heatmap ball --theme light --size 1920\n"
       "  fulbito replay export game.fbr --csv - --from 60 --to 90 | head\n"
       "More: docs/pictures.md.");
+  options.command = command;
   command->add_option("file", options.file, "recording (.fbr)")->required();
   addProducts(*command, options);
   addHtmlOptions(*command, options.html);
@@ -139,6 +142,7 @@ CLI::App* addReplayExport(CLI::App& replay, ReplayExportCommand& options) {
 int replayExport(const ReplayExportCommand& options) {
   const std::vector<Product> products = productsOf(options);
   if (auto good = checkProducts(products, options.html); !good) return report(good.error());
+  if (auto good = checkExportFlags(options); !good) return report(good.error());
   if (!options.html.html.empty()) {
     if (const int code = replayExportHtml(options.file, options.html, options.force); code != kOk)
       return code;
@@ -149,7 +153,7 @@ int replayExport(const ReplayExportCommand& options) {
   for (const Product& product : products) {
     if (!product.wanted) continue;
     if (auto made = product.make(*request); !made) return report(made.error());
-    if (interrupted()) return kInterrupted;
+    if (interrupted()) return interruptedCode();
   }
   return kOk;
 }

@@ -15,6 +15,7 @@ namespace fulbito::app {
 /// What `fulbito replay export` was asked. Of a product that was asked for without a file the name is empty:
 /// it is named after the recording.
 struct ReplayExportCommand {
+  const CLI::App* command = nullptr;  ///< knows which flags were given
   std::string file;
   std::optional<std::string> png, contact_sheet, trails, gif, mp4, webm, svg, csv, jsonl;
   std::vector<std::string> heatmap;  ///< whose, and where it is written

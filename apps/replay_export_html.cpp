@@ -1,13 +1,13 @@
 #include "apps/replay_export_html.hpp"
 
-#include <cstdio>
-#include <filesystem>
-
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "apps/export_request.hpp"
+#include "apps/output_names.hpp"
+#include "engine/core/error_text.hpp"
 #include "engine/core/output_file.hpp"
 #include "match/expand.hpp"
 #include "replays/html/html_page.hpp"
@@ -19,9 +19,7 @@ namespace {
 constexpr const char* kStdout = "-";
 
 Result<PageScene> sceneOf(const std::string& file) {
-  const auto named = [&](const Error& error) {
-    return fail(error.code, error.message.starts_with(file) ? error.message : file + ": " + error.message);
-  };
+  const auto named = [&](const Error& error) { return inFile(file, error); };
   const auto opened = RecordingReader::open(file);
   if (!opened) return tl::unexpected<Error>(opened.error());
   const auto recording = expanded(*opened);
@@ -53,17 +51,10 @@ Result<std::string> pageOf(const std::string& file, const std::string& ghost_fil
   return htmlPage(page);
 }
 
-Result<void> writePage(const std::string& file, const std::string& html, bool force) {
-  if (file == kStdout) {
-    if (std::fwrite(html.data(), 1, html.size(), stdout) == html.size() && std::fflush(stdout) == 0)
-      return {};
-    return fail(ErrorCode::kIo, "cannot write to stdout");
-  }
-  std::error_code error;
-  if (!force && std::filesystem::exists(file, error)) {
-    return fail(ErrorCode::kUsage, fmt::format("--html: '{}' exists; give --force to replace it", file));
-  }
-  return writeFile(file, html);
+Result<void> writePage(const std::string& file, const std::string& html) {
+  if (file != kStdout) return writeFile(file, html);
+  writeOut(html);  // what is lost is told at the end
+  return {};
 }
 
 }  // namespace
@@ -76,9 +67,13 @@ void addHtmlOptions(CLI::App& command, HtmlExport& options) {
 }
 
 int replayExportHtml(const std::string& file, const HtmlExport& options, bool force) {
+  const std::vector<NamedFile> inputs{{"replay export", file}, {"--ghost", options.ghost}};
+  if (auto may = mayWriteAll({{"--html", options.html, Dash::kStdout}}, inputs, force); !may) {
+    return report(may.error());
+  }
   const auto html = pageOf(file, options.ghost);
   if (!html) return report(html.error());
-  if (auto written = writePage(options.html, *html, force); !written) return report(written.error());
+  if (auto written = writePage(options.html, *html); !written) return report(written.error());
   announce(options.html, sizeText(html->size()));
   return kOk;
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "engine/core/presets.hpp"
 #include "match/recorded_events.hpp"
 #include "referee/rules.hpp"
@@ -178,22 +179,22 @@ std::string recipeText(const RecordingHeader& header) {
 
 void print(const std::string& file, const RecordingReader& recording, const Tally& tally) {
   const RecordingHeader& header = recording.header();
-  fmt::print("{}: {}, level {}, format {}, {}\n", file, kindOf(header), levelOf(header), recording.version(),
-             endOf(recording));
-  fmt::print("{}{}", whoText(recording), recipeText(header));
-  fmt::print("  length     {:.1f} s, {} ticks at {} Hz, {} plays\n",
-             static_cast<double>(recording.ticks()) / header.control_rate, recording.ticks(),
-             header.control_rate, tally.plays);
+  say("{}: {}, level {}, format {}, {}\n", file, kindOf(header), levelOf(header), recording.version(),
+      endOf(recording));
+  say("{}{}", whoText(recording), recipeText(header));
+  say("  length     {:.1f} s, {} ticks at {} Hz, {} plays\n",
+      static_cast<double>(recording.ticks()) / header.control_rate, recording.ticks(), header.control_rate,
+      tally.plays);
   if (header.kind == RecordingKind::kMatch) {
-    fmt::print("  restarts   {}\n  events     {}\n", countsText(tally.restarts), countsText(tally.calls));
+    say("  restarts   {}\n  events     {}\n", countsText(tally.restarts), countsText(tally.calls));
   }
-  if (recording.result()) fmt::print("  hash       {:016x}\n", recording.result()->final_hash);
-  fmt::print("  build      {}, {}, {}, Box2D {}\n", header.build.version, header.build.compiler,
-             header.build.type, header.build.box2d);
-  fmt::print("  size       {} bytes in {} chunks\n", recording.sizeInBytes(), recording.chunkCount());
+  if (recording.result()) say("  hash       {:016x}\n", recording.result()->final_hash);
+  say("  build      {}, {}, {}, Box2D {}\n", header.build.version, header.build.compiler, header.build.type,
+      header.build.box2d);
+  say("  size       {} bytes in {} chunks\n", recording.sizeInBytes(), recording.chunkCount());
   for (const RecordingPart& part : recording.sizeByPart()) {
-    fmt::print("    {:<9}{:>10} {:>5.1f} %\n", part.name, part.bytes,
-               100.0 * static_cast<double>(part.bytes) / static_cast<double>(recording.sizeInBytes()));
+    say("    {:<9}{:>10} {:>5.1f} %\n", part.name, part.bytes,
+        100.0 * static_cast<double>(part.bytes) / static_cast<double>(recording.sizeInBytes()));
   }
 }
 
@@ -213,8 +214,8 @@ int replayInfo(const ReplayInfoCommand& options) {
   const auto tally = tallyOf(*recording);
   if (!tally) return report(tally.error());
   if (options.json) {
-    fmt::print("{}\n",
-               toJson(options.file, *recording, *tally).dump(2, ' ', false, Json::error_handler_t::replace));
+    writeOut(toJson(options.file, *recording, *tally).dump(2, ' ', false, Json::error_handler_t::replace) +
+             "\n");
   } else {
     print(options.file, *recording, *tally);
   }

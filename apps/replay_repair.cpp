@@ -8,7 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
-#include "apps/new_file.hpp"
+#include "apps/console.hpp"
+#include "apps/output_names.hpp"
+#include "engine/core/error_text.hpp"
+#include "engine/core/output_file.hpp"
 #include "match/repair.hpp"
 
 namespace fulbito::app {
@@ -36,18 +39,18 @@ Json toJson(const ReplayRepairCommand& options, const Salvage& found, const std:
 
 void print(const ReplayRepairCommand& options, const Salvage& found, const std::optional<Repair>& repaired) {
   if (options.json) {
-    fmt::print("{}\n", toJson(options, found, repaired).dump(2, ' ', false, Json::error_handler_t::replace));
+    writeOut(toJson(options, found, repaired).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     return;
   }
   if (!repaired) {
-    fmt::print("{}: nothing is wrong with it; nothing was written\n", options.file);
+    say("{}: nothing is wrong with it; nothing was written\n", options.file);
     return;
   }
   const double dt = 1.0 / found.header.control_rate;
-  fmt::print("{}: {} plays, {:.3f} s kept\n", options.out, repaired->plays,
-             static_cast<double>(repaired->ticks) * dt);
-  fmt::print("lost: {} bytes, {} gaps, {:.3f} s of what is known{}\n", found.lost_bytes, repaired->gaps,
-             static_cast<double>(repaired->lost_ticks) * dt, repaired->end_lost ? ", and the end" : "");
+  say("{}: {} plays, {:.3f} s kept\n", options.out, repaired->plays,
+      static_cast<double>(repaired->ticks) * dt);
+  say("lost: {} bytes, {} gaps, {:.3f} s of what is known{}\n", found.lost_bytes, repaired->gaps,
+      static_cast<double>(repaired->lost_ticks) * dt, repaired->end_lost ? ", and the end" : "");
 }
 
 }  // namespace
@@ -67,7 +70,10 @@ CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options) {
 }
 
 int replayRepair(const ReplayRepairCommand& options) {
-  if (auto may = mayWrite(options.out, options.force); !may) return report(may.error());
+  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force);
+      !may) {
+    return report(may.error());
+  }
   const auto found = salvage(options.file);
   if (!found) return report(found.error());
   if (found->whole) {
@@ -75,7 +81,7 @@ int replayRepair(const ReplayRepairCommand& options) {
     return kOk;
   }
   auto repaired = repair(*found);
-  if (!repaired) return report({repaired.error().code, options.file + ": " + repaired.error().message});
+  if (!repaired) return report(inFile(options.file, repaired.error()).value());
   if (auto written = writeFile(options.out, repaired->bytes); !written) return report(written.error());
   print(options, *found, std::move(*repaired));
   return kOk;

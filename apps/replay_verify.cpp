@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "apps/option_values.hpp"
 #include "apps/progress.hpp"
 #include "match/verify_many.hpp"
 
@@ -54,9 +56,9 @@ std::string verdictOf(const VerifiedFile& file) {
 void printOne(const VerifiedFile& file) {
   // Errors of a file begin with its name already.
   if (!file.result) {
-    fmt::print(stderr, "fulbito: {}\n", verdictOf(file));
+    report(file.result.error());
   } else {
-    fmt::print("{}: {}\n", file.file, verdictOf(file));
+    say("{}: {}\n", file.file, verdictOf(file));
   }
 }
 
@@ -66,26 +68,26 @@ void printTable(const std::vector<VerifiedFile>& files, double wall) {
     return std::filesystem::path(file.file).filename().string();
   };
   for (const VerifiedFile& file : files) width = std::max(width, name_of(file).size());
-  fmt::print("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", "file", width, "verdict", "seconds", "plays",
-             "hash", "what");
+  say("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", "file", width, "verdict", "seconds", "plays", "hash",
+      "what");
   for (const VerifiedFile& file : files) {
     if (!file.result) {
-      fmt::print("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", name_of(file), width, "bad", "", "", "",
-                 file.result.error().message);
+      say("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", name_of(file), width, "bad", "", "", "",
+          file.result.error().message);
       continue;
     }
     const Verification& v = *file.result;
-    fmt::print("{:<{}}  {:>9}  {:>9.1f}  {:>5}  {:016x}  {}\n", name_of(file), width,
-               !v.same()    ? "different"
-               : v.finished ? "same"
-                            : "cut",
-               v.seconds, v.plays, v.final_hash, v.same() ? std::string() : v.divergence->text);
+    say("{:<{}}  {:>9}  {:>9.1f}  {:>5}  {:016x}  {}\n", name_of(file), width,
+        !v.same()    ? "different"
+        : v.finished ? "same"
+                     : "cut",
+        v.seconds, v.plays, v.final_hash, v.same() ? std::string() : v.divergence->text);
   }
   const Counts counts = countsOf(files);
-  fmt::print("\n{} recordings: {} the same, {} different, {} cut, {} bad\n", files.size(), counts.same,
-             counts.different, counts.cut, counts.bad);
-  fmt::print("{:.1f} s simulated in {:.2f} s: {:.0f} x real time\n", counts.simulated, wall,
-             counts.simulated / wall);
+  say("\n{} recordings: {} the same, {} different, {} cut, {} bad\n", files.size(), counts.same,
+      counts.different, counts.cut, counts.bad);
+  say("{:.1f} s simulated in {:.2f} s: {:.0f} x real time\n", counts.simulated, wall,
+      counts.simulated / wall);
 }
 
 Json divergenceJson(const Divergence& d, double dt) {
@@ -165,15 +167,12 @@ CLI::App* addReplayVerify(CLI::App& replay, ReplayVerifyCommand& options) {
       "Exit codes: 0 all the same, 7 one differs (the first tick, body and coordinate are named), 3 one is "
       "damaged or cut.");
   command->add_option("files", options.files, "recordings (.fbr), or folders of them")->required();
-  command->add_option("--jobs", options.jobs, "worker threads (default: all cores)");
+  addJobs(*command, options.jobs, "worker threads");
   command->add_flag("--json", options.json, "print JSON");
   return command;
 }
 
 int replayVerify(const ReplayVerifyCommand& options) {
-  if (options.jobs < 0 || options.jobs > 1024) {
-    return report({ErrorCode::kUsage, fmt::format("--jobs: {} is outside 0 ... 1024", options.jobs)});
-  }
   const auto names = recordingFiles(options.files);
   if (!names) return report(names.error());
   if (names->empty()) return report({ErrorCode::kUsage, "there are no recordings (.fbr) in these folders"});
@@ -187,7 +186,7 @@ int replayVerify(const ReplayVerifyCommand& options) {
   if (!files) return report(files.error());
   const double wall = static_cast<double>(now() - begin) * 1e-9;
   if (options.json) {
-    fmt::print("{}\n", toJson(*files, wall).dump(2, ' ', false, Json::error_handler_t::replace));
+    writeOut(toJson(*files, wall).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   } else if (files->size() == 1) {
     printOne(files->front());
   } else {

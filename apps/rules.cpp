@@ -7,7 +7,11 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "apps/match.hpp"
+#include "engine/core/error_text.hpp"
 #include "engine/core/presets.hpp"
+#include "referee/check_field.hpp"
 #include "referee/check_places.hpp"
 #include "referee/rules.hpp"
 
@@ -21,21 +25,26 @@ int showRules(const std::string& name_or_file) {
   const std::vector<std::string> presets = rulesPresetNames();
   const bool preset = std::find(presets.begin(), presets.end(), name_or_file) != presets.end();
   const std::string text = preset ? rulesPresetText(name_or_file).value_or("") : toToml(*loaded);
-  std::fputs(text.c_str(), stdout);
+  writeOut(text);
   return kOk;
 }
 
 int checkRules(const std::string& file) {
   const auto loaded = loadRules(file);
   if (!loaded) return report(loaded.error());
-  fmt::print("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
-             loaded->team_size, loaded->field);
   const auto field = loadField(loaded->field);
   if (!field) return report(field.error());
-  if (const auto foreign = findForeignPlaces(*loaded, *field, RobotModel()))
-    fmt::print("note: {}\n", *foreign);
-  for (const std::string& place : findBadPlaces(*loaded, *field, RobotModel())) {
-    fmt::print("note: {}; the referee will move it\n", place);
+  // The ball of a match unless it says otherwise.
+  const auto robot = loadRobot(MatchCommand().robot);
+  if (!robot) return report(robot.error());
+  if (auto playable = checkField(*loaded, *field, robot->ball); !playable) {
+    return report(inFile(file, playable.error()).value());
+  }
+  say("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
+      loaded->team_size, loaded->field);
+  if (const auto foreign = findForeignPlaces(*loaded, *field, robot->robot)) say("note: {}\n", *foreign);
+  for (const std::string& place : findBadPlaces(*loaded, *field, robot->robot)) {
+    say("note: {}; the referee will move it\n", place);
   }
   return kOk;
 }

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "engine/core/error_text.hpp"
 #include "match/shadow_referee.hpp"
 
 namespace fulbito::app {
@@ -91,19 +93,19 @@ std::string leadText(std::int64_t count, double lead) {
 }
 
 void printTable(const RulesComparison& comparison) {
-  fmt::print("A = {}, B = {}: {} plays of {} recordings, {:.0f} s\n", comparison.a, comparison.b,
-             comparison.plays.size(), comparison.files, comparison.seconds);
-  fmt::print("as recorded: A {}, B {} plays\n\n", comparison.recorded_a, comparison.recorded_b);
-  fmt::print("{:<26}{:>7}{:>7}{:>7}{:>16}{:>16}{:>8}{:>8}{:>11}\n", "rule", "A", "B", "same", "A earlier",
-             "B earlier", "only A", "only B", "different");
+  say("A = {}, B = {}: {} plays of {} recordings, {:.0f} s\n", comparison.a, comparison.b,
+      comparison.plays.size(), comparison.files, comparison.seconds);
+  say("as recorded: A {}, B {} plays\n\n", comparison.recorded_a, comparison.recorded_b);
+  say("{:<26}{:>7}{:>7}{:>7}{:>16}{:>16}{:>8}{:>8}{:>11}\n", "rule", "A", "B", "same", "A earlier",
+      "B earlier", "only A", "only B", "different");
   for (const RuleAgreement& rule : byRule(comparison)) {
-    fmt::print("{:<26}{:>7}{:>7}{:>7}{:>16}{:>16}{:>8}{:>8}{:>11}\n", rule.clause, rule.a, rule.b, rule.same,
-               leadText(rule.a_earlier, rule.a_lead), leadText(rule.b_earlier, rule.b_lead), rule.only_a,
-               rule.only_b, rule.different);
+    say("{:<26}{:>7}{:>7}{:>7}{:>16}{:>16}{:>8}{:>8}{:>11}\n", rule.clause, rule.a, rule.b, rule.same,
+        leadText(rule.a_earlier, rule.a_lead), leadText(rule.b_earlier, rule.b_lead), rule.only_a,
+        rule.only_b, rule.different);
   }
   const std::vector<VerdictPair> pairs = differentPairs(comparison);
-  if (!pairs.empty()) fmt::print("\nwhere they called different things (A: B):\n");
-  for (const VerdictPair& pair : pairs) fmt::print("  {:>5}  {}: {}\n", pair.count, pair.a, pair.b);
+  if (!pairs.empty()) say("\nwhere they called different things (A: B):\n");
+  for (const VerdictPair& pair : pairs) say("  {:>5}  {}: {}\n", pair.count, pair.a, pair.b);
 }
 
 std::string verdictText(const std::optional<ShadowVerdict>& verdict, Tick begin, double dt) {
@@ -114,13 +116,13 @@ std::string verdictText(const std::optional<ShadowVerdict>& verdict, Tick begin,
 }
 
 void printList(const RulesComparison& comparison, const std::vector<Source>& sources) {
-  fmt::print("\nplays on which they differ:\n");
+  say("\nplays on which they differ:\n");
   for (const PlayVerdicts& play : comparison.plays) {
     if (!differs(play)) continue;
     const Source& source = sources[play.file];
-    fmt::print("  {} play {} at {:.2f} s: A {}, B {}\n", source.file, play.play + 1,
-               static_cast<double>(play.begin) * source.dt, verdictText(play.a, play.begin, source.dt),
-               verdictText(play.b, play.begin, source.dt));
+    say("  {} play {} at {:.2f} s: A {}, B {}\n", source.file, play.play + 1,
+        static_cast<double>(play.begin) * source.dt, verdictText(play.a, play.begin, source.dt),
+        verdictText(play.b, play.begin, source.dt));
   }
 }
 
@@ -129,7 +131,7 @@ Result<void> addFile(const std::string& file, const Rules& a, const Rules& b, Ru
   const auto recording = RecordingReader::open(file);
   if (!recording) return tl::unexpected<Error>(recording.error());
   if (auto compared = fulbito::compareRules(*recording, a, b, comparison); !compared) {
-    return fail(compared.error().code, file + ": " + compared.error().message);
+    return inFile(file, compared.error());
   }
   sources.push_back({file, 1.0 / recording->header().control_rate});
   return {};
@@ -162,10 +164,11 @@ int compareRules(const RulesCompareOptions& options) {
   std::vector<Source> sources;
   for (const std::string& file : options.files) {
     if (auto added = addFile(file, *a, *b, comparison, sources); !added) return report(added.error());
-    if (interrupted()) return kInterrupted;
+    if (interrupted()) return interruptedCode();
   }
   if (options.json) {
-    fmt::print("{}\n", toJson(comparison, sources, options.list).dump(2));
+    writeOut(toJson(comparison, sources, options.list).dump(2, ' ', false, Json::error_handler_t::replace) +
+             "\n");
     return kOk;
   }
   printTable(comparison);

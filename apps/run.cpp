@@ -1,8 +1,8 @@
-#include <cstdio>
-
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "apps/output_names.hpp"
 #include "engine/core/output_file.hpp"
 #include "experiments/pictures.hpp"
 #include "experiments/report.hpp"
@@ -71,8 +71,7 @@ Result<TrialConfig> configOf(const RunOptions& options) {
 void printScore(const TrialConfig& config, const TrialResult& result) {
   const TrialScore& s = result.score;
   std::vector<double> compute = result.compute_us;
-  fmt::print(
-      "{} on {} at {:.2f} m/s (seed {}): {}\n"
+  say("{} on {} at {:.2f} m/s (seed {}): {}\n"
       "  time       {:.3f} s    (T* {:.3f} s, ratio {:.3f})\n"
       "  length     {:.3f} m    (L* {:.3f} m, ratio {:.3f})\n"
       "  contacts   {} with obstacles ({} by own motion), {} with walls, impulse {:.4f} N s\n"
@@ -87,36 +86,55 @@ void printScore(const TrialConfig& config, const TrialResult& result) {
       quantile(compute, 0.99), quantile(compute, 1.0), result.final_hash);
 }
 
+/// The picture's file, named after the layout unless it was given.
+std::string pictureOf(const RunOptions& options, const TrialConfig& config) {
+  if (!options.png) return {};
+  return options.png->empty() ? config.layout.name + ".png" : *options.png;
+}
+
+Result<void> checkFiles(const RunOptions& options, const TrialConfig& config) {
+  return mayWriteAll(
+      {{"--png", pictureOf(options, config)},
+       {"--record", options.record},
+       {"--trace", options.trace, Dash::kStdout}},
+      {{"--layout", options.layout}, {"--robot", options.robot}, {"--physics", options.physics}},
+      options.force);
+}
+
 }  // namespace
 
 int run(const RunOptions& options) {
+  if (options.json && options.trace == "-") {
+    return report({ErrorCode::kUsage, "--trace: '-' and --json both want stdout; give --trace a file"});
+  }
   const auto config = configOf(options);
   if (!config) return report(config.error());
+  if (auto checked = checkFiles(options, *config); !checked) return report(checked.error());
   std::optional<TrialRecorder> recorder;
   if (!options.record.empty()) {
-    auto created = TrialRecorder::create(options.record, *config);
+    auto created = TrialRecorder::create(options.record, *config, options.force);
     if (!created) return report(created.error());
     recorder.emplace(std::move(*created));
     if (options.drawings) recorder->keepGuidance();
   }
   const auto result = runTrial(*config, now, recorder ? &*recorder : nullptr);
   if (!result) return report(result.error());
-  if (recorder) fmt::print(stderr, "recording: {}\n", options.record);
+  if (recorder) note("recording: {}\n", options.record);
   if (options.png) {
-    const std::string file = options.png->empty() ? config->layout.name + ".png" : *options.png;
+    const std::string file = pictureOf(options, *config);
     if (auto written = writeTrialPicture(file, *config, *result); !written) return report(written.error());
-    fmt::print(stderr, "picture: {}\n", file);
+    note("picture: {}\n", file);
   }
   if (!options.trace.empty()) {
     if (options.trace == "-") {
-      std::fputs(traceCsv(*result).c_str(), stdout);
+      writeOut(traceCsv(*result));
       return kOk;
     }
     if (auto written = writeFile(options.trace, traceCsv(*result)); !written) return report(written.error());
-    fmt::print(stderr, "trace: {}\n", options.trace);
+    note("trace: {}\n", options.trace);
   }
   if (options.json) {
-    std::fputs(trialJson(*config, *result).c_str(), stdout);
+    writeOut(trialJson(*config, *result));
   } else {
     printScore(*config, *result);
   }

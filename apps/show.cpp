@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "engine/core/presets.hpp"
 #include "engine/core/suggest.hpp"
 #include "referee/rules.hpp"
@@ -14,7 +15,7 @@ int showCase(const std::string& name) {
   std::vector<std::string> names;
   for (const Layout& layout : namedCases()) {
     if (layout.name == name) {
-      std::fputs(toToml(layout).c_str(), stdout);
+      writeOut(toToml(layout));
       return kOk;
     }
     names.push_back(layout.name);
@@ -25,7 +26,7 @@ int showCase(const std::string& name) {
 int showPreset(const std::string& kind, const std::string& name) {
   const auto text = presetText(kind, name);
   if (!text) return report(text.error());
-  std::fputs(text->c_str(), stdout);
+  writeOut(*text);
   return kOk;
 }
 
@@ -39,7 +40,7 @@ int show(const ShowOptions& options) {
   if (options.kind == "rules") {
     const auto text = rulesPresetText(options.name);
     if (!text) return report(text.error());
-    std::fputs(text->c_str(), stdout);
+    writeOut(*text);
     return kOk;
   }
   if (options.kind == "case") return showCase(options.name);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
 #include "engine/core/build_info.hpp"
 #include "experiments/report.hpp"
 
@@ -10,10 +11,10 @@ namespace fulbito::app {
 
 int version(bool json) {
   if (json) {
-    std::fputs(versionJson().c_str(), stdout);
+    writeOut(versionJson());
   } else {
     const BuildInfo& build = buildInfo();
-    fmt::print("fulbito {} ({}, {}, Box2D {})\n", build.version, build.compiler, build.type, build.box2d);
+    say("fulbito {} ({}, {}, Box2D {})\n", build.version, build.compiler, build.type, build.box2d);
   }
   return kOk;
 }

@@ -10,9 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.hpp"
+#include "apps/console.hpp"
+#include "apps/option_values.hpp"
+#include "apps/output_names.hpp"
 #include "apps/view/match_stage.hpp"
 #include "apps/view/replay_stage.hpp"
-#include "apps/whole_number.hpp"
+#include "engine/core/error_text.hpp"
 #include "match/expand.hpp"
 
 namespace fulbito::app {
@@ -67,12 +70,15 @@ Result<ReplayTimeline> timelineOf(const std::string& file) {
 Result<std::unique_ptr<ViewStage>> stageOf(const std::string& file, double from) {
   auto timeline = timelineOf(file);
   if (!timeline) {
-    const Error& error = timeline.error();
-    const bool named = error.message.find(file) != std::string::npos;
-    return fail(error.code, named ? error.message : file + ": " + error.message);
+    const bool named = timeline.error().message.find(file) != std::string::npos;
+    return named ? tl::unexpected<Error>(timeline.error()) : inFile(file, timeline.error());
+  }
+  if (!(from >= 0.0 && from <= timeline->seconds())) {
+    return fail(ErrorCode::kUsage,
+                fmt::format("--from {}: the recording goes from 0 to {:.2f} s", from, timeline->seconds()));
   }
   auto stage = ReplayStage::create(std::move(*timeline), file);
-  if (!stage) return fail(stage.error().code, file + ": " + stage.error().message);
+  if (!stage) return inFile(file, stage.error());
   (*stage)->seek(from);
   return std::unique_ptr<ViewStage>(std::move(*stage));
 }
@@ -94,7 +100,7 @@ void print(const ViewCommand& options, const Viewer& viewer, const ViewWindow& w
                   {"full_screen", settings.full_screen},
                   {"edited", viewer.stage().edited()},
                   {"frames", window.frames()}};
-  std::fputs((json.dump(2) + '\n').c_str(), stdout);
+  writeOut(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 }  // namespace
@@ -115,8 +121,8 @@ void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed
   add(command.add_flag("--paused", options.paused, "begin with a still picture"));
   add(command.add_flag("--full-screen", options.full_screen, "fill the screen"));
   add(command.add_flag("--keys", options.help, "begin with the list of keys"));
-  add(command.add_option("--frames", options.frames, "end after so many pictures, or once nothing moves"))
-      ->check(wholeNumberFlaw)
+  wholeNumber(add(command.add_option("--frames", options.frames,
+                                     "end after so many pictures, or once nothing moves")))
       ->type_name("N");
   add(command.add_option("--screenshot", options.screenshot, "write the last picture as PNG"))
       ->type_name("FILE");
@@ -138,6 +144,7 @@ CLI::App* addView(CLI::App& app, ViewCommand& options) {
   command->add_option("--from", options.from, "begin at this time of the first recording [s]")
       ->capture_default_str();
   addViewOptions(*command, options.window);
+  command->add_flag("--force", options.force, "replace the screenshot if it exists");
   command->add_flag("--json", options.json, "when the window is closed, print how it stood");
   return command;
 }
@@ -163,9 +170,15 @@ Result<void> playInWindow(Match& match, ViewWindow& window, const ViewOptions& o
 }
 
 int view(const ViewCommand& options) {
+  std::vector<NamedFile> recordings;
+  for (const std::string& file : options.files) recordings.push_back({"the recording", file});
+  if (auto may = mayWriteAll({{"--screenshot", options.window.screenshot}}, recordings, options.force);
+      !may) {
+    return report(may.error());
+  }
   std::vector<std::unique_ptr<ViewStage>> stages;
   for (const std::string& file : options.files) {
-    auto stage = stageOf(file, stages.empty() && std::isfinite(options.from) ? options.from : 0.0);
+    auto stage = stageOf(file, stages.empty() ? options.from : 0.0);
     if (!stage) return report(stage.error());
     stages.push_back(std::move(*stage));
   }
@@ -174,7 +187,7 @@ int view(const ViewCommand& options) {
   Viewer viewer(std::move(stages), settingsOf(options.window));
   if (auto shown = window->run(viewer); !shown) return report(shown.error());
   if (options.json) print(options, viewer, *window);
-  return interrupted() ? kInterrupted : kOk;
+  return interrupted() ? interruptedCode() : kOk;
 }
 
 }  // namespace fulbito::app

@@ -32,6 +32,7 @@ struct ViewCommand {
   std::vector<std::string> files;
   double from = 0.0;  ///< [s]
   bool json = false;
+  bool force = false;  ///< the screenshot is replaced if it exists
   ViewOptions window;
 };
 

@@ -26,6 +26,7 @@ struct BareRobot {
   float loss;     // the same, braking
   float grip;     // most the floor passes on
   float lateral;  // the same across the wheels
+  float share;    // of what the motors give the mass that they give a turn
   float left = 0.0f;
   float right = 0.0f;
 };
@@ -45,8 +46,8 @@ void drive(BareRobot& robot) {
   const float sideways = std::clamp(b2Dot(velocity, side), -robot.lateral, robot.lateral);
   robot.body->ApplyLinearImpulseToCenter(
       robot.body->GetMass() * (0.5f * (left + right) * ahead - sideways * side), true);
-  robot.body->ApplyAngularImpulse(robot.body->GetInertia() * (right - left) / (2.0f * robot.half_track),
-                                  true);
+  const float yaw = robot.share * (right - left) / (2.0f * robot.half_track);
+  robot.body->ApplyAngularImpulse(robot.body->GetInertia() * yaw, true);
 }
 
 void addFixture(b2Body& body, const b2Shape& shape, float friction, float restitution, float threshold) {
@@ -146,7 +147,7 @@ void BareLoop::Impl::addRobot(const WorldConfig& config, const RobotPlacement& p
   setMass(*body, m.mass, m.mass * (m.length * m.length + m.width * m.width) / 12);
   robots.push_back({body, scaled(m.wheel_radius), scaled(m.axle_track / 2), scaled(m.wheel_acceleration) * dt,
                     scaled(m.wheel_braking) * dt, scaled(m.longitudinal_grip) * dt,
-                    scaled(m.lateral_grip) * dt});
+                    scaled(m.lateral_grip) * dt, static_cast<float>(m.turnShare())});
 }
 
 void BareLoop::Impl::addBall(const WorldConfig& config, const BallPlacement& placement) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/result.hpp"
+
 namespace fulbito {
 
 /// One row: a scene at one physics rate under one load, engine and bare Box2D loop in turns.
@@ -42,7 +44,8 @@ struct BenchOptions {
 };
 
 /// Measures 3v3 at 60, 120 and 240 Hz under each load. Takes about 40 s with the defaults.
-BenchReport runBenchmark(const BenchOptions& options);
+/// Errors: kInterrupted.
+Result<BenchReport> runBenchmark(const BenchOptions& options);
 
 /// The report as a table for people.
 std::string toTable(const BenchReport& report);

@@ -25,8 +25,7 @@ RobotModel sceneRobot() {
   robot.wheel_radius = 0.026;
   robot.axle_track = 0.0775;
   robot.max_wheel_speed = 46.08;
-  robot.wheel_acceleration = 6.45;
-  robot.wheel_braking = 7.35;
+  robot.wheel_acceleration = robot.wheel_braking = 7.0;
   robot.longitudinal_grip = 9.0;
   robot.lateral_grip = 6.0;
   robot.friction = 0.2;
@@ -167,11 +166,9 @@ WorldConfig matchScene(int per_team, const PhysicsProfile& physics) {
 }
 
 std::vector<Scene> fixedScenes() {
-  PhysicsProfile bullet = profile(1);
-  bullet.bullet_ball = true;
   return {
       {"3v3-random", matchScene(3, profile(2)), Load::kRandom, 1200},
-      {"3v3-hold-fast", matchScene(3, bullet), Load::kHold, 1200},
+      {"3v3-hold-fast", matchScene(3, profile(1)), Load::kHold, 1200},
       {"3v3-chase", matchScene(3, profile(2)), Load::kChase, 1200},
       {"3v3-chase-faithful", matchScene(3, profile(4)), Load::kChase, 600},
       {"ball-shots", ballShots(), Load::kHold, 600},

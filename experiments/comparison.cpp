@@ -1,14 +1,13 @@
 #include "experiments/comparison.hpp"
 
 #include <array>
-#include <atomic>
 #include <mutex>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
+#include "engine/core/worker_threads.hpp"
 #include "experiments/paper_plan.hpp"
 #include "experiments/summary.hpp"
 #include "experiments/trial_recorder.hpp"
@@ -217,33 +216,24 @@ Result<Comparison> planComparison(const ComparisonConfig& config) {
 Result<void> runComparison(Comparison& comparison, const Clock& clock, const Progress& progress) {
   const std::vector<Task> tasks = tasksOf(comparison);
   comparison.records.assign(tasks.size(), {});
-  std::atomic<std::size_t> next{0}, done{0};
-  std::atomic<bool> stop{false};
+  std::size_t done = 0;
   std::mutex mutex;
-  tl::expected<void, Error> failure;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size() && !stop; i = next++) {
-      auto record = runTask(comparison, tasks[i], clock);
-      const std::scoped_lock lock(mutex);
-      if (!record) {
-        if (failure) failure = tl::unexpected<Error>(record.error());
-        stop = true;
-        return;
-      }
+  Result<void> failure;
+  forEachTask(comparison.config.jobs, tasks.size(), [&](std::size_t i) {
+    auto record = runTask(comparison, tasks[i], clock);
+    const std::scoped_lock lock(mutex);
+    Result<void> result;
+    if (!record) {
+      result = tl::unexpected<Error>(record.error());
+    } else {
       comparison.records[i] = std::move(*record);
       if (progress && !progress(++done, tasks.size())) {
-        if (failure) failure = fail(ErrorCode::kInterrupted, "interrupted");
-        stop = true;
+        result = fail(ErrorCode::kInterrupted, "interrupted");
       }
     }
-  };
-  {
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    const int jobs = comparison.config.jobs > 0 ? comparison.config.jobs : std::max(1, cores);
-    std::vector<std::jthread> workers;
-    for (int i = 1; i < jobs; ++i) workers.emplace_back(work);
-    work();
-  }
+    if (!result && failure) failure = result;
+    return result.has_value();
+  });
   if (!failure) return failure;
   summarise(comparison);
   if (comparison.config.suite == kPaperSuite && !comparison.config.only) judgeReproduction(comparison);

@@ -144,7 +144,7 @@ std::string trialJson(const TrialConfig& config, const TrialResult& result) {
 std::string versionJson() {
   Json json = buildJson();
   json["schema_version"] = kSchemaVersion;
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace fulbito

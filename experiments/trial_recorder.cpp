@@ -37,8 +37,9 @@ RecordingHeader headerOf(const TrialConfig& config) {
 
 }  // namespace
 
-Result<TrialRecorder> TrialRecorder::create(const std::string& file, const TrialConfig& config) {
-  auto writer = RecordingWriter::create(file, headerOf(config));
+Result<TrialRecorder> TrialRecorder::create(const std::string& file, const TrialConfig& config,
+                                            bool replace) {
+  auto writer = RecordingWriter::create(file, headerOf(config), replace);
   if (!writer) return tl::unexpected<Error>(writer.error());
   return TrialRecorder(std::move(*writer));
 }

@@ -13,7 +13,8 @@ namespace fulbito {
 class TrialRecorder {
  public:
   /// Begins the file. Errors: as RecordingWriter::create.
-  static Result<TrialRecorder> create(const std::string& file, const TrialConfig& config);
+  static Result<TrialRecorder> create(const std::string& file, const TrialConfig& config,
+                                      bool replace = true);
   /// The same into a sink.
   static Result<TrialRecorder> create(RecordingWriter::Sink sink, const TrialConfig& config);
 

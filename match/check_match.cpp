@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "referee/check_field.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -68,9 +70,7 @@ Result<void> checkMatch(const MatchConfig& config) {
                               validate(config.robot.ball), validate(config.physics)}) {
     if (!checked) return checked;
   }
-  if (!config.field.hasGoals()) {
-    return fail(ErrorCode::kUsage, fmt::format("field '{}' has no goals", config.field.name));
-  }
+  if (auto r = checkField(config.rules, config.field, config.robot.ball); !r) return r;
   if (config.decision_work < 0) {
     return fail(ErrorCode::kUsage, fmt::format("decision work: {} is below 0", config.decision_work));
   }

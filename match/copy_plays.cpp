@@ -3,13 +3,14 @@
 namespace fulbito {
 namespace {
 
-/// The one call that belongs to the play that begins at its tick; all others ended the play before.
-bool isOfRestart(const RecordedEvent& event) { return event.clause == "placement"; }
+/// The tick after which an event is written. The one call that belongs to the play that begins at its tick
+/// waits for that play's first tick; all others ended the play before.
+Tick dueAt(const RecordedEvent& event) { return event.tick + (event.clause == "placement" ? 1 : 0); }
 
 }  // namespace
 
 void PlayCopier::chunkBegins(const RecordedChunk& chunk) {
-  events_.insert(events_.end(), chunk.events.begin(), chunk.events.end());
+  for (const RecordedEvent& event : chunk.events) events_[dueAt(event)].push_back(event);
   drawings_.insert(drawings_.end(), chunk.drawings.begin(), chunk.drawings.end());
 }
 
@@ -22,9 +23,7 @@ bool PlayCopier::playBegins(const ReplayedPlay& play) {
   ++plays_;
   const Tick began = play.recorded->tick;
   shift_ = writer_.tick() - began;
-  std::erase_if(events_, [began](const RecordedEvent& e) {
-    return e.tick < began || (e.tick == began && !isOfRestart(e));
-  });
+  events_.erase(events_.begin(), events_.upper_bound(began));
   std::erase_if(drawings_, [began](const RecordedDrawing& d) { return d.tick <= began; });
   return true;
 }
@@ -42,13 +41,14 @@ bool PlayCopier::ticked(const ReplayedTick& tick) {
 }
 
 void PlayCopier::pass(Tick until) {
-  std::erase_if(events_, [&](RecordedEvent& event) {
-    // The repairs of the next restart are not of this play.
-    if (event.tick > until || (event.tick == until && isOfRestart(event))) return false;
-    event.tick += shift_;
-    writer_.add(event);
-    return true;
-  });
+  const auto end = events_.upper_bound(until);
+  for (auto due = events_.begin(); due != end; ++due) {
+    for (RecordedEvent& event : due->second) {
+      event.tick += shift_;
+      writer_.add(event);
+    }
+  }
+  events_.erase(events_.begin(), end);
   for (; !drawings_.empty() && drawings_.front().tick <= until; drawings_.pop_front()) {
     drawings_.front().tick += shift_;
     writer_.add(drawings_.front());

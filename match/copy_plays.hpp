@@ -2,7 +2,9 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "engine/core/hash.hpp"
 #include "match/resimulate.hpp"
@@ -32,7 +34,7 @@ class PlayCopier final : public ReplayVisitor {
   void pass(Tick until);
 
   RecordingWriter writer_;
-  std::vector<RecordedEvent> events_;
+  std::map<Tick, std::vector<RecordedEvent>> events_;  ///< by the tick after which each is written
   std::deque<RecordedDrawing> drawings_;
   StateHash hash_;
   std::int64_t plays_ = 0;

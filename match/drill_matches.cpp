@@ -21,7 +21,7 @@ class MatchTally final : public MatchObserver {
 
   void playBegins(const PlayStart& start) override {
     dt_ = start.world->physics.controlPeriod();
-    began_ = start.tick;
+    began_ = start.tick + start.call.delay;
     event_ = start.tick;
     ++tally_.restarts;
     for (const GameEvent& event : start.events) {
@@ -31,7 +31,7 @@ class MatchTally final : public MatchObserver {
 
   void ticked(const MatchTick& tick) override {
     side_ = tick.referee->sideOf(team_);
-    tally_.seconds = static_cast<double>(tick.tick) * dt_;
+    tally_.seconds = static_cast<double>(tick.referee->match_ticks) * dt_;
     bool touched = false;
     for (const ContactEvent& contact : tick.contacts) {
       if (contact.b.kind != BodyKind::kBall || contact.a.kind != BodyKind::kRobot) continue;
@@ -40,7 +40,7 @@ class MatchTally final : public MatchObserver {
     if (touched != touched_) event_ = tick.tick;
     touched_ = touched;
     for (const GameEvent& event : tick.events) count(event, tick.tick);
-    followRoles(*tick.decisions[indexOf(team_)], tick.tick);
+    if (tick.referee->playing) followRoles(*tick.decisions[indexOf(team_)], tick.tick);
   }
 
   /// Own goals are those of the match's statistics: what an opponent shot and ours deflect is none.
@@ -90,7 +90,7 @@ class MatchTally final : public MatchObserver {
   DrillMatch tally_;
   Side side_ = Side::kLeft;
   double dt_ = 1.0 / 60.0;
-  Tick began_ = 0;
+  Tick began_ = 0;  ///< of the signal
   Tick event_ = 0;  ///< when robots last came to the ball or lost it, or play began
   Tick switched_ = -1000;
   bool touched_ = false;  ///< a robot touched the ball in the last tick

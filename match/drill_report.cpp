@@ -161,7 +161,7 @@ std::string drillJson(const std::vector<DrillReport>& reports, const DrillOption
                               {"verdict", verdictOf(report)},
                               {"bars", std::move(bars)}});
   }
-  return json.dump(2) + "\n";
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace fulbito

@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <atomic>
 #include <mutex>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include "engine/core/worker_threads.hpp"
 #include "match/drill_trials.hpp"
 
 namespace fulbito {
@@ -20,31 +19,18 @@ struct Counter {
 /// Calls `work(i)` for 0 ... count - 1 on several threads. `work` writes to its own place only.
 template <typename Work>
 Result<void> inParallel(int jobs, std::size_t count, Counter& counter, const Work& work) {
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> stop{false};
   std::mutex mutex;
   Result<void> failure;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count && !stop; i = next++) {
-      Result<void> result = work(i);
-      const std::scoped_lock lock(mutex);
-      ++counter.done;
-      if (result && counter.progress && !counter.progress(counter.done, counter.total)) {
-        result = fail(ErrorCode::kInterrupted, "interrupted");
-      }
-      if (!result) {
-        if (failure) failure = result;
-        stop = true;
-      }
+  forEachTask(jobs, count, [&](std::size_t i) {
+    Result<void> result = work(i);
+    const std::scoped_lock lock(mutex);
+    ++counter.done;
+    if (result && counter.progress && !counter.progress(counter.done, counter.total)) {
+      result = fail(ErrorCode::kInterrupted, "interrupted");
     }
-  };
-  {
-    const int cores = static_cast<int>(std::thread::hardware_concurrency());
-    const int threads = jobs > 0 ? jobs : std::max(1, cores);
-    std::vector<std::jthread> workers;
-    for (int i = 1; i < threads; ++i) workers.emplace_back(run);
-    run();
-  }
+    if (!result && failure) failure = result;
+    return result.has_value();
+  });
   return failure;
 }
 

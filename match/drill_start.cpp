@@ -7,6 +7,7 @@
 
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
+#include "engine/core/stop_request.hpp"
 #include "engine/sim/world.hpp"
 #include "match/match.hpp"
 #include "referee/restart_call.hpp"
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double kGap = 0.12;         // [m] from a centred keeper's body to a ball beside the post
 constexpr double kLongestRoll = 5.0;  // [s] of a ball on its way into the goal
-constexpr int kMaxDraws = 20000;      // before a start is given up: shots off the wall seldom go in
+constexpr int kMaxDraws = 20000;      // before a start is given up
+constexpr int kMaxRolls = 5000;       // of balls, of which shots off the wall send one in a hundred in
 
 /// What a ball does that nobody touches.
 struct BallWay {
@@ -96,6 +98,9 @@ class SceneDraw {
     drawTask(start, scene);
     return fits(start, scene) && (!start.enters || enters(start, scene.placement));
   }
+
+  /// Balls that were rolled to see whether they go in.
+  int rolls() const { return rolls_; }
 
  private:
   Vec2 taken(const std::vector<Vec2>& places) const { return places[turn_ % places.size()]; }
@@ -186,7 +191,8 @@ class SceneDraw {
   }
 
   /// Whether the ball, alone on the field, goes into the own goal as the start wants it.
-  bool enters(const DrillStart& start, const Placement& placement) const {
+  bool enters(const DrillStart& start, const Placement& placement) {
+    ++rolls_;
     const double speed = norm(placement.ball_velocity);
     const BallWay way = rollAlone(match_, placement);
     return way.conceded && (start.bounces < 0 || way.bounces == start.bounces) &&
@@ -214,6 +220,7 @@ class SceneDraw {
   const RobotPreset& robot_;
   Rng& rng_;
   std::size_t turn_;
+  int rolls_ = 0;
 };
 
 Vec2 mirrored(Vec2 v) { return {v.x, -v.y}; }
@@ -249,6 +256,12 @@ Result<DrillScene> drawScene(const Drill& drill, const MatchConfig& match, std::
   SceneDraw drawing(drill, match, rng, round / 4);
   int draws = 0;
   while (!drawing.draw(start, scene)) {
+    if (stopRequested()) return fail(ErrorCode::kInterrupted, "interrupted");
+    if (drawing.rolls() == kMaxRolls) {
+      return fail(
+          ErrorCode::kBadInput,
+          fmt::format("{}: start '{}': no ball goes into the goal (enters = true)", drill.file, start.name));
+    }
     if (++draws == kMaxDraws) {
       return fail(ErrorCode::kBadInput,
                   fmt::format("{}: start '{}' leaves no room for all bodies", drill.file, start.name));

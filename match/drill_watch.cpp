@@ -53,6 +53,7 @@ void DrillWatch::playBegins(const PlayStart& start) {
     return;
   }
   begun_ = true;
+  signal_ = start.tick + start.call.delay;
   dt_ = start.world->physics.controlPeriod();
   const Placement placed = seated(start.placement, scene_.seat);
   ball_start_ = placed.ball;
@@ -67,7 +68,7 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
   const Side side =
       scene_.seat == TeamId::kBlue ? tick.referee->blue_side : opposite(tick.referee->blue_side);
   Now now;
-  now.time = static_cast<double>(tick.tick) * dt_;
+  now.time = static_cast<double>(tick.tick - signal_) * dt_;
   now.ball = inTeamFrame(side, tick.world->balls.front());
   for (std::size_t i = 0; i < tick.ids.size(); ++i) {
     if (tick.ids[i] == RobotId{scene_.seat, 0}) now.robot = inTeamFrame(side, tick.world->robots[i]);

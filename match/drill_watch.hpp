@@ -24,7 +24,7 @@ class DrillWatch final : public MatchObserver {
 
  private:
   struct Now {
-    double time = 0.0;  ///< [s] since the start
+    double time = 0.0;  ///< [s] since the signal; negative before
     BallState ball;
     RobotState robot;       ///< the tested team's first
     bool touched = false;   ///< by the tested team in this tick
@@ -53,6 +53,7 @@ class DrillWatch final : public MatchObserver {
   const RobotPreset& robot_;
   const ExerciseLog& log_;
   double dt_ = 1.0 / 60.0;
+  Tick signal_ = 0;  ///< from which time counts
   double duration_ = 0.0;
   bool begun_ = false;
   bool done_ = false;

@@ -23,6 +23,10 @@ LoggedEvent restartEvent(const PlayStart& start, double dt) {
   return event;
 }
 
+std::string lineOf(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
 }  // namespace
 
 void EventLog::matchBegins(const MatchConfig& config) {
@@ -58,19 +62,19 @@ void EventLines::matchBegins(const MatchConfig& config) {
                        {"dt_s", dt_},
                        {"config", matchConfigJson(config)},
                        {"build", buildJson()}};
-  sink_(header.dump() + '\n');
+  sink_(lineOf(header));
 }
 
 void EventLines::playBegins(const PlayStart& start) {
   for (const GameEvent& call : start.events) {
-    sink_(eventJson({call, std::nullopt, start.referee->score}, dt_).dump() + '\n');
+    sink_(lineOf(eventJson({call, std::nullopt, start.referee->score}, dt_)));
   }
-  sink_(eventJson(restartEvent(start, dt_), dt_).dump() + '\n');
+  sink_(lineOf(eventJson(restartEvent(start, dt_), dt_)));
 }
 
 void EventLines::ticked(const MatchTick& tick) {
   for (const GameEvent& call : tick.events) {
-    sink_(eventJson({call, std::nullopt, tick.referee->score}, dt_).dump() + '\n');
+    sink_(lineOf(eventJson({call, std::nullopt, tick.referee->score}, dt_)));
   }
 }
 
@@ -81,7 +85,7 @@ void EventLines::matchEnds(const RefereeState& referee, Tick tick) {
               {"event", "end"},
               {"complete", referee.ended},
               {"score", {referee.score[0], referee.score[1]}}};
-  sink_(end.dump() + '\n');
+  sink_(lineOf(end));
 }
 
 }  // namespace fulbito

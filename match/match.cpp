@@ -60,7 +60,7 @@ struct Match::Impl {
   void report();
   void begin(Play&& play);
 
-  Result<Play> placed(const RestartCall& call);
+  Result<Play> placed(RestartCall call);
   Moment moment() const { return {tick, &play->world.state(), play->ids, &referee.state()}; }
   GameEvent eventNow() const;
 
@@ -85,7 +85,7 @@ struct Match::Impl {
   bool ended = false;
 };
 
-Result<Play> Match::Impl::placed(const RestartCall& call) {
+Result<Play> Match::Impl::placed(RestartCall call) {
   std::vector<GameEvent> repairs;
   Placement placement = placementOf(call, referee, {&seats[0].strategy(), &seats[1].strategy()}, repairs);
   misplace(placement, call, referee, config.placement_error, misplacing);

@@ -57,8 +57,8 @@ RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level)
 }
 
 Result<MatchRecorder> MatchRecorder::create(const std::string& file, const MatchConfig& config,
-                                            RecordingLevel level) {
-  auto writer = RecordingWriter::create(file, recordingHeader(config, level));
+                                            RecordingLevel level, bool replace) {
+  auto writer = RecordingWriter::create(file, recordingHeader(config, level), replace);
   if (!writer) return tl::unexpected<Error>(writer.error());
   return MatchRecorder(std::move(*writer));
 }

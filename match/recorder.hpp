@@ -18,7 +18,7 @@ class MatchRecorder final : public MatchObserver {
   /// Begins the file at once, so that a folder that cannot be written is known before the match.
   /// Errors: as RecordingWriter::create.
   static Result<MatchRecorder> create(const std::string& file, const MatchConfig& config,
-                                      RecordingLevel level = RecordingLevel::kFull);
+                                      RecordingLevel level = RecordingLevel::kFull, bool replace = true);
   /// The same into a sink.
   static Result<MatchRecorder> create(RecordingWriter::Sink sink, const MatchConfig& config,
                                       RecordingLevel level = RecordingLevel::kFull);

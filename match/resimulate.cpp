@@ -4,6 +4,7 @@
 
 #include "engine/core/hash.hpp"
 #include "engine/core/presets.hpp"
+#include "engine/core/stop_request.hpp"
 
 namespace fulbito {
 namespace {
@@ -76,6 +77,7 @@ class Replay {
         if (!begun || !*begun) return begun;
       }
       if (row == static_cast<std::size_t>(chunk.ticks)) break;
+      if (stopRequested()) return fail(ErrorCode::kInterrupted, "interrupted");
       if (world_ && !step(chunk, row)) return false;
     }
     return true;

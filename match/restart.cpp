@@ -1,6 +1,7 @@
 #include "match/restart.hpp"
 
 #include "engine/core/math.hpp"
+#include "referee/goal_kick_ball.hpp"
 #include "strategies/team_frame.hpp"
 
 namespace fulbito {
@@ -16,7 +17,7 @@ TeamPlacement inTeamFrame(Side side, const TeamPlacement& poses) {
 
 }  // namespace
 
-Placement placementOf(const RestartCall& call, const MatchReferee& referee, PerTeam<Strategy*> teams,
+Placement placementOf(RestartCall& call, const MatchReferee& referee, PerTeam<Strategy*> teams,
                       std::vector<GameEvent>& events) {
   Proposals proposals;
   Placement placement = call.defaults;
@@ -29,8 +30,11 @@ Placement placementOf(const RestartCall& call, const MatchReferee& referee, PerT
     request.defaults = inTeamFrame(side, defaultPoses(call, team));
     if (!request.ours) request.opponents = inTeamFrame(side, placement.robots[indexOf(call.team)]);
     const auto proposal = teams[indexOf(team)]->place(request);
-    if (proposal) proposals[indexOf(team)] = inTeamFrame(side, *proposal);
+    if (proposal) proposals[indexOf(team)] = inTeamFrame(side, proposal->robots);
     if (!request.ours) continue;
+    if (proposal && proposal->ball) {
+      call = withBall(referee.setup(), referee.state(), call, inTeamFrame(side, *proposal->ball), events);
+    }
     // The others are shown where the first team will really stand.
     std::vector<GameEvent> told_again_later;
     placement = place(referee.setup(), referee.state(), call, proposals, told_again_later);
@@ -40,9 +44,10 @@ Placement placementOf(const RestartCall& call, const MatchReferee& referee, PerT
 
 void misplace(Placement& placement, const RestartCall& call, const MatchReferee& referee,
               const PlacementError& error, Rng& random) {
-  for (auto& team : placement.robots) {
-    for (std::optional<Pose2>& pose : team) {
-      if (!pose) continue;
+  for (const TeamId team : kTeams) {
+    for (std::size_t n = 0; n < kMaxTeamSize; ++n) {
+      std::optional<Pose2>& pose = placement.robots[indexOf(team)][n];
+      if (!pose || restsInPlace(call, {team, static_cast<std::uint8_t>(n)}, *pose)) continue;
       const Pose2 exact = *pose;
       pose->position.x += random.uniform(-error.position, error.position);
       pose->position.y += random.uniform(-error.position, error.position);

@@ -21,12 +21,13 @@ struct Play {
   std::vector<GameEvent> events;  ///< of the restart itself, such as repaired placements
 };
 
-/// Asks the teams where they want to stand, in the order of the rule, and has the referee legalise it.
-Placement placementOf(const RestartCall& call, const MatchReferee& referee, PerTeam<Strategy*> teams,
+/// Asks the teams where they want to stand, in the order of the rule, and has the referee legalise it. The
+/// call's ball is where the taking team wants it, if it has a choice.
+Placement placementOf(RestartCall& call, const MatchReferee& referee, PerTeam<Strategy*> teams,
                       std::vector<GameEvent>& events);
 
 /// Moves and turns every robot a little, as nobody places one exactly; a robot that the rule leaves no room
-/// for it stays as it was.
+/// for it stays as it was, and so does one that nobody has touched.
 void misplace(Placement& placement, const RestartCall& call, const MatchReferee& referee,
               const PlacementError& error, Rng& random);
 

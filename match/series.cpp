@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <thread>
 
 #include <fmt/format.h>
 
 #include "engine/core/random.hpp"
+#include "engine/core/worker_threads.hpp"
+#include "match/foul_goals.hpp"
 #include "match/match.hpp"
 
 namespace fulbito {
@@ -28,24 +29,21 @@ class Schedule {
     for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i].seed = seedOfPair(config.match.seed, i);
   }
 
-  /// Plays legs until none is left; run by every thread.
-  void work() {
-    for (std::size_t leg = next_++; leg < legs_done_.size() && !stop_; leg = next_++) playLeg(leg);
-  }
+  std::size_t legs() const { return legs_done_.size(); }
+  /// Plays one; false when the series shall stop.
+  bool playLeg(std::size_t leg);
 
   Result<SeriesResult> result();
 
  private:
   MatchConfig configOf(std::size_t leg) const;
-  void playLeg(std::size_t leg);
   bool look(std::size_t newly_done);
-  void failWith(const Error& error);
+  bool failWith(const Error& error);
 
   const SeriesConfig& config_;
   const SeriesProgress& progress_;
   std::vector<PairRecord> pairs_;
   std::vector<char> legs_done_;
-  std::atomic<std::size_t> next_{0};
   std::atomic<bool> stop_{false};
   std::mutex mutex_;
   std::size_t done_ = 0;
@@ -67,21 +65,25 @@ bool Schedule::look(std::size_t newly_done) {
   return !stop_;
 }
 
-void Schedule::failWith(const Error& error) {
+bool Schedule::failWith(const Error& error) {
   const std::scoped_lock lock(mutex_);
   if (!error_) error_ = error;
   stop_ = true;
+  return false;
 }
 
-void Schedule::playLeg(std::size_t leg) {
+bool Schedule::playLeg(std::size_t leg) {
   auto match = Match::create(configOf(leg));
   if (!match) return failWith(match.error());
+  FoulGoalCounter fouls;
+  match->watch(fouls);
   while (match->step()) {
-    if (match->tick() % kTicksBetweenLooks == 0 && !look(0)) return;
+    if (match->tick() % kTicksBetweenLooks == 0 && !look(0)) return false;
   }
-  pairs_[leg / 2].legs[leg % 2] = {match->referee().score, match->tick(), match->hash(), match->faults()};
+  pairs_[leg / 2].legs[leg % 2] = {match->referee().score, fouls.goals(), match->tick(), match->hash(),
+                                   match->faults()};
   legs_done_[leg] = 1;
-  look(1);
+  return look(1);
 }
 
 void count(SeriesResult& result) {
@@ -92,6 +94,8 @@ void count(SeriesResult& result) {
       result.wins += mine > theirs ? 1 : 0;
       result.draws += mine == theirs ? 1 : 0;
       result.losses += mine < theirs ? 1 : 0;
+      result.goals_after_foul_for += pair.legs[leg].goals_after_foul[leg];
+      result.goals_after_foul_against += pair.legs[leg].goals_after_foul[1 - leg];
     }
     result.goals_for += pair.goalsOfA();
     result.goals_against += pair.goalsOfB();
@@ -143,13 +147,7 @@ std::uint64_t seedOfPair(std::uint64_t series_seed, std::uint64_t pair) {
 Result<SeriesResult> playSeries(const SeriesConfig& config, const SeriesProgress& progress) {
   if (auto checked = checkRanges(config); !checked) return tl::unexpected<Error>(checked.error());
   Schedule schedule(config, progress);
-  {
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    const int jobs = std::min(config.jobs > 0 ? config.jobs : cores, 2 * config.pairs);
-    std::vector<std::jthread> workers;
-    for (int i = 1; i < jobs; ++i) workers.emplace_back([&] { schedule.work(); });
-    schedule.work();
-  }
+  forEachTask(config.jobs, schedule.legs(), [&](std::size_t leg) { return schedule.playLeg(leg); });
   return schedule.result();
 }
 

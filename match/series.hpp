@@ -21,7 +21,8 @@ struct SeriesConfig {
 
 /// One match of a series.
 struct LegRecord {
-  PerTeam<int> score{};  ///< blue, yellow
+  PerTeam<int> score{};             ///< blue, yellow
+  PerTeam<int> goals_after_foul{};  ///< of the score, within `kFoulPaysWithin` of an own foul
   Tick ticks = 0;
   std::uint64_t hash = 0;  ///< `Match::hash`
   MatchFaults faults;
@@ -47,6 +48,8 @@ struct SeriesResult {
   int losses = 0;
   int goals_for = 0;
   int goals_against = 0;
+  int goals_after_foul_for = 0;  ///< of these, within `kFoulPaysWithin` of an own foul of who scored
+  int goals_after_foul_against = 0;
   Interval points_share;     ///< of A, 0 ... 1; interval: `shareInterval` over pairs
   Interval goal_difference;  ///< A's goals less B's, a match; interval: `meanInterval` over pairs
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include <fmt/format.h>
+
 #include "engine/core/presets.hpp"
 #include "match/resimulate.hpp"
 #include "referee/match_referee.hpp"
@@ -82,8 +84,20 @@ class Comparer final : public ReplayVisitor {
   Comparer(const RefereeSetup& a, const RefereeSetup& b, RulesComparison& to)
       : a_(a), b_(b), dt_(a.dt), to_(to) {}
 
+  void chunkBegins(const RecordedChunk& chunk) override {
+    calls_.clear();
+    for (const RecordedEvent& event : chunk.events) {
+      if (event.clause != "kick-off" && event.clause != "placement")
+        calls_[event.tick].push_back(event.clause);
+    }
+  }
+
   bool playBegins(const ReplayedPlay& play) override {
     end();
+    if (play.world->state().balls.empty()) {
+      flaw_ = fmt::format("there is no ball in play {}", play.number + 1);
+      return false;
+    }
     judging_ = play.recorded->period < kShootOutPeriod;
     if (!judging_) return true;
     current_ = {};
@@ -104,9 +118,16 @@ class Comparer final : public ReplayVisitor {
     const MatchView view{tick.tick, tick.ids, world.robots, world.balls.front(), tick.world->contacts()};
     a_.observe(view);
     b_.observe(view);
-    remember(tick);
+    // The recorded calls of the latest tick that has any.
+    if (const auto calls = calls_.find(tick.tick); calls != calls_.end()) {
+      called_tick_ = tick.tick;
+      called_ = calls->second;
+    }
     return true;
   }
+
+  /// Why it was stopped, if it was.
+  const std::string& flaw() const { return flaw_; }
 
   void end() {
     if (!judging_ || current_.end == current_.begin) return;
@@ -134,17 +155,6 @@ class Comparer final : public ReplayVisitor {
     return placement;
   }
 
-  /// Keeps the recorded calls of the latest tick that has any.
-  void remember(const ReplayedTick& tick) {
-    bool first = true;
-    for (const RecordedEvent& event : tick.chunk->events) {
-      if (event.tick != tick.tick || event.clause == "kick-off" || event.clause == "placement") continue;
-      if (first) called_.clear();
-      first = false;
-      called_tick_ = tick.tick;
-      called_.push_back(event.clause);
-    }
-  }
   bool endsAsRecorded(const std::optional<ShadowVerdict>& verdict) const {
     return verdict && verdict->tick == current_.end && called_tick_ == current_.end &&
            std::find(called_.begin(), called_.end(), verdict->clause) != called_.end();
@@ -154,7 +164,9 @@ class Comparer final : public ReplayVisitor {
   const double dt_;
   RulesComparison& to_;
   PlayVerdicts current_;
+  std::map<Tick, std::vector<std::string>> calls_;  ///< of the present chunk
   std::vector<std::string> called_;
+  std::string flaw_;
   Tick called_tick_ = -1;
   bool judging_ = false;
 };
@@ -228,6 +240,7 @@ Result<void> compareRules(const RecordingReader& recording, const Rules& a, cons
   const Tick before = comparison.ticks;
   Comparer comparer(*setup_a, *setup_b, comparison);
   if (auto played = resimulate(recording, comparer); !played) return played;
+  if (!comparer.flaw().empty()) return fail(ErrorCode::kBadInput, comparer.flaw());
   comparer.end();
   comparison.seconds += static_cast<double>(comparison.ticks - before) / header.control_rate;
   ++comparison.files;

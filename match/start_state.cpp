@@ -1,5 +1,9 @@
 #include "match/start_state.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "engine/core/config_document.hpp"
@@ -55,25 +59,96 @@ Result<void> readRobots(const ConfigDocument& document, Placement& placement) {
   return {};
 }
 
+Result<ConfigDocument> parse(std::string_view text, const std::string& origin) {
+  static const std::vector<std::string> kTables{"ball", "robot", "match"};
+  return ConfigDocument::parse(text, origin, kTables);
+}
+
+Result<StartState> read(const ConfigDocument& document) {
+  StartState start;
+  for (const auto& done :
+       {document.read("ball", ballSchema(start.placement), true), readRobots(document, start.placement),
+        document.read("match", boardSchema(start.scoreboard), false)}) {
+    if (!done) return tl::unexpected<Error>(done.error());
+  }
+  return start;
+}
+
+/// A body of a start as a disc that lies in it whatever its heading.
+struct StartBody {
+  std::string name;
+  Vec2 position;
+  double radius = 0.0;  ///< [m]
+};
+
+/// What is wrong with a body, given those before it; empty: nothing.
+std::string flawOf(const StartBody& body, const std::vector<StartBody>& others, const FieldGeometry& field) {
+  const std::string place = fmt::format("= [{}, {}]", body.position.x, body.position.y);
+  if (!insideField(field, body.position)) {
+    return fmt::format("{} is outside the field '{}'", place, field.name);
+  }
+  for (const StartBody& other : others) {
+    if (distance(body.position, other.position) >= body.radius + other.radius) continue;
+    return fmt::format("{} is in {}, at [{}, {}]", place, other.name, other.position.x, other.position.y);
+  }
+  return {};
+}
+
+/// What the match that shall begin from the start cannot take.
+std::optional<Flaw> findFlaw(const ConfigDocument& document, const StartState& start,
+                             const MatchConfig& match) {
+  const RobotModel& robot = match.robot.robot;
+  std::vector<StartBody> bodies{{"the ball", start.placement.ball, match.robot.ball.radius}};
+  if (std::string flaw = flawOf(bodies.front(), {}, match.field); !flaw.empty()) {
+    return Flaw{"ball", -1, "position", std::move(flaw)};
+  }
+  const int count = document.count("robot").value_or(0);
+  for (int i = 0; i < count; ++i) {
+    StartRobot listed;
+    if (!document.readElement("robot", i, robotSchema(listed))) continue;  // it could be read before
+    if (listed.number >= match.rules.team_size) {
+      return Flaw{"robot", i, "number",
+                  fmt::format("= {}: the rules '{}' have {} a team, counted from 0", listed.number,
+                              match.rules.name, match.rules.team_size)};
+    }
+    StartBody body{fmt::format("robot {} of {}", listed.number, nameOf(listed.team)), listed.pose.position,
+                   std::min(robot.length, robot.width) / 2};
+    if (std::string flaw = flawOf(body, bodies, match.field); !flaw.empty()) {
+      return Flaw{"robot", i, "position", std::move(flaw)};
+    }
+    bodies.push_back(std::move(body));
+  }
+  if (!(start.scoreboard.play_seconds <= match.rules.half_seconds)) {
+    return Flaw{"match", -1, "play_seconds",
+                fmt::format("= {} is more than a half has, {} s", start.scoreboard.play_seconds,
+                            match.rules.half_seconds)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<StartState> parseStartState(std::string_view text, const std::string& origin) {
-  static const std::vector<std::string> kTables{"ball", "robot", "match"};
-  auto document = ConfigDocument::parse(text, origin, kTables);
+  const auto document = parse(text, origin);
   if (!document) return tl::unexpected<Error>(document.error());
-  StartState start;
-  for (const auto& read :
-       {document->read("ball", ballSchema(start.placement), true), readRobots(*document, start.placement),
-        document->read("match", boardSchema(start.scoreboard), false)}) {
-    if (!read) return tl::unexpected<Error>(read.error());
-  }
-  return start;
+  return read(*document);
 }
 
 Result<StartState> loadStartState(const std::string& file) {
   const auto text = readTextFile(file, kMaxTomlBytes);
   if (!text) return tl::unexpected<Error>(text.error());
   return parseStartState(*text, file);
+}
+
+Result<StartState> loadStartState(const std::string& file, const MatchConfig& match) {
+  const auto text = readTextFile(file, kMaxTomlBytes);
+  if (!text) return tl::unexpected<Error>(text.error());
+  const auto document = parse(*text, file);
+  if (!document) return tl::unexpected<Error>(document.error());
+  auto start = read(*document);
+  if (!start) return start;
+  if (const auto flaw = findFlaw(*document, *start, match)) return document->locate(*flaw);
+  return start;
 }
 
 std::string toToml(const StartState& start) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "engine/core/result.hpp"
+#include "match/match_config.hpp"
 #include "referee/placement.hpp"
 #include "referee/scoreboard.hpp"
 
@@ -20,6 +21,10 @@ struct StartState {
 /// position (all required), heading or heading_deg; [match] blue, yellow (score), period, play_seconds.
 /// Robots that are not listed are not on the field. Errors: kIo; kBadInput as `file:line: table.key ...`.
 Result<StartState> loadStartState(const std::string& file);
+
+/// The same, checked against the match that shall begin from it: robots that its rules have, nobody outside
+/// its field or in somebody else, no more play gone than a half has. `match.start` is not looked at.
+Result<StartState> loadStartState(const std::string& file, const MatchConfig& match);
 
 /// The same from text; `origin` stands for the file name in errors.
 Result<StartState> parseStartState(std::string_view text, const std::string& origin);

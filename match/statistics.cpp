@@ -168,9 +168,19 @@ void StatisticsObserver::countCalls(std::span<const GameEvent> events, const Ref
   for (const GameEvent& event : events) {
     auto count = std::find_if(s_.calls.begin(), s_.calls.end(),
                               [&](const CallCount& c) { return c.clause == event.clause; });
-    if (count == s_.calls.end()) count = s_.calls.insert(count, CallCount{event.clause, {}, 0});
+    if (count == s_.calls.end()) count = s_.calls.insert(count, CallCount{event.clause, {}, 0, {}});
     ++(event.team ? count->against[indexOf(*event.team)] : count->neither);
+    countPaid(event, referee.match_ticks);
     if (event.clause == "goal" && event.team) goal(event, *event.team, referee);
+  }
+}
+
+void StatisticsObserver::countPaid(const GameEvent& event, Tick played) {
+  const auto foul = foul_goals_.take(event, played, s_.dt);
+  if (!foul) return;
+  ++s_.teams[indexOf(*event.team)].goals_after_foul;
+  for (CallCount& count : s_.calls) {
+    if (count.clause == *foul) ++count.paid[indexOf(*event.team)];
   }
 }
 

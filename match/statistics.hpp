@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "match/match_observer.hpp"
+#include "match/foul_goals.hpp"
 
 namespace fulbito {
 
@@ -36,6 +36,7 @@ struct TeamStatistics {
   int shots = 0;
   int shots_on_goal = 0;
   int own_goals = 0;             ///< that it scored against itself
+  int goals_after_foul = 0;      ///< for it, within `kFoulPaysWithin` of play after a foul of its own
   int wall_contacts = 0;         ///< of robots with walls, that began
   int mate_contacts = 0;         ///< between its own robots, that began
   std::array<Tick, 3> thirds{};  ///< ticks of the ball in the own, middle and opponents' third
@@ -50,6 +51,7 @@ struct CallCount {
   std::string_view clause;  ///< static lifetime
   PerTeam<int> against{};   ///< of a goal: for
   int neither = 0;          ///< calls against no team, such as the end of a half
+  PerTeam<int> paid{};      ///< goals of the team at fault, this its last foul, within `kFoulPaysWithin`
 };
 
 /// A team gets the ball when its nearest robot is this much nearer [m] than the other's, and keeps it until
@@ -119,6 +121,7 @@ class StatisticsObserver : public MatchObserver {
   void watchShot(const MatchTick& tick);
   void countCalls(std::span<const GameEvent> events, const RefereeState& referee);
   void goal(const GameEvent& event, TeamId team, const RefereeState& referee);
+  void countPaid(const GameEvent& event, Tick played);
   void countGoalAsShot(const GoalRecord& goal);
   std::optional<Aim> aimOf(const BallState& ball, const RefereeState& referee) const;
   void onGoal(Shot& shot);
@@ -135,6 +138,7 @@ class StatisticsObserver : public MatchObserver {
   std::optional<RobotId> last_touch_;
   PerTeam<std::optional<RobotId>> team_touch_;  ///< last of each team in this play
   std::optional<Shot> shot_;
+  FoulGoalFinder foul_goals_;
 };
 
 }  // namespace fulbito

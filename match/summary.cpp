@@ -95,9 +95,13 @@ std::string restartRows(const MatchStatistics& s) {
   }
   for (const CallCount& call : s.calls) {
     if (call.against[0] + call.against[1] == 0 || !isFault(call.clause)) continue;
-    text += row(fmt::format("against: {}", call.clause),
-                [&](TeamId t) { return fmt::format("{}", call.against[indexOf(t)]); });
+    text += row(fmt::format("against: {}", call.clause), [&](TeamId t) {
+      const int paid = call.paid[indexOf(t)];
+      return fmt::format("{}{}", call.against[indexOf(t)], paid > 0 ? fmt::format(" ({} paid)", paid) : "");
+    });
   }
+  text += row(fmt::format("goals within {:g} s of own foul", kFoulPaysWithin),
+              [&](TeamId t) { return fmt::format("{}", s.teams[indexOf(t)].goals_after_foul); });
   return text;
 }
 
@@ -221,6 +225,8 @@ std::string seriesText(const SeriesReport& report) {
               ? fmt::format("({:+.2f} ... {:+.2f}, 95 %)\n", r.goal_difference.low, r.goal_difference.high)
               : "(no interval from one pair)\n";
   text += fmt::format("  {:<18}{} : {}\n", "goals", r.goals_for, r.goals_against);
+  text += fmt::format("  {:<18}{} : {} within {:g} s of the scoring team's own foul\n", "of these",
+                      r.goals_after_foul_for, r.goals_after_foul_against, kFoulPaysWithin);
   text += fmt::format("  {:<18}{}\n", "verdict", verdictText(report));
   return text + "\n" + speedLine(report.simulated(), report.wall);
 }

@@ -64,6 +64,7 @@ Json teamJson(const MatchReport& report, TeamId team) {
                {"shots", t.shots},
                {"shots_on_goal", t.shots_on_goal},
                {"own_goals", t.own_goals},
+               {"goals_after_foul", t.goals_after_foul},
                {"touches", t.touches()},
                {"distance_m", t.distance()},
                {"wall_contacts", t.wall_contacts},
@@ -85,6 +86,7 @@ Json statsJson(const MatchReport& report) {
   for (const CallCount& call : s.calls) {
     Json count = scoreJson(call.against);
     count["neither"] = call.neither;
+    count["paid"] = scoreJson(call.paid);
     calls[std::string(call.clause)] = std::move(count);
   }
   return {{"play_s", static_cast<double>(s.play_ticks) * s.dt},
@@ -119,6 +121,8 @@ Json legJson(const SeriesReport& report, std::size_t pair, std::size_t leg) {
           {"blue", leg == 0 ? "a" : "b"},
           {"goals_a", played.score[leg]},
           {"goals_b", played.score[1 - leg]},
+          {"goals_after_foul_a", played.goals_after_foul[leg]},
+          {"goals_after_foul_b", played.goals_after_foul[1 - leg]},
           {"simulated_s", static_cast<double>(played.ticks) * report.config.match.physics.controlPeriod()},
           {"rejected_a", played.faults.teams[leg].rejected()},
           {"rejected_b", played.faults.teams[1 - leg].rejected()},
@@ -149,7 +153,7 @@ std::string matchJson(const MatchReport& report) {
   }
   if (report.faults.abandoned) json["abandoned"] = report.faults.abandoned->message;
   if (report.profile) json["compute_profile"] = profileJson(*report.profile);
-  return json.dump(2) + '\n';
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 std::string seriesJson(const SeriesReport& report) {
@@ -170,6 +174,8 @@ std::string seriesJson(const SeriesReport& report) {
                {"better", betterJson(r)},
                {"goals_for", r.goals_for},
                {"goals_against", r.goals_against},
+               {"goals_after_foul_for", r.goals_after_foul_for},
+               {"goals_after_foul_against", r.goals_after_foul_against},
                {"matches", Json::array()},
                {"seed", report.config.match.seed},
                {"config", matchConfigJson(report.config.match)},
@@ -180,7 +186,7 @@ std::string seriesJson(const SeriesReport& report) {
   for (std::size_t pair = 0; pair < r.pairs.size(); ++pair) {
     for (std::size_t leg : {0, 1}) json["matches"].push_back(legJson(report, pair, leg));
   }
-  return json.dump(2) + '\n';
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace fulbito

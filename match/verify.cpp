@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/error_text.hpp"
 #include "engine/core/math.hpp"
 #include "match/resimulate.hpp"
 
@@ -157,7 +158,7 @@ Result<Verification> verifyRecording(const std::string& file) {
   const auto recording = RecordingReader::open(file);
   if (!recording) return tl::unexpected<Error>(recording.error());
   auto verified = verify(*recording);
-  if (!verified) return fail(verified.error().code, file + ": " + verified.error().message);
+  if (!verified) return inFile(file, verified.error());
   return verified;
 }
 

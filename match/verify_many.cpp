@@ -1,12 +1,12 @@
 #include "match/verify_many.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <mutex>
-#include <thread>
 
 #include <fmt/format.h>
+
+#include "engine/core/worker_threads.hpp"
 
 namespace fulbito {
 
@@ -36,26 +36,18 @@ Result<std::vector<VerifiedFile>> verifyRecordings(
   std::vector<VerifiedFile> results;
   results.reserve(files.size());
   for (const std::string& file : files) results.push_back({file, Verification{}});
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> stop{false};
   std::size_t done = 0;
   std::mutex mutex;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < files.size() && !stop; i = next++) {
-      auto verified = verifyRecording(files[i]);
-      const std::scoped_lock lock(mutex);
-      results[i].result = std::move(verified);
-      if (progress && !progress(++done, files.size())) stop = true;
-    }
-  };
-  {
-    const auto cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    const int threads = std::min<int>(jobs > 0 ? jobs : cores, static_cast<int>(files.size()));
-    std::vector<std::jthread> workers;
-    for (int i = 1; i < threads; ++i) workers.emplace_back(work);
-    work();
-  }
-  if (stop && done < files.size()) return fail(ErrorCode::kInterrupted, "interrupted");
+  forEachTask(jobs, files.size(), [&](std::size_t i) {
+    auto verified = verifyRecording(files[i]);
+    const std::scoped_lock lock(mutex);
+    // One that was broken off is not done.
+    if (!verified && verified.error().code == ErrorCode::kInterrupted) return false;
+    results[i].result = std::move(verified);
+    ++done;
+    return !progress || progress(done, files.size()) || done == files.size();
+  });
+  if (done < files.size()) return fail(ErrorCode::kInterrupted, "interrupted");
   return results;
 }
 

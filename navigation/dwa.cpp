@@ -20,9 +20,9 @@ double sample(double low, double high, int index, int count) {
 }  // namespace
 
 double Dwa::rimChange(const NavigationScene& scene, const Window& window, Twist twist) {
-  return std::abs(twist.linear - window.now.linear) +
-         std::abs(twist.angular - window.now.angular) * scene.robot->axle_track / 2 /
-             scene.robot->turnShare();
+  return std::abs(twist.linear - window.now.linear) + std::abs(twist.angular - window.now.angular) *
+                                                          scene.robot->axle_track / 2 /
+                                                          scene.robot->turnShare();
 }
 
 Guidance Dwa::plan(const NavigationScene& scene) {

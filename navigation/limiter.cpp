@@ -16,7 +16,8 @@ Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt
   const double most_turn = robot.turnAcceleration() * dt;
   const double turn = std::clamp(wanted.angular - current.angular, -most_turn, most_turn);
   // The motors' share that turning leaves.
-  const double rest = most_turn > 0.0 ? robot.wheel_acceleration * dt * (1.0 - std::abs(turn) / most_turn) : 0.0;
+  const double rest =
+      most_turn > 0.0 ? robot.wheel_acceleration * dt * (1.0 - std::abs(turn) / most_turn) : 0.0;
   Twist limited;
   limited.angular = current.angular + turn;
   limited.linear = current.linear + std::clamp(wanted.linear - current.linear, -rest, rest);

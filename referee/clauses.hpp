@@ -17,4 +17,10 @@ inline constexpr std::string_view kPenaltyStuck = "penalty.stuck";
 inline constexpr std::string_view kPush = "free-kick.push";
 inline constexpr std::string_view kFreeKickHolding = "free-kick.holding";
 
+/// Whether it is a foul of the team that it is called against.
+constexpr bool isFoul(std::string_view clause) {
+  return clause.starts_with("goal-kick.") || clause.starts_with("penalty.") ||
+         clause.starts_with("free-kick.") || clause == "false-start";
+}
+
 }  // namespace fulbito::clause

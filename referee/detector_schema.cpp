@@ -83,7 +83,8 @@ Schema schemaOf(AreaRules& r) {
        "pushed in: the push had no longer break, and ended no longer before; ours"},
       {"pushed_impulse", &r.pushed_impulse, 0, 10, "kg m/s", "pushed in: by this toward the goal; ours"},
       {"excuse_seconds", &r.excuse_seconds, 0, kLongest, "s", "that a robot pushed in has for leaving; ours"},
-      {"cool_down", &r.cool_down, 0, kLongest, "s", "after play began without such a call; ours"},
+      {"cool_down", &r.cool_down, 0, kLongest, "s",
+       "no such call within this time of a play's beginning; ours"},
       {"both", choice(r.both, {"attackers", "longer"}), 0, 0, "",
        "which of two fouls at one goal counts; law 8.2: attackers, league program: longer"},
   };
@@ -104,7 +105,8 @@ Schema schemaOf(KeeperRules& r) {
       {"charge_release", &r.charge_release, 0, kLongest, "s", "without contact end it; ours"},
       {"part_seconds", &r.part_seconds, 0, kLongest, "s",
        "who touched the ball this recently disputes it; ours"},
-      {"cool_down", &r.cool_down, 0, kLongest, "s", "after play began without such a call; ours"},
+      {"cool_down", &r.cool_down, 0, kLongest, "s",
+       "no such call within this time of a play's beginning; ours"},
   };
 }
 
@@ -126,7 +128,8 @@ Schema schemaOf(FoulRules& r) {
       {"holding_release", &r.holding_release, 0, kLongest, "s", "without pinning end it; ours"},
       {"dispute_lengths", &r.dispute_lengths, 0, 20, "robot lengths",
        "an opponent's centre this near to the ball disputes it; as the league program's stuck ball"},
-      {"cool_down", &r.cool_down, 0, kLongest, "s", "after play began without such a call; ours"},
+      {"cool_down", &r.cool_down, 0, kLongest, "s",
+       "no such call within this time of a play's beginning; ours"},
   };
 }
 

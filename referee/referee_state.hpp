@@ -24,6 +24,9 @@ struct RestartCall {
   bool defenders_back = false;  ///< law 9: the other team stands no farther than its own area's edge
   Placement defaults;           ///< the rules' own placement
   PerTeam<TeamPoses> stays;     ///< of a free ball where robots stay: where each would without taking a mark
+  /// Of such a free ball: who stays exactly there, as it was not too near. Who takes the mark moves all the
+  /// same.
+  PerTeam<std::array<bool, kMaxTeamSize>> rests{};
 };
 
 /// What the referee works with during the whole match.

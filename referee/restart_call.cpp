@@ -37,6 +37,21 @@ double keeperSide(const Stoppage& stoppage) {
   return keeper < view.ids.size() && view.robots[keeper].pose.position.y < 0.0 ? -1.0 : 1.0;
 }
 
+/// The side of y on which the nearest opponent is farther from the ball's spot; of equals the keeper's.
+double openSide(const RefereeSetup& setup, const Stoppage& stoppage, double own) {
+  const double keeper = keeperSide(stoppage);
+  if (stoppage.view == nullptr || setup.rules.goal_kick.side == GoalKickSide::kKeeper) return keeper;
+  const Vec2 spot = setup.rules.goal_kick.ball;
+  double here = 1e9, there = 1e9;  // squared, on the keeper's side and on the other
+  for (std::size_t i = 0; i < stoppage.view->ids.size(); ++i) {
+    if (stoppage.view->ids[i].team == stoppage.team) continue;
+    const Vec2 p = stoppage.view->robots[i].pose.position;
+    here = std::min(here, squaredNorm(p - Vec2{own * spot.x, keeper * spot.y}));
+    there = std::min(there, squaredNorm(p - Vec2{own * spot.x, -keeper * spot.y}));
+  }
+  return there > here ? -keeper : keeper;
+}
+
 /// Free balls lie on the mark of the ball's quarter; from the field's long axis they go to the attackers'
 /// left.
 Vec2 quarterMark(const FieldGeometry& field, Vec2 ball) {
@@ -55,7 +70,8 @@ Vec2 ballSpot(const RefereeSetup& setup, const RefereeState& state, const Stoppa
     case RestartKind::kPenalty:
       return {-own * setup.field.penalty_mark, 0.0};
     case RestartKind::kGoalKick:
-      return {own * setup.rules.goal_kick.ball.x, keeperSide(stoppage) * setup.rules.goal_kick.ball.y};
+      return {own * setup.rules.goal_kick.ball.x,
+              openSide(setup, stoppage, own) * setup.rules.goal_kick.ball.y};
     case RestartKind::kKickOff:
       return {};
     case RestartKind::kGiven:
@@ -66,20 +82,19 @@ Vec2 ballSpot(const RefereeSetup& setup, const RefereeState& state, const Stoppa
 
 double headingFor(double own_sign) { return own_sign < 0.0 ? 0.0 : -math::kPi; }
 
-/// Places by table: x mirrored for the team at -x; some tables follow the ball's side of y.
-Pose2 tablePose(const RestartCall& call, const PlaceTable& places, double own, bool takes, int number) {
+/// Places by table: x mirrored for the team at -x; some tables follow the ball.
+Pose2 tablePose(const RefereeSetup& setup, const RestartCall& call, const PlaceTable& places, double own,
+                bool takes, int number) {
+  if (call.kind == RestartKind::kGoalKick && takes && number == 0) {
+    return goalKickKeeper(setup, own, call.ball);
+  }
   const std::vector<Vec2>& list = takes ? places.taker : places.other;
   const auto i = static_cast<std::size_t>(number);
   // More robots than places: behind each other near the own goal; the placement spreads them.
   const Vec2 listed = i < list.size() ? list[i] : Vec2{list.empty() ? 0.5 : list.front().x, 0.0};
   Vec2 place{own * listed.x, listed.y};
   Pose2 pose{place, headingFor(own)};
-  const double side = call.ball.y < 0.0 ? -1.0 : 1.0;
-  if (call.kind == RestartKind::kFreeBall) pose.position.y *= side;
-  if (call.kind == RestartKind::kGoalKick && takes && number == 0) {
-    pose.position.y *= side;
-    pose.heading = math::wrapAngle(math::angleOf(call.ball - pose.position));
-  }
+  if (call.kind == RestartKind::kFreeBall && call.ball.y < 0.0) pose.position.y = -pose.position.y;
   return pose;
 }
 
@@ -95,7 +110,8 @@ Vec2 movedBack(Vec2 p, Vec2 ball, double own_sign, double least) {
   return {ball.x + own_sign * std::sqrt(least * least - dy * dy), p.y};
 }
 
-/// Law 14 with robots that stay: those near the mark move back, one a team takes its mark.
+/// Law 14 with robots that stay: those near the mark move back; then, from where they are now, the nearest of
+/// each team takes its mark.
 void stayAtFreeBall(const RefereeSetup& setup, const RefereeState& state, const MatchView& view,
                     RestartCall& call) {
   PerTeam<double> nearest{1e9, 1e9};
@@ -105,13 +121,14 @@ void stayAtFreeBall(const RefereeSetup& setup, const RefereeState& state, const 
     if (!fielded(setup, state, id.team, id.number)) continue;
     const double own = ownSign(state, id.team);
     Pose2 pose = view.robots[i].pose;
-    const double from_mark = distance(pose.position, robotMark(setup, call.ball, own));
-    if (from_mark < nearest[indexOf(id.team)]) {
-      nearest[indexOf(id.team)] = from_mark;
-      taker[indexOf(id.team)] = id.number;
-    }
-    pose.position = movedBack(pose.position, call.ball, own, setup.rules.free_ball.distance);
+    const Vec2 before = pose.position;
+    pose.position = movedBack(before, call.ball, own, setup.rules.free_ball.distance);
+    call.rests[indexOf(id.team)][id.number] = pose.position == before;
     call.defaults.robots[indexOf(id.team)][id.number] = pose;
+    const double from_mark = distance(pose.position, robotMark(setup, call.ball, own));
+    if (from_mark >= nearest[indexOf(id.team)]) continue;
+    nearest[indexOf(id.team)] = from_mark;
+    taker[indexOf(id.team)] = id.number;
   }
   call.stays = call.defaults.robots;
   if (!setup.rules.free_ball.take_marks) return;
@@ -129,12 +146,23 @@ void placeByTable(const RefereeSetup& setup, const RefereeState& state, RestartC
     for (int n = 0; n < setup.rules.team_size; ++n) {
       auto& pose = call.defaults.robots[indexOf(team)][static_cast<std::size_t>(n)];
       if (pose || !fielded(setup, state, team, n)) continue;
-      pose = tablePose(call, places, ownSign(state, team), team == call.team, n);
+      pose = tablePose(setup, call, places, ownSign(state, team), team == call.team, n);
     }
   }
 }
 
 }  // namespace
+
+Pose2 goalKickKeeper(const RefereeSetup& setup, double own_sign, Vec2 ball) {
+  const GoalKickRules& rules = setup.rules.goal_kick;
+  const double side = ball.y < 0.0 ? -1.0 : 1.0;
+  const Vec2 listed = rules.places.taker.empty() ? Vec2{0.5, 0.0} : rules.places.taker.front();
+  const Vec2 moved = ball - Vec2{own_sign * rules.ball.x, side * rules.ball.y};
+  const double most = setup.field.length / 2 - setup.robot.circumradius();
+  Vec2 place = Vec2{own_sign * listed.x, side * listed.y} + moved;
+  place.x = own_sign * std::min(own_sign * place.x, std::max(most, listed.x));
+  return {place, math::wrapAngle(math::angleOf(ball - place))};
+}
 
 bool fielded(const RefereeSetup& setup, const RefereeState& state, TeamId team, int number) {
   return setup.present[indexOf(team)] && number < setup.rules.team_size &&
@@ -171,7 +199,7 @@ RestartCall makeShootOutCall(const RefereeSetup& setup, const RefereeState& stat
     const double own = ownSign(state, team);
     TeamPoses alone{};
     alone[static_cast<std::size_t>(chosen)] =
-        tablePose(call, setup.rules.penalty.places, own, team == kicker, team == kicker ? 1 : 0);
+        tablePose(setup, call, setup.rules.penalty.places, own, team == kicker, team == kicker ? 1 : 0);
     call.defaults.robots[indexOf(team)] = alone;
   }
   return call;

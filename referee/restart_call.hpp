@@ -26,6 +26,10 @@ struct Stoppage {
 /// The restart with its ball spot, the team of a free ball, the delay, and the places of the rules.
 RestartCall makeCall(const RefereeSetup& setup, const RefereeState& state, const Stoppage& stoppage);
 
+/// Where the rules put the keeper that takes a goal kick: by the table beside the table's ball, and as far
+/// from any other, on the field and facing it. `own_sign`: of x of its goal.
+Pose2 goalKickKeeper(const RefereeSetup& setup, double own_sign, Vec2 ball);
+
 /// A penalty of the shoot-out: kicker and keeper alone on the field.
 RestartCall makeShootOutCall(const RefereeSetup& setup, const RefereeState& state, TeamId kicker);
 

@@ -17,6 +17,7 @@ constexpr double kRounding = 1e-9;   // [m]
 constexpr double kFarthest = 100.0;  // [m] from the centre a wish is no wish
 constexpr double kNoticed = 1e-3;    // [m] shorter repairs, as off a wall that is touched, are not told
 constexpr double kSameSpot = 0.01;   // [m] a proposal this near to a place is meant for it
+constexpr double kBackStep = 0.005;  // [m] of the way further back
 constexpr double kFineStep = 0.01;   // [m] of the search around the wanted place
 constexpr int kFineRings = 25;
 constexpr double kCoarseStep = 0.04;  // [m] of the search over the whole field
@@ -26,10 +27,12 @@ struct Standing {
   RobotId id;
   RestartPart part;
   PlacedBody body;
-  double heading = 0.0;   ///< [rad] world frame
-  bool proposed = false;  ///< by its team
-  bool changed = false;   ///< the proposal is not what the robot gets
-  Vec2 wish;              ///< world frame
+  double heading = 0.0;     ///< [rad] world frame
+  bool rests = false;       ///< law 14 lets it stay
+  bool takes_mark = false;  ///< of law 14
+  bool moved_back = false;  ///< by law 14, as it was too near
+  bool changed = false;     ///< what was wanted is not what the robot gets
+  Vec2 wish;                ///< of its team, or else the rule's; world frame
 };
 
 /// One restart while its robots are placed, one after the other.
@@ -51,12 +54,21 @@ class Placer {
   std::vector<Standing> wishes(TeamId team, const std::optional<TeamPoses>& proposal) const;
   /// Gives each robot its part by where it wishes to stand.
   void assignRoles(std::vector<Standing>& robots) const;
+  /// Stands all robots of a team that law 14 lets stay, also the one that takes the mark.
+  void letRest(TeamId team);
+  /// Stands a robot where it wishes to, whatever is there.
+  void stand(const Standing& robot) { placed_.push_back(robot.body); }
+  std::size_t standing() const { return placed_.size(); }
+  /// Takes those that were stood first off the field again.
+  void removeFirst(std::size_t count) {
+    placed_.erase(placed_.begin(), placed_.begin() + static_cast<std::ptrdiff_t>(count));
+  }
   /// What is wrong with a body among those placed so far; empty: nothing.
   std::string_view fault(RestartPart part, const PlacedBody& body, double gap) const;
   /// Finds the robot's place; false when the field has no room.
   bool settle(Standing& robot);
   /// A finished team, to be judged.
-  std::vector<Standing> standing(TeamId team, const TeamPoses& poses) const;
+  std::vector<Standing> finished(TeamId team, const TeamPoses& poses) const;
   /// What is wrong with a robot's place; the robot stays there for those that follow.
   std::string_view judge(const Standing& robot);
 
@@ -67,6 +79,9 @@ class Placer {
   };
   bool robotsStay() const;
   std::optional<std::size_t> markTaker(TeamId team, const TeamPoses& wishes) const;
+  std::optional<std::size_t> defaultTaker(TeamId team) const;
+  void takeWish(Standing& robot, const Pose2& wish, Pose2& pose) const;
+  bool furtherBack(Standing& robot) const;
   void search(const Standing& robot, bool in_zone, double step, int rings, Found& best) const;
 
   const RefereeSetup& setup_;
@@ -98,32 +113,58 @@ std::optional<std::size_t> Placer::markTaker(TeamId team, const TeamPoses& wishe
   return std::nullopt;
 }
 
+/// Who takes the mark unless the team says otherwise: the one whose place is not where it would stay.
+std::optional<std::size_t> Placer::defaultTaker(TeamId team) const {
+  const TeamPoses& stays = call_.stays[indexOf(team)];
+  for (std::size_t n = 0; n < stays.size(); ++n) {
+    const std::optional<Pose2>& own = defaultPoses(call_, team)[n];
+    if (own && stays[n] && own->position != stays[n]->position) return n;
+  }
+  return std::nullopt;
+}
+
+/// What the team wants of a robot, as far as the law leaves it a choice.
+void Placer::takeWish(Standing& robot, const Pose2& wish, Pose2& pose) const {
+  robot.wish = wish.position;
+  const bool allowed =
+      !robotsStay() || robot.takes_mark || distance(wish.position, pose.position) <= kSameSpot;
+  robot.changed = !sensible(wish) || !allowed;
+  if (robot.changed || robot.rests || robot.moved_back) return;
+  pose = {wish.position, math::wrapAngle(wish.heading)};
+}
+
 std::vector<Standing> Placer::wishes(TeamId team, const std::optional<TeamPoses>& proposal) const {
   std::vector<Standing> robots;
   const bool fixed = robotsStay();
-  const auto taker = fixed && proposal ? markTaker(team, *proposal) : std::nullopt;
+  const auto chosen = fixed && proposal ? markTaker(team, *proposal) : std::nullopt;
+  const auto taker = chosen ? chosen : defaultTaker(team);
   for (std::size_t n = 0; n < kMaxTeamSize; ++n) {
     const auto& own = defaultPoses(call_, team)[n];
     if (!own) continue;
-    const Pose2 stay = call_.stays[indexOf(team)][n].value_or(*own);
+    const auto& stay = call_.stays[indexOf(team)][n];
     Standing robot;
     robot.id = {team, static_cast<std::uint8_t>(n)};
     robot.part.takes = team == call_.team;
-    Pose2 pose = taker ? stay : *own;
-    if (const std::optional<Pose2> wish = proposal ? (*proposal)[n] : std::nullopt) {
-      robot.proposed = true;
-      robot.wish = wish->position;
-      const bool allowed = !fixed || taker == n || distance(wish->position, pose.position) <= kSameSpot ||
-                           distance(wish->position, stay.position) <= kSameSpot;
-      robot.changed = !sensible(*wish) || !allowed;
-      if (!robot.changed) pose = {wish->position, math::wrapAngle(wish->heading)};
-    }
+    robot.takes_mark = fixed && taker == n;
+    robot.rests = fixed && !robot.takes_mark && call_.rests[indexOf(team)][n];
+    robot.moved_back = fixed && !robot.takes_mark && !robot.rests && stay;
+    Pose2 pose = robot.takes_mark ? *own : stay.value_or(*own);
+    robot.wish = pose.position;
+    if (proposal && (*proposal)[n]) takeWish(robot, *(*proposal)[n], pose);
     robot.heading = pose.heading;
     robot.body = bodyAt(pose);
     robots.push_back(robot);
   }
   assignRoles(robots);
   return robots;
+}
+
+void Placer::letRest(TeamId team) {
+  for (std::size_t n = 0; n < kMaxTeamSize; ++n) {
+    if (robotsStay() && call_.rests[indexOf(team)][n]) {
+      placed_.push_back(bodyAt(*call_.stays[indexOf(team)][n]));
+    }
+  }
 }
 
 void Placer::assignRoles(std::vector<Standing>& robots) const {
@@ -189,9 +230,27 @@ void Placer::search(const Standing& robot, bool in_zone, double step, int rings,
   }
 }
 
+/// Law 14 knows one way only, straight back: there the robot looks for room first.
+bool Placer::furtherBack(Standing& robot) const {
+  const double gap = std::max(setup_.rules.restart.robot_gap, kLeastGap);
+  const double own = robot.part.takes ? kBackStep : -kBackStep;
+  PlacedBody body = robot.body;
+  while (std::abs(body.centre.x) < setup_.field.length / 2) {
+    body.centre.x += own;
+    if (!fault(robot.part, body, gap).empty()) continue;
+    robot.body = body;
+    return true;
+  }
+  return false;
+}
+
 bool Placer::settle(Standing& robot) {
   if (!fault(robot.part, robot.body, kLeastGap).empty()) {
     robot.changed = true;
+    if (robot.moved_back && furtherBack(robot)) {
+      placed_.push_back(robot.body);
+      return true;
+    }
     Found best;
     const int rings = static_cast<int>(std::max(setup_.field.length, setup_.field.width) / kCoarseStep) + 1;
     search(robot, true, kFineStep, kFineRings, best);
@@ -205,7 +264,7 @@ bool Placer::settle(Standing& robot) {
   return true;
 }
 
-std::vector<Standing> Placer::standing(TeamId team, const TeamPoses& poses) const {
+std::vector<Standing> Placer::finished(TeamId team, const TeamPoses& poses) const {
   std::vector<Standing> robots;
   for (std::size_t n = 0; n < poses.size(); ++n) {
     const std::optional<Pose2>& pose = poses[n];
@@ -213,6 +272,7 @@ std::vector<Standing> Placer::standing(TeamId team, const TeamPoses& poses) cons
     Standing robot;
     robot.id = {team, static_cast<std::uint8_t>(n)};
     robot.part.takes = team == call_.team;
+    robot.rests = restsInPlace(call_, robot.id, *pose);
     robot.body = bodyAt(*pose);
     robots.push_back(robot);
   }
@@ -248,10 +308,12 @@ GameEvent repairEvent(const RefereeSetup& setup, const RefereeState& state, cons
   return event;
 }
 
-/// Robots with a part of their own choose before the others.
+/// Robots with a part of their own choose before the others; before all, who is not to be moved.
 void orderForPlacing(std::vector<Standing>& robots) {
-  std::stable_partition(robots.begin(), robots.end(),
-                        [](const Standing& robot) { return robot.part.role != RestartRole::kOther; });
+  const auto first = [&](auto wanted) { std::stable_partition(robots.begin(), robots.end(), wanted); };
+  first([](const Standing& robot) { return robot.part.role != RestartRole::kOther; });
+  first([](const Standing& robot) { return robot.takes_mark; });
+  first([](const Standing& robot) { return robot.rests; });
 }
 
 }  // namespace
@@ -262,18 +324,29 @@ Placement place(const RefereeSetup& setup, const RefereeState& state, const Rest
   Placer placer(setup, state, call);
   Placement placement;
   placement.ball = call.ball;
+  // In the way of the first team is whoever may stay of the other, whom that one names to take its mark.
+  placer.letRest(other(call.team));
+  const std::size_t waiting = placer.standing();
   for (const TeamId team : {call.team, other(call.team)}) {
+    if (team != call.team) placer.removeFirst(waiting);
     std::vector<Standing> robots = placer.wishes(team, proposals[indexOf(team)]);
     orderForPlacing(robots);
     for (Standing& robot : robots) {
-      const bool stands = placer.settle(robot);
+      if (robot.rests) placer.stand(robot);
+      const bool stands = robot.rests || placer.settle(robot);
       const Vec2 where = placer.mirrored(robot.body.centre);
       if (stands) placement.robots[indexOf(team)][robot.id.number] = Pose2{where, robot.heading};
-      if (robot.proposed && robot.changed && !(distance(robot.wish, where) < kNoticed))
+      if (robot.changed && !(distance(robot.wish, where) < kNoticed))
         log.push_back(repairEvent(setup, state, call, robot, where));
     }
   }
   return placement;
+}
+
+bool restsInPlace(const RestartCall& call, RobotId robot, const Pose2& pose) {
+  const std::optional<Pose2>& stay = call.stays[indexOf(robot.team)][robot.number];
+  return call.rests[indexOf(robot.team)][robot.number] && stay && stay->position == pose.position &&
+         stay->heading == pose.heading;
 }
 
 std::vector<PlacementFlaw> findPlacementFlaws(const RefereeSetup& setup, const RefereeState& state,
@@ -281,11 +354,16 @@ std::vector<PlacementFlaw> findPlacementFlaws(const RefereeSetup& setup, const R
   Placer placer(setup, state, call);
   std::vector<PlacementFlaw> flaws;
   if (placement.ball != call.ball) flaws.push_back({call.team, 0, "the ball is not on its spot"});
+  std::vector<Standing> robots;
   for (const TeamId team : {call.team, other(call.team)}) {
-    for (const Standing& robot : placer.standing(team, placement.robots[indexOf(team)])) {
-      const std::string_view reason = placer.judge(robot);
-      if (!reason.empty()) flaws.push_back({team, robot.id.number, reason});
+    for (const Standing& robot : placer.finished(team, placement.robots[indexOf(team)])) {
+      if (robot.rests) placer.stand(robot);
+      if (!robot.rests) robots.push_back(robot);
     }
+  }
+  for (const Standing& robot : robots) {
+    const std::string_view reason = placer.judge(robot);
+    if (!reason.empty()) flaws.push_back({robot.id.team, robot.id.number, reason});
   }
   return flaws;
 }

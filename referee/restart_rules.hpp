@@ -8,8 +8,8 @@ namespace fulbito {
 
 /// [restart] What all restarts share: the time to the signal and law 9, the false start.
 struct RestartRules {
-  double delay = 0.0;                  ///< [s] from the placement to the signal
-  double goal_delay = 0.0;             ///< [s] the same after a goal
+  double delay = 0.5;                  ///< [s] from the placement to the signal
+  double goal_delay = 0.5;             ///< [s] the same after a goal
   bool hold_robots = true;             ///< nobody can move before the signal
   double robot_gap = 0.005;            ///< [m] between two bodies that are placed
   double false_start_distance = 0.02;  ///< [m] from its place: a robot has moved
@@ -65,11 +65,26 @@ struct PenaltyRules {
                     {{0.7125, 0.0}, {-0.10, 0.25}, {-0.10, -0.40}}};
 };
 
+/// On which side of y the ball of a goal kick lies unless its team chooses.
+enum class GoalKickSide {
+  kOpen,   ///< where the nearest opponent was farther off; between equals the keeper's
+  kKeeper  ///< where the taking team's keeper was
+};
+
+/// Where the other team stands at a goal kick, outside the area in any case.
+enum class GoalKickOpponents {
+  kOwnHalf,     ///< in its own half
+  kOutsideArea  ///< anywhere else
+};
+
 /// [goal_kick] Law 13.
 struct GoalKickRules {
-  Vec2 ball{0.60, 0.35};  ///< [m] in the taker's half, on the side of y where its keeper stands
+  Vec2 ball{0.60, 0.35};  ///< [m] in the taker's half; the sign of y comes from `side`
+  GoalKickSide side = GoalKickSide::kOpen;
+  bool ball_free = true;  ///< the taking team may choose another place in its goal area
+  GoalKickOpponents opponents = GoalKickOpponents::kOwnHalf;
   PlaceTable places{{{0.675, 0.27}, {0.45, 0.32}, {0.30, -0.47}},
-                    {{0.675, 0.0}, {-0.225, 0.10}, {-0.15, -0.32}}};
+                    {{0.675, 0.0}, {0.225, 0.10}, {0.15, -0.32}}};
 };
 
 }  // namespace fulbito

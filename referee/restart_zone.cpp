@@ -47,8 +47,9 @@ Zone zoneOf(const RestartScene& scene, RestartPart part) {
     case RestartKind::kPenalty:
       return penaltyZone(part);
     case RestartKind::kGoalKick:
-      if (part.takes && part.role == RestartRole::kKeeper) return Zone::kInOwnArea;
-      return Zone::kOutsideTakersArea;
+      if (part.takes) return part.role == RestartRole::kKeeper ? Zone::kInOwnArea : Zone::kOutsideTakersArea;
+      return scene.rules->goal_kick.opponents == GoalKickOpponents::kOwnHalf ? Zone::kOwnHalf
+                                                                             : Zone::kOutsideTakersArea;
     case RestartKind::kGiven:
       break;
   }

@@ -75,7 +75,8 @@ Schema schemaOf(WalkOverRules& w) {
 
 Schema schemaOf(RestartRules& r) {
   return {
-      {"delay", &r.delay, 0, kLongestWait, "s", "from placement to signal; league program: 4, headless: 0"},
+      {"delay", &r.delay, 0, kLongestWait, "s",
+       "from placement to signal, the clock stands; league program: 4, headless: 0"},
       {"goal_delay", &r.goal_delay, 0, kLongestWait, "s", "the same after a goal; league program: 8"},
       {"hold_robots", &r.hold_robots, 0, 0, "", "nobody can move before the signal; league program"},
       {"robot_gap", &r.robot_gap, 0, 0.1, "m",
@@ -137,7 +138,14 @@ Schema schemaOf(PenaltyRules& p) {
 Schema schemaOf(GoalKickRules& g) {
   Schema schema{
       {"ball", &g.ball, 0, kFarthest, "m",
-       "in the taker's half, on its keeper's side of y; league program, law 13: anywhere in the area"}};
+       "in the taker's half, unless the team chooses; league program, law 13: anywhere in the area"},
+      {"side", choice(g.side, {"open", "keeper"}), 0, 0, "",
+       "of y: where the nearest opponent was farther off (ours), or the keeper was; league program: keeper"},
+      {"ball_free", &g.ball_free, 0, 0, "",
+       "the team may choose where in its area the ball lies; law 13: true, league program: false"},
+      {"opponents", choice(g.opponents, {"own-half", "outside-area"}), 0, 0, "",
+       "where they stand; FIRA's law: own-half, league program: outside-area"},
+  };
   append(schema, g.places, "league program; the keeper's y follows the ball's side");
   return schema;
 }

@@ -102,6 +102,9 @@ tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const Reco
 /// The whole chunk.
 tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header);
 
+/// Bytes that its plays, events and drawings say they unpack to; 0 for a broken one.
+std::uint64_t listBytes(BytesView payload, const RecordingHeader& header);
+
 /// Bytes that one section takes in the file.
 struct SectionSize {
   const char* name = "";

@@ -126,7 +126,8 @@ class ChunkParser {
   }
 
   Tick tickFrom(std::int64_t offset, ByteReader& in) const {
-    if (std::abs(offset) > static_cast<std::int64_t>(kMaxTick)) in.fail();
+    const auto most = static_cast<std::int64_t>(kMaxTick);
+    if (offset < -most || offset > most) in.fail();
     return in.good() ? chunk_.first_tick + offset : 0;
   }
 
@@ -338,6 +339,20 @@ std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& 
     sizes.push_back({kNames[section.id < kNames.size() ? section.id : 0], section.stored.size()});
   }
   return sizes;
+}
+
+std::uint64_t listBytes(BytesView payload, const RecordingHeader& header) {
+  std::uint64_t bytes = 0;
+  const auto layout = layoutOf(payload, header);
+  if (!layout) return bytes;
+  for (const Section& section : layout->sections) {
+    // What a list may not unpack to is refused when it is read.
+    const bool list = section.id == static_cast<std::uint8_t>(SectionId::kPlays) ||
+                      section.id == static_cast<std::uint8_t>(SectionId::kEvents) ||
+                      section.id == static_cast<std::uint8_t>(SectionId::kDrawings);
+    if (list && section.raw <= kMaxListBytes) bytes += section.raw;
+  }
+  return bytes;
 }
 
 tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header) {

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "replays/json_limit.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -88,7 +90,9 @@ class Fields {
     to = value.get<std::string>();
   }
   void complain(const std::string& key, const std::string& what) {
-    if (flaw_.empty()) flaw_ = fmt::format("{}{} {}", where_, key, what);
+    if (!flaw_.empty()) return;
+    const std::string name = where_ + key;
+    flaw_ = fmt::format("{} {}", name.empty() ? "it" : name, what);
   }
 
  private:
@@ -210,6 +214,13 @@ bool inRange(const CommandModel& model) {
 /// Text from outside may hold anything; what is no UTF-8 is replaced.
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
+tl::expected<Json, std::string> parseJson(BytesView text) {
+  if (!isSmallJson(text)) {
+    return tl::unexpected(fmt::format("it is not JSON of at most {} keys and values", kMaxJsonItems));
+  }
+  return Json::parse(text);
+}
+
 /// NaN and infinities, which JSON does not know, come back as null.
 double figureOf(const Json& json) { return json.is_number() ? json.get<double>() : 0.0; }
 
@@ -277,8 +288,9 @@ std::string toJson(const RecordingResult& result) {
 }
 
 tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text, std::uint32_t version) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) return tl::unexpected<std::string>("is not JSON");
+  const auto parsed = parseJson(text);
+  if (!parsed) return tl::unexpected(parsed.error());
+  const Json& json = *parsed;
   RecordingHeader header;
   std::string flaw;
   Fields fields(json, "", flaw);
@@ -307,8 +319,9 @@ tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text, std::u
 }
 
 tl::expected<RecordingResult, std::string> resultFromJson(BytesView text) {
-  const Json json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) return tl::unexpected<std::string>("is not JSON");
+  const auto parsed = parseJson(text);
+  if (!parsed) return tl::unexpected(parsed.error());
+  const Json& json = *parsed;
   RecordingResult result;
   std::string flaw, hash;
   Fields fields(json, "", flaw);

@@ -7,6 +7,7 @@
 #include "engine/core/text_file.hpp"
 #include "replays/block.hpp"
 #include "replays/chunk.hpp"
+#include "replays/decoding_budget.hpp"
 #include "replays/header_json.hpp"
 
 namespace fulbito {
@@ -40,7 +41,8 @@ struct RecordingReader::Impl {
   };
   using Step = Result<void>;
 
-  Impl(std::string content, std::string name) : bytes(std::move(content)), origin(std::move(name)) {}
+  Impl(std::string content, std::string name)
+      : bytes(std::move(content)), origin(std::move(name)), budget(bytes.size()) {}
 
   tl::unexpected<Error> bad(const std::string& what) const {
     return fail(ErrorCode::kBadInput, fmt::format("{}: {}", origin, what));
@@ -122,6 +124,7 @@ struct RecordingReader::Impl {
     if (head->first_tick != ticks || head->plays_before != plays) {
       return badBlock(block, "it does not follow the chunk before it");
     }
+    if (const auto flaw = budget.take(*head, block.payload, header)) return badBlock(block, *flaw);
     ticks += head->ticks;
     plays += head->plays;
     chunks.push_back({{block.offset, static_cast<std::uint64_t>(head->first_tick),
@@ -162,6 +165,7 @@ struct RecordingReader::Impl {
 
   const std::string bytes;
   const std::string origin;
+  DecodingBudget budget;
   std::uint32_t version = 0;
   RecordingHeader header;
   std::size_t header_bytes = 0;
@@ -180,7 +184,7 @@ RecordingReader& RecordingReader::operator=(RecordingReader&&) noexcept = defaul
 RecordingReader::~RecordingReader() = default;
 
 Result<RecordingReader> RecordingReader::open(const std::string& file, RecordingReadOptions options) {
-  auto bytes = readTextFile(file, kMaxFileBytes);
+  auto bytes = readTextFile(file, kMaxFileBytes, kMagic);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   return parse(std::move(*bytes), file, options);
 }

@@ -2,6 +2,7 @@
 
 #include "replays/block.hpp"
 #include "replays/chunk.hpp"
+#include "replays/decoding_budget.hpp"
 #include "replays/header_json.hpp"
 
 namespace fulbito {
@@ -47,12 +48,16 @@ Result<Salvage> salvaged(const Result<RecordingReader>& reader) {
   const BytesView bytes = reader->bytes();
   const auto head = blockAt(bytes, kPrologueSize, headerSeed(reader->version()));
   if (!head) return fail(ErrorCode::kBadInput, reader->origin() + ": its header is damaged");
+  DecodingBudget budget(bytes.size());
   std::size_t next = head->end(), known = next;
   for (std::uint64_t number = 1; const auto block = nextBlock(bytes, next, head->checksum, number);) {
     next = block->block.end();
     number = block->number + 1;
     known += kBlockHeadSize + block->block.payload.size();
     if (block->block.type == BlockType::kChunk) {
+      const auto first = readChunkHead(block->block.payload, found.header);
+      const auto flaw = first ? budget.take(*first, block->block.payload, found.header) : std::nullopt;
+      if (flaw) return fail(ErrorCode::kBadInput, reader->origin() + ": " + *flaw);
       auto chunk = readChunk(block->block.payload, found.header);
       if (chunk) found.chunks.push_back(std::move(*chunk));
     } else if (block->block.type == BlockType::kResult) {

@@ -1,11 +1,6 @@
 #include "replays/recording_writer.hpp"
 
-#include <cerrno>
-#include <fcntl.h>
-#include <system_error>
-#include <unistd.h>
-
-#include <fmt/format.h>
+#include <optional>
 
 #include "engine/core/output_file.hpp"
 #include "replays/block.hpp"
@@ -14,34 +9,6 @@
 
 namespace fulbito {
 namespace {
-
-tl::unexpected<Error> cannotWrite(const std::string& file, int reason) {
-  return fail(ErrorCode::kIo,
-              fmt::format("cannot write '{}': {}", file, std::generic_category().message(reason)));
-}
-
-/// A file that is written from front to back.
-class OutputStream {
- public:
-  OutputStream(std::string name, int descriptor) : name_(std::move(name)), descriptor_(descriptor) {}
-  OutputStream(const OutputStream&) = delete;
-  OutputStream& operator=(const OutputStream&) = delete;
-  ~OutputStream() { ::close(descriptor_); }
-
-  Result<void> append(std::string_view bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) return cannotWrite(name_, errno);
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return {};
-  }
-
- private:
-  const std::string name_;
-  const int descriptor_;
-};
 
 /// What came from a file of version 1 is written in this version's steps.
 RecordingHeader inThisVersion(RecordingHeader header) {
@@ -83,12 +50,26 @@ struct RecordingWriter::Impl {
   void writeChunk() {
     if (chunk.empty()) return;
     const auto first = static_cast<std::uint64_t>(chunk.endTick() - chunk.ticks());
-    places.push_back({written, first, static_cast<std::uint64_t>(chunk.ticks())});
+    const ChunkPlace place{written, first, static_cast<std::uint64_t>(chunk.ticks())};
     payload.clear();
     chunk.pack(compressor, payload);
     writeBlock(BlockType::kChunk, Codec::kStored, payload.size(), payload);
+    if (state) places.push_back(place);
   }
 
+  /// Without a whole chunk a file that could not be written on is nothing that can be read.
+  void endFile() {
+    if (!file) return;
+    if (state) {
+      state = file->commit();
+    } else if (places.empty()) {
+      file->discard();
+    } else {
+      (void)file->commit();  // keeps what a new file holds, and the old file where there was one
+    }
+  }
+
+  std::shared_ptr<OutputFile> file;  ///< null: the sink is somebody's
   Sink sink;
   Result<void> state;  ///< the first error
   const RecordingHeader header;
@@ -115,13 +96,19 @@ Result<RecordingWriter> RecordingWriter::create(Sink sink, const RecordingHeader
   return RecordingWriter(std::move(impl));
 }
 
-Result<RecordingWriter> RecordingWriter::create(const std::string& file, const RecordingHeader& header) {
+Result<RecordingWriter> RecordingWriter::create(const std::string& file, const RecordingHeader& header,
+                                                bool replace) {
   if (file == "-") return fail(ErrorCode::kUsage, "'-': a recording goes to a file, not to stdout");
-  if (auto there = checkPlaceOf(file); !there) return tl::unexpected<Error>(there.error());
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor < 0) return cannotWrite(file, errno);
-  const auto stream = std::make_shared<OutputStream>(file, descriptor);
-  return create([stream](std::string_view bytes) { return stream->append(bytes); }, header);
+  auto opened = OutputFile::grow(file, replace);
+  if (!opened) return tl::unexpected<Error>(opened.error());
+  const auto out = std::make_shared<OutputFile>(std::move(*opened));
+  auto writer = create([out](std::string_view bytes) { return out->write(bytes); }, header);
+  if (writer) {
+    writer->impl_->file = out;
+  } else {
+    out->discard();
+  }
+  return writer;
 }
 
 const RecordingHeader& RecordingWriter::header() const { return impl_->header; }
@@ -158,7 +145,7 @@ Result<void> RecordingWriter::finish(const RecordingResult& result) {
   const std::uint64_t index_offset = w.written;
   const std::uint64_t checksum = w.writePacked(BlockType::kIndex, indexBytes(w.places));
   w.write(footerBytes(index_offset, checksum));
-  w.sink = nullptr;  // closes the file
+  w.endFile();
   return w.state;
 }
 

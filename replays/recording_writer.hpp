@@ -27,9 +27,11 @@ class RecordingWriter {
   /// Takes the file's bytes in order.
   using Sink = std::function<Result<void>(std::string_view)>;
 
-  /// Begins the file, which is replaced if it exists. Errors: kIo; kUsage for a header out of its ranges and
-  /// for the file "-".
-  static Result<RecordingWriter> create(const std::string& file, const RecordingHeader& header);
+  /// Begins the file. One that exists is replaced when the new one is finished, or with `replace` off is an
+  /// error. A new one whose disk fills up is left cut after its last whole chunk, and removed where it has
+  /// none. Errors: kIo; kUsage for a header out of its ranges and for the file "-".
+  static Result<RecordingWriter> create(const std::string& file, const RecordingHeader& header,
+                                        bool replace = true);
   /// The same into a sink. Errors: the sink's; kUsage.
   static Result<RecordingWriter> create(Sink sink, const RecordingHeader& header);
   RecordingWriter(RecordingWriter&&) noexcept;

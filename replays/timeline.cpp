@@ -38,6 +38,7 @@ Result<ReplayTimeline> ReplayTimeline::read(const RecordingReader& recording) {
   }
   if (timeline.plays_.empty()) return fail(ErrorCode::kBadInput, "the recording holds no play");
   timeline.countPlay();
+  timeline.countGoals();
   return timeline;
 }
 
@@ -68,6 +69,15 @@ void ReplayTimeline::countPlay() {
       playing = begun_[next] != 0;
     }
     clock_ticks_.push_back(clock_ticks_.back() + (playing ? 1 : 0));
+  }
+}
+
+void ReplayTimeline::countGoals() {
+  goals_until_.reserve(events_.size() + 1);
+  goals_until_.push_back({});
+  for (const RecordedEvent& event : events_) {
+    PerTeam<int>& goals = goals_until_.emplace_back(goals_until_.back());
+    if (event.clause == "goal" && event.team) ++goals[indexOf(*event.team)];
   }
 }
 
@@ -114,12 +124,14 @@ PerTeam<int> ReplayTimeline::scoreAt(const ReplayMoment& moment) const {
   // The end may also change the score at the table: a walk-over.
   if (moment.tick == ticks_ && result_ && result_->complete) return result_->score;
   const RecordedPlay& play = plays_[moment.play];
+  const auto goals_until = [this](Tick tick) {
+    const auto after = std::upper_bound(events_.begin(), events_.end(), tick,
+                                        [](Tick t, const RecordedEvent& event) { return t < event.tick; });
+    return goals_until_[static_cast<std::size_t>(after - events_.begin())];
+  };
+  const PerTeam<int> before = goals_until(play.tick), until = goals_until(std::max(play.tick, moment.tick));
   PerTeam<int> score = play.score;
-  const auto first = std::upper_bound(events_.begin(), events_.end(), play.tick,
-                                      [](Tick t, const RecordedEvent& event) { return t < event.tick; });
-  for (auto event = first; event != events_.end() && event->tick <= moment.tick; ++event) {
-    if (event->clause == "goal" && event->team) ++score[indexOf(*event->team)];
-  }
+  for (std::size_t team = 0; team < score.size(); ++team) score[team] += until[team] - before[team];
   return score;
 }
 

@@ -62,6 +62,7 @@ class ReplayTimeline {
   ReplayTimeline() = default;
   void append(RecordedChunk chunk);
   void countPlay();
+  void countGoals();
   std::size_t playAt(Tick tick) const;
   /// The last tick that belongs to a play: there the next one begins.
   Tick endOf(std::size_t play) const;
@@ -75,6 +76,7 @@ class ReplayTimeline {
   std::vector<RecordedEvent> events_;
   std::vector<RecordedSample> samples_;
   std::vector<RecordedDrawing> drawings_;
+  std::vector<PerTeam<int>> goals_until_;  ///< in the first 0, 1, 2 ... events
   std::vector<std::uint8_t> playing_;      ///< after each tick, from tick 1 on
   std::vector<std::uint8_t> begun_;        ///< one a play: whether it needed no signal
   std::vector<std::int32_t> clock_ticks_;  ///< ticks of play up to each tick, from tick 0 on

@@ -14,13 +14,13 @@ cmake --preset release -DFULBITO_BUILD_TESTS=OFF >/dev/null
 cmake --build --preset release --target fulbito
 echo
 echo "A first look: all methods on 20 layouts, corner to corner at 2.6 m/s"
-build/release/fulbito compare --suite corner --speeds 2.6 --trials 20 --pictures 4 --out "$out/first-look" --html "$out/races.html"
+build/release/fulbito compare --suite corner --speeds 2.6 --trials 20 --pictures 4 --out "$out/first-look" --html "$out/races.html" --force
 echo
 echo "The comparison: 400 layouts, three speeds, and the paper's own runs"
 build/release/fulbito compare --out "$out"
 echo
 echo "A match: two halves of five minutes, recorded"
-build/release/fulbito match libero classic --seed 7 --record "$out/match.fbr"
+build/release/fulbito match libero classic --seed 7 --record "$out/match.fbr" --force
 build/release/fulbito replay export "$out/match.fbr" --force --png "$out/match.png" --at 60 --contact-sheet "$out/match-sheet.png" \
   --gif "$out/match.gif" --from 40 --to 60 --speed 2
 build/release/fulbito replay export "$out/match.fbr" --html "$out/match.html" --force

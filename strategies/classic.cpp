@@ -73,7 +73,7 @@ std::optional<ExerciseReply> Classic::exercise(const Observation& seen, const Ex
 }
 
 /// Kick-offs and penalties are taken at an angle, past whoever waits on the straight line.
-std::optional<TeamPlacement> Classic::place(const PlacementRequest& request) {
+std::optional<TeamProposal> Classic::place(const PlacementRequest& request) {
   constexpr double kKickOffAngle = 0.6, kPenaltyAngle = 0.36;  // [rad]
   const bool penalty = request.kind == RestartKind::kPenalty;
   if (!request.ours || (!penalty && request.kind != RestartKind::kKickOff)) return std::nullopt;
@@ -95,7 +95,7 @@ std::optional<TeamPlacement> Classic::place(const PlacementRequest& request) {
 
 void Classic::chooseAttacker(const Observation& now) {
   constexpr double kDwell = 1.0, kBetter = 0.3;  // [s]
-  since_exchange_ += now.dt;
+  if (now.playing) since_exchange_ += now.dt;
   const auto size = static_cast<std::size_t>(now.team_size);
   // Whoever a restart puts at the ball attacks in that play.
   const bool open = !now.own[attacker_].present || foresight_.playBegan();
@@ -118,7 +118,7 @@ void Classic::chooseAttacker(const Observation& now) {
 
 TeamCommand Classic::decide(const Observation& seen) {
   const Observation& now = foresight_.update(seen);
-  if (foresight_.playBegan()) memory_.fill({});
+  if (foresight_.playBegan() || !now.playing) memory_.fill({});
   chooseAttacker(now);
   TeamCommand command;
   for (std::size_t i = 0; i < static_cast<std::size_t>(now.team_size); ++i) {

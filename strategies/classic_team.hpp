@@ -31,7 +31,7 @@ class Classic final : public Strategy {
   void begin(const MatchInfo& info) override;
   std::span<const NavigatorChoice> navigators() const override { return navigators_; }
   TeamCommand decide(const Observation& seen) override;
-  std::optional<TeamPlacement> place(const PlacementRequest& request) override;
+  std::optional<TeamProposal> place(const PlacementRequest& request) override;
   std::optional<ExerciseReply> exercise(const Observation& seen, const Exercise& task) override;
 
  private:

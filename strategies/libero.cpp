@@ -12,6 +12,7 @@
 #include "strategies/libero_keeper.hpp"
 #include "strategies/libero_meet.hpp"
 #include "strategies/libero_restarts.hpp"
+#include "strategies/libero_room.hpp"
 #include "strategies/libero_striker.hpp"
 #include "strategies/libero_support.hpp"
 
@@ -32,6 +33,7 @@ class Libero final : public Strategy {
     pitch_ = Pitch(info);
     foresight_ = Foresight(info);
     forgetStriker();
+    dispute_left_ = {};
     kick_off_hand_ = -1.0;
   }
 
@@ -44,7 +46,10 @@ class Libero final : public Strategy {
     }
     ball_.take(foresight_.ballNow(), foresight_.ball());
     watchStuck(now);
-    const Picture picture{now, pitch_, settings_, ball_, stuck_};
+    // Before the signal nobody can move: that tells nothing of what presses or is caught.
+    if (!now.playing) strike_ = {};
+    watchTouches(now);
+    const Picture picture{now, pitch_, settings_, ball_, stuck_, dispute_left_};
     chooseKeeper(picture);
     chooseStriker(picture);
     TeamCommand command;
@@ -59,7 +64,7 @@ class Libero final : public Strategy {
     return command;
   }
 
-  std::optional<TeamPlacement> place(const PlacementRequest& request) override {
+  std::optional<TeamProposal> place(const PlacementRequest& request) override {
     if (request.kind == RestartKind::kKickOff) kick_off_hand_ = -kick_off_hand_;
     return placementAt(pitch_, request, kick_off_hand_);
   }
@@ -84,9 +89,21 @@ class Libero final : public Strategy {
   void watchStuck(const Observation& seen) {
     constexpr double kCircle = 0.10;  // [m]
     stuck_ += seen.dt;
-    if (!foresight_.playBegan() && squaredNorm(seen.ball.position - stuck_at_) < kCircle * kCircle) return;
+    if (seen.playing && !foresight_.playBegan() &&
+        squaredNorm(seen.ball.position - stuck_at_) < kCircle * kCircle)
+      return;
     stuck_at_ = seen.ball.position;
     stuck_ = 0.0;
+  }
+
+  /// Who has touched the ball lately.
+  void watchTouches(const Observation& seen) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
+      double& left = dispute_left_[i];
+      left =
+          atBall(pitch_, seen.own[i].state, seen.ball.position) ? kDisputes : std::max(0.0, left - seen.dt);
+      if (!seen.playing || !seen.own[i].present) left = 0.0;
+    }
   }
 
   /// Whether play began with one of ours placed to be first at the ball. At our goal kicks that is the
@@ -142,6 +159,9 @@ class Libero final : public Strategy {
   RobotCommand legal(const Picture& picture, int robot, Twist wanted) const {
     // Five a side a second attacker gains more than its goal kicks cost.
     const bool theirs = !pitch_.isLarge() && (robot != striker_ || mateIsIn(picture));
+    if (!theirs) {
+      if (const auto off = clearOfKeeper(picture, robot, wanted)) return *off;
+    }
     return keptOut(picture, robot, {keeper_ >= 0, theirs}, wanted);
   }
 
@@ -167,7 +187,7 @@ class Libero final : public Strategy {
 
   /// The one who has the ball first; the present one is kept unless another is clearly better.
   void chooseStriker(const Picture& picture) {
-    held_ += picture.seen.dt;
+    if (picture.seen.playing) held_ += picture.seen.dt;
     constexpr double kStays = 0.5;   // [s] in their area, which the next one may enter only after it has left
     constexpr double kAlike = 1e-9;  // [s] what is less is rounding, which is not the same on both sides
     int best = -1;
@@ -197,6 +217,7 @@ class Libero final : public Strategy {
   double held_ = 1.0;  // [s] since the striker was chosen
   StrikerMemory strike_;
   double kick_off_hand_ = -1.0;  // of the last one; they are played to either side in turn
+  std::array<double, kMaxTeamSize> dispute_left_{};  // [s]
   Vec2 stuck_at_;
   double stuck_ = 0.0;  // [s]
 };

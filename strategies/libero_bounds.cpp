@@ -6,67 +6,11 @@
 #include "engine/core/math.hpp"
 #include "strategies/libero_areas.hpp"
 #include "strategies/libero_motion.hpp"
+#include "strategies/libero_roll.hpp"
 #include "strategies/team_frame.hpp"
 
 namespace fulbito::libero {
 namespace {
-
-constexpr double kTick = 1.0 / 60.0;  // [s]
-constexpr int kHorizon = 16;          // [ticks] in which a robot comes to rest from any speed
-constexpr double kStands = 1e-9;      // [m/s]
-constexpr double kGrip = 5.5;         // [m/s^2] at which a robot that slides across comes to rest
-
-/// A robot rolled forward.
-struct Roll {
-  const Pitch& pitch;
-  Vec2 place;
-  double heading = 0.0;
-  double forward = 0.0;  ///< [m/s]
-  double across = 0.0;   ///< [m/s] to the left: the slide of a robot that is pushed
-  double yaw = 0.0;      ///< [m/s] of a wheel, from turning
-
-  Roll(const Pitch& on, const RobotState& robot)
-      : pitch(on),
-        place(robot.pose.position),
-        heading(robot.pose.heading),
-        yaw(robot.angular_velocity * on.half_track) {
-    const Vec2 local = intoFrame(math::unit(heading), robot.velocity);
-    forward = local.x;
-    across = local.y;
-  }
-
-  bool rests() const { return forward == 0.0 && yaw == 0.0 && across == 0.0; }
-
-  /// As a twist is carried out: what the wheels can gain goes to turning first.
-  void drive(Twist wanted) {
-    const double before = forward, most = pitch.acceleration * kTick;
-    const double most_turn = pitch.turning * pitch.half_track * kTick;
-    const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most_turn, most_turn);
-    const double rest = most * (1.0 - std::abs(turn) / most_turn);
-    yaw = std::clamp(yaw + turn, -pitch.speed, pitch.speed);
-    const double room = pitch.speed - std::abs(yaw);
-    forward = std::clamp(forward + std::clamp(wanted.linear - forward, -rest, rest), -room, room);
-    move((before + forward) / 2);
-  }
-
-  /// Both wheels told to stand.
-  void brake() {
-    const double before = forward;
-    const RimSpeeds rims{forward - yaw, forward + yaw};
-    const RimSpeeds most{pitch.motors.limit(), pitch.motors.limit()};
-    const RimSpeeds change = pitch.motors.change(rims, {}, pitch.motors.pulls(rims, {}, most));
-    forward += (change.left + change.right) / 2;
-    yaw += (change.right - change.left) / 2;
-    if (std::abs(forward) + std::abs(yaw) < kStands) forward = yaw = 0.0;
-    move((before + forward) / 2);
-  }
-
-  void move(double speed) {
-    across -= std::clamp(across, -kGrip * kTick, kGrip * kTick);
-    heading += yaw / pitch.half_track * kTick;
-    place += outOfFrame(math::unit(heading), {speed, across}) * kTick;
-  }
-};
 
 /// An area that is closed, in a frame in which it is our own.
 struct Bound {

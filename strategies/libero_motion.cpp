@@ -37,8 +37,8 @@ double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target) {
   if (d < 0.01) return 0.0;
   const Vec2 to = way / d;
   const Vec2 face = math::unit(robot.pose.heading);
-  const double turn = 1.4 * std::sqrt(foldedAngle(std::abs(cross(face, to)), std::abs(dot(face, to))) /
-                                      pitch.turning);
+  const double turn =
+      1.4 * std::sqrt(foldedAngle(std::abs(cross(face, to)), std::abs(dot(face, to))) / pitch.turning);
   const double v0 = std::clamp(dot(robot.velocity, to), -pitch.speed, pitch.speed);
   const double a = pitch.acceleration, v = pitch.speed;
   if (v0 < 0.0) {

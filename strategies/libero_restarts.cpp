@@ -67,9 +67,10 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
                        {0.0, std::copysign(pitch.half_width, side)});
     placed[2] = facing({-pitch.half_length + 0.30, 0.0}, ball);
   } else {
-    // The ball lies on the area's corner: at it from the other side of their keeper, who cannot get it past.
-    placed[1] = facing(ball + Vec2{-0.040, side * 0.069}, ball);
-    placed[2] = facing({0.2, side * 0.45}, ball);
+    // From our own half, as near as that is: where a kick along the side wall comes out, and before our goal.
+    const double line = -pitch.robot_corner - 0.001;
+    placed[1] = facing({line, side * (pitch.half_width - 0.20)}, ball);
+    placed[2] = facing({line - 0.15, side * 0.10}, ball);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "strategies/libero_caught.hpp"
 #include "strategies/libero_corner.hpp"
 #include "strategies/libero_meet.hpp"
+#include "strategies/libero_room.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -126,17 +127,6 @@ bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
   return picture.opponentsNear(picture.ball.now().position + unitOr(rel, {}) * 0.06, 0.03) > 0;
 }
 
-/// Whether the robot presses on the opponents' keeper in its area, the ball not between: that is a foul.
-bool chargesKeeper(const Picture& picture, const RobotState& self, Vec2& keeper) {
-  for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (!picture.opponentPresent(i)) continue;
-    keeper = picture.opponent(i).pose.position;
-    if (inTheirArea(picture.pitch, keeper) && squaredNorm(keeper - self.pose.position) < 0.088 * 0.088)
-      return true;
-  }
-  return false;
-}
-
 /// A ball that runs along their goal line through the mouth is turned in by the face that pushes it: who
 /// comes round it first comes after the other post, and a robot that is alone goes on so from side to side.
 bool sweepsIn(const Picture& picture, Vec2 rel) {
@@ -177,10 +167,7 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   if (disputesFreeBall(picture.seen) && contested(picture)) return pressOn(picture, self, rel, memory);
   if (rushes(picture, rel)) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
   if (canMeetBrought(picture, self)) return meetBrought(picture, self);
-  Vec2 keeper;
-  if (squaredNorm(rel) > 0.075 * 0.075 && chargesKeeper(picture, self, keeper)) {
-    return passThrough(pitch, self, self.pose.position * 2.0 - keeper, 0.6);
-  }
+  if (const auto round = roundKeeper(picture, robot, now.position)) return *round;
   if (isCaught(picture, self, memory)) return driveOff(pitch, self);
   const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;

@@ -12,11 +12,21 @@ namespace fulbito {
 /// Poses of a team's robots at a restart, in the team's frame; empty: the referee's default stays.
 using TeamPlacement = std::array<std::optional<Pose2>, kMaxTeamSize>;
 
+/// What a team wants at a restart, in its own frame. Made from poses alone the ball is left to the rules.
+struct TeamProposal {
+  TeamProposal() = default;
+  TeamProposal(const TeamPlacement& poses) : robots(poses) {}  // NOLINT(google-explicit-constructor)
+
+  TeamPlacement robots;
+  /// Where the ball shall lie [m]: at an own goal kick, where the rules leave it free.
+  std::optional<Vec2> ball;
+};
+
 /// What a team is told when it may propose a placement.
 struct PlacementRequest {
   RestartKind kind = RestartKind::kKickOff;
   bool ours = false;  ///< the team takes the restart
-  Vec2 ball;          ///< where the ball will lie, team frame
+  Vec2 ball;  ///< where the ball will lie, team frame; the other team is told where the taker wants it
   TeamPlacement defaults;
   /// Where the other team stands, when the rule lets it place first.
   std::optional<TeamPlacement> opponents;
@@ -56,7 +66,7 @@ class Strategy {
   /// One decision a control tick.
   virtual TeamCommand decide(const Observation& observation) = 0;
   /// Where the robots shall stand at a restart; the referee repairs what is not allowed.
-  virtual std::optional<TeamPlacement> place(const PlacementRequest&) { return std::nullopt; }
+  virtual std::optional<TeamProposal> place(const PlacementRequest&) { return std::nullopt; }
   /// One tick of an exercise; empty when the team knows no such skill.
   virtual std::optional<ExerciseReply> exercise(const Observation&, const Exercise&) { return std::nullopt; }
 };

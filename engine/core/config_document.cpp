@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/error_text.hpp"
 #include "engine/core/suggest.hpp"
 
 namespace fulbito {
@@ -91,7 +92,11 @@ std::string ConfigDocument::fallbackName() const {
   if (name.ends_with(".toml")) name.resize(name.size() - 5);
   std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
   name.erase(0, name.find_first_not_of('.'));
-  return name.empty() ? "unnamed" : name.substr(0, 100);
+  if (name.empty()) return "unnamed";
+  // A file's name may be any bytes, and backslashes are not for labels.
+  name = terminalText(name);
+  std::replace(name.begin(), name.end(), '\\', '_');
+  return std::string(firstBytes(name, 100));
 }
 
 }  // namespace fulbito

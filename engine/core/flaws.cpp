@@ -46,6 +46,17 @@ std::optional<Flaw> pathFlaw(const ObstacleSpec& obstacle, int index) {
   return std::nullopt;
 }
 
+constexpr double kThinnest = 1e-3;       // [m] of what makes a wall: its corners would fall together
+constexpr double kLeastGoal = 0.01;      // [m]
+constexpr double kFinestCommand = 1e-6;  // [rad/s]
+
+/// The key must be 0, which `zero` explains, or at least `least`.
+std::optional<Flaw> tinyFlaw(const char* table, const char* key, double value, double least,
+                             const char* zero) {
+  if (value == 0.0 || value >= least) return std::nullopt;
+  return Flaw{table, -1, key, fmt::format("= {} must be 0 ({}) or at least {}", value, zero, least)};
+}
+
 }  // namespace
 
 std::optional<Flaw> findFlaw(const RobotModel& robot) {
@@ -61,10 +72,18 @@ std::optional<Flaw> findFlaw(const RobotModel& robot) {
 
 std::optional<Flaw> findFlaw(const BallModel& ball) { return ownRangeFlaw(ball, "ball"); }
 
-std::optional<Flaw> findFlaw(const PhysicsProfile& physics) { return ownRangeFlaw(physics, "physics"); }
+std::optional<Flaw> findFlaw(const PhysicsProfile& physics) {
+  if (auto flaw = ownRangeFlaw(physics, "physics")) return flaw;
+  return tinyFlaw("physics", "wheel_command_step", physics.wheel_command_step, kFinestCommand, "not rounded");
+}
 
 std::optional<Flaw> findFlaw(const FieldGeometry& field) {
   if (auto flaw = ownRangeFlaw(field, "field")) return flaw;
+  if (auto flaw = tinyFlaw("field", "goal_width", field.goal_width, kLeastGoal, "no goals")) return flaw;
+  if (auto flaw = tinyFlaw("field", "goal_depth", field.goal_depth, kThinnest, "no goal behind the line")) {
+    return flaw;
+  }
+  if (auto flaw = tinyFlaw("field", "corner", field.corner, kThinnest, "square corners")) return flaw;
   const double shorter = std::min(field.length, field.width);
   if (!(2 * field.corner < shorter)) {
     return Flaw{"field", -1, "corner",

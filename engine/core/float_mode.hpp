@@ -6,7 +6,8 @@ namespace fulbito {
 
 /// While it lives, floating-point numbers are handled as everything here expects: rounded to nearest, small
 /// ones kept (neither FTZ nor DAZ), no traps. Then the thread gets its own mode back. Programs and plug-ins
-/// that were built with -ffast-math, or audio libraries, leave threads in other modes, which would change bits.
+/// that were built with -ffast-math, or audio libraries, leave threads in other modes, which would change
+/// bits.
 class FloatMode {
  public:
   FloatMode() : before_(_mm_getcsr()) {

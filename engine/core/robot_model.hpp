@@ -12,16 +12,16 @@ namespace fulbito {
 /// the wheels: what one pulls, the other feels (docs/models.md). Defaults: a 7.5 cm league robot.
 struct RobotModel {
   std::string name = "vsss";
-  double length = 0.075;           ///< [m] body along x
-  double width = 0.075;            ///< [m] body along y
-  double mass = 0.15;              ///< [kg]
-  double wheel_radius = 0.026;     ///< [m]
-  double axle_track = 0.0775;      ///< [m] between wheel centres
-  double max_wheel_speed = 46.08;  ///< [rad/s] saturates, does not fail
+  double length = 0.075;            ///< [m] body along x
+  double width = 0.075;             ///< [m] body along y
+  double mass = 0.15;               ///< [kg]
+  double wheel_radius = 0.026;      ///< [m]
+  double axle_track = 0.0775;       ///< [m] between wheel centres
+  double max_wheel_speed = 46.08;   ///< [rad/s] saturates, does not fail
   double wheel_acceleration = 7.0;  ///< [m/s^2] straight on, both motors pulling
   double wheel_braking = 7.0;       ///< [m/s^2] straight on, both motors braking
-  double yaw_acceleration = 0.0;    ///< [rad/s^2] in place, motors against each other; 0 = from mass and shape
-  double rolling_drag = 0.0;        ///< [m/s^2] that the motors overcome beside `wheel_acceleration`
+  double yaw_acceleration = 0.0;   ///< [rad/s^2] in place, motors against each other; 0 = from mass and shape
+  double rolling_drag = 0.0;       ///< [m/s^2] that the motors overcome beside `wheel_acceleration`
   double longitudinal_grip = 9.0;  ///< [m/s^2] Coulomb limit along the wheels
   double lateral_grip = 6.0;       ///< [m/s^2] Coulomb limit across the wheels
   double spin_slow_speed = 0.0;  ///< [m/s] rim speed of the first measured spin in place; 0 = ideal spinning
@@ -31,9 +31,9 @@ struct RobotModel {
   double friction = 0.2;         ///< of the body against robots, walls and obstacles
   double restitution = 0.1;      ///< of the body against robots, walls and obstacles
 
-  double inertia() const;         ///< [kg m^2] of the body's rectangle about its middle
-  double motorPull() const;       ///< [m/s^2] that both motors together give the mass, drag included
-  double turnShare() const;       ///< rims' acceleration in place over `motorPull`
+  double inertia() const;           ///< [kg m^2] of the body's rectangle about its middle
+  double motorPull() const;         ///< [m/s^2] that both motors together give the mass, drag included
+  double turnShare() const;         ///< rims' acceleration in place over `motorPull`
   double turnAcceleration() const;  ///< [rad/s^2] in place: `yaw_acceleration`, or what the motors give
   double maxSpeed() const { return max_wheel_speed * wheel_radius; }  ///< [m/s]
   double circumradius() const;                                        ///< [m] of the body's rectangle

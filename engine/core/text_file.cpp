@@ -2,45 +2,70 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
+#include <fcntl.h>
 #include <filesystem>
-#include <memory>
 #include <system_error>
+#include <unistd.h>
 
 #include <fmt/format.h>
+
+#include "engine/core/stop_request.hpp"
 
 namespace fulbito {
 namespace {
 
 constexpr std::size_t kStep = std::size_t{1} << 18;  // [bytes] that are read at a time
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
+struct Descriptor {
+  int number;
+  explicit Descriptor(int n) : number(n) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
 };
 
+/// Calls a system call again that a signal broke off, unless all work shall end.
+template <typename Call>
+auto waiting(const Call& call) {
+  for (;;) {
+    const auto result = call();
+    if (result >= 0 || errno != EINTR || stopRequested()) return result;
+  }
+}
+
 tl::unexpected<Error> cannotRead(const std::string& path, int reason) {
+  if (reason == EINTR) return fail(ErrorCode::kInterrupted, "interrupted");
   return fail(ErrorCode::kIo,
               fmt::format("cannot read '{}': {}", path, std::generic_category().message(reason)));
 }
 
+bool mayGoOn(std::string_view text, std::string_view beginning) {
+  const std::size_t known = std::min(text.size(), beginning.size());
+  return text.substr(0, known) == beginning.substr(0, known);
+}
+
 }  // namespace
 
-Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes) {
+Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes, std::string_view beginning) {
   // A name with a zero byte would silently open another file.
   if (path.empty() || path.find('\0') != std::string::npos) return cannotRead(path, ENOENT);
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return cannotRead(path, EISDIR);
-  const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-  if (file == nullptr) return cannotRead(path, errno);
+  const Descriptor file(waiting([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }));
+  if (file.number < 0) return cannotRead(path, errno);
   std::string text;
-  for (bool more = true; more && text.size() <= max_bytes;) {
-    const std::size_t begin = text.size(), room = std::min(kStep, max_bytes + 1 - begin);
+  while (text.size() <= max_bytes && mayGoOn(text, beginning)) {
+    const std::size_t begin = text.size();
+    const std::size_t room =
+        std::min(begin < beginning.size() ? beginning.size() - begin : kStep, max_bytes + 1 - begin);
     text.resize(begin + room);
-    const std::size_t count = std::fread(text.data() + begin, 1, room, file.get());
-    text.resize(begin + count);
-    more = count == room && std::feof(file.get()) == 0 && std::ferror(file.get()) == 0;
+    const ssize_t count = waiting([&] { return ::read(file.number, text.data() + begin, room); });
+    if (count < 0) return cannotRead(path, errno);
+    text.resize(begin + static_cast<std::size_t>(count));
+    if (count == 0) break;
   }
-  if (std::ferror(file.get()) != 0) return cannotRead(path, errno);
   if (text.size() > max_bytes) {
     return fail(ErrorCode::kBadInput,
                 fmt::format("{}: larger than {} bytes, the most that is read", path, max_bytes));

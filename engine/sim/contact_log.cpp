@@ -20,8 +20,8 @@ b2Vec2 normalToward(const b2Body& body, b2Contact& contact) {
 }
 
 // A ball that a robot presses on a wall bounces to and fro between the two, ever slower, and both come to
-// rest: no speed comes back where the ball is the lighter one (docs/models.md). Solved as one impact, the wall
-// would throw ball and robot back together.
+// rest: no speed comes back where the ball is the lighter one (docs/models.md). Solved as one impact, the
+// wall would throw ball and robot back together.
 bool isPinned(b2Body& ball, b2Vec2 from_wall) {
   constexpr float kOpposed = -0.05f;  // cosine of the two normals; along a wall nothing is pressed on it
   for (b2ContactEdge* edge = ball.GetContactList(); edge != nullptr; edge = edge->next) {

@@ -15,7 +15,8 @@ void ContactWork::remember() {
 void ContactWork::takeBack() {
   double a = 0.0, b = 0.0;
   for (const Moving& m : bodies_) {
-    const double mass = static_cast<double>(m.body->GetMass()), inertia = static_cast<double>(m.body->GetInertia());
+    const double mass = static_cast<double>(m.body->GetMass()),
+                 inertia = static_cast<double>(m.body->GetInertia());
     const b2Vec2 change = m.body->GetLinearVelocity() - m.velocity;
     const double turn = static_cast<double>(m.body->GetAngularVelocity() - m.spin);
     a += (mass * static_cast<double>(change.LengthSquared()) + inertia * turn * turn) / 2;

@@ -40,7 +40,8 @@ void Drive::setCommand(WheelSpeeds command) {
   const double common = (left + right) / 2, half_difference = (right - left) / 2;
   const double in_place = std::abs(half_difference) - std::abs(common);  // 0 where one wheel stands
   double turn = half_difference;
-  if (in_place > 0.0) turn += (spin_ratio_.at(std::abs(half_difference)) - 1.0) * std::copysign(in_place, turn);
+  if (in_place > 0.0)
+    turn += (spin_ratio_.at(std::abs(half_difference)) - 1.0) * std::copysign(in_place, turn);
   target_ = {common - turn, common + turn};
 }
 

@@ -9,15 +9,16 @@
 
 namespace fulbito {
 
-/// A wall's outline, counter-clockwise and convex; its last edge, from the last point to the first, faces the field.
+/// A wall's outline, counter-clockwise and convex; its last edge, from the last point to the first, faces the
+/// field.
 using WallOutline = std::array<Vec2, 4>;
 
 /// Solid walls around the field's inner contour, goals and corner triangles included, each
 /// `field.wall_thickness` thick. Where two meet in a corner of the field they are mitred, so that nothing can
 /// leave between them; at the goal posts they overlap.
 ///
-/// Where they overlap, the outer corner of the goal's wall lies in the face of the end wall: contacts there that
-/// push out of the field must not count (`pushesInward`), or bodies that slide along would catch on it.
+/// Where they overlap, the outer corner of the goal's wall lies in the face of the end wall: contacts there
+/// that push out of the field must not count (`pushesInward`), or bodies that slide along would catch on it.
 /// @param shift  [m] all inner faces are moved out of the field by this
 std::vector<WallOutline> wallOutlines(const FieldGeometry& field, double shift);
 

@@ -130,7 +130,8 @@ World::Impl::Impl(const WorldConfig& from)
 
 void World::Impl::watchMovers() {
   const FieldGeometry& field = config.field;
-  approach.setOpen(units::length(field.length / 2 - field.corner), units::length(field.width / 2 - field.corner));
+  approach.setOpen(units::length(field.length / 2 - field.corner),
+                   units::length(field.width / 2 - field.corner));
   for (const WallOutline& wall : wallOutlines(field, 0.0)) {
     approach.addWall(units::vector(wall[0]), units::vector(wall[3]));
   }
@@ -144,7 +145,8 @@ void World::Impl::watchMovers() {
     contact_work.add(balls[i]);
   }
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    if (config.obstacles[i].motion == ObstacleMotion::kPath) contacts_do_no_work = false;  // such a one pushes
+    if (config.obstacles[i].motion == ObstacleMotion::kPath)
+      contacts_do_no_work = false;  // such a one pushes
     if (config.obstacles[i].motion == ObstacleMotion::kPushable) contact_work.add(obstacles[i]);
   }
 }

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <condition_variable>
 #include <mutex>
-#include <thread>
+
+#include "engine/core/worker_threads.hpp"
 
 namespace fulbito {
 namespace {
@@ -70,20 +71,75 @@ class FrameQueue {
   std::optional<Error> error_;
 };
 
-void drawFrames(const FrameJob& job, const FramePacker& pack, FrameQueue& queue) {
-  auto canvas = job.picture->canvas();
-  if (!canvas) return queue.fail(canvas.error());
-  ReplayDirector director(*job.timeline, job.overlays);
-  ReplayMoment moment;
-  MatchOverlays overlays;
-  while (const auto index = queue.take()) {
-    job.timeline->at(job.times[*index], moment);
-    director.direct(moment, overlays);
-    job.picture->drawFrame(*canvas, moment, overlays);
-    pack(*canvas, queue.bytes(*index));
-    queue.drawn(*index);
+/// Draws one picture after the other.
+class FramePainter {
+ public:
+  static Result<FramePainter> create(const FrameJob& job, FramePacker pack) {
+    auto canvas = job.picture->canvas();
+    if (!canvas) return tl::unexpected<Error>(canvas.error());
+    return FramePainter(job, std::move(pack), std::move(*canvas));
+  }
+  void draw(std::size_t index, std::string& bytes) {
+    job_->timeline->at(job_->times[index], moment_);
+    director_.direct(moment_, overlays_);
+    job_->picture->drawFrame(canvas_, moment_, overlays_);
+    pack_(canvas_, bytes);
+  }
+
+ private:
+  FramePainter(const FrameJob& job, FramePacker pack, Canvas canvas)
+      : job_(&job),
+        pack_(std::move(pack)),
+        canvas_(std::move(canvas)),
+        director_(*job.timeline, job.overlays) {}
+
+  const FrameJob* job_;
+  FramePacker pack_;
+  Canvas canvas_;
+  ReplayDirector director_;
+  ReplayMoment moment_;
+  MatchOverlays overlays_;
+};
+
+/// The work of a thread. Whatever happens to it, nobody waits for its pictures for ever.
+void drawFrames(const FrameJob& job, const std::function<FramePacker()>& make_packer, FrameQueue& queue) {
+  try {
+    auto painter = FramePainter::create(job, make_packer());
+    if (!painter) return queue.fail(painter.error());
+    while (const auto index = queue.take()) {
+      painter->draw(*index, queue.bytes(*index));
+      queue.drawn(*index);
+    }
+  } catch (...) {
+    queue.fail({ErrorCode::kIo, "a picture could not be drawn"});
+    throw;
   }
 }
+
+/// Without other threads: the sink's draws.
+Result<void> drawAndSink(const FrameJob& job, const std::function<FramePacker()>& make_packer,
+                         const FrameSink& sink) {
+  auto painter = FramePainter::create(job, make_packer());
+  if (!painter) return tl::unexpected<Error>(painter.error());
+  std::string bytes;
+  for (std::size_t i = 0; i < job.times.size(); ++i) {
+    painter->draw(i, bytes);
+    if (auto taken = sink(i, bytes); !taken) return taken;
+  }
+  return {};
+}
+
+/// Ends the threads' waits, also when the sink throws.
+class StopAtEnd {
+ public:
+  explicit StopAtEnd(FrameQueue& queue) : queue_(queue) {}
+  StopAtEnd(const StopAtEnd&) = delete;
+  StopAtEnd& operator=(const StopAtEnd&) = delete;
+  ~StopAtEnd() { queue_.stop(); }
+
+ private:
+  FrameQueue& queue_;
+};
 
 Result<void> sinkAll(std::size_t count, FrameQueue& queue, const FrameSink& sink) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -131,13 +187,13 @@ Result<void> forEachFrame(const FrameJob& job, const std::function<FramePacker()
                           const FrameSink& sink) {
   const auto jobs = static_cast<std::size_t>(std::max(1, job.jobs));
   FrameQueue queue(job.times.size(), kAhead * jobs);
-  std::vector<std::jthread> threads;
-  threads.reserve(jobs);
-  for (std::size_t i = 0; i < jobs; ++i) {
-    threads.emplace_back([&job, &queue, pack = make_packer()] { drawFrames(job, pack, queue); });
-  }
-  auto done = sinkAll(job.times.size(), queue, sink);
-  queue.stop();
+  Result<void> done;
+  runBeside(
+      static_cast<int>(jobs), [&] { drawFrames(job, make_packer, queue); },
+      [&](int running) {
+        const StopAtEnd stop(queue);
+        done = running > 0 ? sinkAll(job.times.size(), queue, sink) : drawAndSink(job, make_packer, sink);
+      });
   return done;
 }
 

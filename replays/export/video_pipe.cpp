@@ -6,12 +6,17 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <optional>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
 #include <fmt/format.h>
+
+#include "engine/core/output_file.hpp"
+#include "engine/core/stop_request.hpp"
+#include "engine/core/unfinished_work.hpp"
 
 namespace fulbito {
 namespace {
@@ -29,7 +34,8 @@ std::vector<std::string> codecWords(const VideoSettings& settings) {
           "-pix_fmt",  "yuv420p"};
 }
 
-std::vector<std::string> ffmpegWords(const std::string& out, const VideoSettings& settings) {
+/// `stream`: it cannot be wound back to write the index.
+std::vector<std::string> ffmpegWords(const std::string& out, bool stream, const VideoSettings& settings) {
   std::vector<std::string> words{"ffmpeg",       "-hide_banner",
                                  "-loglevel",    "error",
                                  "-nostdin",     "-y",
@@ -45,8 +51,7 @@ std::vector<std::string> ffmpegWords(const std::string& out, const VideoSettings
     words.emplace_back(word);
   }
   const bool mp4 = settings.format == VideoFormat::kMp4;
-  // A pipe cannot be wound back to write the index.
-  if (mp4) words.insert(words.end(), {"-movflags", out == "-" ? "frag_keyframe+empty_moov" : "+faststart"});
+  if (mp4) words.insert(words.end(), {"-movflags", stream ? "frag_keyframe+empty_moov" : "+faststart"});
   words.insert(words.end(), {"-f", mp4 ? "mp4" : "webm", out == "-" ? "pipe:1" : "file:" + out});
   return words;
 }
@@ -70,10 +75,13 @@ struct VideoPipe::Impl {
 
   Result<void> start(const VideoSettings& settings);
   Error complaint(const std::string& what) const;
-  /// Its exit status, once; -1 when it could not be had.
-  int wait();
+  /// Its exit status, once; -1 when it could not be had. Of a process that is waited for when all work shall
+  /// end, kInterrupted.
+  Result<int> wait();
+  void kill();
 
-  std::string file, part;
+  std::string file;
+  std::optional<OutputFile> out;  ///< none: stdout
   pid_t child = -1;
   int in = -1;    ///< ffmpeg's stdin
   int said = -1;  ///< its stderr, a file without a name
@@ -81,19 +89,25 @@ struct VideoPipe::Impl {
 
 VideoPipe::Impl::~Impl() {
   if (in >= 0) ::close(in);
-  if (child > 0) {
-    ::kill(child, SIGKILL);
-    wait();
-  }
+  if (child > 0) kill();
   if (said >= 0) ::close(said);
-  if (!part.empty() && part != "-") ::unlink(part.c_str());
 }
 
-int VideoPipe::Impl::wait() {
-  int status = -1;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+void VideoPipe::Impl::kill() {
+  ::kill(child, SIGKILL);
+  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
   }
   child = -1;
+  setHelperProcess(0);
+}
+
+Result<int> VideoPipe::Impl::wait() {
+  int status = -1;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    if (stopRequested()) return fail(ErrorCode::kInterrupted, "interrupted");
+  }
+  child = -1;
+  setHelperProcess(0);
   return status;
 }
 
@@ -118,7 +132,7 @@ Result<void> VideoPipe::Impl::start(const VideoSettings& settings) {
   posix_spawnattr_setsigdefault(&attributes, &defaults);
   posix_spawnattr_setpgroup(&attributes, 0);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-  std::vector<std::string> words = ffmpegWords(part, settings);
+  std::vector<std::string> words = ffmpegWords(out ? out->place() : file, !out || out->isStream(), settings);
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
@@ -127,7 +141,10 @@ Result<void> VideoPipe::Impl::start(const VideoSettings& settings) {
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   ::close(ends[0]);
-  if (wrong == 0) return {};
+  if (wrong == 0) {
+    setHelperProcess(child);
+    return {};
+  }
   child = -1;
   if (wrong == ENOENT) {
     return fail(ErrorCode::kIo,
@@ -154,7 +171,11 @@ VideoPipe::~VideoPipe() = default;
 Result<VideoPipe> VideoPipe::open(const std::string& file, const VideoSettings& settings) {
   auto impl = std::make_unique<Impl>();
   impl->file = file;
-  impl->part = file == "-" ? file : fmt::format("{}.{}.part", file, ::getpid());
+  if (file != "-") {
+    auto out = OutputFile::create(file);
+    if (!out) return tl::unexpected<Error>(out.error());
+    impl->out.emplace(std::move(*out));
+  }
   if (auto started = impl->start(settings); !started) return tl::unexpected<Error>(started.error());
   return VideoPipe(std::move(impl));
 }
@@ -163,9 +184,12 @@ Result<void> VideoPipe::write(const std::string& frame) {
   std::size_t written = 0;
   while (written < frame.size()) {
     const ssize_t n = ::write(impl_->in, frame.data() + written, frame.size() - written);
+    if (n < 0 && errno == EINTR && stopRequested()) return fail(ErrorCode::kInterrupted, "interrupted");
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
-      if (impl_->child > 0) impl_->wait();
+      if (impl_->child > 0) {
+        if (const auto ended = impl_->wait(); !ended) return tl::unexpected<Error>(ended.error());
+      }
       return tl::unexpected<Error>(impl_->complaint("ffmpeg ended too early"));
     }
     written += static_cast<std::size_t>(n);
@@ -176,16 +200,12 @@ Result<void> VideoPipe::write(const std::string& frame) {
 Result<void> VideoPipe::finish() {
   ::close(impl_->in);
   impl_->in = -1;
-  const int status = impl_->wait();
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+  const auto status = impl_->wait();
+  if (!status) return tl::unexpected<Error>(status.error());
+  if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0) {
     return tl::unexpected<Error>(impl_->complaint("ffmpeg failed"));
   }
-  if (impl_->part == "-") return {};
-  if (std::rename(impl_->part.c_str(), impl_->file.c_str()) != 0) {
-    return tl::unexpected<Error>(impl_->complaint(std::strerror(errno)));
-  }
-  impl_->part.clear();
-  return {};
+  return impl_->out ? impl_->out->commit() : Result<void>();
 }
 
 }  // namespace fulbito

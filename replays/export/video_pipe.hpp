@@ -21,15 +21,16 @@ struct VideoSettings {
 /// under its name when it is complete; whatever ends this object before removes what there was of it.
 class VideoPipe {
  public:
-  /// `file` "-" is stdout. Errors: kIo: there is no ffmpeg, or it cannot be started.
+  /// `file` "-" is stdout. Errors: kIo: there is no ffmpeg, or it cannot be started; as OutputFile::create.
   static Result<VideoPipe> open(const std::string& file, const VideoSettings& settings);
   VideoPipe(VideoPipe&&) noexcept;
   VideoPipe& operator=(VideoPipe&&) noexcept;
   ~VideoPipe();
 
-  /// A frame as `toYuv420` gives it. Errors: kIo with what ffmpeg said last.
+  /// A frame as `toYuv420` gives it. Errors: kIo with what ffmpeg said last; kInterrupted where ffmpeg is
+  /// waited for when all work shall end.
   Result<void> write(const std::string& frame);
-  /// Waits for ffmpeg and gives the file its name. Errors: kIo with what ffmpeg said last.
+  /// Waits for ffmpeg and gives the file its name. Errors: as `write`.
   Result<void> finish();
 
  private:

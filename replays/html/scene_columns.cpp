@@ -12,7 +12,9 @@ namespace {
 constexpr double kMostSteps = 1e9;
 constexpr double kDrawingStep = 1e-4;  // [m]
 
+/// What is no number counts as 0.
 std::int64_t stepsOf(double value, double step) {
+  if (std::isnan(value)) return 0;
   return static_cast<std::int64_t>(std::floor(std::clamp(value / step, -kMostSteps, kMostSteps) + 0.5));
 }
 

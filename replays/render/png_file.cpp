@@ -1,9 +1,6 @@
 #include "replays/render/png_file.hpp"
 
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
-#include <cstring>
 #include <libdeflate.h>
 #include <span>
 #include <vector>
@@ -48,10 +45,6 @@ struct PngShape {
 
 void append(png_structp png, png_bytep data, std::size_t size) {
   static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
-}
-
-tl::unexpected<Error> cannotWrite(const std::string& file, const std::string& reason) {
-  return fail(ErrorCode::kIo, "cannot write " + file + ": " + reason);
 }
 
 void writeChunks(png_structp png, png_infop info, const PngShape& shape,
@@ -109,18 +102,8 @@ std::string PngEncoder::encode(int width, int height, const void* pixels, int pi
 }
 
 Result<void> writePngFile(const std::string& file, const std::string& bytes) {
-  if (bytes.empty()) return cannotWrite(file, "not enough memory");
-  if (auto there = checkPlaceOf(file); !there) return there;
-  const std::string part = file + ".part";
-  std::FILE* out = std::fopen(part.c_str(), "wb");
-  if (out == nullptr) return cannotWrite(file, std::strerror(errno));
-  std::string wrong;
-  if (std::fwrite(bytes.data(), 1, bytes.size(), out) != bytes.size()) wrong = std::strerror(errno);
-  if (std::fclose(out) != 0 && wrong.empty()) wrong = std::strerror(errno);
-  if (wrong.empty() && std::rename(part.c_str(), file.c_str()) != 0) wrong = std::strerror(errno);
-  if (wrong.empty()) return {};
-  std::remove(part.c_str());
-  return cannotWrite(file, wrong);
+  if (bytes.empty()) return fail(ErrorCode::kIo, "cannot write " + file + ": not enough memory");
+  return writeFile(file, bytes);
 }
 
 }  // namespace fulbito

@@ -31,8 +31,8 @@ class PngEncoder {
   std::vector<std::uint8_t> raw_, packed_;  ///< used again for the next picture
 };
 
-/// Writes the bytes of a picture to `file` + ".part" first and renames it when complete: `file` never holds
-/// half a picture, and an older one stays when writing fails. Errors: kIo naming the file.
+/// Writes the bytes of a picture by `writeFile`; none: there was no memory for them. Errors: kIo naming the
+/// file.
 Result<void> writePngFile(const std::string& file, const std::string& bytes);
 
 }  // namespace fulbito

@@ -110,7 +110,7 @@ TEST_CASE("what is not possible names the flag and what is", "[cli]") {
   refused("", "say what to make");
   refused("--png --at 21", "--at 21: the recording goes from 0 to 20.00 s");
   refused("--png --at -1", "--at -1");
-  refused("--png --at nan", "--at nan");
+  refused("--png --at nan", "'nan' is not a number");
   refused("--gif --from 30", "--from 30");
   refused("--gif --from 5 --to 4", "--from 5 is after --to 4");
   refused("--png --around shoot-out", "What there is: ");

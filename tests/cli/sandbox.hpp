@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -38,17 +39,30 @@ struct Sandbox {
   Sandbox& operator=(const Sandbox&) = delete;
 
   Output run(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + path.string() + "' && '" FULBITO_PROGRAM "' " + arguments + " >out.txt 2>err.txt </dev/null";
+    return started("cd '" + path.string() + "' && '" FULBITO_PROGRAM "' " + arguments +
+                   " >out.txt 2>err.txt </dev/null");
+  }
+  /// Runs a script of bash in which $F is the program. What a background process writes is lost if it
+  /// outlives the script.
+  Output shell(const std::string& script) const {
+    write("script.sh", "F='" FULBITO_PROGRAM "'\n" + script + "\n");
+    const Output output =
+        started("cd '" + path.string() + "' && bash script.sh >out.txt 2>err.txt </dev/null");
+    fs::remove(path / "script.sh");
+    return output;
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+  }
+
+ private:
+  Output started(const std::string& command) const {
     const int status = std::system(command.c_str());
     Output output{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(path / "out.txt"),
                   contentOf(path / "err.txt")};
     fs::remove(path / "out.txt");
     fs::remove(path / "err.txt");
     return output;
-  }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(path / name, std::ios::binary) << text;
   }
 };
 

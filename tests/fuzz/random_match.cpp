@@ -8,6 +8,7 @@
 #include "engine/core/random.hpp"
 #include "engine/sim/world.hpp"
 #include "referee/clauses.hpp"
+#include "referee/goal_kick_ball.hpp"
 #include "referee/restart_placement.hpp"
 #include "referee/ticks.hpp"
 #include "tests/support/worlds.hpp"
@@ -55,7 +56,7 @@ class Game {
   }
 
  private:
-  void begin(const RestartCall& call);
+  void begin(RestartCall call);
   Proposals proposals(const RestartCall& call);
   void tick();
   void drive();
@@ -102,9 +103,15 @@ Proposals Game::proposals(const RestartCall& call) {
   return wishes;
 }
 
-void Game::begin(const RestartCall& call) {
+void Game::begin(RestartCall call) {
   std::vector<GameEvent> log;
   const RefereeSetup& setup = match_.setup;
+  if (match_.proposals && rng_.below(2) == 0) {
+    const FieldGeometry& field = setup.field;
+    call =
+        withBall(setup, referee_.state(), call,
+                 {rng_.uniform(-field.length, field.length), rng_.uniform(-field.width, field.width)}, log);
+  }
   const Placement placement = place(setup, referee_.state(), call, proposals(call), log);
   result_.repairs += static_cast<int>(log.size());
   if (const auto flaw = findPlacementFlaw(setup, referee_.state(), call, placement)) {

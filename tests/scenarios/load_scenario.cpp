@@ -132,6 +132,17 @@ struct Reader {
     return {};
   }
 
+  Result<void> stand(int i) {
+    ExpectedPlace p;
+    std::string id;
+    const Schema schema = {{"id", &id, 1, 10, "", "", true},
+                           {"position", &p.position, -kFar, kFar, "m", "", true}};
+    if (auto done = document.readElement("stand", i, schema); !done) return done;
+    p.id = words.robot(id);
+    scenario.places.push_back(p);
+    return {};
+  }
+
   bool has(const std::string& table, int i, std::string_view key) const {
     return document.elementHas(table, i, key);
   }
@@ -140,12 +151,14 @@ struct Reader {
 Result<void> readHead(const ConfigDocument& document, Words& words, const std::string& folder, Scenario& s) {
   std::string rules = "vsss-3v3", absent;
   Vec2 score{-1.0, -1.0};
+  bool delays = false;
   const Schema schema = {
       {"description", &s.description, 10, 400, "", "", true},
       {"rules", &rules, 1, 100, "", ""},
       {"mode", choice(s.mode, {"kinematic", "physics"}), 0, 0, "", ""},
       {"start", choice(s.start, {"given", "opening"}), 0, 0, "", ""},
       {"goes_on", &s.goes_on, 0, 0, "", ""},
+      {"delays", &delays, 0, 0, "", ""},
       {"seconds", &s.seconds, 0.0, kLong, "s", "", true},
       {"forbid", &s.forbid, 1, 400, "", ""},
       {"absent", &absent, 0, 10, "", ""},
@@ -161,6 +174,7 @@ Result<void> readHead(const ConfigDocument& document, Words& words, const std::s
   auto loaded = loadRules(rules.ends_with(".toml") ? folder + "/" + rules : rules);
   if (!loaded) return tl::unexpected<Error>(loaded.error());
   s.rules = *loaded;
+  if (!delays) s.rules.restart.delay = s.rules.restart.goal_delay = 0.0;
   return document.read(
       "ball",
       {{"position", &s.ball, -kFar, kFar, "m", ""}, {"velocity", &s.ball_velocity, -kFast, kFast, "m/s", ""}},
@@ -173,7 +187,8 @@ Result<Scenario> loadScenario(const std::string& folder, const std::string& name
   const std::string path = folder + "/scenario.toml";
   const auto text = readTextFile(path, kMaxTomlBytes);
   if (!text) return tl::unexpected<Error>(text.error());
-  const std::array<std::string, 6> tables = {"scenario", "ball", "robot", "move", "contact", "expect"};
+  const std::array<std::string, 7> tables = {"scenario", "ball",   "robot", "move",
+                                             "contact",  "expect", "stand"};
   const auto document = ConfigDocument::parse(*text, path, tables);
   if (!document) return tl::unexpected<Error>(document.error());
   Scenario scenario;
@@ -184,7 +199,8 @@ Result<Scenario> loadScenario(const std::string& folder, const std::string& name
   Reader reader{*document, words, scenario};
   for (const auto& [table, read] :
        {std::pair{"robot", &Reader::robot}, std::pair{"move", &Reader::move},
-        std::pair{"contact", &Reader::contact}, std::pair{"expect", &Reader::expect}}) {
+        std::pair{"contact", &Reader::contact}, std::pair{"expect", &Reader::expect},
+        std::pair{"stand", &Reader::stand}}) {
     if (auto done = reader.each(table, read); !done) return tl::unexpected<Error>(done.error());
   }
   if (!words.error().empty()) return fail(ErrorCode::kBadInput, words.error());

@@ -46,6 +46,9 @@ Scenario inVariant(Scenario s, ScenarioVariant variant) {
     if (e.team) swap(*e.team);
     if (e.restart_team) swap(*e.restart_team);
   }
+  for (ExpectedPlace& p : s.places) {
+    rotate(p.position), swap(p.id.team);
+  }
   if (variant.colours) std::swap(s.present[0], s.present[1]);
   if (s.score && variant.colours) s.score = Vec2{s.score->y, s.score->x};
   FirstKickOff& first = s.rules.periods.first_kick_off;
@@ -276,6 +279,14 @@ std::string Play::verdict() const {
     if (!used[i])
       wrong += forbidden(scenario_.forbid, called_[i].event.clause) ? describe(called_[i]) + "\n" : "";
     if (called_[i].event.margin < 0.0) wrong += "negative margin: " + describe(called_[i]) + "\n";
+  }
+  for (const ExpectedPlace& place : scenario_.places) {
+    const std::size_t i = find(place.id);
+    constexpr double kRounding = 1e-9;  // [m]
+    const Vec2 at = i < robots_.size() ? robots_[i].pose.position : Vec2{1e3, 1e3};
+    if (distance(at, place.position) <= kRounding) continue;
+    wrong +=
+        fmt::format("{} {} stands at ({:.4f}, {:.4f})\n", nameOf(place.id.team), place.id.number, at.x, at.y);
   }
   const PerTeam<int>& score = referee_.state().score;
   if (scenario_.score && (score[0] != scenario_.score->x || score[1] != scenario_.score->y)) {

@@ -60,6 +60,12 @@ struct ExpectedEvent {
   double from = 0.0, until = 0.0;  ///< [s]
 };
 
+/// Where a robot must stand in the end, exactly.
+struct ExpectedPlace {
+  RobotId id;
+  Vec2 position;
+};
+
 /// One situation and what the referee is to make of it.
 struct Scenario {
   std::string name;         ///< rule/name, of its folder
@@ -77,6 +83,7 @@ struct Scenario {
   std::vector<ScenarioMove> moves;
   std::vector<ScenarioContact> contacts;
   std::vector<ExpectedEvent> expected;
+  std::vector<ExpectedPlace> places;
 };
 
 /// Reads `folder/scenario.toml`. Errors name file, line and key.

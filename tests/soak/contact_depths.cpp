@@ -1,10 +1,10 @@
-// Plays matches of all pairings of the built-in teams and looks after every control tick how deep bodies are in
-// each other, with a geometry of its own.
+// Plays matches of all pairings of the built-in teams and looks after every control tick how deep bodies are
+// in each other, with a geometry of its own.
 //
 //   contact_depths [MATCHES] [PHYSICS] [ROBOT] [RULES] [HALF_SECONDS] [SEED]
 //
-// Prints the deepest of each pairing. Exit code 0: ball in robot at most 2 mm, and robot in robot at most 5 mm
-// (on `fast` only printed); 1: deeper.
+// Prints the deepest of each pairing. Exit code 0: ball in robot at most 2 mm, and robot in robot at most 5
+// mm (on `fast` only printed); 1: deeper.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -42,7 +42,9 @@ class DepthWatch : public MatchObserver {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto argument = [&](int i, const char* otherwise) { return std::string(argc > i ? argv[i] : otherwise); };
+  const auto argument = [&](int i, const char* otherwise) {
+    return std::string(argc > i ? argv[i] : otherwise);
+  };
   MatchConfig config;
   const int matches = std::atoi(argument(1, "1").c_str());
   config.physics = get(loadPhysics(argument(2, "standard")));
@@ -65,8 +67,8 @@ int main(int argc, char** argv) {
         while (match.step()) {
         }
       }
-      std::printf("%-8s %-8s ball in robot %5.2f mm, robot in robot %5.2f mm\n", teams[i].c_str(), teams[k].c_str(),
-                  1e3 * watch.depths.ball, 1e3 * watch.depths.robot);
+      std::printf("%-8s %-8s ball in robot %5.2f mm, robot in robot %5.2f mm\n", teams[i].c_str(),
+                  teams[k].c_str(), 1e3 * watch.depths.ball, 1e3 * watch.depths.robot);
       std::fflush(stdout);
       good &= watch.depths.ball <= kBallDepth;
       good &= config.physics.name == "fast" || watch.depths.robot <= kRobotDepth;

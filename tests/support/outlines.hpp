@@ -26,7 +26,8 @@ inline double depthOf(const RobotModel& model, const Pose2& a, const Pose2& b) {
 /// The same of a robot and a disc.
 inline double depthOf(const RobotModel& model, const Pose2& robot, Vec2 disc, double radius) {
   const Vec2 ahead = math::unit(robot.heading), to = disc - robot.position;
-  const double x = std::abs(dot(ahead, to)) - model.length / 2, y = std::abs(cross(ahead, to)) - model.width / 2;
+  const double x = std::abs(dot(ahead, to)) - model.length / 2,
+               y = std::abs(cross(ahead, to)) - model.width / 2;
   if (x <= 0.0 && y <= 0.0) return radius - std::max(x, y);
   return radius - norm(Vec2{std::max(x, 0.0), std::max(y, 0.0)});
 }
@@ -39,7 +40,8 @@ struct Depths {
   void look(const RobotModel& model, double ball_radius, const WorldState& world) {
     for (std::size_t i = 0; i < world.robots.size(); ++i) {
       const Pose2& pose = world.robots[i].pose;
-      for (const BallState& b : world.balls) ball = std::max(ball, depthOf(model, pose, b.position, ball_radius));
+      for (const BallState& b : world.balls)
+        ball = std::max(ball, depthOf(model, pose, b.position, ball_radius));
       for (std::size_t k = i + 1; k < world.robots.size(); ++k) {
         robot = std::max(robot, depthOf(model, pose, world.robots[k].pose));
       }

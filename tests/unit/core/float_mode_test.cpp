@@ -20,7 +20,8 @@ bool keepsSmallNumbers() {
 
 }  // namespace
 
-TEST_CASE("whatever mode a thread is in, numbers are handled the same way, and the thread gets its mode back", "[unit]") {
+TEST_CASE("whatever mode a thread is in, numbers are handled the same way, and the thread gets its mode back",
+          "[unit]") {
   const unsigned before = _mm_getcsr();
   _mm_setcsr(before | kFlush | kUpward);
   CHECK_FALSE(keepsSmallNumbers());

@@ -58,4 +58,21 @@ TEST_CASE("stretches around events stay within the recording", "[unit]") {
   CHECK(ranges[2].to == 20.0);
 }
 
+TEST_CASE("a thread that runs out of memory ends the film, which nobody waits for", "[unit]") {
+  static const ReplayTimeline timeline = test::sampleReplay();
+  MatchPictureSpec spec = *pictureSpecOf(timeline);
+  spec.width = 200;
+  const auto picture = MatchPicture::create(spec);
+  REQUIRE(picture);
+  for (const int jobs : {1, 3}) {
+    const FrameJob job{&timeline, &*picture, {}, filmTimes({{0.0, 20.0}}, 5.0, 4.0), jobs};
+    const auto draw = [&] {
+      return forEachFrame(
+          job, []() -> FramePacker { return [](Canvas&, std::string&) { throw std::bad_alloc(); }; },
+          [](std::size_t, std::string&) -> Result<void> { return {}; });
+    };
+    CHECK_THROWS_AS(draw(), std::bad_alloc);
+  }
+}
+
 }  // namespace fulbito

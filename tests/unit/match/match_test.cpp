@@ -161,7 +161,9 @@ TEST_CASE("what cannot be played is refused with the reason", "[unit]") {
   CHECK(refusal([](MatchConfig& c) { c.vision.dropout = 1.0; }) ==
         "vision drop-out: 1 is outside 0 ... 0.99");
   CHECK(refusal([](MatchConfig& c) { c.decision_work = -1; }) == "decision work: -1 is below 0");
-  CHECK(refusal([](MatchConfig& c) { c.field.goal_width = 0.0; }) == "field 'vsss-3v3' has no goals");
+  CHECK(
+      refusal([](MatchConfig& c) { c.field.goal_width = 0.0; }) ==
+      "the rules 'vsss-3v3' cannot be played on the field 'vsss-3v3': field.goal_width = 0, it has no goals");
   CHECK(refusal([](MatchConfig& c) { c.field.length = 100.0; }).find("length") != std::string::npos);
   CHECK(refusal([](MatchConfig& c) { c.physics.substeps = 0; }).find("substeps") != std::string::npos);
   CHECK(refusal([](MatchConfig& c) { c.scoreboard.period = 4; }) ==

@@ -151,6 +151,7 @@ TEST_CASE("teams' drawings are kept in the world's frame", "[unit]") {
   });
   MatchConfig config = shortMatch("chaser", "chaser", 1.0);
   config.teams[1] = artist.choice();
+  config.rules.restart.delay = 0.0;
   const auto chunk = recordedWithDrawings(config, 20).chunk(0);
   REQUIRE(chunk);
   REQUIRE(chunk->drawings.size() == 40);  // two halves of a second

@@ -1,9 +1,11 @@
 #include "match/restart.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "referee/restart_call.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/match/test_teams.hpp"
 
@@ -168,6 +170,99 @@ TEST_CASE("robots held before the signal do not move, free ones do", "[unit]") {
   }
   const bool moved = distance(before, match->world().robots[1].pose.position) > 0.005;
   CHECK(moved != config.rules.restart.hold_robots);
+}
+
+namespace {
+
+/// Looks at what happens between the placement and the signal.
+struct Waiting final : MatchObserver {
+  Placement placed;
+  Tick play_ticks = 0;
+  Tick waited = 0, plays = 0;
+  double ball_moved = 0.0, robot_moved = 0.0, robot_speed = 0.0;
+  bool clock_ran = false;
+
+  void playBegins(const PlayStart& start) override {
+    placed = start.placement;
+    play_ticks = start.referee->play_ticks;
+    waiting_ = !start.referee->playing;
+    ++plays;
+  }
+  void ticked(const MatchTick& tick) override {
+    if (!waiting_) return;
+    ++waited;
+    clock_ran = clock_ran || tick.referee->play_ticks != play_ticks;
+    const BallState& ball = tick.world->balls.front();
+    ball_moved = std::max(ball_moved, distance(ball.position, placed.ball));
+    for (std::size_t i = 0; i < tick.ids.size(); ++i) {
+      const RobotState& robot = tick.world->robots[i];
+      const Vec2 from = placed.robots[indexOf(tick.ids[i].team)][tick.ids[i].number]->position;
+      robot_moved = std::max(robot_moved, distance(robot.pose.position, from));
+      robot_speed = std::max(robot_speed, norm(robot.velocity));
+    }
+    waiting_ = !tick.referee->playing;
+  }
+
+ private:
+  bool waiting_ = false;
+};
+
+}  // namespace
+
+TEST_CASE("with the profiles' delays ball, robots and clock stand still until the signal", "[unit]") {
+  const std::string rules = GENERATE("vsss-3v3", "vsss-5v5");
+  MatchConfig config = shortMatch("random", "libero");
+  config.rules = *loadRules(rules);
+  CHECK(config.rules.restart.delay > 0.0);
+  CHECK(config.rules.restart.goal_delay > 0.0);
+  CHECK(config.rules.restart.hold_robots);
+  config.rules.free_ball.others = FreeBallOthers::kTable;  // robots that may stay may also overlap
+  config.rules.half_seconds = 60.0;
+  config.field = *loadField(config.rules.field);
+  auto match = Match::create(config);
+  REQUIRE(match);
+  Waiting waiting;
+  match->watch(waiting);
+  while (match->step()) {
+  }
+  CHECK(match->referee().ended);
+  CHECK(match->referee().match_ticks == 2 * 3600);
+  CHECK(waiting.plays > 4);
+  const double dt = config.physics.controlPeriod();
+  CHECK(static_cast<double>(waiting.waited) * dt ==
+        Approx(static_cast<double>(waiting.plays) * config.rules.restart.delay));
+  CHECK(match->tick() == match->referee().match_ticks + waiting.waited);
+  CHECK_FALSE(waiting.clock_ran);
+  CHECK(waiting.ball_moved < 1e-6);
+  CHECK(waiting.robot_moved < 1e-6);
+  CHECK(waiting.robot_speed < 1e-6);
+}
+
+TEST_CASE("the taking team chooses where a goal kick's ball lies, and the other team is told", "[unit]") {
+  std::vector<Vec2> told;
+  const Vec2 wish{-0.64, -0.21};
+  const Place place = [&](const PlacementRequest& request) {
+    TeamProposal proposal(request.defaults);
+    if (request.ours) proposal.ball = wish;
+    told.push_back(request.ball);
+    return proposal;
+  };
+  const TestEntry entry(stand, place);
+  MatchConfig config = shortMatch();
+  config.teams = {entry.choice(), entry.choice()};
+  const RefereeSetup setup = refereeSetup(config);
+  for (const TeamId team : kTeams) {
+    told.clear();
+    config.opening = makeCall(setup, {}, {RestartKind::kGoalKick, team, {}, nullptr});
+    const Starts::Start start = firstStart(config);
+    REQUIRE(told.size() == 2);
+    CHECK(distance(told[1], -wish) < 1e-9);
+    CHECK(distance(start.placement.ball, team == TeamId::kBlue ? wish : -wish) < 1e-9);
+    CHECK(start.call.ball == start.placement.ball);
+    CHECK(start.legal);
+    // The keeper of the defaults was asked for where the table's ball would be: it stays there.
+    CHECK(start.repairs == 0);
+  }
 }
 
 TEST_CASE("a state that no world can be made of is an error, not an empty field", "[unit]") {

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "match/statistics.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/match/test_teams.hpp"
 
@@ -77,6 +78,25 @@ TEST_CASE("the second leg exchanges the seats: points and goals follow the team"
   CHECK(series->wins == wins);
   CHECK(series->draws == draws);
   CHECK(wins > 0);
+  // The same as the statistics of each match alone.
+  MatchConfig first = config.match;
+  first.seed = series->pairs[0].seed;
+  auto match = Match::create(first);
+  REQUIRE(match);
+  StatisticsObserver watcher;
+  match->watch(watcher);
+  while (match->step()) {
+  }
+  int paid = 0, sum = 0;
+  for (const TeamId team : kTeams) {
+    const int goals = watcher.statistics().teams[indexOf(team)].goals_after_foul;
+    CHECK(series->pairs[0].legs[0].goals_after_foul[indexOf(team)] == goals);
+  }
+  for (const PairRecord& pair : series->pairs) {
+    for (const LegRecord& leg : pair.legs) sum += leg.goals_after_foul[0] + leg.goals_after_foul[1];
+  }
+  paid = series->goals_after_foul_for + series->goals_after_foul_against;
+  CHECK(paid == sum);
   CHECK(series->points_share.value == Approx((wins + 0.5 * draws) / 4));
   CHECK(series->goal_difference.value == Approx((series->goals_for - series->goals_against) / 4.0));
 }

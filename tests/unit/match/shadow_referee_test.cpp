@@ -116,7 +116,8 @@ TEST_CASE("several recordings add up, and a trial is refused", "[unit]") {
   CHECK(comparison.files == 2);
   CHECK(comparison.plays.size() == 2 * plays);
   CHECK(comparison.plays.back().file == 1);
-  CHECK(comparison.seconds == Approx(28.0));
+  const double delays = 2.0 * static_cast<double>(plays) * rules.restart.delay;
+  CHECK(comparison.seconds == Approx(28.0 + delays));
 
   RecordingHeader header = reader.header();
   header.kind = RecordingKind::kTrial;
@@ -127,6 +128,27 @@ TEST_CASE("several recordings add up, and a trial is refused", "[unit]") {
   const auto trial = RecordingReader::parse(bytes, "trial");
   REQUIRE(trial);
   CHECK(compareRules(*trial, rules, rules, comparison).error().code == ErrorCode::kBadInput);
+}
+
+TEST_CASE("a play without its ball cannot be judged", "[unit]") {
+  const MatchConfig config = standstill(2.0);
+  const RecordingHeader header = recordingHeader(config, RecordingLevel::kRecipe);
+  std::string bytes;
+  auto writer = RecordingWriter::create(into(bytes), header);
+  REQUIRE(writer);
+  RecordedPlay play;
+  play.starts.resize(header.bodies.size());  // nobody is there
+  writer->beginPlay(play);
+  const WorldState empty;
+  for (int tick = 0; tick < 5; ++tick) writer->add(RecordingTick{&empty, {}, 0, true});
+  REQUIRE(writer->finish({}));
+  const auto reader = RecordingReader::parse(bytes, "test");
+  REQUIRE(reader);
+  RulesComparison comparison;
+  const auto judged = compareRules(*reader, *loadRules("vsss-3v3"), *loadRules("training"), comparison);
+  REQUIRE_FALSE(judged);
+  CHECK(judged.error().code == ErrorCode::kBadInput);
+  CHECK(judged.error().message == "there is no ball in play 1");
 }
 
 }  // namespace fulbito

@@ -2,8 +2,11 @@
 
 #include <string>
 
+#include <fmt/format.h>
+
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/unit/match/test_teams.hpp"
 
 namespace fulbito {
 namespace {
@@ -80,6 +83,29 @@ TEST_CASE("a bad start state is refused with file, line and key", "[unit]") {
         "s.toml:9: robot[1].number = 1 of blue is there already");
   CHECK(refusal("[ball]\nposition = [0, nan]\n").rfind("s.toml:2: ball.position", 0) == 0);
   CHECK(refusal("[ball]\nposition = [0, 0]\n[match]\nperiod = 4\n").rfind("s.toml:4: match.period", 0) == 0);
+}
+
+TEST_CASE("a start that its match cannot take is named with file, line and key", "[unit]") {
+  const test::ScratchFolder folder;
+  MatchConfig match = test::shortMatch("chaser", "chaser", 5.0);
+  const auto flaw = [&](const std::string& text) {
+    const auto start = loadStartState(folder.write("s.toml", text), match);
+    if (start) return std::string("none");
+    CHECK(start.error().code == ErrorCode::kBadInput);
+    const std::string& message = start.error().message;
+    return message.substr(message.find("s.toml:"));
+  };
+  const std::string ball = "[ball]\nposition = [0.1, 0.1]\n";
+  const auto robot = [](int number, const char* place) {
+    return fmt::format("[[robot]]\nteam = \"blue\"\nnumber = {}\nposition = {}\n", number, place);
+  };
+  CHECK(flaw(ball + robot(0, "[0.3, 0.1]")) == "none");
+  CHECK(flaw("[ball]\nposition = [5, 5]\n").starts_with("s.toml:2: ball.position = [5, 5] is outside"));
+  CHECK(flaw(ball + robot(0, "[0.3, 0.1]") + robot(1, "[0.31, 0.1]")).starts_with("s.toml:10: "));
+  CHECK(flaw(ball + robot(0, "[0.1, 0.1]")).find("is in the ball") != std::string::npos);
+  CHECK(flaw(ball + robot(0, "[5, 5]")).find("is outside the field") != std::string::npos);
+  CHECK(flaw(ball + robot(9, "[0.3, 0.1]")).find("counted from 0") != std::string::npos);
+  CHECK(flaw(ball + "[match]\nplay_seconds = 240\n").starts_with("s.toml:4: match.play_seconds = 240"));
 }
 
 }  // namespace fulbito

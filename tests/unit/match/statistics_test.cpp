@@ -46,6 +46,13 @@ struct Scene {
   void touch(std::uint16_t robot, bool began = true) {
     contacts.push_back({{BodyKind::kRobot, robot}, {BodyKind::kBall, 0}, {}, {}, 0.1, began});
   }
+  void foul(std::string_view clause, TeamId team) {
+    GameEvent event;
+    event.clause = clause;
+    event.team = team;
+    events.push_back(event);
+    step();
+  }
   void goalFor(TeamId team) {
     ++referee.score[indexOf(team)];
     GameEvent event;
@@ -57,6 +64,7 @@ struct Scene {
   void step(int ticks = 1) {
     for (int i = 0; i < ticks; ++i) {
       ++tick;
+      if (referee.playing) ++referee.match_ticks;
       MatchTick now;
       now.tick = tick;
       now.ids = ids;
@@ -223,6 +231,37 @@ TEST_CASE("contacts are counted when they begin, by who touches whom", "[unit]")
   CHECK(scene.of(TeamId::kYellow).wall_contacts == 1);
   CHECK(scene.stats().opponent_contacts == 1);
   CHECK(scene.of(TeamId::kBlue).mate_contacts == 0);
+}
+
+TEST_CASE("a goal within five seconds of play after a foul of who scores is put down to that foul",
+          "[unit]") {
+  Scene scene;
+  const auto blue = [&] { return scene.of(TeamId::kBlue).goals_after_foul; };
+  scene.foul("goal-kick.keeper-charged", TeamId::kBlue);
+  scene.foul("penalty.defenders", TeamId::kYellow);
+  scene.step(299);
+  scene.goalFor(TeamId::kBlue);
+  scene.step();
+  CHECK(blue() == 0);  // a tick too late
+  scene.foul("goal-kick.attackers", TeamId::kBlue);
+  scene.foul("goal-kick.keeper-charged", TeamId::kBlue);
+  scene.referee.playing = false;  // the clock stands
+  scene.step(600);
+  scene.referee.playing = true;
+  scene.step(299);
+  scene.goalFor(TeamId::kBlue);
+  scene.step();
+  CHECK(blue() == 1);
+  scene.goalFor(TeamId::kYellow);
+  scene.step();
+  CHECK(scene.of(TeamId::kYellow).goals_after_foul == 0);  // blue's foul
+  for (const char* call : {"free-ball", "placement", "kick-off", "half"}) scene.foul(call, TeamId::kYellow);
+  scene.goalFor(TeamId::kYellow);
+  scene.step();
+  CHECK(scene.of(TeamId::kYellow).goals_after_foul == 0);  // no fouls
+  for (const CallCount& count : scene.stats().calls) {
+    CHECK(count.paid == PerTeam<int>{count.clause == "goal-kick.keeper-charged" ? 1 : 0, 0});
+  }
 }
 
 TEST_CASE("the referee's calls are counted by clause and team", "[unit]") {

@@ -55,6 +55,8 @@ TEST_CASE("a match's JSON has the promised keys and the figures of the statistic
   CHECK(json["score"]["goals"].size() == played.report.statistics.goals.size());
   CHECK(json["events"].size() == played.report.events.size());
   CHECK(json["stats"]["blue"]["robots"].size() == 3);
+  CHECK(json["stats"]["blue"]["goals_after_foul"] == played.report.statistics.teams[0].goals_after_foul);
+  for (const auto& [clause, count] : json["stats"]["calls"].items()) CHECK(count["paid"].contains("yellow"));
   CHECK(json["stats"]["play_s"].get<double>() == Approx(40.0));
   CHECK(json["x_realtime"].get<double>() == Approx(json["simulated_s"].get<double>() / 0.5));
   CHECK(json["stats"]["blue"]["possession_share"].get<double>() +
@@ -86,13 +88,17 @@ TEST_CASE("the summary tells score, table, speed and hash; the profile when it w
   const std::string text = matchText(played.report);
   for (const char* part :
        {"chaser (blue) ", "possession", "shots (on goal)", "ball in own third", "distance run",
-        "contacts of opponents", "commands rejected", "kick-offs", "x real time", "final hash", "seed 1"}) {
+        "contacts of opponents", "commands rejected", "goals within 5 s of own foul", "kick-offs",
+        "x real time", "final hash", "seed 1"}) {
     INFO(part);
     CHECK(text.find(part) != std::string::npos);
   }
   CHECK(text.find("physics  ") == std::string::npos);
   played.report.profile = MatchProfile{1, 2, 3, 60, 5, 6, 23, 10};
   CHECK(matchText(played.report).find("physics       60.0 %") != std::string::npos);
+  played.report.statistics.calls = {{"goal-kick.attackers", {4, 2}, 0, {3, 0}}};
+  const std::string paid = matchText(played.report);
+  CHECK(paid.find("4 (3 paid)             2\n") != std::string::npos);
   CHECK(Json::parse(matchJson(played.report))["compute_profile"]["physics_ns"] == 60);
 }
 
@@ -129,9 +135,9 @@ TEST_CASE("a series' report: rows of both legs, intervals, null where one pair g
   REQUIRE(played);
   report.result = *played;
   const Json json = Json::parse(seriesJson(report));
-  for (const char* key :
-       {"points_share", "points_share_low", "points_share_high", "goal_difference", "goal_difference_low",
-        "goal_difference_high", "wins", "draws", "losses", "pairs"}) {
+  for (const char* key : {"points_share", "points_share_low", "points_share_high", "goal_difference",
+                          "goal_difference_low", "goal_difference_high", "wins", "draws", "losses", "pairs",
+                          "goals_after_foul_for", "goals_after_foul_against"}) {
     CHECK(json.contains(key));
   }
   CHECK(json["points_share"] == 0.5);  // A against itself cancels
@@ -139,6 +145,8 @@ TEST_CASE("a series' report: rows of both legs, intervals, null where one pair g
   REQUIRE(json["matches"].size() == 2);
   CHECK(json["matches"][0]["goals_a"] == json["matches"][1]["goals_b"]);
   CHECK(json["matches"][1]["blue"] == "b");
+  CHECK(json["matches"][0]["goals_after_foul_a"] == json["matches"][1]["goals_after_foul_b"]);
+  CHECK(seriesText(report).find("within 5 s of the scoring team's own foul") != std::string::npos);
   CHECK(report.simulated() >= 40.0);
   CHECK(seriesText(report).find("points share") != std::string::npos);
 }

@@ -12,7 +12,7 @@
 namespace fulbito::test {
 
 using Decide = std::function<TeamCommand(const Observation&)>;
-using Place = std::function<std::optional<TeamPlacement>(const PlacementRequest&)>;
+using Place = std::function<std::optional<TeamProposal>(const PlacementRequest&)>;
 
 /// A team that does what a test wants.
 class TestTeam final : public Strategy {
@@ -22,7 +22,7 @@ class TestTeam final : public Strategy {
   void begin(const MatchInfo&) override {}
   std::span<const NavigatorChoice> navigators() const override { return navigators_; }
   TeamCommand decide(const Observation& observation) override { return decide_(observation); }
-  std::optional<TeamPlacement> place(const PlacementRequest& request) override {
+  std::optional<TeamProposal> place(const PlacementRequest& request) override {
     return place_ ? place_(request) : std::nullopt;
   }
 

@@ -159,7 +159,9 @@ TEST_CASE("a sampled state that was moved is named with its coordinate", "[unit]
 }
 
 TEST_CASE("another recipe than the recorded one is noticed", "[unit]") {
-  const RecordingReader reader = readerOf(recorded(shortMatch("chaser", "chaser", 10.0)));
+  MatchConfig config = shortMatch("chaser", "chaser", 10.0);
+  config.rules.restart.delay = 0.0;  // before the signal nothing moves, whatever the recipe
+  const RecordingReader reader = readerOf(recorded(config));
   RecordingHeader header = reader.header();
   RobotPreset robot = *parseRobot(header.recipe.robot, "robot");
   robot.robot.wheel_acceleration *= 1.001;

@@ -9,10 +9,12 @@
 
 namespace fulbito::testing {
 
-/// A match's setup from an embedded profile, with its field and the league robot.
+/// A match's setup from an embedded profile, with its field and the league robot. Play begins as soon as all
+/// are placed: a test of the delays sets them itself.
 inline RefereeSetup setupOf(const std::string& profile) {
   RefereeSetup setup;
   setup.rules = *loadRules(profile);
+  setup.rules.restart.delay = setup.rules.restart.goal_delay = 0.0;
   setup.field = *loadField(setup.rules.field);
   const RobotPreset robot = *loadRobot("vsss");
   setup.robot = robot.robot;

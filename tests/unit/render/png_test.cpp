@@ -141,7 +141,7 @@ TEST_CASE("a disk that fills up leaves the older picture and no part of the new 
   }
   REQUIRE_FALSE(written);
   CHECK(written.error().code == ErrorCode::kIo);
-  CHECK(written.error().message == "cannot write " + file + ": File too large");
+  CHECK(written.error().message == "cannot write '" + file + "': File too large");
   CHECK(content(file) == before);
   CHECK(folder.entries() == 1);
 }

@@ -50,13 +50,13 @@ struct Told {
 class Teller {
  public:
   explicit Teller(Told& told)
-      : told_(told),
-        writer_(*RecordingWriter::create(
-            [&told](std::string_view bytes) -> Result<void> {
-              told.bytes.append(bytes);
-              return {};
-            },
-            told.header)) {}
+      : Teller(told, *RecordingWriter::create(
+                         [&told](std::string_view bytes) -> Result<void> {
+                           told.bytes.append(bytes);
+                           return {};
+                         },
+                         told.header)) {}
+  Teller(Told& told, RecordingWriter writer) : told_(told), writer_(std::move(writer)) {}
 
   void tell(int ticks, bool finish) {
     for (int tick = 0; tick < ticks; ++tick) {
@@ -67,12 +67,16 @@ class Teller {
         writer_.add(RecordedDrawing{
             tick + 1, TeamId::kYellow, RecordedDrawing::Kind::kText, {0.1234, -0.5}, {}, 0.25, "pass"});
     }
-    if (!finish) return;
+    if (finish) (void)this->finish(ticks);
+  }
+
+  RecordingWriter& writer() { return writer_; }
+  Result<void> finish(int ticks) {
     told_.result.ticks = ticks;
     told_.result.score = {3, 1};
     told_.result.final_hash = hash_.value();
     told_.result.figures = {{"length", 1.25}};
-    (void)writer_.finish(told_.result);
+    return writer_.finish(told_.result);
   }
 
  private:

@@ -26,7 +26,8 @@ bool allInside(const World& world) {
 enum class Target { kRobot, kTwoRobots, kRobotAtWall };
 
 // A ball shot along +x at resting robots around the origin, from anywhere behind, at any of their headings.
-WorldConfig shotAt(Target target, const RobotPreset& preset, const PhysicsProfile& physics, double speed, Rng& rng) {
+WorldConfig shotAt(Target target, const RobotPreset& preset, const PhysicsProfile& physics, double speed,
+                   Rng& rng) {
   WorldConfig config{wideField(), readEachStep(physics), {}, {}, {}};
   const double half = preset.robot.width / 2;
   double aside = rng.uniform(-0.045, 0.045);

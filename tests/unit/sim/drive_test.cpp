@@ -53,7 +53,8 @@ TEST_CASE("a measured yaw acceleration stands for mass and shape", "[unit]") {
 }
 
 TEST_CASE("a wheel that holds its speed helps to move the body that the other one turns", "[unit]") {
-  // Right pulls F, left keeps its rim at rest: v = (track / 2) w at every moment, and both forces are limited.
+  // Right pulls F, left keeps its rim at rest: v = (track / 2) w at every moment, and both forces are
+  // limited.
   const RobotModel robot = plainRobot();
   const double share = robot.turnShare();
   Drive drive(robot, kStep, 0.0);

@@ -14,13 +14,13 @@ using namespace fulbito::test;
 
 namespace {
 
-constexpr double kFrame = 0.016;       // [s]
-constexpr double kFollowed = 1.0;      // [s] after which the ways are compared
-constexpr double kYawShare = 0.10;     // of the recorded yaw rate
-constexpr double kLeastYaw = 0.1;      // [rad/s] below which a share of it means nothing
-constexpr double kWayShare = 0.05;     // of the way driven so far
-constexpr double kLeastWay = 0.005;    // [m]
-constexpr std::size_t kSettled = 12;   // frames of one command after which the step is over: 0.19 s
+constexpr double kFrame = 0.016;      // [s]
+constexpr double kFollowed = 1.0;     // [s] after which the ways are compared
+constexpr double kYawShare = 0.10;    // of the recorded yaw rate
+constexpr double kLeastYaw = 0.1;     // [rad/s] below which a share of it means nothing
+constexpr double kWayShare = 0.05;    // of the way driven so far
+constexpr double kLeastWay = 0.005;   // [m]
+constexpr std::size_t kSettled = 12;  // frames of one command after which the step is over: 0.19 s
 
 struct Sample {
   WheelSpeeds wheels;
@@ -68,7 +68,7 @@ bool sameWheels(const Sample& a, const Sample& b) {
 }
 
 struct Comparison {
-  double off = 0.0;    // [m] after `kFollowed` or at the end
+  double off = 0.0;      // [m] after `kFollowed` or at the end
   double allowed = 0.0;  // [m]
   bool yaws_agree = true;
   std::string yaws;
@@ -100,7 +100,8 @@ int runsThatAgree(const std::map<std::string, Run>& runs, const RobotModel& robo
   int agree = 0;
   for (const auto& [name, run] : runs) {
     const Comparison result = compare(run, driven(run, robot, physics));
-    UNSCOPED_INFO(name << ": off " << 1e3 * result.off << " mm of " << 1e3 * result.allowed << ", yaw" << result.yaws);
+    UNSCOPED_INFO(name << ": off " << 1e3 * result.off << " mm of " << 1e3 * result.allowed << ", yaw"
+                       << result.yaws);
     agree += result.off <= result.allowed && result.yaws_agree ? 1 : 0;
   }
   return agree;

@@ -65,7 +65,8 @@ double topSpeed(const RobotModel& robot, const PhysicsProfile& physics, double w
 }  // namespace
 
 // The figures were read off a simulator that acts 3 ms after a command: its recorded runs
-// (recorded_driving_test) begin so. They ask for 6.5 m/s2 and 7.5 m/s2 in braking, the runs for 7.0 both ways.
+// (recorded_driving_test) begin so. They ask for 6.5 m/s2 and 7.5 m/s2 in braking, the runs for 7.0 both
+// ways.
 TEST_CASE("the vsss robot speeds up as measured: 95 % of four speeds within 8 %", "[unit]") {
   constexpr double kDelay = 0.003;  // [s]
   const RobotModel robot = vsssPreset().robot;

@@ -95,7 +95,8 @@ TEST_CASE("where walls overlap at a goal post, only faces that look into the fie
   }
   CHECK(end_walls == 4);
   CHECK(goal_sides == 4);
-  // The upper side of the left goal looks down: its end pushes along the end wall's face, its back does not push.
+  // The upper side of the left goal looks down: its end pushes along the end wall's face, its back does not
+  // push.
   CHECK(pushesInward({0.0, -1.0}, {1.0, 0.0}));
   CHECK_FALSE(pushesInward({0.0, -1.0}, {0.0, 1.0}));
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "engine/core/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/libero_scenes.hpp"
 
@@ -14,7 +15,7 @@ TEST_CASE("libero keeps its places legal at every restart", "[unit]") {
         PlacementRequest request{static_cast<RestartKind>(kind), ours, {-0.375, 0.4}, {}, {}};
         const auto placed = team->place(request);
         REQUIRE(placed);
-        for (const auto& pose : *placed) {
+        for (const auto& pose : placed->robots) {
           if (pose) CHECK(insideField(info.field, pose->position, 0.03));
         }
       }
@@ -48,9 +49,9 @@ TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
     REQUIRE(one);
     REQUIRE(next);
     for (const std::size_t i : {1, 2}) {
-      CHECK((*one)[i]->position.y != 0.0);
-      CHECK((*one)[i]->position.x == Approx((*next)[i]->position.x));
-      CHECK((*one)[i]->position.y == Approx(-(*next)[i]->position.y));
+      CHECK(one->robots[i]->position.y != 0.0);
+      CHECK(one->robots[i]->position.x == Approx(next->robots[i]->position.x));
+      CHECK(one->robots[i]->position.y == Approx(-next->robots[i]->position.y));
     }
   }
 }
@@ -64,7 +65,7 @@ TEST_CASE("libero waits for a kick-off on both sides of its line", "[unit]") {
     (*request.opponents)[2] = Pose2{{0.4, 0.0}, 3.14};
     const auto placed = team->place(request);
     REQUIRE(placed);
-    const Vec2 meeter = (*placed)[1]->position, support = (*placed)[2]->position;
+    const Vec2 meeter = placed->robots[1]->position, support = placed->robots[2]->position;
     CHECK(cross(taker, meeter) * cross(taker, support) < 0.0);
     CHECK(norm(meeter) < norm(support));
     for (const Vec2 place : {meeter, support}) {
@@ -74,16 +75,31 @@ TEST_CASE("libero waits for a kick-off on both sides of its line", "[unit]") {
   }
 }
 
-TEST_CASE("libero stands at the ball of their goal kick, outside their area", "[unit]") {
+TEST_CASE("libero awaits their goal kick in its own half, on the ball's side", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const auto team = test::liberoIn(info);
   for (const double side : {1.0, -1.0}) {
-    const Vec2 ball{0.6, side * 0.35};
-    const auto placed = team->place({RestartKind::kGoalKick, false, ball, {}, {}});
+    const auto placed = team->place({RestartKind::kGoalKick, false, {0.6, side * 0.35}, {}, {}});
     REQUIRE(placed);
-    const Vec2 place = (*placed)[1]->position;
-    CHECK(distance(place, ball) < 0.09);
-    CHECK(std::abs(place.y) > info.field.goal_area_width / 2 + info.robot.circumradius());
+    for (const std::size_t i : {1, 2}) {
+      CHECK(placed->robots[i]->position.x < -info.robot.circumradius());
+      CHECK(placed->robots[i]->position.y * side > 0.0);
+    }
+  }
+}
+
+TEST_CASE("libero's keeper stands between ball and goal at its own goal kick", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const auto team = test::liberoIn(info);
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 ball{-0.6, side * 0.35};
+    const auto placed = team->place({RestartKind::kGoalKick, true, ball, {}, {}});
+    REQUIRE(placed);
+    const Pose2 keeper = *placed->robots[0];
+    CHECK(keeper.position.x < ball.x);
+    CHECK(std::abs(keeper.position.y) < std::abs(ball.y));
+    CHECK(distance(keeper.position, ball) < 0.12);
+    CHECK(math::cos(keeper.heading - math::angleOf(ball - keeper.position)) > 0.99);
   }
 }
 

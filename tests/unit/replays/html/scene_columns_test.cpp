@@ -1,6 +1,7 @@
 #include "replays/html/scene_columns.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "engine/core/math.hpp"
 #include "replays/byte_io.hpp"
@@ -114,6 +115,13 @@ TEST_CASE("drawings are kept field by field", "[unit]") {
     CHECK(script.plain(2) == wanted);
   }
   CHECK(script.atEnd());
+}
+
+TEST_CASE("what is no number counts as 0", "[unit]") {
+  PageScene strange = test::sampleScene(), zero = test::sampleScene();
+  strange.rows[0].poses[0].position.x = std::numeric_limits<double>::quiet_NaN();
+  zero.rows[0].poses[0].position.x = 0.0;
+  CHECK(packedColumns(strange) == packedColumns(zero));
 }
 
 }  // namespace fulbito

@@ -1,0 +1,137 @@
+#include <csignal>
+#include <sys/stat.h>
+
+#include "tests/cli/sandbox.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace fulbito::test;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Runs the command, sends it the signal after some time, and gives its exit code and how long it went on.
+struct Ended {
+  int code = 0;
+  double seconds = 0.0;  ///< from the signal on
+};
+
+Ended signalled(const Sandbox& box, const std::string& command, const char* signal, double after = 0.6) {
+  const Output output = box.shell("$F " + command + " > said.txt 2>&1 & p=$!; sleep " +
+                                  std::to_string(after) + "; s=$(date +%s%N); kill -" + signal +
+                                  " $p; wait $p; c=$?; echo $c $((($(date +%s%N) - s) / 1000000))");
+  Ended ended;
+  double milliseconds = 0.0;
+  std::istringstream(output.out) >> ended.code >> milliseconds;
+  ended.seconds = milliseconds / 1000.0;
+  return ended;
+}
+
+constexpr double kSoon = 6.0;  // [s] more than the few seconds that work has to end by itself
+
+}  // namespace
+
+TEST_CASE("one signal ends any work soon, with the exit code of that signal", "[cli]") {
+  const Sandbox box;
+  REQUIRE(box.run("match libero classic --half-seconds 300 --record long.fbr").code == 0);
+  struct Case {
+    const char* command;
+    const char* signal;
+    int code;
+  };
+  for (const Case& c : {Case{"bench", "INT", 130}, Case{"bench", "TERM", 143}, Case{"bench", "HUP", 129},
+                        Case{"match libero libero --half-seconds 3000", "TERM", 143},
+                        Case{"match libero libero --half-seconds 3000 -n 50", "HUP", 129},
+                        Case{"drill libero --trials 5000", "TERM", 143},
+                        Case{"compare --suite corner --trials 20000 --out o", "HUP", 129},
+                        Case{"replay export long.fbr --trails --size 8000 --force", "INT", 130},
+                        Case{"replay export long.fbr --gif long.gif --force", "TERM", 143}}) {
+    INFO(c.command << " " << c.signal);
+    const Ended ended = signalled(box, c.command, c.signal);
+    CHECK(ended.code == c.code);
+    CHECK(ended.seconds < kSoon);
+  }
+  for (const auto& entry : fs::directory_iterator(box.path)) CHECK_FALSE(contains(entry.path(), ".tmp"));
+}
+
+TEST_CASE("playing again ends on a signal: verify, cut, repair, diff, rules compare, html", "[cli]") {
+  const Sandbox box;
+  REQUIRE(box.run("match libero libero --half-seconds 2400 --record a.fbr --recipe").code == 0);
+  REQUIRE(box.run("match libero libero --half-seconds 2400 --record b.fbr --recipe --seed 5").code == 0);
+  for (const std::string command :
+       {"replay verify a.fbr", "replay cut a.fbr c.fbr --from 0", "rules compare vsss-3v3 training a.fbr",
+        "replay export a.fbr --html a.html"}) {
+    INFO(command);
+    const Ended ended = signalled(box, command, "TERM", 0.15);
+    CHECK(ended.code == 143);
+    CHECK(ended.seconds < kSoon);
+  }
+  CHECK_FALSE(fs::exists(box.path / "c.fbr"));
+  CHECK_FALSE(fs::exists(box.path / "a.html"));
+}
+
+TEST_CASE("a signal ends waiting for a pipe", "[cli]") {
+  const Sandbox box;
+  REQUIRE(box.run("match chaser chaser --half-seconds 2 --record a.fbr").code == 0);
+  REQUIRE(::mkfifo((box.path / "pipe").c_str(), 0600) == 0);
+  for (const std::string command :
+       {"replay info pipe", "match --rules pipe", "match --start pipe", "run --layout pipe",
+        "run --robot pipe", "run --png pipe", "replay export a.fbr --csv pipe",
+        "match chaser chaser --half-seconds 1 --record pipe", "view pipe"}) {
+    INFO(command);
+    const Ended ended = signalled(box, command, "INT", 0.3);
+    CHECK(ended.code == 130);
+    CHECK(ended.seconds < kSoon);
+  }
+}
+
+TEST_CASE("a signal ends waiting for ffmpeg, which does not stay behind", "[cli]") {
+  const Sandbox box;
+  REQUIRE(box.run("match chaser chaser --half-seconds 10 --record a.fbr").code == 0);
+  fs::create_directory(box.path / "bin");
+  box.write("bin/ffmpeg", "#!/bin/sh\necho $$ > '" + (box.path / "pid").string() + "'\nexec sleep 100\n");
+  fs::permissions(box.path / "bin/ffmpeg", fs::perms::owner_all);
+  for (const char* ending : {"mp4", "webm"}) {
+    const std::string name = std::string("film.") + ending;
+    const Output output =
+        box.shell("PATH=" + (box.path / "bin").string() + ":$PATH; $F replay export a.fbr --" + ending + " " +
+                  name + " & p=$!; sleep 0.5; kill -TERM $p; wait $p; echo $?; " +
+                  "sleep 0.2; grep -q '^State:.[^Z]' /proc/$(cat pid)/status && echo alive; ls");
+    CHECK(output.out.starts_with("143\n"));
+    CHECK_FALSE(contains(output.out, "alive"));
+    CHECK_FALSE(contains(output.out, "film"));
+  }
+  // A second signal ends it at once, as clean.
+  const Output twice =
+      box.shell("PATH=" + (box.path / "bin").string() +
+                ":$PATH; $F replay export a.fbr --mp4 f.mp4 & p=$!; sleep 0.5; kill -INT $p; "
+                "kill -INT $p; wait $p; echo $?; sleep 0.2; grep -q '^State:.[^Z]' /proc/$(cat pid)/status "
+                "&& echo alive; ls");
+  CHECK(twice.out.starts_with("130\n"));
+  CHECK_FALSE(contains(twice.out, "alive"));
+  CHECK_FALSE(contains(twice.out, "f.mp4"));
+}
+
+TEST_CASE("a terminal that closes finishes the recording and tells what a series has", "[cli]") {
+  const Sandbox box;
+  const Ended match = signalled(box, "match chaser chaser --half-seconds 3600 --record a.fbr", "HUP");
+  CHECK(match.code == 129);
+  const Output verified = box.run("replay verify a.fbr");
+  CHECK(verified.code == 0);
+  CHECK(contains(verified.out, "the same, bit for bit"));
+  const Ended series =
+      signalled(box, "match chaser chaser --half-seconds 2 -n 100000 --json --jobs 1", "HUP", 1.0);
+  CHECK(series.code == 129);
+  const Json json = Json::parse(contentOf(box.path / "said.txt"));
+  CHECK(json["pairs"] > 0);
+}
+
+TEST_CASE("who must not hear that the terminal closes does not", "[cli]") {
+  const Sandbox box;
+  const Output output = box.shell(
+      "nohup $F match chaser chaser --half-seconds 100 --json > j.txt 2>/dev/null & p=$!;"
+      " sleep 0.1; kill -HUP $p; wait $p; echo $?");
+  CHECK(output.out == "0\n");
+}
