@@ -20,8 +20,7 @@ inline constexpr const char* kWideField = "vector-field:offset=0.10,width=0.20,f
 /// The safest rings under the classic law at 1.0 m/s by their own runs, of two hundred training layouts each:
 /// `fulbito compare --map --suite corner --laws classic --speeds 1.0 --headings goal --seed 1002018 ...`,
 /// whole in scripts/reproduction.sh; the second of close-range.
-inline constexpr const char* kSafestRing =
-    "vector-field:goal=bearing,offset=0.08,width=0.15,follower=classic";
+inline constexpr const char* kSafestRing = "vector-field:goal=bearing,offset=0,width=0.25,follower=classic";
 inline constexpr const char* kSafestCloseRing =
     "vector-field:goal=bearing,offset=0,width=0.40,follower=classic";
 

@@ -223,7 +223,7 @@ TEST_CASE("the nearness diagram passes a gap of 1.3 to 1.6 robot widths that orb
     CHECK(through.reached);
     CHECK_FALSE(through.touched);
     CHECK(std::abs(crossingOf(through)) < half_gap);
-    for (const char* method : {"limit-cycle", "vector-field"}) {
+    for (const char* method : {"limit-cycle", "vector-field:offset=0.10,width=0.05"}) {
       INFO(method);
       const auto other = drive(method);
       const bool passes = other.reached && !other.touched && std::abs(crossingOf(other)) < half_gap;
