@@ -96,7 +96,7 @@ TEST_CASE("libero brakes or turns off before a keeper that it drives at, unless 
     picture.dispute_left[1] = dispute_left;
     return libero::clearOfKeeper(picture, 1, ahead);
   };
-  const double braking = pitch.speed * pitch.speed / (2.0 * pitch.braking);
+  const double braking = pitch.speed * pitch.speed / (2.0 * pitch.acceleration);
   const double touch = 0.68 - 2.0 * pitch.robot_half;
   const auto at = [&](double gap) {
     return beforeKeeper({touch - gap, 0.0}, {pitch.speed, 0.0}, {0.7, 0.4});
