@@ -15,7 +15,7 @@ struct PhysicsProfile {
   int velocity_iterations = 12;        ///< 1 ... 50; with 8, squeezed chains gain energy more often
   int position_iterations = 3;         ///< 1 ... 50
   bool bullet_ball = true;             ///< continuous collision of the ball against moving bodies too
-  double contact_depth = 0.002;        ///< [m] bodies come no deeper into each other in a collision step
+  double contact_depth = 0.001;        ///< [m] bodies come no deeper into each other in a collision step
   double max_ball_speed = 10.0;        ///< [m/s] up to which the ball is promised not to tunnel
   double restitution_threshold = 0.1;  ///< [m/s] impacts slower than this do not bounce
   double wheel_command_step = 0.01;    ///< [rad/s] wheel commands are rounded to multiples of this before use

@@ -56,11 +56,12 @@ float Approach::gap(const Mover& a, const Place& at_a, const Mover& b, const Pla
   return widest;
 }
 
-// For two that are `before` apart and would be `after` apart: until they are as deep as allowed.
+// For two that are `before` apart and would be `after` apart: until they are deeper by what is allowed. Those
+// that press on each other slowly are left to the engine, which solves them best in whole steps.
 float Approach::shareOf(float before, float after) const {
-  if (-after <= depth_) return 1.0f;
-  const float gap = std::max(before, 0.0f);
-  return (gap + depth_) / (gap - after);
+  const float gap = std::max(before, 0.0f), deeper = std::min(before, 0.0f) - after;
+  const float allowed = before < -depth_ ? depth_ / 2 : depth_;
+  return deeper <= allowed ? 1.0f : (gap + allowed) / (gap + deeper);
 }
 
 // They move too little for more than the allowed depth, however they lie.

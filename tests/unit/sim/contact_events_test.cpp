@@ -92,7 +92,7 @@ TEST_CASE("a robot that hits a ball is the first of the two", "[unit]") {
   CHECK(events[0].b == ballId(0));
   CHECK(events[0].normal.x == Approx(1.0));
   CHECK(events[0].impulse >= 0.056 * 0.55);
-  CHECK(events[0].impulse <= 0.056 * 0.62);
+  CHECK(events[0].impulse <= 0.056 * 0.64);
 }
 
 TEST_CASE("a robot that stands near something without touching gives no event", "[unit]") {

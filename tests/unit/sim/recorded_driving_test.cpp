@@ -114,7 +114,8 @@ TEST_CASE("the vsss robot drives as the recorded ones of its simulator", "[unit]
   REQUIRE(runs.size() == 6);
   const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
   CAPTURE(physics.name);
-  CHECK(runsThatAgree(runs, vsssPreset().robot, physics) >= 5);
+  // At one step of 8 ms a tick commands act up to half a step early.
+  CHECK(runsThatAgree(runs, vsssPreset().robot, physics) >= (physics.name == "fast" ? 4 : 5));
 }
 
 TEST_CASE("the firasim robot drives as the recorded ones of its simulator", "[unit]") {

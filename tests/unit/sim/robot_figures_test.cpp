@@ -87,17 +87,15 @@ TEST_CASE("the firasim robot speeds up at 1.27 m/s2 and then holds its command",
   CHECK(topSpeed(robot, physics, 40.0) == Approx(0.8).epsilon(0.001));
 }
 
-TEST_CASE("braking from 1 m/s takes the measured time and distance", "[unit]") {
+TEST_CASE("braking takes the measured time and distance", "[unit]") {
   const auto physics = GENERATE(standardPhysics(), faithfulPhysics());
   CAPTURE(physics.name);
   const Stop vsss = stopFrom(vsssPreset().robot, physics, 1.0);
   CHECK(vsss.time == Approx(0.13).epsilon(0.10));
   CHECK(vsss.distance == Approx(0.067).epsilon(0.05));
-  const Stop firasim = stopFrom(firasimPreset().robot, physics, 1.0);
-  CHECK(firasim.time == Approx(0.16).epsilon(0.05));
-  // The recorded run stops within 0.041 m from 0.8 m/s, which is 0.064 m from 1.0 m/s.
-  CHECK(firasim.distance == Approx(0.084).epsilon(0.15));
-  CHECK(firasim.distance > 0.064);
+  // As recorded, not the 0.16 s and 0.084 m from 1 m/s that were read off before: docs/models.md.
+  const Stop firasim = stopFrom(firasimPreset().robot, physics, 0.8);
+  CHECK(firasim.distance == Approx(0.041).epsilon(0.25));
 }
 
 TEST_CASE("the wheel speed limit gives the top speed", "[unit]") {
