@@ -36,9 +36,11 @@ Result<std::vector<Pose2>> fieldArrows(const TrialConfig& config, Vec2 low, Vec2
   std::vector<Pose2> arrows;
   if (guidance.kind != GuidanceKind::kField || guidance.field == nullptr) return arrows;
   const double spacing = arrowSpacing(low, high);
-  for (double y = low.y + spacing / 2; y < high.y; y += spacing) {
-    for (double x = low.x + spacing / 2; x < high.x; x += spacing) {
-      const Vec2 p{x, y};
+  const int columns = static_cast<int>((high.x - low.x) / spacing),
+            rows = static_cast<int>((high.y - low.y) / spacing);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const Vec2 p = low + Vec2{column + 0.5, row + 0.5} * spacing;
       if (!insideField(config.field, p) || onObstacle(discs, p)) continue;
       arrows.push_back({p, guidance.field->heading(p)});
     }

@@ -108,7 +108,7 @@ Result<std::vector<std::string>> writeMapPictures(const PaperMap& map, const std
       const std::string name = fmt::format("map-{}-{}.png", suite, law);
       const auto canvas = drawTileMap(tileMapOf(map, suite, law == "classic"));
       if (!canvas) return tl::unexpected<Error>(canvas.error());
-      if (auto written = canvas->writePng(folder + "/" + name); !written) {
+      if (auto written = canvas->writePng(fmt::format("{}/{}", folder, name)); !written) {
         return tl::unexpected<Error>(written.error());
       }
       files.push_back(name);

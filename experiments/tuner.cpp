@@ -15,8 +15,10 @@ namespace {
 constexpr std::uint64_t kTrainingSeedOffset =
     1000003;  // training layouts are not those that the method is judged on
 constexpr int kMostEvaluations = 100000;
-constexpr double kFirstSpread = 0.1, kLastSpread = 0.002;  // of a parameter's range, near the best
-constexpr double kMoved = 0.5;  // share of the parameters that a try near the best changes
+constexpr double kFirstSpread = 0.1, kLastSpread = 0.002;  // near the best, as below
+constexpr double kOwnSize = 10.0, kZeroSize = 0.1;
+constexpr double kAnywhere = 1.0 / 3.0;  // share of the tries over the whole ranges
+constexpr double kMoved = 0.3;           // share of the parameters that a try near the best changes
 constexpr std::size_t kFinalists = 5;
 constexpr int kLastRound = 3;  // times as many layouts
 
@@ -64,7 +66,8 @@ Point drawAnywhere(const Space& space, Rng& rng) {
   return point;
 }
 
-/// Some parameters of `best` moved by `spread` of their range; at least one.
+/// Some parameters of `best` moved by `spread` of ten times their value, or of their range where that is
+/// less; at least one.
 Point drawNear(const Space& space, Rng& rng, const Point& best, double spread) {
   Point point = best;
   const std::size_t always = rng.below(static_cast<std::uint32_t>(point.size()));
@@ -72,8 +75,10 @@ Point drawNear(const Space& space, Rng& rng, const Point& best, double spread) {
     const bool moved = rng.uniform(0.0, 1.0) < kMoved || i == always;
     if (!moved) continue;
     const ParameterSpec& spec = space.parameters[i];
-    point[i] = std::clamp(best[i] + rng.normal(0.0, spread * (spec.maximum - spec.minimum)), spec.minimum,
-                          spec.maximum);
+    const double range = spec.maximum - spec.minimum;
+    // A value of centimetres in a range of metres: its own size is the measure, a zero has none.
+    const double size = best[i] != 0.0 ? std::min(range, kOwnSize * std::abs(best[i])) : kZeroSize * range;
+    point[i] = std::clamp(best[i] + rng.normal(0.0, spread * size), spec.minimum, spec.maximum);
   }
   return point;
 }
@@ -130,8 +135,8 @@ Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, 
   std::vector<Candidate> best;
   for (int i = 0; i < config.evaluations; ++i) {
     if (auto on = go_on(); !on) return tl::unexpected<Error>(on.error());
-    const double local =
-        (2.0 * i - config.evaluations) / config.evaluations;  // from 0 to 1 in the second half
+    const double share = static_cast<double>(i) / config.evaluations;
+    const double local = (share - kAnywhere) / (1.0 - kAnywhere);  // from 0 to 1 in the last two thirds
     Point point = defaults(*space);
     if (i > 0) {
       point = local < 0.0 ? drawAnywhere(*space, rng)

@@ -22,16 +22,16 @@ struct TuneResult {
   int evaluations = 0;
 };
 
-/// How far tries near the best go, as a share of a parameter's range (one standard deviation): `progress`
-/// from 0 to 1 through the second half of the tries.
+/// How far tries near the best go (one standard deviation), as a share of a parameter's range or of ten times
+/// its value, whichever is less: `progress` from 0 to 1 through the last two thirds of the tries.
 double tuningSpread(double progress);
 
-/// Seeded random search over the method's numeric parameters: half of the tries over their whole range, half
-/// near the best, at first by a tenth of the range and at last by a five-hundredth, some parameters at a
-/// time. Minimises the mean T/T* with failures counted as 8, so that a failure in a hundred weighs as much as
-/// 7 % of time. As the best of many tries is partly lucky, the five best and the defaults meet in a last
-/// round on three times as many fresh layouts, which decides. Errors: kUsage when the method has nothing to
-/// tune.
+/// Seeded random search over the method's numeric parameters: a third of the tries over their whole range,
+/// the rest near the best, at first by as much as a value itself and at last by a fiftieth of it, some
+/// parameters at a time. Minimises the mean T/T* with failures counted as 8, so that a failure in a hundred
+/// weighs as much as 7 % of time. As the best of many tries is partly lucky, the five best and the defaults
+/// meet in a last round on three times as many fresh layouts, which decides. Errors: kUsage when the method
+/// has nothing to tune.
 Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, const Progress& progress);
 
 }  // namespace fulbito

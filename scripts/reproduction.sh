@@ -23,19 +23,20 @@ part() { printf '\n==== %s\n' "$*"; }
 rows() { awk -F' \\| ' '/^\| R4-/ { sub(/^\| /, "", $1); printf "| %s | %s | %s | %s | %s |\n", $1, $2, $3, $5, $4 }' "$1"; }
 
 training=(--seed 1002018 --seeds 2 --headings goal)
-rings=(--radii 0,0.02,0.04,0.06,0.08,0.10,0.12,0.14,0.16 --widths 0.05,0.10,0.15,0.20,0.25,0.30,0.35,0.40)
+rings=(--radii 0,0.02,0.04,0.06,0.08,0.10,0.12,0.14,0.16,0.18,0.20,0.22,0.24
+  --widths 0.01,0.02,0.03,0.05,0.10,0.15,0.20,0.25,0.30,0.35,0.40)
 
-part "kSafestRing, kSafestCloseRing: the safest rings under the classic law at 1.0 m/s (training layouts)"
+part "kTunedRing, kTunedCloseRing: rings under the classic law at 1.0 m/s (training layouts)"
 for suite in corner close-range; do
   "$program" compare --map --suite "$suite" --laws classic --speeds 1.0 "${training[@]}" "${rings[@]}" --trials 100 --out "train-$suite" |
-    awk '/^\| (corner|close-range) /'
+    awk '/^\| (corner|close-range) / { print "safest: " $0 } /^- (corner|close-range): radius/ { print "least T/T* all: " $0 }'
 done
 
 part "VectorField::Params: one ring for both laws at 0.6, 1.0 and 2.6 m/s (training layouts)"
 "$program" compare --map --suite corner --speeds 0.6,1.0,2.6 "${training[@]}" --radii 0,0.02,0.04,0.06,0.08,0.10 \
-  --widths 0.05,0.10,0.15,0.18,0.20,0.22,0.25,0.30 --trials 50 --out train-default | awk '/^- corner/'
+  --widths 0.05,0.10,0.15,0.18,0.20,0.22,0.25,0.30 --trials 50 --out train-default | awk '/^- corner: radius/'
 
-part "kTunedField: the tuner's tangent field"
+part "The tangent field that the tuner finds now"
 "$program" compare --suite corner --tune tangent-field --speeds 1.0,2.6 --trials 1 --out tuned 2>&1 >/dev/null | grep tuned
 
 part "The table of docs/reproduction.md"

@@ -89,8 +89,7 @@ void clearMargins(Canvas& canvas, const Plan& plan) {
 
 std::string subtitle(const FieldPicture& picture) {
   const FieldGeometry& field = picture.field;
-  const std::string whole =
-      fmt::format("{}, {:.2f} m \u00d7 {:.2f} m", field.name, field.length, field.width);
+  std::string whole = fmt::format("{}, {:.2f} m \u00d7 {:.2f} m", field.name, field.length, field.width);
   if (!picture.window) return whole;
   const Vec2 size = picture.window->high - picture.window->low;
   return fmt::format("detail, {:.2f} m \u00d7 {:.2f} m, of {}", size.x, size.y, whole);

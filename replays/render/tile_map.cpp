@@ -31,7 +31,8 @@ struct Plan {
 
   Vec2 panel(std::size_t index) const {
     const auto column = static_cast<double>(index % kPanelsPerRow);
-    const auto row = static_cast<double>(index / kPanelsPerRow);
+    const std::size_t down = index / kPanelsPerRow;
+    const auto row = static_cast<double>(down);
     return {kMargin + column * (panel_width + kPanelGap), top + row * panel_height};
   }
 };
