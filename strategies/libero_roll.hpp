@@ -37,32 +37,33 @@ struct Roll {
 
   /// As a twist is carried out: what the wheels can gain goes to turning first.
   void drive(Twist wanted) {
-    const double before = forward, most = pitch.acceleration * kTick;
+    const double before = forward, yaw_before = yaw, most = pitch.acceleration * kTick;
     const double most_turn = pitch.turning * pitch.half_track * kTick;
     const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most_turn, most_turn);
     const double rest = most * (1.0 - std::abs(turn) / most_turn);
     yaw = std::clamp(yaw + turn, -pitch.speed, pitch.speed);
     const double room = pitch.speed - std::abs(yaw);
     forward = std::clamp(forward + std::clamp(wanted.linear - forward, -rest, rest), -room, room);
-    move((before + forward) / 2);
+    move((before + forward) / 2, (yaw_before + yaw) / 2);
   }
 
   /// Both wheels told to stand.
   void brake() {
-    const double before = forward;
+    const double before = forward, yaw_before = yaw;
     const RimSpeeds rims{forward - yaw, forward + yaw};
     const RimSpeeds most{pitch.motors.limit(), pitch.motors.limit()};
     const RimSpeeds change = pitch.motors.change(rims, {}, pitch.motors.pulls(rims, {}, most));
     forward += (change.left + change.right) / 2;
     yaw += (change.right - change.left) / 2;
     if (std::abs(forward) + std::abs(yaw) < kStands) forward = yaw = 0.0;
-    move((before + forward) / 2);
+    move((before + forward) / 2, (yaw_before + yaw) / 2);
   }
 
-  void move(double speed) {
+  void move(double speed, double turning) {
     across -= std::clamp(across, -kGrip * kTick, kGrip * kTick);
-    heading += yaw / pitch.half_track * kTick;
-    place += outOfFrame(math::unit(heading), {speed, across}) * kTick;
+    const double turn = turning / pitch.half_track * kTick;
+    place += outOfFrame(math::unit(heading + turn / 2), {speed, across}) * kTick;
+    heading += turn;
   }
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/core/drive_law.hpp"
 #include "engine/core/math.hpp"
 #include "engine/core/shapes.hpp"
 #include "navigation/pilot.hpp"
@@ -43,7 +44,7 @@ inline void moveDisc(DiscObstacle& o, const FieldGeometry& field, double h) {
     o.velocity.y = -o.velocity.y;
 }
 
-/// Ideal robot: the wheels follow commands within the wheel acceleration, and Coulomb friction pulls the
+/// Ideal robot: the wheels follow commands by the drive's law, and Coulomb friction pulls the
 /// body's velocity to that of the wheels, along and across them within an ellipse of the two grips. The
 /// velocity never overshoots the wheels', so that no turn makes the robot faster than both were.
 struct KinematicRobot {
@@ -51,9 +52,12 @@ struct KinematicRobot {
   double left = 0.0, right = 0.0;  ///< [m/s] of the rims
 
   void step(const RobotModel& robot, WheelSpeeds wheels, double h) {
-    const double change = robot.wheel_acceleration * h;
-    left += std::clamp(wheels.left * robot.wheel_radius - left, -change, change);
-    right += std::clamp(wheels.right * robot.wheel_radius - right, -change, change);
+    const DriveLaw law(robot, h);
+    const RimSpeeds rims{left, right},
+        target{wheels.left * robot.wheel_radius, wheels.right * robot.wheel_radius};
+    const RimSpeeds change = law.change(rims, target, law.pulls(rims, target, {law.limit(), law.limit()}));
+    left += change.left;
+    right += change.right;
     state.angular_velocity = (right - left) / robot.axle_track;
     state.pose.heading = math::wrapAngle(state.pose.heading + state.angular_velocity * h);
     const Vec2 ux = math::unit(state.pose.heading);

@@ -176,6 +176,7 @@ TEST_CASE("floors are those of the strategy page", "[unit]") {
   RobotModel robot;
   robot.wheel_acceleration = 5.0;
   robot.axle_track = 0.075;
+  robot.yaw_acceleration = 2.0 * 5.0 / 0.075;  // the page's: each wheel for itself
   robot.max_wheel_speed = 1.2 / robot.wheel_radius;
   CHECK(timeToReach(robot, 0.3, 0.0) == Approx(0.37).margin(0.005));
   CHECK(timeToReach(robot, 1.0, 0.0) == Approx(0.95).margin(0.005));

@@ -144,7 +144,8 @@ TEST_CASE("a robot that spins for minutes keeps its heading within range and pre
   CHECK(std::abs(math::wrapAngle(heading - start - rate * ticks / 60.0)) < 0.05);
 }
 
-TEST_CASE("half a turn of the field maps one team's second onto the other's within a millimetre", "[unit]") {
+TEST_CASE("half a turn of the field maps one team's second onto the other's within two millimetres",
+          "[unit]") {
   // Not for the fast profile: its steps let the order of contacts show once several bodies pile up.
   const auto physics = GENERATE(standardPhysics(), faithfulPhysics());
   const bool at_the_ball = GENERATE(false, true);
@@ -165,7 +166,7 @@ TEST_CASE("half a turn of the field maps one team's second onto the other's with
     }
     worst = std::max(worst, norm(state.balls[0].position));
   }
-  CHECK(worst <= 0.001);
+  CHECK(worst <= 0.002);
 }
 
 TEST_CASE("a configuration that cannot be is refused by name", "[unit]") {

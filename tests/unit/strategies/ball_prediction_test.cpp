@@ -87,7 +87,7 @@ TEST_CASE("the tracker knows a kicked ball's spin", "[unit]") {
       const BallState known = tracker.update(course, seen, info.physics.controlPeriod());
       worst = std::max(worst, distance(known.spin, world.state().balls.front().spin));
     }
-    CHECK(worst < 0.35);  // [m/s] in the tick of the kick; a guess of no spin is wrong by up to 1.2
+    CHECK(worst < 0.45);  // [m/s] in the tick of the kick; a guess of no spin is wrong by up to 1.3
   }
 }
 

@@ -89,7 +89,7 @@ TEST_CASE("old observations are made current", "[unit]") {
       CHECK(errors.robot < 0.3 * errors.old);
       CHECK(errors.robot < 0.012);
       CHECK(errors.heading < 0.12);
-      CHECK(errors.ball < 0.03);
+      CHECK(errors.ball < 0.04);
       CHECK(errors.opponent < 0.05);
     }
   }
