@@ -11,6 +11,11 @@ Twist bodyTwist(const RobotState& state) {
   return {dot(state.velocity, math::unit(state.pose.heading)), state.angular_velocity};
 }
 
+RobotModel steady(RobotModel robot) {
+  robot.yaw_acceleration = robot.wheel_acceleration / (robot.axle_track / 2);
+  return robot;
+}
+
 Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt) {
   const double half_track = robot.axle_track / 2;
   const double most_turn = robot.turnAcceleration() * dt;

@@ -70,7 +70,7 @@ Twist alongHeading(const Pitch&, const RobotState& robot, double heading, double
 }
 
 double fastestTurn(const Pitch& pitch, double angle) {
-  return std::min(std::sqrt(2.0 * 0.6 * pitch.turning * angle), 25.0 * angle);
+  return std::min(std::sqrt(2.0 * 0.6 * pitch.acceleration / pitch.half_track * angle), 25.0 * angle);
 }
 
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading) {

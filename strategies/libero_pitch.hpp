@@ -33,7 +33,7 @@ struct Pitch {
   double robot_corner = 0.053;                ///< [m] centre to corner
   double speed = 1.2;                         ///< [m/s] of a robot at most
   double acceleration = 7.0;                  ///< [m/s^2] straight on
-  double turning = 289.0;                     ///< [rad/s^2] in place
+  double turning = 289.0;                     ///< [rad/s^2] in place, at most
   double half_track = 0.03875;                ///< [m]
   double wheel_radius = 0.026;                ///< [m]
   DriveLaw motors{RobotModel{}, 1.0 / 60.0};  ///< in a tick

@@ -38,9 +38,8 @@ struct Roll {
   /// As a twist is carried out: what the wheels can gain goes to turning first.
   void drive(Twist wanted) {
     const double before = forward, yaw_before = yaw, most = pitch.acceleration * kTick;
-    const double most_turn = pitch.turning * pitch.half_track * kTick;
-    const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most_turn, most_turn);
-    const double rest = most * (1.0 - std::abs(turn) / most_turn);
+    const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most, most);
+    const double rest = most - std::abs(turn);
     yaw = std::clamp(yaw + turn, -pitch.speed, pitch.speed);
     const double room = pitch.speed - std::abs(yaw);
     forward = std::clamp(forward + std::clamp(wanted.linear - forward, -rest, rest), -room, room);

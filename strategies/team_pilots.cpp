@@ -50,6 +50,7 @@ Result<TeamPilots> TeamPilots::create(const MatchInfo& info, std::span<const Nav
   team.step_ = commandStep(info);
   team.top_ = std::floor(info.robot.max_wheel_speed / team.step_ + 1e-9) * team.step_;
   team.slowed_ = info.robot;
+  team.steady_ = steady(info.robot);
   team.foresight_ = Foresight(info);
   team.drivers_.resize(static_cast<std::size_t>(info.team_size));
   for (Driver& driver : team.drivers_) {
@@ -130,7 +131,7 @@ WheelSpeeds TeamPilots::driveRobot(const Observation& observation, int robot, co
   drivers_[i].last = -1;
   if (wanted.kind == RobotCommand::Kind::kWheels) return wanted.wheels;
   const Twist now = bodyTwist(observation.own[i].state);
-  const Twist limited = limitTwist(info_.robot, now, wanted.twist, observation.dt);
+  const Twist limited = limitTwist(steady_, now, wanted.twist, observation.dt);
   return inSteps(inverseKinematics(info_.robot, limited));
 }
 

@@ -48,6 +48,7 @@ class TeamPilots {
   Foresight foresight_;
   std::vector<Driver> drivers_;
   std::vector<DiscObstacle> discs_;
+  RobotModel steady_;  ///< the robot as twists are limited for it
   RobotModel slowed_;  ///< the robot with the speed limit of the moment
 };
 

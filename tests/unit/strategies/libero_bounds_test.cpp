@@ -34,7 +34,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
       if (rng.uniform(0.0, 1.0) < 0.06) wanted = {rng.uniform(-1.2, 1.2), rng.uniform(-12.0, 12.0)};
       const libero::Picture picture{seen, pitch, settings, ball};
       const RobotCommand command = libero::keptOut(picture, 1, {own, !own}, wanted);
-      const Twist limited = limitTwist(info.robot, bodyTwist(robot), command.twist, dt);
+      const Twist limited = limitTwist(steady(info.robot), bodyTwist(robot), command.twist, dt);
       const WheelSpeeds wheels = command.kind == RobotCommand::Kind::kWheels
                                      ? command.wheels
                                      : inverseKinematics(info.robot, limited);
