@@ -10,7 +10,7 @@ namespace fulbito {
 
 void reserveContacts(b2World& world, std::size_t bodies) {
   // In a crowd the enlarged boxes of a body and its neighbours overlap about this often.
-  constexpr std::size_t kPairsPerBody = 24;
+  constexpr std::size_t kPairsPerBody = 48;
   std::size_t discs = 2;
   while (discs * (discs - 1) / 2 < kPairsPerBody * bodies) ++discs;
 

@@ -108,7 +108,8 @@ TEST_CASE("the second referee sees calls that are missing, wrong, early and late
   };
   look(matchOf("chaser", "chaser", judgedRules().front(), 120.0, 7));
   look(matchOf("chaser", "classic", judgedRules().front(), 120.0, 7));
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  look(matchOf("chaser", "chaser", judgedRules().front(), 120.0, 8));
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     look(matchOf("classic", "libero", judgedRules().back(), 1.0, seed));  // to the shoot-out
   }
   for (std::size_t i = 0; i < lies.size(); ++i) {

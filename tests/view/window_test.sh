@@ -95,7 +95,7 @@ sized keys.png 900 804
 echo "2: bar of time, events, full screen, size"
 open ' - game.fbr' view game.fbr --paused --json --screenshot bar.png --size 800x700
 xdotool mousemove --window "$window" 400 692 click 1 key s
-soon test -s game-6.8s.png || fail "no picture after a click in the middle of the bar: $(ls)"
+soon sh -c 'ls game-[3-9].*s.png' || fail "no picture after a click in the middle of the bar: $(ls)"
 xdotool key --repeat 3 n key End key p key Home key n
 xdotool windowsize --sync "$window" 640 600
 xdotool key shift+Right key shift+slash
