@@ -17,7 +17,7 @@ TEST_CASE("libero comes round a lying ball without sliding past it", "[unit]") {
     }
   }
   CAPTURE(quick, runs);
-  // With the coupled wheels it has to come again in half of these (docs/libero.md); before, in none.
+  // It slides past and comes again in the other half (docs/libero.md): to be mended, not to get worse.
   CHECK(quick >= runs * 4 / 10);
 }
 
