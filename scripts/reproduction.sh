@@ -23,8 +23,8 @@ part() { printf '\n==== %s\n' "$*"; }
 rows() { awk -F' \\| ' '/^\| R4-/ { sub(/^\| /, "", $1); printf "| %s | %s | %s | %s | %s |\n", $1, $2, $3, $5, $4 }' "$1"; }
 
 training=(--seed 1002018 --seeds 2 --headings goal)
-rings=(--radii 0,0.02,0.04,0.06,0.08,0.10,0.12,0.14,0.16,0.18,0.20,0.22,0.24
-  --widths 0.01,0.02,0.03,0.05,0.10,0.15,0.20,0.25,0.30,0.35,0.40)
+rings=(--radii "0,0.02,0.04,0.06,0.08,0.10,0.12,0.14,0.16,0.18,0.20,0.22,0.24"
+  --widths "0.01,0.02,0.03,0.05,0.10,0.15,0.20,0.25,0.30,0.35,0.40")
 
 part "kTunedRing, kTunedCloseRing: rings under the classic law at 1.0 m/s (training layouts)"
 for suite in corner close-range; do
