@@ -1,7 +1,6 @@
 #include "engine/sim/approach.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <box2d/b2_body.h>
@@ -9,18 +8,20 @@
 namespace fulbito {
 namespace {
 
+constexpr float kFarTurn = 0.25f;  // [rad] by which a corner may pass through another body and out again
+
 b2Vec2 across(b2Vec2 ahead) { return {-ahead.y, ahead.x}; }
 
 }  // namespace
 
 void Approach::addBox(const b2Body* body, float half_length, float half_width) {
   const float reach = std::sqrt(half_length * half_length + half_width * half_width);
-  movers_.push_back({body, half_length, half_width, 0.0f, reach, {}, {}, 0.0f, false});
+  movers_.push_back({body, half_length, half_width, 0.0f, reach});
   ++boxes_;
 }
 
 void Approach::addDisc(const b2Body* body, float radius) {
-  movers_.push_back({body, 0.0f, 0.0f, radius, radius, {}, {}, 0.0f, false});
+  movers_.push_back({body, 0.0f, 0.0f, radius, radius});
 }
 
 void Approach::addWall(b2Vec2 from, b2Vec2 to) {
@@ -29,105 +30,157 @@ void Approach::addWall(b2Vec2 from, b2Vec2 to) {
   faces_.push_back({0.5f * (from + to), {along.y, -along.x}, length / 2});
 }
 
-// (x + y)^2 <= 2 x^2 + 2 y^2: false where they stay out of each other's reach for all of the step.
-bool Approach::mayMeet(const Mover& a, const Mover& b) {
-  const b2Vec2 apart = b.now.middle - a.now.middle;
-  const b2Vec2 change = (b.then.middle - a.then.middle) - apart;
-  const float reach = a.reach + b.reach;
-  return apart.LengthSquared() <= 2.0f * (reach * reach + change.LengthSquared());
+// Where it would be after a share of the step, for turns of up to kFarTurn.
+Approach::Place Approach::placeAfter(const Mover& mover, float share) {
+  const float angle = share * mover.angle, half = angle * angle / 2.0f;
+  const b2Vec2 ahead =
+      (1.0f - half) * mover.now.ahead + angle * (1.0f - half / 3.0f) * across(mover.now.ahead);
+  return {mover.now.middle + share * mover.change, ahead};
 }
 
-// How far the outline reaches from the middle along a unit axis.
-float Approach::extentAlong(const Mover& mover, const Place& place, b2Vec2 axis) {
-  return mover.half_length * std::abs(b2Dot(axis, place.ahead)) +
-         mover.half_width * std::abs(b2Cross(axis, place.ahead)) + mover.radius;
+bool Approach::inReach(const Mover& a, const Mover& b) {
+  const float reach = a.reach + b.reach + a.travel + b.travel;
+  return (b.now.middle - a.now.middle).LengthSquared() <= reach * reach;
 }
 
 // By separating axes; below 0 they overlap. Beyond a corner it is less than the distance.
-float Approach::gap(const Mover& a, const Place& at_a, const Mover& b, const Place& at_b) {
-  const b2Vec2 apart = at_b.middle - at_a.middle;
-  const std::array<b2Vec2, 4> axes{at_a.ahead, across(at_a.ahead), at_b.ahead, across(at_b.ahead)};
-  const std::size_t count = b.radius > 0.0f ? 2 : 4;  // a disc has no axes of its own
-  float widest = -b2_maxFloat;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float along = std::abs(b2Dot(axes[i], apart));
-    widest = std::max(widest, along - extentAlong(a, at_a, axes[i]) - extentAlong(b, at_b, axes[i]));
+float Approach::gap(const Mover& box, const Place& at_box, const Mover& other, const Place& at_other) {
+  const b2Vec2 apart = at_other.middle - at_box.middle;
+  const float along = std::abs(b2Dot(at_box.ahead, apart)), beside = std::abs(b2Cross(at_box.ahead, apart));
+  if (other.radius > 0.0f) {  // a disc has no axes of its own
+    return std::max(along - box.half_length, beside - box.half_width) - other.radius;
   }
-  return widest;
+  const float same = std::abs(b2Dot(at_box.ahead, at_other.ahead));
+  const float turned = std::abs(b2Cross(at_box.ahead, at_other.ahead));
+  const auto extent = [&](float half, const Mover& of, float first, float second) {
+    return half + of.half_length * first + of.half_width * second;
+  };
+  const float by_box = std::max(along - extent(box.half_length, other, same, turned),
+                                beside - extent(box.half_width, other, turned, same));
+  const float by_other =
+      std::max(std::abs(b2Dot(at_other.ahead, apart)) - extent(other.half_length, box, same, turned),
+               std::abs(b2Cross(at_other.ahead, apart)) - extent(other.half_width, box, turned, same));
+  return std::max(by_box, by_other);
 }
 
-// For two that are `before` apart and would be `after` apart: until they are deeper by what is allowed. Those
-// that press on each other slowly are left to the engine, which solves them best in whole steps.
+// Where all are and whither they go.
+void Approach::look(float dt) {
+  for (Mover& mover : movers_) {
+    const b2Rot& turn = mover.body->GetTransform().q;
+    mover.now = {mover.body->GetPosition(), {turn.c, turn.s}};
+    mover.change = dt * mover.body->GetLinearVelocity();
+    mover.angle = dt * mover.body->GetAngularVelocity();
+    mover.travel = mover.change.Length();
+    mover.turn = std::abs(mover.angle) * mover.reach;
+    mover.crowded = false;
+  }
+}
+
+// Whether they can meet in the step where something stops one of them on the way.
+bool Approach::meet(const Mover& box, const Mover& other, Meeting& meeting) const {
+  if (!inReach(box, other)) return false;
+  meeting.before = gap(box, box.now, other, other.now);
+  const float turns = box.turn + other.turn;
+  if (meeting.before > box.travel + other.travel + turns + 2.0f * depth_) return false;
+  meeting.moved = (other.change - box.change).Length() + turns;
+  return true;
+}
+
+// How much deeper two may come. The engine knows those that touch already and stops them: they are split only
+// where they move fast all the same, and sooner where it has not kept them out of each other before.
+float Approach::allowed(float before) const {
+  if (before > 0.0f) return depth_;
+  return before > -depth_ ? 2.0f * depth_ : depth_ / 2.0f;
+}
+
+// For two that are `before` apart and would be `after` apart: until they are deeper by what is allowed.
 float Approach::shareOf(float before, float after) const {
   const float gap = std::max(before, 0.0f), deeper = std::min(before, 0.0f) - after;
-  const float allowed = before < -depth_ ? depth_ / 2 : depth_;
-  return deeper <= allowed ? 1.0f : (gap + allowed) / (gap + deeper);
+  const float most = allowed(before);
+  return deeper <= most ? 1.0f : (gap + most) / (gap + deeper);
 }
 
-// They move too little for more than the allowed depth, however they lie.
-bool Approach::isQuiet(const Mover& a, const Mover& b) const {
-  const b2Vec2 change = (b.then.middle - b.now.middle) - (a.then.middle - a.now.middle);
-  const float left = depth_ - a.turn - b.turn;
-  return left > 0.0f && change.LengthSquared() < left * left;
+float Approach::shareOfPair(const Mover& box, const Mover& other, const Meeting& meeting) const {
+  if (meeting.moved <= std::max(meeting.before, 0.0f) + allowed(meeting.before)) return 1.0f;
+  const float turn = std::max(std::abs(box.angle), std::abs(other.angle));
+  const float part = turn > kFarTurn ? kFarTurn / turn : 1.0f;
+  return part * shareOf(meeting.before, gap(box, placeAfter(box, part), other, placeAfter(other, part)));
 }
 
-float Approach::shareOfPair(const Mover& a, const Mover& b) const {
-  if (isQuiet(a, b)) return 1.0f;
-  return shareOf(gap(a, a.now, b, b.now), gap(a, a.then, b, b.then));
+bool Approach::isByWall(const Mover& mover) const {
+  const b2Vec2 now = b2Abs(mover.now.middle);
+  const float near = mover.reach + mover.travel + 2.0f * depth_;
+  return now.x + near > open_.x || now.y + near > open_.y;
 }
 
 float Approach::shareAtWalls(const Mover& mover) const {
-  const b2Vec2 far = b2Max(b2Abs(mover.now.middle), b2Abs(mover.then.middle));
-  if (far.x + mover.reach < open_.x && far.y + mover.reach < open_.y) return 1.0f;
   float least = 1.0f;
   for (const Face& face : faces_) {
-    const float toward = b2Dot(face.out, mover.then.middle - mover.now.middle);
+    const float toward = b2Dot(face.out, mover.change);
+    if (toward <= depth_) continue;
     const b2Vec2 from = mover.now.middle - face.middle;
-    if (toward <= depth_ || std::abs(b2Cross(face.out, from)) > face.half + mover.reach) continue;
-    const float before = -b2Dot(face.out, from) - extentAlong(mover, mover.now, face.out);
+    if (std::abs(b2Cross(face.out, from)) > face.half + mover.reach + mover.travel) continue;
+    const float extent = mover.half_length * std::abs(b2Dot(face.out, mover.now.ahead)) +
+                         mover.half_width * std::abs(b2Cross(face.out, mover.now.ahead)) + mover.radius;
+    const float before = -b2Dot(face.out, from) - extent;
     if (before > -mover.reach) least = std::min(least, shareOf(before, before - toward));
   }
   return least;
 }
 
-// Where all are and would be, and who is near whom.
-void Approach::look(float dt) {
-  for (Mover& mover : movers_) {
-    const b2Rot& turn = mover.body->GetTransform().q;
-    mover.now = {mover.body->GetPosition(), {turn.c, turn.s}};
-    mover.then.middle = mover.now.middle + dt * mover.body->GetLinearVelocity();
-    const float angle = dt * mover.body->GetAngularVelocity();
-    mover.then.ahead = mover.now.ahead + angle * across(mover.now.ahead);
-    mover.turn = std::abs(angle) * mover.reach;
-    mover.crowded = false;
-  }
-}
-
-float Approach::share(float dt) {
-  if (!(depth_ > 0.0f)) return 1.0f;
-  look(dt);
-  float least = 1.0f;
+void Approach::planBoxes(Plan& plan) {
+  Meeting meeting;
   for (std::size_t i = 0; i < boxes_; ++i) {
     for (std::size_t k = i + 1; k < boxes_; ++k) {
       Mover &a = movers_[i], &b = movers_[k];
-      if (!mayMeet(a, b)) continue;
+      if (!meet(a, b, meeting)) continue;
       a.crowded = b.crowded = true;
-      least = std::min(least, shareOfPair(a, b));
+      plan.share = std::min(plan.share, shareOfPair(a, b, meeting));
     }
   }
+}
+
+// A disc that one body pushes or that rolls slowly is solved right in a whole step. One between two bodies,
+// or a fast one, is not.
+void Approach::planDisc(Mover& disc, Plan& plan) {
+  int near = isByWall(disc) ? 1 : 0;
+  Meeting meeting;
+  for (std::size_t i = 0; i < boxes_; ++i) {
+    const Mover& box = movers_[i];
+    if (!meet(box, disc, meeting)) continue;
+    if (meeting.before <= meeting.moved + 2.0f * depth_) ++near, disc.crowded = true;
+    plan.continuous |= near > 1 || meeting.moved > depth_;
+    if (bullets_ && !box.crowded) continue;
+    disc.crowded = true;
+    plan.share = std::min(plan.share, shareOfPair(box, disc, meeting));
+  }
+}
+
+void Approach::planDiscs(Plan& plan) {
   for (std::size_t k = boxes_; k < movers_.size(); ++k) {
-    Mover& disc = movers_[k];
-    for (std::size_t i = 0; i < boxes_; ++i) {
-      const Mover& box = movers_[i];
-      if ((bullets_ && !box.crowded) || !mayMeet(box, disc)) continue;
-      disc.crowded = true;
-      least = std::min(least, shareOfPair(box, disc));
-    }
+    planDisc(movers_[k], plan);
+    for (std::size_t i = boxes_; i < k; ++i) plan.continuous |= inReach(movers_[i], movers_[k]);
   }
+}
+
+void Approach::planWalls(Plan& plan) const {
   for (const Mover& mover : movers_) {
-    if (mover.crowded) least = std::min(least, shareAtWalls(mover));
+    if (mover.travel <= depth_ || !isByWall(mover)) continue;
+    const float share = shareAtWalls(mover);
+    if (share < 1.0f) plan.continuous = true;
+    if (mover.crowded) plan.share = std::min(plan.share, share);
   }
-  return least;
+}
+
+Approach::Plan Approach::plan(float dt) {
+  Plan plan;
+  if (!(depth_ > 0.0f)) return plan;
+  plan.continuous = always_continuous_;
+  look(dt);
+  planBoxes(plan);
+  planDiscs(plan);
+  planWalls(plan);
+  return plan;
 }
 
 }  // namespace fulbito

@@ -144,6 +144,7 @@ void World::Impl::watchMovers() {
     approach.addDisc(balls[i], units::length(config.balls[i].model.radius));
     contact_work.add(balls[i]);
   }
+  if (!obstacles.empty()) approach.setAlwaysContinuous();
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     if (config.obstacles[i].motion == ObstacleMotion::kPath)
       contacts_do_no_work = false;  // such a one pushes
@@ -186,12 +187,15 @@ void World::Impl::collide() {
   const float least = static_cast<float>(dt / kMostParts);
   // What met in a part moves otherwise in the next.
   for (float left = static_cast<float>(dt); left > 0.0f;) {
-    float part = std::max(left * approach.share(left), least);
-    if (left - part < least) part = left;
+    const Approach::Plan plan = approach.plan(left);
     // The engine begins with the impulses of the step before, scaled up where this one is longer: right for
-    // forces that last, far too much for impacts.
+    // forces that last, far too much for impacts. Bodies that jam need them to stay out of each other, so
+    // a step's parts are alike.
+    float part = std::max(left / std::ceil(1.0f / plan.share), least);
+    if (left - part < least) part = left;
     engine.SetWarmStarting(part <= last_part);
     last_part = part;
+    engine.SetContinuousPhysics(plan.continuous);
     if (contacts_do_no_work) contact_work.remember();
     engine.Step(part, config.physics.velocity_iterations, config.physics.position_iterations);
     if (contacts_do_no_work) contact_work.takeBack();
