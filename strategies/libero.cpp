@@ -127,7 +127,9 @@ class Libero final : public Strategy {
     if (robot == striker_ && !keepers) {
       const Twist twist = strike(picture, robot, strike_);
       // The mark of a free ball is at the area's edge: who minds that edge comes late.
-      return disputesFreeBall(picture.seen) ? RobotCommand::byTwist(twist) : legal(picture, robot, twist);
+      if (disputesFreeBall(picture.seen))
+        return clearOfKeeper(picture, robot, twist).value_or(RobotCommand::byTwist(twist));
+      return legal(picture, robot, twist);
     }
     if (!keepers && meetsToo(picture, robot)) {
       ++rank;

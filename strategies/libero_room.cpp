@@ -57,22 +57,25 @@ struct Keeper {
 
   /// [m] to the keeper, summed over some ticks of a twist, walls in the way: the sooner it leaves the better.
   double gapsBy(Twist twist) const {
-    constexpr int kAhead = 6;  // [ticks]
+    constexpr int kAhead = 15;  // [ticks] in which a robot that stood is past the keeper's body
     Roll roll(pitch, self);
     double sum = 0.0;
     for (int i = 1; i <= kAhead; ++i) {
       roll.drive(twist);
-      roll.place = walled(roll.place);
+      roll.place = walled(roll.place, roll.heading);
       sum += gapAfter(roll, i);
     }
     return sum;
   }
 
-  /// `p` where a body fits, in their goal too.
-  Vec2 walled(Vec2 p) const {
-    const double post = pitch.goal_half - pitch.robot_half;
-    const bool in_mouth = p.x > pitch.half_length - pitch.robot_half && std::abs(p.y) < post + kRoom;
-    return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : pitch.inside(p, pitch.robot_half);
+  /// `p` where a body of this heading fits, in their goal too: who turns at a wall comes off it, perhaps into
+  /// the keeper.
+  Vec2 walled(Vec2 p, double heading) const {
+    const double half = reach(pitch.robot_half, math::unit(heading), {1.0, 0.0});
+    const double post = pitch.goal_half - half;
+    const bool in_mouth =
+        p.x > pitch.half_length - half && std::abs(p.y) < pitch.goal_half - pitch.robot_half + kRoom;
+    return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : pitch.inside(p, half);
   }
 
   /// Whatever brings the robot off the keeper best: with either end, turning or not.
