@@ -107,8 +107,7 @@ struct Bound {
     const double now = depth(robot.pose.position);
     if (now > margin) return leaving();
     if (now > 0.0) return fromEdge(wanted);
-    const double speed = norm(robot.velocity) + pitch.acceleration * kTick;
-    if (now + speed * (2 * kTick + speed / (2 * kGrip)) < 0.0) return RobotCommand::byTwist(wanted);
+    if (now + mostWay(pitch, norm(robot.velocity)) < 0.0) return RobotCommand::byTwist(wanted);
     if (allows(wanted)) return RobotCommand::byTwist(wanted);
     const Twist slide = alongEdge(wanted, 0.2);
     if (allows(slide)) return RobotCommand::byTwist(slide);
