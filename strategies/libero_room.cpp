@@ -15,18 +15,15 @@ constexpr double kTouch = 0.005;  // [m] between bodies that are taken to touch,
 constexpr double kRoom = 0.006;   // [m] kept to a keeper
 constexpr double kNear = 0.40;    // [m] beyond which nobody comes within the horizon
 
-/// Half the extent of a square along a unit vector.
-double reach(double half, Vec2 axis, Vec2 along) {
-  return half * (std::abs(dot(axis, along)) + std::abs(cross(axis, along)));
-}
+/// Half the extent of a square of half size `half` along the other's sides, where `a` and `b` point along a
+/// side of either: alike for all four.
+double reach(double half, Vec2 a, Vec2 b) { return half * (std::abs(dot(a, b)) + std::abs(cross(a, b))); }
 
 /// [m] between two squares along the axis on which they are farthest apart; negative where they overlap.
 double gapOf(double half, Vec2 between, Vec2 a, Vec2 b) {
-  double gap = -1e9;
-  for (const Vec2 axis : {a, perp(a), b, perp(b)}) {
-    gap = std::max(gap, std::abs(dot(between, axis)) - reach(half, a, axis) - reach(half, b, axis));
-  }
-  return gap;
+  const double farthest = std::max({std::abs(dot(between, a)), std::abs(cross(between, a)),
+                                    std::abs(dot(between, b)), std::abs(cross(between, b))});
+  return farthest - half - reach(half, a, b);
 }
 
 /// A keeper as seen from one robot.
@@ -57,14 +54,16 @@ struct Keeper {
   }
 
   /// [m] to the keeper, summed over some ticks of a twist, walls in the way: the sooner it leaves the better.
+  /// Where it is off, farther counts no more: an arc that ends farther away rubs along the keeper longer.
   double gapsBy(Twist twist) const {
+    constexpr double kOff = 0.02;  // [m]
     constexpr int kAhead = 15;  // [ticks] in which a robot that stood is past the keeper's body
     Roll roll = start;
     double sum = 0.0;
     for (int i = 1; i <= kAhead; ++i) {
       roll.drive(twist);
       roll.place = walled(roll.place, roll.face);
-      sum += gapAfter(roll, i);
+      sum += std::min(kOff, gapAfter(roll, i));
     }
     return sum;
   }
