@@ -62,7 +62,8 @@ struct Bound {
   /// Of the ways out, to the front and to either side, the quickest.
   RobotCommand leaving() const {
     const Vec2 p = robot.pose.position;
-    if (p.x < pitch.robot_corner - pitch.half_length && std::abs(p.y) < pitch.goal_half) return leavingMouth();
+    if (p.x < pitch.robot_corner - pitch.half_length && std::abs(p.y) < pitch.goal_half)
+      return leavingMouth();
     Vec2 best{1.0, 0.0};
     double least = 1e9;
     for (const Vec2 way : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{0.0, -1.0}}) {

@@ -57,7 +57,7 @@ struct Keeper {
   /// Where it is off, farther counts no more: an arc that ends farther away rubs along the keeper longer.
   double gapsBy(Twist twist) const {
     constexpr double kOff = 0.02;  // [m]
-    constexpr int kAhead = 15;  // [ticks] in which a robot that stood is past the keeper's body
+    constexpr int kAhead = 15;     // [ticks] in which a robot that stood is past the keeper's body
     Roll roll = start;
     double sum = 0.0;
     for (int i = 1; i <= kAhead; ++i) {
