@@ -36,8 +36,9 @@ Vec2 wayAlong(Vec2 normal, Vec2 ball) {
 }
 
 /// Where on their goal line, within `edge` [m] of its middle, a ball that already rolls toward it would come
-/// nearest to going in by itself; empty where it rolls otherwise. It keeps most of what it has across: the
-/// blow that takes that away turns the robot so far from the ball's way that it slides past and comes again.
+/// nearest to going in by itself; empty where it rolls otherwise, or far past. It keeps most of what it has
+/// across: the blow that takes that away turns the robot so far from the ball's way that it slides past and
+/// comes again.
 std::optional<double> rollsAt(const Picture& picture, Vec2 from, double edge) {
   constexpr double kRolls = 0.25;   // [m/s] a slower ball goes where it is pushed
   constexpr double kToward = 0.1;   // [m/s] up the field, at least
@@ -45,7 +46,9 @@ std::optional<double> rollsAt(const Picture& picture, Vec2 from, double edge) {
   const Vec2 velocity = picture.ball.now().velocity;
   if (velocity.x < kToward || squaredNorm(velocity) < kRolls * kRolls) return std::nullopt;
   const double most = edge - kInside;
-  return std::clamp(from.y + (picture.pitch.half_length - from.x) * velocity.y / velocity.x, -most, most);
+  const double y = from.y + (picture.pitch.half_length - from.x) * velocity.y / velocity.x;
+  if (std::abs(y) > 2.0 * picture.pitch.goal_half) return std::nullopt;
+  return std::clamp(y, -most, most);
 }
 
 }  // namespace
