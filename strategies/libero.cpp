@@ -127,7 +127,9 @@ class Libero final : public Strategy {
     if (robot == striker_ && !keepers) {
       const Twist twist = strike(picture, robot, strike_);
       // The mark of a free ball is at the area's edge: who minds that edge comes late.
-      return disputesFreeBall(picture.seen) ? RobotCommand::byTwist(twist) : legal(picture, robot, twist);
+      if (disputesFreeBall(picture.seen))
+        return clearOfKeeper(picture, robot, twist).value_or(RobotCommand::byTwist(twist));
+      return legal(picture, robot, twist);
     }
     if (!keepers && meetsToo(picture, robot)) {
       ++rank;
@@ -162,7 +164,20 @@ class Libero final : public Strategy {
     if (!theirs) {
       if (const auto off = clearOfKeeper(picture, robot, wanted)) return *off;
     }
-    return keptOut(picture, robot, {keeper_ >= 0, theirs}, wanted);
+    const RobotCommand kept = keptOut(picture, robot, {keeper_ >= 0, theirs}, wanted);
+    // Who has to leave their area does not push its way out through the keeper.
+    if (theirs && inTheirArea(pitch_, picture.own(robot).pose.position, pitch_.robot_corner)) {
+      if (const auto off = clearOfKeeper(picture, robot, twistOf(pitch_, kept))) return *off;
+    }
+    return kept;
+  }
+
+  /// The twist that a command of ours makes.
+  static Twist twistOf(const Pitch& pitch, const RobotCommand& command) {
+    if (command.kind == RobotCommand::Kind::kTwist) return command.twist;
+    const double left = command.wheels.left * pitch.wheel_radius;
+    const double right = command.wheels.right * pitch.wheel_radius;
+    return {(left + right) / 2, (right - left) / (2 * pitch.half_track)};
   }
 
   /// Whether one of ours but the striker, who stands outside, is still in their area: a second is a foul.

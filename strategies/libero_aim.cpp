@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace fulbito::libero {
 namespace {
@@ -34,6 +35,22 @@ Vec2 wayAlong(Vec2 normal, Vec2 ball) {
   return dot(along, wanted) < 0.0 ? -along : along;
 }
 
+/// Where on their goal line, within `edge` [m] of its middle, a ball that already rolls toward it would come
+/// nearest to going in by itself; empty where it rolls otherwise, or far past. It keeps most of what it has
+/// across: the blow that takes that away turns the robot so far from the ball's way that it slides past and
+/// comes again.
+std::optional<double> rollsAt(const Picture& picture, Vec2 from, double edge) {
+  constexpr double kRolls = 0.25;   // [m/s] a slower ball goes where it is pushed
+  constexpr double kToward = 0.1;   // [m/s] up the field, at least
+  constexpr double kInside = 0.02;  // [m] off the edge: the blow is not exact
+  const Vec2 velocity = picture.ball.now().velocity;
+  if (velocity.x < kToward || squaredNorm(velocity) < kRolls * kRolls) return std::nullopt;
+  const double most = edge - kInside;
+  const double y = from.y + (picture.pitch.half_length - from.x) * velocity.y / velocity.x;
+  if (std::abs(y) > 2.0 * picture.pitch.goal_half) return std::nullopt;
+  return std::clamp(y, -most, most);
+}
+
 }  // namespace
 
 double openMouth(const Picture& picture, Vec2 from, double shooter_y, double last) {
@@ -42,9 +59,11 @@ double openMouth(const Picture& picture, Vec2 from, double shooter_y, double las
   const double line = pitch.half_length;
   // Of two that are alike the one across from the shooter: at a kick-off it stands askew already.
   const double first = shooter_y >= from.y ? -1.0 : 1.0;
+  constexpr double kTurned = 0.3;  // [m] of gap that a metre off the ball's own way is worth
+  const std::optional<double> rolls_at = rollsAt(picture, from, edge);
   double best = 0.0, best_score = -1e9;
-  for (int i = 0; i < 7; ++i) {
-    const double y = first * edge * (3 - i) / 3.0;
+  for (int i = 0; i < (rolls_at ? 8 : 7); ++i) {
+    const double y = i == 7 ? *rolls_at : first * edge * (3 - i) / 3.0;
     const Vec2 way = Vec2{line, y} - from;
     const double length = norm(way);
     const Vec2 to = way / std::max(length, 1e-6);
@@ -56,6 +75,7 @@ double openMouth(const Picture& picture, Vec2 from, double shooter_y, double las
       score = std::min(score, std::abs(rel.y) - 0.06);
     }
     score -= 0.06 * std::abs(y);
+    if (rolls_at) score -= kTurned * std::abs(y - *rolls_at);
     if (std::abs(y - last) < 0.02) score += 0.02;
     if (score > best_score) best_score = score, best = y;
   }

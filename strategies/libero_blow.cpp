@@ -56,12 +56,18 @@ Vec2 blowInTime(Vec2 robot, const Aim& aim, Vec2 moving) {
 
 Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, int& held) {
   constexpr double kTurns[] = {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5};
+  // Of the turns that are to one side.
+  static const Vec2 kUnits[] = {math::unit(0.5), math::unit(1.0), math::unit(1.5)};
   const Vec2 self = picture.own(robot).pose.position;
   double least = 1e9;
   int best = 0;
   Vec2 chosen = aim.direction;
   for (int i = 0; i < 7; ++i) {
-    const Vec2 direction = i == 0 ? aim.direction : outOfFrame(aim.direction, math::unit(kTurns[i]));
+    Vec2 direction = aim.direction;
+    if (i > 0) {
+      const Vec2 turn = kUnits[(i - 1) / 2];
+      direction = outOfFrame(direction, kTurns[i] > 0.0 ? turn : Vec2{turn.x, -turn.y});
+    }
     const Vec2 spot = aim.contact - direction * 0.065;
     double cost =
         0.3 * std::abs(kTurns[i]) + barred(picture, robot, aim.contact, direction) + distance(self, spot);

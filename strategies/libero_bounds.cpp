@@ -53,9 +53,17 @@ struct Bound {
     return RobotCommand::byWheels({speed / pitch.wheel_radius, speed / pitch.wheel_radius});
   }
 
+  /// Out of the goal's mouth: past its posts nothing leads to either side, and who stands along a post first
+  /// comes off it.
+  RobotCommand leavingMouth() const {
+    return RobotCommand::byTwist(along({pitch.robot_corner, -robot.pose.position.y}));
+  }
+
   /// Of the ways out, to the front and to either side, the quickest.
   RobotCommand leaving() const {
     const Vec2 p = robot.pose.position;
+    if (p.x < pitch.robot_corner - pitch.half_length && std::abs(p.y) < pitch.goal_half)
+      return leavingMouth();
     Vec2 best{1.0, 0.0};
     double least = 1e9;
     for (const Vec2 way : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{0.0, -1.0}}) {
@@ -100,8 +108,7 @@ struct Bound {
     const double now = depth(robot.pose.position);
     if (now > margin) return leaving();
     if (now > 0.0) return fromEdge(wanted);
-    const double speed = norm(robot.velocity) + pitch.acceleration * kTick;
-    if (now + speed * (2 * kTick + speed / (2 * kGrip)) < 0.0) return RobotCommand::byTwist(wanted);
+    if (now + mostWay(pitch, norm(robot.velocity)) < 0.0) return RobotCommand::byTwist(wanted);
     if (allows(wanted)) return RobotCommand::byTwist(wanted);
     const Twist slide = alongEdge(wanted, 0.2);
     if (allows(slide)) return RobotCommand::byTwist(slide);

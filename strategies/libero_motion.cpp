@@ -32,11 +32,14 @@ double foldedError(double wanted, double heading) {
 }
 
 double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target) {
+  return timeToReach(pitch, robot, math::unit(robot.pose.heading), target);
+}
+
+double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 face, Vec2 target) {
   const Vec2 way = target - robot.pose.position;
   const double d = norm(way);
   if (d < 0.01) return 0.0;
   const Vec2 to = way / d;
-  const Vec2 face = math::unit(robot.pose.heading);
   const double turn =
       1.4 * std::sqrt(foldedAngle(std::abs(cross(face, to)), std::abs(dot(face, to))) / pitch.turning);
   const double v0 = std::clamp(dot(robot.velocity, to), -pitch.speed, pitch.speed);

@@ -14,6 +14,8 @@ struct Steering {
 /// Time [s] in which `robot` can be at `target`, turn and ramp included; either end may lead. The formula of
 /// the reference page (2.1), with the speed that the robot already has.
 double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target);
+/// The same where the unit vector `face` of its heading is known: for who asks of many targets.
+double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 face, Vec2 target);
 
 /// Drives along `heading` [rad] at `speed` [m/s] with whichever end takes the smaller turn; a moving robot
 /// keeps its end unless the other is clearly nearer.

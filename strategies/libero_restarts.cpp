@@ -67,9 +67,12 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
                        {0.0, std::copysign(pitch.half_width, side)});
     placed[2] = facing({-pitch.half_length + 0.30, 0.0}, ball);
   } else {
-    // From our own half, as near as that is: where a kick along the side wall comes out, and before our goal.
+    // From our own half, as near as that is: in the way of a kick straight on, a little inside of it so that
+    // the ball goes out to the side wall, and before our goal. Five a side, where they bring it along the
+    // side wall, where that comes out.
     const double line = -pitch.robot_corner - 0.001;
-    placed[1] = facing({line, side * (pitch.half_width - 0.20)}, ball);
+    const double way = pitch.isLarge() ? side * (pitch.half_width - 0.20) : ball.y - side * 0.05;
+    placed[1] = facing({line, way}, ball);
     placed[2] = facing({line - 0.15, side * 0.10}, ball);
   }
 }

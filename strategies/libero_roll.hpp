@@ -14,11 +14,24 @@ inline constexpr int kHorizon = 16;          ///< [ticks] in which a robot comes
 inline constexpr double kStands = 1e-9;      ///< [m/s] below which wheels that brake stand
 inline constexpr double kGrip = 5.5;         ///< [m/s^2] at which a robot that slides across comes to rest
 
+/// [m] that a robot of `speed` [m/s], after a tick of whatever it is told, goes at most before it rests.
+inline double mostWay(const Pitch& pitch, double speed) {
+  const double then = speed + pitch.acceleration * kTick;
+  return then * (2 * kTick + then / (2 * kGrip));
+}
+
+/// Unit vector at a small `angle` [rad]: to 1e-7 up to 0.26, half of what a robot turns in a tick at most.
+inline Vec2 smallTurn(double angle) {
+  const double square = angle * angle;
+  return {1.0 - square / 2 * (1.0 - square / 12 * (1.0 - square / 30)),
+          angle * (1.0 - square / 6 * (1.0 - square / 20))};
+}
+
 /// A robot rolled forward: what can come of a command, tick by tick.
 struct Roll {
   const Pitch& pitch;
   Vec2 place;
-  double heading = 0.0;
+  Vec2 face;             ///< unit vector of its heading
   double forward = 0.0;  ///< [m/s]
   double across = 0.0;   ///< [m/s] to the left: the slide of a robot that is pushed
   double yaw = 0.0;      ///< [m/s] of a wheel, from turning
@@ -26,9 +39,9 @@ struct Roll {
   Roll(const Pitch& on, const RobotState& robot)
       : pitch(on),
         place(robot.pose.position),
-        heading(robot.pose.heading),
+        face(math::unit(robot.pose.heading)),
         yaw(robot.angular_velocity * on.half_track) {
-    const Vec2 local = intoFrame(math::unit(heading), robot.velocity);
+    const Vec2 local = intoFrame(face, robot.velocity);
     forward = local.x;
     across = local.y;
   }
@@ -60,9 +73,10 @@ struct Roll {
 
   void move(double speed, double turning) {
     across -= std::clamp(across, -kGrip * kTick, kGrip * kTick);
-    const double turn = turning / pitch.half_track * kTick;
-    place += outOfFrame(math::unit(heading + turn / 2), {speed, across}) * kTick;
-    heading += turn;
+    const Vec2 half = smallTurn(turning / pitch.half_track * (kTick / 2));
+    const Vec2 middle = outOfFrame(face, half);
+    place += outOfFrame(middle, {speed, across}) * kTick;
+    face = outOfFrame(middle, half);
   }
 };
 

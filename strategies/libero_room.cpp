@@ -15,18 +15,15 @@ constexpr double kTouch = 0.005;  // [m] between bodies that are taken to touch,
 constexpr double kRoom = 0.006;   // [m] kept to a keeper
 constexpr double kNear = 0.40;    // [m] beyond which nobody comes within the horizon
 
-/// Half the extent of a square along a unit vector.
-double reach(double half, Vec2 axis, Vec2 along) {
-  return half * (std::abs(dot(axis, along)) + std::abs(cross(axis, along)));
-}
+/// Half the extent of a square of half size `half` along the other's sides, where `a` and `b` point along a
+/// side of either: alike for all four.
+double reach(double half, Vec2 a, Vec2 b) { return half * (std::abs(dot(a, b)) + std::abs(cross(a, b))); }
 
 /// [m] between two squares along the axis on which they are farthest apart; negative where they overlap.
 double gapOf(double half, Vec2 between, Vec2 a, Vec2 b) {
-  double gap = -1e9;
-  for (const Vec2 axis : {a, perp(a), b, perp(b)}) {
-    gap = std::max(gap, std::abs(dot(between, axis)) - reach(half, a, axis) - reach(half, b, axis));
-  }
-  return gap;
+  const double farthest = std::max({std::abs(dot(between, a)), std::abs(cross(between, a)),
+                                    std::abs(dot(between, b)), std::abs(cross(between, b))});
+  return farthest - half - reach(half, a, b);
 }
 
 /// A keeper as seen from one robot.
@@ -34,18 +31,19 @@ struct Keeper {
   const Pitch& pitch;
   const RobotState& self;
   const RobotState& keeper;
+  Roll start{pitch, self};
+  Vec2 faced = math::unit(keeper.pose.heading);
 
-  double gap() const { return gapAfter(Roll(pitch, self), 0); }
+  double gap() const { return gapAfter(start, 0); }
   /// After that many ticks, in which the keeper goes on as it does.
   double gapAfter(const Roll& roll, int ticks) const {
     const Vec2 there = keeper.pose.position + keeper.velocity * (ticks * kTick);
-    return gapOf(pitch.robot_half, there - roll.place, math::unit(roll.heading),
-                 math::unit(keeper.pose.heading));
+    return gapOf(pitch.robot_half, there - roll.place, roll.face, faced);
   }
 
   /// Whether the robot could still stop before the keeper after a tick of it.
   bool allows(Twist twist) const {
-    Roll roll(pitch, self);
+    Roll roll = start;
     roll.drive(twist);
     double least = gapAfter(roll, 1);
     for (int i = 2; i < kHorizon && !roll.rests(); ++i) {
@@ -56,23 +54,28 @@ struct Keeper {
   }
 
   /// [m] to the keeper, summed over some ticks of a twist, walls in the way: the sooner it leaves the better.
+  /// Where it is off, farther counts no more: an arc that ends farther away rubs along the keeper longer.
   double gapsBy(Twist twist) const {
-    constexpr int kAhead = 6;  // [ticks]
-    Roll roll(pitch, self);
+    constexpr double kOff = 0.02;  // [m]
+    constexpr int kAhead = 15;     // [ticks] in which a robot that stood is past the keeper's body
+    Roll roll = start;
     double sum = 0.0;
     for (int i = 1; i <= kAhead; ++i) {
       roll.drive(twist);
-      roll.place = walled(roll.place);
-      sum += gapAfter(roll, i);
+      roll.place = walled(roll.place, roll.face);
+      sum += std::min(kOff, gapAfter(roll, i));
     }
     return sum;
   }
 
-  /// `p` where a body fits, in their goal too.
-  Vec2 walled(Vec2 p) const {
-    const double post = pitch.goal_half - pitch.robot_half;
-    const bool in_mouth = p.x > pitch.half_length - pitch.robot_half && std::abs(p.y) < post + kRoom;
-    return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : pitch.inside(p, pitch.robot_half);
+  /// `p` where a body that faces so fits, in their goal too: who turns at a wall comes off it, perhaps into
+  /// the keeper.
+  Vec2 walled(Vec2 p, Vec2 face) const {
+    const double half = reach(pitch.robot_half, face, {1.0, 0.0});
+    const double post = pitch.goal_half - half;
+    const bool in_mouth =
+        p.x > pitch.half_length - half && std::abs(p.y) < pitch.goal_half - pitch.robot_half + kRoom;
+    return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : pitch.inside(p, half);
   }
 
   /// Whatever brings the robot off the keeper best: with either end, turning or not.
@@ -95,7 +98,7 @@ struct Keeper {
   /// What of all that can be done comes nearest to what is wanted.
   RobotCommand kept(Twist wanted) const {
     const Vec2 off = unitOr(self.pose.position - keeper.pose.position, {-1.0, 0.0});
-    const Vec2 going = math::unit(self.pose.heading) * wanted.linear;
+    const Vec2 going = start.face * wanted.linear;
     const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
     const Twist slide = alongHeading(pitch, self, math::angleOf(perp(off) * hand + off * 0.3), pitch.speed);
     if (allows(slide)) return RobotCommand::byTwist(slide);
@@ -113,6 +116,13 @@ bool keeps(const Picture& picture, int opponent) {
          inTheirArea(picture.pitch, other.pose.position + other.velocity * kSoon);
 }
 
+/// Whether the two cannot come near each other before the robot rests, however they turn.
+bool isFar(const Pitch& pitch, const RobotState& self, const RobotState& keeper) {
+  const double ways = mostWay(pitch, norm(self.velocity)) + norm(keeper.velocity) * (kHorizon * kTick);
+  const double apart = ways + 2.0 * (pitch.robot_corner + kRoom);
+  return squaredNorm(keeper.pose.position - self.pose.position) > std::min(kNear * kNear, apart * apart);
+}
+
 /// Whether the ball lies between the two: who meets a keeper there meets it at the ball.
 bool ballBetween(const Picture& picture, const RobotState& self, const RobotState& keeper) {
   const Vec2 way = keeper.pose.position - self.pose.position;
@@ -123,7 +133,10 @@ bool ballBetween(const Picture& picture, const RobotState& self, const RobotStat
 }  // namespace
 
 bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball) {
-  const Vec2 local = intoFrame(math::unit(robot.pose.heading), ball - robot.pose.position);
+  const Vec2 way = ball - robot.pose.position;
+  const double farthest = pitch.robot_corner + pitch.ball_radius + kTouch;
+  if (squaredNorm(way) > farthest * farthest) return false;
+  const Vec2 local = intoFrame(math::unit(robot.pose.heading), way);
   const Vec2 outside{std::max(0.0, std::abs(local.x) - pitch.robot_half),
                      std::max(0.0, std::abs(local.y) - pitch.robot_half)};
   return norm(outside) < pitch.ball_radius + kTouch;
@@ -158,7 +171,7 @@ std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twi
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!keeps(picture, i)) continue;
     const RobotState& other = picture.opponent(i);
-    if (squaredNorm(other.pose.position - self.pose.position) > kNear * kNear) continue;
+    if (isFar(picture.pitch, self, other)) continue;
     if (ballBetween(picture, self, other)) continue;
     const Keeper keeper{picture.pitch, self, other};
     if (keeper.gap() < kTouch) return keeper.away();

@@ -47,13 +47,14 @@ Interception interception(const Picture& picture, const RobotState& robot) {
     const Vec2 ball = picture.ball.sample(0);
     return {timeToReach(picture.pitch, robot, strike_point(ball)), ball};
   }
+  const Vec2 face = math::unit(robot.pose.heading);
   double late = 0.0;  // by how much the robot came too late at the step before
   for (int i = 0; i <= BallForecast::kSteps; i += 2) {
     const double time = i * BallForecast::kStep;
     const Vec2 ball = picture.ball.sample(i);
     const double least = picture.pitch.speed * time + 0.12;
     if (squaredNorm(ball - robot.pose.position) > least * least && i < BallForecast::kSteps) continue;
-    const double needed = timeToReach(picture.pitch, robot, strike_point(ball)) + 0.0;
+    const double needed = timeToReach(picture.pitch, robot, face, strike_point(ball));
     if (needed <= time || i == BallForecast::kSteps) {
       if (i == 0) return {needed, ball};
       const double early = time - needed;
@@ -169,9 +170,8 @@ Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
   if (canMeetBrought(picture, self)) return meetBrought(picture, self);
   if (const auto round = roundKeeper(picture, robot, now.position)) return *round;
   if (isCaught(picture, self, memory)) return driveOff(pitch, self);
-  const Interception meet = interception(picture, self);
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
-  const Vec2 ball = close ? now.position + now.velocity * 0.03 : meet.ball;
+  const Vec2 ball = close ? now.position + now.velocity * 0.03 : interception(picture, self).ball;
   memory.mouth = openMouth(picture, ball, self.pose.position.y, memory.mouth);
   Aim aim = aimAt(pitch, ball, {pitch.half_length + 0.02, memory.mouth});
   const bool pinned = aim.wall && squaredNorm(rel) < 0.085 * 0.085 && squaredNorm(now.velocity) < 0.2 * 0.2 &&

@@ -17,8 +17,9 @@ TEST_CASE("libero comes round a lying ball without sliding past it", "[unit]") {
     }
   }
   CAPTURE(quick, runs);
-  // It slides past and comes again in the other half (docs/libero.md): to be mended, not to get worse.
-  CHECK(quick >= runs * 4 / 10);
+  // Where it aims at the middle although the ball that it pushes already rolls in beside it, it turns off and
+  // has to come again in half of these. In what is left it pushes the ball at a post (docs/libero.md).
+  CHECK(quick >= runs * 3 / 4);
 }
 
 TEST_CASE("libero overtakes a rolling ball whose direction it has to mend", "[unit]") {

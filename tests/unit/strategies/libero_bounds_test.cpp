@@ -48,4 +48,22 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
   CHECK(near > 1000);
 }
 
+TEST_CASE("libero's second attacker leaves their goal's mouth by its front", "[unit]") {
+  // It pushed at the post for good: past that the way out was shortest.
+  const libero::Pitch pitch(test::infoOf(3));
+  for (const double side : {1.0, -1.0}) {
+    for (const double heading : {-1.57, 0.4, 1.57}) {
+      Placement scene;
+      scene.ball = {-0.5, 0.3};
+      scene.robots[0][0] = Pose2{{-0.708, 0.0}, 1.57};
+      scene.robots[0][1] = Pose2{{-0.35, 0.3}, 0.0};
+      scene.robots[0][2] = Pose2{{0.735, -0.12}, heading};
+      const Match match = test::playedFrom(test::mirrored(scene, side), 1.5);
+      const Vec2 place = match.world().robots[2].pose.position;
+      CAPTURE(side, heading, place.x, place.y);
+      CHECK(libero::outsideOwnArea(pitch, -place) > 0.0);
+    }
+  }
+}
+
 }  // namespace fulbito

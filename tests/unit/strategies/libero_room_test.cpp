@@ -65,6 +65,27 @@ TEST_CASE("libero goes round a keeper that stands between it and the ball", "[un
   CHECK(pressed < 12 * 12);  // on average shorter than what is called
 }
 
+TEST_CASE("libero's second attacker leaves their goal's mouth without pushing the keeper before it",
+          "[unit]") {
+  for (const double side : {1.0, -1.0}) {
+    Placement scene;
+    scene.ball = {-0.5, 0.3};
+    scene.robots[0][0] = Pose2{{-0.708, 0.0}, math::kPi / 2};
+    scene.robots[0][1] = Pose2{{-0.35, 0.3}, 0.0};
+    scene.robots[0][2] = Pose2{{0.77, -0.02}, 3.0};
+    scene.robots[1][0] = Pose2{{0.66, 0.0}, math::kPi / 2};
+    Match match =
+        test::matchFrom(test::matchOf("libero", "idle", "vsss-3v3", 10.0), test::mirrored(scene, side));
+    Charges charges;
+    match.watch(charges);
+    while (match.seconds() < 3.0 && match.referee().score[0] == 0 && match.step()) {
+    }
+    CAPTURE(side);
+    CHECK(charges.calls == 0);
+    CHECK(charges.pressed < 12);
+  }
+}
+
 TEST_CASE("in play libero hardly ever charges a keeper", "[unit]") {
   // Three matches of two minutes; before libero gave a keeper room there were 18 calls against classic.
   for (const char* opponent : {"classic", "chaser"}) {
