@@ -68,12 +68,12 @@ Result<void> checkRanges(const ComparisonConfig& config) {
   return {};
 }
 
-Result<std::vector<Block>> plainBlocks(const ComparisonConfig& config) {
+Result<std::vector<ComparisonBlock>> plainBlocks(const ComparisonConfig& config) {
   const auto suite = findSuite(config.suite);
   if (!suite) return tl::unexpected<Error>(suite.error());
   auto choices = parseAll(config.navigators.empty() ? defaultNavigators() : config.navigators);
   if (!choices) return tl::unexpected<Error>(choices.error());
-  std::vector<Block> blocks;
+  std::vector<ComparisonBlock> blocks;
   for (double speed : config.speeds.empty() ? (*suite)->speeds : config.speeds) {
     blocks.push_back({*suite, speed, config.trials > 0 ? config.trials : (*suite)->default_trials, *choices,
                       config.seed, StartHeading::kLayout});
@@ -84,7 +84,7 @@ Result<std::vector<Block>> plainBlocks(const ComparisonConfig& config) {
 std::vector<Task> tasksOf(const Comparison& comparison) {
   std::vector<Task> tasks;
   for (std::size_t b = 0; b < comparison.blocks.size(); ++b) {
-    const Block& block = comparison.blocks[b];
+    const ComparisonBlock& block = comparison.blocks[b];
     for (std::size_t n = 0; n < block.navigators.size(); ++n) {
       if (comparison.config.only) {
         tasks.push_back({b, n, *comparison.config.only});
@@ -109,7 +109,7 @@ std::string recordingFile(const std::string& folder, const TrialConfig& config) 
 }
 
 Result<TrialRecord> runTask(const Comparison& comparison, const Task& task, const Clock& clock) {
-  const Block& block = comparison.blocks[task.block];
+  const ComparisonBlock& block = comparison.blocks[task.block];
   const auto config = trialConfig(comparison, block, task.navigator, task.index);
   if (!config) return tl::unexpected<Error>(config.error());
   const bool drawn = comparison.config.only || block.suite->always_drawn ||
@@ -135,7 +135,7 @@ Result<TrialRecord> runTask(const Comparison& comparison, const Task& task, cons
   return record;
 }
 
-void turnStart(Layout& layout, const Block& block, std::uint64_t index) {
+void turnStart(Layout& layout, const ComparisonBlock& block, std::uint64_t index) {
   const double to_goal = math::angleOf(layout.goal - layout.start.position);
   if (block.heading == StartHeading::kRandom) {
     Rng rng(block.seed, Stream::kStartHeading, index);
@@ -158,15 +158,15 @@ RobotPreset robotAt(const RobotPreset& robot, double speed) {
   return limited;
 }
 
-std::size_t referenceOf(const Block& block) {
+std::size_t referenceOf(const ComparisonBlock& block) {
   for (std::size_t n = 0; n < block.navigators.size(); ++n) {
     if (block.navigators[n].text == "bezier") return n;
   }
   return 0;
 }
 
-Result<TrialConfig> trialConfig(const Comparison& comparison, const Block& block, std::size_t navigator,
-                                std::uint64_t index) {
+Result<TrialConfig> trialConfig(const Comparison& comparison, const ComparisonBlock& block,
+                                std::size_t navigator, std::uint64_t index) {
   TrialConfig config;
   config.layout = block.suite->layout(block.seed, index);
   turnStart(config.layout, block, index);
@@ -204,7 +204,7 @@ Result<Comparison> planComparison(const ComparisonConfig& config) {
   auto blocks = config.suite == kPaperSuite ? paperBlocks(config) : plainBlocks(config);
   if (!blocks) return tl::unexpected<Error>(blocks.error());
   comparison.blocks = std::move(*blocks);
-  for (const Block& block : comparison.blocks) {
+  for (const ComparisonBlock& block : comparison.blocks) {
     if (config.only && *config.only >= static_cast<std::uint64_t>(block.trials)) {
       return fail(ErrorCode::kUsage, fmt::format("--only: {} is outside 0 ... {} (suite {})", *config.only,
                                                  block.trials - 1, block.suite->name));
@@ -243,7 +243,7 @@ Result<void> runComparison(Comparison& comparison, const Clock& clock, const Pro
 std::span<const TrialRecord> recordsOf(const Comparison& comparison, std::size_t block,
                                        std::size_t navigator) {
   std::size_t begin = 0;
-  const auto count = [&](const Block& b) {
+  const auto count = [&](const ComparisonBlock& b) {
     return comparison.config.only ? 1u : static_cast<std::size_t>(b.trials);
   };
   for (std::size_t b = 0; b < block; ++b)

@@ -37,7 +37,7 @@ enum class StartHeading {
 std::string_view nameOf(StartHeading heading);
 
 /// One suite at one speed with the navigators that are compared on it.
-struct Block {
+struct ComparisonBlock {
   const Suite* suite = nullptr;
   double speed = 1.0;  ///< [m/s]
   int trials = 0;
@@ -98,7 +98,7 @@ struct Comparison {
   ComparisonConfig config;  ///< resolved
   RobotPreset robot;
   PhysicsProfile physics;
-  std::vector<Block> blocks;
+  std::vector<ComparisonBlock> blocks;
   std::vector<TrialRecord> records;  ///< block by block, navigator by navigator, in the order of the layouts
   std::vector<SummaryRow> summary;
   std::vector<ReproductionRow> reproduction;  ///< of `jung-lee-2015` only
@@ -124,13 +124,13 @@ std::span<const TrialRecord> recordsOf(const Comparison& comparison, std::size_t
                                        std::size_t navigator);
 
 /// Index of the navigator that others are paired with: `bezier` where it takes part, else the first.
-std::size_t referenceOf(const Block& block);
+std::size_t referenceOf(const ComparisonBlock& block);
 
 /// The robot of a block: the comparison's with its top speed set to the block's.
 RobotPreset robotAt(const RobotPreset& robot, double speed);
 
 /// The trial config of one trial of the comparison. Errors: of the layout's field.
-Result<TrialConfig> trialConfig(const Comparison& comparison, const Block& block, std::size_t navigator,
-                                std::uint64_t index);
+Result<TrialConfig> trialConfig(const Comparison& comparison, const ComparisonBlock& block,
+                                std::size_t navigator, std::uint64_t index);
 
 }  // namespace fulbito

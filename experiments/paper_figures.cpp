@@ -171,7 +171,7 @@ std::vector<std::string> figureMethods() {
 std::vector<FigureRow> judgeFigures(const Comparison& comparison) {
   std::vector<FigureRow> rows;
   for (std::size_t b = 0; b < comparison.blocks.size(); ++b) {
-    const Block& block = comparison.blocks[b];
+    const ComparisonBlock& block = comparison.blocks[b];
     for (std::size_t n = 0; n < block.navigators.size(); ++n) {
       for (const TrialRecord& record : recordsOf(comparison, b, n)) {
         const Layout layout = block.suite->layout(block.seed, record.index);

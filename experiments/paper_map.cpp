@@ -142,7 +142,7 @@ void fillCells(PaperMap& map) {
   map.cells.clear();
   for (std::size_t first = 0; first < map.comparison.blocks.size();
        first += static_cast<std::size_t>(config.seeds)) {
-    const Block& block = map.comparison.blocks[first];
+    const ComparisonBlock& block = map.comparison.blocks[first];
     const std::vector<std::size_t> blocks = blocksFrom(first, config.seeds);
     std::size_t ring = 1;
     for (double width : config.widths) {
@@ -163,7 +163,7 @@ void fillCells(PaperMap& map) {
 }
 
 Result<void> addBlocks(const MapConfig& config, const Axes& axes, const Suite& suite,
-                       std::vector<Block>& blocks) {
+                       std::vector<ComparisonBlock>& blocks) {
   for (bool classic : axes.classic) {
     const auto methods = methodsOf(axes, classic);
     if (!methods) return tl::unexpected<Error>(methods.error());

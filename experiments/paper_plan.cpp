@@ -15,9 +15,9 @@ namespace {
 const Suite* suiteNamed(const std::string& name) { return *findSuite(name); }
 
 /// Methods of the block: the caller's choice, or all with the block's own opponents.
-Result<Block> blockOf(const ComparisonConfig& config, const std::string& suite, double speed,
-                      const std::vector<std::string>& own, bool all_methods) {
-  Block block;
+Result<ComparisonBlock> blockOf(const ComparisonConfig& config, const std::string& suite, double speed,
+                                const std::vector<std::string>& own, bool all_methods) {
+  ComparisonBlock block;
   block.suite = suiteNamed(suite);
   block.speed = speed;
   block.seed = config.seed;
@@ -45,7 +45,7 @@ struct Place {
 std::optional<Place> find(const Comparison& comparison, const std::string& suite, double speed,
                           const std::string& text) {
   for (std::size_t b = 0; b < comparison.blocks.size(); ++b) {
-    const Block& block = comparison.blocks[b];
+    const ComparisonBlock& block = comparison.blocks[b];
     if (block.suite->name != suite || block.speed != speed) continue;
     for (std::size_t n = 0; n < block.navigators.size(); ++n) {
       if (block.navigators[n].text == text) return Place{b, n};
@@ -237,8 +237,8 @@ constexpr DifferenceClaim kClaims[] = {
 
 }  // namespace
 
-Result<std::vector<Block>> paperBlocks(const ComparisonConfig& config) {
-  std::vector<Block> blocks;
+Result<std::vector<ComparisonBlock>> paperBlocks(const ComparisonConfig& config) {
+  std::vector<ComparisonBlock> blocks;
   const std::vector<double> speeds = config.speeds.empty() ? suiteNamed("corner")->speeds : config.speeds;
   for (double speed : speeds) {
     auto block =

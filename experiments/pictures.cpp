@@ -135,7 +135,7 @@ Result<void> addArrows(FieldPicture& picture, const TrialConfig& config) {
 
 /// Which of a block's runs a picture shows: of a figure's case its own method and those beside it, where the
 /// block has the method; else all.
-std::vector<std::size_t> drawnNavigators(const Block& block, const PaperFigure* figure) {
+std::vector<std::size_t> drawnNavigators(const ComparisonBlock& block, const PaperFigure* figure) {
   std::vector<std::size_t> all, chosen;
   bool own = false;
   for (std::size_t n = 0; n < block.navigators.size(); ++n) {
@@ -159,7 +159,7 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
   chart.reference = 1.0;
   chart.reference_label = "limit";
   std::size_t row = 0;
-  for (const Block& block : comparison.blocks) {
+  for (const ComparisonBlock& block : comparison.blocks) {
     BarGroup group{fmt::format("{} at {:.1f} m/s", block.suite->name, block.speed), {}};
     std::vector<std::size_t> seen;
     for (const NavigatorChoice& navigator : block.navigators) {
@@ -183,7 +183,7 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
 
 Result<void> writePathPicture(const std::string& file, const Comparison& comparison, std::size_t b,
                               std::uint64_t index) {
-  const Block& block = comparison.blocks[b];
+  const ComparisonBlock& block = comparison.blocks[b];
   const auto config = trialConfig(comparison, block, 0, index);
   if (!config) return tl::unexpected<Error>(config.error());
   FieldPicture picture = pictureOf(*config);
@@ -235,7 +235,7 @@ Result<std::vector<std::string>> writePictures(const Comparison& comparison, con
   };
   const auto file_of = [&](const std::string& name) { return folder + "/" + name; };
   for (std::size_t b = 0; b < comparison.blocks.size(); ++b) {
-    const Block& block = comparison.blocks[b];
+    const ComparisonBlock& block = comparison.blocks[b];
     const std::size_t layouts = recordsOf(comparison, b, 0).size();
     for (std::size_t i = 0; i < layouts; ++i) {
       if (recordsOf(comparison, b, 0)[i].trace.empty()) continue;

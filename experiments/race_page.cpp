@@ -59,7 +59,7 @@ PageRun runOf(const TrialRecord& record, const NavigatorChoice& navigator) {
           score.lengthRatio()};
 }
 
-PageScene raceOf(const Comparison& comparison, const Block& block, const TrialConfig& config,
+PageScene raceOf(const Comparison& comparison, const ComparisonBlock& block, const TrialConfig& config,
                  std::span<const TrialRecord* const> records) {
   PageScene scene;
   scene.title = fmt::format("{} at {:.1f} m/s", config.layout.name, block.speed);
@@ -85,7 +85,7 @@ PageScene raceOf(const Comparison& comparison, const Block& block, const TrialCo
 Result<Page> racePage(const Comparison& comparison) {
   Page page{PageKind::kRaces, fmt::format("Race of navigators, {}", comparison.config.suite), {}};
   for (std::size_t b = 0; b < comparison.blocks.size(); ++b) {
-    const Block& block = comparison.blocks[b];
+    const ComparisonBlock& block = comparison.blocks[b];
     for (std::size_t i = 0; i < recordsOf(comparison, b, 0).size(); ++i) {
       std::vector<const TrialRecord*> records;
       records.reserve(block.navigators.size());

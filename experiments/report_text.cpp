@@ -23,7 +23,8 @@ void appendRow(std::string& out, const SummaryRow& row) {
       1000 * row.min_clearance, row.compute_us_p50, row.compute_us_p99, row.compute_us_max);
 }
 
-void appendBlock(std::string& out, const Comparison& comparison, const Block& block, std::size_t& next) {
+void appendBlock(std::string& out, const Comparison& comparison, const ComparisonBlock& block,
+                 std::size_t& next) {
   const int trials = comparison.config.only ? 1 : block.trials;
   out += fmt::format("\n### {} at {:.1f} m/s, {} layout{}\n\n{}\n\n", block.suite->name, block.speed, trials,
                      trials == 1 ? "" : "s", block.suite->summary);
@@ -55,7 +56,7 @@ std::string markdownReport(const Comparison& comparison) {
   std::string out = fmt::format("## {} (seed {}, robot {}, physics {})\n", comparison.config.suite,
                                 comparison.config.seed, comparison.robot.robot.name, comparison.physics.name);
   std::size_t next = 0;
-  for (const Block& block : comparison.blocks) appendBlock(out, comparison, block, next);
+  for (const ComparisonBlock& block : comparison.blocks) appendBlock(out, comparison, block, next);
   out +=
       "\n\\* plans its own speeds. L*, T*: shortest way and least time. T/T* all counts a failure as 8. Safe "
       "pairs: layouts that "
@@ -83,7 +84,7 @@ std::string trialsCsv(const Comparison& comparison) {
       "jumps,"
       "wheel_jerk_m_s3,heading_error_rad,longest_stuck_s,final_hash\n";
   for (const TrialRecord& r : comparison.records) {
-    const Block& block = comparison.blocks[r.block];
+    const ComparisonBlock& block = comparison.blocks[r.block];
     const TrialScore& s = r.score;
     out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:016x}\n",
                        block.suite->name, block.speed, csvText(block.navigators[r.navigator].text), r.index,

@@ -39,7 +39,7 @@ void fillMeans(SummaryRow& row, const Successes& sums) {
 }
 
 SummaryRow summaryRow(const Comparison& comparison, std::size_t b, std::size_t n) {
-  const Block& block = comparison.blocks[b];
+  const ComparisonBlock& block = comparison.blocks[b];
   const auto records = recordsOf(comparison, b, n);
   const auto reference = recordsOf(comparison, b, referenceOf(block));
   SummaryRow row;

@@ -9,7 +9,7 @@ namespace fulbito {
 
 /// Settings of the dynamic window approach. Preview and weights are the best of a grid search (54 points;
 /// time, length and failures at 0.6, 1.0 and 2.6 m/s) on 25 corner layouts apart from those that methods are
-/// judged on: the [tune] case of tests/unit/navigation/dwa_test.cpp prints it. The progress weight sets the
+/// judged on: bench/surveys/dwa_survey.cpp prints it. The progress weight sets the
 /// scale.
 struct DwaParams {
   int speeds = 9;            ///< samples of the forward speed

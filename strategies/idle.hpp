@@ -1,7 +1,7 @@
 // Private header of strategies: not installed.
 #pragma once
 
-#include "strategies/registry.hpp"
+#include "strategies/team_info.hpp"
 
 namespace fulbito {
 

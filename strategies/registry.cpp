@@ -1,7 +1,5 @@
 #include "strategies/registry.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "engine/core/suggest.hpp"
@@ -44,16 +42,6 @@ Result<TeamChoice> parseTeam(const std::string& specification) {
 
 Result<std::unique_ptr<Strategy>> makeTeam(const TeamChoice& choice) {
   return choice.info->make(choice.settings);
-}
-
-Result<NavigatorChoice> takeNavigator(std::vector<Setting>& settings, const std::string& default_navigator) {
-  std::string specification = default_navigator;
-  for (const Setting& setting : settings) {
-    if (setting.name == kNavigatorSetting) specification = setting.value;
-  }
-  std::erase_if(settings, [](const Setting& setting) { return setting.name == kNavigatorSetting; });
-  std::replace(specification.begin(), specification.end(), '+', ',');
-  return parseNavigator(specification);
 }
 
 }  // namespace fulbito

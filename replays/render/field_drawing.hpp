@@ -7,16 +7,13 @@
 #include "engine/core/layout.hpp"
 #include "engine/core/robot_model.hpp"
 #include "replays/render/field_view.hpp"
+#include "replays/render/palette.hpp"
 
 namespace fulbito {
 
 /// Width [m] of the walls' tops beside the field.
 inline constexpr double kDrawnWall = 0.025;
 
-/// Colours of a field.
-struct FieldColours {
-  Colour wall, floor, left_goal, right_goal, line;
-};
 /// Those of the pictures of trials.
 FieldColours defaultFieldColours();
 

@@ -55,8 +55,4 @@ struct FieldPicture {
 /// empty window.
 Result<Canvas> drawFieldPicture(const FieldPicture& picture);
 
-/// The colour that the i-th path or bar has in every picture of the project; distinguishable by colour-blind
-/// readers.
-Colour seriesColour(std::size_t index);
-
 }  // namespace fulbito

@@ -3,7 +3,8 @@
 
 #include <array>
 
-#include "replays/render/match_picture.hpp"
+#include "replays/render/canvas.hpp"
+#include "replays/render/picture_theme.hpp"
 
 namespace fulbito {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "replays/render/body_drawing.hpp"
+#include "replays/render/field_drawing.hpp"
 #include "replays/render/match_plan.hpp"
 #include "replays/render/overlay_drawing.hpp"
 #include "replays/render/score_board.hpp"

@@ -11,11 +11,10 @@
 #include "engine/core/layout.hpp"
 #include "engine/core/robot_model.hpp"
 #include "replays/render/canvas.hpp"
+#include "replays/render/picture_theme.hpp"
 #include "replays/timeline.hpp"
 
 namespace fulbito {
-
-enum class PictureTheme : std::uint8_t { kDark, kLight };
 
 /// What stays the same over all pictures of a match or trial.
 struct MatchPictureSpec {

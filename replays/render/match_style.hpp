@@ -3,8 +3,8 @@
 
 #include "engine/core/team.hpp"
 #include "replays/render/canvas.hpp"
-#include "replays/render/field_drawing.hpp"
-#include "replays/render/match_picture.hpp"
+#include "replays/render/palette.hpp"
+#include "replays/render/picture_theme.hpp"
 
 namespace fulbito {
 

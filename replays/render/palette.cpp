@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "replays/render/field_picture.hpp"
-
 namespace fulbito {
 namespace {
 

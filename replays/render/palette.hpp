@@ -5,7 +5,7 @@
 
 namespace fulbito {
 
-/// Colours of the field pictures; those of the series are `seriesColour` in field_picture.hpp.
+/// Colours of the field pictures; those of the series are `seriesColour`.
 namespace theme {
 inline constexpr Colour kPage{15, 18, 23};
 inline constexpr Colour kPanel{24, 29, 36};
@@ -22,8 +22,17 @@ inline constexpr Colour kPushable{226, 150, 118};
 inline constexpr Colour kSeam{244, 247, 232};
 }  // namespace theme
 
+/// Colours of a field.
+struct FieldColours {
+  Colour wall, floor, left_goal, right_goal, line;
+};
+
 /// How many colours `seriesColour` has before it starts again.
 inline constexpr std::size_t kSeriesColours = 12;
+
+/// The colour that the i-th path or bar has in every picture of the project; distinguishable by colour-blind
+/// readers.
+Colour seriesColour(std::size_t index);
 
 /// `colour` with another opacity 0...255.
 constexpr Colour withAlpha(Colour colour, std::uint8_t alpha) {

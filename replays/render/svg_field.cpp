@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "replays/render/field_drawing.hpp"
+
 namespace fulbito {
 namespace {
 

@@ -105,7 +105,7 @@ TEST_CASE("the paper's suite judges every claim of R4-a to R4-f", "[unit]") {
 TEST_CASE("a block's start heading turns the layout and nothing else", "[unit]") {
   auto comparison = planComparison(small("corner"));
   REQUIRE(comparison);
-  Block& block = comparison->blocks.front();
+  ComparisonBlock& block = comparison->blocks.front();
   const auto laid_out = trialConfig(*comparison, block, 0, 1);
   block.heading = StartHeading::kAway;
   const auto away = trialConfig(*comparison, block, 0, 1);

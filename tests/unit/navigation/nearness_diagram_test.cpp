@@ -1,7 +1,5 @@
 #include "navigation/nearness_diagram.hpp"
 
-#include <cstdio>
-
 #include "engine/core/math.hpp"
 #include "navigation/registry.hpp"
 #include "tests/support/catch.hpp"
@@ -245,23 +243,6 @@ TEST_CASE("the nearness diagram is safe on corner layouts", "[unit]") {
     INFO("safe " << survey.safe << " of 40, L " << survey.over_straight);
     CHECK(survey.safe >= 38);
     CHECK(survey.over_straight < 1.13);
-  }
-}
-
-TEST_CASE("survey of the nearness diagram on corner layouts", "[.][survey]") {
-  test::printSurvey("nearness-diagram", "nearness-diagram", {});
-  test::printPlanningTime("nearness-diagram", 9);
-}
-
-TEST_CASE("braking shares of the nearness diagram on layouts apart from the survey's", "[.][tune]") {
-  for (const char* braking : {"0.15", "0.2", "0.25", "0.3", "0.4", "0.6"}) {
-    for (double speed : {1.0, 2.6}) {
-      test::SurveyTask task;
-      task.speed = speed;
-      task.first_seed = 5000;
-      const test::Survey s = test::survey(std::string("nearness-diagram:braking=") + braking, task);
-      std::printf("braking %s at %.1f m/s: safe %5.1f %%, T %.3f s\n", braking, speed, s.safe / 2.0, s.time);
-    }
   }
 }
 

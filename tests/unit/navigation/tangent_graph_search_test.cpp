@@ -1,10 +1,7 @@
 #include "navigation/tangent_graph_search.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
-
-#include <fmt/format.h>
 
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
@@ -224,26 +221,6 @@ TEST_CASE("searching any of 64 overlapping discs ends and stays finite", "[unit]
     if (!graph.search(a, b, circles, nullptr)) continue;
     CHECK(graph.length() >= distance(a, b) - 1e-12);
     CHECK(std::isfinite(graph.length()));
-  }
-}
-
-TEST_CASE("survey of the tangent graph's planning time", "[.][survey]") {
-  for (std::size_t count : {4U, 9U, 20U, 50U}) {
-    Rng rng(count, Stream::kTest);
-    TangentGraph graph(64);
-    std::vector<double> times;
-    for (int i = 0; i < 4000; ++i) {
-      const std::vector<Circle> circles = randomCircles(rng, count, 0.07, 0.10);
-      const Vec2 a{-0.63, rng.uniform(-0.5, 0.5)}, b{0.63, rng.uniform(-0.5, 0.5)};
-      const FieldGeometry field;
-      const auto from = std::chrono::steady_clock::now();
-      graph.search(a, b, circles, &field, 0.053);
-      times.push_back(
-          std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - from).count());
-    }
-    std::sort(times.begin(), times.end());
-    fmt::print("tangent graph, {:2} discs: p50 {:6.1f} p99 {:6.1f} max {:7.1f} us\n", count,
-               times[times.size() / 2], times[times.size() * 99 / 100], times.back());
   }
 }
 

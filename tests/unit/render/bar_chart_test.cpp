@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "replays/render/palette.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/render/samples.hpp"
 

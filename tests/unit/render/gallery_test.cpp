@@ -3,15 +3,15 @@
 #include "tests/support/catch.hpp"
 #include "tests/unit/render/samples.hpp"
 
-// Pictures to look at: `render_test "[gallery]"` writes them to ./render-gallery.
+// Pictures to look at: `render_test "[gallery]"` writes them to render-gallery/ of the build folder.
 namespace fulbito {
 using namespace test;
 namespace {
 
 void write(const Result<Canvas>& canvas, const std::string& name) {
   REQUIRE(canvas);
-  std::filesystem::create_directories("render-gallery");
-  const auto written = canvas->writePng("render-gallery/" + name + ".png");
+  std::filesystem::create_directories(FULBITO_GALLERY);
+  const auto written = canvas->writePng(FULBITO_GALLERY "/" + name + ".png");
   REQUIRE(written);
 }
 

@@ -1,4 +1,4 @@
-// Not tests but tables: `navigation_test [survey]` prints them.
+// Tables of the path methods.
 #include "tests/support/catch.hpp"
 #include "tests/support/suite_layouts.hpp"
 #include "tests/support/survey.hpp"
@@ -18,21 +18,21 @@ void print(const std::string& name, test::LayoutMaker layout) {
 
 }  // namespace
 
-TEST_CASE("survey of the path methods on the corner layouts", "[.][survey]") {
+TEST_CASE("survey of the path methods on the corner layouts", "[survey]") {
   for (const char* name : kMethods) print(name, test::cornerLayout);
 }
 
-TEST_CASE("survey of the path methods with arrival headings", "[.][survey]") {
+TEST_CASE("survey of the path methods with arrival headings", "[survey]") {
   for (const char* name : {"tangent-graph", "bezier", "hermite"}) print(name, test::headingLayout);
 }
 
-TEST_CASE("survey of the path methods among crossing obstacles", "[.][survey]") {
+TEST_CASE("survey of the path methods among crossing obstacles", "[survey]") {
   for (const char* name : {"tangent-graph", "bezier", "bezier:yield=0", "hermite", "bezier-raw"}) {
     print(name, test::crossingLayout);
   }
 }
 
-TEST_CASE("survey of the path methods' planning time", "[.][survey]") {
+TEST_CASE("survey of the path methods' planning time", "[survey]") {
   for (const char* name : kMethods) {
     for (std::size_t obstacles : {4U, 9U, 20U}) test::printPlanningTime(name, obstacles);
   }

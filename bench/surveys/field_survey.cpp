@@ -1,3 +1,4 @@
+// Tables of how the field methods fare with the kinematic robot.
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -7,8 +8,6 @@
 #include "tests/support/corner_layout.hpp"
 #include "tests/support/survey.hpp"
 
-// Not a test but a table: `navigation_test [survey]` prints how the field methods fare with the kinematic
-// robot.
 namespace fulbito {
 namespace {
 
@@ -47,7 +46,7 @@ void print(const test::Survey& s) {
 
 }  // namespace
 
-TEST_CASE("survey of the field methods corner to corner", "[.][survey]") {
+TEST_CASE("survey of the field methods corner to corner", "[survey]") {
   const std::vector<std::string> specifications = {
       "vector-field",
       "vector-field:offset=0.10,width=0.20,follower=classic",
@@ -80,7 +79,7 @@ TEST_CASE("survey of the field methods corner to corner", "[.][survey]") {
   }
 }
 
-TEST_CASE("survey of short runs with the wide ring", "[.][survey]") {
+TEST_CASE("survey of short runs with the wide ring", "[survey]") {
   for (double length : {0.58, 0.65, 0.72}) {
     for (const char* width : {"0.10", "0.15", "0.20"}) {
       const std::string specification =
