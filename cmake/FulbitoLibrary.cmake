@@ -1,6 +1,7 @@
 # One option set for everything that state can depend on: baseline x86-64, no fused multiply-add, no fast-math.
 # Results are promised bit for bit, so these are not left to the user's CMAKE_CXX_FLAGS.
 include(CheckIPOSupported)
+include(FulbitoUnity)
 
 function(fulbito_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -8,6 +9,9 @@ function(fulbito_options target)
   target_compile_options(${target} PRIVATE
     -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     $<$<BOOL:${FULBITO_WERROR}>:-Werror>)
+  if(CMAKE_UNITY_BUILD)
+    fulbito_unity_groups(${target})
+  endif()
 endfunction()
 
 # fulbito_library(<name> SOURCES <files...> [PUBLIC <libs...>] [PRIVATE <libs...>])

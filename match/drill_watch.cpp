@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStay = 0.3;       // [s] that a robot must stay where it has arrived
 constexpr double kLost = 0.02;      // [m] between body and ball at which a pushed ball is lost
-constexpr double kShotSpeed = 0.1;  // [m/s] toward the goal, at least, of a ball that is on target
+constexpr double kTowardGoal = 0.1;  // [m/s] toward the goal, at least, of a ball that is on target
 
 /// Distance from `p` to the stretch of the goal line between the posts.
 double mouthDistance(const FieldGeometry& field, Vec2 p) {
@@ -128,7 +128,7 @@ void DrillWatch::follow(const Now& now) {
     trial_.own_goal = own_touch_last_;
   }
   const double to_line = field_.length / 2 - now.ball.position.x;
-  if (touched_ && !now.touched && now.ball.velocity.x > kShotSpeed && to_line > 0.0) {
+  if (touched_ && !now.touched && now.ball.velocity.x > kTowardGoal && to_line > 0.0) {
     const double y = now.ball.position.y + now.ball.velocity.y * to_line / now.ball.velocity.x;
     if (std::abs(y) < field_.goal_width / 2 - robot_.ball.radius) trial_.on_target = true;
   }

@@ -61,89 +61,97 @@ report() {
   findings=$((findings + 1))
 }
 
-# The text of a file without allowed lines, comments and strings; line numbers stay.
-code_of() {
-  sed -E -e '/determinism-ok: *[^ ]/s/.*//' -e "s/'\\\\?\"'/' '/g" -e 's/"([^"\\]|\\.)*"/""/g' -e 's#//.*##' -e 's#/\*([^*]|\*[^/])*\*/##g' "$1"
+texts=$(mktemp -d)
+trap 'rm -rf "$texts"' EXIT
+
+# copy FOLDER SED_OPTIONS...: copies the files that are named on standard input and edits them; lines keep their numbers.
+copy() {
+  mkdir -p "$texts/$1"
+  xargs -d '\n' -r cp --parents -t "$texts/$1"
+  find "$texts/$1" -type f -print0 | xargs -0 -r chmod u+w --
+  find "$texts/$1" -type f -print0 | xargs -0 -r sed -i -E -e '/determinism-ok: *[^ ]/s/.*//' "${@:2}" --
 }
 
-# search FILE TEXT PATTERN WHY
+# search FOLDER PATTERN WHY [NOT_IN]: one process for all files; those that match NOT_IN are left out.
 search() {
-  local line
-  while IFS=: read -r line _; do
-    [[ -n $line ]] && report "$1" "$line" "$4"
-  done < <(grep -nP -- "$3" <<<"$2" || true)
+  local file line
+  while IFS=: read -r file line _; do
+    file=${file#./}
+    [[ -n ${4-} && $file =~ $4 ]] || report "$file" "$line" "$3"
+  done < <(cd "$texts/$1" && grep -rnP -- "$2" . | sort -t: -k1,1 -k2,2n)
 }
 
-check_source() {
-  local file=$1 text start='(?<![\w:.])(?<!->)'
-  text=$(code_of "$file")
-  search "$file" "$text" "\bstd::($functions)\b" "differs between CPUs: use fulbito::math or std::sqrt"
-  search "$file" "$text" "$start::($functions)\s*\(" "differs between CPUs: use fulbito::math"
-  if [[ ! $file =~ $own_math ]]; then
-    search "$file" "$text" "$start($functions)\s*\(" "differs between CPUs if the C library's: write math:: before it"
-  fi
-  search "$file" "$text" '\bstd::(complex|norm|polar)\b|<complex>' 'complex functions call the C library'
-  search "$file" "$text" "$start(std::|::)?fma\s*\(|\b_mm\w*_f(n?m)(add|sub)" 'fused multiply-add'
-  search "$file" "$text" '\b\w+_clock\s*::\s*now\b|\b(clock_gettime|gettimeofday|timespec_get|__rdtsc)\b' 'reads a clock'
-  search "$file" "$text" "$start(std::|::)?(time\s*\(\s*(nullptr|NULL|0|&)|clock\s*\(\s*\))" 'reads a clock'
-  search "$file" "$text" '\bstd::(random_device|mt19937|minstd_rand|ranlux|default_random_engine|\w+_distribution\b|shuffle\b|sample\b)|<random>' \
-    'differs between runs or libraries: use Rng'
-  search "$file" "$text" "$start(std::|::)?(s?rand|random|[dlm]rand48)\s*\(" 'differs between runs or libraries: use Rng'
-  search "$file" "$text" '\bunordered_(multi)?(map|set)\b|\bstd::hash\b' 'order differs between libraries: use a vector or std::map'
-  search "$file" "$text" '\bstd::(multi)?(map|set)\s*<[^,<>]*\*' 'ordered by address, which differs between runs'
-}
-
-check_cmake() {
-  local text
-  text=$(sed -E -e '/determinism-ok: *[^ ]/s/.*//' -e 's/#.*//' "$1")
-  search "$1" "$text" '-march\b|-mfma|-mfpmath|-Ofast|-ffast-math|-funsafe-math|-fassociative-math|-freciprocal-math|-ffp-contract=(on|fast)' \
-    'changes floating-point results'
+# Without comments and strings.
+copy_sources() {
+  { find "${library_folders[@]}" -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' -o -name '*.c' \) \
+    -not -path "$allowed_folder/*" 2>/dev/null || true; } |
+    copy sources -e "s/'\\\\?\"'/' '/g" -e 's/"([^"\\]|\\.)*"/""/g' -e 's#//.*##' -e 's#/\*([^*]|\*[^/])*\*/##g'
 }
 
 check_sources() {
-  local file
-  cd "$root"
-  while IFS= read -r file; do
-    [[ $file == "$allowed_folder"/* ]] || check_source "$file"
-  done < <(find "${library_folders[@]}" -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' -o -name '*.c' \) 2>/dev/null | sort)
-  while IFS= read -r file; do
-    check_cmake "${file#./}"
-  done < <(find . -path ./build -prune -o -type f \
-    \( -name CMakeLists.txt -o -name '*.cmake' -o -name '*.cmake.in' -o -name 'CMake*Presets.json' \) -print | sort)
+  local start='(?<![\w:.])(?<!->)'
+  copy_sources
+  search sources "\bstd::($functions)\b" "differs between CPUs: use fulbito::math or std::sqrt"
+  search sources "$start::($functions)\s*\(" "differs between CPUs: use fulbito::math"
+  search sources "$start($functions)\s*\(" "differs between CPUs if the C library's: write math:: before it" "$own_math"
+  search sources '\bstd::(complex|norm|polar)\b|<complex>' 'complex functions call the C library'
+  search sources "$start(std::|::)?fma\s*\(|\b_mm\w*_f(n?m)(add|sub)" 'fused multiply-add'
+  search sources '\b\w+_clock\s*::\s*now\b|\b(clock_gettime|gettimeofday|timespec_get|__rdtsc)\b' 'reads a clock'
+  search sources "$start(std::|::)?(time\s*\(\s*(nullptr|NULL|0|&)|clock\s*\(\s*\))" 'reads a clock'
+  search sources '\bstd::(random_device|mt19937|minstd_rand|ranlux|default_random_engine|\w+_distribution\b|shuffle\b|sample\b)|<random>' \
+    'differs between runs or libraries: use Rng'
+  search sources "$start(std::|::)?(s?rand|random|[dlm]rand48)\s*\(" 'differs between runs or libraries: use Rng'
+  search sources '\bunordered_(multi)?(map|set)\b|\bstd::hash\b' 'order differs between libraries: use a vector or std::map'
+  search sources '\bstd::(multi)?(map|set)\s*<[^,<>]*\*' 'ordered by address, which differs between runs'
 }
 
-# Names the first few functions of an object or archive that contain fused multiply-adds.
+check_cmake() {
+  find . -path ./build -prune -o -type f \
+    \( -name CMakeLists.txt -o -name '*.cmake' -o -name '*.cmake.in' -o -name 'CMake*Presets.json' \) -print | copy cmake -e 's/#.*//'
+  search cmake '-march\b|-mfma|-mfpmath|-Ofast|-ffast-math|-funsafe-math|-fassociative-math|-freciprocal-math|-ffp-contract=(on|fast)' \
+    'changes floating-point results'
+}
+
+# Names the first few functions of each object that contain fused multiply-adds. Names of objects begin with "./",
+# those of an archive's members do not.
 check_fused() {
-  local where
-  where=$(objdump -d --no-show-raw-insn "$1" |
-    awk '/>:$/ { name = $2 } /[ \t]vfn?m(add|sub)/ { if (!(name in seen)) { seen[name]; if (++n <= 3) printf "%s ", name } }')
-  [[ -z $where ]] || report "$1" 0 "fused multiply-add in $where"
+  local file where
+  while IFS=: read -r file where; do
+    report "$file" 0 "fused multiply-add in $where"
+  done < <(tr '\n' '\0' <"$texts/objects" | xargs -0 objdump -d --no-show-raw-insn | awk '
+    /^In archive / { file = substr($3, 3, length($3) - 3) }
+    /^\.\/.* file format / { file = substr($1, 3, length($1) - 3) }
+    />:$/ { name = $2 }
+    /[ \t]vfn?m(add|sub)/ && !((file, name) in seen) { seen[file, name]; if (++count[file] <= 3) names[file] = names[file] name " " }
+    END { for (file in names) print file ":" names[file] }' | sort)
 }
 
+# Objects of the libraries that refer to the C library's functions.
 check_symbols() {
-  local names
-  names=$(nm -u "$1" 2>/dev/null | awk '{ sub(/@.*/, "", $NF); print $NF }' | grep -xE "$functions|fma" | sort -u | tr '\n' ' ' || true)
-  [[ -z $names ]] || report "$1" 0 "library object calls the C library's $names"
+  local file names folders
+  folders=$(IFS='|'; echo "${library_folders[*]}")
+  while IFS=: read -r file names; do
+    report "$file" 0 "library object calls the C library's $names"
+  done < <(grep -E "^\./($folders)/" "$texts/objects" | grep -v "^\./$allowed_folder/" | tr '\n' '\0' | xargs -0 -r nm -A -u 2>/dev/null |
+    awk -v wanted="^($functions|fma)\$" '
+    { name = $NF; sub(/@.*/, "", name); file = substr($1, 3); sub(/:.*/, "", file) }
+    name ~ wanted && !((file, name) in seen) { seen[file, name]; names[file] = names[file] name " " }
+    END { for (file in names) print file ":" names[file] }' | sort)
 }
 
 check_objects() {
-  local file folder count=0
   type objdump nm >/dev/null || fail_usage 'objdump and nm (binutils) are missing'
   cd "$build"
-  while IFS= read -r file; do
-    file=${file#./}
-    count=$((count + 1))
-    check_fused "$file"
-    [[ $file == "$allowed_folder"/* ]] && continue
-    for folder in "${library_folders[@]}"; do
-      [[ $file == "$folder"/* ]] && check_symbols "$file"
-    done
-  done < <(find . -type f \( -name '*.o' -o -name '*.a' \) | sort)
-  ((count > 0)) || fail_usage "no objects in '$build'"
-  echo "checked $count objects and archives"
+  find . -type f \( -name '*.o' -o -name '*.a' \) | sort >"$texts/objects"
+  [[ -s $texts/objects ]] || fail_usage "no objects in '$build'"
+  check_fused
+  check_symbols
+  echo "checked $(wc -l <"$texts/objects") objects and archives"
 }
 
+cd "$root"
 check_sources
+check_cmake
 [[ -z $build ]] || check_objects
 if ((findings > 0)); then
   echo "check-determinism: $findings findings" >&2

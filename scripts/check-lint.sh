@@ -1,18 +1,84 @@
 #!/usr/bin/env bash
-# clang-tidy-19 on the sources of the libraries and of the program, but for those that parse its flags, and shellcheck on the scripts.
+# clang-tidy-19 on the sources of the libraries and of the program, and shellcheck on the scripts. See --help.
 set -euo pipefail
+
+usage() {
+  cat <<'USAGE'
+Usage: scripts/check-lint.sh [--all] [--list] [PRESET]
+
+shellcheck looks at all scripts; clang-tidy-19 at what changed since the base commit (scripts/base-commit.sh) and at what includes
+it. Without a base commit, or where the checks themselves changed, it looks at all files.
+
+  PRESET   a configured preset, default: ci, whose files are compiled in groups: a group is checked whole, headers once a group
+  --all    all files
+  --list   print what clang-tidy would check, and stop
+  -h, --help  this text
+USAGE
+}
+
+all=false list=false preset=ci
+for option in "$@"; do
+  case $option in
+    --all) all=true ;;
+    --list) list=true ;;
+    -h | --help) usage && exit 0 ;;
+    -*) echo "check-lint.sh: unknown option '$option' (see --help)" >&2; exit 2 ;;
+    *) preset=$option ;;
+  esac
+done
 cd "$(dirname "$0")/.."
-if [ "${1:-}" = "-h" ] || [ "${1:-}" = "--help" ]; then
-  echo "Usage: scripts/check-lint.sh [PRESET]   a configured preset with compile_commands.json; default: release"
-  exit 0
-fi
-build=build/${1:-release}
-[ -f "$build/compile_commands.json" ] || { echo "check-lint.sh: configure first: cmake --preset ${1:-release}" >&2; exit 2; }
+root=$PWD build=build/$preset
+readonly folders='engine|navigation|strategies|referee|replays|match|experiments|bench|apps'
+[ -f "$build/compile_commands.json" ] || { echo "check-lint.sh: configure first: cmake --preset $preset" >&2; exit 2; }
+
+changed_files() {
+  git diff --name-only "$1"
+  git ls-files --others --exclude-standard
+}
+
+# Those named on standard input, and all files that include them, directly or not.
+with_users() {
+  awk 'NR == FNR { queue[++last] = $0; hit[$0]; next }
+    { split($0, part, ":"); split(part[2], quoted, "\""); users[quoted[2]] = users[quoted[2]] " " part[1] }
+    END {
+      for (i = 1; i <= last; ++i) {
+        print queue[i]
+        count = split(users[queue[i]], user, " ")
+        for (k = 1; k <= count; ++k) if (!(user[k] in hit)) { hit[user[k]]; queue[++last] = user[k] }
+      }
+    }' - <(git grep --untracked -E '^#include "' -- '*.cpp' '*.hpp')
+}
+
+# What the build compiles of the folders: files, or groups of them.
+compiled() {
+  sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "$build/compile_commands.json" | sort -u | grep -E \
+    "^$root/(($folders)/.*\.cpp|$build/($folders)/.*Unity/.*\.cxx)$"
+}
+
+# The project's files in a compiled one.
+parts() {
+  case $1 in
+    *.cxx) sed -n 's/^#include "\(.*\)"$/\1/p' "$1" ;;
+    *) echo "$1" ;;
+  esac | sed "s#^$root/##"
+}
+
+chosen() {
+  local base file affected
+  base=$(scripts/base-commit.sh)
+  if [ -z "$base" ] || $all || changed_files "$base" | grep -qE '^(\.clang-tidy|scripts/check-lint\.sh)$'; then
+    compiled
+    return
+  fi
+  affected=$(changed_files "$base" | with_users)
+  while IFS= read -r file; do
+    if parts "$file" | grep -qxF -- "$affected"; then echo "$file"; fi
+  done < <(compiled)
+}
+
+if $list; then chosen | while IFS= read -r file; do parts "$file"; done && exit; fi
 git ls-files -z 'scripts/*.sh' 'tests/**/*.sh' .ci/run | xargs -0 shellcheck
-{
-  git ls-files -z 'engine/*.cpp' 'navigation/*.cpp' 'strategies/*.cpp' 'referee/*.cpp' 'replays/*.cpp' 'match/*.cpp' \
-    'experiments/*.cpp' 'bench/*.cpp'
-  # A file with the command-line library takes three times as long as another.
-  git grep -zL 'CLI/CLI.hpp' -- 'apps/*.cpp'
-} |
-  xargs -0 -n 1 -P "$(nproc)" clang-tidy-19 -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option
+files=$(chosen)
+[ -n "$files" ] || { echo "check-lint.sh: no source changed"; exit 0; }
+echo "check-lint.sh: $(wc -l <<<"$files") files or groups of $(compiled | wc -l)"
+xargs -d '\n' -n 1 -P "$(nproc)" clang-tidy-19 -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option <<<"$files"

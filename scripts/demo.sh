@@ -4,26 +4,34 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 if [ "${1:-}" = "-h" ] || [ "${1:-}" = "--help" ]; then
-  echo "Usage: scripts/demo.sh [OUT]   installs, builds, runs the comparison of Jung & Lee (2015) and a match into OUT (default: fulbito-out)"
+  cat <<'USAGE'
+Usage: scripts/demo.sh [OUT] [OPTIONS OF THE COMPARISON...]
+Installs, builds, runs the comparison of Jung & Lee (2015) and a match into OUT (default: fulbito-out).
+FULBITO_PRESET in the environment names the build, default: release. For a quick look: scripts/demo.sh fulbito-out --trials 20
+USAGE
   exit 0
 fi
 out=${1:-fulbito-out}
+shift || true
+preset=${FULBITO_PRESET:-release}
 
 scripts/install-deps.sh
-cmake --preset release -DFULBITO_BUILD_TESTS=OFF >/dev/null
-cmake --build --preset release --target fulbito
+# A build that is configured already keeps its tests.
+[ -f "build/$preset/CMakeCache.txt" ] || cmake --preset "$preset" -DFULBITO_BUILD_TESTS=OFF >/dev/null
+cmake --build --preset "$preset" --target fulbito
+fulbito=build/$preset/fulbito
 echo
 echo "A first look: all methods on 20 layouts, corner to corner at 2.6 m/s"
-build/release/fulbito compare --suite corner --speeds 2.6 --trials 20 --pictures 4 --out "$out/first-look" --html "$out/races.html" --force
+"$fulbito" compare --suite corner --speeds 2.6 --trials 20 --pictures 4 --out "$out/first-look" --html "$out/races.html" --force
 echo
-echo "The comparison: 400 layouts, three speeds, and the paper's own runs"
-build/release/fulbito compare --out "$out"
+echo "The comparison: 400 layouts unless told otherwise, three speeds, and the paper's own runs"
+"$fulbito" compare --out "$out" "$@"
 echo
 echo "A match: two halves of five minutes, recorded"
-build/release/fulbito match libero classic --seed 7 --record "$out/match.fbr" --force
-build/release/fulbito replay export "$out/match.fbr" --force --png "$out/match.png" --at 60 --contact-sheet "$out/match-sheet.png" \
+"$fulbito" match libero classic --seed 7 --record "$out/match.fbr" --force
+"$fulbito" replay export "$out/match.fbr" --force --png "$out/match.png" --at 60 --contact-sheet "$out/match-sheet.png" \
   --gif "$out/match.gif" --from 40 --to 60 --speed 2
-build/release/fulbito replay export "$out/match.fbr" --html "$out/match.html" --force
+"$fulbito" replay export "$out/match.fbr" --html "$out/match.html" --force
 echo
 echo "The match as pictures: $out/match.png, $out/match-sheet.png, $out/match.gif"
 echo "Pictures: $out/*.png (time.png and distance.png sum up; corner-0-1.0.png shows every method's way)"

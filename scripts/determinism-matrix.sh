@@ -6,7 +6,7 @@
 #   scripts/determinism-matrix.sh            all builds
 #   scripts/determinism-matrix.sh gcc-O2     only those named
 #   scripts/determinism-matrix.sh --reuse    takes the programs of build/ci and build/asan for gcc-O2 and
-#                                            gcc-sanitizers, where those presets have been built
+#                                            clang-sanitizers, where those presets have been built
 #   UPDATE_GOLDEN=1 scripts/determinism-matrix.sh   writes the golden files from the first build, then compares
 #
 # Exit code 0: all equal; 1: some differ; 2: a build failed.
@@ -15,13 +15,15 @@ cd "$(dirname "$0")/.."
 
 # Link-time optimisation also finds names that mean one thing in one file and another in another.
 lto="-flto=2 -Werror=odr"
-sanitizers="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+sanitizers="-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all"
+# name | compiler | flags | what is built | preset with the same programs. All compile files in groups, but gcc-O0 each on its
+# own and the whole program, which finds includes that are missing.
 builds=(
-  "gcc-O2|g++|-O2 -DNDEBUG|ci"
-  "gcc-O0|g++|-O0|"
-  "gcc-O3|g++|-O3 -DNDEBUG $lto|"
-  "clang-O2|clang++-19|-O2 -DNDEBUG|"
-  "gcc-sanitizers|g++|$sanitizers|asan"
+  "gcc-O2|g++|-O2 -DNDEBUG|groups|ci"
+  "gcc-O0|g++|-O0|program|"
+  "gcc-O3|g++|-O3 -DNDEBUG $lto|groups|"
+  "clang-O2|clang++-19|-O2 -DNDEBUG|groups|"
+  "clang-sanitizers|clang++-19|$sanitizers|groups|asan"
 )
 
 reuse=false
@@ -46,10 +48,15 @@ fi
 launcher=()
 if command -v ccache > /dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
-build() {  # name compiler flags
+build() {  # name compiler flags groups|program
+  local options=(-DFULBITO_ONLY_HASH_PROGRAM=ON -DCMAKE_UNITY_BUILD=ON) targets=(hash_program match_hash_program trig_program)
+  if [ "$4" = program ]; then
+    options=(-DFULBITO_BUILD_TESTS=ON)
+    targets+=(fulbito)
+  fi
   cmake -S . -B "build/matrix/$1" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$2" \
-    -DCMAKE_CXX_FLAGS="$3" -DFULBITO_ONLY_HASH_PROGRAM=ON "${launcher[@]}" > "build/matrix/$1.log" 2>&1 &&
-    cmake --build "build/matrix/$1" >> "build/matrix/$1.log" 2>&1
+    -DCMAKE_CXX_FLAGS="$3" "${options[@]}" "${launcher[@]}" > "build/matrix/$1.log" 2>&1 &&
+    cmake --build "build/matrix/$1" --target "${targets[@]}" >> "build/matrix/$1.log" 2>&1
 }
 
 verdict() {  # expected-file printed-file
@@ -77,11 +84,11 @@ trig=build/matrix/trig.txt
 rm -f "$trig"
 printf '%-16s %-12s %-10s %-10s\n' build what plain "without FMA"
 for entry in "${builds[@]}"; do
-  IFS='|' read -r name compiler flags preset <<< "$entry"
+  IFS='|' read -r name compiler flags what preset <<< "$entry"
   if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then continue; fi
   folder=build/$preset/tests/determinism
   if ! $reuse || [ ! -x "$folder/match_hash_program" ] || [ ! -x "$folder/hash_program" ]; then
-    if ! build "$name" "$compiler" "$flags"; then
+    if ! build "$name" "$compiler" "$flags" "$what"; then
       tail -n 20 "build/matrix/$name.log" >&2
       echo "determinism-matrix: $name does not build" >&2
       exit 2

@@ -209,7 +209,7 @@ class Libero final : public Strategy {
     double least = 1e9;
     for (int i = 0; i < picture.seen.team_size; ++i) {
       if (i == keeper_ || !picture.ownPresent(i)) continue;
-      const Interception meet = interception(picture, picture.own(i));
+      const libero::Interception meet = interception(picture, picture.own(i));
       double cost = meet.time;
       if (picture.own(i).pose.position.x > meet.ball.x) cost += 0.3;
       if (i == striker_) cost -= inTheirArea(pitch_, picture.own(i).pose.position, 0.05) ? kStays : 0.2;

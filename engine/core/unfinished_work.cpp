@@ -23,7 +23,8 @@ struct Slot {
 
 std::array<Slot, kMostFiles> slots;
 std::atomic<pid_t> helper{0};
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free);
+static_assert(std::atomic<pid_t>::is_always_lock_free);
 
 }  // namespace
 

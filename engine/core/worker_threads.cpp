@@ -53,10 +53,14 @@ std::vector<std::jthread> start(int threads, const std::function<void()>& call) 
   std::vector<std::jthread> started;
   started.reserve(static_cast<std::size_t>(std::max(threads, 0)));
   const SignalsBlocked blocked;
-  try {
-    for (int i = 0; i < threads; ++i) started.emplace_back(call);
-  } catch (const std::system_error&) {  // no memory or no process left: fewer will do
-  } catch (const std::bad_alloc&) {
+  for (int i = 0; i < threads; ++i) {
+    try {
+      started.emplace_back(call);
+    } catch (const std::system_error&) {  // no memory or no process left: fewer will do
+      break;
+    } catch (const std::bad_alloc&) {
+      break;
+    }
   }
   return started;
 }

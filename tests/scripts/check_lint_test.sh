@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# Changes files of a small repository and expects scripts/check-lint.sh to choose those and what includes them.
+# Usage: check_lint_test.sh PROJECT
+set -euo pipefail
+project=$1
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+unset FULBITO_BASE
+export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
+export GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
+failures=0
+
+# expect FILES NAME [OPTIONS...]
+expect() {
+  local chosen name=$2
+  chosen=$(scripts/check-lint.sh --list "${@:3}" | tr '\n' ' ')
+  if [[ $chosen != "$1 " && $chosen != "$1" ]]; then
+    echo "FAILED: $name: '$chosen' instead of '$1'"
+    failures=$((failures + 1))
+  fi
+}
+
+cd "$tree"
+git init -q -b main
+mkdir -p scripts engine/core match build/{ci,release,ci/match/Unity}
+cp "$project"/scripts/check-lint.sh "$project"/scripts/base-commit.sh scripts
+echo /build/ >.gitignore
+touch engine/core/base.hpp
+echo '#include "engine/core/base.hpp"' | tee engine/core/base.cpp >match/rule.hpp
+echo '#include "match/rule.hpp"' >match/rule.cpp
+echo '#include <vector>' >match/other.cpp
+{
+  echo '['
+  for file in engine/core/base.cpp match/rule.cpp match/other.cpp; do echo "{ \"file\": \"$tree/$file\" },"; done |
+    sed 's/{ \(.*\) }/{\n  \1\n}/'
+  echo ']'
+} >build/release/compile_commands.json
+printf '[{\n  "file": "%s"\n}]\n' "$tree/build/ci/match/Unity/group.cxx" >build/ci/compile_commands.json
+printf '#include "%s"\n' "$tree/match/rule.cpp" "$tree/match/other.cpp" >build/ci/match/Unity/group.cxx
+git add -A
+git commit -q -m 'Begin'
+
+expect 'engine/core/base.cpp match/other.cpp match/rule.cpp' 'all on the base branch' release
+git checkout -q -b work
+git commit -q --allow-empty -m 'Work'
+expect '' 'nothing changed' release
+expect 'engine/core/base.cpp match/other.cpp match/rule.cpp' '--all' --all release
+echo '// More.' >>match/other.cpp
+expect 'match/other.cpp' 'a source' release
+expect 'match/rule.cpp match/other.cpp' 'a group with a changed source'
+git commit -q -a -m 'More'
+expect 'match/other.cpp' 'a source, committed' release
+FULBITO_BASE=HEAD expect '' 'another base' release
+echo '// More.' >>engine/core/base.hpp
+FULBITO_BASE=HEAD expect 'engine/core/base.cpp match/rule.cpp' 'what includes a header, directly or not' release
+touch .clang-tidy
+FULBITO_BASE=HEAD expect 'engine/core/base.cpp match/other.cpp match/rule.cpp' 'the checks changed' release
+
+if ((failures > 0)); then
+  echo "$failures failures" >&2
+  exit 1
+fi
+echo 'check-lint chooses what it should'
