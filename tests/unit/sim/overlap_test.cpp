@@ -96,3 +96,45 @@ TEST_CASE("a robot that slides along the end wall passes the goal post", "[unit]
     CHECK(slowest > 0.9);
   }
 }
+TEST_CASE("robots that press a ball into a corner do not creep into each other", "[unit]") {
+  const auto physics = GENERATE(standardPhysics(), faithfulPhysics());
+  const auto preset = GENERATE(vsssPreset(), firasimPreset());
+  CAPTURE(physics.name, preset.robot.name);
+  for (int turn = 0; turn < 6; ++turn) {
+    WorldConfig config{{}, physics, {}, {}, {}};
+    const double way = math::kPi / 4 + 0.08 * (turn - 2);  // toward the corner
+    const Vec2 toward = math::unit(way), ball{0.66, 0.56};
+    for (int i = 0; i < 5; ++i) {
+      config.robots.push_back({preset.robot, {ball - toward * (0.07 + 0.085 * i), way}, {}, 0.0});
+    }
+    config.balls.push_back({preset.ball, ball, {}, {}});
+    World world = makeWorld(config);
+    const Depths depths = depthsOf(world, 300, [&](const WorldState& state, std::size_t i, int) {
+      return chase(state.robots[i], state.balls[0].position);
+    });
+    CAPTURE(turn);
+    CHECK(depths.ball <= kBallDepth);
+    CHECK(depths.robot <= kRobotDepth);
+    CHECK(depths.robot > 0.0);  // they did jam
+  }
+}
+
+TEST_CASE("a robot that turns fast comes into nobody with its corners", "[unit]") {
+  const auto physics = GENERATE(standardPhysics(), faithfulPhysics());
+  const auto preset = GENERATE(vsssPreset(), firasimPreset());
+  CAPTURE(physics.name, preset.robot.name);
+  const double top = preset.robot.max_wheel_speed;
+  for (int phase = 0; phase < 8; ++phase) {
+    WorldConfig config{{}, physics, {}, {}, {}};
+    config.robots.push_back({preset.robot, {{0.0, 0.0}, 0.0}, {}, 0.0});
+    config.robots.push_back({preset.robot, {{-0.3 - 0.003 * phase, 0.01 * phase - 0.035}, 0.0}, {}, 0.0});
+    config.balls.push_back({preset.ball, {0.4, 0.4}, {}, {}});
+    World world = makeWorld(config);
+    const Depths depths = depthsOf(world, 240, [&](const WorldState& state, std::size_t i, int) {
+      return i == 0 ? WheelSpeeds{-top, top} : chase(state.robots[1], state.robots[0].pose.position);
+    });
+    CAPTURE(phase);
+    CHECK(depths.robot <= kRobotDepth);
+    CHECK(depths.robot > -0.006);  // corners that meet between two ticks are apart at both
+  }
+}
