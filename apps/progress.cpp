@@ -15,7 +15,7 @@ constexpr int kBarWidth = 30;
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::string what, bool quiet)
+ProgressBar::ProgressBar(const std::string& what, bool quiet)
     : what_(terminalText(what)), quiet_(quiet), terminal_(drawsLines()), begin_(now()), last_(begin_) {}
 
 ProgressBar::~ProgressBar() {

@@ -9,7 +9,7 @@ namespace fulbito::app {
 /// Silent when `quiet`.
 class ProgressBar {
  public:
-  explicit ProgressBar(std::string what, bool quiet = false);
+  explicit ProgressBar(const std::string& what, bool quiet = false);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;

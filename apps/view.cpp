@@ -171,6 +171,7 @@ Result<void> playInWindow(Match& match, ViewWindow& window, const ViewOptions& o
 
 int view(const ViewCommand& options) {
   std::vector<NamedFile> recordings;
+  recordings.reserve(options.files.size());
   for (const std::string& file : options.files) recordings.push_back({"the recording", file});
   if (auto may = mayWriteAll({{"--screenshot", options.window.screenshot}}, recordings, options.force);
       !may) {

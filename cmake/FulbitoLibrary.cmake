@@ -11,6 +11,8 @@ function(fulbito_options target)
     $<$<BOOL:${FULBITO_WERROR}>:-Werror>)
   if(CMAKE_UNITY_BUILD)
     fulbito_unity_groups(${target})
+    # Of types in a header that use unnamed namespaces; g++ takes the files of a group for headers.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 

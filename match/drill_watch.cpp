@@ -10,8 +10,8 @@
 namespace fulbito {
 namespace {
 
-constexpr double kStay = 0.3;       // [s] that a robot must stay where it has arrived
-constexpr double kLost = 0.02;      // [m] between body and ball at which a pushed ball is lost
+constexpr double kStay = 0.3;        // [s] that a robot must stay where it has arrived
+constexpr double kLost = 0.02;       // [m] between body and ball at which a pushed ball is lost
 constexpr double kTowardGoal = 0.1;  // [m/s] toward the goal, at least, of a ball that is on target
 
 /// Distance from `p` to the stretch of the goal line between the posts.
