@@ -13,9 +13,9 @@ struct PhysicsProfile {
   int control_rate = 60;               ///< [Hz] 10 ... 1000
   int substeps = 2;                    ///< physics steps in a control tick, 1 ... 64
   int velocity_iterations = 12;        ///< 1 ... 50; with 8, squeezed chains gain energy more often
-  int position_iterations = 3;         ///< 1 ... 50
+  int position_iterations = 10;        ///< 1 ... 50; the engine stops once all is right
   bool bullet_ball = true;             ///< continuous collision of the ball against moving bodies too
-  double contact_depth = 0.001;        ///< [m] bodies come no deeper into each other in a collision step
+  double contact_depth = 0.0007;       ///< [m] steps are split so that bodies meet no deeper; 0: never
   double max_ball_speed = 10.0;        ///< [m/s] up to which the ball is promised not to tunnel
   double restitution_threshold = 0.1;  ///< [m/s] impacts slower than this do not bounce
   double wheel_command_step = 0.01;    ///< [rad/s] wheel commands are rounded to multiples of this before use
