@@ -21,8 +21,9 @@ function(fulbito_unity_groups target)
   set(groups 0)
   foreach(source IN LISTS sources)
     get_filename_component(file ${source} ABSOLUTE BASE_DIR ${folder})
-    # One that replaces operator new stays alone: inlined into others, g++ takes its malloc for a mismatch.
-    if(NOT EXISTS ${file} OR file MATCHES "allocation_counter")
+    # Those that replace functions of other libraries stay alone: a program may link its own in their place,
+    # and g++ warns where it sees operator new inlined.
+    if(NOT EXISTS ${file} OR file MATCHES "/(allocation_counter|engine_clock|real_clock)\\.cpp$")
       continue()
     endif()
     fulbito_names_defined(${file} names)
