@@ -48,10 +48,9 @@ std::string limitedFlaw(std::string& text, std::uint64_t least, std::uint64_t mo
 }
 
 std::string numberFlaw(std::string& text) {
-  const std::string_view unsigned_text = text.starts_with('+') ? std::string_view(text).substr(1) : text;
+  const char* const end = text.data() + text.size();
   double value = 0.0;
-  const char* const end = unsigned_text.data() + unsigned_text.size();
-  const auto read = std::from_chars(unsigned_text.data(), end, value);
+  const auto read = std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, value);
   if (read.ec == std::errc() && read.ptr == end && std::isfinite(value)) return {};
   return fmt::format("'{}' is not a number", text);
 }

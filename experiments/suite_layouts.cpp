@@ -187,8 +187,9 @@ Layout shortLayout(std::uint64_t seed, std::uint64_t index) {
   for (;;) {
     layout.obstacles = fourBalls(rng);
     layout.start.position = anywhere(rng, 0.08);
-    layout.goal =
-        layout.start.position + math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.55, 0.75);
+    // Drawn one after the other: in one expression the order would be the compiler's choice.
+    const double way = rng.uniform(0.55, 0.75);
+    layout.goal = layout.start.position + math::unit(rng.uniform(-math::kPi, math::kPi)) * way;
     const bool on_field = wallClearance(field(), layout.goal) >= 0.08;
     const bool free = gapTo(layout.obstacles, layout.start.position) >= kRobotRadius + 0.02 &&
                       gapTo(layout.obstacles, layout.goal) >= kRobotRadius + 0.02;

@@ -14,6 +14,7 @@ namespace {
 
 std::vector<Circle> randomCircles(Rng& rng, std::size_t count, double least, double most) {
   std::vector<Circle> circles;
+  circles.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     circles.push_back({{rng.uniform(-0.7, 0.7), rng.uniform(-0.6, 0.6)}, rng.uniform(least, most)});
   }

@@ -55,7 +55,8 @@ Result<void> Font::open() {
 
 TTF_Font* Font::at(double size, bool bold) {
   const int index = bold && fonts_[1] != nullptr ? 1 : 0;
-  const int wanted = static_cast<int>(std::round(std::clamp(size, kSmallestText, kLargestText)));
+  const double most = size < kLargestText ? size : kLargestText;  // so is one that is no number
+  const int wanted = static_cast<int>(std::round(std::max(most, kSmallestText)));
   if (wanted != sizes_[index]) TTF_SetFontSize(fonts_[index], sizes_[index] = wanted);
   return fonts_[index];
 }

@@ -2,6 +2,7 @@
 
 #include "engine/core/math.hpp"
 #include "tests/support/corner_layout.hpp"
+#include "tests/support/draws.hpp"
 
 namespace fulbito::test {
 
@@ -105,7 +106,7 @@ inline CornerLayout movingLayout(std::uint64_t seed) {
     const double radius = rng.uniform(0.0375, 0.053);
     const Vec2 centre{rng.uniform(-0.65, 0.65), rng.uniform(-0.55, 0.55)};
     if (!fits(layout, centre, radius, 0.05, 0.25)) continue;
-    const Vec2 velocity = math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.3, 1.5);
+    const Vec2 velocity = drawVector(rng, 0.3, 1.5);
     layout.obstacles.push_back({centre, radius, velocity});
   }
   return layout;

@@ -8,6 +8,7 @@
 #include "engine/sim/world.hpp"
 #include "strategies/ball_tracker.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/draws.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -35,7 +36,7 @@ std::array<std::vector<double>, 3> errorsOneSecondAhead(const MatchInfo& info, d
     do {
       ball.position = {rng.uniform(-0.8, 0.8), rng.uniform(-0.62, 0.62)};
     } while (!course.walls.isFree(ball.position));
-    ball.velocity = math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.05, 1.6);
+    ball.velocity = test::drawVector(rng, 0.05, 1.6);
     ball.spin = ball.velocity * spin_share;
     World world = worldWith(info, ball);
     for (int tick = 0; tick < 60; ++tick) world.step({});

@@ -4,6 +4,7 @@
 #include "engine/core/random.hpp"
 #include "strategies/ball_prediction.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/draws.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -28,8 +29,8 @@ TEST_CASE("a predicted ball stays on the field, corners and posts included", "[u
     do {
       ball.position = {rng.uniform(-0.75, 0.75), rng.uniform(-0.65, 0.65)};
     } while (!course.walls.isFree(ball.position));
-    ball.velocity = math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.0, 3.0);
-    ball.spin = math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.0, 2.0);
+    ball.velocity = test::drawVector(rng, 0.0, 3.0);
+    ball.spin = test::drawVector(rng, 0.0, 2.0);
     BallPrediction prediction;
     prediction.predict(course, ball);
     for (double t = 0.0; t < 3.5; t += 0.05) {

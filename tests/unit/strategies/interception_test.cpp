@@ -3,6 +3,7 @@
 #include "engine/core/math.hpp"
 #include "engine/core/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/draws.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -16,7 +17,7 @@ RobotState anywhere(Rng& rng) {
 
 BallState anyBall(Rng& rng) {
   BallState ball{{rng.uniform(-0.6, 0.6), rng.uniform(-0.5, 0.5)}, {}, {}};
-  ball.velocity = math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.0, 1.2);
+  ball.velocity = test::drawVector(rng, 0.0, 1.2);
   ball.spin = ball.velocity;
   return ball;
 }
