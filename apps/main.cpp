@@ -6,17 +6,17 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "apps/commands.hpp"
-#include "apps/console.hpp"
-#include "apps/drill.hpp"
-#include "apps/match.hpp"
-#include "apps/option_values.hpp"
-#include "apps/replay.hpp"
-#include "apps/rules.hpp"
-#include "apps/view.hpp"
-#include "engine/core/build_info.hpp"
-#include "engine/core/float_mode.hpp"
-#include "engine/core/suggest.hpp"
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "apps/common/option_values.hpp"
+#include "apps/match/drill.hpp"
+#include "apps/match/match.hpp"
+#include "apps/match/rules.hpp"
+#include "apps/match/view.hpp"
+#include "apps/replay/replay.hpp"
+#include "engine/core/base/build_info.hpp"
+#include "engine/core/base/float_mode.hpp"
+#include "engine/core/config/suggest.hpp"
 
 namespace fulbito::app {
 namespace {

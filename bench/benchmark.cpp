@@ -9,9 +9,9 @@
 
 #include "bench/bare.hpp"
 #include "bench/scenes.hpp"
-#include "engine/core/assert.hpp"
-#include "engine/core/math.hpp"
-#include "engine/core/stop_request.hpp"
+#include "engine/core/base/assert.hpp"
+#include "engine/core/math/math.hpp"
+#include "engine/core/system/stop_request.hpp"
 
 namespace fulbito {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/result.hpp"
+#include "engine/core/base/result.hpp"
 
 namespace fulbito {
 

@@ -1,8 +1,8 @@
 #include "bench/scenes.hpp"
 
-#include "engine/core/assert.hpp"
-#include "engine/core/hash.hpp"
-#include "engine/core/math.hpp"
+#include "engine/core/base/assert.hpp"
+#include "engine/core/base/hash.hpp"
+#include "engine/core/math/math.hpp"
 
 namespace fulbito {
 namespace {

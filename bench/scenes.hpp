@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/random.hpp"
+#include "engine/core/math/random.hpp"
 #include "engine/sim/world.hpp"
 
 namespace fulbito {

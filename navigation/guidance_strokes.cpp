@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "navigation/guidance.hpp"
+#include "navigation/interface/guidance.hpp"
 
 namespace fulbito {
 

@@ -1,6 +1,6 @@
 #include "navigation/pilot.hpp"
 
-#include "navigation/limiter.hpp"
+#include "navigation/followers/limiter.hpp"
 
 namespace fulbito {
 

@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "navigation/follower.hpp"
-#include "navigation/navigator.hpp"
-#include "navigation/wall_escape.hpp"
+#include "navigation/followers/wall_escape.hpp"
+#include "navigation/interface/follower.hpp"
+#include "navigation/interface/navigator.hpp"
 
 namespace fulbito {
 

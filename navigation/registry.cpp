@@ -2,21 +2,21 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/suggest.hpp"
-#include "navigation/bezier.hpp"
-#include "navigation/bezier_raw.hpp"
-#include "navigation/bspline_time.hpp"
-#include "navigation/classic_follower.hpp"
-#include "navigation/dwa.hpp"
-#include "navigation/hermite.hpp"
-#include "navigation/limit_cycle.hpp"
-#include "navigation/nearness_diagram.hpp"
-#include "navigation/preview_follower.hpp"
-#include "navigation/straight.hpp"
-#include "navigation/tangent_field.hpp"
-#include "navigation/tangent_graph.hpp"
-#include "navigation/univector.hpp"
-#include "navigation/vector_field.hpp"
+#include "engine/core/config/suggest.hpp"
+#include "navigation/followers/classic_follower.hpp"
+#include "navigation/followers/preview_follower.hpp"
+#include "navigation/methods/bspline/bspline_time.hpp"
+#include "navigation/methods/fields/limit_cycle.hpp"
+#include "navigation/methods/fields/straight.hpp"
+#include "navigation/methods/fields/tangent_field.hpp"
+#include "navigation/methods/fields/univector.hpp"
+#include "navigation/methods/fields/vector_field.hpp"
+#include "navigation/methods/paths/bezier.hpp"
+#include "navigation/methods/paths/bezier_raw.hpp"
+#include "navigation/methods/paths/hermite.hpp"
+#include "navigation/methods/paths/tangent_graph.hpp"
+#include "navigation/methods/reactive/dwa.hpp"
+#include "navigation/methods/reactive/nearness_diagram.hpp"
 
 namespace fulbito {
 namespace {

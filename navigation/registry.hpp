@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "navigation/parameters.hpp"
+#include "navigation/interface/parameters.hpp"
 #include "navigation/pilot.hpp"
 
 namespace fulbito {

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/text_file.hpp"
-#include "replays/block.hpp"
-#include "replays/chunk.hpp"
-#include "replays/decoding_budget.hpp"
-#include "replays/header_json.hpp"
+#include "engine/core/system/text_file.hpp"
+#include "replays/chunks/block.hpp"
+#include "replays/chunks/chunk.hpp"
+#include "replays/chunks/decoding_budget.hpp"
+#include "replays/header/header_json.hpp"
 
 namespace fulbito {
 namespace {

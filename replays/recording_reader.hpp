@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/core/result.hpp"
-#include "replays/recording.hpp"
+#include "engine/core/base/result.hpp"
+#include "replays/recording/recording.hpp"
 
 namespace fulbito {
 

@@ -1,9 +1,9 @@
 #include "replays/recording_salvage.hpp"
 
-#include "replays/block.hpp"
-#include "replays/chunk.hpp"
-#include "replays/decoding_budget.hpp"
-#include "replays/header_json.hpp"
+#include "replays/chunks/block.hpp"
+#include "replays/chunks/chunk.hpp"
+#include "replays/chunks/decoding_budget.hpp"
+#include "replays/header/header_json.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "engine/core/output_file.hpp"
-#include "replays/block.hpp"
-#include "replays/chunk.hpp"
-#include "replays/header_json.hpp"
+#include "engine/core/system/output_file.hpp"
+#include "replays/chunks/block.hpp"
+#include "replays/chunks/chunk.hpp"
+#include "replays/header/header_json.hpp"
 
 namespace fulbito {
 namespace {

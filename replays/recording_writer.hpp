@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "engine/core/result.hpp"
-#include "replays/recording.hpp"
+#include "engine/core/base/result.hpp"
+#include "replays/recording/recording.hpp"
 
 namespace fulbito {
 

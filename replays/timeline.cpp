@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
 
 namespace fulbito {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "replays/recording.hpp"
+#include "replays/recording/recording.hpp"
 #include "replays/recording_reader.hpp"
 
 namespace fulbito {
@@ -34,8 +34,8 @@ struct ReplayGoal {
 /// All that a viewer needs of a recording of level full, unpacked: no physics, no decoding while it is shown.
 class ReplayTimeline {
  public:
-  /// Errors: kBadInput for a recording without samples (level recipe: match/expand.hpp makes a full one of
-  /// it) or without a play; as RecordingReader::chunk.
+  /// Errors: kBadInput for a recording without samples (level recipe: replays/verify/expand.hpp makes a full
+  /// one of it) or without a play; as RecordingReader::chunk.
   static Result<ReplayTimeline> read(const RecordingReader& recording);
 
   const RecordingHeader& header() const { return header_; }

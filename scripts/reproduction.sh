@@ -3,7 +3,7 @@
 #
 # Rings and the tangent field are chosen on training layouts (seeds 1002018 and 1002019, the tuner's own), all
 # else is measured on seed 2015 and, to see what hangs on it, on 777, 31337 and 424242. Where a choice comes
-# out otherwise than experiments/paper_plan.hpp and navigation/vector_field.hpp say, those are to be changed
+# out otherwise than experiments/comparison/paper_plan.hpp and navigation/methods/fields/vector_field.hpp say, those are to be changed
 # first.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/suggest.hpp"
-#include "strategies/chaser.hpp"
-#include "strategies/classic.hpp"
-#include "strategies/idle.hpp"
-#include "strategies/libero.hpp"
-#include "strategies/random_team.hpp"
+#include "engine/core/config/suggest.hpp"
+#include "strategies/teams/classic/classic.hpp"
+#include "strategies/teams/libero/libero.hpp"
+#include "strategies/teams/simple/chaser.hpp"
+#include "strategies/teams/simple/idle.hpp"
+#include "strategies/teams/simple/random_team.hpp"
 
 namespace fulbito {
 std::span<const TeamInfo> teams() {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "strategies/team_info.hpp"
+#include "strategies/interface/team_info.hpp"
 
 namespace fulbito {
 

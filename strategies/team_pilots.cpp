@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
+#include "navigation/followers/limiter.hpp"
 #include "navigation/guidance_strokes.hpp"
-#include "navigation/limiter.hpp"
-#include "strategies/drawings.hpp"
+#include "strategies/interface/drawings.hpp"
 
 namespace fulbito {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "navigation/pilot.hpp"
 #include "navigation/registry.hpp"
-#include "strategies/foresight.hpp"
-#include "strategies/observation.hpp"
-#include "strategies/team_command.hpp"
+#include "strategies/interface/observation.hpp"
+#include "strategies/interface/team_command.hpp"
+#include "strategies/prediction/foresight.hpp"
 
 namespace fulbito {
 

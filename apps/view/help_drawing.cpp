@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/view/key_bindings.hpp"
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
 
 namespace fulbito {
 namespace {

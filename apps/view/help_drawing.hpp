@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "replays/render/canvas.hpp"
-#include "replays/render/match_picture.hpp"
+#include "replays/render/canvas/canvas.hpp"
+#include "replays/render/match/match_picture.hpp"
 
 namespace fulbito {
 

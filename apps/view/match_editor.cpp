@@ -1,7 +1,7 @@
 #include "apps/view/match_editor.hpp"
 
-#include "engine/core/math.hpp"
-#include "match/edit.hpp"
+#include "engine/core/math/math.hpp"
+#include "match/play/edit.hpp"
 
 namespace fulbito {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "match/match.hpp"
+#include "match/play/match.hpp"
 
 namespace fulbito {
 

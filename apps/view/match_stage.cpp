@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/core/math.hpp"
-#include "match/recorded_values.hpp"
-#include "match/recorder.hpp"
+#include "engine/core/math/math.hpp"
+#include "match/record/recorded_values.hpp"
+#include "match/record/recorder.hpp"
 
 namespace fulbito {
 namespace {

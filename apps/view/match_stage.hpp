@@ -5,8 +5,8 @@
 
 #include "apps/view/match_editor.hpp"
 #include "apps/view/view_stage.hpp"
-#include "match/match.hpp"
-#include "replays/recording.hpp"
+#include "match/play/match.hpp"
+#include "replays/recording/recording.hpp"
 
 namespace fulbito {
 

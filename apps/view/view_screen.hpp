@@ -5,7 +5,7 @@
 #include <string>
 
 #include "apps/view/viewer.hpp"
-#include "replays/render/match_picture.hpp"
+#include "replays/render/match/match_picture.hpp"
 
 namespace fulbito {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "replays/render/match_picture.hpp"
-#include "replays/render/replay_scene.hpp"
+#include "replays/render/match/match_picture.hpp"
+#include "replays/render/match/replay_scene.hpp"
 
 namespace fulbito {
 

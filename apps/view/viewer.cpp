@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/view/match_editor.hpp"
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
 
 namespace fulbito {
 namespace {

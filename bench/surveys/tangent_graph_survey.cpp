@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/random.hpp"
-#include "navigation/tangent_graph_search.hpp"
+#include "engine/core/math/random.hpp"
+#include "navigation/methods/paths/tangent_graph_search.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

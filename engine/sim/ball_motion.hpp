@@ -1,8 +1,8 @@
 // Private header of engine/sim: not installed.
 #pragma once
 
-#include "engine/core/ball_model.hpp"
-#include "engine/core/vec2.hpp"
+#include "engine/core/base/vec2.hpp"
+#include "engine/core/models/ball_model.hpp"
 
 namespace fulbito {
 

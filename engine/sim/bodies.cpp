@@ -8,7 +8,7 @@
 #include <box2d/b2_polygon_shape.h>
 #include <box2d/b2_world.h>
 
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
 #include "engine/sim/obstacle_motion.hpp"
 #include "engine/sim/units.hpp"
 #include "engine/sim/walls.hpp"

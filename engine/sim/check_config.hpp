@@ -1,7 +1,7 @@
 // Private header of engine/sim: not installed.
 #pragma once
 
-#include "engine/core/result.hpp"
+#include "engine/core/base/result.hpp"
 #include "engine/sim/world.hpp"
 
 namespace fulbito {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "engine/core/drive_law.hpp"
-#include "engine/core/values.hpp"
+#include "engine/core/base/values.hpp"
+#include "engine/core/models/drive_law.hpp"
 
 namespace fulbito {
 

@@ -5,7 +5,7 @@
 
 #include <box2d/b2_body.h>
 
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
 #include "engine/sim/units.hpp"
 
 namespace fulbito {

@@ -1,7 +1,7 @@
 // Private header of engine/sim: not installed.
 #pragma once
 
-#include "engine/core/layout.hpp"
+#include "engine/core/models/layout.hpp"
 
 class b2Body;
 

@@ -3,7 +3,7 @@
 
 #include <box2d/b2_math.h>
 
-#include "engine/core/vec2.hpp"
+#include "engine/core/base/vec2.hpp"
 
 /// The only place where the project's SI units and Box2D's meet. Box2D's tolerances are absolute and meant
 /// for bodies of 0.1 ... 10 units, so the world is scaled up: at 10 units a metre its slop is 0.5 mm. Masses

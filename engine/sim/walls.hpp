@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "engine/core/field_geometry.hpp"
-#include "engine/core/vec2.hpp"
+#include "engine/core/base/vec2.hpp"
+#include "engine/core/models/field_geometry.hpp"
 
 namespace fulbito {
 

@@ -8,8 +8,8 @@
 #include <box2d/b2_contact.h>
 #include <box2d/b2_world.h>
 
-#include "engine/core/float_mode.hpp"
-#include "engine/core/math.hpp"
+#include "engine/core/base/float_mode.hpp"
+#include "engine/core/math/math.hpp"
 #include "engine/sim/approach.hpp"
 #include "engine/sim/ball_motion.hpp"
 #include "engine/sim/bodies.hpp"

@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "engine/core/ball_model.hpp"
-#include "engine/core/contact.hpp"
-#include "engine/core/field_geometry.hpp"
-#include "engine/core/layout.hpp"
-#include "engine/core/physics_profile.hpp"
-#include "engine/core/result.hpp"
-#include "engine/core/robot_model.hpp"
-#include "engine/core/values.hpp"
+#include "engine/core/base/contact.hpp"
+#include "engine/core/base/result.hpp"
+#include "engine/core/base/values.hpp"
+#include "engine/core/models/ball_model.hpp"
+#include "engine/core/models/field_geometry.hpp"
+#include "engine/core/models/layout.hpp"
+#include "engine/core/models/physics_profile.hpp"
+#include "engine/core/models/robot_model.hpp"
 
 namespace fulbito {
 

@@ -5,7 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "engine/core/worker_threads.hpp"
+#include "engine/core/system/worker_threads.hpp"
 
 namespace fulbito {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/result.hpp"
-#include "replays/render/canvas.hpp"
+#include "engine/core/base/result.hpp"
+#include "replays/render/canvas/canvas.hpp"
 
 namespace fulbito {
 

@@ -14,9 +14,9 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/output_file.hpp"
-#include "engine/core/stop_request.hpp"
-#include "engine/core/unfinished_work.hpp"
+#include "engine/core/system/output_file.hpp"
+#include "engine/core/system/stop_request.hpp"
+#include "engine/core/system/unfinished_work.hpp"
 
 namespace fulbito {
 namespace {

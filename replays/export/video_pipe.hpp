@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/core/result.hpp"
+#include "engine/core/base/result.hpp"
 
 namespace fulbito {
 

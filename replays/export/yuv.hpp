@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "replays/render/canvas.hpp"
+#include "replays/render/canvas/canvas.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/result.hpp"
+#include "engine/core/base/result.hpp"
 #include "replays/html/page_scene.hpp"
 
 namespace fulbito {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/build_info.hpp"
-#include "replays/call_words.hpp"
+#include "engine/core/base/build_info.hpp"
+#include "replays/recording/call_words.hpp"
 
 namespace fulbito {
 namespace {

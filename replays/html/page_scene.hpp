@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/contact.hpp"
-#include "engine/core/field_geometry.hpp"
-#include "engine/core/team.hpp"
-#include "engine/core/values.hpp"
-#include "replays/recording.hpp"
+#include "engine/core/base/contact.hpp"
+#include "engine/core/base/team.hpp"
+#include "engine/core/base/values.hpp"
+#include "engine/core/models/field_geometry.hpp"
+#include "replays/recording/recording.hpp"
 
 /// What the HTML viewer (docs/viewer.md) shows, as plain values: recordings and races of navigators are both
 /// brought into this form.

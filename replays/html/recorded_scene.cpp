@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/presets.hpp"
-#include "replays/call_words.hpp"
+#include "engine/core/config/presets.hpp"
+#include "replays/recording/call_words.hpp"
 
 namespace fulbito {
 namespace {

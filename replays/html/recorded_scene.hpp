@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/result.hpp"
+#include "engine/core/base/result.hpp"
 #include "replays/html/page_scene.hpp"
 #include "replays/recording_reader.hpp"
 #include "replays/timeline.hpp"

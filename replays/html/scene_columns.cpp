@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math.hpp"
-#include "replays/byte_io.hpp"
+#include "engine/core/math/math.hpp"
+#include "replays/coding/byte_io.hpp"
 
 namespace fulbito {
 namespace {

@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/math.hpp"
-#include "engine/core/random.hpp"
+#include "engine/core/math/math.hpp"
+#include "engine/core/math/random.hpp"
 #include "replays/html/html_page.hpp"
-#include "replays/render/replay_scene.hpp"
+#include "replays/render/match/replay_scene.hpp"
 #include "replays/timeline.hpp"
 
 namespace fulbito {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/core/hash.hpp"
-#include "match/match.hpp"
+#include "engine/core/base/hash.hpp"
+#include "match/play/match.hpp"
 
 namespace {
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/hash.hpp"
-#include "replays/render/field_picture.hpp"
-#include "replays/render/heat_map.hpp"
-#include "replays/render/replay_scene.hpp"
+#include "engine/core/base/hash.hpp"
+#include "replays/render/field/field_picture.hpp"
+#include "replays/render/match/heat_map.hpp"
+#include "replays/render/match/replay_scene.hpp"
 
 namespace {
 

@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/random.hpp"
+#include "engine/core/math/random.hpp"
 #include "engine/sim/world.hpp"
-#include "referee/clauses.hpp"
-#include "referee/goal_kick_ball.hpp"
-#include "referee/restart_placement.hpp"
-#include "referee/ticks.hpp"
+#include "referee/restarts/goal_kick_ball.hpp"
+#include "referee/restarts/restart_placement.hpp"
+#include "referee/rules/clauses.hpp"
+#include "referee/state/ticks.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace fulbito::test {

@@ -3,8 +3,8 @@
 #include <map>
 #include <string>
 
-#include "engine/core/physics_profile.hpp"
-#include "referee/match_referee.hpp"
+#include "engine/core/models/physics_profile.hpp"
+#include "referee/match/match_referee.hpp"
 
 namespace fulbito::test {
 

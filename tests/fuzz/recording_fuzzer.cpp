@@ -1,8 +1,8 @@
 #include <cstdlib>
 
-#include "replays/block.hpp"
-#include "replays/chunk.hpp"
-#include "replays/header_json.hpp"
+#include "replays/chunks/block.hpp"
+#include "replays/chunks/chunk.hpp"
+#include "replays/header/header_json.hpp"
 #include "replays/recording_reader.hpp"
 #include "replays/recording_salvage.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/presets.hpp"
+#include "engine/core/config/presets.hpp"
 #include "tests/fuzz/random_match.hpp"
 #include "tests/support/catch.hpp"
 

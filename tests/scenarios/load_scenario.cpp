@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/config_document.hpp"
-#include "engine/core/text_file.hpp"
+#include "engine/core/config/config_document.hpp"
+#include "engine/core/system/text_file.hpp"
 #include "tests/scenarios/scenario.hpp"
 
 namespace fulbito::test {

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/math.hpp"
-#include "engine/core/presets.hpp"
+#include "engine/core/config/presets.hpp"
+#include "engine/core/math/math.hpp"
 #include "engine/sim/world.hpp"
-#include "referee/match_referee.hpp"
-#include "referee/restart_placement.hpp"
-#include "referee/ticks.hpp"
+#include "referee/match/match_referee.hpp"
+#include "referee/restarts/restart_placement.hpp"
+#include "referee/state/ticks.hpp"
 #include "tests/scenarios/scenario.hpp"
 
 namespace fulbito::test {

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/restart_kind.hpp"
-#include "engine/core/result.hpp"
-#include "engine/core/team.hpp"
-#include "engine/core/values.hpp"
-#include "referee/game_event.hpp"
-#include "referee/rules.hpp"
+#include "engine/core/base/restart_kind.hpp"
+#include "engine/core/base/result.hpp"
+#include "engine/core/base/team.hpp"
+#include "engine/core/base/values.hpp"
+#include "referee/rules/rules.hpp"
+#include "referee/state/game_event.hpp"
 
 namespace fulbito::test {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <functional>
 
-#include "referee/areas.hpp"
-#include "referee/clauses.hpp"
+#include "referee/geometry/areas.hpp"
+#include "referee/rules/clauses.hpp"
 #include "tests/scenarios/scenario.hpp"
 #include "tests/support/catch.hpp"
 

@@ -36,7 +36,7 @@ passed() {
   expect 0 'nothing found' "passed: $1"
 }
 
-mkdir -p "$tree"/{engine/core,navigation,replays/render,tests}
+mkdir -p "$tree"/{engine/core/math,navigation,replays/render,tests}
 expect 0 'nothing found' 'an empty tree'
 
 caught 'double y = std::sin(x);'
@@ -67,9 +67,9 @@ passed 'double y = std::sqrt(x) + std::floor(x) + std::abs(x);'
 passed 'double time(int ticks);'
 rm "$tree/navigation/planted.cpp"
 
-echo 'double sin(double x); double y = std::sin(1.0);' >"$tree/engine/core/math_trig.cpp"
-expect 1 'engine/core/math_trig.cpp:1: ' "the project's own math may not call the C library's"
-echo 'double sin(double x);' >"$tree/engine/core/math_trig.cpp"
+echo 'double sin(double x); double y = std::sin(1.0);' >"$tree/engine/core/math/trig.cpp"
+expect 1 'engine/core/math/trig.cpp:1: ' "the project's own math may not call the C library's"
+echo 'double sin(double x);' >"$tree/engine/core/math/trig.cpp"
 echo 'double y = std::sin(1.0);' | tee "$tree/replays/render/picture.cpp" >"$tree/tests/some_test.cpp"
 expect 0 'nothing found' 'own definitions, pictures and tests are free'
 

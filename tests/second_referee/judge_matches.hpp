@@ -1,6 +1,6 @@
 #pragma once
 
-#include "match/match.hpp"
+#include "match/play/match.hpp"
 #include "tests/second_referee/second_referee.hpp"
 
 namespace fulbito::second {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "match/match_observer.hpp"
+#include "match/play/match_observer.hpp"
 #include "tests/second_referee/moment.hpp"
 
 namespace fulbito::second {

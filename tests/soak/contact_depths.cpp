@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "match/match.hpp"
+#include "match/play/match.hpp"
 #include "tests/support/outlines.hpp"
 
 namespace {

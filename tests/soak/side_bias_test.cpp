@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/statistics.hpp"
+#include "engine/core/math/statistics.hpp"
 #include "tests/support/catch.hpp"
-#include "tests/unit/match/test_teams.hpp"
+#include "tests/support/test_teams.hpp"
 
 namespace fulbito {
 namespace {

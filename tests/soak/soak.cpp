@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <vector>
 
-#include "match/match.hpp"
+#include "match/play/match.hpp"
 
 namespace {
 

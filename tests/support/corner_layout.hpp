@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "engine/core/random.hpp"
-#include "navigation/scene.hpp"
+#include "engine/core/math/random.hpp"
+#include "navigation/interface/scene.hpp"
 
 namespace fulbito::test {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/core/math.hpp"
-#include "engine/core/random.hpp"
-#include "engine/core/vec2.hpp"
+#include "engine/core/base/vec2.hpp"
+#include "engine/core/math/math.hpp"
+#include "engine/core/math/random.hpp"
 
 namespace fulbito::test {
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/core/drive_law.hpp"
-#include "engine/core/math.hpp"
-#include "engine/core/shapes.hpp"
+#include "engine/core/math/math.hpp"
+#include "engine/core/models/drive_law.hpp"
+#include "engine/core/models/shapes.hpp"
 #include "navigation/pilot.hpp"
 
 namespace fulbito::test {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "engine/core/math.hpp"
-#include "engine/core/random.hpp"
+#include "engine/core/math/math.hpp"
+#include "engine/core/math/random.hpp"
 #include "navigation/registry.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
 #include "engine/sim/world.hpp"
 
 namespace fulbito::test {

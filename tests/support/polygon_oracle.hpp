@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "navigation/tangent_graph_search.hpp"
+#include "navigation/methods/paths/tangent_graph_search.hpp"
 
 namespace fulbito::test {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/presets.hpp"
+#include "engine/core/config/presets.hpp"
 
 namespace fulbito::test {
 

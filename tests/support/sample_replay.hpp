@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "engine/core/math.hpp"
-#include "engine/core/presets.hpp"
+#include "engine/core/config/presets.hpp"
+#include "engine/core/math/math.hpp"
 #include "replays/recording_writer.hpp"
 #include "replays/timeline.hpp"
 #include "tests/support/catch.hpp"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
 #include "engine/sim/world.hpp"
 #include "tests/support/robot_presets.hpp"
 

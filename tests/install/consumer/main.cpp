@@ -1,6 +1,6 @@
 // An outside project: a world, a navigator, a few ticks. Fails when Box2D still reads its clock.
 #include <cstdio>
-#include <fulbito/engine/core/hash.hpp>
+#include <fulbito/engine/core/base/hash.hpp>
 #include <fulbito/engine/sim/world.hpp>
 #include <fulbito/navigation/registry.hpp>
 

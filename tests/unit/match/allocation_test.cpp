@@ -1,9 +1,9 @@
-#include "match/event_lines.hpp"
-#include "match/recorder.hpp"
-#include "match/statistics.hpp"
+#include "match/record/recorder.hpp"
+#include "match/report/event_lines.hpp"
+#include "match/report/statistics.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/malloc_counter.hpp"
-#include "tests/unit/match/test_teams.hpp"
+#include "tests/support/test_teams.hpp"
 
 namespace fulbito {
 namespace {

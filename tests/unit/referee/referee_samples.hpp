@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/presets.hpp"
-#include "referee/match_referee.hpp"
-#include "referee/restart_placement.hpp"
+#include "engine/core/config/presets.hpp"
+#include "referee/match/match_referee.hpp"
+#include "referee/restarts/restart_placement.hpp"
 
 namespace fulbito::testing {
 

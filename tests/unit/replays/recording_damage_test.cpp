@@ -1,7 +1,7 @@
-#include "engine/core/random.hpp"
-#include "replays/block.hpp"
-#include "replays/chunk.hpp"
-#include "replays/header_json.hpp"
+#include "engine/core/math/random.hpp"
+#include "replays/chunks/block.hpp"
+#include "replays/chunks/chunk.hpp"
+#include "replays/header/header_json.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/sample_recording.hpp"
 

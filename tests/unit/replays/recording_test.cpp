@@ -1,4 +1,4 @@
-#include "replays/recording.hpp"
+#include "replays/recording/recording.hpp"
 
 #include <cmath>
 

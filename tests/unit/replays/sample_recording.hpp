@@ -3,9 +3,9 @@
 #include <array>
 #include <string>
 
-#include "engine/core/hash.hpp"
-#include "engine/core/random.hpp"
-#include "engine/core/robot_model.hpp"
+#include "engine/core/base/hash.hpp"
+#include "engine/core/math/random.hpp"
+#include "engine/core/models/robot_model.hpp"
 #include "replays/recording_reader.hpp"
 #include "replays/recording_writer.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/math.hpp"
+#include "engine/core/math/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/sample_recording.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/core/presets.hpp"
-#include "strategies/observation.hpp"
+#include "engine/core/config/presets.hpp"
+#include "strategies/interface/observation.hpp"
 
 namespace fulbito::test {
 

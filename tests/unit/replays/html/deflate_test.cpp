@@ -1,6 +1,6 @@
 #include "replays/html/deflate.hpp"
 
-#include "engine/core/random.hpp"
+#include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/html/inflate.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/math.hpp"
-#include "replays/byte_io.hpp"
+#include "engine/core/math/math.hpp"
+#include "replays/coding/byte_io.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/html/sample_scene.hpp"
 

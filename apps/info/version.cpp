@@ -1,0 +1,22 @@
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "engine/core/base/build_info.hpp"
+#include "experiments/report/report.hpp"
+
+namespace fulbito::app {
+
+int version(bool json) {
+  if (json) {
+    writeOut(versionJson());
+  } else {
+    const BuildInfo& build = buildInfo();
+    say("fulbito {} ({}, {}, Box2D {})\n", build.version, build.compiler, build.type, build.box2d);
+  }
+  return kOk;
+}
+
+}  // namespace fulbito::app

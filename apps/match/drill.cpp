@@ -1,0 +1,136 @@
+#include "apps/match/drill.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "apps/common/option_values.hpp"
+#include "apps/common/progress.hpp"
+#include "engine/core/config/suggest.hpp"
+
+namespace fulbito::app {
+namespace {
+
+constexpr std::uint64_t kMostTrials = 1'000'000;
+
+/// Numbers of the drills that a word names: a number or a name.
+Result<int> drillNumber(const std::vector<Drill>& drills, const std::string& word) {
+  int number = 0;
+  const auto parsed = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool is_number = parsed.ec == std::errc() && parsed.ptr == word.data() + word.size();
+  std::vector<std::string> names;
+  for (const Drill& drill : drills) {
+    if (is_number ? drill.number == number : drill.name == word) return drill.number;
+    names.push_back(drill.name);
+  }
+  return fail(ErrorCode::kUsage, fmt::format("--drill: there is no drill '{}'.{} See fulbito drill --list.",
+                                             word, suggestion(word, names)));
+}
+
+int listDrills(const std::vector<Drill>& drills) {
+  for (const Drill& drill : drills) say("{:>3}  {:<20} {}\n", drill.number, drill.name, drill.what);
+  return kOk;
+}
+
+}  // namespace
+
+CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
+  CLI::App* command = app.add_subcommand("drill", "put a team through drills and print what it reaches");
+  command->footer(
+      "Examples:\n"
+      "  fulbito drill classic --drill 3,10 --trials 40\n"
+      "  fulbito drill libero --json > drills.json\n"
+      "  fulbito drill chaser classic --drill 3,10,13 --trials 80\n"
+      "  fulbito drill --list\n"
+      "All drills take some five minutes of one core, most of it drills 18 and 21, which are whole matches;\n"
+      "stderr shows how far they are. --drill and --trials make it shorter.\n"
+      "Exit codes: 0 ran, 1 a drill was not passed (with --check only).");
+  command->add_option("team", options.teams, "team, e.g. classic; several: side by side");
+  command->add_option("--drill", options.drills, "numbers or names (default: all)")->delimiter(',');
+  wholeNumber(
+      command->add_option("--trials", options.run.trials, "of each drill (default: as the drill says)"), 1,
+      kMostTrials);
+  wholeNumber(command->add_option("--seed", options.run.seed, "seed of starts and matches"))
+      ->capture_default_str();
+  addJobs(*command, options.run.jobs, "worker threads");
+  command->add_option("--robot", options.run.robot, "robot preset or TOML file")->capture_default_str();
+  command->add_option("--physics", options.run.physics, "physics profile or TOML file")
+      ->capture_default_str();
+  command->add_option("--drills", options.folder, "take the *.toml files of this folder instead")
+      ->type_name("FOLDER");
+  command->add_flag("--json", options.json, "print JSON");
+  command->add_flag("--check", options.check, "exit code 1 when a drill is not passed");
+  command->add_flag("--list", options.list, "list the drills");
+  return command;
+}
+
+namespace {
+
+/// The drills to choose from.
+Result<std::vector<Drill>> chosenDrills(const DrillCommand& options) {
+  if (options.folder.empty()) return builtInDrills();
+  return loadDrills(options.folder);
+}
+
+Result<std::vector<DrillReport>> runTeam(const std::vector<Drill>& drills, const std::vector<int>& numbers,
+                                         const DrillOptions& options) {
+  ProgressBar bar("drills of " + options.team.text);
+  return runDrills(drills, numbers, options,
+                   [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
+}
+
+/// Teams by name. Errors: kUsage.
+Result<std::vector<TeamChoice>> chosenTeams(const DrillCommand& options) {
+  if (options.teams.empty()) return fail(ErrorCode::kUsage, "drill: which team? See fulbito drill --help.");
+  if (options.json && options.teams.size() > 1) {
+    return fail(ErrorCode::kUsage, "--json takes one team");
+  }
+  std::vector<TeamChoice> teams;
+  for (const std::string& name : options.teams) {
+    auto team = parseTeam(name);
+    if (!team) return tl::unexpected<Error>(team.error());
+    teams.push_back(std::move(*team));
+  }
+  return teams;
+}
+
+}  // namespace
+
+int drill(DrillCommand options) {
+  const auto drills = chosenDrills(options);
+  if (!drills) return report(drills.error());
+  if (options.list) return listDrills(*drills);
+  const auto teams = chosenTeams(options);
+  if (!teams) return report(teams.error());
+  std::vector<int> numbers;
+  for (const std::string& word : options.drills) {
+    const auto number = drillNumber(*drills, word);
+    if (!number) return report(number.error());
+    numbers.push_back(*number);
+  }
+  std::vector<std::vector<DrillReport>> reports;
+  bool passed = true;
+  for (const TeamChoice& team : *teams) {
+    options.run.team = team;
+    auto ran = runTeam(*drills, numbers, options.run);
+    if (!ran) return report(ran.error());
+    passed = passed && std::all_of(ran->begin(), ran->end(), [](const DrillReport& r) { return r.passed(); });
+    reports.push_back(std::move(*ran));
+  }
+  const std::string text = options.json         ? drillJson(reports.front(), options.run)
+                           : teams->size() == 1 ? drillTable(reports.front(), options.run)
+                                                : drillOverview(options.teams, reports);
+  if (options.json) {
+    writeOut(text);
+  } else {
+    printOut(text);
+  }
+  return options.check && !passed ? kTestFailed : kOk;
+}
+
+}  // namespace fulbito::app

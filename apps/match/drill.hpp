@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "match/drills/drill.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace fulbito::app {
+
+/// The command line of `fulbito drill`.
+struct DrillCommand {
+  std::vector<std::string> teams;   ///< more than one: side by side
+  std::vector<std::string> drills;  ///< numbers or names
+  DrillOptions run;
+  std::string folder;  ///< empty: the built-in drills
+  bool json = false;
+  bool check = false;
+  bool list = false;
+};
+
+CLI::App* addDrill(CLI::App& app, DrillCommand& options);
+/// Runs the command and returns its exit code.
+int drill(DrillCommand options);
+
+}  // namespace fulbito::app

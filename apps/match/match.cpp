@@ -1,0 +1,331 @@
+#include "apps/match/match.hpp"
+
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "apps/common/option_values.hpp"
+#include "apps/common/output_names.hpp"
+#include "apps/common/progress.hpp"
+#include "apps/match/live_line.hpp"
+#include "engine/core/system/output_file.hpp"
+#include "match/config/start_state.hpp"
+#include "match/record/recorder.hpp"
+#include "match/report/summary.hpp"
+#include "referee/restarts/check_places.hpp"
+
+namespace fulbito::app {
+namespace {
+
+constexpr Tick kTicksBetweenLooks = 64;  // of the match, at the clock and for signals
+constexpr std::uint64_t kMostPairs = 100'000;
+constexpr const char* kStdout = "-";
+
+double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
+
+/// A file, or stdout, that takes lines at once; the first failure is kept.
+class LineFile {
+ public:
+  static Result<LineFile> open(const std::string& name, bool replace) {
+    if (name == kStdout) return LineFile(std::nullopt);
+    auto file = OutputFile::grow(name, replace);
+    if (!file) return tl::unexpected<Error>(file.error());
+    return LineFile(std::move(*file));
+  }
+  void write(std::string_view line) {
+    if (file_) {
+      (void)file_->write(line);
+    } else {
+      writeOut(line);
+      flushOut();
+    }
+  }
+  /// Ends the file. Errors: the first of any line.
+  Result<void> finish() { return file_ ? file_->commit() : Result<void>(); }
+
+ private:
+  explicit LineFile(std::optional<OutputFile> file) : file_(std::move(file)) {}
+  std::optional<OutputFile> file_;  ///< none: stdout, whose failures the end of the program tells
+};
+
+Result<void> checkFiles(const MatchCommand& options) {
+  return mayWriteAll({{"--record", options.record},
+                      {"--events", options.events, Dash::kStdout},
+                      {"--screenshot", options.window.screenshot}},
+                     {{"--rules", options.rules},
+                      {"--robot", options.robot},
+                      {"--physics", options.physics},
+                      {"--start", options.start}},
+                     options.force);
+}
+
+/// The flags that speak of one match only.
+Result<void> checkFlags(const MatchCommand& options) {
+  if (options.json && options.events == kStdout) {
+    return fail(ErrorCode::kUsage, "--events: '-' and --json both want stdout; give --events a file");
+  }
+  if (!options.pairs) return {};
+  for (const auto& [flag, given] :
+       {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
+        std::pair{"--profile", options.profile}, std::pair{"--view", options.view}}) {
+    if (given) {
+      return fail(ErrorCode::kUsage, fmt::format("{}: is of one match, and cannot go with -n/--pairs", flag));
+    }
+  }
+  return {};
+}
+
+Result<void> addStart(const std::string& file, MatchConfig& config) {
+  if (file.empty()) return {};
+  auto start = loadStartState(file, config);
+  if (!start) return tl::unexpected<Error>(start.error());
+  config.start = start->placement;
+  config.scoreboard = start->scoreboard;
+  return {};
+}
+
+Result<void> shorten(const MatchCommand& options, Rules& rules) {
+  if (!options.half_seconds) return {};
+  rules.half_seconds = *options.half_seconds;
+  const auto checked = validate(rules);
+  if (!checked) return fail(ErrorCode::kUsage, "--half-seconds: " + checked.error().message);
+  return {};
+}
+
+Result<MatchConfig> configOf(const MatchCommand& options) {
+  auto blue = parseTeam(options.blue), yellow = parseTeam(options.yellow);
+  if (!blue) return tl::unexpected<Error>(blue.error());
+  if (!yellow) return tl::unexpected<Error>(yellow.error());
+  auto rules = loadRules(options.rules);
+  if (!rules) return tl::unexpected<Error>(rules.error());
+  auto field = loadField(rules->field);
+  if (!field) return tl::unexpected<Error>(field.error());
+  auto robot = loadRobot(options.robot);
+  if (!robot) return tl::unexpected<Error>(robot.error());
+  auto physics = loadPhysics(options.physics);
+  if (!physics) return tl::unexpected<Error>(physics.error());
+  MatchConfig config;
+  config.teams = {std::move(*blue), std::move(*yellow)};
+  config.rules = std::move(*rules);
+  if (auto shortened = shorten(options, config.rules); !shortened) {
+    return tl::unexpected<Error>(shortened.error());
+  }
+  config.field = std::move(*field);
+  config.robot = std::move(*robot);
+  config.physics = std::move(*physics);
+  config.vision = options.vision;
+  // As in trials: the heading of a body whose front and back are each seen that far off.
+  config.vision.heading_noise = 2.0 * config.vision.position_noise / config.robot.robot.length;
+  config.seed = options.seed;
+  if (auto started = addStart(options.start, config); !started) return tl::unexpected<Error>(started.error());
+  return config;
+}
+
+/// All that watches the match that the user sees.
+struct Watchers {
+  StatisticsObserver statistics;
+  EventLog log;
+  std::optional<LineFile> file;
+  std::optional<EventLines> lines;
+  std::optional<MatchRecorder> recorder;
+
+  Result<void> attach(const MatchCommand& options, Match& match);
+  /// Ends all files. Errors of whatever was written.
+  Result<void> finish();
+};
+
+Result<void> Watchers::attach(const MatchCommand& options, Match& match) {
+  match.watch(statistics);
+  match.watch(log);
+  if (!options.events.empty()) {
+    auto opened = LineFile::open(options.events, options.force);
+    if (!opened) return tl::unexpected<Error>(opened.error());
+    file.emplace(std::move(*opened));
+    lines.emplace([this](std::string_view line) { file->write(line); });
+    match.watch(*lines);
+  }
+  if (!options.record.empty()) {
+    auto created = MatchRecorder::create(
+        options.record, match.config(),
+        options.record_recipe ? RecordingLevel::kRecipe : RecordingLevel::kFull, options.force);
+    if (!created) return tl::unexpected<Error>(created.error());
+    recorder.emplace(std::move(*created));
+    if (options.drawings) recorder->keepDrawings();
+    match.watch(*recorder);
+  }
+  return {};
+}
+
+Result<void> Watchers::finish() {
+  if (file) {
+    if (auto finished = file->finish(); !finished) return finished;
+  }
+  if (recorder && !recorder->written()) return recorder->written();
+  return {};
+}
+
+/// Plays until the end or a signal.
+void play(Match& match) {
+  LiveLine live(match.config());
+  while (match.step()) {
+    if (match.tick() % kTicksBetweenLooks != 0) continue;
+    if (interrupted()) break;
+    live.update(match);
+  }
+  match.finish();
+}
+
+void print(const MatchCommand& options, const MatchReport& report) {
+  if (options.json) {
+    writeOut(matchJson(report));
+  } else {
+    const std::string text = matchText(report);
+    options.events == kStdout ? printNote(text) : printOut(text);
+  }
+  flushOut();
+}
+
+/// The window of `--view`, if it was asked for. Errors: as `openWindow`.
+Result<std::optional<ViewWindow>> windowOf(const MatchCommand& options) {
+  if (!options.view) return std::nullopt;
+  auto opened = openWindow(options.window);
+  if (!opened) return tl::unexpected<Error>(opened.error());
+  return std::optional(std::move(*opened));
+}
+
+Result<void> play(Match& match, std::optional<ViewWindow>& window, const MatchCommand& options) {
+  if (window) return playInWindow(match, *window, options.window);
+  play(match);
+  return {};
+}
+
+/// Who closes a window has seen enough, which is no failure.
+int exitCode(const MatchReport& report, bool closed) {
+  if (report.faults.abandoned) {
+    return app::report(
+        {ErrorCode::kBadInput, "the match could not go on: " + report.faults.abandoned->message});
+  }
+  return report.complete || (closed && !interrupted()) ? kOk : interruptedCode();
+}
+
+int playOne(const MatchCommand& options, const MatchConfig& config) {
+  // Before any file is begun.
+  auto window = windowOf(options);
+  if (!window) return report(window.error());
+  auto made = Match::create(config);
+  if (!made) return report(made.error());
+  Watchers watchers;
+  if (auto attached = watchers.attach(options, *made); !attached) return report(attached.error());
+  MatchProfile profile;
+  if (options.profile) made->measure(now, profile);
+  const std::int64_t begin = now();
+  const auto played = play(*made, *window, options);
+  MatchReport summary = reportOf(*made, watchers.statistics, watchers.log);
+  summary.wall = secondsSince(begin);
+  if (options.profile) summary.profile = profile;
+  print(options, summary);
+  if (auto written = watchers.finish(); !written) return report(written.error());
+  if (!options.record.empty()) note("recording: {}\n", options.record);
+  if (!played) return report(played.error());
+  return exitCode(summary, options.view);
+}
+
+int playPairs(const MatchCommand& options, const MatchConfig& config) {
+  SeriesReport summary{{config, *options.pairs, options.jobs}, {}, 0.0};
+  const std::int64_t begin = now();
+  {
+    ProgressBar bar(fmt::format("{} v {}", options.blue, options.yellow));
+    auto played = playSeries(summary.config,
+                             [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
+    if (!played) return report(played.error());
+    summary.result = std::move(*played);
+  }
+  summary.wall = secondsSince(begin);
+  if (options.json) {
+    writeOut(seriesJson(summary));
+  } else {
+    printOut(seriesText(summary));
+  }
+  return summary.result.interrupted ? interruptedCode() : kOk;
+}
+
+void addConditions(CLI::App& command, MatchCommand& options) {
+  command.add_option("--rules", options.rules, "profile of rules, or TOML file")->capture_default_str();
+  command.add_option("--physics", options.physics, "physics profile or TOML file")->capture_default_str();
+  command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
+      ->capture_default_str();
+  wholeNumber(
+      command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices"))
+      ->capture_default_str();
+  command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
+  command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
+  command.add_option("--latency", options.vision.latency_ticks, "age of what teams see in ticks, 0 ... 60")
+      ->capture_default_str();
+  command
+      .add_option("--noise", options.vision.position_noise,
+                  "standard deviation of positions that teams see [m], 0 ... 0.1")
+      ->capture_default_str();
+  command
+      .add_option("--dropout", options.vision.dropout, "chance that a body is not seen in a tick, 0 ... 0.99")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
+  CLI::App* command = app.add_subcommand("match", "play a match, or a series of swapped pairs");
+  command->footer(
+      "Examples:\n"
+      "  fulbito match                                  libero against classic, two halves of five minutes\n"
+      "  fulbito match libero chaser --seed 7 --record game.fbr\n"
+      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20   pairs, 2 matches each\n"
+      "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
+      "  fulbito match libero idle --start corner.toml --events -\n"
+      "  fulbito match libero classic --view --record game.fbr   watch it, drag ball and robots\n"
+      "Names: fulbito list teams, fulbito list rules. More: docs/matches.md.");
+  command->add_option("blue", options.blue, "team that defends the left goal, e.g. classic:navigator=bezier")
+      ->capture_default_str();
+  command->add_option("yellow", options.yellow, "the other team")->capture_default_str();
+  addConditions(*command, options);
+  CLI::Option* record =
+      command->add_option("--record", options.record, "write a recording")->type_name("FILE");
+  CLI::Option* recipe =
+      command
+          ->add_flag("--recipe", options.record_recipe,
+                     "of --record: without sampled states, which a reader computes again; a third smaller")
+          ->needs(record);
+  command
+      ->add_flag("--drawings", options.drawings,
+                 "of --record: also what the teams mean to do, ten times a second, for pictures")
+      ->needs(record)
+      ->excludes(recipe);
+  command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
+      ->type_name("FILE");
+  wholeNumber(
+      command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match"),
+      1, kMostPairs)
+      ->type_name("PAIRS");
+  addJobs(*command, options.jobs, "worker threads of a series");
+  command->add_flag("--force", options.force, "replace files that exist");
+  CLI::Option* view = command->add_flag("--view", options.view, "watch it in a window while it is played");
+  addViewOptions(*command, options.window, view);
+  command->add_flag("--profile", options.profile, "say where the time went");
+  command->add_flag("--json", options.json, "print JSON");
+  return command;
+}
+
+int match(const MatchCommand& options) {
+  if (auto checked = checkFlags(options); !checked) return report(checked.error());
+  if (auto checked = checkFiles(options); !checked) return report(checked.error());
+  const auto config = configOf(options);
+  if (!config) return report(config.error());
+  if (const auto foreign = findForeignPlaces(config->rules, config->field, config->robot.robot)) {
+    note("note: {}\n", *foreign);
+  }
+  return options.pairs ? playPairs(options, *config) : playOne(options, *config);
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,47 @@
+// Private header of apps: not installed.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "apps/match/view.hpp"
+#include "match/config/match_config.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace fulbito::app {
+
+/// What `fulbito match` was asked.
+struct MatchCommand {
+  std::string blue = "libero";
+  std::string yellow = "classic";
+  std::string rules = "vsss-3v3";
+  std::string physics = "standard";
+  std::string robot = "vsss";
+  std::uint64_t seed = kDefaultMatchSeed;
+  std::optional<double> half_seconds;  ///< empty: the profile's
+  std::string start;                   ///< start state file; empty: a kick-off
+  VisionModel vision;
+  std::string record;          ///< file; empty: none
+  bool record_recipe = false;  ///< the recording holds only what cannot be computed again
+  bool drawings = false;       ///< the recording also holds what the teams draw
+  std::string events;          ///< file or "-"; empty: none
+  std::optional<int> pairs;    ///< empty: one match
+  int jobs = 0;
+  bool view = false;  ///< play in a window
+  ViewOptions window;
+  bool profile = false;
+  bool json = false;
+  bool force = false;  ///< files that exist are replaced
+};
+
+/// Adds `match`.
+CLI::App* addMatch(CLI::App& app, MatchCommand& options);
+
+/// Plays what was asked and returns the exit code.
+int match(const MatchCommand& options);
+
+}  // namespace fulbito::app

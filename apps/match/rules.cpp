@@ -1,0 +1,81 @@
+#include "apps/match/rules.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "apps/match/match.hpp"
+#include "engine/core/config/presets.hpp"
+#include "engine/core/system/error_text.hpp"
+#include "referee/restarts/check_places.hpp"
+#include "referee/rules/check_field.hpp"
+#include "referee/rules/rules.hpp"
+
+namespace fulbito::app {
+namespace {
+
+int showRules(const std::string& name_or_file) {
+  const auto loaded = loadRules(name_or_file);
+  if (!loaded) return report(loaded.error());
+  // A preset's own text has its remarks; a file is shown whole, with the keys that it leaves to the defaults.
+  const std::vector<std::string> presets = rulesPresetNames();
+  const bool preset = std::find(presets.begin(), presets.end(), name_or_file) != presets.end();
+  const std::string text = preset ? rulesPresetText(name_or_file).value_or("") : toToml(*loaded);
+  writeOut(text);
+  return kOk;
+}
+
+int checkRules(const std::string& file) {
+  const auto loaded = loadRules(file);
+  if (!loaded) return report(loaded.error());
+  const auto field = loadField(loaded->field);
+  if (!field) return report(field.error());
+  // The ball of a match unless it says otherwise.
+  const auto robot = loadRobot(MatchCommand().robot);
+  if (!robot) return report(robot.error());
+  if (auto playable = checkField(*loaded, *field, robot->ball); !playable) {
+    return report(inFile(file, playable.error()).value());
+  }
+  say("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
+      loaded->team_size, loaded->field);
+  if (const auto foreign = findForeignPlaces(*loaded, *field, robot->robot)) say("note: {}\n", *foreign);
+  for (const std::string& place : findBadPlaces(*loaded, *field, robot->robot)) {
+    say("note: {}; the referee will move it\n", place);
+  }
+  return kOk;
+}
+
+}  // namespace
+
+CLI::App* addRules(CLI::App& app, RulesOptions& options) {
+  CLI::App* command = app.add_subcommand("rules", "print, check or compare profiles of rules");
+  command->footer(
+      "Examples:\n"
+      "  fulbito rules show vsss-3v3                 every number, with its source\n"
+      "  fulbito rules show training > mine.toml     a profile to change\n"
+      "  fulbito rules check mine.toml\n"
+      "  fulbito rules compare vsss-3v3 league-program-2021 game.fbr");
+  command->add_subcommand("show", "print every number of a profile with its source")
+      ->add_option("name", options.show, "profile or TOML file")
+      ->required();
+  command->add_subcommand("check", "say what is wrong with a profile: file, line, key and range")
+      ->add_option("file", options.check, "TOML file or profile")
+      ->required();
+  addRulesCompare(*command, options.compare);
+  return command;
+}
+
+int rules(const RulesOptions& options) {
+  if (!options.show.empty()) return showRules(options.show);
+  if (!options.check.empty()) return checkRules(options.check);
+  if (!options.compare.files.empty()) return compareRules(options.compare);
+  return report(
+      {ErrorCode::kUsage,
+       "rules: say what: show NAME, check FILE or compare A B RECORDING. See fulbito rules --help."});
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,194 @@
+#include "apps/match/view.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "apps/common/option_values.hpp"
+#include "apps/common/output_names.hpp"
+#include "apps/view/match_stage.hpp"
+#include "apps/view/replay_stage.hpp"
+#include "engine/core/system/error_text.hpp"
+#include "replays/verify/expand.hpp"
+
+namespace fulbito::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kLeastWidth = 320, kLeastHeight = 240;  // [px]
+
+Result<void> readSize(const std::string& text, WindowOptions& window) {
+  if (text.empty()) return {};
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, window.width);
+  const bool cross = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x';
+  const auto height = std::from_chars(cross ? width.ptr + 1 : end, end, window.height);
+  const bool whole = cross && height.ec == std::errc() && height.ptr == end;
+  if (whole && window.width >= kLeastWidth && window.width <= kLargestWindow &&
+      window.height >= kLeastHeight && window.height <= kLargestWindow) {
+    return {};
+  }
+  return fail(ErrorCode::kUsage, fmt::format("--size: '{}' is no WIDTHxHEIGHT from {}x{} to {}x{}", text,
+                                             kLeastWidth, kLeastHeight, kLargestWindow, kLargestWindow));
+}
+
+Result<void> checkSpeed(double speed) {
+  if (std::find(std::begin(kViewSpeeds), std::end(kViewSpeeds), speed) != std::end(kViewSpeeds)) return {};
+  return fail(ErrorCode::kUsage, fmt::format("--speed: {:g} is none of 0.25, 0.5, 1, 2, 4, 8, 16", speed));
+}
+
+ViewSettings settingsOf(const ViewOptions& options) {
+  ViewSettings settings;
+  settings.speed = options.speed;
+  settings.paused = options.paused;
+  settings.theme = options.theme == "light" ? PictureTheme::kLight : PictureTheme::kDark;
+  settings.full_screen = options.full_screen;
+  settings.help = options.help;
+  return settings;
+}
+
+/// The file's recording, played again where it has no samples.
+Result<ReplayTimeline> timelineOf(const std::string& file) {
+  auto recording = RecordingReader::open(file);
+  if (!recording) return tl::unexpected<Error>(recording.error());
+  if (recording->header().level != RecordingLevel::kFull) {
+    auto full = expanded(*recording);
+    if (!full) return tl::unexpected<Error>(full.error());
+    *recording = std::move(*full);
+  }
+  return ReplayTimeline::read(*recording);
+}
+
+Result<std::unique_ptr<ViewStage>> stageOf(const std::string& file, double from) {
+  auto timeline = timelineOf(file);
+  if (!timeline) {
+    const bool named = timeline.error().message.find(file) != std::string::npos;
+    return named ? tl::unexpected<Error>(timeline.error()) : inFile(file, timeline.error());
+  }
+  if (!(from >= 0.0 && from <= timeline->seconds())) {
+    return fail(ErrorCode::kUsage,
+                fmt::format("--from {}: the recording goes from 0 to {:.2f} s", from, timeline->seconds()));
+  }
+  auto stage = ReplayStage::create(std::move(*timeline), file);
+  if (!stage) return inFile(file, stage.error());
+  (*stage)->seek(from);
+  return std::unique_ptr<ViewStage>(std::move(*stage));
+}
+
+void print(const ViewCommand& options, const Viewer& viewer, const ViewWindow& window) {
+  const ViewSettings& settings = viewer.settings();
+  const Json json{{"schema_version", 1},
+                  {"files", options.files},
+                  {"file", options.files[viewer.current()]},
+                  {"position_s", viewer.stage().seconds()},
+                  {"seconds", viewer.stage().look().seconds},
+                  {"paused", settings.paused},
+                  {"speed", settings.speed},
+                  {"theme", settings.theme == PictureTheme::kDark ? "dark" : "light"},
+                  {"trails", settings.trails},
+                  {"drawings", settings.drawings},
+                  {"flipped", settings.flipped},
+                  {"help", settings.help},
+                  {"full_screen", settings.full_screen},
+                  {"edited", viewer.stage().edited()},
+                  {"frames", window.frames()}};
+  writeOut(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+}  // namespace
+
+void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed) {
+  const auto add = [needed](CLI::Option* option) {
+    option->group("Window");
+    if (needed != nullptr) option->needs(needed);
+    return option;
+  };
+  add(command.add_option("--speed", options.speed, "times real time: 0.25, 0.5, 1, 2, 4, 8, 16"))
+      ->capture_default_str();
+  add(command.add_option("--theme", options.theme, "dark or light"))
+      ->check(CLI::IsMember({"dark", "light"}).description(""))
+      ->capture_default_str();
+  add(command.add_option("--size", options.size, "of the window in pixels (default: 900 wide, or what fits)"))
+      ->type_name("WxH");
+  add(command.add_flag("--paused", options.paused, "begin with a still picture"));
+  add(command.add_flag("--full-screen", options.full_screen, "fill the screen"));
+  add(command.add_flag("--keys", options.help, "begin with the list of keys"));
+  wholeNumber(add(command.add_option("--frames", options.frames,
+                                     "end after so many pictures, or once nothing moves")))
+      ->type_name("N");
+  add(command.add_option("--screenshot", options.screenshot, "write the last picture as PNG"))
+      ->type_name("FILE");
+}
+
+CLI::App* addView(CLI::App& app, ViewCommand& options) {
+  CLI::App* command = app.add_subcommand("view", "play recordings in a window");
+  command->footer(
+      "Keys are shown in the window by H: space plays and pauses, arrows go by seconds, + and - change the "
+      "speed.\n"
+      "Examples:\n"
+      "  fulbito match libero classic --record game.fbr   makes a recording\n"
+      "  fulbito view game.fbr\n"
+      "  fulbito view game.fbr --from 83 --speed 0.25     a goal in slow motion\n"
+      "  fulbito view monday.fbr tuesday.fbr              one after the other\n"
+      "  fulbito match libero classic --view              a match while it is played\n"
+      "More: docs/view.md.");
+  command->add_option("files", options.files, "recordings (.fbr)")->required()->type_name("FILE ...");
+  command->add_option("--from", options.from, "begin at this time of the first recording [s]")
+      ->capture_default_str();
+  addViewOptions(*command, options.window);
+  command->add_flag("--force", options.force, "replace the screenshot if it exists");
+  command->add_flag("--json", options.json, "when the window is closed, print how it stood");
+  return command;
+}
+
+Result<ViewWindow> openWindow(const ViewOptions& options) {
+  WindowOptions window;
+  if (auto size = readSize(options.size, window); !size) return tl::unexpected<Error>(size.error());
+  if (auto speed = checkSpeed(options.speed); !speed) return tl::unexpected<Error>(speed.error());
+  window.frames = options.frames;
+  window.screenshot = options.screenshot;
+  window.now = now;
+  window.interrupted = interrupted;
+  return ViewWindow::create(window);
+}
+
+Result<void> playInWindow(Match& match, ViewWindow& window, const ViewOptions& options) {
+  std::vector<std::unique_ptr<ViewStage>> stages;
+  stages.push_back(std::make_unique<MatchStage>(match));
+  Viewer viewer(std::move(stages), settingsOf(options));
+  auto shown = window.run(viewer);
+  match.finish();  // while the stage, which watches it, is there
+  return shown;
+}
+
+int view(const ViewCommand& options) {
+  std::vector<NamedFile> recordings;
+  recordings.reserve(options.files.size());
+  for (const std::string& file : options.files) recordings.push_back({"the recording", file});
+  if (auto may = mayWriteAll({{"--screenshot", options.window.screenshot}}, recordings, options.force);
+      !may) {
+    return report(may.error());
+  }
+  std::vector<std::unique_ptr<ViewStage>> stages;
+  for (const std::string& file : options.files) {
+    auto stage = stageOf(file, stages.empty() ? options.from : 0.0);
+    if (!stage) return report(stage.error());
+    stages.push_back(std::move(*stage));
+  }
+  auto window = openWindow(options.window);
+  if (!window) return report(window.error());
+  Viewer viewer(std::move(stages), settingsOf(options.window));
+  if (auto shown = window->run(viewer); !shown) return report(shown.error());
+  if (options.json) print(options, viewer, *window);
+  return interrupted() ? interruptedCode() : kOk;
+}
+
+}  // namespace fulbito::app

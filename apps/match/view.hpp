@@ -1,0 +1,53 @@
+// Private header of apps: not installed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "apps/view/view_window.hpp"
+#include "match/play/match.hpp"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace fulbito::app {
+
+/// How a window is to look.
+struct ViewOptions {
+  double speed = 1.0;
+  std::string theme = "dark";
+  std::string size;  ///< WIDTHxHEIGHT; empty: what fits
+  bool paused = false;
+  bool full_screen = false;
+  bool help = false;
+  std::int64_t frames = 0;
+  std::string screenshot;
+};
+
+/// What `fulbito view` was asked.
+struct ViewCommand {
+  std::vector<std::string> files;
+  double from = 0.0;  ///< [s]
+  bool json = false;
+  bool force = false;  ///< the screenshot is replaced if it exists
+  ViewOptions window;
+};
+
+/// Adds `view`.
+CLI::App* addView(CLI::App& app, ViewCommand& options);
+/// Adds the options of a window, which another option may have to be given for.
+void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed = nullptr);
+
+/// Shows recordings and returns the exit code.
+int view(const ViewCommand& options);
+
+/// Proves that there is a display. Errors: kUsage for the options; as ViewWindow::create.
+Result<ViewWindow> openWindow(const ViewOptions& options);
+/// Plays a match in the window until the user closes it, and ends the match as it stands then. Errors: as
+/// ViewWindow::run.
+Result<void> playInWindow(Match& match, ViewWindow& window, const ViewOptions& options);
+
+}  // namespace fulbito::app

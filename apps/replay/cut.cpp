@@ -1,0 +1,105 @@
+#include "apps/replay/cut.hpp"
+
+#include <charconv>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "apps/common/option_values.hpp"
+#include "apps/common/output_names.hpp"
+#include "engine/core/system/output_file.hpp"
+#include "replays/verify/cut.hpp"
+
+namespace fulbito::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// `3-5` or `3`, counted from 1.
+Result<PlayRange> parsePlays(const std::string& text) {
+  PlayRange range;
+  const char *at = text.data(), *end = at + text.size();
+  auto read = std::from_chars(at, end, range.first);
+  bool good = read.ec == std::errc();
+  range.last = range.first;
+  if (good && read.ptr != end) {
+    good = *read.ptr == '-';
+    if (good) read = std::from_chars(read.ptr + 1, end, range.last);
+    good = good && read.ec == std::errc() && read.ptr == end;
+  }
+  if (!good || range.first < 1 || range.last < range.first) {
+    return fail(ErrorCode::kUsage,
+                fmt::format("--plays: '{}' is no range of plays such as 3-5, counted from 1", text));
+  }
+  return PlayRange{range.first - 1, range.last - 1};
+}
+
+Result<PlayRange> rangeOf(const ReplayCutCommand& options, const RecordingReader& recording) {
+  const bool timed = options.from || options.to;
+  if (timed == !options.plays.empty()) {
+    return fail(ErrorCode::kUsage, "replay cut: say either --plays A-B or --from and --to in seconds");
+  }
+  if (!timed) return parsePlays(options.plays);
+  if (options.from && options.to && *options.from > *options.to) {
+    return fail(ErrorCode::kUsage, fmt::format("--from {} is after --to {}", *options.from, *options.to));
+  }
+  const double length = static_cast<double>(recording.ticks()) / recording.header().control_rate;
+  return playsBetween(recording, options.from.value_or(0.0), options.to.value_or(length));
+}
+
+void print(const ReplayCutCommand& options, const PlayRange& plays, const RecordingReader& cut) {
+  const double seconds = static_cast<double>(cut.ticks()) / cut.header().control_rate;
+  if (!options.json) {
+    say("{}: plays {} to {}, {:.3f} s\n", options.out, plays.first + 1, plays.last + 1, seconds);
+    return;
+  }
+  const Json json{{"schema_version", 1},           {"file", options.file},        {"out", options.out},
+                  {"first_play", plays.first + 1}, {"last_play", plays.last + 1}, {"ticks", cut.ticks()},
+                  {"simulated_s", seconds},        {"bytes", cut.sizeInBytes()}};
+  writeOut(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace
+
+CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
+  CLI::App* command =
+      replay.add_subcommand("cut", "keep some plays of a recording, whole from restart to restart");
+  command->footer(
+      "Each play is a world of its own, so that a cut verifies like any recording.\n"
+      "Examples:\n"
+      "  fulbito replay cut game.fbr goal.fbr --from 40 --to 50    all plays with a part in these seconds\n"
+      "  fulbito replay cut game.fbr some.fbr --plays 3-5");
+  command->add_option("file", options.file, "recording (.fbr)")->required();
+  command->add_option("out", options.out, "recording that is made")->required();
+  number(command->add_option("--from", options.from, "seconds of the recording (default: its start)"))
+      ->type_name("S");
+  number(command->add_option("--to", options.to, "seconds of the recording (default: its end)"))
+      ->type_name("S");
+  command->add_option("--plays", options.plays, "plays A to B, counted from 1")->type_name("A-B");
+  command->add_flag("--force", options.force, "replace a file that exists");
+  command->add_flag("--json", options.json, "print JSON");
+  return command;
+}
+
+int replayCut(const ReplayCutCommand& options) {
+  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force);
+      !may) {
+    return report(may.error());
+  }
+  const auto recording = RecordingReader::open(options.file);
+  if (!recording) return report(recording.error());
+  const auto range = rangeOf(options, *recording);
+  if (!range) return report(range.error());
+  const auto bytes = cutPlays(*recording, *range);
+  if (!bytes) return report(bytes.error());
+  if (auto written = writeFile(options.out, *bytes); !written) return report(written.error());
+  const auto cut = RecordingReader::parse(*bytes, options.out);
+  if (!cut) return report(cut.error());
+  print(options, *range, *cut);
+  return kOk;
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,154 @@
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "apps/common/progress.hpp"
+#include "apps/replay/export_request.hpp"
+#include "replays/export/gif.hpp"
+#include "replays/export/tables.hpp"
+#include "replays/export/video_pipe.hpp"
+#include "replays/export/yuv.hpp"
+
+namespace fulbito::app {
+namespace {
+
+constexpr int kVideoWidth = 900, kGifWidth = 480;  // [px]
+constexpr double kVideoFps = 30.0, kGifFps = 12.5;
+constexpr double kHurried = 4.0;    // times real time
+constexpr double kPatience = 30.0;  // [s] up to which a film shows everything as fast as it was
+constexpr std::size_t kPaletteSamples = 12;
+
+bool quiet() { return ::isatty(STDERR_FILENO) == 0; }
+
+/// Scenes are shown as they were; what lasts long is hurried through.
+double speedOf(const ExportRequest& request) {
+  const bool scene = !request.events.empty() || request.whole.to - request.whole.from <= kPatience;
+  return request.options->speed.value_or(scene ? 1.0 : kHurried);
+}
+
+FrameJob jobOf(const ExportRequest& request, const MatchPicture& picture, double fps) {
+  return {&request.timeline, &picture, request.overlays, filmTimes(request.ranges(), fps, speedOf(request)),
+          request.jobs};
+}
+
+std::string lengthText(std::size_t frames, double fps) {
+  return fmt::format("{} frames, {:.1f} s", frames, static_cast<double>(frames) / fps);
+}
+
+/// Draws and hands on all frames while a bar shows how far it has come.
+Result<void> film(const FrameJob& job, const char* what, const std::function<FramePacker()>& packer,
+                  const FrameSink& sink) {
+  ProgressBar progress(what, quiet());
+  return forEachFrame(job, packer, [&](std::size_t index, std::string& bytes) -> Result<void> {
+    if (!progress.update(index, job.times.size())) return fail(ErrorCode::kInterrupted, "interrupted");
+    return sink(index, bytes);
+  });
+}
+
+Result<void> exportVideo(const ExportRequest& request, VideoFormat format, const std::string& given) {
+  const bool mp4 = format == VideoFormat::kMp4;
+  const auto file = outputFile(request, given, mp4 ? ".mp4" : ".webm");
+  if (!file) return tl::unexpected<Error>(file.error());
+  const auto picture = MatchPicture::create(request.specOf(kVideoWidth));
+  if (!picture) return tl::unexpected<Error>(picture.error());
+  const MatchPictureSpec& spec = picture->spec();
+  if (spec.width % 2 != 0 || spec.height % 2 != 0) {
+    return fail(ErrorCode::kUsage,
+                fmt::format("--size {}x{}: a video's sides must be even", spec.width, spec.height));
+  }
+  const double fps = request.options->fps.value_or(kVideoFps);
+  auto video = VideoPipe::open(*file, {format, spec.width, spec.height, fps, request.options->quality});
+  if (!video) return tl::unexpected<Error>(video.error());
+  const FrameJob job = jobOf(request, *picture, fps);
+  auto done = film(
+      job, mp4 ? "mp4" : "webm",
+      [] { return [](Canvas& canvas, std::string& out) { toYuv420(canvas, out); }; },
+      [&](std::size_t, std::string& bytes) { return video->write(bytes); });
+  if (!done) return done;
+  if (auto finished = video->finish(); !finished) return finished;
+  announce(*file, lengthText(job.times.size(), fps));
+  return {};
+}
+
+/// Colours of some frames that are spread over the film.
+Result<GifPalette> paletteOf(const FrameJob& job) {
+  FrameJob samples = job;
+  samples.times.clear();
+  const std::size_t count = std::min(kPaletteSamples, job.times.size());
+  for (std::size_t i = 0; i < count; ++i) samples.times.push_back(job.times[i * job.times.size() / count]);
+  std::vector<Canvas> canvases;
+  ReplayDirector director(*job.timeline, job.overlays);
+  for (const double seconds : samples.times) {
+    auto canvas = job.picture->canvas();
+    if (!canvas) return tl::unexpected<Error>(canvas.error());
+    const ReplayMoment moment = job.timeline->at(seconds);
+    MatchOverlays overlays;
+    director.direct(moment, overlays);
+    // The banner is not in every sample, but its colours shall be there.
+    if (overlays.banner.title.empty()) overlays.banner = {"Goal!", "Penalty", TeamId::kBlue};
+    job.picture->drawFrame(*canvas, moment, overlays);
+    canvases.push_back(std::move(*canvas));
+  }
+  std::vector<const Canvas*> all;
+  all.reserve(canvases.size());
+  for (const Canvas& canvas : canvases) all.push_back(&canvas);
+  return GifPalette(all);
+}
+
+}  // namespace
+
+Result<void> exportMp4(const ExportRequest& request) {
+  return exportVideo(request, VideoFormat::kMp4, *request.options->mp4);
+}
+
+Result<void> exportWebm(const ExportRequest& request) {
+  return exportVideo(request, VideoFormat::kWebm, *request.options->webm);
+}
+
+Result<void> exportGif(const ExportRequest& request) {
+  const auto file = outputFile(request, *request.options->gif, ".gif");
+  if (!file) return tl::unexpected<Error>(file.error());
+  // A GIF counts in hundredths of a second.
+  const int delay =
+      std::max(2, static_cast<int>(std::floor(100.0 / request.options->fps.value_or(kGifFps) + 0.5)));
+  const double fps = 100.0 / delay;
+  const auto picture = MatchPicture::create(request.specOf(kGifWidth));
+  if (!picture) return tl::unexpected<Error>(picture.error());
+  const FrameJob job = jobOf(request, *picture, fps);
+  const auto palette = paletteOf(job);
+  if (!palette) return tl::unexpected<Error>(palette.error());
+  auto gif = GifWriter::create(picture->spec().width, picture->spec().height, *palette, delay);
+  if (!gif) return tl::unexpected<Error>(gif.error());
+  const auto packer = [&palette] {
+    return [indexer = GifIndexer(*palette)](Canvas& canvas, std::string& out) mutable {
+      indexer.index(canvas, out);
+    };
+  };
+  auto done = film(job, "gif", packer, [&](std::size_t, std::string& bytes) { return gif->add(bytes); });
+  if (!done) return done;
+  const auto bytes = gif->finish();
+  if (!bytes) return tl::unexpected<Error>(bytes.error());
+  return deliver(*file, *bytes);
+}
+
+Result<void> exportCsv(const ExportRequest& request) {
+  const auto file = outputFile(request, *request.options->csv, ".csv");
+  if (!file) return tl::unexpected<Error>(file.error());
+  std::string text;
+  writeCsv(request.timeline, request.whole.from, request.whole.to,
+           [&](const std::string& line) { text += line; });
+  return deliver(*file, text);
+}
+
+Result<void> exportJsonLines(const ExportRequest& request) {
+  const auto file = outputFile(request, *request.options->jsonl, ".jsonl");
+  if (!file) return tl::unexpected<Error>(file.error());
+  std::string text;
+  writeJsonLines(request.timeline, request.whole.from, request.whole.to,
+                 [&](const std::string& line) { text += line; });
+  return deliver(*file, text);
+}
+
+}  // namespace fulbito::app

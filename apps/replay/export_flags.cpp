@@ -1,0 +1,70 @@
+#include "apps/replay/export_flags.hpp"
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/common/output_names.hpp"
+
+namespace fulbito::app {
+namespace {
+
+/// A flag and the products that heed it.
+struct Use {
+  const char* flag;
+  std::vector<std::string_view> products;
+};
+
+const std::vector<Use>& uses() {
+  static const std::vector<std::string_view> kStills{"--png", "--contact-sheet", "--svg"};
+  static const std::vector<std::string_view> kScenes{"--png", "--contact-sheet", "--svg",
+                                                     "--gif", "--mp4",           "--webm"};
+  static const std::vector<std::string_view> kCalls{"--png", "--contact-sheet", "--svg",   "--gif",
+                                                    "--mp4", "--webm",          "--trails"};
+  static const std::vector<std::string_view> kPictures{"--png", "--contact-sheet", "--svg",    "--gif",
+                                                       "--mp4", "--webm",          "--trails", "--heatmap"};
+  static const std::vector<std::string_view> kRanges{"--png",     "--contact-sheet", "--svg", "--gif",
+                                                     "--mp4",     "--webm",          "--csv", "--trails",
+                                                     "--heatmap", "--jsonl"};
+  static const std::vector<std::string_view> kFilms{"--png", "--gif", "--mp4", "--webm"};
+  static const std::vector<Use> kUses{{"--ghost", {"--html"}},   {"--at", kStills},
+                                      {"--around", kCalls},      {"--highlights", kCalls},
+                                      {"--from", kRanges},       {"--to", kRanges},
+                                      {"--fps", kFilms},         {"--speed", kFilms},
+                                      {"--size", kPictures},     {"--theme", kPictures},
+                                      {"--trail", kScenes},      {"--no-banner", kCalls},
+                                      {"--no-drawings", kCalls}, {"--quality", {"--mp4", "--webm"}},
+                                      {"--jobs", kFilms}};
+  return kUses;
+}
+
+Result<void> checkUses(const CLI::App& command) {
+  const auto given = [&](std::string_view flag) { return command.count(std::string(flag)) > 0; };
+  for (const Use& use : uses()) {
+    if (!given(use.flag) || std::any_of(use.products.begin(), use.products.end(), given)) continue;
+    return fail(ErrorCode::kUsage, fmt::format("{}: none of the products heeds it; it is for {}", use.flag,
+                                               fmt::join(use.products, ", ")));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> checkExportFlags(const ReplayExportCommand& options) {
+  if (auto used = checkUses(*options.command); !used) return used;
+  const auto file = [](const char* flag, const std::optional<std::string>& name) {
+    return NamedFile{flag, name.value_or(""), Dash::kStdout};
+  };
+  const std::string heat = options.heatmap.size() > 1 ? options.heatmap[1] : std::string();
+  return mayWriteAll(
+      {file("--png", options.png), file("--contact-sheet", options.contact_sheet),
+       file("--trails", options.trails), file("--svg", options.svg), file("--gif", options.gif),
+       file("--mp4", options.mp4), file("--webm", options.webm), file("--csv", options.csv),
+       file("--jsonl", options.jsonl), file("--heatmap", heat), file("--html", options.html.html)},
+      {{"replay export", options.file}, {"--ghost", options.html.ghost}}, true);
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/replay/export.hpp"
+#include "replays/export/frames.hpp"
+#include "replays/render/match/match_picture.hpp"
+#include "replays/render/match/replay_scene.hpp"
+#include "replays/timeline.hpp"
+
+namespace fulbito::app {
+
+/// The recording and what was asked of it, checked: what every product needs.
+struct ExportRequest {
+  const ReplayExportCommand* options = nullptr;
+  ReplayTimeline timeline;
+  MatchPictureSpec spec;  ///< theme and, where it was given, size
+  bool sized = false;     ///< --size was given
+  OverlayChoice overlays;
+  ReplayRange whole;                  ///< --from ... --to
+  std::vector<RecordedEvent> events;  ///< that --around or --highlights named, within `whole`
+  int jobs = 1;
+
+  /// The spec for a product whose width is `width` unless --size says another.
+  MatchPictureSpec specOf(int width) const;
+  /// `whole`, or 5 s around each of the events.
+  std::vector<ReplayRange> ranges() const;
+};
+
+/// Opens the recording, plays it again where it has no samples, and checks all flags against it.
+/// Errors: as RecordingReader::open and `expanded`; kUsage naming the flag and its range.
+Result<ExportRequest> readRequest(const ReplayExportCommand& options);
+
+/// The name of a product: `given`, or the recording's with `ending` ("-trails.png"). Errors: kUsage when the
+/// file exists and --force was not given.
+Result<std::string> outputFile(const ExportRequest& request, const std::string& given,
+                               const std::string& ending);
+
+/// Writes the whole file or nothing; "-" is stdout. Says on stderr what was written. Errors: kIo.
+Result<void> deliver(const std::string& file, const std::string& content);
+/// E.g. "71.2 kB".
+std::string sizeText(std::size_t bytes);
+/// Says on stderr what was written, unless it went to stdout.
+void announce(const std::string& file, const std::string& what);
+
+/// @{ The products. Errors: kUsage, kIo, kInterrupted.
+Result<void> exportPng(const ExportRequest& request);
+Result<void> exportContactSheet(const ExportRequest& request);
+Result<void> exportTrails(const ExportRequest& request);
+Result<void> exportHeatMap(const ExportRequest& request);
+Result<void> exportSvg(const ExportRequest& request);
+Result<void> exportGif(const ExportRequest& request);
+Result<void> exportMp4(const ExportRequest& request);
+Result<void> exportWebm(const ExportRequest& request);
+Result<void> exportCsv(const ExportRequest& request);
+Result<void> exportJsonLines(const ExportRequest& request);
+/// @}
+
+}  // namespace fulbito::app

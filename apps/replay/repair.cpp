@@ -1,0 +1,90 @@
+#include "apps/replay/repair.hpp"
+
+#include <optional>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "apps/common/output_names.hpp"
+#include "engine/core/system/error_text.hpp"
+#include "engine/core/system/output_file.hpp"
+#include "replays/verify/repair.hpp"
+
+namespace fulbito::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Of a file that nothing is wrong with, `repaired` is empty.
+Json toJson(const ReplayRepairCommand& options, const Salvage& found, const std::optional<Repair>& repaired) {
+  Json json{{"schema_version", 1}, {"file", options.file}, {"whole", found.whole}};
+  json["out"] = repaired ? Json(options.out) : Json(nullptr);
+  if (!repaired) return json;
+  const double dt = 1.0 / found.header.control_rate;
+  json["plays"] = repaired->plays;
+  json["ticks"] = repaired->ticks;
+  json["simulated_s"] = static_cast<double>(repaired->ticks) * dt;
+  json["bytes"] = repaired->bytes.size();
+  json["lost"] = {{"bytes", found.lost_bytes},
+                  {"gaps", repaired->gaps},
+                  {"ticks", repaired->lost_ticks},
+                  {"simulated_s", static_cast<double>(repaired->lost_ticks) * dt},
+                  {"end", repaired->end_lost}};
+  return json;
+}
+
+void print(const ReplayRepairCommand& options, const Salvage& found, const std::optional<Repair>& repaired) {
+  if (options.json) {
+    writeOut(toJson(options, found, repaired).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    return;
+  }
+  if (!repaired) {
+    say("{}: nothing is wrong with it; nothing was written\n", options.file);
+    return;
+  }
+  const double dt = 1.0 / found.header.control_rate;
+  say("{}: {} plays, {:.3f} s kept\n", options.out, repaired->plays,
+      static_cast<double>(repaired->ticks) * dt);
+  say("lost: {} bytes, {} gaps, {:.3f} s of what is known{}\n", found.lost_bytes, repaired->gaps,
+      static_cast<double>(repaired->lost_ticks) * dt, repaired->end_lost ? ", and the end" : "");
+}
+
+}  // namespace
+
+CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options) {
+  CLI::App* command =
+      replay.add_subcommand("repair", "make a whole recording of what can still be read of one");
+  command->footer(
+      "Keeps what precedes the damage and every play that begins after it.\n"
+      "Example:\n"
+      "  fulbito replay repair broken.fbr mended.fbr");
+  command->add_option("file", options.file, "recording (.fbr)")->required();
+  command->add_option("out", options.out, "recording that is made")->required();
+  command->add_flag("--force", options.force, "replace a file that exists");
+  command->add_flag("--json", options.json, "print JSON");
+  return command;
+}
+
+int replayRepair(const ReplayRepairCommand& options) {
+  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force);
+      !may) {
+    return report(may.error());
+  }
+  const auto found = salvage(options.file);
+  if (!found) return report(found.error());
+  if (found->whole) {
+    print(options, *found, std::nullopt);
+    return kOk;
+  }
+  auto repaired = repair(*found);
+  if (!repaired) return report(inFile(options.file, repaired.error()).value());
+  if (auto written = writeFile(options.out, repaired->bytes); !written) return report(written.error());
+  print(options, *found, std::move(*repaired));
+  return kOk;
+}
+
+}  // namespace fulbito::app

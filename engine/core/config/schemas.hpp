@@ -1,0 +1,40 @@
+// Private header of engine/core: not installed.
+#pragma once
+
+#include <optional>
+
+#include "engine/core/config/schema.hpp"
+#include "engine/core/models/ball_model.hpp"
+#include "engine/core/models/field_geometry.hpp"
+#include "engine/core/models/layout.hpp"
+#include "engine/core/models/physics_profile.hpp"
+#include "engine/core/models/robot_model.hpp"
+
+/// The keys of every configuration struct, and what is checked beyond each key's own limits.
+namespace fulbito {
+
+/// The most obstacles that a layout may have.
+inline constexpr std::size_t kMaxObstacles = 500;
+
+/// @{ The keys of one table, bound to `value`.
+Schema schemaOf(RobotModel& value);
+Schema schemaOf(BallModel& value);
+Schema schemaOf(PhysicsProfile& value);
+Schema schemaOf(FieldGeometry& value);
+Schema layoutSchema(Layout& value);  ///< [layout]
+Schema startSchema(Layout& value);   ///< [start]
+Schema goalSchema(Layout& value);    ///< [goal]
+Schema schemaOf(ObstacleSpec& value);
+/// @}
+
+/// @{ The first flaw of a value: out of its limits, or at odds with another value.
+std::optional<Flaw> findFlaw(const RobotModel& robot);
+std::optional<Flaw> findFlaw(const BallModel& ball);
+std::optional<Flaw> findFlaw(const PhysicsProfile& physics);
+std::optional<Flaw> findFlaw(const FieldGeometry& field);
+std::optional<Flaw> findFlaw(const Layout& layout);
+/// Also against the field: start, goal and obstacle positions must be inside.
+std::optional<Flaw> findFlaw(const Layout& layout, const FieldGeometry& field);
+/// @}
+
+}  // namespace fulbito

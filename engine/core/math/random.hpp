@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "engine/core/base/vec2.hpp"
+
+namespace fulbito {
+
+/// Every consumer of randomness has a stream of its own, so that a new consumer shifts no other.
+/// The numbers are part of the determinism contract: append, never renumber.
+enum class Stream : std::uint32_t {
+  kLayout = 1,  ///< placement of obstacles, starts and goals in a suite
+  kObstacleMotion = 2,
+  kSensorNoise = 3,
+  kTuner = 4,
+  kBootstrap = 5,
+  kTest = 6,
+  kWheelCommands = 7,  ///< random drivers of benchmarks and tests
+  kVision = 8,         ///< what the teams of a match see wrongly, indexed by seat
+  kPlacement = 9,      ///< how exactly robots stand at a match's restarts
+  kSeries = 10,        ///< seeds of a series' pairs
+  kRandomTeam = 11,    ///< the team `random`
+  kCoinToss = 12,      ///< a referee's tosses: first kick-offs, ties without end
+  kDrill = 13,         ///< starts of drills
+  kStartHeading = 14,  ///< where robots look at the start of a comparison's trials
+};
+
+/// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of
+/// (seed, stream, index, n). Distributions are the project's own, as the standard library's differ between
+/// libraries. A stream repeats after 2^34 32-bit words.
+class Rng {
+ public:
+  /// @param index  separates consumers of one stream, e.g. the number of a trial
+  Rng(std::uint64_t seed, Stream stream, std::uint64_t index = 0);
+
+  std::uint32_t bits32();
+  std::uint64_t bits64();
+  /// In [0, 1), 53 bits.
+  double uniform();
+  /// In [low, high), where high - low does not overflow; `low` when the interval is empty.
+  double uniform(double low, double high);
+  /// In [0, n), without bias; 0 when n <= 1.
+  std::uint32_t below(std::uint32_t n);
+  /// Standard normal (Marsaglia's polar method on the project's own log).
+  double normal();
+  double normal(double mean, double sigma) { return mean + sigma * normal(); }
+
+ private:
+  std::uint64_t seed_;
+  std::uint32_t stream_;
+  std::uint64_t index_;
+  std::uint32_t block_ = 0;
+  std::uint32_t used_ = 4;
+  std::array<std::uint32_t, 4> words_{};
+};
+
+}  // namespace fulbito

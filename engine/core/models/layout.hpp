@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/base/result.hpp"
+#include "engine/core/base/values.hpp"
+#include "engine/core/models/field_geometry.hpp"
+
+namespace fulbito {
+
+enum class ObstacleShape { kDisc, kBox };
+enum class ObstacleMotion { kFixed, kPath, kPushable };
+/// What a moving obstacle does at the end of its path.
+enum class PathEnd { kBounce, kCycle, kStop };
+
+/// One obstacle of a layout.
+struct ObstacleSpec {
+  ObstacleShape shape = ObstacleShape::kDisc;
+  ObstacleMotion motion = ObstacleMotion::kFixed;
+  Pose2 pose;                   ///< where it starts; with a path, its first waypoint
+  double radius = 0.0335;       ///< [m] of a disc: a tennis ball
+  double length = 0.075;        ///< [m] of a box along its x
+  double width = 0.075;         ///< [m] of a box along its y
+  double mass = 0.058;          ///< [kg] when pushable
+  double floor_friction = 0.5;  ///< [m/s^2] deceleration on the floor when pushable
+  std::vector<Vec2> path;       ///< [m] waypoints when moving on a path, at least 2
+  double speed = 0.3;           ///< [m/s] along the path
+  PathEnd path_end = PathEnd::kBounce;
+};
+
+/// Where a moving obstacle is after `time` [s]: `pose.position` for one that does not move on a path. Before
+/// time 0 as at 0 for a path that stops; the others are periodic.
+Vec2 positionAt(const ObstacleSpec& obstacle, double time);
+/// Its velocity [m/s] from that time on: at a waypoint that of the stretch that begins there.
+Vec2 velocityAt(const ObstacleSpec& obstacle, double time);
+
+/// A navigation problem: one robot from `start` to `goal` among obstacles on a field.
+struct Layout {
+  std::string name = "layout";
+  std::string field = "vsss-3v3";  ///< preset name or file
+  Pose2 start;
+  Vec2 goal;
+  std::optional<double> goal_heading;   ///< [rad] wanted on arrival
+  double goal_tolerance = 0.03;         ///< [m]
+  double heading_tolerance = 0.1745;    ///< [rad] of the arrival heading, when one is wanted
+  std::vector<ObstacleSpec> obstacles;  ///< at most 500
+};
+
+/// Checks ranges and consistency; the error names the key.
+Result<void> validate(const Layout& layout);
+/// Also checks that start, goal and obstacle positions lie inside the field.
+Result<void> validate(const Layout& layout, const FieldGeometry& field);
+
+}  // namespace fulbito

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "engine/core/base/values.hpp"
+#include "engine/core/models/layout.hpp"
+#include "engine/core/models/robot_model.hpp"
+
+namespace fulbito {
+
+/// A rectangle in the plane.
+struct Rectangle {
+  Pose2 pose;
+  double length = 0.0;  ///< [m] along its x
+  double width = 0.0;   ///< [m] along its y
+};
+
+/// The robot's body at `pose`.
+Rectangle bodyOf(const RobotModel& robot, const Pose2& pose);
+
+/// @{ Distance [m] between two shapes; negative by the depth of penetration where they overlap.
+double clearance(const Rectangle& body, Vec2 centre, double radius);
+double clearance(const Rectangle& a, const Rectangle& b);
+/// @}
+
+/// Distance [m] from the body to an obstacle that now is at `pose`.
+double clearance(const Rectangle& body, const ObstacleSpec& obstacle, const Pose2& pose);
+
+/// Distance [m] from the body to the walls along `contour` (see innerContour), goals included; negative by
+/// how far a corner is behind a wall.
+double clearance(const Rectangle& body, std::span<const Vec2> contour);
+
+}  // namespace fulbito

@@ -1,0 +1,224 @@
+#include "engine/core/system/output_file.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <fcntl.h>
+#include <filesystem>
+#include <optional>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/core/system/stop_request.hpp"
+#include "engine/core/system/unfinished_work.hpp"
+
+namespace fulbito {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr mode_t kMode = 0666;  // less what the umask takes
+constexpr int kMostNames = 1000;
+
+tl::unexpected<Error> ioError(const std::string& what, const std::string& file, const std::string& why) {
+  return fail(ErrorCode::kIo, fmt::format("cannot {} '{}': {}", what, file, why));
+}
+
+tl::unexpected<Error> cannotWrite(const std::string& file, int reason) {
+  if (reason == EINTR) return fail(ErrorCode::kInterrupted, "interrupted");
+  return ioError("write", file, std::generic_category().message(reason));
+}
+
+/// open(2) that waits on for a pipe's reader unless all work shall end.
+int openWaiting(const std::string& file, int flags) {
+  for (;;) {
+    const int descriptor = ::open(file.c_str(), flags | O_CLOEXEC, kMode);
+    if (descriptor >= 0 || errno != EINTR || stopRequested()) return descriptor;
+  }
+}
+
+/// Whether bytes go to it as it is: renaming over a device or pipe would take its place.
+bool isStreamAt(const std::string& file) {
+  std::error_code unknown;
+  const fs::file_type kind = fs::status(file, unknown).type();
+  return kind != fs::file_type::regular && kind != fs::file_type::directory &&
+         kind != fs::file_type::not_found && kind != fs::file_type::none;
+}
+
+/// What a link to a file stands for, so that the link stays one.
+std::string withoutLink(const std::string& file) {
+  std::error_code error;
+  if (!fs::is_symlink(file, error)) return file;
+  const fs::path target = fs::canonical(file, error);
+  return error ? file : target.string();
+}
+
+}  // namespace
+
+struct OutputFile::Impl {
+  Impl(std::string asked, std::string written_to) : name(std::move(asked)), target(std::move(written_to)) {}
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() {
+    if (descriptor >= 0) ::close(descriptor);
+    if (listed) removePlace();
+  }
+
+  Result<void> openStream();
+  Result<void> openTemporary();
+  /// False: there is a file of that name.
+  Result<bool> openNew();
+  Result<void> append(std::string_view bytes);
+  /// The first error is kept.
+  Result<void> failWith(int reason) {
+    state = cannotWrite(name, reason);
+    return state;
+  }
+  void removePlace() {
+    ::unlink(place.c_str());
+    listed.reset();
+  }
+
+  const std::string name;    ///< as the user said it, for messages
+  const std::string target;  ///< its name without links
+  std::string place;         ///< where the bytes are
+  int descriptor = -1;
+  bool stream = false;
+  std::optional<TemporaryName> listed;  ///< of a temporary file
+  off_t good = 0;                       ///< bytes of whole calls of `write`
+  Result<void> state;
+};
+
+Result<void> OutputFile::Impl::openStream() {
+  stream = true;
+  place = target;
+  descriptor = openWaiting(target, O_WRONLY);
+  return descriptor < 0 ? failWith(errno) : state;
+}
+
+Result<void> OutputFile::Impl::openTemporary() {
+  static std::atomic<unsigned> next{0};
+  // A file of that name is somebody else's, also where it is a link: it is neither cut nor followed.
+  for (int tries = 0; descriptor < 0 && tries < kMostNames; ++tries) {
+    place = fmt::format("{}.{}-{}.tmp", target, ::getpid(), next++);
+    descriptor = openWaiting(place, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+    if (descriptor < 0 && errno != EEXIST) break;
+  }
+  if (descriptor < 0) return failWith(errno);
+  listed.emplace(place);
+  struct stat old{};
+  if (::stat(target.c_str(), &old) == 0) ::fchmod(descriptor, old.st_mode & 0777u);
+  return {};
+}
+
+Result<bool> OutputFile::Impl::openNew() {
+  place = target;
+  descriptor = openWaiting(target, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+  if (descriptor >= 0) return true;
+  if (errno == EEXIST) return false;
+  return tl::unexpected<Error>(failWith(errno).error());
+}
+
+Result<void> OutputFile::Impl::append(std::string_view bytes) {
+  if (!state) return state;
+  const auto whole = static_cast<off_t>(bytes.size());
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR && !(stream && stopRequested())) continue;
+    if (n < 0) {
+      const int reason = errno;
+      // Half a line or block is worse than none.
+      if (!stream && ::ftruncate(descriptor, good) != 0) good = 0;
+      return failWith(reason);
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  good += whole;
+  return {};
+}
+
+OutputFile::OutputFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+OutputFile::OutputFile(OutputFile&&) noexcept = default;
+OutputFile& OutputFile::operator=(OutputFile&&) noexcept = default;
+OutputFile::~OutputFile() = default;
+
+Result<OutputFile> OutputFile::create(const std::string& file) {
+  auto impl = std::make_unique<Impl>(file, withoutLink(file));
+  if (auto there = checkPlaceOf(file); !there) return tl::unexpected<Error>(there.error());
+  const auto opened = isStreamAt(file) ? impl->openStream() : impl->openTemporary();
+  if (!opened) return tl::unexpected<Error>(opened.error());
+  return OutputFile(std::move(impl));
+}
+
+Result<OutputFile> OutputFile::grow(const std::string& file, bool replace) {
+  if (isStreamAt(file)) return create(file);
+  auto impl = std::make_unique<Impl>(file, withoutLink(file));
+  if (auto there = checkPlaceOf(file); !there) return tl::unexpected<Error>(there.error());
+  const auto is_new = impl->openNew();
+  if (!is_new) return tl::unexpected<Error>(is_new.error());
+  if (*is_new) return OutputFile(std::move(impl));
+  if (replace) return create(file);
+  return fail(ErrorCode::kUsage, fmt::format("'{}' exists; give --force to replace it", file));
+}
+
+Result<void> OutputFile::write(std::string_view bytes) { return impl_->append(bytes); }
+
+Result<void> OutputFile::commit(bool durable) {
+  Impl& f = *impl_;
+  if (f.descriptor < 0) return f.state;
+  // Pipes and some file systems have no fsync.
+  if (f.state && durable && ::fsync(f.descriptor) != 0 && errno != EINVAL && errno != EROFS) {
+    f.failWith(errno);
+  }
+  if (::close(std::exchange(f.descriptor, -1)) != 0 && f.state) f.failWith(errno);
+  if (f.state && f.listed && std::rename(f.place.c_str(), f.target.c_str()) != 0) f.failWith(errno);
+  if (f.state) {
+    f.listed.reset();
+  } else if (f.listed || f.good == 0) {
+    discard();
+  }
+  return f.state;
+}
+
+void OutputFile::discard() {
+  Impl& f = *impl_;
+  if (f.descriptor >= 0) ::close(std::exchange(f.descriptor, -1));
+  if (!f.stream) f.removePlace();
+}
+
+const std::string& OutputFile::place() const { return impl_->place; }
+bool OutputFile::isStream() const { return impl_->stream; }
+
+Result<void> prepareFolder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) return ioError("make the folder", folder, error.message());
+  if (!fs::is_directory(folder, error)) return ioError("write into", folder, "it is not a folder");
+  // Not committed, it is removed again.
+  if (!OutputFile::create(folder + "/fulbito")) {
+    return ioError("write into the folder", folder, "no permission or no space");
+  }
+  return {};
+}
+
+Result<void> checkPlaceOf(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  std::error_code error;
+  if (fs::is_directory(file, error)) return ioError("write", file, "it is a folder");
+  if (folder.empty() || fs::is_directory(folder, error)) return {};
+  const std::string name = fmt::format("'{}'", folder.string());
+  return ioError("write", file,
+                 fs::exists(folder, error) ? name + " is not a folder" : "there is no folder " + name);
+}
+
+Result<void> writeFile(const std::string& file, std::string_view content, bool durable) {
+  auto out = OutputFile::create(file);
+  if (!out) return tl::unexpected<Error>(out.error());
+  if (auto written = out->write(content); !written) return written;
+  return out->commit(durable);
+}
+
+}  // namespace fulbito

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+
+#include "experiments/comparison/comparison.hpp"
+
+namespace fulbito {
+
+/// Fills in `comparison.summary` from its records, one row a block and navigator.
+void summarise(Comparison& comparison);
+
+/// A run that needs more than this times T* has hung: a mean with it would be of the hanging.
+inline constexpr double kHung = 4.0;
+inline constexpr double kNeverHung = 1e9;
+/// What a failed run counts as, in T/T*, where all runs count.
+inline constexpr double kFailureTimeRatio = 8.0;
+
+/// Relative difference "a against b" of length and time over the layouts that both solved within `hung` times
+/// T*.
+struct PairedDifference {
+  int pairs = 0;
+  Interval length;
+  Interval time;
+};
+PairedDifference compareSafePairs(const Comparison& comparison, std::size_t block, std::size_t a,
+                                  std::size_t b, double hung = kNeverHung);
+/// The same over the layouts of several blocks with the same navigators.
+PairedDifference compareSafePairs(const Comparison& comparison, std::span<const std::size_t> blocks,
+                                  std::size_t a, std::size_t b, double hung, std::size_t resamples);
+
+}  // namespace fulbito

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "experiments/trials/trial.hpp"
+
+namespace fulbito {
+
+/// Six robots that drive from goal to goal on one field, each the others' moving obstacle: what navigation
+/// costs in play.
+struct CrowdConfig {
+  std::string navigator = kDefaultNavigator;  ///< specification
+  std::string robot = "vsss";                 ///< preset or file
+  double seconds = 60.0;                      ///< simulated, > 0
+  std::uint64_t seed = 2015;
+};
+
+struct CrowdResult {
+  int arrivals = 0;              ///< goals reached by all robots together
+  int contacts = 0;              ///< between robots, or robots and walls, that began
+  double compute_us_mean = 0.0;  ///< navigator and follower, a robot and tick
+  double compute_us_p99 = 0.0;
+  double compute_us_max = 0.0;
+};
+
+/// Runs it. Errors: kUsage, kIo, kBadInput of the names.
+Result<CrowdResult> runCrowd(const CrowdConfig& config, const Clock& clock);
+
+}  // namespace fulbito

@@ -1,0 +1,93 @@
+#include "experiments/trials/suite.hpp"
+
+#include <fmt/format.h>
+
+#include "engine/core/base/assert.hpp"
+#include "engine/core/config/presets.hpp"
+#include "engine/core/config/suggest.hpp"
+#include "experiments/trials/suite_layouts.hpp"
+
+namespace fulbito {
+
+std::span<const EmbeddedFile> embeddedCases();
+
+namespace {
+
+constexpr double kSquareClearance =
+    0.0395;  // [m] half the robot's width + 2 mm, for gaps that are entered straight
+
+Layout caseLayout(std::uint64_t, std::uint64_t index) { return namedCases()[index % namedCases().size()]; }
+
+}  // namespace
+
+const std::vector<Layout>& namedCases() {
+  static const std::vector<Layout> cases = [] {
+    std::vector<Layout> parsed;
+    for (const EmbeddedFile& file : embeddedCases()) {
+      auto layout = parseLayout(file.text, std::string(file.name) + ".toml");
+      FULBITO_DEMAND(layout.has_value());
+      parsed.push_back(std::move(*layout));
+    }
+    return parsed;
+  }();
+  return cases;
+}
+
+const std::vector<Suite>& suites() {
+  using enum ForbiddenContacts;
+  const std::vector<double> both = {1.0, 2.6};
+  static const std::vector<Suite> all = {
+      {"corner",
+       "N1: corner to corner past four tennis balls",
+       400,
+       {0.6, 1.0, 2.6},
+       kAll,
+       0.058,
+       false,
+       cornerLayout},
+      {"short", "N2: 0.55 to 0.75 m past the same balls", 200, both, kAll, 0.058, false, shortLayout},
+      {"close-range",
+       "R4-c: the corner layout shrunk to 0.58 to 0.72 m",
+       400,
+       {0.6},
+       kAll,
+       0.058,
+       false,
+       closeRangeLayout},
+      {"heading", "N3: corner with any initial heading and an arrival heading", 200, both, kAll, 0.058, false,
+       headingLayout},
+      {"walls", "N4: starts that touch walls and corners, goals near walls and obstacles", 100, both,
+       kObstacles, 0.055, false, wallsLayout},
+      {"clutter", "N5: robot-sized obstacles, gaps of 1.3 robot widths", 300, both, kAll, kSquareClearance,
+       false, clutter13Layout},
+      {"clutter-1.1", "N5 with gaps of 1.1 robot widths", 300, both, kAll, kSquareClearance, false,
+       clutter11Layout},
+      {"clutter-1.6", "N5 with gaps of 1.6 robot widths", 300, both, kAll, kSquareClearance, false,
+       clutter16Layout},
+      {"u-trap", "N5: a U of obstacles between start and goal", 100, both, kAll, kSquareClearance, false,
+       uTrapLayout},
+      {"moving", "N6: one to five obstacles crossing at 0.3 to 1.5 m/s, bouncing off the walls", 1000, both,
+       kOwnMotion, 0.058, false, movingLayout},
+      {"cases",
+       "named cases: the figures of Jung & Lee (2015)",
+       static_cast<int>(namedCases().size()),
+       {1.0},
+       kAll,
+       0.058,
+       true,
+       caseLayout},
+  };
+  return all;
+}
+
+Result<const Suite*> findSuite(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Suite& suite : suites()) {
+    if (suite.name == name) return &suite;
+    names.push_back(suite.name);
+  }
+  names.emplace_back("jung-lee-2015");
+  return fail(ErrorCode::kUsage, fmt::format("there is no suite '{}'.{}", name, suggestion(name, names)));
+}
+
+}  // namespace fulbito

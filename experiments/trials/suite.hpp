@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/core/base/result.hpp"
+#include "engine/core/models/layout.hpp"
+#include "referee/trial/trial_referee.hpp"
+
+namespace fulbito {
+
+/// A family of seeded layouts with the rules by which its trials are judged.
+struct Suite {
+  std::string name;
+  std::string summary;  ///< one line
+  int default_trials = 200;
+  std::vector<double> speeds;  ///< [m/s] default top speeds
+  ForbiddenContacts forbidden = ForbiddenContacts::kAll;
+  double limit_clearance = 0.058;  ///< [m] see TrialConfig
+  bool always_drawn = false;       ///< a picture of every layout, whatever the number asked for
+  /// Layout number `index` of a seed: a pure function of the two.
+  Layout (*layout)(std::uint64_t seed, std::uint64_t index) = nullptr;
+};
+
+/// All suites of layouts: corner (N1), short (N2), heading (N3), walls (N4), clutter (N5), moving (N6) and
+/// the named cases of the paper's figures. `jung-lee-2015` is a comparison made of some of them, see
+/// comparison.hpp.
+const std::vector<Suite>& suites();
+
+/// Errors: kUsage with a suggestion.
+Result<const Suite*> findSuite(const std::string& name);
+
+/// The named cases of Jung & Lee's Figs 1-8 and of paper 001's U-traps, in order.
+const std::vector<Layout>& namedCases();
+
+}  // namespace fulbito

@@ -1,0 +1,85 @@
+#include "match/config/check_match.hpp"
+
+#include <fmt/format.h>
+
+#include "referee/rules/check_field.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr int kMaxLatency = 60;            // [ticks]
+constexpr double kMaxPositionNoise = 0.1;  // [m]
+constexpr double kMaxHeadingNoise = 1.0;   // [rad]
+constexpr double kMaxDropout = 0.99;
+constexpr double kMaxPlacementError = 0.01;  // [m]
+constexpr double kMaxHeadingError = 0.2;     // [rad]
+constexpr int kMaxScore = 1000;
+constexpr int kLastPeriod = 3;  // a shoot-out cannot be begun in its middle
+
+Result<void> range(const char* name, double value, double low, double high, const char* unit) {
+  if (value >= low && value <= high) return {};
+  return fail(ErrorCode::kUsage, fmt::format("{}: {} is outside {} ... {}{}", name, value, low, high, unit));
+}
+
+Result<void> checkVision(const VisionModel& vision) {
+  if (auto r = range("vision latency", vision.latency_ticks, 0, kMaxLatency, " ticks"); !r) return r;
+  if (auto r = range("position noise", vision.position_noise, 0.0, kMaxPositionNoise, " m"); !r) return r;
+  if (auto r = range("heading noise", vision.heading_noise, 0.0, kMaxHeadingNoise, " rad"); !r) return r;
+  return range("vision drop-out", vision.dropout, 0.0, kMaxDropout, "");
+}
+
+Result<void> checkStart(const MatchConfig& config) {
+  if (!config.start) return {};
+  bool anyone = false;
+  for (const TeamId team : kTeams) {
+    const auto& robots = config.start->robots[indexOf(team)];
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      if (!robots[i]) continue;
+      anyone = true;
+      if (i >= static_cast<std::size_t>(config.rules.team_size)) {
+        return fail(
+            ErrorCode::kUsage,
+            fmt::format("start state: {} has a robot {}, but the rules '{}' have {} a team, counted from 0",
+                        nameOf(team), i, config.rules.name, config.rules.team_size));
+      }
+    }
+  }
+  if (!anyone) return fail(ErrorCode::kUsage, "start state: there is no robot");
+  return {};
+}
+
+Result<void> checkScoreboard(const MatchConfig& config) {
+  const Scoreboard& board = config.scoreboard;
+  for (const TeamId team : kTeams) {
+    if (auto r = range("score at the start", board.score[indexOf(team)], 0, kMaxScore, ""); !r) return r;
+  }
+  if (auto r = range("period at the start", board.period, 1, kLastPeriod, ""); !r) return r;
+  return range("play time gone at the start", board.play_seconds, 0.0, config.rules.half_seconds, " s");
+}
+
+}  // namespace
+
+Result<void> checkMatch(const MatchConfig& config) {
+  for (const TeamId team : kTeams) {
+    if (config.teams[indexOf(team)].info == nullptr) {
+      return fail(ErrorCode::kUsage, fmt::format("the {} team is not chosen", nameOf(team)));
+    }
+  }
+  if (auto r = range("team size of the rules", config.rules.team_size, 1, kMaxTeamSize, ""); !r) return r;
+  for (const auto& checked : {validate(config.rules), validate(config.field), validate(config.robot.robot),
+                              validate(config.robot.ball), validate(config.physics)}) {
+    if (!checked) return checked;
+  }
+  if (auto r = checkField(config.rules, config.field, config.robot.ball); !r) return r;
+  if (config.decision_work < 0) {
+    return fail(ErrorCode::kUsage, fmt::format("decision work: {} is below 0", config.decision_work));
+  }
+  const PlacementError& error = config.placement_error;
+  if (auto r = range("placement error", error.position, 0.0, kMaxPlacementError, " m"); !r) return r;
+  if (auto r = range("placement error", error.heading, 0.0, kMaxHeadingError, " rad"); !r) return r;
+  if (auto r = checkVision(config.vision); !r) return r;
+  if (auto r = checkScoreboard(config); !r) return r;
+  return checkStart(config);
+}
+
+}  // namespace fulbito

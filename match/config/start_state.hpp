@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/core/base/result.hpp"
+#include "match/config/match_config.hpp"
+#include "referee/state/placement.hpp"
+#include "referee/state/scoreboard.hpp"
+
+namespace fulbito {
+
+/// A placed state that a match begins from, and how the match stands there.
+struct StartState {
+  Placement placement;
+  Scoreboard scoreboard;
+};
+
+/// Reads a start state. Tables, all positions in the world's frame (blue defends the goal at -x):
+/// [ball] position (required), velocity; any number of [[robot]] team = "blue" | "yellow", number,
+/// position (all required), heading or heading_deg; [match] blue, yellow (score), period, play_seconds.
+/// Robots that are not listed are not on the field. Errors: kIo; kBadInput as `file:line: table.key ...`.
+Result<StartState> loadStartState(const std::string& file);
+
+/// The same, checked against the match that shall begin from it: robots that its rules have, nobody outside
+/// its field or in somebody else, no more play gone than a half has. `match.start` is not looked at.
+Result<StartState> loadStartState(const std::string& file, const MatchConfig& match);
+
+/// The same from text; `origin` stands for the file name in errors.
+Result<StartState> parseStartState(std::string_view text, const std::string& origin);
+
+/// A TOML file that `parseStartState` reads back to the same bits.
+std::string toToml(const StartState& start);
+
+}  // namespace fulbito

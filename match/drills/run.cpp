@@ -1,0 +1,189 @@
+#include <algorithm>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "engine/core/system/worker_threads.hpp"
+#include "match/drills/trials.hpp"
+
+namespace fulbito {
+namespace {
+
+/// Work that was counted out before: how much of it is done.
+struct Counter {
+  const DrillProgress& progress;
+  std::size_t total = 0;
+  std::size_t done = 0;
+};
+
+/// Calls `work(i)` for 0 ... count - 1 on several threads. `work` writes to its own place only.
+template <typename Work>
+Result<void> inParallel(int jobs, std::size_t count, Counter& counter, const Work& work) {
+  std::mutex mutex;
+  Result<void> failure;
+  forEachTask(jobs, count, [&](std::size_t i) {
+    Result<void> result = work(i);
+    const std::scoped_lock lock(mutex);
+    ++counter.done;
+    if (result && counter.progress && !counter.progress(counter.done, counter.total)) {
+      result = fail(ErrorCode::kInterrupted, "interrupted");
+    }
+    if (!result && failure) failure = result;
+    return result.has_value();
+  });
+  return failure;
+}
+
+int trialsOf(const DrillOptions& options, const Drill& drill) {
+  return options.trials > 0 ? options.trials : drill.trials;
+}
+
+Result<std::vector<DrillTrial>> playTrials(const DrillRun& run, const Drill& drill, Counter& counter) {
+  const auto base = drillMatch(run, drill);
+  if (!base) return tl::unexpected<Error>(base.error());
+  std::vector<DrillTrial> trials(static_cast<std::size_t>(trialsOf(run.options, drill)));
+  const auto played =
+      inParallel(run.options.jobs, trials.size(), counter, [&](std::size_t i) -> Result<void> {
+        auto trial = playTrial(run, drill, *base, static_cast<int>(i));
+        if (!trial) return tl::unexpected<Error>(trial.error());
+        trials[i] = *trial;
+        return {};
+      });
+  if (!played) return tl::unexpected<Error>(played.error());
+  return trials;
+}
+
+const Drill* findDrill(const std::vector<Drill>& drills, int number) {
+  const auto found =
+      std::find_if(drills.begin(), drills.end(), [&](const Drill& d) { return d.number == number; });
+  return found == drills.end() ? nullptr : &*found;
+}
+
+Result<void> runTrials(const DrillRun& run, DrillReport& report, Counter& counter) {
+  auto trials = playTrials(run, report.drill, counter);
+  if (!trials) return tl::unexpected<Error>(trials.error());
+  report.trials = std::move(*trials);
+  report.offered = std::all_of(report.trials.begin(), report.trials.end(),
+                               [](const DrillTrial& trial) { return trial.offered; });
+  report.verdicts = judgeTrials(report.drill, report.trials);
+  return {};
+}
+
+Result<void> runMatches(const DrillRun& run, DrillReport& report, Counter& counter) {
+  const auto base = drillMatch(run, report.drill);
+  if (!base) return tl::unexpected<Error>(base.error());
+  std::vector<DrillMatch> matches(static_cast<std::size_t>(trialsOf(run.options, report.drill)));
+  const auto played =
+      inParallel(run.options.jobs, matches.size(), counter, [&](std::size_t i) -> Result<void> {
+        auto match = playDrillMatch(run, report.drill, *base, static_cast<int>(i));
+        if (!match) return tl::unexpected<Error>(match.error());
+        matches[i] = *match;
+        return {};
+      });
+  if (!played) return tl::unexpected<Error>(played.error());
+  const bool roles = std::any_of(report.drill.bars.begin(), report.drill.bars.end(), [](const DrillBar& bar) {
+    return bar.value == DrillMeasure::kSwitch || bar.value == DrillMeasure::kFlap;
+  });
+  report.offered = !roles || std::all_of(matches.begin(), matches.end(),
+                                         [](const DrillMatch& match) { return match.roles_told; });
+  report.verdicts = judgeMatches(report.drill, matches);
+  return {};
+}
+
+int successes(const std::vector<DrillTrial>& trials) {
+  return static_cast<int>(
+      std::count_if(trials.begin(), trials.end(), [](const DrillTrial& trial) { return trial.success; }));
+}
+
+/// Each repeated drill twice, with better and with worse sight, on the same starts.
+Result<void> runRepeats(const DrillRun& run, const std::vector<Drill>& drills, DrillReport& report,
+                        Counter& counter) {
+  const Drill& asked = report.drill;
+  const double dt = run.physics.controlPeriod();
+  for (const int number : asked.repeats) {
+    Drill repeated = *findDrill(drills, number);
+    repeated.trials = asked.trials;
+    repeated.sight = asked.sight_before;
+    const auto before = playTrials(run, repeated, counter);
+    if (!before) return tl::unexpected<Error>(before.error());
+    repeated.sight = asked.sight;
+    repeated.latency += (asked.sight.latency_ticks - asked.sight_before.latency_ticks) * dt;
+    const auto after = playTrials(run, repeated, counter);
+    if (!after) return tl::unexpected<Error>(after.error());
+    const double reference = static_cast<double>(successes(*before)) / static_cast<double>(before->size());
+    Interval kept = wilson(successes(*after), static_cast<int>(after->size()));
+    if (reference > 0.0) kept = {kept.value / reference, kept.low / reference, kept.high / reference};
+    for (const DrillBar& bar : asked.bars) {
+      DrillVerdict verdict;
+      verdict.bar = bar;
+      verdict.bar.start = fmt::format("drill {}", number);
+      verdict.count = static_cast<int>(after->size());
+      verdict.value = kept;
+      judge(verdict);
+      verdict.passed = verdict.passed && reference > 0.0;
+      report.verdicts.push_back(std::move(verdict));
+    }
+  }
+  return {};
+}
+
+Result<void> checkRepeats(const std::vector<Drill>& drills, const Drill& drill) {
+  for (const int number : drill.repeats) {
+    const Drill* repeated = findDrill(drills, number);
+    if (repeated == nullptr || repeated->starts.empty()) {
+      return fail(ErrorCode::kBadInput,
+                  fmt::format("{}: drill.repeats: there are no trials of a drill {}", drill.file, number));
+    }
+  }
+  return {};
+}
+
+std::size_t workOf(const DrillOptions& options, const Drill& drill) {
+  const auto trials = static_cast<std::size_t>(trialsOf(options, drill));
+  return drill.repeats.empty() ? trials : 2 * drill.repeats.size() * trials;
+}
+
+}  // namespace
+
+bool DrillReport::passed() const {
+  return offered && !verdicts.empty() &&
+         std::all_of(verdicts.begin(), verdicts.end(), [](const DrillVerdict& v) { return v.passed; });
+}
+
+Result<std::vector<DrillReport>> runDrills(const std::vector<Drill>& drills, const std::vector<int>& numbers,
+                                           const DrillOptions& options, const DrillProgress& progress) {
+  DrillRun run{options, {}, {}};
+  auto robot = loadRobot(options.robot);
+  if (!robot) return tl::unexpected<Error>(robot.error());
+  run.robot = std::move(*robot);
+  auto physics = loadPhysics(options.physics);
+  if (!physics) return tl::unexpected<Error>(physics.error());
+  run.physics = std::move(*physics);
+  std::vector<const Drill*> asked;
+  Counter counter{progress};
+  for (const Drill& drill : drills) {
+    if (!numbers.empty() && std::find(numbers.begin(), numbers.end(), drill.number) == numbers.end())
+      continue;
+    if (auto checked = checkRepeats(drills, drill); !checked) return tl::unexpected<Error>(checked.error());
+    asked.push_back(&drill);
+    counter.total += workOf(options, drill);
+  }
+  std::vector<DrillReport> reports;
+  for (const Drill* drill : asked) {
+    DrillReport report;
+    report.drill = *drill;
+    Result<void> ran;
+    if (!drill->repeats.empty()) {
+      ran = runRepeats(run, drills, report, counter);
+    } else if (!drill->match_opponent.empty()) {
+      ran = runMatches(run, report, counter);
+    } else {
+      ran = runTrials(run, report, counter);
+    }
+    if (!ran) return tl::unexpected<Error>(ran.error());
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+}  // namespace fulbito

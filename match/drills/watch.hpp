@@ -1,0 +1,74 @@
+// Private header of match: not installed.
+#pragma once
+
+#include "match/drills/drill.hpp"
+#include "match/drills/opponents.hpp"
+#include "match/drills/start.hpp"
+#include "match/play/match_observer.hpp"
+
+namespace fulbito {
+
+/// Judges one trial from the true world, in the tested team's frame.
+class DrillWatch final : public MatchObserver {
+ public:
+  DrillWatch(const Drill& drill, const DrillScene& scene, const FieldGeometry& field,
+             const RobotPreset& robot, const ExerciseLog& log);
+
+  void playBegins(const PlayStart& start) override;
+  void ticked(const MatchTick& tick) override;
+
+  /// Nothing more can change.
+  bool done() const { return done_; }
+  /// The verdict; `ideal` is the least time [s] that the caller knows of.
+  DrillTrial trial(double ideal) const;
+
+ private:
+  struct Now {
+    double time = 0.0;  ///< [s] since the signal; negative before
+    BallState ball;
+    RobotState robot;       ///< the tested team's first
+    bool touched = false;   ///< by the tested team in this tick
+    bool by_first = false;  ///< by its first robot
+    int walls = 0;          ///< contacts of the ball with walls that began
+  };
+  Now look(const MatchTick& tick);
+  bool holds(const DrillEnd& end, const Now& now) const;
+  bool any(const std::vector<DrillEnd>& ends, const Now& now) const;
+  void judgePlay(const Now& now);
+  void judgeTask(const Now& now);
+  void judgeStay(const Now& now, bool inside);
+  void judgeTouch(const Now& now);
+  void judgePush(const Now& now);
+  void judgePrediction(const Now& now);
+  void follow(const Now& now);
+  void succeed(double time);
+  void finish();
+  bool alignedWith(const RobotState& robot, double heading, bool either_end) const;
+  void hear(const MatchTick& tick);
+
+  const Drill& drill_;
+  const DrillScene& scene_;
+  const DrillStart& start_;
+  const FieldGeometry& field_;
+  const RobotPreset& robot_;
+  const ExerciseLog& log_;
+  double dt_ = 1.0 / 60.0;
+  Tick signal_ = 0;  ///< from which time counts
+  double duration_ = 0.0;
+  bool begun_ = false;
+  bool done_ = false;
+  bool own_touch_last_ = false;
+  int goal_ = 0;          ///< 1: in the opponents' goal, -1: in the own
+  bool touched_ = false;  ///< ever, by the tested team
+  bool met_ = false;      ///< any robot touched the ball
+  bool failed_ = false;   ///< a condition of failure came true
+  bool at_wall_ = false;  ///< the ball pressed on a wall in the last tick
+  int bounces_ = 0;
+  double inside_since_ = -1.0;
+  double drift_ = 0.0;
+  RobotState before_;  ///< the first robot one tick ago
+  Vec2 ball_start_;
+  DrillTrial trial_;
+};
+
+}  // namespace fulbito

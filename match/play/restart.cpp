@@ -1,0 +1,80 @@
+#include "match/play/restart.hpp"
+
+#include "engine/core/math/math.hpp"
+#include "referee/restarts/goal_kick_ball.hpp"
+#include "strategies/interface/team_frame.hpp"
+
+namespace fulbito {
+namespace {
+
+TeamPlacement inTeamFrame(Side side, const TeamPlacement& poses) {
+  TeamPlacement turned;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (poses[i]) turned[i] = inTeamFrame(side, *poses[i]);
+  }
+  return turned;
+}
+
+}  // namespace
+
+Placement placementOf(RestartCall& call, const MatchReferee& referee, PerTeam<Strategy*> teams,
+                      std::vector<GameEvent>& events) {
+  Proposals proposals;
+  Placement placement = call.defaults;
+  for (const TeamId team : {call.team, other(call.team)}) {
+    const Side side = referee.state().sideOf(team);
+    PlacementRequest request;
+    request.kind = call.kind;
+    request.ours = team == call.team;
+    request.ball = inTeamFrame(side, call.ball);
+    request.defaults = inTeamFrame(side, defaultPoses(call, team));
+    if (!request.ours) request.opponents = inTeamFrame(side, placement.robots[indexOf(call.team)]);
+    const auto proposal = teams[indexOf(team)]->place(request);
+    if (proposal) proposals[indexOf(team)] = inTeamFrame(side, proposal->robots);
+    if (!request.ours) continue;
+    if (proposal && proposal->ball) {
+      call = withBall(referee.setup(), referee.state(), call, inTeamFrame(side, *proposal->ball), events);
+    }
+    // The others are shown where the first team will really stand.
+    std::vector<GameEvent> told_again_later;
+    placement = place(referee.setup(), referee.state(), call, proposals, told_again_later);
+  }
+  return place(referee.setup(), referee.state(), call, proposals, events);
+}
+
+void misplace(Placement& placement, const RestartCall& call, const MatchReferee& referee,
+              const PlacementError& error, Rng& random) {
+  for (const TeamId team : kTeams) {
+    for (std::size_t n = 0; n < kMaxTeamSize; ++n) {
+      std::optional<Pose2>& pose = placement.robots[indexOf(team)][n];
+      if (!pose || restsInPlace(call, {team, static_cast<std::uint8_t>(n)}, *pose)) continue;
+      const Pose2 exact = *pose;
+      pose->position.x += random.uniform(-error.position, error.position);
+      pose->position.y += random.uniform(-error.position, error.position);
+      pose->heading = math::wrapAngle(pose->heading + random.uniform(-error.heading, error.heading));
+      if (!legalPlacement(referee.setup(), referee.state(), call, placement)) pose = exact;
+    }
+  }
+}
+
+Result<Play> makePlay(const MatchConfig& config, const RestartCall& call, const Placement& placement) {
+  WorldConfig setup;
+  setup.field = config.field;
+  setup.physics = config.physics;
+  std::vector<RobotId> ids;
+  for (const TeamId team : kTeams) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(config.rules.team_size); ++i) {
+      const auto& pose = placement.robots[indexOf(team)][i];
+      if (!pose) continue;
+      ids.push_back({team, static_cast<std::uint8_t>(i)});
+      setup.robots.push_back({config.robot.robot, *pose, {}, 0.0});
+    }
+  }
+  setup.balls.push_back(
+      {config.robot.ball, placement.ball, placement.ball_velocity, placement.ball_velocity});
+  auto world = World::create(setup);
+  if (!world) return tl::unexpected<Error>(world.error());
+  return Play{call, placement, std::move(ids), std::move(*world), {}};
+}
+
+}  // namespace fulbito

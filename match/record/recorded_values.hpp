@@ -1,0 +1,28 @@
+// Private header of match: not installed.
+#pragma once
+
+#include "match/play/match_observer.hpp"
+#include "referee/state/game_event.hpp"
+#include "replays/recording/recording.hpp"
+#include "strategies/interface/team_command.hpp"
+
+namespace fulbito {
+
+/// @{ What happens in a match as a recording keeps it. The target's memory is used again.
+void describe(const GameEvent& event, RecordedEvent& recorded);
+/// `side` is the team's.
+void describe(const DebugDrawing& drawing, Tick tick, TeamId team, Side side, RecordedDrawing& recorded);
+/// @}
+
+/// Calls `each(drawing, team)` with all that teams and their navigators want to show of a tick.
+template <typename Each>
+void forEachDrawing(const MatchTick& tick, const Each& each) {
+  for (const TeamId team : kTeams) {
+    if (const TeamCommand* decision = tick.decisions[indexOf(team)]) {
+      for (const DebugDrawing& drawing : decision->drawings) each(drawing, team);
+    }
+    for (const DebugDrawing& drawing : tick.ways[indexOf(team)]) each(drawing, team);
+  }
+}
+
+}  // namespace fulbito

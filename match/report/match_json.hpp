@@ -1,0 +1,28 @@
+// Private header of match: not installed.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "engine/core/base/build_info.hpp"
+#include "match/config/match_config.hpp"
+#include "match/report/event_lines.hpp"
+
+/// JSON of what summaries and event lines share.
+namespace fulbito {
+
+using Json = nlohmann::ordered_json;
+
+/// Version of the objects that `--json` and `--events` print.
+inline constexpr int kMatchSchemaVersion = 1;
+
+/// One event; `dt` [s] a tick.
+Json eventJson(const LoggedEvent& event, double dt);
+/// What a match is made from, but for its teams and its seed.
+Json matchConfigJson(const MatchConfig& config);
+Json buildJson(const BuildInfo& build = buildInfo());
+/// Score by the teams' colours.
+Json scoreJson(const PerTeam<int>& score);
+/// Sixteen hexadecimal digits.
+std::string hashText(std::uint64_t hash);
+
+}  // namespace fulbito

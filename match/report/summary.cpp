@@ -1,0 +1,234 @@
+#include "match/report/summary.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/core/base/match_clock.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr int kLabelWidth = 36;
+constexpr int kColumnWidth = 14;
+
+std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
+
+const std::string& nameOf(const MatchReport& report, TeamId team) {
+  return report.config.teams[indexOf(team)].text;
+}
+
+std::string goalLine(const MatchReport& report, const GoalRecord& goal) {
+  std::string who = "nobody touched the ball";
+  if (goal.scorer) {
+    who = fmt::format("{} robot {}{}", fulbito::nameOf(goal.scorer->team), goal.scorer->number,
+                      goal.own_goal ? ", own goal" : "");
+  }
+  return fmt::format("  {:>7}  {} {:>7}   {} : {}   {} ({})\n", clockText(goal.seconds),
+                     periodName(goal.period), clockText(goal.play_time), goal.score[0], goal.score[1],
+                     nameOf(report, goal.team), who);
+}
+
+/// Head of a team's column: its name, or its colour where names would not tell.
+std::string columnText(const MatchReport& report, TeamId team) {
+  const std::string& name = report.config.teams[indexOf(team)].info->name;
+  const bool same = name == report.config.teams[indexOf(other(team))].info->name;
+  return same || name.size() > kColumnWidth - 2 ? fulbito::nameOf(team) : name;
+}
+
+/// Calls that are against nobody, or that stand elsewhere in the summary.
+bool isFault(std::string_view clause) {
+  return clause != "goal" && clause != "kick-off" && clause != "full-time" && clause != "half";
+}
+
+std::string pluralOf(RestartKind kind) {
+  if (kind == RestartKind::kPenalty) return "penalties";
+  return kind == RestartKind::kGiven ? "given starts" : std::string(fulbito::nameOf(kind)) + "s";
+}
+
+/// A line of the table with one text a team.
+std::string row(const std::string& label, const std::string& blue, const std::string& yellow) {
+  return fmt::format("  {:<{}}{:>{}}{:>{}}\n", label, kLabelWidth, blue, kColumnWidth, yellow, kColumnWidth);
+}
+
+template <typename Text>
+std::string row(const std::string& label, Text text) {
+  return row(label, text(TeamId::kBlue), text(TeamId::kYellow));
+}
+
+std::string ballRows(const MatchStatistics& s) {
+  const auto of = [&](TeamId team) -> const TeamStatistics& { return s.teams[indexOf(team)]; };
+  std::string text = row("possession", [&](TeamId t) { return percent(s.possession(t)); });
+  text += row("shots (on goal)",
+              [&](TeamId t) { return fmt::format("{} ({})", of(t).shots, of(t).shots_on_goal); });
+  text += row("ball in own third", [&](TeamId t) { return percent(s.third(t, 0)); });
+  text += row("ball in opponents' third", [&](TeamId t) { return percent(s.third(t, 2)); });
+  text += row("mean ball x [cm]", [&](TeamId t) { return fmt::format("{:+.1f}", 100.0 * s.meanBallX(t)); });
+  text += row("ball touches", [&](TeamId t) { return fmt::format("{}", of(t).touches()); });
+  return text;
+}
+
+std::string robotRows(const MatchReport& report) {
+  const MatchStatistics& s = report.statistics;
+  const auto of = [&](TeamId team) -> const TeamStatistics& { return s.teams[indexOf(team)]; };
+  std::string text =
+      row("distance run [m]", [&](TeamId t) { return fmt::format("{:.1f}", of(t).distance()); });
+  for (std::size_t i = 0; i < static_cast<std::size_t>(s.team_size); ++i) {
+    text += row(fmt::format("  robot {}", i),
+                [&](TeamId t) { return fmt::format("{:.1f}", of(t).robots[i].distance); });
+  }
+  text += row("wall contacts", [&](TeamId t) { return fmt::format("{}", of(t).wall_contacts); });
+  text += row("contacts of mates", [&](TeamId t) { return fmt::format("{}", of(t).mate_contacts); });
+  // One number: such a contact is of both teams.
+  text += row("contacts of opponents", [&](TeamId) { return fmt::format("{}", s.opponent_contacts); });
+  text += row("commands rejected",
+              [&](TeamId t) { return fmt::format("{}", report.faults.teams[indexOf(t)].rejected()); });
+  return text;
+}
+
+std::string restartRows(const MatchStatistics& s) {
+  std::string text;
+  for (std::size_t kind = 0; kind < s.restarts.size(); ++kind) {
+    if (s.restartCount(static_cast<RestartKind>(kind)) == 0) continue;
+    text += row(pluralOf(static_cast<RestartKind>(kind)),
+                [&](TeamId t) { return fmt::format("{}", s.restarts[kind][indexOf(t)]); });
+  }
+  for (const CallCount& call : s.calls) {
+    if (call.against[0] + call.against[1] == 0 || !isFault(call.clause)) continue;
+    text += row(fmt::format("against: {}", call.clause), [&](TeamId t) {
+      const int paid = call.paid[indexOf(t)];
+      return fmt::format("{}{}", call.against[indexOf(t)], paid > 0 ? fmt::format(" ({} paid)", paid) : "");
+    });
+  }
+  text += row(fmt::format("goals within {:g} s of own foul", kFoulPaysWithin),
+              [&](TeamId t) { return fmt::format("{}", s.teams[indexOf(t)].goals_after_foul); });
+  return text;
+}
+
+std::string headline(const MatchReport& report) {
+  const MatchConfig& c = report.config;
+  std::string text =
+      fmt::format("{} (blue) {} : {} {} (yellow)", nameOf(report, TeamId::kBlue), report.referee.score[0],
+                  report.referee.score[1], nameOf(report, TeamId::kYellow));
+  if (!report.complete) text += ", broken off";
+  if (report.edits > 0) text += ", edited";
+  if (report.referee.period == kShootOutPeriod) {
+    text += fmt::format(", shoot-out {} : {}", report.referee.shoot_out.goals[0],
+                        report.referee.shoot_out.goals[1]);
+  }
+  return text + fmt::format("\n{}, halves of {:g} s, {} physics, seed {}\n", c.rules.name,
+                            c.rules.half_seconds, c.physics.name, c.seed);
+}
+
+/// The line of the speed.
+std::string speedLine(double simulated, double wall) {
+  if (!(wall > 0.0)) return fmt::format("  {:.1f} s simulated\n", simulated);
+  return fmt::format("  {:.1f} s simulated in {:.2f} s: {}\n", simulated, wall, paceText(simulated, wall));
+}
+
+/// The series in a sentence.
+std::string verdictText(const SeriesReport& report) {
+  if (report.result.pairs.empty()) return "no pair was finished";
+  if (const auto better = betterTeam(report.result)) {
+    return report.config.match.teams[*better].text + " is better (95 %)";
+  }
+  return "no difference shown (95 %)";
+}
+
+std::string counted(int count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string faultLine(const MatchReport& report) {
+  return report.faults.abandoned ? "the match could not go on: " + report.faults.abandoned->message + "\n"
+                                 : "";
+}
+
+}  // namespace
+
+MatchReport reportOf(const Match& match, const StatisticsObserver& statistics, const EventLog& events) {
+  MatchReport report;
+  report.config = match.config();
+  report.referee = match.referee();
+  report.faults = match.faults();
+  report.complete = match.referee().ended && !report.faults.abandoned;
+  report.edits = match.edits();
+  report.statistics = statistics.statistics();
+  report.events = events.events();
+  report.events_left_out = events.leftOut();
+  report.final_hash = match.hash();
+  report.simulated = match.seconds();
+  return report;
+}
+
+std::string matchText(const MatchReport& report) {
+  const MatchStatistics& s = report.statistics;
+  std::string text = headline(report) + faultLine(report);
+  if (!s.goals.empty()) text += "\n";
+  for (const GoalRecord& goal : s.goals) text += goalLine(report, goal);
+  text += "\n" + row("", [&](TeamId t) { return columnText(report, t); });
+  text += ballRows(s) + robotRows(report) + restartRows(s);
+  text += "\n" + speedLine(report.simulated, report.wall);
+  text += fmt::format("  final hash {:016x}\n", report.final_hash);
+  if (report.profile) text += "\n" + profileText(*report.profile);
+  return text;
+}
+
+std::string paceText(double simulated, double wall) {
+  if (!(wall > 0.0)) return {};
+  const double times = simulated / wall;
+  return times < 10.0 ? fmt::format("{:.2g} x real time", times) : fmt::format("{:.0f} x real time", times);
+}
+
+std::string profileText(const MatchProfile& profile) {
+  const std::pair<const char*, std::int64_t> stages[] = {
+      {"sense", profile.sense},     {"strategies", profile.decide}, {"navigation", profile.navigate},
+      {"physics", profile.step},    {"referee", profile.referee},   {"restarts", profile.restart},
+      {"recording", profile.record}};
+  const double ticks = profile.ticks > 0 ? static_cast<double>(profile.ticks) : 1.0;
+  const double total = profile.total() > 0 ? static_cast<double>(profile.total()) : 1.0;
+  std::string text = fmt::format("  {:<12}{:>8}{:>14}\n", "stage", "share", "us a tick");
+  for (const auto& [name, time] : stages) {
+    text += fmt::format("  {:<12}{:>6.1f} %{:>14.2f}\n", name, 100.0 * static_cast<double>(time) / total,
+                        1e-3 * static_cast<double>(time) / ticks);
+  }
+  return text + fmt::format("  {:<12}{:>6.1f} %{:>14.2f}\n", "all", 100.0, 1e-3 * total / ticks);
+}
+
+std::optional<std::size_t> betterTeam(const SeriesResult& result) {
+  if (result.pairs.empty()) return std::nullopt;
+  if (result.points_share.low > 0.5) return 0;
+  if (result.points_share.high < 0.5) return 1;
+  return std::nullopt;
+}
+
+double SeriesReport::simulated() const {
+  Tick ticks = 0;
+  for (const PairRecord& pair : result.pairs) ticks += pair.legs[0].ticks + pair.legs[1].ticks;
+  return static_cast<double>(ticks) * config.match.physics.controlPeriod();
+}
+
+std::string seriesText(const SeriesReport& report) {
+  const SeriesResult& r = report.result;
+  const MatchConfig& c = report.config.match;
+  const std::string& a = c.teams[0].text;
+  std::string text = fmt::format(
+      "{} against {}: {} swapped pair{}, {} matches{}\n{}, halves of {:g} s, {} physics, seed {}\n\n", a,
+      c.teams[1].text, r.pairs.size(), r.pairs.size() == 1 ? "" : "s", 2 * r.pairs.size(),
+      r.interrupted ? " (broken off)" : "", c.rules.name, c.rules.half_seconds, c.physics.name, c.seed);
+  text += fmt::format("  {:<18}{}, {}, {} of {}\n", "matches", counted(r.wins, "win", "wins"),
+                      counted(r.draws, "draw", "draws"), counted(r.losses, "loss", "losses"), a);
+  text += fmt::format("  {:<18}{:.1f} %  ({:.1f} ... {:.1f} %, 95 %)\n", "points share",
+                      100 * r.points_share.value, 100 * r.points_share.low, 100 * r.points_share.high);
+  text += fmt::format("  {:<18}{:+.2f} a match  ", "goal difference", r.goal_difference.value);
+  text += std::isfinite(r.goal_difference.low)
+              ? fmt::format("({:+.2f} ... {:+.2f}, 95 %)\n", r.goal_difference.low, r.goal_difference.high)
+              : "(no interval from one pair)\n";
+  text += fmt::format("  {:<18}{} : {}\n", "goals", r.goals_for, r.goals_against);
+  text += fmt::format("  {:<18}{} : {} within {:g} s of the scoring team's own foul\n", "of these",
+                      r.goals_after_foul_for, r.goals_after_foul_against, kFoulPaysWithin);
+  text += fmt::format("  {:<18}{}\n", "verdict", verdictText(report));
+  return text + "\n" + speedLine(report.simulated(), report.wall);
+}
+
+}  // namespace fulbito

@@ -1,0 +1,46 @@
+// Private header of match: not installed.
+#pragma once
+
+#include <vector>
+
+#include "match/config/match_faults.hpp"
+#include "referee/state/game_event.hpp"
+#include "strategies/interface/observation.hpp"
+#include "strategies/interface/team_command.hpp"
+
+namespace fulbito {
+
+/// What one team may command: never a reason to end a match. Every fault is counted; the first, the tenth,
+/// the hundredth ... of a kind also becomes an event.
+class CommandPolicy {
+ public:
+  CommandPolicy(TeamId team, const MatchInfo& info, std::size_t navigators);
+
+  /// Play begins anew: there is no decision before.
+  void reset();
+  /// Takes a decision, or keeps the one before when this one took too much work or time.
+  void take(TeamCommand&& decision, bool late, const GameEvent& now, std::vector<GameEvent>& events);
+  /// Cuts a wheel command to what the motors can do and rounds it as the physics profile says.
+  WheelSpeeds actuated(WheelSpeeds wanted);
+
+  /// The decision to be carried out.
+  const TeamCommand& command() const { return command_; }
+  const TeamFaults& faults() const { return faults_; }
+
+ private:
+  void clean(std::size_t number, const GameEvent& now, std::vector<GameEvent>& events);
+  void keepOnField(GoTo& go_to);
+  void note(std::int64_t& count, const char* clause, const GameEvent& now, std::vector<GameEvent>& events);
+
+  TeamId team_;
+  RobotModel robot_;
+  Vec2 reach_;  ///< [m] a place to drive to may be this far from the centre
+  double command_step_;
+  std::size_t team_size_;
+  std::size_t navigators_;
+  std::int64_t allowance_;
+  TeamCommand command_;
+  TeamFaults faults_;
+};
+
+}  // namespace fulbito

@@ -1,0 +1,108 @@
+#include "match/seats/seat.hpp"
+
+#include <utility>
+
+#include "strategies/interface/team_frame.hpp"
+
+namespace fulbito {
+namespace {
+
+MatchInfo infoOf(const MatchConfig& config, TeamId team) {
+  MatchInfo info;
+  info.field = config.field;
+  info.robot = config.robot.robot;
+  info.ball = config.robot.ball;
+  info.physics = config.physics;
+  info.team_size = config.rules.team_size;
+  info.half_seconds = config.rules.half_seconds;
+  info.observation_age = config.vision.latency_ticks * config.physics.controlPeriod();
+  info.position_noise = config.vision.position_noise;
+  info.heading_noise = config.vision.heading_noise;
+  info.decision_work = config.decision_work;
+  info.seed = config.seed * 2 + indexOf(team);
+  return info;
+}
+
+}  // namespace
+
+Seat::Seat(const MatchConfig& config, TeamId team, std::unique_ptr<Strategy> strategy, TeamPilots pilots,
+           CommandPolicy policy)
+    : team_(team),
+      latency_ticks_(config.vision.latency_ticks),
+      strategy_(std::move(strategy)),
+      pilots_(std::move(pilots)),
+      policy_(std::move(policy)) {
+  observation_.dt = config.physics.controlPeriod();
+  observation_.team_size = config.rules.team_size;
+  if (!config.vision.perfect()) vision_.emplace(config.vision, config.seed, team, observation_.dt);
+}
+
+Result<Seat> Seat::create(const MatchConfig& config, TeamId team) {
+  auto strategy = makeTeam(config.teams[indexOf(team)]);
+  if (!strategy) return tl::unexpected<Error>(strategy.error());
+  const MatchInfo info = infoOf(config, team);
+  (*strategy)->begin(info);
+  const std::span<const NavigatorChoice> navigators = (*strategy)->navigators();
+  auto pilots = TeamPilots::create(info, navigators);
+  if (!pilots) return tl::unexpected<Error>(pilots.error());
+  CommandPolicy policy(team, info, navigators.size());
+  return Seat(config, team, std::move(*strategy), std::move(*pilots), std::move(policy));
+}
+
+void Seat::reset(const Moment& moment) {
+  pilots_.reset();
+  policy_.reset();
+  observation_.sent = {};
+  observation_.sent.fill({});
+  if (vision_) vision_->reset(*moment.world);
+}
+
+void Seat::fillRobots(const Moment& moment, std::span<const RobotState> robots, Side side) {
+  const auto size = static_cast<std::size_t>(observation_.team_size);
+  for (auto* team : {&observation_.own, &observation_.opponents}) {
+    for (std::size_t i = 0; i < size; ++i) (*team)[i].present = false;
+  }
+  for (std::size_t i = 0; i < moment.ids.size(); ++i) {
+    const bool own = moment.ids[i].team == team_;
+    ObservedRobot& robot = (own ? observation_.own : observation_.opponents)[moment.ids[i].number];
+    robot.present = true;
+    robot.state = inTeamFrame(side, robots[i]);
+    if (!own) robot.state.wheels = {};
+  }
+}
+
+void Seat::fillReferee(const Moment& moment) {
+  const RefereeState& referee = *moment.referee;
+  observation_.playing = referee.playing;
+  observation_.restart = referee.last.kind;
+  observation_.restart_is_ours = referee.last.team == team_;
+  observation_.since_restart = static_cast<double>(moment.tick - referee.play_began) * observation_.dt;
+  observation_.period = referee.period;
+  observation_.remaining = static_cast<double>(referee.period_ticks - referee.play_ticks) * observation_.dt;
+  observation_.own_score = referee.score[indexOf(team_)];
+  observation_.opponent_score = referee.score[indexOf(other(team_))];
+}
+
+std::array<WheelSpeeds, kMaxTeamSize> Seat::drive() {
+  const auto wheels = pilots_.drive(observation_, policy_.command());
+  ways_.clear();
+  if (observation_.wants_drawings) pilots_.draw(observation_, policy_.command(), ways_);
+  return wheels;
+}
+
+void Seat::sense(const Moment& moment) {
+  const Side side = moment.referee->sideOf(team_);
+  observation_.tick = moment.tick - latency_ticks_;
+  if (vision_) {
+    const Sight& sight = vision_->see(*moment.world);
+    fillRobots(moment, sight.robots, side);
+    observation_.ball = inTeamFrame(side, sight.ball);
+  } else {
+    fillRobots(moment, moment.world->robots, side);
+    observation_.ball = inTeamFrame(side, moment.world->balls.front());
+  }
+  observation_.ball.spin = {};
+  fillReferee(moment);
+}
+
+}  // namespace fulbito

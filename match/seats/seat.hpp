@@ -1,0 +1,67 @@
+// Private header of match: not installed.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "match/seats/policy.hpp"
+#include "match/seats/vision.hpp"
+#include "referee/match/match_referee.hpp"
+#include "strategies/interface/strategy.hpp"
+#include "strategies/team_pilots.hpp"
+
+namespace fulbito {
+
+/// What a seat needs to know of the tick to be sensed.
+struct Moment {
+  Tick tick = 0;
+  const WorldState* world = nullptr;
+  std::span<const RobotId> ids;
+  const RefereeState* referee = nullptr;
+};
+
+/// One side of a match: a team with its eyes, its navigation stage and the policy for what it commands.
+class Seat {
+ public:
+  /// Errors: of the team and its navigators.
+  static Result<Seat> create(const MatchConfig& config, TeamId team);
+
+  /// Play begins anew in this world.
+  void reset(const Moment& moment);
+  /// Looks at the world: fills in what the team may know at this tick.
+  void sense(const Moment& moment);
+  /// Whether drawings of the decision to come are wanted.
+  void wantDrawings(bool wanted) { observation_.wants_drawings = wanted; }
+  /// Asks the team for its decision.
+  TeamCommand decide() { return strategy_->decide(observation_); }
+  /// Wheel speeds of the team's robots by the decision that holds, before they are cut and rounded.
+  std::array<WheelSpeeds, kMaxTeamSize> drive();
+  /// What the navigators wanted in the last `drive`, where drawings were wanted.
+  std::span<const DebugDrawing> ways() const { return ways_; }
+
+  /// What a robot was really told: part of the next observation.
+  void told(std::uint8_t number, WheelSpeeds command) { observation_.sent[number] = command; }
+
+  CommandPolicy& policy() { return policy_; }
+  const CommandPolicy& policy() const { return policy_; }
+  Strategy& strategy() { return *strategy_; }
+
+ private:
+  Seat(const MatchConfig& config, TeamId team, std::unique_ptr<Strategy> strategy, TeamPilots pilots,
+       CommandPolicy policy);
+  void fillRobots(const Moment& moment, std::span<const RobotState> robots, Side side);
+  void fillReferee(const Moment& moment);
+
+  TeamId team_;
+  int latency_ticks_;
+  std::unique_ptr<Strategy> strategy_;
+  TeamPilots pilots_;
+  CommandPolicy policy_;
+  std::optional<Vision> vision_;  ///< empty: the team sees the truth
+  Observation observation_;
+  std::vector<DebugDrawing> ways_;
+};
+
+}  // namespace fulbito

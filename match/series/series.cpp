@@ -1,0 +1,154 @@
+#include "match/series/series.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "engine/core/math/random.hpp"
+#include "engine/core/system/worker_threads.hpp"
+#include "match/play/match.hpp"
+#include "match/series/foul_goals.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr int kMaxPairs = 100000;
+constexpr int kMaxJobs = 1024;
+constexpr Tick kTicksBetweenLooks = 4096;  // about a minute of play
+
+/// The pairs of a series while several threads play them.
+class Schedule {
+ public:
+  Schedule(const SeriesConfig& config, const SeriesProgress& progress)
+      : config_(config),
+        progress_(progress),
+        pairs_(static_cast<std::size_t>(config.pairs)),
+        legs_done_(pairs_.size() * 2, 0) {
+    for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i].seed = seedOfPair(config.match.seed, i);
+  }
+
+  std::size_t legs() const { return legs_done_.size(); }
+  /// Plays one; false when the series shall stop.
+  bool playLeg(std::size_t leg);
+
+  Result<SeriesResult> result();
+
+ private:
+  MatchConfig configOf(std::size_t leg) const;
+  bool look(std::size_t newly_done);
+  bool failWith(const Error& error);
+
+  const SeriesConfig& config_;
+  const SeriesProgress& progress_;
+  std::vector<PairRecord> pairs_;
+  std::vector<char> legs_done_;
+  std::atomic<bool> stop_{false};
+  std::mutex mutex_;
+  std::size_t done_ = 0;
+  std::optional<Error> error_;
+};
+
+MatchConfig Schedule::configOf(std::size_t leg) const {
+  MatchConfig config = config_.match;
+  config.seed = pairs_[leg / 2].seed;
+  if (leg % 2 == 1) std::swap(config.teams[0], config.teams[1]);
+  return config;
+}
+
+// Tells how far the series is, one thread at a time; false when it shall stop.
+bool Schedule::look(std::size_t newly_done) {
+  const std::scoped_lock lock(mutex_);
+  done_ += newly_done;
+  if (!stop_ && progress_ && !progress_(done_, legs_done_.size())) stop_ = true;
+  return !stop_;
+}
+
+bool Schedule::failWith(const Error& error) {
+  const std::scoped_lock lock(mutex_);
+  if (!error_) error_ = error;
+  stop_ = true;
+  return false;
+}
+
+bool Schedule::playLeg(std::size_t leg) {
+  auto match = Match::create(configOf(leg));
+  if (!match) return failWith(match.error());
+  FoulGoalCounter fouls;
+  match->watch(fouls);
+  while (match->step()) {
+    if (match->tick() % kTicksBetweenLooks == 0 && !look(0)) return false;
+  }
+  pairs_[leg / 2].legs[leg % 2] = {match->referee().score, fouls.goals(), match->tick(), match->hash(),
+                                   match->faults()};
+  legs_done_[leg] = 1;
+  return look(1);
+}
+
+void count(SeriesResult& result) {
+  std::vector<double> points, differences;
+  for (const PairRecord& pair : result.pairs) {
+    for (std::size_t leg = 0; leg < 2; ++leg) {
+      const int mine = pair.legs[leg].score[leg], theirs = pair.legs[leg].score[1 - leg];
+      result.wins += mine > theirs ? 1 : 0;
+      result.draws += mine == theirs ? 1 : 0;
+      result.losses += mine < theirs ? 1 : 0;
+      result.goals_after_foul_for += pair.legs[leg].goals_after_foul[leg];
+      result.goals_after_foul_against += pair.legs[leg].goals_after_foul[1 - leg];
+    }
+    result.goals_for += pair.goalsOfA();
+    result.goals_against += pair.goalsOfB();
+    points.push_back(pair.points());
+    differences.push_back((pair.goalsOfA() - pair.goalsOfB()) / 2.0);
+  }
+  result.points_share = shareInterval(points);
+  result.goal_difference = meanInterval(differences);
+}
+
+Result<SeriesResult> Schedule::result() {
+  if (error_) return tl::unexpected<Error>(*error_);
+  SeriesResult result;
+  const auto missing = std::find(legs_done_.begin(), legs_done_.end(), 0);
+  const auto complete = static_cast<std::size_t>(missing - legs_done_.begin()) / 2;
+  result.interrupted = complete < pairs_.size();
+  pairs_.resize(complete);
+  result.pairs = std::move(pairs_);
+  count(result);
+  return result;
+}
+
+Result<void> checkRanges(const SeriesConfig& config) {
+  if (config.pairs < 1 || config.pairs > kMaxPairs) {
+    return fail(ErrorCode::kUsage, fmt::format("pairs: {} is outside 1 ... {}", config.pairs, kMaxPairs));
+  }
+  if (config.jobs < 0 || config.jobs > kMaxJobs) {
+    return fail(ErrorCode::kUsage, fmt::format("jobs: {} is outside 0 ... {}", config.jobs, kMaxJobs));
+  }
+  return {};
+}
+
+}  // namespace
+
+double PairRecord::points() const {
+  double sum = 0.0;
+  for (std::size_t leg = 0; leg < 2; ++leg) {
+    const int mine = legs[leg].score[leg], theirs = legs[leg].score[1 - leg];
+    sum += mine > theirs ? 0.5 : (mine == theirs ? 0.25 : 0.0);
+  }
+  return sum;
+}
+
+std::uint64_t seedOfPair(std::uint64_t series_seed, std::uint64_t pair) {
+  if (pair == 0) return series_seed;
+  return Rng(series_seed, Stream::kSeries, pair).bits64() >> 11;  // exact as a number in JSON
+}
+
+Result<SeriesResult> playSeries(const SeriesConfig& config, const SeriesProgress& progress) {
+  if (auto checked = checkRanges(config); !checked) return tl::unexpected<Error>(checked.error());
+  Schedule schedule(config, progress);
+  forEachTask(config.jobs, schedule.legs(), [&](std::size_t leg) { return schedule.playLeg(leg); });
+  return schedule.result();
+}
+
+}  // namespace fulbito

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "navigation/followers/path_tracker.hpp"
+#include "navigation/interface/follower.hpp"
+
+namespace fulbito {
+
+/// Gains of the classic univector control law.
+struct ClassicParams {
+  double yaw_gain = 10.0;   ///< K [sqrt(rad) / s]
+  double turn_limit = 6.0;  ///< R_m [m/s^2], largest |v * omega|
+};
+
+/// The control law of the univector-field papers (Kim & Lim): forward speed and yaw rate from the heading
+/// error and the curvature of the field at the robot. It has no preview and is unsafe above about 1 m/s; kept
+/// as the papers' own law.
+class ClassicFollower final : public Follower {
+ public:
+  explicit ClassicFollower(ClassicParams params = {}) : params_(params) {}
+  void reset() override { tracker_.reset(); }
+  Twist follow(const Guidance& guidance, const NavigationScene& scene) override;
+
+ private:
+  double fieldHeading(const Guidance& guidance, Vec2 p);
+
+  ClassicParams params_;
+  PathTracker tracker_;
+};
+
+}  // namespace fulbito

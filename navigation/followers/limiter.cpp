@@ -1,0 +1,36 @@
+#include "navigation/followers/limiter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math/math.hpp"
+
+namespace fulbito {
+
+Twist bodyTwist(const RobotState& state) {
+  return {dot(state.velocity, math::unit(state.pose.heading)), state.angular_velocity};
+}
+
+RobotModel steady(RobotModel robot) {
+  robot.yaw_acceleration = robot.wheel_acceleration / (robot.axle_track / 2);
+  return robot;
+}
+
+Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt) {
+  const double half_track = robot.axle_track / 2;
+  const double most_turn = robot.turnAcceleration() * dt;
+  const double turn = std::clamp(wanted.angular - current.angular, -most_turn, most_turn);
+  // The motors' share that turning leaves.
+  const double rest =
+      most_turn > 0.0 ? robot.wheel_acceleration * dt * (1.0 - std::abs(turn) / most_turn) : 0.0;
+  Twist limited;
+  limited.angular = current.angular + turn;
+  limited.linear = current.linear + std::clamp(wanted.linear - current.linear, -rest, rest);
+  const double max_speed = robot.maxSpeed();
+  limited.angular = std::clamp(limited.angular, -max_speed / half_track, max_speed / half_track);
+  const double room = std::max(0.0, max_speed - std::abs(limited.angular) * half_track);
+  limited.linear = std::clamp(limited.linear, -room, room);
+  return limited;
+}
+
+}  // namespace fulbito

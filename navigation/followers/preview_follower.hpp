@@ -1,0 +1,53 @@
+#pragma once
+
+#include "navigation/followers/path_tracker.hpp"
+#include "navigation/followers/speed_profile.hpp"
+#include "navigation/interface/follower.hpp"
+
+namespace fulbito {
+
+/// Shares and gains of the preview follower; the defaults are those of the comparison.
+struct PreviewParams {
+  double lookahead = 0.03;          ///< [m] steering point ahead of the robot at rest
+  double lookahead_time = 0.04;     ///< [s] more of it per speed
+  double yaw_gain = 10.0;           ///< [1/s] least gain from bearing error to yaw rate
+  double acceleration_share = 0.6;  ///< of the wheel acceleration, for braking ahead of bends
+  double lateral_share = 0.6;       ///< of the lateral grip, in bends
+  double spin_above = 0.785398;     ///< [rad] bearing error above which a start turns in place
+  double spin_until = 0.174533;     ///< [rad] where that turn ends
+};
+
+/// The follower that all methods share, so that methods are compared and not controllers. It looks at a
+/// polyline of what lies ahead (a path, or 40 points integrated through a heading field), steers at a point
+/// some centimetres ahead and drives as fast as the bends in the preview allow; a path that comes with its
+/// own speeds is driven at those. A slow robot at a goal with a wanted heading turns to it in place.
+class PreviewFollower final : public Follower {
+ public:
+  explicit PreviewFollower(PreviewParams params = {});
+  void reset() override;
+  Twist follow(const Guidance& guidance, const NavigationScene& scene) override;
+
+ private:
+  struct Ahead {
+    Vec2 target;   ///< steering point
+    double speed;  ///< [m/s] allowed now
+  };
+  bool slowAtGoal(const NavigationScene& scene) const;
+  Ahead aheadOnField(const Guidance& guidance, const NavigationScene& scene, double speed, double reach);
+  Ahead aheadOnPath(const Guidance& guidance, const NavigationScene& scene, double speed, double reach);
+  void cachePath(const Guidance& guidance, const NavigationScene& scene);
+  void timeCached(const NavigationScene& scene);
+  Twist steer(const Ahead& ahead, const NavigationScene& scene, double speed, bool timed);
+
+  PreviewParams params_;
+  PathTracker tracker_;
+  std::vector<Vec2> points_;  ///< preview, or the whole path resampled
+  std::vector<double> curvature_;
+  std::vector<double> speeds_;
+  std::uint64_t cached_revision_ = 0;
+  bool cached_ = false;
+  bool started_ = false;
+  bool spinning_ = false;
+};
+
+}  // namespace fulbito

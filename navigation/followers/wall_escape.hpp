@@ -1,0 +1,32 @@
+#pragma once
+
+#include "navigation/interface/scene.hpp"
+
+namespace fulbito {
+
+/// Gets a robot away from a wall or corner that leaves it no room to turn (docs/navigators.md; paper 004,
+/// Figs 4-5). It acts after the follower and only on a slow robot whose wanted turn would press its body
+/// into a wall:
+/// - the centre is within the body's circumradius + 2 cm of a wall, and the heading within 50 degrees of
+///   straight at it or straight away from it; with two walls near, their diagonal counts as one wall and 75
+///   degrees are allowed, as treating one wall at a time swings to and fro between them (Fig. 5);
+/// - facing the wall the robot backs out, facing away it drives off, at a fifth of its top speed but at most
+///   0.3 m/s, and turns toward the goal as far as it has come free;
+/// - it ends when the body can turn freely, the heading leaves the range by 10 degrees more, or after 1 s,
+///   after which the follower has its way for half a second.
+/// A robot that wants to go straight into the wall, along it, or that an obstacle keeps from leaving is left
+/// alone.
+class WallEscape {
+ public:
+  void reset();
+  /// `wanted` of the follower, or the escape's own twist.
+  Twist apply(const NavigationScene& scene, Twist wanted);
+  bool active() const { return direction_ != 0.0; }
+
+ private:
+  double direction_ = 0.0;  ///< +1 driving off forward, -1 backing out, 0 not escaping
+  Tick since_ = 0;
+  Tick rest_until_ = 0;
+};
+
+}  // namespace fulbito

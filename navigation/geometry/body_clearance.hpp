@@ -1,0 +1,27 @@
+// Private header of navigation: not installed.
+#pragma once
+
+#include "engine/core/models/field_geometry.hpp"
+#include "engine/core/models/robot_model.hpp"
+
+namespace fulbito {
+
+/// Half sizes [m] of a robot's rectangle. The clearances below are those of engine/core/models/shapes.hpp for
+/// a body whose direction is at hand as a unit vector: planners ask thousands of times a second, and an angle
+/// would cost a sine and a cosine each.
+struct BodyShape {
+  double half_length = 0.0375;
+  double half_width = 0.0375;
+
+  double circumradius() const { return norm({half_length, half_width}); }  ///< [m]
+};
+BodyShape bodyShape(const RobotModel& robot);
+
+/// Clearance [m] of the body at `position`, its x axis along the unit vector `along`, to a disc; negative
+/// when they overlap.
+double discClearance(const BodyShape& body, Vec2 position, Vec2 along, Vec2 centre, double radius);
+
+/// Clearance [m] of the body to the nearest wall of the playing rectangle with its corner triangles.
+double wallClearance(const BodyShape& body, Vec2 position, Vec2 along, const FieldGeometry& field);
+
+}  // namespace fulbito

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "engine/core/base/vec2.hpp"
+
+namespace fulbito {
+
+/// A round region that a robot's centre shall keep out of.
+struct Circle {
+  Vec2 centre;
+  double radius = 0.0;  ///< [m]
+};
+
+}  // namespace fulbito

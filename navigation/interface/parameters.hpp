@@ -1,0 +1,150 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "engine/core/base/result.hpp"
+#include "navigation/interface/navigator.hpp"
+
+namespace fulbito {
+
+/// One documented, typed parameter of a navigator or follower, as `fulbito list navigators` shows it.
+struct ParameterSpec {
+  enum class Type { kNumber, kInteger, kFlag, kChoice };
+  std::string name;
+  Type type = Type::kNumber;
+  double default_value = 0.0;  ///< flags 0/1; choices the index
+  double minimum = 0.0;
+  double maximum = 0.0;
+  std::vector<std::string> choices;
+  std::string unit;
+  std::string doc;
+};
+
+/// A parameter of the struct `P` together with the member that it sets.
+template <typename P>
+struct Parameter {
+  ParameterSpec spec;
+  std::function<void(P&, double)> set;
+};
+
+template <typename P>
+Parameter<P> number(std::string name, double P::* member, double minimum, double maximum, std::string unit,
+                    std::string doc) {
+  return {{std::move(name),
+           ParameterSpec::Type::kNumber,
+           P{}.*member,
+           minimum,
+           maximum,
+           {},
+           std::move(unit),
+           std::move(doc)},
+          [member](P& p, double v) { p.*member = v; }};
+}
+template <typename P>
+Parameter<P> integer(std::string name, int P::* member, int minimum, int maximum, std::string doc) {
+  return {{std::move(name),
+           ParameterSpec::Type::kInteger,
+           static_cast<double>(P{}.*member),
+           static_cast<double>(minimum),
+           static_cast<double>(maximum),
+           {},
+           "",
+           std::move(doc)},
+          [member](P& p, double v) { p.*member = static_cast<int>(v); }};
+}
+template <typename P>
+Parameter<P> flag(std::string name, bool P::* member, std::string doc) {
+  return {{std::move(name),
+           ParameterSpec::Type::kFlag,
+           P{}.*member ? 1.0 : 0.0,
+           0.0,
+           1.0,
+           {},
+           "",
+           std::move(doc)},
+          [member](P& p, double v) { p.*member = v != 0.0; }};
+}
+/// `E` is an enum whose values are 0, 1, 2 ... in the order of `choices`.
+template <typename P, typename E>
+  requires std::is_enum_v<E>
+Parameter<P> choice(std::string name, E P::* member, std::vector<std::string> choices, std::string doc) {
+  const double last = static_cast<double>(choices.size()) - 1.0;
+  return {{std::move(name), ParameterSpec::Type::kChoice, static_cast<double>(static_cast<int>(P{}.*member)),
+           0.0, last, std::move(choices), "", std::move(doc)},
+          [member](P& p, double v) { p.*member = static_cast<E>(static_cast<int>(v)); }};
+}
+
+/// A `name=value` pair of a specification such as `bezier:clearance=0.02`.
+struct Setting {
+  std::string name;
+  std::string value;
+};
+
+/// The number that `text` stands for under `spec`. Errors: kUsage naming the parameter and the allowed range
+/// or choices.
+Result<double> parseParameter(const ParameterSpec& spec, const std::string& text);
+
+/// Takes `name=value,name=value` apart. `whole` is quoted in errors (kUsage).
+Result<std::vector<Setting>> parseSettings(const std::string& text, const std::string& whole);
+
+/// What the registry knows of one navigation method.
+struct NavigatorInfo {
+  std::string name;
+  std::string summary;       ///< one line
+  std::string source;        ///< paper, section
+  bool plans_speed = false;  ///< returns a speed profile or wheel speeds of its own; tables mark it
+  std::vector<ParameterSpec> parameters;
+  /// Makes the navigator from settings; errors: kUsage.
+  std::function<Result<std::unique_ptr<Navigator>>(const std::vector<Setting>&)> make;
+};
+
+/// The parameter named `name`, or a kUsage error with a suggestion, for which `others` are candidates too.
+/// `owner` is named in the error.
+Result<std::size_t> findParameter(const std::vector<ParameterSpec>& specs, const std::string& name,
+                                  const std::string& owner, const std::vector<std::string>& others = {});
+
+/// The documentation of all `parameters`.
+template <typename P>
+std::vector<ParameterSpec> specsOf(const std::vector<Parameter<P>>& parameters) {
+  std::vector<ParameterSpec> specs;
+  specs.reserve(parameters.size());
+  for (const auto& parameter : parameters) specs.push_back(parameter.spec);
+  return specs;
+}
+
+/// Sets in `values` what `settings` say. Errors: kUsage, as `findParameter` and `parseParameter`.
+template <typename P>
+Result<void> applySettings(const std::vector<Parameter<P>>& parameters, const std::vector<Setting>& settings,
+                           const std::string& owner, P& values, const std::vector<std::string>& others = {}) {
+  const std::vector<ParameterSpec> specs = specsOf(parameters);
+  for (const Setting& setting : settings) {
+    const auto index = findParameter(specs, setting.name, owner, others);
+    if (!index) return tl::unexpected<Error>(index.error());
+    const auto value = parseParameter(specs[*index], setting.value);
+    if (!value) return tl::unexpected<Error>(value.error());
+    parameters[*index].set(values, *value);
+  }
+  return {};
+}
+
+/// Builds the registry's entry of a navigator class `N` that is made from its parameter struct `P`.
+template <typename P, typename N>
+NavigatorInfo describeNavigator(const std::string& name, std::string summary, std::string source,
+                                std::vector<Parameter<P>> parameters, bool plans_speed = false) {
+  NavigatorInfo info{name, std::move(summary), std::move(source), plans_speed, specsOf(parameters), {}};
+  info.make = [name, parameters = std::move(parameters)](
+                  const std::vector<Setting>& settings) -> Result<std::unique_ptr<Navigator>> {
+    P values;
+    if (auto done = applySettings(parameters, settings, name, values); !done) {
+      return tl::unexpected<Error>(done.error());
+    }
+    return std::unique_ptr<Navigator>(std::make_unique<N>(values));
+  };
+  return info;
+}
+
+}  // namespace fulbito

@@ -1,0 +1,19 @@
+#include "navigation/methods/fields/straight.hpp"
+
+#include "engine/core/math/math.hpp"
+
+namespace fulbito {
+
+Guidance Straight::plan(const NavigationScene& scene) {
+  goal_ = scene.goal.position;
+  return guidanceBy(*this);
+}
+
+double Straight::heading(Vec2 p) const { return math::angleOf(goal_ - p); }
+
+NavigatorInfo straightInfo() {
+  return describeNavigator<Straight::Params, Straight>("straight", "straight at the goal, avoids nothing",
+                                                       "-", {});
+}
+
+}  // namespace fulbito

@@ -1,0 +1,52 @@
+// Private header of navigation: not installed.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "navigation/geometry/circle.hpp"
+
+namespace fulbito {
+
+inline constexpr std::size_t kBezierDegree = 10;  ///< highest degree that can be sampled
+inline constexpr std::size_t kBezierPoints = 97;  ///< points of a sampled curve, at equal parameter steps
+using BezierSamples = std::array<Vec2, kBezierPoints>;
+
+/// Points of the Bezier curve with 2 ... kBezierDegree + 1 control points, at parameters 0, 1/96 ... 1.
+void sampleBezier(std::span<const Vec2> control, BezierSamples& out);
+
+/// The sample with index `index` alone.
+Vec2 bezierPoint(std::span<const Vec2> control, std::size_t index);
+
+/// Unit vector across the line from `robot` to an obstacle, to the left: (-sin phi, cos phi) with
+/// phi = atan2(O - H). Paper 004 (1) with erratum E24; where it prints theta = pi - phi the segment AB is not
+/// across the line. (1, 0) turned left where the two points coincide.
+Vec2 acrossLine(Vec2 robot, Vec2 obstacle);
+
+/// The ends A (left) and B (right) of an obstacle's safe region, paper 004 (2)-(5) with erratum E25: r is the
+/// obstacle's radius, A = 3 r + alpha.
+struct SafeEnds {
+  Vec2 a;
+  Vec2 b;
+};
+SafeEnds safeEnds(Vec2 robot, const Circle& obstacle, double alpha);
+
+/// Control point that leads the curve past an obstacle, paper 004 (6)-(8) with erratum E26:
+/// phi = atan2(end - O), at the distance `tbp` [m] from the obstacle towards that end.
+/// @param side  +1: past A (on the left of the obstacle as seen from the robot), -1: past B
+Vec2 controlPoint(Vec2 robot, Vec2 obstacle, int side, double tbp);
+
+/// Whether the segments p-q and a-b cross at an inner point of both.
+bool properlyIntersect(Vec2 p, Vec2 q, Vec2 a, Vec2 b);
+
+/// Indices of the obstacles whose segment AB the line from `robot` to `goal` crosses (paper 004, Figs 18-20),
+/// in the order in which they lie along it.
+void selectObstacles(Vec2 robot, Vec2 goal, std::span<const Circle> obstacles, double alpha,
+                     std::vector<std::size_t>& out);
+
+/// Sorts indices of obstacles by their place along the line from `robot` to `goal`.
+void sortAlongLine(Vec2 robot, Vec2 goal, std::span<const Circle> obstacles,
+                   std::vector<std::size_t>& indices);
+
+}  // namespace fulbito

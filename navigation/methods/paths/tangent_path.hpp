@@ -1,0 +1,85 @@
+// Private header of navigation: not installed.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "navigation/methods/paths/tangent_graph_search.hpp"
+#include "navigation/obstacles/path_problem.hpp"
+
+namespace fulbito {
+
+/// How `TangentPath` plans.
+struct TangentPathParams {
+  double margin = 0.005;      ///< [m] kept between the obstacles and the robot's circumscribed circle
+  double hysteresis = 0.03;   ///< share of the path that another side must save to be taken
+  double approach = 0.08;     ///< [m] straight before a goal with an arrival heading
+  double bend = 0.06;         ///< [m] radius of the turn onto that straight
+  double narrowing = 0.0025;  ///< [m] kept beside the robot's flank where no wider way is open
+};
+
+/// The shortest path for a robot in a scene: the tangent graph with the obstacles inflated by the robot.
+///
+/// Arrival heading: the path ends with a straight of length `approach` along it, or shorter where a wall is
+/// near behind the goal. Two virtual discs of radius `bend` on both sides of the straight's beginning let the
+/// path reach it only from behind, turned to within 5 degrees. Where they leave no way, half that radius is
+/// tried, then a corner at the straight's beginning, on which a robot turns in place; last, the goal is
+/// approached from anywhere.
+///
+/// Where no way is left, the obstacles are inflated by the circumscribed circle alone, then by half the
+/// robot's width and `narrowing`, as a robot does that passes a gap straight.
+class TangentPath {
+ public:
+  enum class Outcome {
+    kFound,       ///< as wanted
+    kTight,       ///< with less clearance
+    kCorner,      ///< with a corner before the final straight
+    kAnyHeading,  ///< without the arrival heading
+    kNone,        ///< no way: the path is the straight line to the goal
+  };
+
+  explicit TangentPath(TangentPathParams params = {});
+  /// Forgets the sides that were chosen.
+  void reset();
+  /// Plans from the robot's place.
+  /// @param bodies  obstacles without inflation
+  /// @param extra   [m] added to the margin; the narrower tries come without it
+  Outcome plan(const NavigationScene& scene, std::span<const Circle> bodies, double extra = 0.0);
+  /// The circles that the path bends around. Indices from `bodies.size()` on are the virtual discs.
+  std::span<const CirclePass> passes() const { return passes_; }
+  /// Centre of the circle of a pass.
+  Vec2 centreOf(const CirclePass& pass) const { return circles_[pass.circle].centre; }
+  double length() const { return length_; }  ///< [m] of the path up to the straight
+  /// Where the final straight of an arrival heading begins; the goal where there is none.
+  Vec2 target() const { return target_; }
+  /// [m/s] speed that lets the robot stop at the corner before the final straight, or at a goal that it
+  /// reaches without the wanted heading; infinite on other paths. The shared follower slows down in bends,
+  /// which a turn on the spot is not.
+  double speedCap(const NavigationScene& scene) const;
+  /// The path as points at most 1 cm apart but for the final straight, from the robot to the goal.
+  void sample(std::vector<Vec2>& out) const;
+
+ private:
+  Outcome choose(const NavigationScene& scene, std::span<const Circle> bodies, double wanted);
+  bool searchWithHeading(const NavigationScene& scene, std::span<const Circle> bodies, double inflation);
+  bool search(const NavigationScene& scene, std::span<const Circle> bodies, double inflation,
+              std::optional<double> bend = {});
+  double approachLength(const NavigationScene& scene) const;
+  Vec2 addGate(double bend);
+  bool onFinalStraight(const NavigationScene& scene) const;
+
+  TangentPathParams params_;
+  TangentGraph graph_;
+  std::vector<Circle> circles_;
+  std::vector<CirclePass> passes_;
+  Vec2 start_, goal_, target_;
+  Vec2 along_;             ///< direction of the final straight
+  double approach_ = 0.0;  ///< [m] length of the final straight
+  bool corner_ = false;
+  Outcome outcome_ = Outcome::kNone;
+  double length_ = 0.0;
+  bool found_ = false;
+};
+
+}  // namespace fulbito

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "referee/calls/detector_memory.hpp"
+#include "referee/calls/detectors.hpp"
+#include "referee/state/game_event.hpp"
+#include "referee/state/match_view.hpp"
+#include "referee/state/referee_state.hpp"
+
+namespace fulbito {
+
+/// Referee of a whole match: clock, periods, calls and restarts. A plain value: a copy goes on alike. Pure:
+/// the same setup and the same views give the same calls; chance comes from the match's seed alone.
+class MatchReferee {
+ public:
+  explicit MatchReferee(const RefereeSetup& setup);
+  /// The match's first restart: the kick-off of the team that won the toss.
+  RestartCall open();
+  /// Takes in one tick; its events are appended. A value: play is stopped and goes on from there; place
+  /// everyone (`place`) and tell by `restarted` before the next tick. Never a value once `state().ended`.
+  std::optional<RestartCall> observe(const MatchView& view, std::vector<GameEvent>& events);
+  /// All stand as placed; play begins at once or after the call's delay. `tick` is the match's.
+  void restarted(const RestartCall& call, const Placement& placement, Tick tick);
+
+  const RefereeState& state() const { return state_; }
+  const RefereeSetup& setup() const { return setup_; }
+  /// [s] of play left in the period: of an overtime in its part, of a shoot-out in the kick.
+  double remaining() const;
+
+ private:
+  using Events = std::vector<GameEvent>;
+
+  GameEvent eventOf(const MatchView& view, std::string_view clause, std::string_view law) const;
+  TeamId toss(std::uint64_t index) const;
+  void beginPeriod(int period);
+  Tick periodTicks() const;
+  RestartCall kickOff(TeamId team, const MatchView* view) const;
+  std::optional<RestartCall> waitForSignal(const MatchView& view, Events& events);
+  std::optional<RestartCall> walkOver(const MatchView& view, Events& events);
+  std::optional<RestartCall> conclude(const Finding& finding, const MatchView& view, Events& events);
+  std::optional<RestartCall> concludeGoal(const Finding& finding, const MatchView& view, Events& events);
+  std::optional<RestartCall> endPeriod(const MatchView& view, Events& events);
+  std::optional<RestartCall> afterRegularTime(const MatchView& view, Events& events);
+  RestartCall beginOvertime(int part, const MatchView& view, Events& events);
+  RestartCall beginShootOut(const MatchView& view, Events& events);
+  std::optional<RestartCall> kick(const MatchView& view, Events& events);
+  std::optional<RestartCall> endKick(bool goal, const MatchView& view, Events& events);
+  void callBack(bool all);
+  void finish(const MatchView& view, Events& events);
+
+  RefereeSetup setup_;
+  RefereeState state_;
+  DetectorMemory memory_;
+};
+
+}  // namespace fulbito

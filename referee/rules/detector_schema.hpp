@@ -1,0 +1,26 @@
+// Private header of referee: not installed.
+#pragma once
+
+#include "engine/core/config/schema.hpp"
+#include "referee/rules/detector_rules.hpp"
+
+/// The keys of the detectors' tables in a profile of rules, with their ranges and where each comes from.
+namespace fulbito {
+
+/// @{ The keys of one table, bound to `value`.
+Schema schemaOf(GoalRules& value);    ///< [goal]
+Schema schemaOf(StuckRules& value);   ///< [stuck]
+Schema schemaOf(AreaRules& value);    ///< [areas]
+Schema schemaOf(KeeperRules& value);  ///< [keeper]
+Schema schemaOf(FoulRules& value);    ///< [fouls]
+/// @}
+
+/// @{ The first flaw of a table: out of its limits, or two values at odds.
+std::optional<Flaw> findFlaw(const GoalRules& rules);
+std::optional<Flaw> findFlaw(const StuckRules& rules);
+std::optional<Flaw> findFlaw(const AreaRules& rules);
+std::optional<Flaw> findFlaw(const KeeperRules& rules);
+std::optional<Flaw> findFlaw(const FoulRules& rules);
+/// @}
+
+}  // namespace fulbito

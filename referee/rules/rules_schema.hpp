@@ -1,0 +1,23 @@
+// Private header of referee: not installed.
+#pragma once
+
+#include "engine/core/config/schema.hpp"
+#include "referee/rules/rules.hpp"
+
+/// The keys of a profile of rules by table, with their ranges and sources.
+namespace fulbito {
+
+/// One table of a profile, bound to the rules.
+struct RulesTable {
+  std::string name;
+  std::string doc;
+  Schema schema;
+};
+
+/// All tables in the order in which they are printed. Valid while `rules` lives.
+std::vector<RulesTable> tablesOf(Rules& rules);
+
+/// The first flaw of a profile: out of its limits, or two values at odds.
+std::optional<Flaw> findFlaw(const Rules& rules);
+
+}  // namespace fulbito

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/core/base/contact.hpp"
+#include "engine/core/base/values.hpp"
+#include "engine/core/models/field_geometry.hpp"
+#include "engine/core/models/layout.hpp"
+#include "engine/core/models/robot_model.hpp"
+#include "referee/trial/trial_score.hpp"
+
+namespace fulbito {
+
+/// What one trial is judged by.
+struct TrialRules {
+  double length_limit = 1.0;  ///< [m] L*
+  double time_limit = 1.0;    ///< [s] T*
+  double give_up = 8.0;       ///< the trial is over at this multiple of T*
+  double stuck_after = 3.0;   ///< [s]
+  ForbiddenContacts forbidden = ForbiddenContacts::kAll;
+};
+
+/// Watches one navigation trial, tick by tick, and scores it. Pure: sees values only, reads no clock, draws
+/// no numbers.
+class TrialReferee {
+ public:
+  TrialReferee(const Layout& layout, const FieldGeometry& field, const RobotModel& robot,
+               const TrialRules& rules, double dt);
+
+  /// Looks at the world after a tick. The robot is the world's robot 0; `command` is what drove it in this
+  /// tick.
+  /// @return true when the trial is over
+  bool observe(const WorldState& world, std::span<const ContactEvent> contacts, WheelSpeeds command);
+
+  /// The score; complete once `observe` has returned true.
+  TrialScore score() const;
+
+ private:
+  void judgeContacts(std::span<const ContactEvent> contacts);
+  void judgeObstacleContact(const ContactEvent& event);
+  void measure(const WorldState& world, WheelSpeeds command);
+  void watchProgress(const RobotState& robot);
+  bool arrived(const RobotState& robot);
+  bool spoiled() const;
+  double leastClearance(const WorldState& world) const;
+
+  const Layout layout_;
+  const FieldGeometry field_;
+  const std::vector<Vec2> contour_;
+  const RobotModel model_;
+  const TrialRules rules_;
+  const double dt_;
+  TrialScore score_;
+  RobotState last_;
+  int ticks_ = 0;
+  int pushed_tick_ = -1000000;  ///< last tick at which an obstacle pushed the robot
+  double clearance_sum_ = 0.0;
+  double jerk_sum_ = 0.0;
+  std::optional<double> last_curvature_;
+  WheelSpeeds last_command_, second_last_command_;
+  Pose2 rest_pose_;
+  int rest_tick_ = 0;
+};
+
+}  // namespace fulbito

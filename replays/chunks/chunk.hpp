@@ -1,0 +1,116 @@
+// Private header of replays: not installed.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "replays/coding/byte_io.hpp"
+#include "replays/coding/columns.hpp"
+#include "replays/coding/compression.hpp"
+#include "replays/recording/recording.hpp"
+
+namespace fulbito {
+
+/// What a chunk says of itself before its sections.
+struct ChunkHead {
+  Tick first_tick = 0;
+  int ticks = 0;
+  std::int64_t plays_before = 0;
+  std::int64_t plays = 0;             ///< that begin in it
+  std::vector<std::uint8_t> present;  ///< see RecordedChunk
+};
+
+/// One tick of play: the world after its step.
+struct TickData {
+  Tick tick = 0;  ///< of the recording
+  const WorldState* world = nullptr;
+  std::span<const WheelSpeeds> commands;  ///< one a robot of the world
+  std::uint64_t hash = 0;                 ///< running, after the tick
+  bool playing = true;
+};
+
+/// Collects a few seconds of a recording and packs them. Its memory is used again for the next chunk.
+class ChunkBuilder {
+ public:
+  explicit ChunkBuilder(const RecordingHeader& header);
+
+  Tick endTick() const { return first_tick_ + ticks_; }
+  int ticks() const { return ticks_; }
+  /// Whether the next tick or play belongs to the next chunk.
+  bool full() const;
+  bool empty() const { return ticks_ == 0 && plays_ == 0 && events_.count == 0; }
+  std::int64_t plays() const { return plays_before_ + plays_; }
+
+  /// `tick`: of the recording, instead of the play's own.
+  void play(const RecordedPlay& play, Tick tick);
+  void tick(const TickData& data);
+  void event(const RecordedEvent& event);
+  void drawing(const RecordedDrawing& drawing);
+
+  /// Appends all that was collected, and starts the next chunk at its end.
+  void pack(Compressor& compressor, Bytes& out);
+
+ private:
+  /// A list of items as bytes, and how many they are.
+  struct List {
+    Bytes bytes;
+    std::uint64_t count = 0;
+    void clear() {
+      bytes.clear();
+      count = 0;
+    }
+  };
+  struct Section {
+    std::uint8_t id = 0;
+    Codec codec{};
+    std::size_t raw = 0, stored = 0;
+  };
+
+  void writeHead(Bytes& out) const;
+  void check(const WorldState& world);
+  void sample(const WorldState& world);
+  void putSection(std::uint8_t id, std::span<const BytesView> parts, Compressor& compressor);
+  void putStored(std::uint8_t id, BytesView part);
+  void putList(std::uint8_t id, const List& list, Compressor& compressor);
+  template <typename Pack>
+  void putModelled(std::uint8_t id, Codec codec, const Columns& table, const Pack& pack);
+  void startNext();
+
+  RecordingHeader header_;
+  double heading_step_;
+  std::size_t robots_, balls_;
+  Tick first_tick_ = 0;
+  int ticks_ = 0;
+  std::int64_t plays_before_ = 0, plays_ = 0;
+  std::vector<std::uint8_t> present_at_start_, present_;
+  std::vector<std::uint16_t> on_field_;  ///< bodies of the present play, in the order of the world
+  Columns commands_, samples_;
+  Bytes exact_commands_;  ///< where commands are no multiples of a step
+  Bytes hashes_, checks_, runs_;
+  bool run_value_ = true;
+  std::uint64_t run_length_ = 0;
+  List play_list_, events_, drawings_;
+  Bytes head_, body_;
+  std::vector<Section> sections_;
+};
+
+/// The head of a chunk alone. Errors say what is wrong.
+tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const RecordingHeader& header);
+/// The whole chunk.
+tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header);
+
+/// Bytes that its plays, events and drawings say they unpack to; 0 for a broken one.
+std::uint64_t listBytes(BytesView payload, const RecordingHeader& header);
+
+/// Bytes that one section takes in the file.
+struct SectionSize {
+  const char* name = "";
+  std::size_t bytes = 0;
+};
+/// Of all sections of a chunk; empty for a broken one.
+std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header);
+
+}  // namespace fulbito

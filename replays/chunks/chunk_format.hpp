@@ -1,0 +1,80 @@
+// Private header of replays: not installed.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "replays/coding/byte_io.hpp"
+#include "replays/recording/recording.hpp"
+
+/// What the writing and the reading of a chunk share.
+namespace fulbito {
+
+/// The parts of a chunk. The numbers stand in files: append, never renumber. Readers pass over unknown ones.
+enum class SectionId : std::uint8_t {
+  kPlays = 1,
+  kCommands,
+  kTickHashes,
+  kPlaying,
+  kShortChecks,  ///< before version 4
+  kEvents,
+  kDrawings,
+  kSamples,
+  kChecks
+};
+
+/// Columns of one body in the table of samples: a ball has no heading.
+constexpr std::size_t sampleColumns(BodyKind kind) { return kind == BodyKind::kBall ? 2 : 3; }
+inline std::size_t sampleColumns(const RecordingHeader& header) {
+  std::size_t columns = 0;
+  for (const RecordedBody& body : header.bodies) columns += sampleColumns(body.kind);
+  return columns;
+}
+
+/// How many of the ticks first + 1 ... first + count are multiples of `every`.
+constexpr std::int64_t multiplesIn(Tick first, std::int64_t count, std::int64_t every) {
+  return (first + count) / every - first / every;
+}
+
+inline void writeFlags(std::vector<std::uint8_t>::const_iterator flags, std::size_t count, ByteWriter& out) {
+  for (std::size_t i = 0; i < count; i += 8) {
+    unsigned byte = 0;
+    for (std::size_t bit = 0; bit < 8 && i + bit < count; ++bit) {
+      byte |= static_cast<unsigned>(flags[static_cast<std::ptrdiff_t>(i + bit)] != 0) << bit;
+    }
+    out.byte(static_cast<std::uint8_t>(byte));
+  }
+}
+
+inline std::vector<std::uint8_t> readFlags(std::size_t count, ByteReader& in) {
+  std::vector<std::uint8_t> flags(count);
+  std::uint8_t byte = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % 8 == 0) byte = in.byte();
+    flags[i] = (byte >> (i % 8)) & 1;
+  }
+  return flags;
+}
+
+/// Up to eight numbers, most of which are 0: a mask, then those that are not. -0 counts as not 0.
+template <std::size_t N>
+void writeNumbers(const double (&values)[N], ByteWriter& out) {
+  static_assert(N <= 8);
+  unsigned mask = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    mask |= static_cast<unsigned>(std::bit_cast<std::uint64_t>(values[i]) != 0) << i;
+  }
+  out.byte(static_cast<std::uint8_t>(mask));
+  for (std::size_t i = 0; i < N; ++i) {
+    if ((mask >> i & 1) != 0) out.number(values[i]);
+  }
+}
+
+template <std::size_t N>
+void readNumbers(double* const (&values)[N], ByteReader& in) {
+  const unsigned mask = in.byte();
+  if ((mask >> N) != 0) in.fail();
+  for (std::size_t i = 0; i < N; ++i) *values[i] = (mask >> i & 1) != 0 ? in.number() : 0.0;
+}
+
+}  // namespace fulbito

@@ -1,0 +1,364 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "replays/chunks/chunk.hpp"
+#include "replays/chunks/chunk_format.hpp"
+#include "replays/chunks/command_code.hpp"
+#include "replays/chunks/sample_code.hpp"
+#include "replays/header/header_json.hpp"
+
+namespace fulbito {
+namespace {
+
+using Flaw = std::string;
+
+/// The most bytes that a list of a chunk may unpack to.
+constexpr std::size_t kMaxListBytes = std::size_t{16} << 20;
+constexpr std::uint64_t kMaxTick = std::uint64_t{1} << 40;
+
+/// A section's place in the payload.
+struct Section {
+  std::uint8_t id = 0, codec = 0;
+  std::size_t raw = 0;
+  BytesView stored;
+};
+
+struct ChunkLayout {
+  ChunkHead head;
+  std::vector<Section> sections;
+};
+
+tl::expected<ChunkHead, Flaw> takeHead(ByteReader& in, const RecordingHeader& header) {
+  ChunkHead head;
+  head.first_tick = static_cast<Tick>(in.varint(kMaxTick));
+  head.ticks = static_cast<int>(in.varint(static_cast<std::uint64_t>(header.chunk_ticks)));
+  head.plays_before = static_cast<std::int64_t>(in.varint(kMaxTick));
+  head.plays = static_cast<std::int64_t>(in.varint(kMaxChunkPlays));
+  head.present = readFlags(header.bodies.size(), in);
+  if (!in.good()) return tl::unexpected<Flaw>("its head is broken");
+  return head;
+}
+
+tl::expected<ChunkLayout, Flaw> layoutOf(BytesView payload, const RecordingHeader& header) {
+  ByteReader in(payload);
+  auto head = takeHead(in, header);
+  if (!head) return tl::unexpected(head.error());
+  ChunkLayout layout{std::move(*head), {}};
+  layout.sections.resize(static_cast<std::size_t>(in.varint(255)));
+  std::vector<std::size_t> sizes;
+  for (Section& section : layout.sections) {
+    section.id = in.byte();
+    section.codec = in.byte();
+    section.raw = static_cast<std::size_t>(in.varint());
+    sizes.push_back(static_cast<std::size_t>(in.varint()));
+  }
+  for (std::size_t i = 0; i < sizes.size(); ++i) layout.sections[i].stored = in.bytes(sizes[i]);
+  if (!in.good() || !in.atEnd()) return tl::unexpected<Flaw>("its sections do not fill it");
+  return layout;
+}
+
+/// Turns the sections of one chunk into values.
+class ChunkParser {
+ public:
+  ChunkParser(const RecordingHeader& header, ChunkLayout layout)
+      : header_(header), layout_(std::move(layout)), robots_(count(BodyKind::kRobot)) {
+    chunk_.first_tick = layout_.head.first_tick;
+    chunk_.ticks = layout_.head.ticks;
+    chunk_.plays_before = layout_.head.plays_before;
+    chunk_.present = layout_.head.present;
+  }
+
+  tl::expected<RecordedChunk, Flaw> parse() {
+    using Step = bool (ChunkParser::*)();
+    static constexpr std::pair<Step, const char*> kSteps[] = {
+        {&ChunkParser::plays, "plays"},       {&ChunkParser::commands, "commands"},
+        {&ChunkParser::hashes, "hashes"},     {&ChunkParser::playing, "clock"},
+        {&ChunkParser::checks, "checks"},     {&ChunkParser::events, "events"},
+        {&ChunkParser::drawings, "drawings"}, {&ChunkParser::samples, "samples"}};
+    for (const auto& [step, name] : kSteps) {
+      if (!(this->*step)()) return tl::unexpected(fmt::format("its {} are broken", name));
+    }
+    return std::move(chunk_);
+  }
+
+ private:
+  std::size_t count(BodyKind kind) const { return static_cast<std::size_t>(countOf(header_, kind)); }
+  std::size_t ticks() const { return static_cast<std::size_t>(chunk_.ticks); }
+
+  const Section* find(SectionId id) const {
+    for (const Section& section : layout_.sections) {
+      if (section.id == static_cast<std::uint8_t>(id)) return &section;
+    }
+    return nullptr;
+  }
+  /// The content of a section; empty without it. No value: it is broken or larger than `most`.
+  std::optional<Bytes> open(SectionId id, std::size_t most) const {
+    const Section* section = find(id);
+    if (section == nullptr) return Bytes();
+    if (section->raw > most) return std::nullopt;
+    return unpack(section->codec, section->stored, section->raw);
+  }
+  /// A section that is a table: by `model(codec, bytes)` where it was packed so, else as version 1 did.
+  template <typename Model>
+  std::optional<Columns> table(SectionId id, std::size_t columns, std::size_t rows,
+                               const Model& model) const {
+    const Section* section = find(id);
+    if (section == nullptr) return std::nullopt;
+    if (section->codec >= static_cast<std::uint8_t>(Codec::kModelled)) {
+      return section->raw == columns * rows ? model(Codec{section->codec}, section->stored) : std::nullopt;
+    }
+    const auto bytes = open(id, maxPackedSize(columns, rows));
+    return bytes ? unpackColumns(*bytes, columns, rows) : std::nullopt;
+  }
+
+  /// Reads a section that is a list: `each` takes one item off the reader.
+  template <typename Each>
+  bool list(SectionId id, const Each& each) const {
+    const auto bytes = open(id, kMaxListBytes);
+    if (!bytes) return false;
+    if (bytes->empty()) return true;
+    ByteReader in(*bytes);
+    for (std::uint64_t left = in.varint(bytes->size()); left > 0 && in.good(); --left) each(in);
+    return in.good() && in.atEnd();
+  }
+
+  Tick tickFrom(std::int64_t offset, ByteReader& in) const {
+    const auto most = static_cast<std::int64_t>(kMaxTick);
+    if (offset < -most || offset > most) in.fail();
+    return in.good() ? chunk_.first_tick + offset : 0;
+  }
+
+  bool plays() {
+    Tick last = chunk_.first_tick;
+    const bool good = list(SectionId::kPlays, [&](ByteReader& in) {
+      RecordedPlay play = takePlay(in);
+      if (play.tick < last || chunk_.plays.size() >= kMaxChunkPlays) in.fail();
+      last = play.tick;
+      if (in.good()) chunk_.plays.push_back(std::move(play));
+    });
+    return good && static_cast<std::int64_t>(chunk_.plays.size()) == layout_.head.plays;
+  }
+
+  RecordedPlay takePlay(ByteReader& in) {
+    RecordedPlay play;
+    play.tick = chunk_.first_tick + static_cast<Tick>(in.varint(ticks()));
+    const std::uint8_t kind = in.byte(), flags = in.byte();
+    if (kind > static_cast<std::uint8_t>(RestartKind::kGiven) || flags > 7) in.fail();
+    if (!in.good()) return play;
+    play.kind = static_cast<RestartKind>(kind);
+    play.team = static_cast<TeamId>(flags & 1);
+    play.blue_side = static_cast<Side>(flags >> 1 & 1);
+    play.defenders_back = (flags & 4) != 0;
+    play.delay = static_cast<Tick>(in.varint(kMaxTick));
+    play.period = static_cast<int>(in.varint(1000));
+    play.play_ticks = static_cast<Tick>(in.varint(kMaxTick));
+    for (int& goals : play.score) goals = static_cast<int>(in.varint(1'000'000));
+    play.hash = in.fixed<std::uint64_t>();
+    readNumbers({&play.ball.x, &play.ball.y}, in);
+    const auto present = readFlags(header_.bodies.size(), in);
+    for (const std::uint8_t flag : present) {
+      RecordedStart& s = play.starts.emplace_back();
+      s.present = flag != 0;
+      if (!s.present || !in.good()) continue;
+      readNumbers({&s.pose.position.x, &s.pose.position.y, &s.pose.heading, &s.velocity.x, &s.velocity.y,
+                   &s.angular_velocity, &s.spin.x, &s.spin.y},
+                  in);
+    }
+    return play;
+  }
+
+  bool commands() {
+    const std::size_t values = 2 * robots_ * ticks();
+    chunk_.commands.resize(robots_ * ticks());
+    if (values == 0) return find(SectionId::kCommands) == nullptr;
+    if (header_.command_step == 0.0) return exactCommands(values);
+    const auto table =
+        this->table(SectionId::kCommands, 2 * robots_, ticks(), [&](Codec codec, BytesView stored) {
+          return unpackCommands(stored, codec, header_.command_model, 2 * robots_, ticks());
+        });
+    if (!table) return false;
+    for (std::size_t row = 0; row < ticks(); ++row) {
+      for (std::size_t robot = 0; robot < robots_; ++robot) {
+        chunk_.commands[row * robots_ + robot] = {table->at(2 * robot, row) * header_.command_step,
+                                                  table->at(2 * robot + 1, row) * header_.command_step};
+      }
+    }
+    return true;
+  }
+
+  bool exactCommands(std::size_t values) {
+    const auto bytes = open(SectionId::kCommands, 8 * values);
+    if (!bytes || bytes->size() != 8 * values) return false;
+    ByteReader in(*bytes);
+    for (WheelSpeeds& command : chunk_.commands) {
+      command.left = in.number();
+      command.right = in.number();
+      if (!std::isfinite(command.left) || !std::isfinite(command.right)) return false;
+    }
+    return true;
+  }
+
+  bool hashes() {
+    const auto bytes = open(SectionId::kTickHashes, 2 * ticks());
+    if (!bytes || bytes->size() != 2 * ticks()) return false;
+    ByteReader in(*bytes);
+    chunk_.tick_hashes.resize(ticks());
+    for (std::uint16_t& hash : chunk_.tick_hashes) hash = in.fixed<std::uint16_t>();
+    return true;
+  }
+
+  bool playing() {
+    const auto bytes = open(SectionId::kPlaying, 10 * (ticks() + 1));
+    if (!bytes) return false;
+    ByteReader in(*bytes);
+    for (std::uint8_t value = 1; !in.atEnd(); value ^= 1) {
+      const std::size_t run = static_cast<std::size_t>(in.varint(ticks() - chunk_.playing.size()));
+      chunk_.playing.insert(chunk_.playing.end(), run, value);
+    }
+    return in.good() && chunk_.playing.size() == ticks();
+  }
+
+  bool checks() {
+    // Before version 4: the running hash, of which the ticks have enough, and a byte for each of a body's
+    // hashes.
+    const bool is_short = find(SectionId::kShortChecks) != nullptr;
+    const std::size_t bodies = header_.bodies.size(), each = is_short ? 8 + 2 * bodies : 8 * bodies;
+    const Tick every = header_.control_rate;
+    const auto expected = static_cast<std::size_t>(multiplesIn(chunk_.first_tick, chunk_.ticks, every));
+    const auto bytes = open(is_short ? SectionId::kShortChecks : SectionId::kChecks, each * expected);
+    if (!bytes || bytes->size() != each * expected) return false;
+    ByteReader in(*bytes);
+    for (std::size_t i = 0; i < expected; ++i) {
+      RecordedCheck& check = chunk_.checks.emplace_back();
+      check.tick = (chunk_.first_tick / every + 1 + static_cast<Tick>(i)) * every;
+      check.bodies.resize(bodies);
+      if (is_short) {
+        check.mask = 0xff;
+        in.bytes(8);
+      }
+      for (BodyHash& hash : check.bodies) {
+        if (is_short) {
+          hash = {in.byte(), in.byte()};
+        } else {
+          hash = {in.fixed<std::uint32_t>(), in.fixed<std::uint32_t>()};
+        }
+      }
+    }
+    return true;
+  }
+
+  bool events() {
+    return list(SectionId::kEvents, [&](ByteReader& in) {
+      RecordedEvent& event = chunk_.events.emplace_back();
+      event.tick = tickFrom(in.signedVarint(), in);
+      event.period = in.byte();
+      const std::uint8_t team = in.byte();
+      if (team > 2) in.fail();
+      if (team > 0 && in.good()) event.team = static_cast<TeamId>(team - 1);
+      const auto robot = in.varint(256);
+      if (robot > 0) event.robot = static_cast<std::uint8_t>(robot - 1);
+      event.clause = in.text();
+      event.law = in.text();
+      readNumbers(
+          {&event.play_time, &event.place.x, &event.place.y, &event.value, &event.threshold, &event.margin},
+          in);
+    });
+  }
+
+  bool drawings() {
+    return list(SectionId::kDrawings, [&](ByteReader& in) {
+      RecordedDrawing& drawing = chunk_.drawings.emplace_back();
+      drawing.tick = tickFrom(in.signedVarint(), in);
+      const std::uint8_t what = in.byte();
+      if (what > 5) in.fail();
+      drawing.kind = static_cast<RecordedDrawing::Kind>(in.good() ? what / 2 : 0);
+      drawing.team = static_cast<TeamId>(what % 2);
+      for (double* value :
+           {&drawing.from.x, &drawing.from.y, &drawing.to.x, &drawing.to.y, &drawing.radius}) {
+        *value = static_cast<double>(in.signedVarint()) * kDrawingStep;
+      }
+      drawing.text = in.text();
+    });
+  }
+
+  bool samples() {
+    const Tick every = header_.sample_every;
+    const auto rows = header_.level == RecordingLevel::kFull
+                          ? static_cast<std::size_t>(multiplesIn(chunk_.first_tick, chunk_.ticks, every))
+                          : std::size_t{0};
+    const std::size_t columns = sampleColumns(header_);
+    if (rows * columns == 0) return find(SectionId::kSamples) == nullptr;
+    const auto table = this->table(SectionId::kSamples, columns, rows, [&](Codec codec, BytesView stored) {
+      return codec == Codec::kModelled ? unpackSamples(stored, header_, rows) : std::nullopt;
+    });
+    if (!table) return false;
+    for (std::size_t row = 0; row < rows; ++row) {
+      const Tick tick = (chunk_.first_tick / every + 1 + static_cast<Tick>(row)) * every;
+      chunk_.samples.push_back({tick, posesOf(*table, row)});
+    }
+    return true;
+  }
+
+  std::vector<Pose2> posesOf(const Columns& table, std::size_t row) const {
+    const double heading_step = sampleHeadingStep(header_);
+    std::vector<Pose2> poses;
+    poses.reserve(header_.bodies.size());
+    std::size_t column = 0;
+    for (const RecordedBody& body : header_.bodies) {
+      Pose2& pose = poses.emplace_back();
+      pose.position.x = table.at(column++, row) * header_.sample_step;
+      pose.position.y = table.at(column++, row) * header_.sample_step;
+      if (sampleColumns(body.kind) == 3) pose.heading = table.at(column++, row) * heading_step;
+    }
+    return poses;
+  }
+
+  const RecordingHeader& header_;
+  const ChunkLayout layout_;
+  const std::size_t robots_;
+  RecordedChunk chunk_;
+};
+
+}  // namespace
+
+tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const RecordingHeader& header) {
+  ByteReader in(payload);
+  return takeHead(in, header);
+}
+
+std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header) {
+  static constexpr std::array<const char*, 10> kNames{"other",  "plays",  "commands", "hashes",  "clock",
+                                                      "checks", "events", "drawings", "samples", "checks"};
+  std::vector<SectionSize> sizes;
+  const auto layout = layoutOf(payload, header);
+  if (!layout) return sizes;
+  for (const Section& section : layout->sections) {
+    sizes.push_back({kNames[section.id < kNames.size() ? section.id : 0], section.stored.size()});
+  }
+  return sizes;
+}
+
+std::uint64_t listBytes(BytesView payload, const RecordingHeader& header) {
+  std::uint64_t bytes = 0;
+  const auto layout = layoutOf(payload, header);
+  if (!layout) return bytes;
+  for (const Section& section : layout->sections) {
+    // What a list may not unpack to is refused when it is read.
+    const bool list = section.id == static_cast<std::uint8_t>(SectionId::kPlays) ||
+                      section.id == static_cast<std::uint8_t>(SectionId::kEvents) ||
+                      section.id == static_cast<std::uint8_t>(SectionId::kDrawings);
+    if (list && section.raw <= kMaxListBytes) bytes += section.raw;
+  }
+  return bytes;
+}
+
+tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header) {
+  auto layout = layoutOf(payload, header);
+  if (!layout) return tl::unexpected(layout.error());
+  return ChunkParser(header, std::move(*layout)).parse();
+}
+
+}  // namespace fulbito

@@ -1,0 +1,30 @@
+// Private header of replays: not installed.
+#pragma once
+
+#include <optional>
+
+#include "engine/core/base/result.hpp"
+#include "replays/coding/byte_io.hpp"
+#include "replays/recording/recording.hpp"
+
+namespace fulbito {
+
+/// @{ Limits that keep a broken file from asking for much memory.
+inline constexpr std::size_t kMaxRecordedBodies = 1024;
+inline constexpr int kMaxChunkTicks = 6000;
+inline constexpr std::size_t kMaxChunkRows = std::size_t{1} << 20;  ///< bodies times ticks of a chunk
+inline constexpr std::int64_t kMaxChunkPlays = 256;
+/// @}
+
+/// What makes a header impossible, in words; empty for a good one.
+std::optional<std::string> flawOf(const RecordingHeader& header);
+
+std::string toJson(const RecordingHeader& header);
+std::string toJson(const RecordingResult& result);
+/// @{ Errors say what is wrong, without the file's name. Unknown keys are passed over.
+tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text,
+                                                          std::uint32_t version = kRecordingVersion);
+tl::expected<RecordingResult, std::string> resultFromJson(BytesView text);
+/// @}
+
+}  // namespace fulbito

@@ -1,0 +1,38 @@
+// Private header of replays/render: not installed.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/base/result.hpp"
+#include "replays/render/canvas/canvas.hpp"
+
+struct libdeflate_compressor;
+
+namespace fulbito {
+
+/// Makes PNG files in memory. libpng writes the container; libdeflate packs the pixels in half of zlib's
+/// time.
+class PngEncoder {
+ public:
+  /// Pixels of 32 bits, 0xAARRGGBB in the machine's byte order, rows `pitch` bytes apart, as an 8-bit PNG:
+  /// RGB, or RGBA where a pixel is not opaque. Empty when memory runs out.
+  std::string encode(int width, int height, const void* pixels, int pitch, PngEffort effort);
+
+ private:
+  struct Free {
+    void operator()(libdeflate_compressor* compressor) const;
+  };
+
+  std::unique_ptr<libdeflate_compressor, Free> compressor_;
+  PngEffort effort_ = PngEffort::kFast;
+  std::vector<std::uint8_t> raw_, packed_;  ///< used again for the next picture
+};
+
+/// Writes the bytes of a picture by `writeFile`; none: there was no memory for them. Errors: kIo naming the
+/// file.
+Result<void> writePngFile(const std::string& file, const std::string& bytes);
+
+}  // namespace fulbito

@@ -1,0 +1,14 @@
+// Private header of replays/render: not installed.
+#pragma once
+
+#include <string>
+
+#include "replays/render/canvas/canvas.hpp"
+
+namespace fulbito {
+
+/// `utf8` if it is at most `width` [px] wide, else its longest beginning that fits with an ellipsis; empty
+/// when not even that fits.
+std::string fitted(const Canvas& canvas, const std::string& utf8, double size, double width);
+
+}  // namespace fulbito

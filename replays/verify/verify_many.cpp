@@ -1,0 +1,54 @@
+#include "replays/verify/verify_many.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "engine/core/system/worker_threads.hpp"
+
+namespace fulbito {
+
+Result<std::vector<std::string>> recordingFiles(const std::vector<std::string>& files_or_folders) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> files;
+  for (const std::string& name : files_or_folders) {
+    std::error_code error;
+    if (!fs::is_directory(name, error)) {
+      files.push_back(name);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (fs::directory_iterator entry(name, error), end; !error && entry != end; entry.increment(error)) {
+      if (entry->path().extension() == ".fbr") found.push_back(entry->path().string());
+    }
+    if (error) return fail(ErrorCode::kIo, fmt::format("{}: {}", name, error.message()));
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+Result<std::vector<VerifiedFile>> verifyRecordings(
+    const std::vector<std::string>& files, int jobs,
+    const std::function<bool(std::size_t done, std::size_t total)>& progress) {
+  std::vector<VerifiedFile> results;
+  results.reserve(files.size());
+  for (const std::string& file : files) results.push_back({file, Verification{}});
+  std::size_t done = 0;
+  std::mutex mutex;
+  forEachTask(jobs, files.size(), [&](std::size_t i) {
+    auto verified = verifyRecording(files[i]);
+    const std::scoped_lock lock(mutex);
+    // One that was broken off is not done.
+    if (!verified && verified.error().code == ErrorCode::kInterrupted) return false;
+    results[i].result = std::move(verified);
+    ++done;
+    return !progress || progress(done, files.size()) || done == files.size();
+  });
+  if (done < files.size()) return fail(ErrorCode::kInterrupted, "interrupted");
+  return results;
+}
+
+}  // namespace fulbito

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "replays/verify/verify.hpp"
+
+namespace fulbito {
+
+/// One recording of many and what came of it.
+struct VerifiedFile {
+  std::string file;
+  Result<Verification> result;
+};
+
+/// The recordings among files and folders: files as they are, of a folder every .fbr directly in it by name.
+/// Errors: kIo for what is not there or cannot be listed.
+Result<std::vector<std::string>> recordingFiles(const std::vector<std::string>& files_or_folders);
+
+/// Verifies each on `jobs` threads (0: all cores); results come in the order of the files. `progress` hears
+/// how many are done, and ends the run by returning false. Errors: kInterrupted.
+Result<std::vector<VerifiedFile>> verifyRecordings(
+    const std::vector<std::string>& files, int jobs,
+    const std::function<bool(std::size_t done, std::size_t total)>& progress);
+
+}  // namespace fulbito

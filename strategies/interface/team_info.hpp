@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "navigation/interface/parameters.hpp"
+#include "navigation/registry.hpp"
+#include "strategies/interface/strategy.hpp"
+
+namespace fulbito {
+
+/// Name of the setting that chooses a team's navigator.
+inline constexpr const char* kNavigatorSetting = "navigator";
+
+/// What the registry knows of one built-in team.
+struct TeamInfo {
+  std::string name;
+  std::string summary;  ///< one line
+  std::vector<ParameterSpec> parameters;
+  bool takes_navigator = false;   ///< also takes `navigator=NAME`
+  std::string default_navigator;  ///< where none is named; empty when the team takes none
+  /// Makes the team from settings (`navigator` among them); errors: kUsage.
+  std::function<Result<std::unique_ptr<Strategy>>(const std::vector<Setting>&)> make;
+};
+
+/// Takes the setting `navigator` out of a team's settings: its choice, or `default_navigator`'s. Errors:
+/// kUsage.
+Result<NavigatorChoice> takeNavigator(std::vector<Setting>& settings, const std::string& default_navigator);
+
+/// Builds the registry's entry of a team class `S` that is made from its parameter struct `P`.
+template <typename P, typename S>
+TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<Parameter<P>> parameters) {
+  TeamInfo info{name, std::move(summary), specsOf(parameters), false, {}, {}};
+  info.make = [name, parameters = std::move(parameters)](
+                  const std::vector<Setting>& settings) -> Result<std::unique_ptr<Strategy>> {
+    P values;
+    if (auto done = applySettings(parameters, settings, name, values); !done) {
+      return tl::unexpected<Error>(done.error());
+    }
+    return std::unique_ptr<Strategy>(std::make_unique<S>(values));
+  };
+  return info;
+}
+
+/// The same of a team that drives with a navigator of the registry: `S` is made from its parameters and the
+/// navigator's choice.
+template <typename P, typename S>
+TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<Parameter<P>> parameters,
+                      std::string default_navigator) {
+  TeamInfo info{name, std::move(summary), specsOf(parameters), true, default_navigator, {}};
+  info.make = [name, parameters = std::move(parameters), default_navigator = std::move(default_navigator)](
+                  std::vector<Setting> settings) -> Result<std::unique_ptr<Strategy>> {
+    const auto navigator = takeNavigator(settings, default_navigator);
+    if (!navigator) return tl::unexpected<Error>(navigator.error());
+    P values;
+    if (auto done = applySettings(parameters, settings, name, values, {kNavigatorSetting}); !done) {
+      return tl::unexpected<Error>(done.error());
+    }
+    return std::unique_ptr<Strategy>(std::make_unique<S>(values, *navigator));
+  };
+  return info;
+}
+
+}  // namespace fulbito

@@ -1,0 +1,97 @@
+#include "strategies/prediction/ball_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulbito {
+
+std::optional<double> timeOfFall(double height, double speed, double acceleration, double duration) {
+  constexpr double kSlowest = 1e-6;  // [m/s] slower is rounding, not motion
+  if (height <= 0.0 && speed < -kSlowest) return 0.0;
+  if (height < 0.0) return std::nullopt;
+  const double discriminant = speed * speed - 2.0 * acceleration * height;
+  if (discriminant < 0.0) return std::nullopt;
+  // The root that belongs to falling, in the form that does not cancel.
+  const double falling = std::sqrt(discriminant);
+  if (falling <= kSlowest) return std::nullopt;
+  double time;
+  if (speed <= 0.0) {
+    time = 2.0 * height / (falling - speed);
+  } else {
+    if (acceleration >= 0.0) return std::nullopt;
+    time = (-falling - speed) / acceleration;
+  }
+  if (!(time >= 0.0 && time <= duration)) return std::nullopt;
+  return time;
+}
+
+BallWalls::BallWalls(const FieldGeometry& field, double radius) : radius_(radius) {
+  half_length_ = field.length / 2 - radius;
+  half_width_ = field.width / 2 - radius;
+  half_diagonal_ = field.length / 2 + field.width / 2 - field.corner - radius * std::sqrt(2.0);
+  const std::vector<Vec2> contour = innerContour(field);
+  for (std::size_t i = 0; i < contour.size(); ++i) {
+    const Vec2 a = contour[i], b = contour[(i + 1) % contour.size()];
+    const Vec2 after = contour[(i + 2) % contour.size()] - b;
+    const Vec2 along = unitOr(b - a, {1.0, 0.0}), normal = perp(along);
+    lines_.push_back({a + normal * radius, normal, distance(a, b)});
+    if (cross(along, after) < 0.0) posts_.push_back(b);
+  }
+}
+
+bool BallWalls::isFree(Vec2 p, double margin) const {
+  const double x = std::abs(p.x) + margin, y = std::abs(p.y) + margin;
+  return x < half_length_ && y < half_width_ && std::abs(p.x) + std::abs(p.y) + 1.5 * margin < half_diagonal_;
+}
+
+std::optional<BallWalls::Hit> BallWalls::firstHit(const EvenMotion& motion, double duration) const {
+  // A parabola leaves its chord by no more than this; the rectangle with cut corners is convex.
+  const double bulge = norm(motion.acceleration) * duration * duration / 8.0;
+  const Vec2 end = motion.positionAt(duration);
+  if (isFree(motion.position) && isFree(end, bulge)) return std::nullopt;
+  std::optional<Hit> first;
+  double until = duration;
+  for (const Line& line : lines_) {
+    if (dot(end - line.begin, line.normal) <= bulge) meetLine(line, motion, first, until);
+  }
+  for (const Vec2 post : posts_) meetPost(post, motion, first, until);
+  return first;
+}
+
+void BallWalls::meetLine(const Line& line, const EvenMotion& motion, std::optional<Hit>& first,
+                         double& until) const {
+  constexpr double kDeepest = 0.01;  // [m] farther behind a wall it is another wall's ball
+  const double height = dot(motion.position - line.begin, line.normal);
+  if (height < -kDeepest) return;
+  const auto time =
+      timeOfFall(height, dot(motion.velocity, line.normal), dot(motion.acceleration, line.normal), until);
+  if (!time || (first && *time >= until)) return;
+  const double along = cross(line.normal, line.begin - motion.positionAt(*time));
+  if (along < 0.0 || along > line.length) return;
+  first = Hit{*time, line.normal};
+  until = *time;
+}
+
+void BallWalls::meetPost(Vec2 post, const EvenMotion& motion, std::optional<Hit>& first,
+                         double& until) const {
+  // Posts are met on the chord: between a ball's events the way is straight but for the first moment of a
+  // kick across its own spin.
+  const Vec2 from = motion.position - post, step = motion.positionAt(until) - motion.position;
+  const double along = dot(from, step), length2 = squaredNorm(step);
+  if (along >= 0.0) return;
+  const double beyond = squaredNorm(from) - radius_ * radius_;
+  const double discriminant = along * along - length2 * beyond;
+  if (discriminant < 0.0) return;
+  const double share = beyond <= 0.0 ? 0.0 : (-along - std::sqrt(discriminant)) / length2;
+  if (share > 1.0) return;
+  // Share of the way to share of the time: the fall toward the line that is touched there.
+  const Vec2 normal = unitOr(from + step * share, {1.0, 0.0});
+  const Vec2 ahead = step / std::sqrt(length2);
+  const auto time = timeOfFall(share * std::sqrt(length2), -dot(motion.velocity, ahead),
+                               -dot(motion.acceleration, ahead), until);
+  const double when = share <= 0.0 ? 0.0 : time.value_or(until);
+  first = Hit{when, normal};
+  until = when;
+}
+
+}  // namespace fulbito

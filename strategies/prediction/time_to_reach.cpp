@@ -1,0 +1,56 @@
+#include "strategies/prediction/time_to_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math/math.hpp"
+
+namespace fulbito {
+
+RobotPace::RobotPace(const RobotModel& robot)
+    : speed(robot.maxSpeed()),
+      acceleration(std::min(robot.wheel_acceleration, robot.longitudinal_grip)),
+      turning(robot.turnAcceleration()) {}
+
+double timeAlong(const RobotPace& pace, double distance, double speed) {
+  const double v = pace.speed, a = pace.acceleration;
+  if (speed < 0.0) {
+    // Braking, and the way back over the ground that it takes.
+    return -speed / a + timeAlong(pace, distance + speed * speed / (2.0 * a), 0.0);
+  }
+  const double start = std::min(speed, v);
+  const double ramp = (v * v - start * start) / (2.0 * a);
+  if (distance >= ramp) return (v - start) / a + (distance - ramp) / v;
+  return 2.0 * distance / (start + std::sqrt(start * start + 2.0 * a * distance) + 1e-12);
+}
+
+double timeToTurn(const RobotPace& pace, double angle) {
+  // Bang-bang turning takes 2 sqrt(angle / a); a robot that is already driving hides part of it.
+  return 2.0 * std::sqrt(angle / pace.turning);
+}
+
+double foldedAngle(double sine, double cosine) {
+  const double s = std::abs(sine), c = std::abs(cosine);
+  return s * (math::kPi / 2) / (s + (math::kPi / 2) * c) * (1.0 + 0.57 * s * c);
+}
+
+double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target, double arrival_turn) {
+  return timeToReach(pace, {robot.pose.position, math::unit(robot.pose.heading), robot.velocity}, target,
+                     arrival_turn);
+}
+
+double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target, double arrival_turn) {
+  constexpr double kWayPerTurn = 0.08;  // [m/rad]
+  constexpr double kShareOfTurn = 0.7;  // of a turn in place: the rest goes on while the robot drives
+  const Vec2 way = target - robot.position;
+  const double length = norm(way);
+  if (length < 1e-6) return 0.0;
+  const Vec2 ahead = way / length;
+  const double turn = foldedAngle(cross(robot.facing, ahead), dot(robot.facing, ahead));
+  // A turn toward a target nearer than the body's own swing is not needed.
+  const double needed = turn * std::min(1.0, length / 0.05);
+  return kShareOfTurn * timeToTurn(pace, needed) +
+         timeAlong(pace, length + kWayPerTurn * arrival_turn, dot(robot.velocity, ahead));
+}
+
+}  // namespace fulbito

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "engine/core/models/robot_model.hpp"
+
+namespace fulbito {
+
+/// How fast a robot is, in the few numbers that estimates need.
+struct RobotPace {
+  double speed = 1.2;         ///< [m/s] top speed
+  double acceleration = 6.0;  ///< [m/s^2] of the body: the lesser of motors and grip
+  double turning = 289.0;     ///< [rad/s^2] in place
+
+  RobotPace() = default;
+  explicit RobotPace(const RobotModel& robot);
+};
+
+/// Least time [s] over `distance` [m] with `speed` [m/s] toward the target at the start (negative: away from
+/// it), without a stop at the end.
+double timeAlong(const RobotPace& pace, double distance, double speed);
+
+/// Time [s] of a turn in place by `angle` [rad] >= 0 from rest to rest.
+double timeToTurn(const RobotPace& pace, double angle);
+
+/// Angle [rad] in [0, pi/2] between two lines from sine and cosine of the angle between them; within 4 %, for
+/// estimates that are made many times a tick.
+double foldedAngle(double sine, double cosine);
+
+/// A robot as estimates of time see it; made once when many are made.
+struct Runner {
+  Vec2 position;  ///< [m]
+  Vec2 facing;    ///< unit
+  Vec2 velocity;  ///< [m/s]
+};
+
+/// Time [s] in which a robot comes to `target` (STRATEGY 2.1): it turns whichever end is nearer toward it and
+/// drives, the speed that it has counts. `arrival_turn` [rad] is how far it must turn on the way to arrive
+/// with the wanted heading; each radian costs 8 cm.
+double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target, double arrival_turn = 0.0);
+double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target, double arrival_turn = 0.0);
+
+}  // namespace fulbito

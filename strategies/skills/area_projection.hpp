@@ -1,0 +1,16 @@
+#pragma once
+
+#include "engine/core/models/field_geometry.hpp"
+
+namespace fulbito {
+
+/// Whether a point is in a goal area (arc included) that is wider by `margin` [m] on every side. `own`: the
+/// area at -x of the team's frame.
+bool isInArea(const FieldGeometry& field, Vec2 p, bool own, double margin = 0.0);
+
+/// The nearest place to `p` outside that area: the last step before navigation for robots that have no
+/// business there (STRATEGY 3: own centre 7 cm out, so that no part is inside). Points outside stay as they
+/// are.
+Vec2 outsideArea(const FieldGeometry& field, Vec2 p, bool own, double margin);
+
+}  // namespace fulbito

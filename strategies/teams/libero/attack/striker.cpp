@@ -1,0 +1,196 @@
+#include "strategies/teams/libero/attack/striker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math/math.hpp"
+#include "strategies/teams/libero/attack/blow.hpp"
+#include "strategies/teams/libero/attack/caught.hpp"
+#include "strategies/teams/libero/attack/corner.hpp"
+#include "strategies/teams/libero/attack/meet.hpp"
+#include "strategies/teams/libero/motion/room.hpp"
+#include "strategies/teams/libero/situation/areas.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
+constexpr double kSpinTime = 0.45;  // [s]
+constexpr double kDispute = 2.0;    // [s] for which a free ball or penalty is a duel of who keeps at it
+constexpr double kPinched = 0.3;    // [s] of pressing after which a pinched ball is let slip
+constexpr double kSlip = 0.3;       // [s] that takes
+constexpr double kSlipTurn =
+    0.15;                        // [rad] a face turned by that slides it out; by 0.25 they come past it first
+constexpr double kCrowd = 0.16;  // [m] about the ball, in which opponents are in the way
+
+Twist spin(StrikerMemory& memory, double dt) {
+  memory.spin_left -= dt;
+  if (memory.spin_left <= 0.0) memory.locked = 0.4;
+  return {0.0, memory.spin_sense * 28.0};
+}
+
+/// Robot and ball press on something and nothing moves.
+void watchJam(const Picture& picture, const RobotState& robot, Vec2 rel, StrikerMemory& memory) {
+  const bool slow =
+      squaredNorm(picture.ball.now().velocity) < 0.08 * 0.08 && squaredNorm(robot.velocity) < 0.12 * 0.12;
+  const bool near = squaredNorm(rel) < kTouch * kTouch;
+  memory.jammed = slow && near ? memory.jammed + picture.seen.dt : 0.0;
+  memory.locked = std::max(0.0, memory.locked - picture.seen.dt);
+}
+
+}  // namespace
+
+Interception interception(const Picture& picture, const RobotState& robot) {
+  const Vec2 goal = picture.pitch.theirGoal();
+  const auto strike_point = [&](Vec2 ball) { return ball - unitOr(goal - ball, {1.0, 0.0}) * 0.04; };
+  if (picture.ball.resting()) {
+    const Vec2 ball = picture.ball.sample(0);
+    return {timeToReach(picture.pitch, robot, strike_point(ball)), ball};
+  }
+  const Vec2 face = math::unit(robot.pose.heading);
+  double late = 0.0;  // by how much the robot came too late at the step before
+  for (int i = 0; i <= BallForecast::kSteps; i += 2) {
+    const double time = i * BallForecast::kStep;
+    const Vec2 ball = picture.ball.sample(i);
+    const double least = picture.pitch.speed * time + 0.12;
+    if (squaredNorm(ball - robot.pose.position) > least * least && i < BallForecast::kSteps) continue;
+    const double needed = timeToReach(picture.pitch, robot, face, strike_point(ball));
+    if (needed <= time || i == BallForecast::kSteps) {
+      if (i == 0) return {needed, ball};
+      const double early = time - needed;
+      const double at =
+          late > 0.0 && early > 0.0 ? time - 2 * BallForecast::kStep * early / (early + late) : time;
+      return {std::max(at, needed - 0.1), picture.ball.at(at)};
+    }
+    late = needed - time;
+  }
+  return {};
+}
+
+namespace {
+
+/// Whether at our penalty somebody runs out of their goal at the ball; until that can be seen, so it is taken
+/// to be.
+bool keeperRunsOut(const Picture& picture) {
+  const Observation& seen = picture.seen;
+  if (seen.restart != RestartKind::kPenalty || !seen.restart_is_ours || seen.since_restart > kDispute)
+    return false;
+  if (seen.since_restart < 0.05) return true;
+  for (int i = 0; i < seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    const RobotState& other = picture.opponent(i);
+    if (other.pose.position.x < picture.ball.now().position.x - 0.1) continue;
+    if (other.pose.position.x < picture.pitch.half_length - 0.12 || other.velocity.x < -0.15) return true;
+  }
+  return false;
+}
+
+/// Whether an opponent is near enough to the ball to take it from who turns off. Once it is not, the ball is
+/// aimed: pushed on straight it ended in their corner and came back along the wall.
+bool contested(const Picture& picture) {
+  constexpr double kNear = 0.22;  // [m]
+  return picture.seen.since_restart < 0.1 || picture.opponentsNear(picture.ball.now().position, kNear) > 0;
+}
+
+/// Right after a restart the touch counts, whatever the direction; before a keeper that runs out who turns
+/// off in order to come round gives the ball away.
+bool rushes(const Picture& picture, Vec2 rel) {
+  if (keeperRunsOut(picture)) return true;
+  if (squaredNorm(rel) < 0.055 * 0.055) return false;
+  const double since = picture.seen.since_restart;
+  if (picture.seen.restart == RestartKind::kKickOff) return since < 0.4;
+  return picture.seen.restart == RestartKind::kGoalKick && !picture.seen.restart_is_ours && since < 0.5;
+}
+
+/// Where that touch is wanted. In the large game a free ball is met on its inner side, so that it slips from
+/// between the two toward the side wall: from the middle of both it was carried to our goal.
+Vec2 firstTouch(const Picture& picture) {
+  const Vec2 ball = picture.ball.now().position;
+  if (picture.seen.restart != RestartKind::kFreeBall || !picture.pitch.isLarge()) return ball;
+  return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
+}
+
+/// Straight at the ball: who turns off in order to come round gives it away. Where two meet with equal force
+/// nothing moves, until a face that is a little turned lets the ball slip out to the side wall: who turned
+/// first is first at it.
+Twist pressOn(const Picture& picture, const RobotState& self, Vec2 rel, StrikerMemory& memory) {
+  const Pitch& pitch = picture.pitch;
+  memory.slipping = memory.jammed > kPinched ? kSlip : memory.slipping - picture.seen.dt;
+  if (memory.slipping <= 0.0) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
+  const double out = std::copysign(kSlipTurn, picture.ball.now().position.y);
+  return alongHeading(pitch, self, math::angleOf(rel) + out, pitch.speed);
+}
+
+/// Whether an opponent presses from the other side on the ball that we push, roughly where we want it.
+bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
+  const double near = norm(rel);
+  if (aim.wall || near > kTouch || dot(rel, aim.direction) < 0.5 * near) return false;
+  return picture.opponentsNear(picture.ball.now().position + unitOr(rel, {}) * 0.06, 0.03) > 0;
+}
+
+/// A ball that runs along their goal line through the mouth is turned in by the face that pushes it: who
+/// comes round it first comes after the other post, and a robot that is alone goes on so from side to side.
+bool sweepsIn(const Picture& picture, Vec2 rel) {
+  constexpr double kBefore = 0.12;  // [m] before the line
+  constexpr double kPast = 0.03;    // [m] past a post
+  constexpr double kNear = 0.085;   // [m]
+  constexpr double kBehind = 0.01;  // [m] by which the robot may be nearer to the line
+  constexpr double kRolls = 0.15;   // [m/s]
+  const Pitch& pitch = picture.pitch;
+  const BallState& ball = picture.ball.now();
+  if (ball.position.x < pitch.half_length - kBefore || std::abs(ball.position.y) > pitch.goal_half + kPast)
+    return false;
+  return squaredNorm(rel) < kNear * kNear && rel.x > -kBehind && std::abs(ball.velocity.y) > kRolls &&
+         rel.y * ball.velocity.y > 0.0;
+}
+
+/// Straight on with the ball, with a little of it into the goal: more loses the ball to the side.
+Twist sweepIn(const Picture& picture, const RobotState& self) {
+  constexpr double kInto = 0.4;
+  const double across = std::copysign(1.0, picture.ball.now().velocity.y);
+  return alongHeading(picture.pitch, self, math::angleOf({kInto, across}), picture.pitch.speed);
+}
+
+}  // namespace
+
+bool disputesFreeBall(const Observation& seen) {
+  return seen.restart == RestartKind::kFreeBall && seen.since_restart < kDispute;
+}
+
+Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
+  const RobotState& self = picture.own(robot);
+  const Pitch& pitch = picture.pitch;
+  const BallState& now = picture.ball.now();
+  const Vec2 rel = now.position - self.pose.position;
+  watchJam(picture, self, rel, memory);
+  if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
+
+  if (disputesFreeBall(picture.seen) && contested(picture)) return pressOn(picture, self, rel, memory);
+  if (rushes(picture, rel)) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
+  if (canMeetBrought(picture, self)) return meetBrought(picture, self);
+  if (const auto round = roundKeeper(picture, robot, now.position)) return *round;
+  if (isCaught(picture, self, memory)) return driveOff(pitch, self);
+  const bool close = squaredNorm(rel) < 0.10 * 0.10;
+  const Vec2 ball = close ? now.position + now.velocity * 0.03 : interception(picture, self).ball;
+  memory.mouth = openMouth(picture, ball, self.pose.position.y, memory.mouth);
+  Aim aim = aimAt(pitch, ball, {pitch.half_length + 0.02, memory.mouth});
+  const bool pinned = aim.wall && squaredNorm(rel) < 0.085 * 0.085 && squaredNorm(now.velocity) < 0.2 * 0.2 &&
+                      dot(unitOr(rel, {}), aim.direction) < 0.5;
+  if (now.position.x > 0.5 && (memory.jammed > 0.35 || pinned) && memory.locked <= 0.0) {
+    memory.spin_left = kSpinTime;
+    memory.jammed = 0.0;
+    memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
+    return spin(memory, picture.seen.dt);
+  }
+  if (sweepsIn(picture, rel)) return sweepIn(picture, self);
+  if (headOn(picture, rel, aim)) return pressOn(picture, self, rel, memory);
+  if (squeezes(picture, rel, aim)) return squeeze(picture, self, rel, aim);
+  if (racesAlongWall(picture, rel, aim)) return raceAlongWall(picture, self, aim);
+  if (!aim.wall) aim.direction = blowInTime(self.pose.position, aim, now.velocity);
+  if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory.turn);
+  return driveThrough(pitch, self, aim.contact, aim.direction,
+                      kRound + 0.03 * std::min(2, picture.opponentsNear(now.position, kCrowd)), now.velocity,
+                      memory.side);
+}
+
+}  // namespace fulbito::libero

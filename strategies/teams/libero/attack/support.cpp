@@ -1,0 +1,115 @@
+#include "strategies/teams/libero/attack/support.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math/math.hpp"
+#include "strategies/teams/libero/situation/areas.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+/// The heading toward `to`, led round the nearest robot that stands in the way by its tangent.
+double headingRound(const Picture& picture, int robot, Vec2 to) {
+  const Vec2 from = picture.own(robot).pose.position;
+  const double length = norm(to - from);
+  const Vec2 way = unitOr(to - from, {1.0, 0.0});
+  constexpr double kClear = 0.11;
+  double nearest = std::min(length, 0.4);
+  Vec2 turned = way;
+  const auto look = [&](Vec2 body) {
+    const Vec2 rel = intoFrame(way, body - from);
+    if (rel.x < 0.0 || rel.x > nearest || std::abs(rel.y) > kClear) return;
+    nearest = rel.x;
+    const double pass = rel.y > 0.0 ? rel.y - kClear : rel.y + kClear;
+    turned = unitOr(outOfFrame(way, {std::max(rel.x, 0.05), pass}), way);
+  };
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (i != robot && picture.ownPresent(i)) look(picture.own(i).pose.position);
+    if (picture.opponentPresent(i)) look(picture.opponent(i).pose.position);
+  }
+  look(picture.ball.now().position);
+  return math::angleOf(turned);
+}
+
+/// On the line from the ball to our goal, outside the area; beside it where the ball lies deeper.
+Vec2 shadow(const Picture& picture, Vec2 ball) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 goal = pitch.ownGoal();
+  const double front = -pitch.half_length + pitch.area_depth + pitch.arc_depth + 0.09;
+  const double x = std::max(front, ball.x - 0.35);
+  const double part = std::clamp((x - goal.x) / std::max(0.05, ball.x - goal.x), 0.0, 1.0);
+  const double most = ball.x < front + 0.1 ? 0.25 : pitch.half_width - 0.06;
+  return {x, std::clamp(ball.y * part, -most, most)};
+}
+
+/// Wide on the side away from the ball, for the third and fourth: one forward, one back, none in the big
+/// area.
+Vec2 outlet(const Pitch& pitch, Vec2 ball, int rank) {
+  const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
+  const double back = -pitch.half_length + pitch.big_area_depth + 0.15;
+  if (rank == 2) return {std::clamp(ball.x + -0.5, back, pitch.half_length - 0.5), far_side * 0.45};
+  return {std::clamp(ball.x - 0.55, back, 0.0), far_side * 0.2};
+}
+
+}  // namespace
+
+namespace {
+
+/// The side on which the ball is not: +1 or -1. Of a ball in the middle, as at a penalty, the robot's own:
+/// a fixed one would send it across the field from one of its two sides.
+double farSide(Vec2 ball, Vec2 robot) {
+  constexpr double kMiddle = 0.001;  // [m]
+  if (std::abs(ball.y) < kMiddle) return robot.y < 0.0 ? -1.0 : 1.0;
+  return ball.y > 0.0 ? -1.0 : 1.0;
+}
+
+Vec2 wantedPlace(const Picture& picture, int robot, int rank) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.at(0.15);
+  if (rank == 1) return shadow(picture, ball);
+  if (rank >= 2) return outlet(pitch, ball, rank);
+  const double forward = 0.45 - 0.6 * picture.settings.aggression;
+  if (ball.x > forward) {
+    const double far_side = farSide(ball, picture.own(robot).pose.position);
+    return {std::min(ball.x - 0.2, pitch.half_length - 0.35), far_side * 0.18};
+  }
+  // Where they crowd the ball none is left to stop what comes out on the other side.
+  if (!pitch.isLarge() && picture.opponentsNear(ball, 0.25) >= 2) {
+    return {std::min(ball.x + 0.3, pitch.half_length - 0.35), std::clamp(ball.y * 0.4, -0.3, 0.3)};
+  }
+  return shadow(picture, ball);
+}
+
+}  // namespace
+
+Vec2 supportPlace(const Picture& picture, int robot, int rank) {
+  const Pitch& pitch = picture.pitch;
+  const Vec2 ball = picture.ball.now().position;
+  Vec2 place = wantedPlace(picture, robot, rank);
+  constexpr double kRoom = 0.22;  // [m] about the striker's ball
+  if (squaredNorm(place - ball) < kRoom * kRoom) {
+    place = pitch.inside(ball + unitOr(place - ball, {-1.0, 0.0}) * kRoom, 0.06);
+  }
+  place = outOfOwnArea(pitch, place, 0.07);
+  return inTheirArea(pitch, ball, 0.1) ? outOfTheirArea(pitch, place, 0.08) : place;
+}
+
+Vec2 waitingPlace(const Picture& picture, int rank) {
+  const double back = -picture.pitch.half_length;
+  const double side = picture.ball.now().position.y >= 0.0 ? 1.0 : -1.0;
+  const Vec2 places[] = {
+      {back + 0.5, side * 0.45}, {back + 0.5, -side * 0.3}, {back + 0.9, -side * 0.6}, {back + 0.8, 0.0}};
+  return places[std::min(rank, 3)];
+}
+
+Twist supportTo(const Picture& picture, int robot, Vec2 place) {
+  const RobotState& self = picture.own(robot);
+  const double d = distance(self.pose.position, place);
+  const Vec2 ball = picture.ball.now().position;
+  if (d < 0.03) return restAt(picture.pitch, self, place, math::angleOf(ball - self.pose.position), 0.04);
+  const double speed = std::min(picture.pitch.speed, std::sqrt(2.0 * 0.7 * picture.pitch.acceleration * d));
+  return alongHeading(picture.pitch, self, headingRound(picture, robot, place), speed);
+}
+
+}  // namespace fulbito::libero

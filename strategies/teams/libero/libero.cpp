@@ -1,0 +1,278 @@
+#include "strategies/teams/libero/libero.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "strategies/prediction/foresight.hpp"
+#include "strategies/teams/libero/attack/meet.hpp"
+#include "strategies/teams/libero/attack/striker.hpp"
+#include "strategies/teams/libero/attack/support.hpp"
+#include "strategies/teams/libero/defence/keeper.hpp"
+#include "strategies/teams/libero/drawing.hpp"
+#include "strategies/teams/libero/exercise.hpp"
+#include "strategies/teams/libero/motion/bounds.hpp"
+#include "strategies/teams/libero/motion/room.hpp"
+#include "strategies/teams/libero/restarts.hpp"
+#include "strategies/teams/libero/situation/areas.hpp"
+
+namespace fulbito {
+namespace {
+
+using namespace libero;
+
+class Libero final : public Strategy {
+ public:
+  Libero(Settings settings, std::optional<NavigatorChoice> navigator) : settings_(settings) {
+    if (navigator) navigators_.push_back(std::move(*navigator));
+  }
+
+  std::span<const NavigatorChoice> navigators() const override { return navigators_; }
+
+  void begin(const MatchInfo& info) override {
+    pitch_ = Pitch(info);
+    foresight_ = Foresight(info);
+    forgetStriker();
+    dispute_left_ = {};
+    kick_off_hand_ = -1.0;
+  }
+
+  TeamCommand decide(const Observation& observation) override {
+    const Observation& now = foresight_.update(observation);
+    if (foresight_.playBegan()) {
+      strike_ = {};
+      // Who is at the ball now makes the first moves, whoever was striker before.
+      if (takenAtOnce(now)) forgetStriker();
+    }
+    ball_.take(foresight_.ballNow(), foresight_.ball());
+    watchStuck(now);
+    // Before the signal nobody can move: that tells nothing of what presses or is caught.
+    if (!now.playing) strike_ = {};
+    watchTouches(now);
+    const Picture picture{now, pitch_, settings_, ball_, stuck_, dispute_left_};
+    chooseKeeper(picture);
+    chooseStriker(picture);
+    TeamCommand command;
+    int rank = 0;
+    for (int i = 0; i < now.team_size; ++i) {
+      if (!picture.ownPresent(i)) continue;
+      command.roles[static_cast<std::size_t>(i)] = roleOf(i);
+      command.robots[static_cast<std::size_t>(i)] = play(picture, i, rank);
+    }
+    if (observation.wants_drawings)
+      draw(picture, {keeper_, striker_, ballIsKeepers()}, strike_, command.drawings);
+    return command;
+  }
+
+  std::optional<TeamProposal> place(const PlacementRequest& request) override {
+    if (request.kind == RestartKind::kKickOff) kick_off_hand_ = -kick_off_hand_;
+    return placementAt(pitch_, request, kick_off_hand_);
+  }
+
+  std::optional<ExerciseReply> exercise(const Observation& observation, const Exercise& exercise) override {
+    const Observation& now = foresight_.update(observation);
+    ExerciseReply reply;
+    reply.answer = foresight_.ball().positionAt(exercise.horizon);
+    reply.command.robots[0] = RobotCommand::byTwist(
+        exerciseTwist(pitch_, now.own[0].state, now.ball.position, exercise, strike_.side));
+    return reply;
+  }
+
+ private:
+  void forgetStriker() {
+    striker_ = -1;
+    strike_ = {};
+    held_ = 1.0;
+  }
+
+  /// How long the ball has been where it is.
+  void watchStuck(const Observation& seen) {
+    constexpr double kCircle = 0.10;  // [m]
+    stuck_ += seen.dt;
+    if (seen.playing && !foresight_.playBegan() &&
+        squaredNorm(seen.ball.position - stuck_at_) < kCircle * kCircle)
+      return;
+    stuck_at_ = seen.ball.position;
+    stuck_ = 0.0;
+  }
+
+  /// Who has touched the ball lately.
+  void watchTouches(const Observation& seen) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
+      double& left = dispute_left_[i];
+      left =
+          atBall(pitch_, seen.own[i].state, seen.ball.position) ? kDisputes : std::max(0.0, left - seen.dt);
+      if (!seen.playing || !seen.own[i].present) left = 0.0;
+    }
+  }
+
+  /// Whether play began with one of ours placed to be first at the ball. At our goal kicks that is the
+  /// keeper, and the others go on as they were.
+  static bool takenAtOnce(const Observation& seen) {
+    return seen.restart != RestartKind::kGoalKick || !seen.restart_is_ours;
+  }
+
+  /// The keeper's alone is a ball that soon is in our area or near to it: who goes on running back beside
+  /// those who bring it is pushed in with it.
+  bool ballIsKeepers() const {
+    constexpr double kAhead = 0.3;    // [s]
+    constexpr double kMargin = 0.06;  // [m]
+    const Vec2 ball = ball_.at(kAhead);
+    return keeper_ >= 0 && inOwnArea(pitch_, ball, kMargin) && std::abs(ball.y) < pitch_.area_half;
+  }
+
+  RobotCommand play(const Picture& picture, int robot, int& rank) {
+    if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
+    const bool keepers = ballIsKeepers();
+    if (robot == striker_ && !keepers) {
+      const Twist twist = strike(picture, robot, strike_);
+      // The mark of a free ball is at the area's edge: who minds that edge comes late.
+      if (disputesFreeBall(picture.seen))
+        return clearOfKeeper(picture, robot, twist).value_or(RobotCommand::byTwist(twist));
+      return legal(picture, robot, twist);
+    }
+    if (!keepers && meetsToo(picture, robot)) {
+      ++rank;
+      return legal(picture, robot, meetBrought(picture, picture.own(robot)));
+    }
+    const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, robot, rank);
+    ++rank;
+    if (!navigators_.empty() && distance(picture.own(robot).pose.position, place) > 0.1) {
+      GoTo go_to;
+      go_to.position = place;
+      go_to.stop = true;
+      go_to.avoid_ball = true;
+      return RobotCommand::drivingTo(go_to);
+    }
+    return legal(picture, robot, supportTo(picture, robot, place));
+  }
+
+  /// Whether a robot other than the striker meets a ball that is pushed toward our goal: not so near to the
+  /// goal that it would be pushed into the area.
+  bool meetsToo(const Picture& picture, int robot) const {
+    const RobotState& self = picture.own(robot);
+    return self.pose.position.x > -pitch_.half_length + 0.45 && canMeetBrought(picture, self);
+  }
+
+  /// 1 keeper, 2 striker, 3 support.
+  std::uint8_t roleOf(int robot) const { return robot == keeper_ ? 1 : robot == striker_ ? 2 : 3; }
+
+  /// The last step: nobody but the keeper enters our area, only the striker theirs.
+  RobotCommand legal(const Picture& picture, int robot, Twist wanted) const {
+    // Five a side a second attacker gains more than its goal kicks cost.
+    const bool theirs = !pitch_.isLarge() && (robot != striker_ || mateIsIn(picture));
+    if (!theirs) {
+      if (const auto off = clearOfKeeper(picture, robot, wanted)) return *off;
+    }
+    const RobotCommand kept = keptOut(picture, robot, {keeper_ >= 0, theirs}, wanted);
+    // Who has to leave their area does not push its way out through the keeper.
+    if (theirs && inTheirArea(pitch_, picture.own(robot).pose.position, pitch_.robot_corner)) {
+      if (const auto off = clearOfKeeper(picture, robot, twistOf(pitch_, kept))) return *off;
+    }
+    return kept;
+  }
+
+  /// The twist that a command of ours makes.
+  static Twist twistOf(const Pitch& pitch, const RobotCommand& command) {
+    if (command.kind == RobotCommand::Kind::kTwist) return command.twist;
+    const double left = command.wheels.left * pitch.wheel_radius;
+    const double right = command.wheels.right * pitch.wheel_radius;
+    return {(left + right) / 2, (right - left) / (2 * pitch.half_track)};
+  }
+
+  /// Whether one of ours but the striker, who stands outside, is still in their area: a second is a foul.
+  bool mateIsIn(const Picture& picture) const {
+    if (outsideOwnArea(pitch_, -picture.own(striker_).pose.position) < pitch_.robot_half) return false;
+    for (int i = 0; i < picture.seen.team_size; ++i) {
+      if (i == striker_ || !picture.ownPresent(i)) continue;
+      if (outsideOwnArea(pitch_, -picture.own(i).pose.position) < pitch_.robot_corner + 0.004) return true;
+    }
+    return false;
+  }
+
+  /// The first robot on the field keeps goal; a lone one only while a shot comes.
+  void chooseKeeper(const Picture& picture) {
+    int present = 0;
+    keeper_ = -1;
+    for (int i = picture.seen.team_size - 1; i >= 0; --i) {
+      if (picture.ownPresent(i)) ++present, keeper_ = i;
+    }
+    if (present == 1 && !mustSave(picture, keeper_)) keeper_ = -1;
+  }
+
+  /// The one who has the ball first; the present one is kept unless another is clearly better.
+  void chooseStriker(const Picture& picture) {
+    if (picture.seen.playing) held_ += picture.seen.dt;
+    constexpr double kStays = 0.5;   // [s] in their area, which the next one may enter only after it has left
+    constexpr double kAlike = 1e-9;  // [s] what is less is rounding, which is not the same on both sides
+    int best = -1;
+    double least = 1e9;
+    for (int i = 0; i < picture.seen.team_size; ++i) {
+      if (i == keeper_ || !picture.ownPresent(i)) continue;
+      const libero::Interception meet = interception(picture, picture.own(i));
+      double cost = meet.time;
+      if (picture.own(i).pose.position.x > meet.ball.x) cost += 0.3;
+      if (i == striker_) cost -= inTheirArea(pitch_, picture.own(i).pose.position, 0.05) ? kStays : 0.2;
+      if (cost < least - kAlike) least = cost, best = i;
+    }
+    if (best == striker_) return;
+    if (striker_ >= 0 && striker_ != keeper_ && picture.ownPresent(striker_) && held_ < 0.4) return;
+    striker_ = best;
+    strike_ = {};
+    held_ = 0.0;
+  }
+
+  Settings settings_;
+  Pitch pitch_;
+  std::vector<NavigatorChoice> navigators_;  // one, for those without the ball; none: by own skill
+  Foresight foresight_;
+  BallForecast ball_;
+  int keeper_ = -1;
+  int striker_ = -1;
+  double held_ = 1.0;  // [s] since the striker was chosen
+  StrikerMemory strike_;
+  double kick_off_hand_ = -1.0;  // of the last one; they are played to either side in turn
+  std::array<double, kMaxTeamSize> dispute_left_{};  // [s]
+  Vec2 stuck_at_;
+  double stuck_ = 0.0;  // [s]
+};
+
+}  // namespace
+
+namespace {
+
+/// The default of `navigator`: the team's own motion skills, which cost a tenth of the registry's cheapest.
+constexpr const char* kOwnNavigation = "own";
+
+}  // namespace
+
+TeamInfo liberoInfo() {
+  const std::vector<Parameter<Settings>> parameters = {
+      number("aggression", &Settings::aggression, 0.0, 1.0, "",
+             "how early the support goes forward: 0 only when the ball is deep in their half")};
+  TeamInfo info{"libero",
+                "the flagship: striker, support and keeper who read the game",
+                specsOf(parameters),
+                true,
+                kOwnNavigation,
+                {}};
+  info.make = [parameters](std::vector<Setting> settings) -> Result<std::unique_ptr<Strategy>> {
+    std::optional<NavigatorChoice> navigator;
+    std::erase_if(settings,
+                  [](const Setting& s) { return s.name == "navigator" && s.value == kOwnNavigation; });
+    if (std::any_of(settings.begin(), settings.end(),
+                    [](const Setting& s) { return s.name == "navigator"; })) {
+      auto chosen = takeNavigator(settings, kDefaultNavigator);
+      if (!chosen) return tl::unexpected<Error>(chosen.error());
+      navigator = std::move(*chosen);
+    }
+    Settings values;
+    if (auto done = applySettings(parameters, settings, "libero", values); !done) {
+      return tl::unexpected<Error>(done.error());
+    }
+    return std::unique_ptr<Strategy>(std::make_unique<Libero>(values, std::move(navigator)));
+  };
+  return info;
+}
+
+}  // namespace fulbito

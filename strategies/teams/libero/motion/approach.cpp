@@ -1,0 +1,86 @@
+#include "strategies/teams/libero/motion/approach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math/math.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+constexpr double kSharpness = 2.7;    // n of the field
+constexpr double kHalf = 0.03;        // [m] nearer than this is not behind
+constexpr double kCone = 0.35;        // |y| / x within which the line is followed
+constexpr double kLookAhead = 0.045;  // [s]
+constexpr double kTurnRate = 8.0;     // [rad/s] at which skew can be taken out before the touch
+constexpr double kSideRate = 0.35;    // [m/s] the same of the lateral error
+constexpr double kSlowTouch = 0.5;    // [m/s]
+constexpr double kPushGain = 10.0;    // [1/s]
+constexpr double kCarried = 0.5;      // share of the ball's speed by which the touch is faster
+constexpr double kLies = 0.15;        // [m/s] a slower ball waits for who comes round it
+constexpr double kRoundSpeed = 0.49;  // [m/s] on the circle round it
+constexpr double kSlowing = 4.0;      // [m/s^2] at which that speed is come down to
+constexpr double kArc = 0.12;         // [m] from the ball, where it is reached
+constexpr double kTurnsOff = 0.6;     // [rad] between the way to the ball and the blow, from which it matters
+
+/// The speed at which a robot that is `distance` [m] from a ball comes on to the circle round it: at full
+/// speed it slides past, stops and comes back, which takes 0.6 s.
+double arrivingSpeed(const Pitch& pitch, double distance) {
+  const double way = std::max(0.0, distance - kArc);
+  return std::min(pitch.speed, std::sqrt(kRoundSpeed * kRoundSpeed + 2.0 * kSlowing * way));
+}
+
+/// `heading` turned along a wall, or out of a goal's mouth, where it would lead the robot into it: between
+/// the ball and a post it stood still, wanting to turn.
+double alongWalls(const Pitch& pitch, Vec2 robot, double heading) {
+  constexpr double kAhead = 0.06, kMargin = 0.045, kHere = 0.01;  // [m]
+  const Vec2 to = robot + math::unit(heading) * kAhead;
+  const Vec2 kept = pitch.inside(to, kMargin) - robot;
+  if (squaredNorm(kept) < kHere * kHere || squaredNorm(kept - (to - robot)) < 1e-8) return heading;
+  return math::angleOf(kept);
+}
+
+}  // namespace
+
+double approachHeading(Vec2 robot, Vec2 contact, double direction, double radius, double sharpness,
+                       int& side) {
+  const Vec2 way = contact - robot;
+  const double d = norm(way);
+  const double bearing = math::angleOf(way);
+  const double alpha = math::wrapAngle(bearing - direction);
+  int turn = alpha < 0.0 ? -1 : 1;
+  if (std::abs(alpha) > 2.5 && side != 0) turn = side;
+  side = turn;
+  const double most = d > radius ? math::asin(radius / d) : math::kPi / 2 + (1.0 - d / radius) * 1.5;
+  return bearing + turn * std::min(sharpness * std::abs(alpha), most);
+}
+
+Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec2 direction, double round,
+                   Vec2 rolling, int& side) {
+  const Vec2 ahead = self.pose.position + self.velocity * kLookAhead;
+  const Vec2 local = intoFrame(direction, ahead - contact);
+  const double along = math::angleOf(direction);
+  if (-local.x < kHalf || std::abs(local.y) > kCone * -local.x) {
+    const double heading =
+        approachHeading(ahead, contact, along, local.x > -0.03 ? round : kRound, kSharpness, side);
+    const Vec2 way = contact - self.pose.position;
+    const bool comes_round = squaredNorm(rolling) < kLies * kLies &&
+                             std::abs(math::wrapAngle(math::angleOf(way) - along)) > kTurnsOff;
+    const double led = alongWalls(pitch, self.pose.position, heading);
+    return alongHeading(pitch, self, led, comes_round ? arrivingSpeed(pitch, norm(way)) : pitch.speed);
+  }
+  side = 0;
+  const double to_touch = std::max(0.0, -local.x - 0.06);
+  const double carrot = std::max(0.045, 0.5 * to_touch);
+  const double heading = along - math::atan2(local.y, carrot);
+  const double skew = std::abs(foldedError(along, self.pose.heading));
+  const double needed = skew / kTurnRate + std::abs(local.y) / kSideRate;
+  // Who follows a rolling ball at its own speed never touches it again, and cannot mend its direction.
+  const double touch = kSlowTouch + kCarried * std::max(0.0, dot(rolling, direction));
+  const double speed = std::min(pitch.speed, touch + (to_touch + 0.025) / std::max(needed, 0.01));
+  Steering steering;
+  steering.gain = to_touch < 0.015 ? kPushGain : 16.0;
+  return alongHeading(pitch, self, heading, speed, steering);
+}
+
+}  // namespace fulbito::libero

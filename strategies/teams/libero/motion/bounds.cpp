@@ -1,0 +1,153 @@
+#include "strategies/teams/libero/motion/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math/math.hpp"
+#include "strategies/interface/team_frame.hpp"
+#include "strategies/teams/libero/motion/motion.hpp"
+#include "strategies/teams/libero/motion/roll.hpp"
+#include "strategies/teams/libero/situation/areas.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+/// An area that is closed, in a frame in which it is our own.
+struct Bound {
+  const Pitch& pitch;
+  const RobotState& robot;
+  double margin;
+
+  /// [m] how deep a point is in the widened area; negative outside.
+  double depth(Vec2 p) const { return margin - outsideOwnArea(pitch, p); }
+
+  /// The greatest depth on the way to rest from there.
+  double deepest(Roll roll) const {
+    double most = depth(roll.place);
+    for (int i = 0; i < kHorizon && !roll.rests(); ++i) {
+      roll.brake();
+      most = std::max(most, depth(roll.place));
+    }
+    return most;
+  }
+
+  /// Whether the robot could still stop no deeper than at `limit` [m] after a tick of it.
+  bool allows(Twist twist, double limit = 0.0) const {
+    Roll roll(pitch, robot);
+    roll.drive(twist);
+    return deepest(roll) <= limit;
+  }
+
+  /// Unit vector out of the area by the shortest way.
+  Vec2 outward(Vec2 p) const {
+    constexpr double kStep = 1e-4;
+    const Vec2 slope{depth({p.x - kStep, p.y}) - depth({p.x + kStep, p.y}),
+                     depth({p.x, p.y - kStep}) - depth({p.x, p.y + kStep})};
+    return unitOr(slope, {1.0, 0.0});
+  }
+
+  Twist along(Vec2 way) const { return alongHeading(pitch, robot, math::angleOf(way), pitch.speed); }
+
+  /// Both wheels at this speed [m/s], as fast as they get there.
+  RobotCommand straight(double speed) const {
+    return RobotCommand::byWheels({speed / pitch.wheel_radius, speed / pitch.wheel_radius});
+  }
+
+  /// Out of the goal's mouth: past its posts nothing leads to either side, and who stands along a post first
+  /// comes off it.
+  RobotCommand leavingMouth() const {
+    return RobotCommand::byTwist(along({pitch.robot_corner, -robot.pose.position.y}));
+  }
+
+  /// Of the ways out, to the front and to either side, the quickest.
+  RobotCommand leaving() const {
+    const Vec2 p = robot.pose.position;
+    if (p.x < pitch.robot_corner - pitch.half_length && std::abs(p.y) < pitch.goal_half)
+      return leavingMouth();
+    Vec2 best{1.0, 0.0};
+    double least = 1e9;
+    for (const Vec2 way : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{0.0, -1.0}}) {
+      const double room = way.y == 0.0 ? pitch.area_depth + pitch.arc_depth - pitch.half_length - p.x
+                                       : pitch.area_half - way.y * p.y;
+      const double time = timeToReach(pitch, robot, p + way * std::max(0.02, room + margin));
+      if (time < least) least = time, best = way;
+    }
+    const Vec2 face = math::unit(robot.pose.heading);
+    const double ahead = dot(face, best);
+    // Turning comes before speed in a twist: a robot on its way in is stopped first.
+    if (dot(robot.velocity, best) < -0.05)
+      return straight(std::abs(ahead) > 0.5 ? std::copysign(pitch.speed, ahead) : 0.0);
+    return RobotCommand::byTwist(along(best));
+  }
+
+  /// Along the edge, to the hand to which `wanted` leads, and off it by `off`.
+  Twist alongEdge(Twist wanted, double off) const {
+    const Vec2 out = outward(robot.pose.position);
+    // Who only turns goes away from the goal's middle: to the same hand on either side of it.
+    const Vec2 idle = 1e-9 * Vec2{1.0, std::copysign(1.0, robot.pose.position.y)};
+    const Vec2 going = math::unit(robot.pose.heading) * wanted.linear + idle;
+    const double hand = dot(going, perp(out)) >= 0.0 ? 1.0 : -1.0;
+    return along(perp(out) * hand + out * off);
+  }
+
+  /// Too near to the edge, but not in: as wanted if that leads off, else stop and turn off.
+  RobotCommand fromEdge(Twist wanted) const {
+    const Vec2 out = outward(robot.pose.position);
+    const double ahead = dot(math::unit(robot.pose.heading), out);
+    if (dot(robot.velocity, out) < -0.02) {
+      return straight(std::abs(ahead) > 0.5 ? std::copysign(pitch.speed, ahead) : 0.0);
+    }
+    const bool leads_off = wanted.linear * ahead > 0.1 * pitch.speed;
+    if (leads_off && allows(wanted, depth(robot.pose.position))) return RobotCommand::byTwist(wanted);
+    // Not to the hand of `wanted`: that changes faster than a robot turns.
+    return RobotCommand::byTwist(along(out));
+  }
+
+  /// What of all that can be done comes nearest to what is wanted and keeps out.
+  RobotCommand kept(Twist wanted) const {
+    const double now = depth(robot.pose.position);
+    if (now > margin) return leaving();
+    if (now > 0.0) return fromEdge(wanted);
+    if (now + mostWay(pitch, norm(robot.velocity)) < 0.0) return RobotCommand::byTwist(wanted);
+    if (allows(wanted)) return RobotCommand::byTwist(wanted);
+    const Twist slide = alongEdge(wanted, 0.2);
+    if (allows(slide)) return RobotCommand::byTwist(slide);
+    if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
+    return straight(0.0);
+  }
+};
+
+/// Whether an opponent from outside comes at the robot or past it toward our goal: it would push it in.
+bool isPressed(const Picture& picture, const RobotState& robot) {
+  constexpr double kNear = 0.30, kBeside = 0.05, kComes = 0.2;  // [m], [m], [m/s]
+  const Vec2 goal = picture.pitch.ownGoal();
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!picture.opponentPresent(i)) continue;
+    const RobotState& other = picture.opponent(i);
+    const Vec2 rel = robot.pose.position - other.pose.position;
+    if (squaredNorm(rel) > kNear * kNear) continue;
+    const Vec2 home = unitOr(goal - other.pose.position, {});
+    if (dot(rel, home) < -kBeside) continue;
+    if (dot(other.velocity, unitOr(rel, {})) > kComes) return true;
+    if (dot(other.velocity, home) > kComes) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+RobotCommand keptOut(const Picture& picture, int robot, Closed closed, Twist wanted) {
+  const RobotState& self = picture.own(robot);
+  const double x = self.pose.position.x;
+  if (closed.own && x < 0.0) {
+    const double more = isPressed(picture, self) ? kPressedMargin : 0.0;
+    return Bound{picture.pitch, self, kOwnMargin + more}.kept(wanted);
+  }
+  if (closed.theirs && x > 0.0) {
+    return Bound{picture.pitch, inTeamFrame(Side::kRight, self), kTheirMargin + picture.pitch.robot_corner}
+        .kept(wanted);
+  }
+  return RobotCommand::byTwist(wanted);
+}
+
+}  // namespace fulbito::libero

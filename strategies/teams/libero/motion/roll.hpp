@@ -1,0 +1,83 @@
+// Private header of strategies: not installed.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math/math.hpp"
+#include "strategies/teams/libero/situation/pitch.hpp"
+
+namespace fulbito::libero {
+
+inline constexpr double kTick = 1.0 / 60.0;  ///< [s]
+inline constexpr int kHorizon = 16;          ///< [ticks] in which a robot comes to rest from any speed
+inline constexpr double kStands = 1e-9;      ///< [m/s] below which wheels that brake stand
+inline constexpr double kGrip = 5.5;         ///< [m/s^2] at which a robot that slides across comes to rest
+
+/// [m] that a robot of `speed` [m/s], after a tick of whatever it is told, goes at most before it rests.
+inline double mostWay(const Pitch& pitch, double speed) {
+  const double then = speed + pitch.acceleration * kTick;
+  return then * (2 * kTick + then / (2 * kGrip));
+}
+
+/// Unit vector at a small `angle` [rad]: to 1e-7 up to 0.26, half of what a robot turns in a tick at most.
+inline Vec2 smallTurn(double angle) {
+  const double square = angle * angle;
+  return {1.0 - square / 2 * (1.0 - square / 12 * (1.0 - square / 30)),
+          angle * (1.0 - square / 6 * (1.0 - square / 20))};
+}
+
+/// A robot rolled forward: what can come of a command, tick by tick.
+struct Roll {
+  const Pitch& pitch;
+  Vec2 place;
+  Vec2 face;             ///< unit vector of its heading
+  double forward = 0.0;  ///< [m/s]
+  double across = 0.0;   ///< [m/s] to the left: the slide of a robot that is pushed
+  double yaw = 0.0;      ///< [m/s] of a wheel, from turning
+
+  Roll(const Pitch& on, const RobotState& robot)
+      : pitch(on),
+        place(robot.pose.position),
+        face(math::unit(robot.pose.heading)),
+        yaw(robot.angular_velocity * on.half_track) {
+    const Vec2 local = intoFrame(face, robot.velocity);
+    forward = local.x;
+    across = local.y;
+  }
+
+  bool rests() const { return forward == 0.0 && yaw == 0.0 && across == 0.0; }
+
+  /// As a twist is carried out: what the wheels can gain goes to turning first.
+  void drive(Twist wanted) {
+    const double before = forward, yaw_before = yaw, most = pitch.acceleration * kTick;
+    const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most, most);
+    const double rest = most - std::abs(turn);
+    yaw = std::clamp(yaw + turn, -pitch.speed, pitch.speed);
+    const double room = pitch.speed - std::abs(yaw);
+    forward = std::clamp(forward + std::clamp(wanted.linear - forward, -rest, rest), -room, room);
+    move((before + forward) / 2, (yaw_before + yaw) / 2);
+  }
+
+  /// Both wheels told to stand.
+  void brake() {
+    const double before = forward, yaw_before = yaw;
+    const RimSpeeds rims{forward - yaw, forward + yaw};
+    const RimSpeeds most{pitch.motors.limit(), pitch.motors.limit()};
+    const RimSpeeds change = pitch.motors.change(rims, {}, pitch.motors.pulls(rims, {}, most));
+    forward += (change.left + change.right) / 2;
+    yaw += (change.right - change.left) / 2;
+    if (std::abs(forward) + std::abs(yaw) < kStands) forward = yaw = 0.0;
+    move((before + forward) / 2, (yaw_before + yaw) / 2);
+  }
+
+  void move(double speed, double turning) {
+    across -= std::clamp(across, -kGrip * kTick, kGrip * kTick);
+    const Vec2 half = smallTurn(turning / pitch.half_track * (kTick / 2));
+    const Vec2 middle = outOfFrame(face, half);
+    place += outOfFrame(middle, {speed, across}) * kTick;
+    face = outOfFrame(middle, half);
+  }
+};
+
+}  // namespace fulbito::libero

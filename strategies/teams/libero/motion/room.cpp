@@ -1,0 +1,183 @@
+#include "strategies/teams/libero/motion/room.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math/math.hpp"
+#include "strategies/teams/libero/motion/motion.hpp"
+#include "strategies/teams/libero/motion/roll.hpp"
+#include "strategies/teams/libero/situation/areas.hpp"
+
+namespace fulbito::libero {
+namespace {
+
+constexpr double kTouch = 0.005;  // [m] between bodies that are taken to touch, as pictures go
+constexpr double kRoom = 0.006;   // [m] kept to a keeper
+constexpr double kNear = 0.40;    // [m] beyond which nobody comes within the horizon
+
+/// Half the extent of a square of half size `half` along the other's sides, where `a` and `b` point along a
+/// side of either: alike for all four.
+double reach(double half, Vec2 a, Vec2 b) { return half * (std::abs(dot(a, b)) + std::abs(cross(a, b))); }
+
+/// [m] between two squares along the axis on which they are farthest apart; negative where they overlap.
+double gapOf(double half, Vec2 between, Vec2 a, Vec2 b) {
+  const double farthest = std::max({std::abs(dot(between, a)), std::abs(cross(between, a)),
+                                    std::abs(dot(between, b)), std::abs(cross(between, b))});
+  return farthest - half - reach(half, a, b);
+}
+
+/// A keeper as seen from one robot.
+struct Keeper {
+  const Pitch& pitch;
+  const RobotState& self;
+  const RobotState& keeper;
+  Roll start{pitch, self};
+  Vec2 faced = math::unit(keeper.pose.heading);
+
+  double gap() const { return gapAfter(start, 0); }
+  /// After that many ticks, in which the keeper goes on as it does.
+  double gapAfter(const Roll& roll, int ticks) const {
+    const Vec2 there = keeper.pose.position + keeper.velocity * (ticks * kTick);
+    return gapOf(pitch.robot_half, there - roll.place, roll.face, faced);
+  }
+
+  /// Whether the robot could still stop before the keeper after a tick of it.
+  bool allows(Twist twist) const {
+    Roll roll = start;
+    roll.drive(twist);
+    double least = gapAfter(roll, 1);
+    for (int i = 2; i < kHorizon && !roll.rests(); ++i) {
+      roll.brake();
+      least = std::min(least, gapAfter(roll, i));
+    }
+    return least >= kRoom;
+  }
+
+  /// [m] to the keeper, summed over some ticks of a twist, walls in the way: the sooner it leaves the better.
+  /// Where it is off, farther counts no more: an arc that ends farther away rubs along the keeper longer.
+  double gapsBy(Twist twist) const {
+    constexpr double kOff = 0.02;  // [m]
+    constexpr int kAhead = 15;     // [ticks] in which a robot that stood is past the keeper's body
+    Roll roll = start;
+    double sum = 0.0;
+    for (int i = 1; i <= kAhead; ++i) {
+      roll.drive(twist);
+      roll.place = walled(roll.place, roll.face);
+      sum += std::min(kOff, gapAfter(roll, i));
+    }
+    return sum;
+  }
+
+  /// `p` where a body that faces so fits, in their goal too: who turns at a wall comes off it, perhaps into
+  /// the keeper.
+  Vec2 walled(Vec2 p, Vec2 face) const {
+    const double half = reach(pitch.robot_half, face, {1.0, 0.0});
+    const double post = pitch.goal_half - half;
+    const bool in_mouth =
+        p.x > pitch.half_length - half && std::abs(p.y) < pitch.goal_half - pitch.robot_half + kRoom;
+    return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : pitch.inside(p, half);
+  }
+
+  /// Whatever brings the robot off the keeper best: with either end, turning or not.
+  RobotCommand away() const {
+    const Vec2 off = self.pose.position - keeper.pose.position;
+    const double v = pitch.speed;
+    Twist best;
+    double most = -1e9;
+    for (const Twist twist : {Twist{v, 0.0}, Twist{-v, 0.0}, alongHeading(pitch, self, math::angleOf(off), v),
+                              alongHeading(pitch, self, math::angleOf(perp(off)), v),
+                              alongHeading(pitch, self, math::angleOf(-perp(off)), v), Twist{}}) {
+      const double gaps = gapsBy(twist);
+      if (gaps > most) most = gaps, best = twist;
+    }
+    if (best.angular != 0.0) return RobotCommand::byTwist(best);
+    // As wheel speeds: a twist would first take out what the robot turns.
+    return RobotCommand::byWheels({best.linear / pitch.wheel_radius, best.linear / pitch.wheel_radius});
+  }
+
+  /// What of all that can be done comes nearest to what is wanted.
+  RobotCommand kept(Twist wanted) const {
+    const Vec2 off = unitOr(self.pose.position - keeper.pose.position, {-1.0, 0.0});
+    const Vec2 going = start.face * wanted.linear;
+    const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
+    const Twist slide = alongHeading(pitch, self, math::angleOf(perp(off) * hand + off * 0.3), pitch.speed);
+    if (allows(slide)) return RobotCommand::byTwist(slide);
+    if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
+    return away();
+  }
+};
+
+/// Whether the opponent is in their area or about to come in: whoever is longest in it keeps.
+bool keeps(const Picture& picture, int opponent) {
+  constexpr double kSoon = 0.2;  // [s] about the time to stop or to turn off
+  if (!picture.opponentPresent(opponent)) return false;
+  const RobotState& other = picture.opponent(opponent);
+  return inTheirArea(picture.pitch, other.pose.position) ||
+         inTheirArea(picture.pitch, other.pose.position + other.velocity * kSoon);
+}
+
+/// Whether the two cannot come near each other before the robot rests, however they turn.
+bool isFar(const Pitch& pitch, const RobotState& self, const RobotState& keeper) {
+  const double ways = mostWay(pitch, norm(self.velocity)) + norm(keeper.velocity) * (kHorizon * kTick);
+  const double apart = ways + 2.0 * (pitch.robot_corner + kRoom);
+  return squaredNorm(keeper.pose.position - self.pose.position) > std::min(kNear * kNear, apart * apart);
+}
+
+/// Whether the ball lies between the two: who meets a keeper there meets it at the ball.
+bool ballBetween(const Picture& picture, const RobotState& self, const RobotState& keeper) {
+  const Vec2 way = keeper.pose.position - self.pose.position;
+  const Vec2 ball = intoFrame(unitOr(way, {1.0, 0.0}), picture.seen.ball.position - self.pose.position);
+  return ball.x > 0.0 && ball.x < norm(way) && std::abs(ball.y) < picture.pitch.ball_radius;
+}
+
+}  // namespace
+
+bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball) {
+  const Vec2 way = ball - robot.pose.position;
+  const double farthest = pitch.robot_corner + pitch.ball_radius + kTouch;
+  if (squaredNorm(way) > farthest * farthest) return false;
+  const Vec2 local = intoFrame(math::unit(robot.pose.heading), way);
+  const Vec2 outside{std::max(0.0, std::abs(local.x) - pitch.robot_half),
+                     std::max(0.0, std::abs(local.y) - pitch.robot_half)};
+  return norm(outside) < pitch.ball_radius + kTouch;
+}
+
+std::optional<Twist> roundKeeper(const Picture& picture, int robot, Vec2 target) {
+  if (picture.disputes(robot)) return std::nullopt;
+  const Pitch& pitch = picture.pitch;
+  const RobotState& self = picture.own(robot);
+  const Vec2 from = self.pose.position;
+  const double length = distance(from, target);
+  const Vec2 way = unitOr(target - from, {1.0, 0.0});
+  // Room for both bodies however they turn.
+  const double clear = 2.0 * pitch.robot_corner + kRoom;
+  double nearest = std::min(length, kNear);
+  std::optional<Vec2> turned;
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!keeps(picture, i)) continue;
+    const Vec2 rel = intoFrame(way, picture.opponent(i).pose.position - from);
+    if (rel.x < 0.0 || rel.x > nearest || std::abs(rel.y) > clear) continue;
+    nearest = rel.x;
+    const double pass = rel.y > 0.0 ? rel.y - clear : rel.y + clear;
+    turned = outOfFrame(way, {std::max(rel.x, kRoom), pass});
+  }
+  if (!turned) return std::nullopt;
+  return alongHeading(pitch, self, math::angleOf(*turned), pitch.speed);
+}
+
+std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted) {
+  if (picture.disputes(robot)) return std::nullopt;
+  const RobotState& self = picture.own(robot);
+  for (int i = 0; i < picture.seen.team_size; ++i) {
+    if (!keeps(picture, i)) continue;
+    const RobotState& other = picture.opponent(i);
+    if (isFar(picture.pitch, self, other)) continue;
+    if (ballBetween(picture, self, other)) continue;
+    const Keeper keeper{picture.pitch, self, other};
+    if (keeper.gap() < kTouch) return keeper.away();
+    if (!keeper.allows(wanted)) return keeper.kept(wanted);
+  }
+  return std::nullopt;
+}
+
+}  // namespace fulbito::libero

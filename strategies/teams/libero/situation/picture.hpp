@@ -1,0 +1,37 @@
+// Private header of strategies: not installed.
+#pragma once
+
+#include <array>
+
+#include "strategies/teams/libero/situation/ball.hpp"
+#include "strategies/teams/libero/situation/pitch.hpp"
+#include "strategies/teams/libero/situation/settings.hpp"
+
+namespace fulbito::libero {
+
+/// All that the skills look at in one tick.
+struct Picture {
+  const Observation& seen;
+  const Pitch& pitch;
+  const Settings& settings;
+  const BallForecast& ball;
+  double stuck = 0.0;  ///< [s] for which the ball has not left a circle of 10 cm: referees count so
+  /// [s] for which each of ours still counts as one that disputes the ball; 0: it has not touched it lately.
+  std::array<double, kMaxTeamSize> dispute_left{};
+
+  const RobotState& own(int i) const { return seen.own[static_cast<std::size_t>(i)].state; }
+  bool ownPresent(int i) const { return seen.own[static_cast<std::size_t>(i)].present; }
+  const RobotState& opponent(int i) const { return seen.opponents[static_cast<std::size_t>(i)].state; }
+  bool opponentPresent(int i) const { return seen.opponents[static_cast<std::size_t>(i)].present; }
+  bool disputes(int i) const { return dispute_left[static_cast<std::size_t>(i)] > 0.0; }
+  /// How many opponents' centres are within `radius` [m] of a place.
+  int opponentsNear(Vec2 place, double radius) const {
+    int near = 0;
+    for (int i = 0; i < seen.team_size; ++i) {
+      if (opponentPresent(i) && squaredNorm(opponent(i).pose.position - place) < radius * radius) ++near;
+    }
+    return near;
+  }
+};
+
+}  // namespace fulbito::libero

@@ -1,0 +1,361 @@
+#include "tests/structure/arrows.hpp"
+
+#include <algorithm>
+
+namespace fulbito::test {
+namespace {
+
+const std::vector<Library> kLibraries = {
+    {"fulbito::core",
+     "engine/core",
+     "values, field, mathematics, random streams, hash, configuration files",
+     {"Random123", "fmt", "tl", "toml++", "xxhash.h"}},
+    {"fulbito::sim", "engine/sim", "the world: bodies, motors, ball, contacts", {"box2d", "fmt"}},
+    {"fulbito::navigation",
+     "navigation",
+     "navigators, followers, limiter, and the pilot that joins them",
+     {"fmt"}},
+    {"fulbito::strategies",
+     "strategies",
+     "teams, the skills that they are built from, a team's navigation stage",
+     {"fmt"}},
+    {"fulbito::referee",
+     "referee",
+     "the rules of a match as data, one file per call, restarts; scoring of trials",
+     {"fmt"}},
+    {"fulbito::replays",
+     "replays",
+     "recordings: the file, its writer and reader",
+     {"fmt", "nlohmann", "xxhash.h", "zstd.h"}},
+    {"fulbito::verify",
+     "replays/verify",
+     "what steps a recording again or rewrites it: verify, compare, cut, expand, repair",
+     {"fmt"}},
+    {"fulbito::render",
+     "replays/render",
+     "pictures of matches and trials, charts",
+     {"SDL.h", "SDL2", "SDL2_gfxPrimitives.h", "SDL_ttf.h", "fmt", "libdeflate.h", "png.h"}},
+    {"fulbito::export",
+     "replays/export",
+     "films, GIFs and tables of recordings; ffmpeg as a child process",
+     {"cgif.h", "fmt", "nlohmann"}},
+    {"fulbito::html",
+     "replays/html",
+     "the HTML viewer: its page, and recordings and races as its data",
+     {"fmt", "libdeflate.h", "nlohmann"}},
+    {"fulbito::match",
+     "match",
+     "the tick loop, what teams see, series, drills, statistics, summaries, recorder",
+     {"fmt", "nlohmann"}},
+    {"fulbito::experiments", "experiments", "suites, trials, comparison, reports", {"fmt", "nlohmann"}},
+    {"fulbito::view",
+     "apps/view",
+     "the window: player, live match, editor; SDL2 in one file",
+     {"SDL.h", "fmt"}},
+    {"fulbito_bench",
+     "bench",
+     "the engine next to a bare Box2D loop; part of the program, not installed",
+     {"box2d", "fmt"}},
+    {"navigation_surveys",
+     "bench/surveys",
+     "tables for who chooses or tunes a navigator; they assert nothing",
+     {"fmt"}},
+    {"fulbito", "apps", "the command line", {"CLI", "fmt", "nlohmann"}},
+    {"", "tests/support", "what tests and surveys share", {"fmt", "nlohmann"}},
+};
+
+const std::vector<Folder> kFolders = {
+    {"engine/core/base", "values that all share: vectors, states, teams, results, hash", {}},
+    {"engine/core/math",
+     "elementary functions with proven bounds, random streams (RNG), statistics",
+     {"engine/core/base"}},
+    {"engine/core/system", "files, signals, threads, texts of errors", {"engine/core/base"}},
+    {"engine/core/models",
+     "what is simulated, as numbers: ball, robot, field, layout, physics profile",
+     {"engine/core/base", "engine/core/math"}},
+    {"engine/core/config",
+     "configuration files: schema, reading, checking, presets",
+     {"engine/core/base", "engine/core/math", "engine/core/system", "engine/core/models"}},
+    {"engine/sim",
+     "the world and its parts: `ball_motion` (friction and spin), drive, contacts, walls",
+     {"engine/core/base", "engine/core/math", "engine/core/models"}},
+    {"navigation/geometry",
+     "circles, polylines, splines, walls",
+     {"engine/core/base", "engine/core/math", "engine/core/models"}},
+    {"navigation/interface",
+     "what a navigator or follower implements, gets and gives",
+     {"engine/core/base", "engine/core/models", "engine/core/config"}},
+    {"navigation/obstacles",
+     "obstacles as a method sees them: forecasts, clusters, sectors",
+     {"engine/core/math", "navigation/geometry", "navigation/interface"}},
+    {"navigation/followers",
+     "from guidance to wheel speeds: followers, limiter, speed profile",
+     {"engine/core/math", "engine/core/models", "navigation/geometry", "navigation/interface",
+      "navigation/obstacles"}},
+    {"navigation/methods/fields",
+     "heading fields: limit cycle, univector, tangent field",
+     {"engine/core/math", "navigation/geometry", "navigation/interface", "navigation/obstacles"}},
+    {"navigation/methods/paths",
+     "tangent graph, Bezier and Hermite paths",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "navigation/geometry",
+      "navigation/interface", "navigation/obstacles", "navigation/followers"}},
+    {"navigation/methods/reactive",
+     "dynamic window, nearness diagram",
+     {"engine/core/math", "navigation/interface", "navigation/obstacles", "navigation/followers"}},
+    {"navigation/methods/bspline",
+     "B-splines optimised for time",
+     {"engine/core/math", "navigation/geometry", "navigation/interface", "navigation/obstacles",
+      "navigation/followers", "navigation/methods/paths"}},
+    {"navigation",
+     "the table of navigators, the pilot, strokes that show guidance",
+     {"engine/core/math", "engine/core/config", "navigation/interface", "navigation/followers",
+      "navigation/methods/fields", "navigation/methods/paths", "navigation/methods/reactive",
+      "navigation/methods/bspline"}},
+    {"strategies/interface",
+     "what a team implements, gets and gives",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "navigation/interface", "navigation"}},
+    {"strategies/prediction",
+     "where the ball will be, and who reaches it when",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "strategies/interface"}},
+    {"strategies/skills",
+     "skills that teams share",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "strategies/interface",
+      "strategies/prediction"}},
+    {"strategies/teams/libero/situation",
+     "what libero sees of the game",
+     {"engine/core/math", "engine/core/models", "strategies/interface", "strategies/prediction"}},
+    {"strategies/teams/classic",
+     "the textbook team",
+     {"engine/core/math", "strategies/interface", "strategies/prediction", "strategies/skills"}},
+    {"strategies/teams/libero/motion",
+     "how its robots get somewhere without a foul",
+     {"engine/core/math", "strategies/interface", "strategies/teams/libero/situation"}},
+    {"strategies/teams/simple",
+     "idle, random and chaser",
+     {"engine/core/math", "strategies/interface", "strategies/skills"}},
+    {"strategies/teams/libero/attack",
+     "striker and support",
+     {"engine/core/math", "strategies/teams/libero/situation", "strategies/teams/libero/motion"}},
+    {"strategies/teams/libero/defence",
+     "keeper",
+     {"engine/core/math", "strategies/teams/libero/situation", "strategies/teams/libero/motion",
+      "strategies/teams/libero/attack"}},
+    {"strategies/teams/libero",
+     "the flagship: roles, restarts, exercises of drills, drawings",
+     {"engine/core/math", "strategies/interface", "strategies/prediction",
+      "strategies/teams/libero/situation", "strategies/teams/libero/motion", "strategies/teams/libero/attack",
+      "strategies/teams/libero/defence"}},
+    {"strategies",
+     "the table of teams; the stage that drives a team's robots to their places",
+     {"engine/core/math", "engine/core/config", "navigation/followers", "navigation", "strategies/interface",
+      "strategies/prediction", "strategies/teams/classic", "strategies/teams/simple",
+      "strategies/teams/libero"}},
+    {"referee/rules",
+     "rules as data, their file format and checks",
+     {"engine/core/base", "engine/core/system", "engine/core/models", "engine/core/config"}},
+    {"referee/trial",
+     "the scoring of navigation trials",
+     {"engine/core/base", "engine/core/math", "engine/core/models"}},
+    {"referee/state",
+     "what the referee sees, keeps and says",
+     {"engine/core/base", "engine/core/models", "referee/rules"}},
+    {"referee/geometry",
+     "areas of the field, gaps to the ball",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "referee/rules", "referee/state"}},
+    {"referee/calls",
+     "one file per call: `goal`, `stuck_ball`, fouls",
+     {"engine/core/base", "referee/rules", "referee/state", "referee/geometry"}},
+    {"referee/restarts",
+     "where ball and robots stand when play goes on",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "engine/core/config", "referee/rules",
+      "referee/state", "referee/geometry"}},
+    {"referee/match",
+     "the match referee, false start, shoot-out",
+     {"engine/core/math", "referee/state", "referee/geometry", "referee/calls", "referee/restarts"}},
+    {"replays/coding", "bytes, columns, compression, range coder", {}},
+    {"replays/recording", "a recording as values, words for calls", {"engine/core/base", "engine/core/math"}},
+    {"replays/header",
+     "the header of a recording: its JSON, and what fills it",
+     {"engine/core/base", "engine/core/models", "replays/coding", "replays/recording"}},
+    {"replays/chunks",
+     "blocks and chunks of samples and commands",
+     {"replays/coding", "replays/recording", "replays/header"}},
+    {"replays",
+     "reader, writer and salvage of recordings, the timeline",
+     {"engine/core/base", "engine/core/math", "engine/core/system", "replays/recording", "replays/header",
+      "replays/chunks"}},
+    {"replays/verify",
+     "what steps a recording again or rewrites it",
+     {"engine/core/base", "engine/core/math", "engine/core/system", "engine/core/config", "engine/sim",
+      "referee/rules", "referee/match", "replays"}},
+    {"replays/render/canvas", "pixels, text, axes, PNG files", {"engine/core/base", "engine/core/system"}},
+    {"replays/render/colours",
+     "colours of robots, field, series and heat",
+     {"engine/core/base", "engine/core/math", "replays/render/canvas"}},
+    {"replays/render/field",
+     "field pictures of trials, charts, maps",
+     {"engine/core/math", "engine/core/models", "replays/render/canvas", "replays/render/colours"}},
+    {"replays/render/match",
+     "pictures of matches, also as SVG",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "engine/core/config", "replays/recording",
+      "replays", "replays/render/canvas", "replays/render/colours", "replays/render/field"}},
+    {"replays/export",
+     "films, GIFs, tables",
+     {"engine/core/base", "engine/core/system", "replays", "replays/render/canvas", "replays/render/match"}},
+    {"replays/html",
+     "the HTML viewer's page and data",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "engine/core/config", "replays/coding",
+      "replays/recording", "replays"}},
+    {"match/config",
+     "what a match is asked for, and its checks",
+     {"engine/core/base", "engine/core/system", "engine/core/models", "engine/core/config", "strategies",
+      "referee/rules", "referee/state"}},
+    {"match/seats",
+     "a team's seat: what it sees (`--noise`), what it may command",
+     {"engine/core/base", "engine/core/math", "strategies/interface", "strategies", "referee/state",
+      "referee/match", "match/config"}},
+    {"match/play",
+     "the tick loop, restarts, edits while it runs",
+     {"engine/core/base", "engine/core/math", "engine/sim", "strategies/interface", "referee/geometry",
+      "referee/restarts", "referee/match", "match/config", "match/seats"}},
+    {"match/series",
+     "matches in pairs and their results",
+     {"engine/core/math", "engine/core/system", "referee/rules", "match/config", "match/play"}},
+    {"match/report",
+     "statistics, summary and its JSON, event lines",
+     {"engine/core/base", "match/config", "match/play", "match/series"}},
+    {"match/drills",
+     "drills: how they start, run and are judged; `definitions` has their files",
+     {"engine/core/base", "engine/core/math", "engine/core/system", "engine/core/config", "engine/sim",
+      "strategies/interface", "referee/rules", "referee/restarts", "match/config", "match/play",
+      "match/report"}},
+    {"match/record",
+     "from a match to a recording",
+     {"engine/core/config", "strategies/interface", "referee/state", "replays/recording", "replays/header",
+      "replays", "match/play", "match/report"}},
+    {"experiments/trials",
+     "one trial: suites of layouts, what the robot senses (`--noise`), the tick loop",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "engine/core/config", "engine/sim",
+      "navigation/methods/paths", "navigation", "referee/trial", "replays/header", "replays"}},
+    {"experiments/comparison",
+     "many trials: plan, summary, tuner",
+     {"engine/core/math", "engine/core/system", "experiments/trials"}},
+    {"experiments/map",
+     "the map of a method's parameters",
+     {"engine/core/base", "engine/core/config", "replays/render/field", "experiments/comparison"}},
+    {"experiments/report",
+     "tables, JSON, pictures and races of a comparison",
+     {"engine/core/base", "replays/render/field", "replays/html", "experiments/trials",
+      "experiments/comparison"}},
+    {"apps/view",
+     "the window of matches and replays",
+     {"engine/core/math", "replays/recording", "replays/render/canvas", "replays/render/match", "match/play",
+      "match/record"}},
+    {"bench",
+     "benchmark, its scenes, the bare loop",
+     {"engine/core/base", "engine/core/math", "engine/core/system", "engine/sim"}},
+    {"bench/surveys",
+     "surveys and tuners of navigators",
+     {"engine/core/math", "navigation/methods/paths", "navigation", "tests/support"}},
+    {"apps/common",
+     "what commands share: options, console, progress, names of outputs",
+     {"engine/core/base", "engine/core/system", "experiments/map"}},
+    {"apps/info",
+     "list, show, version, bench",
+     {"engine/core/base", "engine/core/config", "strategies", "referee/rules", "experiments/trials",
+      "experiments/comparison", "experiments/report", "bench", "apps/common"}},
+    {"apps/match",
+     "match, drill, rules, view",
+     {"engine/core/base", "engine/core/system", "engine/core/config", "referee/rules", "referee/restarts",
+      "replays/verify", "match/config", "match/play", "match/report", "match/drills", "match/record",
+      "apps/view", "apps/common"}},
+    {"apps/navigation",
+     "run and compare",
+     {"engine/core/system", "experiments/trials", "experiments/comparison", "experiments/report",
+      "apps/common"}},
+    {"apps/replay",
+     "replay and its sub-commands",
+     {"engine/core/base", "engine/core/system", "engine/core/config", "referee/rules", "replays/recording",
+      "replays", "replays/verify", "replays/render/match", "replays/export", "replays/html", "match/record",
+      "apps/common"}},
+    {"apps", "main", {"engine/core/base", "engine/core/config", "apps/common", "apps/match", "apps/replay"}},
+    {"tests/support",
+     "what tests and surveys share",
+     {"engine/core/base", "engine/core/math", "engine/core/models", "engine/core/config", "engine/sim",
+      "navigation/interface", "navigation/methods/paths", "navigation", "strategies", "replays", "match/play",
+      "match/record"}},
+};
+
+bool isIn(std::string_view path, std::string_view folder) {
+  return path == folder || (path.starts_with(folder) && path[folder.size()] == '/');
+}
+
+std::string code(std::string_view text) { return "`" + std::string(text) + "`"; }
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text.empty() ? "–" : text;
+}
+
+/// A folder's name in the row of another of the same library.
+std::string_view shortName(std::string_view folder, const Library& library) {
+  return folder == library.folder ? folder : folder.substr(library.folder.size() + 1);
+}
+
+bool uses(const Library& library, const Library& other) {
+  return std::any_of(kFolders.begin(), kFolders.end(), [&](const Folder& folder) {
+    return libraryOf(folder.path) == &library &&
+           std::any_of(folder.uses.begin(), folder.uses.end(),
+                       [&](std::string_view used) { return libraryOf(used) == &other; });
+  });
+}
+
+std::string row(const Library& library) {
+  std::vector<std::string> used;
+  for (const Library& other : kLibraries) {
+    if (&other != &library && uses(library, other)) used.push_back(code(other.folder));
+  }
+  return "| " + (library.target.empty() ? "–" : code(library.target)) + " | " + code(library.folder) + " | " +
+         std::string(library.what) + " | " + joined(used) + " | " +
+         joined({library.others.begin(), library.others.end()}) + " |\n";
+}
+
+std::string row(const Folder& folder) {
+  const Library& library = *libraryOf(folder.path);
+  std::vector<std::string> own, others;
+  for (std::string_view name : folder.uses) {
+    const bool is_own = libraryOf(name) == &library;
+    (is_own ? own : others).push_back(code(is_own ? shortName(name, library) : name));
+  }
+  return "| " + code(folder.path) + " | " + std::string(folder.what) + " | " + joined(own) + " | " +
+         joined(others) + " |\n";
+}
+
+}  // namespace
+
+std::span<const Library> libraries() { return kLibraries; }
+
+std::span<const Folder> folders() { return kFolders; }
+
+const Library* libraryOf(std::string_view folder) {
+  const Library* innermost = nullptr;
+  for (const Library& library : kLibraries) {
+    if (!isIn(folder, library.folder)) continue;
+    if (innermost == nullptr || library.folder.size() > innermost->folder.size()) innermost = &library;
+  }
+  return innermost;
+}
+
+std::string arrowTables() {
+  std::string text =
+      "| target | folder | what | uses | third-party headers, in sources only |\n|---|---|---|---|---|\n";
+  for (const Library& library : kLibraries) text += row(library);
+  text +=
+      "\nAll folders with sources:\n\n"
+      "| folder | what | uses of its library | uses of others |\n|---|---|---|---|\n";
+  for (const Folder& folder : kFolders) text += row(folder);
+  return text;
+}
+
+}  // namespace fulbito::test

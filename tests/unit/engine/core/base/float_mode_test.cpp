@@ -1,0 +1,36 @@
+#include "engine/core/base/float_mode.hpp"
+
+#include <limits>
+
+#include "tests/support/catch.hpp"
+
+using namespace fulbito;
+
+namespace {
+
+// FTZ and DAZ: results and operands below 2.2e-308 count as 0.
+constexpr unsigned kFlush = 0x8040;
+constexpr unsigned kUpward = 0x4000;
+
+bool keepsSmallNumbers() {
+  volatile double smallest = std::numeric_limits<double>::min();
+  volatile double half = smallest / 2;
+  return half > 0.0;
+}
+
+}  // namespace
+
+TEST_CASE("whatever mode a thread is in, numbers are handled the same way, and the thread gets its mode back",
+          "[unit]") {
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | kFlush | kUpward);
+  CHECK_FALSE(keepsSmallNumbers());
+  {
+    const FloatMode mode;
+    CHECK(keepsSmallNumbers());
+    volatile double one = 1.0, tiny = 1e-30;
+    CHECK(one + tiny == 1.0);
+  }
+  CHECK((_mm_getcsr() & (kFlush | kUpward)) == (kFlush | kUpward));
+  _mm_setcsr(before);
+}

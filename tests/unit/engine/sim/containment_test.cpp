@@ -1,0 +1,138 @@
+#include <cmath>
+#include <vector>
+
+#include "engine/core/math/random.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/outlines.hpp"
+#include "tests/support/worlds.hpp"
+
+using namespace fulbito;
+using namespace fulbito::test;
+
+namespace {
+
+// A body of inscribed radius r that touches a goal post may come this near to both walls of the corner.
+bool allInside(const World& world) {
+  const FieldGeometry& field = world.config().field;
+  for (const RobotState& robot : world.state().robots) {
+    if (!insideField(field, robot.pose.position, 0.0375 / std::sqrt(2.0) - 0.001)) return false;
+  }
+  for (const BallState& ball : world.state().balls) {
+    if (!insideField(field, ball.position, 0.0215 / std::sqrt(2.0) - 0.001)) return false;
+  }
+  return true;
+}
+
+enum class Target { kRobot, kTwoRobots, kRobotAtWall };
+
+// A ball shot along +x at resting robots around the origin, from anywhere behind, at any of their headings.
+WorldConfig shotAt(Target target, const RobotPreset& preset, const PhysicsProfile& physics, double speed,
+                   Rng& rng) {
+  WorldConfig config{wideField(), readEachStep(physics), {}, {}, {}};
+  const double half = preset.robot.width / 2;
+  double aside = rng.uniform(-0.045, 0.045);
+  if (target == Target::kRobot) {
+    config.robots.push_back({preset.robot, {{}, rng.uniform(-math::kPi, math::kPi)}, {}, 0.0});
+  } else if (target == Target::kTwoRobots) {
+    const double gap = rng.uniform(0.0, 0.035);
+    for (double side : {-1.0, 1.0}) {
+      config.robots.push_back({preset.robot, {{0.0, side * (half + gap / 2)}, 0.0}, {}, 0.0});
+    }
+    aside = rng.uniform(-0.02, 0.02);
+  } else {
+    config.field.width = 2.0;
+    config.robots.push_back({preset.robot, {{0.0, -1.0 + half}, 0.0}, {}, 0.0});
+    aside = -1.0 + preset.ball.radius + rng.uniform(0.0, 0.03);
+  }
+  const Vec2 velocity = math::unit(target == Target::kRobot ? 0.0 : rng.uniform(-0.03, 0.03)) * speed;
+  config.balls.push_back({preset.ball, {rng.uniform(-0.35, -0.15), aside}, velocity, velocity});
+  return config;
+}
+
+// Whether the ball's centre goes deep into a robot, between two steps too, and comes out in front.
+bool passesThrough(const WorldConfig& config, double speed) {
+  constexpr double kDeep = 0.022;  // [m] past the surface: the ball's centre is inside
+  World world = makeWorld(config);
+  Vec2 before = world.state().balls[0].position;
+  bool deep = false;
+  for (int step = 0; step < config.physics.control_rate / 4; ++step) {
+    run(world, {}, 1);
+    const Vec2 now = world.state().balls[0].position;
+    for (const RobotState& robot : world.state().robots) {
+      for (int k = 1; k <= 8; ++k) {
+        const Vec2 between = before + (now - before) * (k / 8.0);
+        deep |= depthOf(config.robots[0].model, robot.pose, between, config.balls[0].model.radius) > kDeep;
+      }
+    }
+    before = now;
+  }
+  return deep && before.x > 0.06 && world.state().balls[0].velocity.x > 0.3 * speed;
+}
+
+}  // namespace
+
+TEST_CASE("no ball passes through robots up to the profile's ball speed", "[unit]") {
+  const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
+  const auto preset = GENERATE(vsssPreset(), firasimPreset());
+  const auto target = GENERATE(Target::kRobot, Target::kTwoRobots, Target::kRobotAtWall);
+  CAPTURE(physics.name, preset.robot.name, static_cast<int>(target));
+  Rng rng(5, Stream::kTest);
+  int passed = 0;
+  for (const double share : {0.4, 0.6, 0.8, 1.0}) {
+    const double speed = share * physics.max_ball_speed;
+    for (int i = 0; i < 100; ++i) {
+      passed += passesThrough(shotAt(target, preset, physics, speed, rng), speed) ? 1 : 0;
+    }
+  }
+  CHECK(passed == 0);
+}
+
+TEST_CASE("no ball passes through a wall up to the profile's ball speed", "[unit]") {
+  const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
+  CAPTURE(physics.name);
+  Rng rng(7, Stream::kTest);
+  for (int i = 0; i < 300; ++i) {
+    const Vec2 velocity = math::unit(rng.uniform(-math::kPi, math::kPi)) * physics.max_ball_speed;
+    WorldConfig config{{}, physics, {}, {}, {}};
+    config.balls.push_back(
+        {vsssPreset().ball, {rng.uniform(-0.6, 0.6), rng.uniform(-0.5, 0.5)}, velocity, velocity});
+    World world = makeWorld(config);
+    for (int tick = 0; tick < 30; ++tick) {
+      run(world, {}, 1);
+      if (!allInside(world)) FAIL("shot " << i << " is outside at tick " << tick);
+    }
+  }
+}
+
+TEST_CASE("a million ticks of random driving leave everything inside the walls", "[unit]") {
+  const auto physics = GENERATE(fastPhysics(), standardPhysics());
+  CAPTURE(physics.name);
+  World world = makeWorld(matchConfig(vsssPreset(), physics, 3, {}));
+  Rng rng(1, Stream::kWheelCommands);
+  std::vector<WheelSpeeds> commands(6);
+  int outside = 0;
+  for (int tick = 0; tick < 500'000; ++tick) {
+    // One robot in each tick changes its mind, so that each holds its wheels long enough to go somewhere.
+    WheelSpeeds& wheels = commands[rng.below(6)];
+    wheels = {rng.uniform(-46.0, 46.0), rng.uniform(-46.0, 46.0)};
+    if (tick % 10'000 == 0) world = makeWorld(matchConfig(vsssPreset(), physics, 3, {}));
+    world.step(commands);
+    if (!allInside(world)) ++outside;
+  }
+  CHECK(outside == 0);
+}
+
+TEST_CASE("robots that all push the ball into walls and corners leave nothing outside", "[unit]") {
+  const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
+  CAPTURE(physics.name);
+  World world = makeWorld(matchConfig(vsssPreset(), physics, 3, {}));
+  std::vector<WheelSpeeds> commands(6);
+  int outside = 0;
+  for (int tick = 0; tick < 30'000; ++tick) {
+    const WorldState& state = world.state();
+    for (std::size_t i = 0; i < 6; ++i) commands[i] = chase(state.robots[i], state.balls[0].position);
+    world.step(commands);
+    if (!allInside(world)) ++outside;
+  }
+  CHECK(outside == 0);
+}

@@ -1,0 +1,209 @@
+#include "match/report/summary.hpp"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/catch.hpp"
+#include "tests/support/json_lines.hpp"
+
+namespace fulbito {
+namespace {
+
+using Json = nlohmann::json;
+
+MatchConfig chasers() {
+  MatchConfig config;
+  config.teams = {*parseTeam("chaser"), *parseTeam("chaser")};
+  config.rules.half_seconds = 20.0;
+  return config;
+}
+
+/// A match with all that watches it for a summary.
+struct Played {
+  StatisticsObserver statistics;
+  EventLog log;
+  std::string lines;
+  EventLines stream{[this](std::string_view line) { lines += line; }};
+  MatchReport report;
+
+  explicit Played(const MatchConfig& config, Tick at_most = 1000000) {
+    auto match = Match::create(config);
+    REQUIRE(match);
+    match->watch(statistics);
+    match->watch(log);
+    match->watch(stream);
+    while (match->tick() < at_most && match->step()) {
+    }
+    match->finish();
+    report = reportOf(*match, statistics, log);
+    report.wall = 0.5;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a match's JSON has the promised keys and the figures of the statistics", "[unit]") {
+  const Played played(chasers());
+  const Json json = Json::parse(matchJson(played.report));
+  for (const char* key : {"schema_version", "teams", "score", "events", "stats", "seed", "build",
+                          "final_hash", "simulated_s", "x_realtime"}) {
+    CHECK(json.contains(key));
+  }
+  CHECK(json["teams"]["blue"] == "chaser");
+  CHECK(json["score"]["complete"] == true);
+  CHECK(json["score"]["goals"].size() == played.report.statistics.goals.size());
+  CHECK(json["events"].size() == played.report.events.size());
+  CHECK(json["stats"]["blue"]["robots"].size() == 3);
+  CHECK(json["stats"]["blue"]["goals_after_foul"] == played.report.statistics.teams[0].goals_after_foul);
+  for (const auto& [clause, count] : json["stats"]["calls"].items()) CHECK(count["paid"].contains("yellow"));
+  CHECK(json["stats"]["play_s"].get<double>() == Approx(40.0));
+  CHECK(json["x_realtime"].get<double>() == Approx(json["simulated_s"].get<double>() / 0.5));
+  CHECK(json["stats"]["blue"]["possession_share"].get<double>() +
+            json["stats"]["yellow"]["possession_share"].get<double>() ==
+        Approx(1.0));
+}
+
+TEST_CASE("statistics agree with the referee", "[unit]") {
+  const Played played(chasers());
+  PerTeam<int> goals{};
+  for (const GoalRecord& goal : played.report.statistics.goals) ++goals[indexOf(goal.team)];
+  CHECK(goals == played.report.referee.score);
+  std::size_t restarts = 0;
+  for (const LoggedEvent& event : played.report.events) restarts += event.restart ? 1 : 0;
+  int counted = 0;
+  for (const PerTeam<int>& kind : played.report.statistics.restarts) counted += kind[0] + kind[1];
+  CHECK(counted == static_cast<int>(restarts));
+}
+
+TEST_CASE("a match that is broken off says so", "[unit]") {
+  const Played played(chasers(), 300);
+  CHECK(Json::parse(matchJson(played.report))["score"]["complete"] == false);
+  CHECK(matchText(played.report).find("broken off") != std::string::npos);
+  CHECK(test::jsonLines(played.lines).back()["complete"] == false);
+}
+
+TEST_CASE("the summary tells score, table, speed and hash; the profile when it was measured", "[unit]") {
+  Played played(chasers());
+  const std::string text = matchText(played.report);
+  for (const char* part :
+       {"chaser (blue) ", "possession", "shots (on goal)", "ball in own third", "distance run",
+        "contacts of opponents", "commands rejected", "goals within 5 s of own foul", "kick-offs",
+        "x real time", "final hash", "seed 1"}) {
+    INFO(part);
+    CHECK(text.find(part) != std::string::npos);
+  }
+  CHECK(text.find("physics  ") == std::string::npos);
+  played.report.profile = MatchProfile{1, 2, 3, 60, 5, 6, 23, 10};
+  CHECK(matchText(played.report).find("physics       60.0 %") != std::string::npos);
+  played.report.statistics.calls = {{"goal-kick.attackers", {4, 2}, 0, {3, 0}}};
+  const std::string paid = matchText(played.report);
+  CHECK(paid.find("4 (3 paid)             2\n") != std::string::npos);
+  CHECK(Json::parse(matchJson(played.report))["compute_profile"]["physics_ns"] == 60);
+}
+
+TEST_CASE("event lines: a header, the log's events, the end", "[unit]") {
+  const Played played(chasers());
+  const std::vector<Json> lines = test::jsonLines(played.lines);
+  REQUIRE(lines.size() == played.report.events.size() + 2);
+  CHECK(lines.front()["event"] == "match");
+  CHECK(lines.front()["schema_version"] == 1);
+  CHECK(lines[1]["event"] == "restart");
+  CHECK(lines[1]["kind"] == "kick-off");
+  CHECK(lines.back()["event"] == "end");
+  CHECK(lines.back()["complete"] == true);
+  const Json json = Json::parse(matchJson(played.report));
+  for (std::size_t i = 0; i < json["events"].size(); ++i) CHECK(json["events"][i] == lines[i + 1]);
+}
+
+TEST_CASE("the event log is bounded and counts what it leaves out", "[unit]") {
+  auto match = Match::create(chasers());
+  REQUIRE(match);
+  EventLog all, one(1);
+  match->watch(all);
+  match->watch(one);
+  while (match->step()) {
+  }
+  CHECK(one.events().size() == 1);
+  CHECK(one.leftOut() + 1 == all.events().size());
+}
+
+TEST_CASE("a series' report: rows of both legs, intervals, null where one pair gives none", "[unit]") {
+  SeriesReport report{{chasers(), 1, 1}, {}, 0.25};
+  report.config.match.rules.half_seconds = 10.0;
+  auto played = playSeries(report.config);
+  REQUIRE(played);
+  report.result = *played;
+  const Json json = Json::parse(seriesJson(report));
+  for (const char* key : {"points_share", "points_share_low", "points_share_high", "goal_difference",
+                          "goal_difference_low", "goal_difference_high", "wins", "draws", "losses", "pairs",
+                          "goals_after_foul_for", "goals_after_foul_against"}) {
+    CHECK(json.contains(key));
+  }
+  CHECK(json["points_share"] == 0.5);  // A against itself cancels
+  CHECK(json["goal_difference_low"].is_null());
+  REQUIRE(json["matches"].size() == 2);
+  CHECK(json["matches"][0]["goals_a"] == json["matches"][1]["goals_b"]);
+  CHECK(json["matches"][1]["blue"] == "b");
+  CHECK(json["matches"][0]["goals_after_foul_a"] == json["matches"][1]["goals_after_foul_b"]);
+  CHECK(seriesText(report).find("within 5 s of the scoring team's own foul") != std::string::npos);
+  CHECK(report.simulated() >= 40.0);
+  CHECK(seriesText(report).find("points share") != std::string::npos);
+}
+
+TEST_CASE("contacts of opponents stand in both columns, beside those of mates", "[unit]") {
+  Played played(chasers(), 10);
+  played.report.statistics.opponent_contacts = 83;
+  const std::string text = matchText(played.report);
+  const std::size_t mates = text.find("contacts of mates"), opponents = text.find("contacts of opponents");
+  const std::string row = text.substr(opponents, text.find('\n', opponents) - opponents);
+  CHECK(text.find('\n', mates) + 3 == opponents);
+  CHECK(row.find("83") != row.rfind("83"));
+}
+
+TEST_CASE("a speed has two digits at least, and is left out where it is not known", "[unit]") {
+  CHECK(paceText(8.3, 33.77) == "0.25 x real time");
+  CHECK(paceText(8.3, 1.0) == "8.3 x real time");
+  CHECK(paceText(99.6, 10.0) == "10 x real time");
+  CHECK(paceText(60.0, 0.01) == "6000 x real time");
+  CHECK(paceText(60.0, 0.0).empty());
+  Played played(chasers(), 10);
+  played.report.wall = 0.0;
+  CHECK(matchText(played.report).find("real time") == std::string::npos);
+}
+
+TEST_CASE("goals stand in the summary at the clock's time, cut to tenths", "[unit]") {
+  Played played(chasers(), 10);
+  played.report.statistics.goals = {
+      {417.95, 2, 117.95, TeamId::kBlue, RobotId{TeamId::kBlue, 1}, false, {1, 0}}};
+  CHECK(matchText(played.report).find("6:57.9  2nd half  1:57.9   1 : 0") != std::string::npos);
+}
+
+TEST_CASE("a series ends with a verdict by the interval of its points share", "[unit]") {
+  SeriesReport report{{chasers(), 1, 1}, {}, 0.5};
+  report.config.match.teams[0] = *parseTeam("libero");
+  report.result.pairs.resize(1);
+  const auto verdict = [&](double low, double high) {
+    report.result.points_share = {(low + high) / 2, low, high};
+    const Json better = Json::parse(seriesJson(report))["better"];
+    const std::string text = seriesText(report);
+    const std::size_t at = text.find("  verdict           ") + 20;
+    return text.substr(at, text.find('\n', at) - at) + " " + better.dump();
+  };
+  CHECK(verdict(0.51, 0.6) == "libero is better (95 %) \"a\"");
+  CHECK(verdict(0.4, 0.49) == "chaser is better (95 %) \"b\"");
+  CHECK(verdict(0.5, 0.7) == "no difference shown (95 %) null");
+  CHECK(verdict(0.3, 0.5) == "no difference shown (95 %) null");
+  report.result.pairs.clear();
+  CHECK(verdict(0.0, 1.0) == "no pair was finished null");
+}
+
+TEST_CASE("one win is not many", "[unit]") {
+  SeriesReport report{{chasers(), 1, 1}, {}, 0.5};
+  report.result.wins = 1;
+  report.result.draws = 2;
+  report.result.losses = 1;
+  CHECK(seriesText(report).find("1 win, 2 draws, 1 loss of chaser") != std::string::npos);
+}
+
+}  // namespace fulbito

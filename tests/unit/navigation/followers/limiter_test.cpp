@@ -1,0 +1,38 @@
+#include "navigation/followers/limiter.hpp"
+
+#include "navigation/registry.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/corner_layout.hpp"
+#include "tests/support/kinematic_trial.hpp"
+
+namespace fulbito {
+
+TEST_CASE("the limiter gives the yaw rate the acceleration budget first", "[unit]") {
+  RobotModel robot = test::paperRobot(2.6);
+  const double dt = 1.0 / 60.0;
+  const Twist limited = limitTwist(robot, {1.0, 0.0}, {2.6, 100.0}, dt);
+  // Mass and shape give turning more than the wheels' rims have straight on.
+  CHECK(limited.angular == Approx(robot.turnAcceleration() * dt));
+  CHECK(limited.angular > 2.0 * 5.0 * dt / 0.068);
+  CHECK(limited.linear == Approx(1.0));
+}
+
+TEST_CASE("the limiter keeps the yaw rate at wheel saturation and lowers the speed", "[unit]") {
+  RobotModel robot = test::paperRobot(1.0);
+  const Twist limited = limitTwist(robot, {1.0, 0.0}, {1.0, 2.0}, 1.0 / 60.0);
+  CHECK(limited.angular == Approx(2.0));
+  CHECK(limited.linear == Approx(1.0 - 2.0 * 0.034));
+}
+
+TEST_CASE("the straight reference reaches an empty field's goal in about the bound", "[unit]") {
+  auto pilot = makePilot(*parseNavigator("straight"));
+  REQUIRE(pilot);
+  const RobotModel robot = test::paperRobot(1.0);
+  NavigationGoal goal;
+  goal.position = {0.6, 0.0};
+  const auto result = test::kinematicTrial(**pilot, robot, {}, {{-0.6, 0.0}, 0.0}, goal, {});
+  CHECK(result.reached);
+  CHECK(result.time == Approx(1.17 / 1.0 + 1.0 / 10.0).epsilon(0.03));
+}
+
+}  // namespace fulbito

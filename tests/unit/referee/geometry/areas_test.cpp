@@ -1,0 +1,150 @@
+#include "referee/geometry/areas.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "engine/core/config/presets.hpp"
+#include "engine/core/math/math.hpp"
+#include "engine/core/math/random.hpp"
+#include "tests/support/catch.hpp"
+
+namespace fulbito {
+namespace {
+
+/// Share of the body in the area, by a grid of points: shares nothing with the exact count.
+double shareByGrid(const AreaShape& area, const AreaBody& body, int cells) {
+  int inside = 0;
+  for (int i = 0; i < cells; ++i) {
+    for (int j = 0; j < cells; ++j) {
+      const double u = (2.0 * (i + 0.5) / cells - 1.0) * body.half_length;
+      const double v = (2.0 * (j + 0.5) / cells - 1.0) * body.half_width;
+      if (contains(area, body.centre + outOfFrame(body.x_axis, {u, v}))) ++inside;
+    }
+  }
+  return static_cast<double>(inside) / (cells * cells);
+}
+
+AreaBody randomBody(Rng& rng) {
+  const double heading = rng.uniform(-math::kPi, math::kPi);
+  return {{rng.uniform(-0.1, 0.3), rng.uniform(-0.45, 0.45)},
+          math::unit(heading),
+          rng.uniform(0.02, 0.06),
+          rng.uniform(0.02, 0.06)};
+}
+
+}  // namespace
+
+TEST_CASE("the 3v3 goal area has the rule book's arc", "[unit]") {
+  const AreaShape area = goalAreaOf(FieldGeometry{});
+  CHECK(area.arc_radius == Approx(0.125));
+  CHECK(area.arc_centre == Approx(0.075));
+  CHECK(area.reach() == Approx(0.20));
+  CHECK(goalAreaOf(FieldGeometry{}, false).reach() == Approx(0.15));
+  const FieldGeometry large = *loadField("vsss-5v5");
+  CHECK(goalAreaOf(large).arc_radius == 0.0);
+  CHECK(bigAreaOf(large).depth == 0.35);
+  CHECK(bigAreaOf(FieldGeometry{}).half_width == 0.0);
+}
+
+TEST_CASE("points in and out of the area", "[unit]") {
+  const AreaShape area = goalAreaOf(FieldGeometry{});
+  for (const Vec2 in : {Vec2{0.149, 0.34}, Vec2{0.149, -0.34}, Vec2{0.199, 0.0}, Vec2{-0.05, 0.1}}) {
+    CHECK(contains(area, in));
+  }
+  for (const Vec2 out : {Vec2{0.151, 0.11}, Vec2{0.201, 0.0}, Vec2{0.10, 0.36}, Vec2{0.19, 0.06}}) {
+    CHECK_FALSE(contains(area, out));
+  }
+}
+
+TEST_CASE("share and overlap agree with a count of points", "[unit]") {
+  Rng rng(1, Stream::kTest);
+  for (const bool arc : {true, false}) {
+    const AreaShape area = goalAreaOf(FieldGeometry{}, arc);
+    for (int i = 0; i < 3000; ++i) {
+      const AreaBody body = randomBody(rng);
+      const double share = shareInside(area, body), counted = shareByGrid(area, body, 40);
+      CAPTURE(body.centre.x, body.centre.y, body.half_length, body.half_width);
+      REQUIRE(std::abs(share - counted) < 0.02);
+      if (counted > 0.0) REQUIRE(overlaps(area, body));
+      if (!overlaps(area, body)) REQUIRE(share == Approx(0.0).margin(1e-12));
+      if (std::abs(share - 0.5) > 1e-9) {
+        REQUIRE(counts(area, body, BodyPart::kHalf) == (share > 0.5));
+      }
+      REQUIRE(counts(area, body, BodyPart::kAnyPart) == overlaps(area, body));
+      REQUIRE(counts(area, body, BodyPart::kCentre) == contains(area, body.centre));
+    }
+  }
+}
+
+TEST_CASE("a goal's frame is a rotation of the other's", "[unit]") {
+  const FieldGeometry field;
+  const Vec2 p{0.61, -0.22};
+  CHECK(intoGoalFrame(field, Side::kRight, p) == intoGoalFrame(field, Side::kLeft, -p));
+  CHECK(intoGoalFrame(field, Side::kLeft, {-0.75, 0.1}) == Vec2{0.0, 0.1});
+}
+
+TEST_CASE("the report counts by team and side, and by what the rules count", "[unit]") {
+  const FieldGeometry field;
+  const RobotModel robot;
+  const std::vector<RobotId> ids = {
+      {TeamId::kBlue, 0}, {TeamId::kBlue, 1}, {TeamId::kYellow, 0}, {TeamId::kYellow, 1}};
+  std::vector<RobotState> robots(4);
+  robots[0].pose.position = {-0.70, 0.0};
+  robots[1].pose.position = {0.57, 0.25};  // 7.5 mm of it inside: any part, not half
+  robots[2].pose.position = {0.70, 0.0};
+  robots[3].pose.position = {0.595, -0.25};  // less than half
+  BallState ball;
+  ball.position = {0.62, 0.0};
+  const MatchView view{1, ids, robots, ball, {}};
+  AreaRules rules;
+  const AreaReport report = reportAreas(view, field, robot, rules, Side::kLeft, {});
+  CHECK(report[0].defenders == 1U);
+  CHECK(report[0].attackers == 0U);
+  CHECK_FALSE(report[0].ball);
+  CHECK(report[1].attackers == 2U);
+  CHECK(report[1].defenders == 4U);
+  CHECK(report[1].ball);
+  CHECK(report[1].big_attackers == 0U);
+  const AreaReport swapped = reportAreas(view, field, robot, rules, Side::kRight, {});
+  CHECK(swapped[0].attackers == 1U);
+  CHECK(swapped[1].attackers == 4U + 8U);
+  CHECK(swapped[1].defenders == 0U);
+  rules.attackers_part = rules.defenders_part = BodyPart::kCentre;
+  CHECK(reportAreas(view, field, robot, rules, Side::kLeft, {})[1].attackers == 0U);
+}
+
+TEST_CASE("a robot that is inside counts until it has left the grown area", "[unit]") {
+  const FieldGeometry field;
+  const std::vector<RobotId> ids = {{TeamId::kBlue, 1}};
+  std::vector<RobotState> robots(1);
+  AreaRules rules;
+  rules.hysteresis = 0.002;
+  AreaReport report{};
+  const auto insideAt = [&](double x) {
+    robots[0].pose.position = {x, 0.25};
+    report = reportAreas({1, ids, robots, {}, {}}, field, RobotModel{}, rules, Side::kLeft, report);
+    return report[1].attackers != 0;
+  };
+  CHECK_FALSE(insideAt(0.5615));
+  CHECK(insideAt(0.5635));
+  CHECK(insideAt(0.5615));
+  CHECK_FALSE(insideAt(0.5595));
+  CHECK_FALSE(insideAt(0.5615));
+}
+
+TEST_CASE("states that are not finite are in no area and harm nothing", "[unit]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<RobotId> ids = {{TeamId::kBlue, 0}, {TeamId::kYellow, 0}};
+  std::vector<RobotState> robots(2);
+  robots[0].pose = {{nan, nan}, nan};
+  robots[1].pose = {{0.7, 0.0}, nan};
+  BallState ball;
+  ball.position = {nan, 0.0};
+  const AreaReport report =
+      reportAreas({1, ids, robots, ball, {}}, FieldGeometry{}, RobotModel{}, {}, Side::kLeft, {});
+  CHECK_FALSE(report[0].ball);
+  CHECK_FALSE(report[1].ball);
+  CHECK(report[0].attackers == 0U);
+}
+
+}  // namespace fulbito

@@ -1,0 +1,36 @@
+#include "strategies/teams/libero/attack/aim.hpp"
+
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+namespace {
+
+/// Where on their empty goal's line libero aims with a ball at (0.6, 0.35) of this velocity.
+double aimedAt(Vec2 velocity, const libero::Pitch& pitch) {
+  const libero::Settings settings;
+  Observation seen;
+  seen.ball.position = {0.6, 0.35};
+  seen.ball.velocity = velocity;
+  libero::BallForecast ball;
+  ball.take(seen.ball, {});
+  const libero::Picture picture{seen, pitch, settings, ball};
+  return libero::openMouth(picture, seen.ball.position, 0.4, 0.0);
+}
+
+}  // namespace
+
+TEST_CASE("libero aims where a ball that rolls at the goal already goes", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3));
+  CHECK(aimedAt({}, pitch) == 0.0);
+  // It comes to the line at 0.10 m.
+  CHECK(std::abs(aimedAt({0.3, -0.5}, pitch) - 0.10) < 1e-9);
+  // It would pass the post: as near to it as is sure.
+  const double past = aimedAt({0.5, -0.5}, pitch);
+  CHECK(past > 0.12);
+  CHECK(past < pitch.goal_half - pitch.ball_radius);
+  // One that rolls away from the goal says nothing.
+  CHECK(aimedAt({-0.5, -0.5}, pitch) == 0.0);
+}
+
+}  // namespace fulbito

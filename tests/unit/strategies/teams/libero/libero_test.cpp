@@ -1,0 +1,168 @@
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "engine/core/math/math.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+namespace {
+
+PerTeam<int> scoreOf(const MatchConfig& config) {
+  auto match = Match::create(config);
+  REQUIRE(match);
+  while (match->step()) {
+  }
+  return match->referee().score;
+}
+
+/// Goals that libero is ahead of `opponent` after `pairs` swapped pairs.
+int goalsAhead(const char* opponent, int pairs, double half_seconds) {
+  int ahead = 0;
+  for (int i = 0; i < pairs; ++i) {
+    auto config = test::matchOf("libero", opponent, "vsss-3v3", half_seconds);
+    config.seed = static_cast<std::uint64_t>(i) + 1;
+    const auto first = scoreOf(config);
+    std::swap(config.teams[0], config.teams[1]);
+    const auto second = scoreOf(config);
+    ahead += first[0] - first[1] + second[1] - second[0];
+  }
+  return ahead;
+}
+
+}  // namespace
+
+TEST_CASE("libero beats the chaser and the classic team", "[unit]") {
+  CHECK(goalsAhead("chaser", 4, 150.0) > 0);
+  CHECK(goalsAhead("classic", 4, 150.0) > 0);
+}
+
+TEST_CASE("libero against itself: a swapped pair cancels", "[unit]") {
+  CHECK(goalsAhead("libero", 1, 20.0) == 0);
+}
+
+TEST_CASE("libero plays five a side, and with a navigator of the registry", "[unit]") {
+  auto match = Match::create(test::matchOf("libero", "libero", "vsss-5v5", 5.0));
+  REQUIRE(match);
+  while (match->step()) {
+  }
+  for (const TeamFaults& team : match->faults().teams) CHECK(team.rejected() == 0);
+  CHECK(parseTeam("libero:navigator=bezier,aggression=0.7"));
+  CHECK_FALSE(parseTeam("libero:aggression=2"));
+  CHECK_FALSE(parseTeam("libero:navigator=nosuch"));
+}
+
+TEST_CASE("libero's decisions are finite whatever it sees", "[unit]") {
+  for (const int size : {3, 5}) {
+    const MatchInfo info = test::infoOf(size);
+    const auto team = test::liberoIn(info);
+    Rng rng{5, Stream::kTest, static_cast<std::uint64_t>(size)};
+    for (int i = 0; i < 20'000; ++i) {
+      const TeamCommand command = team->decide(test::anything(rng, info));
+      for (const RobotCommand& robot : command.robots) {
+        REQUIRE(std::isfinite(robot.twist.linear));
+        REQUIRE(std::isfinite(robot.twist.angular));
+      }
+    }
+  }
+}
+
+TEST_CASE("libero's decisions allocate nothing", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const auto team = test::liberoIn(info);
+  Rng rng{6, Stream::kTest};
+  std::vector<Observation> pictures;
+  pictures.reserve(200);
+  for (int i = 0; i < 200; ++i) pictures.push_back(test::anything(rng, info));
+  const std::uint64_t before = test::allocationCount();
+  double sum = 0.0;
+  for (const Observation& seen : pictures) sum += team->decide(seen).robots[0].twist.linear;
+  CHECK(test::allocationCount() == before);
+  CHECK(std::isfinite(sum));
+}
+
+TEST_CASE("libero plays to both hands alike", "[unit]") {
+  // The rules' places are mirrored between the sides: what has a hand of its own plays one side worse.
+  for (const int size : {3, 5}) {
+    const MatchInfo info = test::infoOf(size);
+    Rng rng(11, Stream::kTest, 0);
+    int odd = 0;
+    for (int round = 0; round < 1000; ++round) {
+      Observation seen = test::anything(rng, info);
+      if (seen.own[1].state.pose.position == seen.ball.position) continue;  // no way is the shorter one
+      seen.restart_is_ours = round % 2 == 0;
+      const auto team = test::liberoIn(info), twin = test::liberoIn(info);
+      const TeamCommand command = team->decide(seen), mirror = twin->decide(test::acrossAxis(seen));
+      for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
+        const Twist one = command.robots[i].twist, other_hand = mirror.robots[i].twist;
+        const bool alike = std::abs(one.linear - other_hand.linear) < 1e-6 &&
+                           std::abs(one.angular + other_hand.angular) < 1e-6;
+        odd += alike ? 0 : 1;
+      }
+    }
+    // Where two ways are equally good, as in a corner, rounding may decide.
+    CAPTURE(size, odd);
+    CHECK(odd <= 2);
+  }
+}
+
+TEST_CASE("libero's penalties: who stands to take it does, and runs on when the keeper comes out", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const auto team = test::liberoIn(info);
+  constexpr std::uint8_t kStriker = 2;
+  Observation seen;
+  seen.own[0] = test::standingAt({{-0.71, 0.0}, 0.0});
+  seen.own[1] = test::standingAt({{0.1, 0.4}, 0.0});
+  seen.own[2] = test::standingAt({{0.3, -0.4}, 0.0});
+  seen.opponents[0] = test::standingAt({{0.7, 0.0}, math::kPi});
+  seen.opponents[1] = test::standingAt({{-0.1, 0.25}, math::kPi});
+  seen.opponents[2] = test::standingAt({{-0.1, -0.4}, math::kPi});
+  seen.since_restart = 5.0;
+  seen.tick = 300;
+  seen.ball.position = {0.4, -0.4};
+  CHECK(team->decide(seen).roles[2] == kStriker);
+
+  seen.restart = RestartKind::kPenalty;
+  seen.restart_is_ours = true;
+  seen.since_restart = 0.0;
+  seen.tick = 301;
+  seen.ball.position = {0.375, 0.0};
+  seen.own[1] = test::standingAt({{0.075, -0.03}, 0.1});
+  seen.own[2] = test::standingAt({{-0.06, 0.35}, 0.0});
+  const auto taker = [&] {
+    const TeamCommand command = team->decide(seen);
+    CHECK(command.roles[1] == kStriker);
+    return command.robots[1].twist;
+  };
+  CHECK(taker().linear > 0.9 * info.robot.maxSpeed());
+  seen.since_restart = 0.2;
+  seen.tick = 313;
+  seen.own[1] = test::standingAt({{0.2, -0.0175}, 0.1});
+  seen.opponents[0] = test::standingAt({{0.55, 0.0}, math::kPi});
+  CHECK(std::abs(taker().angular) < 0.1);
+}
+
+TEST_CASE("libero's striker waits outside their area until a mate has left it", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const auto speed = [&](Vec2 mate) {
+    const auto team = test::liberoIn(info);
+    Observation seen;
+    seen.team_size = 3;
+    seen.playing = true;
+    seen.since_restart = 5.0;
+    seen.own[0] = test::standingAt({{-0.70, 0.0}, math::kPi / 2});
+    seen.own[1] = test::standingAt({mate, 0.0});
+    // The last moment at which it can still stop outside.
+    seen.own[2] = test::standingAt({{0.50, 0.0}, 0.0});
+    seen.own[2].state.velocity = {0.6, 0.0};
+    seen.ball.position = {0.62, 0.0};
+    return team->decide(seen).robots[2].twist.linear;
+  };
+  CHECK(speed({0.20, -0.40}) > 0.3);
+  CHECK(speed({0.70, -0.25}) < 0.1);
+}
+
+}  // namespace fulbito

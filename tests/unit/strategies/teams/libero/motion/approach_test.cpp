@@ -1,0 +1,37 @@
+#include "strategies/teams/libero/motion/approach.hpp"
+
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+
+TEST_CASE("libero comes round a lying ball without sliding past it", "[unit]") {
+  int quick = 0, runs = 0;
+  for (const double side : {1.0, -1.0}) {
+    for (const Vec2 shift :
+         {Vec2{0.0, 0.0}, Vec2{0.01, 0.0}, Vec2{-0.01, 0.0}, Vec2{0.0, 0.01}, Vec2{0.0, -0.01},
+          Vec2{0.02, 0.02}, Vec2{-0.02, 0.02}, Vec2{0.02, -0.02}, Vec2{-0.02, -0.02}}) {
+      quick += test::scoresAlone(Vec2{0.533, 0.425} + shift, {{-0.508, -0.193}, -2.98}, side) < 2.4 ? 1 : 0;
+      quick += test::scoresAlone(Vec2{0.532, 0.488} + shift, {{-0.611, -0.241}, 0.09}, side) < 2.4 ? 1 : 0;
+      runs += 2;
+    }
+  }
+  CAPTURE(quick, runs);
+  // Where it aims at the middle although the ball that it pushes already rolls in beside it, it turns off and
+  // has to come again in half of these. In what is left it pushes the ball at a post (docs/libero.md).
+  CHECK(quick >= runs * 3 / 4);
+}
+
+TEST_CASE("libero overtakes a rolling ball whose direction it has to mend", "[unit]") {
+  const libero::Pitch pitch(test::infoOf(3));
+  for (const double side : {1.0, -1.0}) {
+    RobotState robot;
+    robot.pose = {{-0.095, side * 0.01}, side * -0.2};
+    robot.velocity = {0.72, 0.0};
+    int hand = 0;
+    const Twist twist = libero::driveThrough(pitch, robot, {}, {1.0, 0.0}, 0.09, {0.72, 0.0}, hand);
+    CHECK(twist.linear > 1.1);
+  }
+}
+
+}  // namespace fulbito

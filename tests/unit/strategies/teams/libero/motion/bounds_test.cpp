@@ -1,0 +1,69 @@
+#include "strategies/teams/libero/motion/bounds.hpp"
+
+#include "engine/core/math/random.hpp"
+#include "navigation/followers/limiter.hpp"
+#include "strategies/teams/libero/situation/areas.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+
+TEST_CASE("libero's areas step never lets a robot in that can still stop outside", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const libero::Pitch pitch(info);
+  const libero::Settings settings;
+  const libero::BallForecast ball;
+  const double dt = 1.0 / 60.0;
+  Rng rng{3, Stream::kTest, 0};
+  int near = 0;
+  for (int run = 0; run < 400; ++run) {
+    const bool own = run % 2 == 0;
+    const double sign = own ? 1.0 : -1.0;
+    const double least = own ? libero::kOwnMargin : libero::kTheirMargin + pitch.robot_corner;
+    const auto outside = [&](Vec2 p) { return libero::outsideOwnArea(pitch, p * sign); };
+    Observation seen;
+    seen.team_size = 3;
+    RobotState& robot = seen.own[1].state;
+    seen.own[1].present = true;
+    // From rest anywhere, with whatever a skill asks for, changed at random times.
+    do {
+      robot.pose = {{-sign * rng.uniform(0.3, 0.7), rng.uniform(-0.6, 0.6)}, rng.uniform(-3.14, 3.14)};
+    } while (outside(robot.pose.position) < least + 0.01);
+    Twist wanted;
+    for (int tick = 0; tick < 240; ++tick) {
+      if (rng.uniform(0.0, 1.0) < 0.06) wanted = {rng.uniform(-1.2, 1.2), rng.uniform(-12.0, 12.0)};
+      const libero::Picture picture{seen, pitch, settings, ball};
+      const RobotCommand command = libero::keptOut(picture, 1, {own, !own}, wanted);
+      const Twist limited = limitTwist(steady(info.robot), bodyTwist(robot), command.twist, dt);
+      const WheelSpeeds wheels = command.kind == RobotCommand::Kind::kWheels
+                                     ? command.wheels
+                                     : inverseKinematics(info.robot, limited);
+      robot = rolledForward(info.robot, robot, saturate(info.robot, wheels), dt);
+      const double room = outside(robot.pose.position);
+      near += room < least + 0.02 ? 1 : 0;
+      // A defender is inside with its centre at the line, an attacker with its corner.
+      REQUIRE(room > (own ? 0.0 : pitch.robot_corner - 0.001));
+    }
+  }
+  CHECK(near > 1000);
+}
+
+TEST_CASE("libero's second attacker leaves their goal's mouth by its front", "[unit]") {
+  // It pushed at the post for good: past that the way out was shortest.
+  const libero::Pitch pitch(test::infoOf(3));
+  for (const double side : {1.0, -1.0}) {
+    for (const double heading : {-1.57, 0.4, 1.57}) {
+      Placement scene;
+      scene.ball = {-0.5, 0.3};
+      scene.robots[0][0] = Pose2{{-0.708, 0.0}, 1.57};
+      scene.robots[0][1] = Pose2{{-0.35, 0.3}, 0.0};
+      scene.robots[0][2] = Pose2{{0.735, -0.12}, heading};
+      const Match match = test::playedFrom(test::mirrored(scene, side), 1.5);
+      const Vec2 place = match.world().robots[2].pose.position;
+      CAPTURE(side, heading, place.x, place.y);
+      CHECK(libero::outsideOwnArea(pitch, -place) > 0.0);
+    }
+  }
+}
+
+}  // namespace fulbito

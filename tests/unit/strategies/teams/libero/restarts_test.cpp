@@ -1,0 +1,106 @@
+#include <cmath>
+
+#include "engine/core/math/math.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+
+TEST_CASE("libero keeps its places legal at every restart", "[unit]") {
+  for (const int size : {3, 5}) {
+    const MatchInfo info = test::infoOf(size);
+    const auto team = test::liberoIn(info);
+    for (int kind = 0; kind < 5; ++kind) {
+      for (const bool ours : {true, false}) {
+        PlacementRequest request{static_cast<RestartKind>(kind), ours, {-0.375, 0.4}, {}, {}};
+        const auto placed = team->place(request);
+        REQUIRE(placed);
+        for (const auto& pose : placed->robots) {
+          if (pose) CHECK(insideField(info.field, pose->position, 0.03));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("libero begins restarts alike on both sides", "[unit]") {
+  for (const RestartKind kind :
+       {RestartKind::kKickOff, RestartKind::kFreeBall, RestartKind::kPenalty, RestartKind::kGoalKick}) {
+    for (const bool ours : {true, false}) {
+      const auto blue = test::afterRestart(kind, ours, TeamId::kBlue);
+      const auto yellow = test::afterRestart(kind, ours, TeamId::kYellow);
+      REQUIRE(blue.size() == yellow.size());
+      // Turned where the rules' places are alike on both sides, otherwise mirrored as they are.
+      const bool turned = kind == RestartKind::kKickOff;
+      for (std::size_t i = 0; i < blue.size(); ++i) {
+        CAPTURE(static_cast<int>(kind), ours, i);
+        CHECK(yellow[i].x == Approx(-blue[i].x).margin(1e-3));
+        CHECK(yellow[i].y == Approx(turned ? -blue[i].y : blue[i].y).margin(1e-3));
+      }
+    }
+  }
+}
+
+TEST_CASE("libero plays kick-offs to either hand in turn", "[unit]") {
+  const auto team = test::liberoIn(test::infoOf(3));
+  for (const bool ours : {true, false}) {
+    PlacementRequest request{RestartKind::kKickOff, ours, {}, {}, {}};
+    const auto one = team->place(request), next = team->place(request);
+    REQUIRE(one);
+    REQUIRE(next);
+    for (const std::size_t i : {1, 2}) {
+      CHECK(one->robots[i]->position.y != 0.0);
+      CHECK(one->robots[i]->position.x == Approx(next->robots[i]->position.x));
+      CHECK(one->robots[i]->position.y == Approx(-next->robots[i]->position.y));
+    }
+  }
+}
+
+TEST_CASE("libero waits for a kick-off on both sides of its line", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const auto team = test::liberoIn(info);
+  for (const Vec2 taker : {Vec2{0.2, 0.0}, Vec2{0.165, 0.113}, Vec2{0.165, -0.113}}) {
+    PlacementRequest request{RestartKind::kKickOff, false, {}, {}, TeamPlacement{}};
+    (*request.opponents)[1] = Pose2{taker, 3.14};
+    (*request.opponents)[2] = Pose2{{0.4, 0.0}, 3.14};
+    const auto placed = team->place(request);
+    REQUIRE(placed);
+    const Vec2 meeter = placed->robots[1]->position, support = placed->robots[2]->position;
+    CHECK(cross(taker, meeter) * cross(taker, support) < 0.0);
+    CHECK(norm(meeter) < norm(support));
+    for (const Vec2 place : {meeter, support}) {
+      CHECK(norm(place) >= info.field.centre_circle_radius);
+      CHECK(place.x < -info.robot.length / 2);
+    }
+  }
+}
+
+TEST_CASE("libero awaits their goal kick in its own half, on the ball's side", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const auto team = test::liberoIn(info);
+  for (const double side : {1.0, -1.0}) {
+    const auto placed = team->place({RestartKind::kGoalKick, false, {0.6, side * 0.35}, {}, {}});
+    REQUIRE(placed);
+    for (const std::size_t i : {1, 2}) {
+      CHECK(placed->robots[i]->position.x < -info.robot.circumradius());
+      CHECK(placed->robots[i]->position.y * side > 0.0);
+    }
+  }
+}
+
+TEST_CASE("libero's keeper stands between ball and goal at its own goal kick", "[unit]") {
+  const MatchInfo info = test::infoOf(3);
+  const auto team = test::liberoIn(info);
+  for (const double side : {1.0, -1.0}) {
+    const Vec2 ball{-0.6, side * 0.35};
+    const auto placed = team->place({RestartKind::kGoalKick, true, ball, {}, {}});
+    REQUIRE(placed);
+    const Pose2 keeper = *placed->robots[0];
+    CHECK(keeper.position.x < ball.x);
+    CHECK(std::abs(keeper.position.y) < std::abs(ball.y));
+    CHECK(distance(keeper.position, ball) < 0.12);
+    CHECK(math::cos(keeper.heading - math::angleOf(ball - keeper.position)) > 0.99);
+  }
+}
+
+}  // namespace fulbito

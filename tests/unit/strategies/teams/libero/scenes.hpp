@@ -1,0 +1,165 @@
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "engine/core/config/presets.hpp"
+#include "engine/core/math/random.hpp"
+#include "match/play/match.hpp"
+#include "referee/restarts/restart_call.hpp"
+#include "strategies/interface/observation.hpp"
+#include "strategies/registry.hpp"
+#include "tests/support/catch.hpp"
+
+namespace fulbito::test {
+
+inline MatchConfig matchOf(const char* blue, const char* yellow, const char* rules, double half_seconds) {
+  MatchConfig config;
+  config.teams = {*parseTeam(blue), *parseTeam(yellow)};
+  config.rules = *loadRules(rules);
+  config.rules.half_seconds = half_seconds;
+  config.field = *loadField(config.rules.field);
+  config.robot = *loadRobot("vsss");
+  config.physics = *loadPhysics("standard");
+  return config;
+}
+
+/// `scene` as it is, or with `side` -1 mirrored across the long axis.
+inline Placement mirrored(Placement scene, double side) {
+  scene.ball.y *= side;
+  scene.ball_velocity.y *= side;
+  for (TeamPoses& team : scene.robots) {
+    for (auto& pose : team) {
+      if (pose) pose = Pose2{{pose->position.x, side * pose->position.y}, side * pose->heading};
+    }
+  }
+  return scene;
+}
+
+/// A match at its start, which is `scene`.
+inline Match matchFrom(MatchConfig config, const Placement& scene) {
+  config.start = scene;
+  auto match = Match::create(config);
+  REQUIRE(match);
+  return std::move(*match);
+}
+
+/// What `seconds` make of `scene`, where libero is blue.
+inline Match playedFrom(const Placement& scene, double seconds, const char* yellow = "idle") {
+  Match match = matchFrom(matchOf("libero", yellow, "vsss-3v3", 10.0), scene);
+  while (match.seconds() < seconds && match.step()) {
+  }
+  return match;
+}
+
+/// Checks that libero concedes nothing in `seconds` from `scene`, nor from its mirror image.
+inline void checkHolds(const Placement& scene, double seconds, const char* yellow = "idle") {
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    CHECK(playedFrom(mirrored(scene, side), seconds, yellow).referee().score[1] == 0);
+  }
+}
+
+/// When [s] a robot that is alone on the field has scored; 10 where it has not.
+inline double scoresAlone(Vec2 ball, const Pose2& robot, double side) {
+  auto config = matchOf("libero", "idle", "vsss-3v3", 20.0);
+  config.rules.stuck.seconds = config.rules.stuck.area_seconds = 20.0;
+  Placement scene;
+  scene.ball = ball;
+  scene.robots[0][1] = robot;
+  Match match = matchFrom(config, mirrored(scene, side));
+  while (match.seconds() < 10.0 && match.referee().score[0] == 0 && match.step()) {
+  }
+  return match.seconds();
+}
+
+/// Where libero's robots, the chaser's and the ball are a tenth of a second after a restart, libero being
+/// `seat`.
+inline std::vector<Vec2> afterRestart(RestartKind kind, bool ours, TeamId seat) {
+  MatchConfig config = matchOf("libero", "chaser", "vsss-3v3", 10.0);
+  if (seat == TeamId::kYellow) std::swap(config.teams[0], config.teams[1]);
+  config.placement_error = {0.0, 0.0};
+  const double own = seat == TeamId::kBlue ? -1.0 : 1.0;
+  config.opening = makeCall(refereeSetup(config), {},
+                            {kind, ours ? seat : other(seat), {ours ? -own * 0.3 : own * 0.3, 0.3}, nullptr});
+  auto match = Match::create(config);
+  REQUIRE(match);
+  for (int tick = 0; tick < 6; ++tick) match->step();
+  std::vector<Vec2> bodies{match->world().balls.front().position};
+  for (const TeamId team : {seat, other(seat)}) {
+    for (std::size_t i = 0; i < match->ids().size(); ++i) {
+      if (match->ids()[i].team == team) bodies.push_back(match->world().robots[i].pose.position);
+    }
+  }
+  return bodies;
+}
+
+inline MatchInfo infoOf(int team_size) {
+  MatchInfo info;
+  info.field = *loadField(team_size == 3 ? "vsss-3v3" : "vsss-5v5");
+  info.robot = loadRobot("vsss")->robot;
+  info.ball = loadRobot("vsss")->ball;
+  info.team_size = team_size;
+  return info;
+}
+
+/// A libero that has begun a match.
+inline std::unique_ptr<Strategy> liberoIn(const MatchInfo& info) {
+  auto team = makeTeam(*parseTeam("libero"));
+  REQUIRE(team);
+  (*team)->begin(info);
+  return std::move(*team);
+}
+
+inline ObservedRobot standingAt(const Pose2& pose) {
+  ObservedRobot robot;
+  robot.present = true;
+  robot.state.pose = pose;
+  return robot;
+}
+
+/// A picture of anything that may happen.
+inline Observation anything(Rng& rng, const MatchInfo& info) {
+  const double x = info.field.length / 2 + 0.09, y = info.field.width / 2;
+  Observation seen;
+  seen.team_size = info.team_size;
+  const auto put = [&](ObservedRobot& robot) {
+    robot.present = rng.uniform(0.0, 1.0) < 0.8;
+    robot.state.pose = {{rng.uniform(-x, x), rng.uniform(-y, y)}, rng.uniform(-3.14, 3.14)};
+    robot.state.velocity = {rng.uniform(-1.5, 1.5), rng.uniform(-1.5, 1.5)};
+    robot.state.angular_velocity = rng.uniform(-30.0, 30.0);
+  };
+  for (std::size_t i = 0; i < static_cast<std::size_t>(info.team_size); ++i) {
+    put(seen.own[i]);
+    put(seen.opponents[i]);
+  }
+  seen.ball.position = {rng.uniform(-x, x), rng.uniform(-y, y)};
+  seen.ball.velocity = {rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0)};
+  // Now and then what is degenerate: a robot on the ball, a ball in a corner.
+  if (rng.uniform(0.0, 1.0) < 0.1) seen.own[1].state.pose.position = seen.ball.position;
+  if (rng.uniform(0.0, 1.0) < 0.1) seen.ball = {{x, y}, {}, {}};
+  seen.since_restart = rng.uniform(0.0, 1.0);
+  seen.restart = static_cast<RestartKind>(static_cast<int>(rng.uniform(0.0, 5.99)));
+  return seen;
+}
+
+/// The picture mirrored across the long axis.
+inline Observation acrossAxis(Observation seen) {
+  const auto flip = [](Vec2& v) { v.y = -v.y; };
+  const auto robots = [&](auto& team) {
+    for (ObservedRobot& robot : team) {
+      flip(robot.state.pose.position);
+      flip(robot.state.velocity);
+      robot.state.pose.heading = -robot.state.pose.heading;
+      robot.state.angular_velocity = -robot.state.angular_velocity;
+    }
+  };
+  robots(seen.own);
+  robots(seen.opponents);
+  flip(seen.ball.position);
+  flip(seen.ball.velocity);
+  return seen;
+}
+
+}  // namespace fulbito::test
