@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <string_view>
 
-/// Names of the rules that a referee calls, as they stand in events, recordings and tables.
+/// What a referee calls: names as they stand in events, recordings and tables, and how each reads.
 namespace fulbito::clause {
 
 inline constexpr std::string_view kGoal = "goal";
@@ -21,6 +23,64 @@ inline constexpr std::string_view kFreeKickHolding = "free-kick.holding";
 constexpr bool isFoul(std::string_view clause) {
   return clause.starts_with("goal-kick.") || clause.starts_with("penalty.") ||
          clause.starts_with("free-kick.") || clause == "false-start";
+}
+
+/// How the value of a call reads, e.g. "pressed with 0.12 N s".
+struct Measure {
+  std::string_view before;
+  std::string_view unit;
+  double scale = 1.0;  ///< shown units per unit of the value
+};
+
+inline constexpr Measure kStood{"for ", "s"};
+inline constexpr Measure kInside{"robots inside: ", ""};
+inline constexpr Measure kPressed{"pressed with ", "N s"};
+inline constexpr Measure kMoved{"moved by ", "mm", 1e3};
+inline constexpr Measure kLead{"lead of ", "goals"};
+
+/// The team that gains by a call, relative to the team of its event.
+enum class Gain : std::uint8_t { kNobody, kNamed, kOther };
+
+/// How a call reads in pictures, films, pages and tables.
+struct Clause {
+  std::string_view name;    ///< as in events
+  std::string_view title;   ///< empty: no news
+  std::string_view detail;  ///< may be empty
+  Gain gain = Gain::kNobody;
+  Measure measure = {};
+};
+
+/// Every call that a match can have.
+inline constexpr std::array kClauses{
+    Clause{kGoal, "Goal!", "", Gain::kNamed, {"ball past the line by ", "mm", 1e3}},
+    Clause{"kick-off", "", "", Gain::kNamed},
+    Clause{kFreeBall, "Free ball", "nobody gets on", Gain::kNobody, kStood},
+    Clause{kAttackers, "Goal kick", "too many attackers in the area", Gain::kOther, kInside},
+    Clause{kKeeperCharged, "Goal kick", "keeper charged", Gain::kOther, kPressed},
+    Clause{kGoalKickStuck, "Goal kick", "ball stuck in the area", Gain::kOther, kStood},
+    Clause{kDefenders, "Penalty", "too many defenders in the area", Gain::kOther, kInside},
+    Clause{kKeeperHolds, "Penalty", "keeper held the ball", Gain::kOther, kStood},
+    Clause{kPenaltyHolding, "Penalty", "ball held", Gain::kOther, kStood},
+    Clause{kPenaltyStuck, "Penalty", "ball stuck in the area", Gain::kOther, kStood},
+    Clause{kPush, "Free kick", "pushing", Gain::kOther, kPressed},
+    Clause{kFreeKickHolding, "Free kick", "ball held", Gain::kOther, kStood},
+    Clause{"half", "Half-time", ""},
+    Clause{"full-time", "Full time", "", Gain::kNamed, kLead},
+    Clause{"overtime", "Overtime", "", Gain::kNobody, {"part ", ""}},
+    Clause{"shoot-out", "Shoot-out", "", Gain::kNamed},
+    Clause{"false-start", "False start", "", Gain::kNobody, kMoved},
+    Clause{"mercy", "Full time", "the lead is too large", Gain::kNamed, kLead},
+    Clause{"walk-over", "Walk-over", "a team did not come", Gain::kOther},
+    Clause{"match.abandoned", "Match abandoned", ""},
+    Clause{"placement", "", "", Gain::kNobody, kMoved},
+};
+
+/// How a call reads; null for a name that no match has.
+constexpr const Clause* find(std::string_view name) {
+  for (const Clause& clause : kClauses) {
+    if (clause.name == name) return &clause;
+  }
+  return nullptr;
 }
 
 }  // namespace fulbito::clause

@@ -22,6 +22,9 @@ enum class StuckMeasure {
 };
 
 /// What is called where the ball is stuck in a goal area and no robot disputes it with one of the other team.
+/// Law 13 gives a goal kick after ten seconds between keeper and attacker, law 14 a free ball outside the
+/// areas, law 8.1 a penalty for what the keeper holds. No law gives a penalty for a ball that nobody or only
+/// attackers have, so the default is the one restart of the area's stalemate.
 enum class UndisputedCall { kPenalty, kGoalKick };
 
 /// Where a ball counts as stuck that lay partly in a goal area, partly outside.

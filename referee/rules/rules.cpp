@@ -1,6 +1,5 @@
 #include "referee/rules/rules.hpp"
 
-#include <array>
 #include <filesystem>
 #include <span>
 
@@ -24,19 +23,8 @@ struct RulesFile {
   Rules rules;
 };
 
-/// Keys of [fouls] that are no more. Recordings hold whole profiles, so those of earlier versions have them.
-using RetiredKeys = std::array<double, 3>;
-
-void append(Schema& schema, RetiredKeys& values) {
-  schema.push_back({"hidden_share", &values[0], 0, 1, "", ""});
-  schema.push_back({"hidden_seconds", &values[1], 0, 600, "s", ""});
-  schema.push_back({"pinned_gap", &values[2], 0, 1, "m", ""});
-}
-
-/// `recorded`: the text may be of an earlier version.
-Result<RulesFile> readRules(std::string_view text, const std::string& origin, bool recorded) {
+Result<RulesFile> readRules(std::string_view text, const std::string& origin) {
   Rules rules;
-  RetiredKeys retired{};
   const std::vector<RulesTable> tables = tablesOf(rules);
   std::vector<std::string> names;
   names.reserve(tables.size());
@@ -45,14 +33,19 @@ Result<RulesFile> readRules(std::string_view text, const std::string& origin, bo
   if (!document) return tl::unexpected<Error>(document.error());
   rules.name = document->fallbackName();
   for (const RulesTable& table : tables) {
-    Schema schema = table.schema;
-    if (recorded && table.name == "fouls") append(schema, retired);
-    if (auto read = document->read(table.name, schema, table.name == "rules"); !read) {
+    if (auto read = document->read(table.name, table.schema, table.name == "rules"); !read) {
       return tl::unexpected<Error>(read.error());
     }
   }
   if (const auto flaw = findFlaw(rules)) return document->locate(*flaw);
   return RulesFile{std::move(*document), rules};
+}
+
+/// The comment that a profile begins with.
+std::string headOf(std::string_view text) {
+  std::size_t end = 0;
+  while (end < text.size() && text[end] == '#') end = text.find('\n', end) + 1;
+  return std::string(text.substr(0, end));
 }
 
 /// The field that the profile names must be there; a relative path counts from the profile's folder.
@@ -73,7 +66,7 @@ Result<Rules> withField(RulesFile file, const std::string& path) {
 }  // namespace
 
 Result<Rules> parseRules(std::string_view text, const std::string& origin) {
-  auto file = readRules(text, origin, true);
+  auto file = readRules(text, origin);
   if (!file) return tl::unexpected<Error>(file.error());
   return std::move(file->rules);
 }
@@ -91,7 +84,7 @@ Result<Rules> loadRules(const std::string& name_or_file) {
   }
   const auto text = readTextFile(name_or_file, kMaxTomlBytes);
   if (!text) return tl::unexpected<Error>(text.error());
-  auto file = readRules(*text, name_or_file, false);
+  auto file = readRules(*text, name_or_file);
   if (!file) return tl::unexpected<Error>(file.error());
   return withField(std::move(*file), name_or_file);
 }
@@ -116,7 +109,10 @@ std::vector<std::string> rulesPresetNames() {
 
 Result<std::string> rulesPresetText(const std::string& name) {
   for (const EmbeddedFile& file : embeddedRules()) {
-    if (file.name == name) return std::string(file.text);
+    if (file.name != name) continue;
+    const auto rules = parseRules(file.text, fmt::format("preset rules/{}", name));
+    if (!rules) return tl::unexpected<Error>(rules.error());
+    return headOf(file.text) + "\n" + toToml(*rules);
   }
   const std::vector<std::string> names = rulesPresetNames();
   return fail(ErrorCode::kUsage,

@@ -38,8 +38,7 @@ struct Rules {
 /// suggestion), kIo for a file that cannot be read, kBadInput as `file:line: table.key ...` with the range.
 /// A field that is a relative path counts from the profile's folder and must load.
 Result<Rules> loadRules(const std::string& name_or_file);
-/// The same from text; `origin` stands for the file name in errors. Opens no field. Skips keys that earlier
-/// versions had, as recordings hold them.
+/// The same from text; `origin` stands for the file name in errors. Opens no field.
 Result<Rules> parseRules(std::string_view text, const std::string& origin);
 /// Checks ranges and consistency; the error names the key.
 Result<void> validate(const Rules& rules);
@@ -47,7 +46,8 @@ Result<void> validate(const Rules& rules);
 std::string toToml(const Rules& rules);
 /// The embedded profiles.
 std::vector<std::string> rulesPresetNames();
-/// The text of one. Errors: kUsage, with a suggestion.
+/// The whole text of one, with the keys that its file leaves to the defaults. Errors: kUsage, with a
+/// suggestion.
 Result<std::string> rulesPresetText(const std::string& name);
 
 }  // namespace fulbito

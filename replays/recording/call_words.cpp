@@ -1,66 +1,17 @@
 #include "replays/recording/call_words.hpp"
 
-#include <algorithm>
-#include <array>
 #include <string_view>
 
 #include <fmt/format.h>
 
+#include "referee/rules/clauses.hpp"
+
 namespace fulbito {
 namespace {
 
-/// How a call's value is told.
-struct Measure {
-  std::string_view before;
-  std::string_view unit;
-  double scale = 1.0;  ///< units in one of the value's
-};
-
-constexpr Measure kStood{"for ", "s"};
-constexpr Measure kInside{"robots inside: ", ""};
-constexpr Measure kPressed{"pressed with ", "N s"};
-constexpr Measure kMoved{"moved by ", "mm", 1e3};
-constexpr Measure kLead{"lead of ", "goals"};
-
-/// Whom a call favours, by the team of its event.
-enum class Gain : std::uint8_t { kNobody, kNamed, kOther };
-
-/// A clause of the referee's record. Titles are empty where a call is no news.
-struct Clause {
-  std::string_view name, title, detail;
-  Gain gain = Gain::kNobody;
-  Measure measure = {};
-};
-
-constexpr std::array kClauses{
-    Clause{"goal", "Goal!", "", Gain::kNamed, {"ball past the line by ", "mm", 1e3}},
-    Clause{"kick-off", "", "", Gain::kNamed},
-    Clause{"free-ball", "Free ball", "nobody gets on", Gain::kNobody, kStood},
-    Clause{"goal-kick.attackers", "Goal kick", "too many attackers in the area", Gain::kOther, kInside},
-    Clause{"goal-kick.keeper-charged", "Goal kick", "keeper charged", Gain::kOther, kPressed},
-    Clause{"goal-kick.stuck", "Goal kick", "ball stuck in the area", Gain::kOther, kStood},
-    Clause{"penalty.defenders", "Penalty", "too many defenders in the area", Gain::kOther, kInside},
-    Clause{"penalty.keeper-holds", "Penalty", "keeper held the ball", Gain::kOther, kStood},
-    Clause{"penalty.holding", "Penalty", "ball held", Gain::kOther, kStood},
-    Clause{"penalty.stuck", "Penalty", "ball stuck in the area", Gain::kOther, kStood},
-    Clause{"free-kick.push", "Free kick", "pushing", Gain::kOther, kPressed},
-    Clause{"free-kick.holding", "Free kick", "ball held", Gain::kOther, kStood},
-    Clause{"half", "Half-time", ""},
-    Clause{"full-time", "Full time", "", Gain::kNamed, kLead},
-    Clause{"overtime", "Overtime", "", Gain::kNobody, {"part ", ""}},
-    Clause{"shoot-out", "Shoot-out", "", Gain::kNamed},
-    Clause{"false-start", "False start", "", Gain::kNobody, kMoved},
-    Clause{"mercy", "Full time", "the lead is too large", Gain::kNamed, kLead},
-    Clause{"walk-over", "Walk-over", "a team did not come", Gain::kOther},
-    Clause{"match.abandoned", "Match abandoned", ""},
-    Clause{"placement", "", "", Gain::kNobody, kMoved},
-};
-
-const Clause* clauseOf(const std::string& name) {
-  const auto* const found = std::find_if(kClauses.begin(), kClauses.end(),
-                                         [&](const Clause& clause) { return clause.name == name; });
-  return found == kClauses.end() ? nullptr : found;
-}
+using clause::Clause;
+using clause::Gain;
+using clause::Measure;
 
 std::string teamName(TeamId team, const std::vector<std::string>& teams) {
   const std::size_t index = indexOf(team);
@@ -106,7 +57,7 @@ std::optional<TeamId> favouredBy(const RecordedEvent& event, Gain gain) {
 }  // namespace
 
 CallWords wordsOf(const RecordedEvent& event, const std::vector<std::string>& teams) {
-  const Clause* clause = clauseOf(event.clause);
+  const Clause* clause = clause::find(event.clause);
   if (clause == nullptr) return {};
   return {std::string(clause->title), detailOf(event, *clause, teams), favouredBy(event, clause->gain)};
 }
@@ -121,7 +72,7 @@ CallWords wordsOf(RestartKind kind, TeamId team, const std::vector<std::string>&
 }
 
 std::string measuredText(const RecordedEvent& event) {
-  const Clause* clause = clauseOf(event.clause);
+  const Clause* clause = clause::find(event.clause);
   // What a rule does not know counts how often: a command that was rejected, for the first, tenth ... time.
   const Measure measure = clause != nullptr ? clause->measure : Measure{"count ", ""};
   const bool nothing = event.value == 0.0 && event.threshold == 0.0;

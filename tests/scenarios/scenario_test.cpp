@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <set>
 
+#include "referee/rules/clauses.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito::test {
@@ -36,6 +39,25 @@ TEST_CASE("every scenario is judged as its file says, in four variants", "[scena
         CHECK(playScenario(*scenario, {sides, colours}) == "");
       }
     }
+  }
+}
+
+TEST_CASE("whatever stops play is called in a scenario, and has words", "[scenarios]") {
+  std::set<std::string, std::less<>> called;
+  for (const std::string& name : scenarioNames()) {
+    const auto scenario = loadScenario(std::string(FULBITO_SCENARIOS) + "/" + name, name);
+    if (!scenario) continue;
+    for (const ExpectedEvent& event : scenario->expected) called.insert(event.clause);
+  }
+  for (const clause::Clause& call : clause::kClauses) {
+    if (call.name == "match.abandoned") continue;  // no rule: a match that its caller ends
+    INFO(call.name);
+    CHECK(called.contains(call.name));
+    if (clause::isFoul(call.name)) CHECK_FALSE(call.title.empty());
+  }
+  for (const std::string& name : called) {
+    INFO(name);
+    CHECK(clause::find(name) != nullptr);
   }
 }
 
