@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes anew every figure of docs/reproduction.md, and the tables of methods in docs/navigators.md and README.md.
+# Makes anew every figure of docs/reproduction.md, and the table of methods in docs/results/navigators.md.
 #
 # Rings and the tangent field are chosen on training layouts (seeds 1002018 and 1002019, the tuner's own), all
 # else is measured on seed 2015 and, to see what hangs on it, on 777, 31337 and 424242. Where a choice comes
@@ -59,10 +59,8 @@ part "The map, finer, about the cells that come nearest"
 "$program" compare --map --suite close-range --laws classic --speeds 0.8,1.0,1.2 --radii 0,0.02,0.04,0.06,0.08,0.10,0.12,0.14 \
   --widths 0.10,0.15,0.20,0.25,0.30,0.35,0.40 --trials 40 --out map-close | awk '/^- |^  - /'
 
-part "docs/navigators.md: the table of methods"
+part "docs/results/navigators.md: the table of methods"
 "$program" compare --suite corner --trials 200 --pictures 0 --out table-corner | awk '/^###|^\| /'
 for suite in moving clutter u-trap; do
   "$program" compare --suite "$suite" --trials 40 --speeds 1.0 --pictures 0 --out "table-$suite" | awk '/^###|^\| /'
 done
-part "README.md: the table at 2.6 m/s"
-awk '/^### corner at 2.6/ { on = 1 } /^### close-range/ { on = 0 } on' paper.md
