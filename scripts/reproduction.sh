@@ -20,7 +20,7 @@ cd "$out"
 part() { printf '\n==== %s\n' "$*"; }
 
 # Rows of the table of docs/reproduction.md: id, run, paper, band, ours.
-rows() { awk -F' \\| ' '/^\| R4-/ { sub(/^\| /, "", $1); printf "| %s | %s | %s | %s | %s |\n", $1, $2, $3, $5, $4 }' "$1"; }
+rows() { awk -F' \\| ' '/^\| (distance|time|collisions)-/ { sub(/^\| /, "", $1); printf "| %s | %s | %s | %s | %s |\n", $1, $2, $3, $5, $4 }' "$1"; }
 
 training=(--seed 1002018 --seeds 2 --headings goal)
 rings=(--radii "0,0.02,0.04,0.06,0.08,0.10,0.12,0.14,0.16,0.18,0.20,0.22,0.24"

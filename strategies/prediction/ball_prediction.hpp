@@ -31,7 +31,7 @@ struct BallBlocker {
 
 /// Where the ball will be, if nobody touches it: a chain of stretches of even acceleration (sliding, rolling,
 /// resting) between events (the spin has caught up, a bounce, rest), each in closed form, so that the ball at
-/// any time costs a handful of multiplications. STRATEGY 2.2; the model is the engine's own (docs/models.md).
+/// any time costs a handful of multiplications. The model is the engine's own (docs/models.md).
 class BallPrediction {
  public:
   static constexpr int kMaxStretches = 24;
@@ -68,7 +68,7 @@ class BallPrediction {
   Vec2 velocityAt(double t) const;   ///< [m/s]
   BallState ballAt(double t) const;  ///< with its spin
   int bouncesBefore(double t) const;
-  /// How far the prediction can be trusted: 0.7 for each bounce before (STRATEGY 2.2).
+  /// How far the prediction can be trusted: 0.7 for each bounce before, chosen.
   double confidenceAt(double t) const;
   /// When the ball comes to rest [s], or the horizon where it rolls longer.
   double endOfMotion() const { return stretches_[static_cast<std::size_t>(count_ - 1)].begin; }

@@ -9,9 +9,9 @@
 
 namespace fulbito {
 
-/// Makes an observation that is `MatchInfo::observation_age` old current (STRATEGY 5): own robots are rolled
-/// forward through the commands that are on their way, opponents go on with a motion that fades over 0.3 s,
-/// the ball follows its prediction. With fresh observations it costs nothing.
+/// Makes an observation that is `MatchInfo::observation_age` old current (docs/skills.md): own robots are
+/// rolled forward through the commands that are on their way, opponents go on with a motion that fades over
+/// 0.3 s, the ball follows its prediction. With fresh observations it costs nothing.
 class Estimator {
  public:
   Estimator() = default;

@@ -32,9 +32,9 @@ struct Runner {
   Vec2 velocity;  ///< [m/s]
 };
 
-/// Time [s] in which a robot comes to `target` (STRATEGY 2.1): it turns whichever end is nearer toward it and
-/// drives, the speed that it has counts. `arrival_turn` [rad] is how far it must turn on the way to arrive
-/// with the wanted heading; each radian costs 8 cm.
+/// Time [s] in which a robot comes to `target` (docs/skills.md): it turns whichever end is nearer toward it
+/// and drives, the speed that it has counts. `arrival_turn` [rad] is how far it must turn on the way to
+/// arrive with the wanted heading; each radian costs 8 cm.
 double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target, double arrival_turn = 0.0);
 double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target, double arrival_turn = 0.0);
 

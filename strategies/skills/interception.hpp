@@ -25,9 +25,9 @@ struct InterceptionRequest {
 };
 
 /// The earliest time at which the robot can be at the ball's predicted place, or (with `aim`) behind it
-/// (STRATEGY 2.3). It marches forward by the time that is still missing, which cannot overshoot the first
-/// meeting as long as the robot is the faster, and closes in by a secant. Empty when there is none within the
-/// horizon.
+/// (docs/skills.md, Interception). It marches forward by the time that is still missing, which cannot
+/// overshoot the first meeting as long as the robot is the faster, and closes in by a secant. Empty when
+/// there is none within the horizon.
 std::optional<Interception> intercept(const BallPrediction& ball, const RobotPace& pace,
                                       const RobotState& robot, const InterceptionRequest& request = {});
 

@@ -6,7 +6,7 @@
 #include "engine/core/models/field_geometry.hpp"
 #include "strategies/prediction/ball_prediction.hpp"
 
-/// Places on the field that roles stand at, all in the team's frame (own goal at -x); STRATEGY 2.6-2.8.
+/// Places on the field that roles stand at, all in the team's frame (own goal at -x); docs/skills.md, Places.
 namespace fulbito {
 
 /// The middle of the own goal line.

@@ -9,7 +9,7 @@ namespace fulbito {
 
 /// Who does what, without flapping. Costs are seconds by custom. Every tick the assignment with the least sum
 /// is looked for; it replaces the present one only when it is better by a margin, which is larger just after
-/// a change, and never within the dwell time unless something happened (STRATEGY 3).
+/// a change, and never within the dwell time unless something happened (docs/skills.md).
 class RoleAssignment {
  public:
   struct Settings {

@@ -29,13 +29,13 @@ struct ShotBlocker {
 struct ShotModel {
   double ball_radius = 0.0215;  ///< [m]
   double speed = 1.2;           ///< [m/s] of the shot
-  double spread = 0.07;         ///< [rad] standard deviation of where shots go (STRATEGY 2.5: 3-5 degrees)
+  double spread = 0.07;         ///< [rad] standard deviation of where shots go: 4 degrees, chosen
   double acceleration = 6.0;    ///< [m/s^2] of blockers on their way to the ball
   double reaction = 0.05;       ///< [s] before they start
 };
 
 /// Free parts of the opponents' mouth (the goal at +x) as seen from a ball: the mouth less a ball's radius at
-/// each post, less the blockers' shadows (STRATEGY 2.5). In order of y.
+/// each post, less the blockers' shadows (docs/skills.md, Shots). In order of y.
 class FreeMouth {
  public:
   static constexpr std::size_t kMost = 2 * 11 + 1;

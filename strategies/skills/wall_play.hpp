@@ -5,7 +5,7 @@
 #include "engine/core/models/field_geometry.hpp"
 #include "strategies/interface/observation.hpp"
 
-/// Balls at walls: when to spin, and which way (STRATEGY 2.6).
+/// Balls at walls: when to spin, and which way (docs/skills.md, Spins).
 namespace fulbito {
 
 /// Sense of a spin that sends a ball beside the robot along `wanted`: +1 counter-clockwise, -1 clockwise.

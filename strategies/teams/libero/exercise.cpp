@@ -15,7 +15,7 @@ Twist turnFrontTo(const Pitch& pitch, const RobotState& robot, double heading) {
 }
 
 /// Straight on with the ball before the front: the heading is held and not steered at the ball, which keeps
-/// its sideways speed (reference page, 2.4).
+/// its sideways speed (docs/skills.md, Pushing).
 Twist push(const RobotState& robot, const Exercise& exercise) {
   const double error = math::wrapAngle(exercise.heading - robot.pose.heading);
   return {exercise.speed, 10.0 * error};

@@ -11,8 +11,8 @@ struct Steering {
   double slow_down = 2.0;  ///< power of the cosine of the error that slows the robot while it turns
 };
 
-/// Time [s] in which `robot` can be at `target`, turn and ramp included; either end may lead. The formula of
-/// the reference page (2.1), with the speed that the robot already has.
+/// Time [s] in which `robot` can be at `target`, turn and ramp included; either end may lead. The speed that
+/// the robot already has counts (docs/skills.md, Time to reach).
 double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target);
 /// The same where the unit vector `face` of its heading is known: for who asks of many targets.
 double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 face, Vec2 target);

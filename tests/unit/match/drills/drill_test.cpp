@@ -114,7 +114,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 }  // namespace
 
-TEST_CASE("the strategy page's 21 drills are built in", "[unit]") {
+TEST_CASE("all 21 drills are built in", "[unit]") {
   const std::vector<Drill>& drills = builtInDrills();
   REQUIRE(drills.size() == 21);
   std::set<std::string> names;
@@ -172,11 +172,11 @@ TEST_CASE("a folder of drills is read in the order of numbers", "[unit]") {
   CHECK(loadDrills((folder.path() / "none").string()).error().code == ErrorCode::kIo);
 }
 
-TEST_CASE("floors are those of the strategy page", "[unit]") {
+TEST_CASE("floors are those of docs/skills.md", "[unit]") {
   RobotModel robot;
   robot.wheel_acceleration = 5.0;
   robot.axle_track = 0.075;
-  robot.yaw_acceleration = 2.0 * 5.0 / 0.075;  // the page's: each wheel for itself
+  robot.yaw_acceleration = 2.0 * 5.0 / 0.075;  // each wheel for itself: 2 a / b
   robot.max_wheel_speed = 1.2 / robot.wheel_radius;
   CHECK(timeToReach(robot, 0.3, 0.0) == Approx(0.37).margin(0.005));
   CHECK(timeToReach(robot, 1.0, 0.0) == Approx(0.95).margin(0.005));
