@@ -282,8 +282,8 @@ const std::vector<Folder> kFolders = {
     {"tests/support",
      "what tests and surveys share",
      {"engine/core/base", "engine/core/math", "engine/core/models", "engine/core/config", "engine/sim",
-      "navigation/interface", "navigation/methods/paths", "navigation", "strategies", "replays", "match/play",
-      "match/record"}},
+      "navigation/interface", "navigation/methods/paths", "navigation", "strategies/interface", "strategies",
+      "referee/restarts", "replays", "match/play", "match/record"}},
 };
 
 bool isIn(std::string_view path, std::string_view folder) {
