@@ -68,22 +68,6 @@ Vec2 clearanceTarget(const FieldGeometry& field, Vec2 ball, std::span<const Vec2
   return best;
 }
 
-Vec2 markingPoint(const FieldGeometry& field, Vec2 opponent, double away) {
-  return opponent + unitOr(ownGoal(field) - opponent, {-1.0, 0.0}) * away;
-}
-
-std::optional<std::size_t> mostDangerous(const FieldGeometry& field, std::span<const Vec2> opponents,
-                                         std::optional<std::size_t> busy) {
-  std::optional<std::size_t> most;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < opponents.size(); ++i) {
-    if (busy == i) continue;
-    const double away = distance(opponents[i], ownGoal(field));
-    if (away < nearest) nearest = away, most = i;
-  }
-  return most;
-}
-
 Vec2 insideWalls(const FieldGeometry& field, Vec2 p, double margin) {
   const double x = field.length / 2 - margin, y = field.width / 2 - margin;
   p = {std::clamp(p.x, -x, x), std::clamp(p.y, -y, y)};

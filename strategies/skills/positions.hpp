@@ -34,14 +34,6 @@ Vec2 reboundSpot(const FieldGeometry& field, Vec2 ball);
 /// goal line; of several such points the one with the widest berth from `opponents`.
 Vec2 clearanceTarget(const FieldGeometry& field, Vec2 ball, std::span<const Vec2> opponents);
 
-/// Where a robot stands that marks an opponent: between it and the own goal, `away` [m] from it.
-Vec2 markingPoint(const FieldGeometry& field, Vec2 opponent, double away);
-
-/// The opponent that threatens most when the ball is where it is: near the own goal and far from the ball's
-/// carrier. `busy` is left out (who has the ball). Empty when there is nobody else.
-std::optional<std::size_t> mostDangerous(const FieldGeometry& field, std::span<const Vec2> opponents,
-                                         std::optional<std::size_t> busy);
-
 /// `p` moved to where a body of `margin` [m] stays within the walls of the playing rectangle.
 Vec2 insideWalls(const FieldGeometry& field, Vec2 p, double margin);
 

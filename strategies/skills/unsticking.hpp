@@ -9,7 +9,6 @@ namespace fulbito {
 /// the command that is about to be sent.
 class Unsticking {
  public:
-  void reset() { held_ = 0.0, left_ = 0.0; }
   /// `meant`: the robot is meant to move; when it has not for 0.8 s, it backs off for a quarter of a second.
   /// A value: drive so instead.
   std::optional<Twist> update(const RobotState& robot, bool meant, double dt);

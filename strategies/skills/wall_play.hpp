@@ -24,13 +24,11 @@ struct SpinSettings {
 /// Spins of one robot: begins, holds and ends them.
 class SpinKick {
  public:
-  void reset() { time_ = 0.0, rest_ = 0.0; }
   /// Sense of the spin for this tick, or nothing. `wanted`: direction in which the ball shall go; `allowed`:
   /// a new spin may begin now (no mate in the way).
   std::optional<double> update(const FieldGeometry& field, double ball_radius, const RobotState& robot,
                                const BallState& ball, Vec2 wanted, bool allowed, double dt,
                                const SpinSettings& settings = {});
-  bool active() const { return time_ > 0.0; }
 
  private:
   double time_ = 0.0;  ///< [s] in this spin
