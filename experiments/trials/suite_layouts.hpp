@@ -27,8 +27,8 @@ Layout wallsLayout(std::uint64_t seed, std::uint64_t index);
 Layout clutter11Layout(std::uint64_t seed, std::uint64_t index);
 Layout clutter13Layout(std::uint64_t seed, std::uint64_t index);
 Layout clutter16Layout(std::uint64_t seed, std::uint64_t index);
-/// A U of robot-sized obstacles that opens toward the start, with the goal behind it (as in P.-G. Kim et al.
-/// 2006, Fig. 8).
+/// A U of robot-sized obstacles that opens toward the start, with the goal behind it: a trap for methods that
+/// plan no path.
 Layout uTrapLayout(std::uint64_t seed, std::uint64_t index);
 /// One to five robot-sized obstacles that cross the way at 0.3 to 1.5 m/s and bounce off the walls.
 Layout movingLayout(std::uint64_t seed, std::uint64_t index);
