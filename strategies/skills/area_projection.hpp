@@ -13,4 +13,7 @@ bool isInArea(const FieldGeometry& field, Vec2 p, bool own, double margin = 0.0)
 /// its centre. Points outside stay as they are.
 Vec2 outsideArea(const FieldGeometry& field, Vec2 p, bool own, double margin);
 
+/// [m] from that area to `p`, the arc as it is; negative inside.
+double distanceToArea(const FieldGeometry& field, Vec2 p, bool own);
+
 }  // namespace fulbito

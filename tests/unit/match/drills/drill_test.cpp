@@ -9,6 +9,7 @@
 #include "match/drills/trials.hpp"
 #include "match/play/match.hpp"
 #include "match/report/statistics.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -181,11 +182,11 @@ TEST_CASE("floors are those of docs/skills.md", "[unit]") {
   robot.axle_track = 0.075;
   robot.yaw_acceleration = 2.0 * 5.0 / 0.075;  // each wheel for itself: 2 a / b
   robot.max_wheel_speed = 1.2 / robot.wheel_radius;
-  CHECK(timeToReach(robot, 0.3, 0.0) == Approx(0.37).margin(0.005));
-  CHECK(timeToReach(robot, 1.0, 0.0) == Approx(0.95).margin(0.005));
-  CHECK(timeToReach(robot, 1.0, math::kPi / 2) - timeToReach(robot, 1.0, 0.0) == Approx(0.15).margin(0.005));
-  CHECK(timeToReach(robot, 1.0, math::kPi) == Approx(timeToReach(robot, 1.0, 0.0)));
-  CHECK(timeToTurn(robot, math::kPi / 2) == Approx(0.22).margin(0.005));
+  const RobotPace pace(robot);
+  CHECK(timeToReach(pace, 0.3, 0.0) == Approx(0.37).margin(0.005));
+  CHECK(timeToReach(pace, 1.0, 0.0) == Approx(0.95).margin(0.005));
+  CHECK(timeToReach(pace, 1.0, math::kPi / 2) - timeToReach(pace, 1.0, 0.0) == Approx(0.15).margin(0.005));
+  CHECK(timeToTurn(pace, math::kPi / 2) == Approx(0.22).margin(0.005));
   const Drill& keeper = builtInDrills()[9];
   REQUIRE(keeper.name == "keeper");
   CHECK(leastSavableDistance(keeper, 1.2) == Approx(0.32).margin(0.005));
