@@ -187,13 +187,13 @@ TEST_CASE("the checks of pages find what is planted", "[unit]") {
   CHECK(longLines(pageOfText(umlauts + "\n")).empty());
 
   const Page page =
-      pageOfText("# A page, *two* words\n\nsee [a](b.md#c) and ![d](e.png), `[f](g)`\n```\n[h](i)\n```\n");
-  CHECK(targetsOf(page) == std::vector<std::string>{"b.md#c", "e.png"});
+      pageOfText("# A page, *two* words\n\nsee [a](b#c) and ![d](e.png), `[f](g)`\n```\n[h](i)\n```\n");
+  CHECK(targetsOf(page) == std::vector<std::string>{"b#c", "e.png"});
   CHECK(anchorsOf(page) == std::set<std::string>{"a-page-two-words"});
   const fs::path readme = fs::path(FULBITO_SOURCE_DIR) / "README.md";
   CHECK(leads(readme, "docs/rules.md#events"));
   CHECK_FALSE(leads(readme, "docs/rules.md#no-such-heading"));
-  CHECK_FALSE(leads(readme, "docs/no-such-page.md"));
+  CHECK_FALSE(leads(readme, "docs/no-such-page"));
 }
 
 }  // namespace fulbito
