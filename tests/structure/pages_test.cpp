@@ -2,6 +2,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -94,6 +95,22 @@ std::vector<std::string> targetsOf(const Page& page) {
   return targets;
 }
 
+/// Sources and scripts that code spans name by their path from the root; `my_...` and words in capitals stand
+/// for the reader's own files.
+std::vector<std::string> sourcesOf(const Page& page) {
+  static const std::regex kPath(
+      "`((engine|navigation|strategies|referee|replays|match|experiments|apps|bench|tests|"
+      "cmake|scripts|docs)(/[a-z0-9_.-]+)+\\.(cpp|hpp|txt|toml|md|sh|cmake|js|css))`");
+  std::vector<std::string> paths;
+  for (const Line& line : page) {
+    if (line.code) continue;
+    for (std::sregex_iterator at(line.text.begin(), line.text.end(), kPath), end; at != end; ++at) {
+      if ((*at)[1].str().find("/my_") == std::string::npos) paths.push_back((*at)[1]);
+    }
+  }
+  return paths;
+}
+
 /// The anchor that readers of Markdown make of a heading: lower case, spaces as dashes, no other signs.
 std::string anchorOf(const std::string& heading) {
   std::string anchor;
@@ -161,6 +178,18 @@ TEST_CASE("links and pictures of the pages lead somewhere", "[unit]") {
   CHECK(targets > 100);
 }
 
+TEST_CASE("sources that the pages name are there", "[unit]") {
+  std::size_t sources = 0;
+  for (const fs::path& file : pages()) {
+    for (const std::string& source : sourcesOf(pageOf(file))) {
+      ++sources;
+      CAPTURE(file.string(), source);
+      CHECK(fs::exists(fs::path(FULBITO_SOURCE_DIR) / source));
+    }
+  }
+  CHECK(sources > 60);
+}
+
 TEST_CASE("every page of the docs is named by the README, every picture by a page", "[unit]") {
   const fs::path root = FULBITO_SOURCE_DIR;
   std::set<fs::path> named;
@@ -190,6 +219,9 @@ TEST_CASE("the checks of pages find what is planted", "[unit]") {
       pageOfText("# A page, *two* words\n\nsee [a](b#c) and ![d](e.png), `[f](g)`\n```\n[h](i)\n```\n");
   CHECK(targetsOf(page) == std::vector<std::string>{"b#c", "e.png"});
   CHECK(anchorsOf(page) == std::set<std::string>{"a-page-two-words"});
+  const Page sources =
+      pageOfText("`match/a.cpp`, `match/my_b.cpp`, `match/C/d.hpp`, `e/f.cpp`\n```\n`match/g.cpp`\n```\n");
+  CHECK(sourcesOf(sources) == std::vector<std::string>{"match/a.cpp"});
   const fs::path readme = fs::path(FULBITO_SOURCE_DIR) / "README.md";
   CHECK(leads(readme, "docs/rules.md#events"));
   CHECK_FALSE(leads(readme, "docs/rules.md#no-such-heading"));
