@@ -27,6 +27,8 @@ struct Scene {
   Observation seen;
 };
 
+int sizeOf(const MatchInfo& info) { return info.team_size; }
+
 std::string gameOf(int team_size) { return team_size == 5 ? "vsss-5v5" : "vsss-3v3"; }
 
 MatchInfo infoOf(int team_size, double age) {
@@ -45,7 +47,7 @@ MatchInfo infoOf(int team_size, double age) {
 Observation emptyScene(const MatchInfo& info) {
   Observation seen;
   seen.dt = info.physics.controlPeriod();
-  seen.team_size = info.team_size;
+  seen.team_size = sizeOf(info);
   seen.remaining = info.half_seconds;
   return seen;
 }
@@ -77,7 +79,7 @@ void drawRestart(Observation& seen, Rng& rng) {
 Scene randomScene(const MatchInfo& info, std::uint64_t seed) {
   Rng rng(seed, Stream::kTest, 78);
   Scene scene{"random scene " + std::to_string(seed), emptyScene(info)};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(info.team_size); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(sizeOf(info)); ++i) {
     scene.seen.own[i] = drawRobot(info, rng);
     scene.seen.opponents[i] = drawRobot(info, rng);
   }
@@ -111,7 +113,7 @@ std::vector<Scene> degenerateScenes(const MatchInfo& info) {
     for (ObservedRobot& robot : seen.own) robot.present = false;
     for (ObservedRobot& robot : seen.opponents) robot.present = false;
   });
-  for (std::size_t left = 0; left < static_cast<std::size_t>(info.team_size); ++left) {
+  for (std::size_t left = 0; left < static_cast<std::size_t>(sizeOf(info)); ++left) {
     add("only robot " + std::to_string(left) + " left", [left](Observation& seen) {
       for (std::size_t i = 0; i < seen.own.size(); ++i) seen.own[i].present = i == left;
     });
@@ -302,7 +304,7 @@ void checkMirrored(const TeamChoice& choice, const MatchInfo& info, Scene scene,
   for (int tick = 0; tick < ticks; ++tick) {
     const TeamCommand command = plain.team->decide(scene.seen);
     const TeamCommand other = image.team->decide(mirrored(scene.seen));
-    for (std::size_t i = 0; i < static_cast<std::size_t>(info.team_size); ++i) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(sizeOf(info)); ++i) {
       if (!scene.seen.own[i].present) continue;
       INFO(scene.name << ", tick " << tick << ", robot " << i);
       const auto wanted = numbersOf(mirrored(command.robots[i])), got = numbersOf(other.robots[i]);
@@ -340,7 +342,7 @@ TeamPlacement turned(fulbito::Side side, const TeamPlacement& poses) {
 
 RefereeSetup refereeOf(const MatchInfo& info) {
   RefereeSetup setup;
-  setup.rules = loadRules(gameOf(info.team_size)).value();
+  setup.rules = loadRules(gameOf(sizeOf(info))).value();
   setup.field = info.field;
   setup.robot = info.robot;
   setup.ball = info.ball;
@@ -388,7 +390,7 @@ void checkRestarts(const TeamChoice& choice, const MatchInfo& info) {
 }
 
 void checkGame(const TeamChoice& choice, const MatchInfo& info, const TeamProperties& properties) {
-  INFO(info.team_size << " robots, pictures " << info.observation_age << " s old");
+  INFO(sizeOf(info) << " robots, pictures " << info.observation_age << " s old");
   Side side(choice, info);
   // One team goes through all scenes, as through the plays of a match.
   for (const Scene& scene : degenerateScenes(info)) checkSound(side, info, scene, properties.ticks);
