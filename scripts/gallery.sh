@@ -38,6 +38,13 @@ before=$(awk -v t="$goal" 'BEGIN { print (t > 1.2 ? t - 1.2 : 0) }')
 "$program" run --navigator bspline-time --layout moving:3 --record trial.fbr >/dev/null
 "$program" replay export trial.fbr --force --trails "$images/trial-trails.png" --size 640
 
+# One layout for every method: docs/navigators.md.
+for navigator in straight vector-field univector tangent-field limit-cycle nearness-diagram bezier-raw bezier hermite \
+  tangent-graph dwa bspline-time; do
+  "$program" run --navigator "$navigator" --layout corner:17 --record way.fbr --force >/dev/null
+  "$program" replay export way.fbr --force --trails "$images/navigator-$navigator.png" --size 480
+done
+
 "$program" compare --suite jung-lee-2015 --trials 1 --out figures >/dev/null
 cp figures/fig1-abrupt-turns-1.0.png "$images/"
 "$program" compare --map --suite close-range --laws classic --speeds 1.0,1.2 --radii 0,0.02,0.04,0.06,0.08,0.10,0.12,0.14 \

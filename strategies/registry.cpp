@@ -3,11 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
-#include "strategies/teams/classic/classic.hpp"
-#include "strategies/teams/libero/libero.hpp"
-#include "strategies/teams/simple/chaser.hpp"
-#include "strategies/teams/simple/idle.hpp"
-#include "strategies/teams/simple/random_team.hpp"
+#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 std::span<const TeamInfo> teams() {

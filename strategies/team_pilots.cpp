@@ -143,8 +143,7 @@ WheelSpeeds TeamPilots::inSteps(WheelSpeeds wheels) const {
 }
 
 void TeamPilots::chooseFront(Driver& driver, const RobotState& robot, const GoTo& go_to) const {
-  // Of a fast robot turning round costs less than stopping; near a right angle either end is as good
-  // (STRATEGY 2.4).
+  // Of a fast robot turning round costs less than stopping; near a right angle either end is as good.
   constexpr double kSlow = 0.3;                // [m/s]
   constexpr double kClearly = math::kPi / 12;  // [rad] beyond a right angle
   if (!go_to.either_front) {

@@ -23,7 +23,7 @@ struct RunOptions {
   std::string navigator = kDefaultNavigator;
   std::string layout = "corner:0";  ///< file, named case, or suite:index
   double speed = 1.0;               ///< [m/s]
-  std::string robot = "paper-004";
+  std::string robot = "jung-lee-2015";
   std::string physics = "standard";
   std::uint64_t seed = 2015;
   SensorModel sensors;

@@ -29,17 +29,17 @@ void print(const std::string& name, test::LayoutMaker layout, double limit_clear
 
 }  // namespace
 
-TEST_CASE("survey N1", "[survey]") { print("N1", test::cornerLayout); }
-TEST_CASE("survey N2", "[survey]") { print("N2", test::shortLayout); }
-TEST_CASE("survey N3", "[survey]") { print("N3", test::headingLayout); }
-TEST_CASE("survey N4", "[survey]") { print("N4", test::wallLayout); }
-TEST_CASE("survey N5", "[survey]") {
+TEST_CASE("survey corner", "[survey]") { print("corner", test::cornerLayout); }
+TEST_CASE("survey short", "[survey]") { print("short", test::shortLayout); }
+TEST_CASE("survey heading", "[survey]") { print("heading", test::headingLayout); }
+TEST_CASE("survey walls", "[survey]") { print("walls", test::wallLayout); }
+TEST_CASE("survey clutter", "[survey]") {
   for (double gap : {1.1, 1.3, 1.6}) {
     const auto layout = [gap](std::uint64_t seed) { return test::gapLayout(seed, gap * 0.075); };
-    print(fmt::format("N5 gap {}", gap), layout, 0.0395);
+    print(fmt::format("clutter gap {}", gap), layout, 0.0395);
   }
 }
-TEST_CASE("survey N6", "[survey]") { print("N6", test::movingLayout); }
+TEST_CASE("survey moving", "[survey]") { print("moving", test::movingLayout); }
 
 TEST_CASE("survey six robots", "[survey]") {
   const RobotModel robot = test::paperRobot(1.2);

@@ -19,9 +19,9 @@ struct ComparisonConfig {
   std::vector<double> speeds;           ///< [m/s]; empty = the suite's
   int trials = 0;                       ///< layouts of each block; 0 = the suite's
   std::uint64_t seed = 2015;
-  int jobs = 0;                      ///< worker threads; 0 = all cores
-  std::string robot = "paper-004";   ///< preset or file
-  std::string physics = "standard";  ///< preset or file
+  int jobs = 0;                         ///< worker threads; 0 = all cores
+  std::string robot = "jung-lee-2015";  ///< preset or file
+  std::string physics = "standard";     ///< preset or file
   SensorModel sensors;
   std::optional<std::uint64_t> only;  ///< this layout of each block alone
   int pictures = 8;                   ///< layouts of each block whose traces are kept for pictures
@@ -85,7 +85,7 @@ struct SummaryRow {
 
 /// One claim of the paper beside what was measured here.
 struct ReproductionRow {
-  std::string id;  ///< e.g. R4-a
+  std::string id;  ///< e.g. distance-untuned-univector
   std::string claim;
   std::string paper;  ///< the paper's figure as printed
   std::string ours;   ///< with its interval

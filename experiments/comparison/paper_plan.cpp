@@ -69,7 +69,7 @@ std::string bandText(Band band) {
 
 /// One claim that is a difference between the Bezier method and an opponent.
 struct DifferenceClaim {
-  const char* id;
+  const char* id;  ///< opponent and where; the rows put distance- and time- before it
   const char* suite;
   double speed;
   const char* bezier;  ///< specification of the Bezier method in this claim
@@ -88,7 +88,7 @@ void addRow(Comparison& comparison, const DifferenceClaim& claim, bool length,
   const Interval& measured = length ? difference.length : difference.time;
   const Band band = length ? claim.length : claim.time;
   ReproductionRow row;
-  row.id = with_hung ? fmt::format("{}, hung runs too", claim.id) : claim.id;
+  row.id = fmt::format("{}-{}{}", length ? "distance" : "time", claim.id, with_hung ? "-with-hung" : "");
   row.claim = fmt::format("{} of {} against {} at {:.1f} m/s, {} safe pairs", length ? "distance" : "time",
                           claim.bezier, claim.what, claim.speed, difference.pairs);
   row.paper = length ? claim.paper_length : claim.paper_time;
@@ -116,7 +116,7 @@ void judgeDifference(Comparison& comparison, const DifferenceClaim& claim) {
   addRow(comparison, claim, false, all, true);
 }
 
-/// R4-d: how often the method as printed collides, and whether the guarded one does.
+/// How often the method as printed collides, and whether the guarded one does.
 void judgeCollisions(Comparison& comparison) {
   const auto raw = find(comparison, "corner", 1.0, "bezier-raw");
   const auto guarded = find(comparison, "corner", 1.0, "bezier");
@@ -134,18 +134,19 @@ void judgeCollisions(Comparison& comparison) {
     return fmt::format("{:.1f} % ({:.1f} ... {:.1f})", 100 * i.value, 100 * i.low, 100 * i.high);
   };
   comparison.reproduction.push_back(
-      {"R4-d", "runs that touch something: bezier-raw, the method as printed, corner to corner", "not stated",
+      {"collisions-as-printed",
+       "runs that touch something: bezier-raw, the method as printed, corner to corner", "not stated",
        share(raw_rate), "80 ... 90 %", raw_band.contains(raw_rate.value),
        "the paper tests the curves for length only: the shortest of the 2^n curves alternates sides and cuts "
        "through the balls"});
   comparison.reproduction.push_back(
-      {"R4-d", "runs that touch something: bezier, with the collision test", "not stated",
+      {"collisions-guarded", "runs that touch something: bezier, with the collision test", "not stated",
        share(guarded_rate), "0 %", guarded_rate.value == 0.0,
        "the guarded version keeps the robot's circle 2 cm away from every ball"});
 }
 
 constexpr DifferenceClaim kClaims[] = {
-    {"R4-a",
+    {"untuned-univector",
      "corner",
      1.0,
      "bezier",
@@ -158,7 +159,7 @@ constexpr DifferenceClaim kClaims[] = {
      "the field would have to drive 1.34 times the Bezier length; this one does not, wide rings under the "
      "classic law come near (fulbito compare --map)",
      "the field's bends cost speed; an untuned field loses as much time as the paper says"},
-    {"R4-b",
+    {"tuned-tangent-1.0",
      "corner",
      1.0,
      "bezier",
@@ -170,7 +171,7 @@ constexpr DifferenceClaim kClaims[] = {
      "not compared",
      "a tuned field drives as short as the Bezier curve",
      "at this speed the tuned field is faster: it passes the balls closer"},
-    {"R4-b",
+    {"tuned-tangent-2.6",
      "corner",
      2.6,
      "bezier",
@@ -182,7 +183,7 @@ constexpr DifferenceClaim kClaims[] = {
      "-19.3 %",
      "a tuned field drives as short as the Bezier curve",
      "at the robot's full speed the smooth curve can be driven faster even than the best field"},
-    {"R4-c",
+    {"wide-ring",
      "close-range",
      0.6,
      kClassicBezier,
@@ -193,9 +194,9 @@ constexpr DifferenceClaim kClaims[] = {
      "-27.3 % (experiment)",
      "-23.5 % (experiment)",
      "the paper's 25.87 cm at 27.3 % implies runs of 0.69 against 0.95 m; at that range a wide untuned ring "
-     "loses as much (not a statement about tuned fields: see R4-a and R4-b)",
+     "loses as much (tuned fields are another question: see the rows tuned-tangent)",
      "without the runs that hung; with them it is outside, see the row below"},
-    {"R4-c, bezier previewed",
+    {"wide-ring-previewed",
      "close-range",
      0.6,
      "bezier",
@@ -208,7 +209,7 @@ constexpr DifferenceClaim kClaims[] = {
      "ablation: the Bezier path driven by the preview follower instead of the field's own classic law",
      "ablation: the preview follower makes the Bezier method a few percent faster than the law that both "
      "would share"},
-    {"R4-e",
+    {"tuned-ring-corner",
      "corner",
      1.0,
      kClassicBezier,
@@ -220,7 +221,7 @@ constexpr DifferenceClaim kClaims[] = {
      "-19.3 % (simulation)",
      "a ring chosen by its own safety and time turns the robot gently, and loses little on long runs",
      "the band is the paper's figure within 2 points"},
-    {"R4-f",
+    {"tuned-ring-close-range",
      "close-range",
      1.0,
      kClassicBezier,

@@ -26,11 +26,11 @@ inline constexpr const char* kTunedCloseRing =
 
 inline constexpr const char* kClassicBezier = "bezier:follower=classic";
 
-/// Blocks of the suite: all methods from corner to corner at 0.6, 1.0 and 2.6 m/s with the opponents of R4-a
-/// to R4-e, the close-range runs of R4-c and R4-f, and the named cases of Figs 1-8. Errors: kUsage.
+/// Blocks of the suite: all methods from corner to corner at 0.6, 1.0 and 2.6 m/s with the opponents above,
+/// the close-range runs against the wide and the tuned ring, and the named cases of Figs 1-8. Errors: kUsage.
 Result<std::vector<ComparisonBlock>> paperBlocks(const ComparisonConfig& config);
 
-/// Fills in `comparison.reproduction`: R4-a to R4-f beside the paper's figures.
+/// Fills in `comparison.reproduction`: what the paper claims, each with the paper's figure and ours.
 void judgeReproduction(Comparison& comparison);
 
 }  // namespace fulbito

@@ -23,15 +23,15 @@ struct Suite {
   Layout (*layout)(std::uint64_t seed, std::uint64_t index) = nullptr;
 };
 
-/// All suites of layouts: corner (N1), short (N2), heading (N3), walls (N4), clutter (N5), moving (N6) and
-/// the named cases of the paper's figures. `jung-lee-2015` is a comparison made of some of them, see
+/// All suites of layouts: corner, short, close-range, heading, walls, clutter, u-trap, moving and the named
+/// cases of the figures of Jung & Lee (2015). `jung-lee-2015` is a comparison made of some of them, see
 /// comparison.hpp.
 const std::vector<Suite>& suites();
 
 /// Errors: kUsage with a suggestion.
 Result<const Suite*> findSuite(const std::string& name);
 
-/// The named cases of Jung & Lee's Figs 1-8 and of paper 001's U-traps, in order.
+/// The named cases of Figs 1-8 of Jung & Lee (2015), in order.
 const std::vector<Layout>& namedCases();
 
 }  // namespace fulbito

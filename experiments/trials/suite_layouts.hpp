@@ -9,28 +9,28 @@ namespace fulbito {
 /// @{ Seeded layouts of the suites (docs/suites.md): layout `index` of `seed`, a pure function of the two.
 /// Every layout is on the 1.5 x 1.3 m field, in centre coordinates.
 
-/// N1: corner to corner past four tennis balls, two in the lower left and two in the upper right, at least
+/// Corner to corner past four tennis balls, two in the lower left and two in the upper right, at least
 /// two of them within 8.65 cm of the straight line; the setting of Jung & Lee (2015), section 5.
 Layout cornerLayout(std::uint64_t seed, std::uint64_t index);
-/// N2: 0.55 to 0.75 m past the same balls.
+/// 0.55 to 0.75 m past the same balls.
 Layout shortLayout(std::uint64_t seed, std::uint64_t index);
-/// R4-c: the corner layout shrunk about the middle to 0.58 to 0.72 m, the size that the paper's figures
-/// imply, with balls of full size and 15 cm from start and goal to any ball's centre.
+/// The corner layout shrunk about the middle to 0.58 to 0.72 m, the size that the results of Jung & Lee
+/// (2015) imply (docs/papers.md), with balls of full size and 15 cm from start and goal to any ball's centre.
 Layout closeRangeLayout(std::uint64_t seed, std::uint64_t index);
-/// N3: N1 with any initial heading and an arrival heading to meet within 10 degrees.
+/// The corner layout with any initial heading and an arrival heading to meet within 10 degrees.
 Layout headingLayout(std::uint64_t seed, std::uint64_t index);
-/// N4: in turn a start that touches a wall facing it, one in a corner, a goal near a wall, a goal near an
+/// In turn a start that touches a wall facing it, one in a corner, a goal near a wall, a goal near an
 /// obstacle.
 Layout wallsLayout(std::uint64_t seed, std::uint64_t index);
-/// N5: in turn a barrier of robot-sized obstacles with one gap, and scattered ones; the gap is 1.1, 1.3
+/// In turn a barrier of robot-sized obstacles with one gap, and scattered ones; the gap is 1.1, 1.3
 /// or 1.6 robot widths.
 Layout clutter11Layout(std::uint64_t seed, std::uint64_t index);
 Layout clutter13Layout(std::uint64_t seed, std::uint64_t index);
 Layout clutter16Layout(std::uint64_t seed, std::uint64_t index);
-/// N5: a U of robot-sized obstacles that opens toward the start, with the goal behind it (paper 001, Fig. 8
-/// class).
+/// A U of robot-sized obstacles that opens toward the start, with the goal behind it: a trap for methods that
+/// plan no path.
 Layout uTrapLayout(std::uint64_t seed, std::uint64_t index);
-/// N6: one to five robot-sized obstacles that cross the way at 0.3 to 1.5 m/s and bounce off the walls.
+/// One to five robot-sized obstacles that cross the way at 0.3 to 1.5 m/s and bounce off the walls.
 Layout movingLayout(std::uint64_t seed, std::uint64_t index);
 /// @}
 

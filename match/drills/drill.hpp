@@ -134,7 +134,7 @@ struct Drill {
   int number = 0;
   std::string name;
   std::string what;    ///< one line
-  std::string source;  ///< where the bar comes from
+  std::string source;  ///< why the bars are what they are, so that anyone can check it
   std::string rules = "vsss-3v3";
   bool referee = true;                ///< false: nothing but a goal stops play
   int trials = 400;                   ///< or matches, or half of them where pairs are played

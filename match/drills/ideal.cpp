@@ -5,21 +5,26 @@
 
 #include "engine/core/math/math.hpp"
 #include "engine/sim/world.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
 
 namespace fulbito {
 namespace {
 
 constexpr double kLongest = 5.0;  // [s] after which an interception is given up
 
+/// What a robot turns [rad] whose either end may lead.
+double folded(double bearing) { return std::min(std::abs(bearing), math::kPi - std::abs(bearing)); }
+
 /// Whether one of the tested team's robots can be at the ball by then.
 bool meets(const DrillScene& scene, const RobotPreset& robot, Vec2 ball, double time) {
   const double reach = robot.robot.length / 2 + robot.ball.radius;
+  const RobotPace pace(robot.robot);
   const auto& own = scene.placement.robots[indexOf(TeamId::kBlue)];
   return std::any_of(own.begin(), own.end(), [&](const std::optional<Pose2>& pose) {
     if (!pose) return false;
     const Vec2 way = ball - pose->position;
     const double bearing = math::wrapAngle(math::angleOf(way) - pose->heading);
-    return timeToReach(robot.robot, std::max(0.0, norm(way) - reach), bearing) <= time;
+    return timeToReach(pace, std::max(0.0, norm(way) - reach), folded(bearing)) <= time;
   });
 }
 
@@ -47,28 +52,17 @@ bool isRace(const Drill& drill) {
 
 }  // namespace
 
-double timeToReach(const RobotModel& robot, double distance, double bearing) {
-  const double folded = std::min(std::abs(bearing), math::kPi - std::abs(bearing));
-  const double a = robot.wheel_acceleration;
-  const double v = robot.maxSpeed();
-  const double turn = 1.4 * std::sqrt(folded / robot.turnAcceleration());
-  return turn + (distance < v * v / (2.0 * a) ? std::sqrt(2.0 * distance / a) : distance / v + v / (2.0 * a));
-}
-
-double timeToTurn(const RobotModel& robot, double angle) {
-  return 2.0 * std::sqrt(std::abs(angle) / robot.turnAcceleration());
-}
-
 double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig& config) {
   const DrillTask task = drill.starts[static_cast<std::size_t>(scene.start)].task;
   if (task == DrillTask::kPlay) return isRace(drill) ? timeToMeet(scene, config) : 0.0;
   const auto& pose = scene.placement.robots[indexOf(TeamId::kBlue)][0];
   if (!pose) return 0.0;
   const double turn = math::wrapAngle(scene.exercise.heading - pose->heading);
+  const RobotPace pace(config.robot.robot);
   if (task == DrillTask::kReachPose) {
-    return timeToReach(config.robot.robot, distance(scene.exercise.target, pose->position), turn);
+    return timeToReach(pace, distance(scene.exercise.target, pose->position), folded(turn));
   }
-  return task == DrillTask::kTurn ? timeToTurn(config.robot.robot, turn) : 0.0;
+  return task == DrillTask::kTurn ? timeToTurn(pace, std::abs(turn)) : 0.0;
 }
 
 }  // namespace fulbito

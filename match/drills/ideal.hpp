@@ -10,11 +10,4 @@ namespace fulbito {
 /// formulas of time to reach go; 0 where there is none.
 double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig& config);
 
-/// Time [s] to a point at `distance` [m] for a robot at rest whose heading is off by `bearing` [rad]:
-/// 1.4 sqrt(phi b / 2a) to turn, phi folded to 0 ... pi/2 as both ends drive, then full acceleration.
-double timeToReach(const RobotModel& robot, double distance, double bearing);
-
-/// Time [s] to turn by `angle` [rad] in place, from rest to rest: both rims at full torque.
-double timeToTurn(const RobotModel& robot, double angle);
-
 }  // namespace fulbito

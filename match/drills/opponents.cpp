@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math/math.hpp"
+#include "engine/core/models/field_places.hpp"
 
 namespace fulbito {
 namespace {
@@ -27,13 +28,12 @@ Twist driveAt(const RobotState& robot, Vec2 target, double top_speed, bool stop)
   return {backward ? -speed : speed, kTurnGain * error};
 }
 
-/// Parallel to the goal line at the bisector point y = y_ball k / D, which leaves equal gaps on both sides.
+/// Parallel to the goal line at the point that leaves equal gaps on both sides.
 Twist keep(const MatchInfo& info, const RobotState& robot, Vec2 ball) {
-  const double line = -info.field.length / 2 + kKeeperLine;
-  const double depth = std::max(ball.x + info.field.length / 2, kKeeperLine);
-  const double wanted = std::clamp(ball.y * kKeeperLine / depth, -kKeeperReach, kKeeperReach);
-  const Vec2 off = Vec2{line, wanted} - robot.pose.position;
-  if (std::abs(off.x) > 0.03) return driveAt(robot, {line, wanted}, info.robot.maxSpeed(), true);
+  Vec2 place = equalGapPoint(info.field, ball, kKeeperLine);
+  place.y = std::clamp(place.y, -kKeeperReach, kKeeperReach);
+  const Vec2 off = place - robot.pose.position;
+  if (std::abs(off.x) > 0.03) return driveAt(robot, place, info.robot.maxSpeed(), true);
   const double facing = robot.pose.heading < 0.0 ? -math::kPi / 2 : math::kPi / 2;
   const double forward = facing < 0.0 ? -off.y : off.y;
   const double speed =

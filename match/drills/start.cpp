@@ -7,6 +7,7 @@
 
 #include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "engine/core/models/field_places.hpp"
 #include "engine/core/system/stop_request.hpp"
 #include "engine/sim/world.hpp"
 #include "match/play/match.hpp"
@@ -137,8 +138,10 @@ class SceneDraw {
       at += ball;
     }
     if (robot.equal_gap) {
-      const double goal = std::copysign(field_.length / 2, at.x);
-      at.y += ball.y * (goal - at.x) / (goal - ball.x);
+      // In the frame of the goal that it is nearer to.
+      const Side side = at.x < 0.0 ? Side::kLeft : Side::kRight;
+      const double depth = field_.length / 2 - std::abs(at.x);
+      at.y += inTeamFrame(side, equalGapPoint(field_, inTeamFrame(side, ball), depth)).y;
     }
     if (robot.face_ball) heading += math::angleOf(ball - at);
     return {at, math::wrapAngle(heading)};

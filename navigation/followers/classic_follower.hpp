@@ -11,9 +11,9 @@ struct ClassicParams {
   double turn_limit = 6.0;  ///< R_m [m/s^2], largest |v * omega|
 };
 
-/// The control law of the univector-field papers (Kim & Lim): forward speed and yaw rate from the heading
-/// error and the curvature of the field at the robot. It has no preview and is unsafe above about 1 m/s; kept
-/// as the papers' own law.
+/// The control law of univector fields (Y.-J. Kim et al. 2001, Lim et al. 2008): forward speed and yaw rate
+/// from the heading error and the curvature of the field at the robot. It has no preview and is unsafe above
+/// about 1 m/s; kept as the papers' own law.
 class ClassicFollower final : public Follower {
  public:
   explicit ClassicFollower(ClassicParams params = {}) : params_(params) {}

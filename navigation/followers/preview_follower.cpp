@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/math/braking.hpp"
 #include "engine/core/math/math.hpp"
 #include "navigation/followers/limiter.hpp"
 

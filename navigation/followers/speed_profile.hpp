@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <span>
 
 #include "engine/core/models/robot_model.hpp"
@@ -20,9 +19,6 @@ struct SpeedLimits {
 /// The limits of `robot`, with shares (0 ... 1] of its wheel acceleration and lateral grip held back as
 /// reserve.
 SpeedLimits speedLimits(const RobotModel& robot, double acceleration_share, double lateral_share);
-
-/// Highest speed [m/s] from which a robot that slows down by `deceleration` [m/s^2] stops within `way` [m].
-inline double stoppingSpeed(double deceleration, double way) { return std::sqrt(2.0 * deceleration * way); }
 
 /// Curvature [1/m] at each point of a polyline by the circle through the points two before and after it,
 /// which the vertices of a coarse polyline do not upset; next to the ends one before and after, 0 at the

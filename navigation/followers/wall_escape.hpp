@@ -4,9 +4,9 @@
 
 namespace fulbito {
 
-/// Gets a robot away from a wall or corner that leaves it no room to turn (docs/navigators.md; paper 004,
-/// Figs 4-5). It acts after the follower and only on a slow robot whose wanted turn would press its body
-/// into a wall:
+/// Gets a robot away from a wall or corner that leaves it no room to turn (docs/navigators.md; Jung & Lee
+/// 2015, Figs 4-5). It acts after the follower and only on a slow robot whose wanted turn would press its
+/// body into a wall:
 /// - the centre is within the body's circumradius + 2 cm of a wall, and the heading within 50 degrees of
 ///   straight at it or straight away from it; with two walls near, their diagonal counts as one wall and 75
 ///   degrees are allowed, as treating one wall at a time swings to and fro between them (Fig. 5);

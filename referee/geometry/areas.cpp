@@ -124,40 +124,10 @@ bool countsExactly(const AreaShape& area, const AreaBody& body, BodyPart part) {
 
 }  // namespace
 
-AreaShape goalAreaOf(const FieldGeometry& field, bool arc) {
-  AreaShape area{field.goal_area_width / 2, field.goal_area_depth, 0.0, 0.0};
-  if (!arc || field.goal_area_arc_depth <= 0.0 || field.goal_area_arc_width <= 0.0) return area;
-  const double half = field.goal_area_arc_width / 2, rise = field.goal_area_arc_depth;
-  area.arc_radius = (half * half + rise * rise) / (2 * rise);
-  area.arc_centre = area.depth + rise - area.arc_radius;
-  return area;
-}
-
-AreaShape bigAreaOf(const FieldGeometry& field) {
-  return {field.big_area_width / 2, field.big_area_depth, 0.0, 0.0};
-}
-
-AreaShape grown(const AreaShape& area, double margin) {
-  AreaShape more = area;
-  if (more.half_width > 0.0) more.half_width += margin, more.depth += margin;
-  if (more.arc_radius > 0.0) more.arc_radius += margin;
-  return more;
-}
-
-Vec2 intoGoalFrame(const FieldGeometry& field, Side side, Vec2 point) {
-  const double middle = field.length / 2;
-  return side == Side::kLeft ? Vec2{point.x + middle, point.y} : Vec2{middle - point.x, -point.y};
-}
-
 AreaBody intoGoalFrame(const FieldGeometry& field, Side side, const RobotModel& robot, const Pose2& pose) {
   const Vec2 axis = math::unit(pose.heading);
   return {intoGoalFrame(field, side, pose.position), side == Side::kLeft ? axis : -axis, robot.length / 2,
           robot.width / 2};
-}
-
-bool contains(const AreaShape& area, Vec2 point) {
-  if (point.x <= area.depth) return area.half_width > 0.0 && std::abs(point.y) <= area.half_width;
-  return squaredNorm(point - Vec2{area.arc_centre, 0.0}) <= area.arc_radius * area.arc_radius;
 }
 
 bool overlaps(const AreaShape& area, const AreaBody& body) {

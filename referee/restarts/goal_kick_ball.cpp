@@ -29,8 +29,7 @@ Vec2 allowedPlace(const RefereeSetup& setup, const RefereeState& state, const Re
   const Side side = state.sideOf(call.team);
   const AreaShape area = goalAreaOf(setup.field, setup.rules.areas.arc);
   const Vec2 there = intoArea(area, setup.ball.radius, intoGoalFrame(setup.field, side, wish));
-  const double middle = setup.field.length / 2;
-  return side == Side::kLeft ? Vec2{there.x - middle, there.y} : Vec2{middle - there.x, -there.y};
+  return outOfGoalFrame(setup.field, side, there);
 }
 
 GameEvent repairEvent(const RefereeSetup& setup, const RefereeState& state, const RestartCall& call,

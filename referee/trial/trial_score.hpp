@@ -51,7 +51,7 @@ struct TrialScore {
 };
 
 /// Least time [s] for `length` [m] from rest with no stop at the end: `L/v + v/2a`, or `sqrt(2L/a)` when the
-/// top speed is not reached (docs/scoring.md; the form of paper 000, Table 4).
+/// top speed is not reached (docs/scoring.md; the run time of Choi & Lee 2005).
 double timeBound(double length, double max_speed, double acceleration);
 
 }  // namespace fulbito

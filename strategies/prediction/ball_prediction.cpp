@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace fulbito {
 namespace {
@@ -128,13 +129,6 @@ BallState BallPrediction::ballAt(double t) const {
 
 int BallPrediction::bouncesBefore(double t) const { return stretchAt(t).bounces; }
 
-double BallPrediction::confidenceAt(double t) const {
-  constexpr double kPerBounce = 0.7;
-  double confidence = 1.0;
-  for (int i = bouncesBefore(t); i > 0; --i) confidence *= kPerBounce;
-  return confidence;
-}
-
 std::optional<BallPrediction::Crossing> BallPrediction::crossing(Vec2 point, Vec2 normal, double from) const {
   for (int i = 0; i + 1 < count_; ++i) {
     const Stretch& stretch = stretches_[static_cast<std::size_t>(i)];
@@ -147,41 +141,7 @@ std::optional<BallPrediction::Crossing> BallPrediction::crossing(Vec2 point, Vec
     const auto time =
         timeOfFall(before, -dot(motion.velocity, normal), -dot(motion.acceleration, normal), lasts - skipped);
     if (!time) continue;
-    return Crossing{stretch.begin + skipped + *time, motion.positionAt(*time), motion.velocityAt(*time),
-                    stretch.bounces};
-  }
-  return std::nullopt;
-}
-
-std::optional<BallPrediction::Block> BallPrediction::blockBy(std::span<const BallBlocker> blockers,
-                                                             double ball_radius) {
-  for (int i = 0; i + 1 < count_; ++i) {
-    const Stretch& stretch = stretches_[static_cast<std::size_t>(i)];
-    const double lasts = endOf(i) - stretch.begin;
-    const Vec2 way = stretch.motion.positionAt(lasts) - stretch.motion.position;
-    const double length = norm(way);
-    if (length <= 0.0) continue;
-    const Vec2 ahead = way / length;
-    double nearest = length;
-    std::optional<std::size_t> index;
-    for (std::size_t b = 0; b < blockers.size(); ++b) {
-      const Vec2 to = blockers[b].position - stretch.motion.position;
-      const double along = dot(to, ahead), aside = cross(to, ahead);
-      const double reach = blockers[b].radius + ball_radius;
-      if (along <= 0.0 || std::abs(aside) >= reach) continue;
-      const double touch = std::max(0.0, along - std::sqrt(reach * reach - aside * aside));
-      if (touch < nearest) nearest = touch, index = b;
-    }
-    if (!index) continue;
-    const double when = timeOfFall(nearest, -dot(stretch.motion.velocity, ahead),
-                                   -dot(stretch.motion.acceleration, ahead), lasts)
-                            .value_or(0.0);
-    const Block block{*index, stretch.begin + when};
-    const Vec2 place = stretch.motion.positionAt(when);
-    const int bounces = stretch.bounces;
-    count_ = i + 1;
-    rest(block.time, place, bounces);
-    return block;
+    return Crossing{stretch.begin + skipped + *time, motion.positionAt(*time), motion.velocityAt(*time)};
   }
   return std::nullopt;
 }

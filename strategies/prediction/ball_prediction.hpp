@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <span>
 
@@ -23,17 +22,36 @@ struct BallCourse {
       : ball(model), walls(field, model.radius), restitution_threshold(physics.restitution_threshold) {}
 };
 
-/// Something round that a ball may not pass, standing still.
-struct BallBlocker {
-  Vec2 position;
-  double radius = 0.0;  ///< [m] without the ball's own
-};
-
 /// Where the ball will be, if nobody touches it: a chain of stretches of even acceleration (sliding, rolling,
 /// resting) between events (the spin has caught up, a bounce, rest), each in closed form, so that the ball at
-/// any time costs a handful of multiplications. STRATEGY 2.2; the model is the engine's own (docs/models.md).
+/// any time costs a handful of multiplications. The model is the engine's own (docs/models.md).
 class BallPrediction {
  public:
+  /// Where and when the ball passes a line.
+  struct Crossing {
+    double time = 0.0;  ///< [s] from now
+    Vec2 place;         ///< [m] of the ball's centre
+    Vec2 velocity;      ///< [m/s]
+  };
+
+  /// Predicts `horizon` [s] ahead: beyond, the ball is taken to stay. The spin in `ball` counts (0 means a
+  /// ball that slides): give `BallTracker`'s, or the velocity for a ball that rolls.
+  void predict(const BallCourse& course, const BallState& ball, double horizon = 3.0);
+
+  Vec2 positionAt(double t) const;   ///< [m] `t` seconds from now, t >= 0
+  Vec2 velocityAt(double t) const;   ///< [m/s]
+  BallState ballAt(double t) const;  ///< with its spin
+  int bouncesBefore(double t) const;
+  /// When the ball comes to rest [s], or the horizon where it rolls longer.
+  double endOfMotion() const { return stretches_[static_cast<std::size_t>(count_ - 1)].begin; }
+  Vec2 endOfWay() const { return stretches_[static_cast<std::size_t>(count_ - 1)].motion.position; }
+  /// First passage, at or after `from` [s], of the line through `point` in the direction of its unit
+  /// `normal`.
+  std::optional<Crossing> crossing(Vec2 point, Vec2 normal, double from = 0.0) const;
+  /// Positions at `step`, 2 `step` ... for drawings.
+  void sample(std::span<Vec2> points, double step) const;
+
+ private:
   static constexpr int kMaxStretches = 24;
 
   /// One stretch; the last one lasts for ever.
@@ -45,43 +63,6 @@ class BallPrediction {
     int bounces = 0;     ///< off walls, so far
   };
 
-  /// Where and when the ball passes a line.
-  struct Crossing {
-    double time = 0.0;  ///< [s] from now
-    Vec2 place;         ///< [m] of the ball's centre
-    Vec2 velocity;      ///< [m/s]
-    int bounces = 0;    ///< before
-  };
-
-  /// Predicts `horizon` [s] ahead: beyond, the ball is taken to stay. The spin in `ball` counts (0 means a
-  /// ball that slides): give `BallTracker`'s, or the velocity for a ball that rolls.
-  void predict(const BallCourse& course, const BallState& ball, double horizon = 3.0);
-  /// The ball ends its way at the first of `blockers` that it comes to; it does not count one that it touches
-  /// now and moves away from. Answers which, and when, or nothing. To be called after `predict`.
-  struct Block {
-    std::size_t index = 0;
-    double time = 0.0;  ///< [s] from now
-  };
-  std::optional<Block> blockBy(std::span<const BallBlocker> blockers, double ball_radius);
-
-  Vec2 positionAt(double t) const;   ///< [m] `t` seconds from now, t >= 0
-  Vec2 velocityAt(double t) const;   ///< [m/s]
-  BallState ballAt(double t) const;  ///< with its spin
-  int bouncesBefore(double t) const;
-  /// How far the prediction can be trusted: 0.7 for each bounce before (STRATEGY 2.2).
-  double confidenceAt(double t) const;
-  /// When the ball comes to rest [s], or the horizon where it rolls longer.
-  double endOfMotion() const { return stretches_[static_cast<std::size_t>(count_ - 1)].begin; }
-  Vec2 endOfWay() const { return stretches_[static_cast<std::size_t>(count_ - 1)].motion.position; }
-  /// First passage, at or after `from` [s], of the line through `point` in the direction of its unit
-  /// `normal`.
-  std::optional<Crossing> crossing(Vec2 point, Vec2 normal, double from = 0.0) const;
-  /// All stretches in order, at least one.
-  std::span<const Stretch> stretches() const { return {stretches_.data(), static_cast<std::size_t>(count_)}; }
-  /// Positions at `step`, 2 `step` ... for drawings.
-  void sample(std::span<Vec2> points, double step) const;
-
- private:
   const Stretch& stretchAt(double t) const;
   double endOf(int index) const;
   void rest(double time, Vec2 position, int bounces);

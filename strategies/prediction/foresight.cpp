@@ -47,15 +47,12 @@ Foresight::Foresight(const MatchInfo& info)
     : course_(info.field, info.ball, info.physics), pace_(info.robot), estimator_(info) {}
 
 const Observation& Foresight::update(const Observation& seen) {
-  constexpr double kJump = 0.15;  // [m/s] more than the floor takes in a tick
   play_began_ = seen.since_restart < last_since_restart_;
   last_since_restart_ = seen.since_restart;
   if (play_began_) {
     tracker_.reset();
     estimator_.reset();
   }
-  ball_jumped_ = !play_began_ && norm(seen.ball.velocity - last_velocity_) > kJump;
-  last_velocity_ = seen.ball.velocity;
   ball_ = tracker_.update(course_, seen.ball, seen.dt);
   prediction_.predict(course_, ball_);
   const Observation& now = estimator_.update(seen, prediction_);

@@ -9,9 +9,9 @@
 
 namespace fulbito {
 
-/// Makes an observation that is `MatchInfo::observation_age` old current (STRATEGY 5): own robots are rolled
-/// forward through the commands that are on their way, opponents go on with a motion that fades over 0.3 s,
-/// the ball follows its prediction. With fresh observations it costs nothing.
+/// Makes an observation that is `MatchInfo::observation_age` old current (docs/skills.md): own robots are
+/// rolled forward through the commands that are on their way, opponents go on with a motion that fades over
+/// 0.3 s, the ball follows its prediction. With fresh observations it costs nothing.
 class Estimator {
  public:
   Estimator() = default;
@@ -54,8 +54,6 @@ class Foresight {
   const RobotPace& pace() const { return pace_; }
   /// The observation is the first of a new play.
   bool playBegan() const { return play_began_; }
-  /// The ball's velocity jumped since the tick before: somebody touched it.
-  bool ballJumped() const { return ball_jumped_; }
 
  private:
   BallCourse course_;
@@ -65,9 +63,7 @@ class Foresight {
   BallPrediction prediction_;
   BallState ball_;
   double last_since_restart_ = 1e9;
-  Vec2 last_velocity_;
   bool play_began_ = false;
-  bool ball_jumped_ = false;
 };
 
 }  // namespace fulbito

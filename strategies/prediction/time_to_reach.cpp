@@ -6,6 +6,11 @@
 #include "engine/core/math/math.hpp"
 
 namespace fulbito {
+namespace {
+
+constexpr double kShareOfTurn = 0.7;  // of a turn in place: the rest goes on while the robot drives
+
+}  // namespace
 
 RobotPace::RobotPace(const RobotModel& robot)
     : speed(robot.maxSpeed()),
@@ -34,14 +39,11 @@ double foldedAngle(double sine, double cosine) {
   return s * (math::kPi / 2) / (s + (math::kPi / 2) * c) * (1.0 + 0.57 * s * c);
 }
 
-double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target, double arrival_turn) {
-  return timeToReach(pace, {robot.pose.position, math::unit(robot.pose.heading), robot.velocity}, target,
-                     arrival_turn);
+double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target) {
+  return timeToReach(pace, {robot.pose.position, math::unit(robot.pose.heading), robot.velocity}, target);
 }
 
-double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target, double arrival_turn) {
-  constexpr double kWayPerTurn = 0.08;  // [m/rad]
-  constexpr double kShareOfTurn = 0.7;  // of a turn in place: the rest goes on while the robot drives
+double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target) {
   const Vec2 way = target - robot.position;
   const double length = norm(way);
   if (length < 1e-6) return 0.0;
@@ -49,8 +51,11 @@ double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target, doub
   const double turn = foldedAngle(cross(robot.facing, ahead), dot(robot.facing, ahead));
   // A turn toward a target nearer than the body's own swing is not needed.
   const double needed = turn * std::min(1.0, length / 0.05);
-  return kShareOfTurn * timeToTurn(pace, needed) +
-         timeAlong(pace, length + kWayPerTurn * arrival_turn, dot(robot.velocity, ahead));
+  return kShareOfTurn * timeToTurn(pace, needed) + timeAlong(pace, length, dot(robot.velocity, ahead));
+}
+
+double timeToReach(const RobotPace& pace, double distance, double angle) {
+  return kShareOfTurn * timeToTurn(pace, angle) + timeAlong(pace, distance, 0.0);
 }
 
 }  // namespace fulbito

@@ -32,10 +32,13 @@ struct Runner {
   Vec2 velocity;  ///< [m/s]
 };
 
-/// Time [s] in which a robot comes to `target` (STRATEGY 2.1): it turns whichever end is nearer toward it and
-/// drives, the speed that it has counts. `arrival_turn` [rad] is how far it must turn on the way to arrive
-/// with the wanted heading; each radian costs 8 cm.
-double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target, double arrival_turn = 0.0);
-double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target, double arrival_turn = 0.0);
+/// @{ Time [s] in which a robot comes to `target` (docs/skills.md): it turns whichever end is nearer toward
+/// it and drives through, the speed that it has counts.
+double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target);
+double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target);
+/// @}
+
+/// The same over `distance` [m] from rest, after a turn by `angle` [rad] >= 0 of the end that leads.
+double timeToReach(const RobotPace& pace, double distance, double angle);
 
 }  // namespace fulbito

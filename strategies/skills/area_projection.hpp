@@ -9,8 +9,11 @@ namespace fulbito {
 bool isInArea(const FieldGeometry& field, Vec2 p, bool own, double margin = 0.0);
 
 /// The nearest place to `p` outside that area: the last step before navigation for robots that have no
-/// business there (STRATEGY 3: own centre 7 cm out, so that no part is inside). Points outside stay as they
-/// are.
+/// business there. A margin of 7 cm keeps every part of a 7.5 cm robot outside: its corners are 5.3 cm from
+/// its centre. Points outside stay as they are.
 Vec2 outsideArea(const FieldGeometry& field, Vec2 p, bool own, double margin);
+
+/// [m] from that area to `p`, the arc as it is; negative inside.
+double distanceToArea(const FieldGeometry& field, Vec2 p, bool own);
 
 }  // namespace fulbito

@@ -37,7 +37,7 @@ bool isLinedUp(const BallSide& side, bool was_lined_up, const PostureSettings& s
 }
 
 Twist strike(const RobotState& robot, Vec2 ball, Vec2 direction, double speed) {
-  // Holding the heading carries a ball farther than steering at it does (STRATEGY 2.4); a little of the
+  // Holding the heading carries a ball farther than steering at it does (docs/skills.md); a little of the
   // offset is worked off all the same.
   constexpr double kHeadingGain = 8.0;  // [1/s]
   constexpr double kAsideGain = 40.0;   // [rad/(s m)]

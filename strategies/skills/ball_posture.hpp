@@ -4,7 +4,7 @@
 #include "strategies/interface/team_command.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 
-/// Posture at the ball: being behind it with the heading in which it shall go (NAVIGATION 3.1-3.2, 4.4). The
+/// Posture at the ball: being behind it with the heading in which it shall go (docs/skills.md, Strike). The
 /// ways there are the navigators' business; these skills say where to and when to strike.
 namespace fulbito {
 

@@ -21,7 +21,7 @@ double lack(const BallPrediction& prediction, const RobotPace& pace, const Runne
   const Vec2 place = placeAt(request, robot.position, ball);
   // Nearer than the standoff when there is no side to keep: it touches already.
   const bool touches = !request.aim && dot(place - robot.position, ball - robot.position) <= 0.0;
-  return (touches ? 0.0 : timeToReach(pace, robot, place)) + request.delay - t;
+  return (touches ? 0.0 : timeToReach(pace, robot, place)) - t;
 }
 
 /// A time and what is missing then.
@@ -76,19 +76,6 @@ std::optional<Interception> intercept(const BallPrediction& ball, const RobotPac
     t = next, missing = still;
   }
   return std::nullopt;
-}
-
-std::optional<FirstAtBall> firstAtBall(const BallPrediction& ball, const RobotPace& pace,
-                                       std::span<const ObservedRobot> robots) {
-  std::optional<FirstAtBall> first;
-  InterceptionRequest request;
-  for (std::size_t i = 0; i < robots.size(); ++i) {
-    if (!robots[i].present) continue;
-    if (first) request.horizon = first->time;
-    const auto meeting = intercept(ball, pace, robots[i].state, request);
-    if (meeting && (!first || meeting->time < first->time)) first = FirstAtBall{i, meeting->time};
-  }
-  return first;
 }
 
 }  // namespace fulbito

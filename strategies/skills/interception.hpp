@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "strategies/interface/observation.hpp"
 #include "strategies/prediction/ball_prediction.hpp"
@@ -20,23 +19,14 @@ struct Interception {
 struct InterceptionRequest {
   std::optional<Vec2> aim;  ///< strike toward this: the robot comes to the ball's far side of it
   double standoff = 0.06;   ///< [m] robot centre to ball centre at the meeting
-  double delay = 0.0;       ///< [s] added to the robot's time: latency, or a reserve
   double horizon = 4.0;     ///< [s]
 };
 
 /// The earliest time at which the robot can be at the ball's predicted place, or (with `aim`) behind it
-/// (STRATEGY 2.3). It marches forward by the time that is still missing, which cannot overshoot the first
-/// meeting as long as the robot is the faster, and closes in by a secant. Empty when there is none within the
-/// horizon.
+/// (docs/skills.md, Interception). It marches forward by the time that is still missing, which cannot
+/// overshoot the first meeting as long as the robot is the faster, and closes in by a secant. Empty when
+/// there is none within the horizon.
 std::optional<Interception> intercept(const BallPrediction& ball, const RobotPace& pace,
                                       const RobotState& robot, const InterceptionRequest& request = {});
-
-/// The quickest of `robots` to the ball, and when. Empty when none of them is present or can reach it.
-struct FirstAtBall {
-  std::size_t robot = 0;
-  double time = 0.0;  ///< [s]
-};
-std::optional<FirstAtBall> firstAtBall(const BallPrediction& ball, const RobotPace& pace,
-                                       std::span<const ObservedRobot> robots);
 
 }  // namespace fulbito

@@ -18,12 +18,6 @@ double distanceToStretch(Vec2 p, Vec2 a, Vec2 b) {
 
 }  // namespace
 
-Vec2 equalGapPoint(const FieldGeometry& field, Vec2 ball, double depth) {
-  const double goal_x = -field.length / 2;
-  const double away = std::max(ball.x - goal_x, depth);
-  return {goal_x + depth, ball.y * depth / away};
-}
-
 Vec2 keeperPoint(const FieldGeometry& field, const BallPrediction& ball, double depth, double farthest,
                  double margin) {
   const Vec2 line{-field.length / 2 + depth, 0.0};
@@ -66,31 +60,6 @@ Vec2 clearanceTarget(const FieldGeometry& field, Vec2 ball, std::span<const Vec2
     if (berth > best_berth) best_berth = berth, best = target;
   }
   return best;
-}
-
-Vec2 markingPoint(const FieldGeometry& field, Vec2 opponent, double away) {
-  return opponent + unitOr(ownGoal(field) - opponent, {-1.0, 0.0}) * away;
-}
-
-std::optional<std::size_t> mostDangerous(const FieldGeometry& field, std::span<const Vec2> opponents,
-                                         std::optional<std::size_t> busy) {
-  std::optional<std::size_t> most;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < opponents.size(); ++i) {
-    if (busy == i) continue;
-    const double away = distance(opponents[i], ownGoal(field));
-    if (away < nearest) nearest = away, most = i;
-  }
-  return most;
-}
-
-Vec2 insideWalls(const FieldGeometry& field, Vec2 p, double margin) {
-  const double x = field.length / 2 - margin, y = field.width / 2 - margin;
-  p = {std::clamp(p.x, -x, x), std::clamp(p.y, -y, y)};
-  const double beyond = std::abs(p.x) + std::abs(p.y) -
-                        (field.length / 2 + field.width / 2 - field.corner - margin * std::sqrt(2.0));
-  if (beyond > 0.0) p -= Vec2{std::copysign(beyond / 2, p.x), std::copysign(beyond / 2, p.y)};
-  return p;
 }
 
 }  // namespace fulbito

@@ -1,22 +1,17 @@
 #pragma once
 
-#include <optional>
 #include <span>
 
-#include "engine/core/models/field_geometry.hpp"
+#include "engine/core/models/field_places.hpp"
 #include "strategies/prediction/ball_prediction.hpp"
 
-/// Places on the field that roles stand at, all in the team's frame (own goal at -x); STRATEGY 2.6-2.8.
+/// Places on the field that roles stand at, all in the team's frame (own goal at -x); docs/skills.md, Places.
 namespace fulbito {
 
 /// The middle of the own goal line.
 constexpr Vec2 ownGoal(const FieldGeometry& field) { return {-field.length / 2, 0.0}; }
 /// The middle of the opponents' goal line.
 constexpr Vec2 opponentGoal(const FieldGeometry& field) { return {field.length / 2, 0.0}; }
-
-/// The keeper's place `depth` [m] before the own goal line that leaves the same gap on both sides of it, as
-/// the ball sees it: y = y_ball depth / (ball's distance to the goal line).
-Vec2 equalGapPoint(const FieldGeometry& field, Vec2 ball, double depth);
 
 /// The keeper's place: where the predicted ball will pass its line when that is toward the goal mouth widened
 /// by `margin` [m], else the equal-gap point; |y| at most `farthest` [m].
@@ -33,16 +28,5 @@ Vec2 reboundSpot(const FieldGeometry& field, Vec2 ball);
 /// Where a ball near the own goal is best sent: at the nearer side wall, upfield, at least 30 degrees off the
 /// goal line; of several such points the one with the widest berth from `opponents`.
 Vec2 clearanceTarget(const FieldGeometry& field, Vec2 ball, std::span<const Vec2> opponents);
-
-/// Where a robot stands that marks an opponent: between it and the own goal, `away` [m] from it.
-Vec2 markingPoint(const FieldGeometry& field, Vec2 opponent, double away);
-
-/// The opponent that threatens most when the ball is where it is: near the own goal and far from the ball's
-/// carrier. `busy` is left out (who has the ball). Empty when there is nobody else.
-std::optional<std::size_t> mostDangerous(const FieldGeometry& field, std::span<const Vec2> opponents,
-                                         std::optional<std::size_t> busy);
-
-/// `p` moved to where a body of `margin` [m] stays within the walls of the playing rectangle.
-Vec2 insideWalls(const FieldGeometry& field, Vec2 p, double margin);
 
 }  // namespace fulbito

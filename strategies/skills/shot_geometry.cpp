@@ -57,17 +57,7 @@ void FreeMouth::remove(double low, double high) {
   count_ = count;
 }
 
-double chanceWithin(double half_angle, double spread) {
-  if (half_angle <= 0.0) return 0.0;
-  // The error function by Abramowitz & Stegun 7.1.26, within 1.5e-7.
-  const double x = half_angle / (spread * std::sqrt(2.0));
-  const double t = 1.0 / (1.0 + 0.3275911 * x);
-  const double sum =
-      t * (0.254829592 + t * (-0.284496736 + t * (1.421413741 + t * (-1.453152027 + t * 1.061405429))));
-  return 1.0 - sum * math::exp(-x * x);
-}
-
-std::optional<Shot> bestShot(const FieldGeometry& field, const ShotModel& model, Vec2 ball,
+std::optional<Vec2> bestShot(const FieldGeometry& field, const ShotModel& model, Vec2 ball,
                              std::span<const ShotBlocker> blockers) {
   const FreeMouth mouth(field, model, ball, blockers);
   const double goal_x = field.length / 2;
@@ -86,49 +76,7 @@ std::optional<Shot> bestShot(const FieldGeometry& field, const ShotModel& model,
   constexpr double kMoving = 0.1;  // [m/s]
   double share = 0.5;
   if (last != nullptr && std::abs(last->velocity.y) > kMoving) share = last->velocity.y > 0.0 ? 0.4 : 0.6;
-  return Shot{{goal_x, best.low + share * best.width()}, widest / 2, chanceWithin(widest / 2, model.spread)};
-}
-
-namespace {
-
-/// Where a ball struck toward `direction` passes the line x = target.x after one bounce off the side wall.
-std::optional<BallPrediction::Crossing> strike(const BallCourse& course, Vec2 ball, Vec2 direction,
-                                               double speed, Vec2 target) {
-  BallPrediction prediction;
-  prediction.predict(course, {ball, direction * speed, direction * speed}, 4.0);
-  const double side = target.x >= ball.x ? 1.0 : -1.0;
-  const auto crossing = prediction.crossing(target, {side, 0.0});
-  if (!crossing || crossing->bounces != 1) return std::nullopt;
-  return crossing;
-}
-
-}  // namespace
-
-std::optional<BankShot> bankShot(const BallCourse& course, const FieldGeometry& field, Vec2 ball, Vec2 target,
-                                 bool upper, double speed) {
-  const BallModel& model = course.ball;
-  const double wall = (field.width / 2 - model.radius) * (upper ? 1.0 : -1.0);
-  // Of the speed toward the wall, when the spin has settled; and what the wall's friction takes along it, per
-  // speed toward it.
-  const double kept =
-      model.roll_keep * model.wall_restitution - (1.0 - model.roll_keep) * model.wall_spin_keep;
-  const double lost = model.roll_keep * model.friction * (1.0 + model.wall_restitution);
-  const double depth = (wall - target.y) / kept;
-  if (!(kept > 0.0) || std::abs(depth) < 1e-6) return std::nullopt;
-  const double side = target.x >= ball.x ? 1.0 : -1.0;
-  Vec2 mirrored{target.x + side * std::abs(depth) * lost, wall + depth};
-  std::optional<BallPrediction::Crossing> crossing;
-  Vec2 direction;
-  for (int i = 0; i < 4; ++i) {
-    direction = unitOr(mirrored - ball, {1.0, 0.0});
-    crossing = strike(course, ball, direction, speed, target);
-    if (!crossing) return std::nullopt;
-    // A ball that comes out too far from the wall was struck too steeply at it.
-    mirrored.y += (crossing->place.y - target.y) / kept;
-  }
-  const double share = (wall - ball.y) / (direction.y == 0.0 ? 1e-9 : direction.y);
-  return BankShot{direction, ball + direction * share, std::abs(crossing->place.y - target.y),
-                  norm(crossing->velocity)};
+  return Vec2{goal_x, best.low + share * best.width()};
 }
 
 }  // namespace fulbito

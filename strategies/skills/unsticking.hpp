@@ -5,11 +5,10 @@
 
 namespace fulbito {
 
-/// Notices a robot that is meant to move and does not, and backs it off for a moment (STRATEGY 2.7,
-/// "unstuck"). One a robot; to be fed the command that is about to be sent.
+/// Notices a robot that is meant to move and does not, and backs it off for a moment. One a robot; to be fed
+/// the command that is about to be sent.
 class Unsticking {
  public:
-  void reset() { held_ = 0.0, left_ = 0.0; }
   /// `meant`: the robot is meant to move; when it has not for 0.8 s, it backs off for a quarter of a second.
   /// A value: drive so instead.
   std::optional<Twist> update(const RobotState& robot, bool meant, double dt);

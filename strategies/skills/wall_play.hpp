@@ -5,7 +5,7 @@
 #include "engine/core/models/field_geometry.hpp"
 #include "strategies/interface/observation.hpp"
 
-/// Balls at walls: when to spin, and which way (STRATEGY 2.6).
+/// Balls at walls: when to spin, and which way (docs/skills.md, Spins).
 namespace fulbito {
 
 /// Sense of a spin that sends a ball beside the robot along `wanted`: +1 counter-clockwise, -1 clockwise.
@@ -24,13 +24,11 @@ struct SpinSettings {
 /// Spins of one robot: begins, holds and ends them.
 class SpinKick {
  public:
-  void reset() { time_ = 0.0, rest_ = 0.0; }
   /// Sense of the spin for this tick, or nothing. `wanted`: direction in which the ball shall go; `allowed`:
   /// a new spin may begin now (no mate in the way).
   std::optional<double> update(const FieldGeometry& field, double ball_radius, const RobotState& robot,
                                const BallState& ball, Vec2 wanted, bool allowed, double dt,
                                const SpinSettings& settings = {});
-  bool active() const { return time_ > 0.0; }
 
  private:
   double time_ = 0.0;  ///< [s] in this spin

@@ -57,7 +57,7 @@ inline NavigationScene sceneOf(const CornerLayout& layout, const FieldGeometry& 
   return scene;
 }
 
-/// The robot of the comparison (paper-004) with its top speed set.
+/// The robot of the comparison (jung-lee-2015) with its top speed set.
 inline RobotModel paperRobot(double speed) {
   RobotModel robot;
   robot.wheel_radius = 0.02;

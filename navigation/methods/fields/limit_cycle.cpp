@@ -84,7 +84,7 @@ double LimitCycle::heading(Vec2 p) const {
 NavigatorInfo limitCycleInfo() {
   using P = LimitCycle::Params;
   return describeNavigator<P, LimitCycle>(
-      "limit-cycle", "stable orbits about the obstacles in the way", "Kim & Kim 2003; paper 001",
+      "limit-cycle", "stable orbits about the obstacles in the way", "Kim & Kim 2003; P.-G. Kim et al. 2006",
       {number("margin", &P::margin, 0.0, 0.5, "m", "what an orbit adds to the bodies' radii"),
        number("mu", &P::mu, 0.1, 20.0, "", "larger turns onto the orbit later"),
        number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad", "by which the other side must be better"),

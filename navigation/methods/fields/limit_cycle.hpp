@@ -6,7 +6,7 @@
 
 namespace fulbito {
 
-/// Direction [rad] of the limit-cycle equation (4) of paper 001 made free of units, at `offset` from the
+/// Direction [rad] of the limit-cycle equation made free of units (docs/papers.md), at `offset` from the
 /// centre of a stable circular orbit:
 ///   X' = s Y + mu X (1 - (X^2 + Y^2) / r^2),  Y' = -s X + mu Y (1 - (X^2 + Y^2) / r^2)
 /// with s = +1 clockwise (the circle is passed on its left), -1 counter-clockwise.

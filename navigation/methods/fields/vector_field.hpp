@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-/// The repulsive-ring vector field that paper 004 draws in its Figs 1 and 2 (a reconstruction): inside a ring
+/// The repulsive-ring vector field of Jung & Lee (2015), Figs 1 and 2 (a reconstruction): inside a ring
 /// about the nearest obstacle the field points straight away from it, and over the ring's width it goes over,
 /// by angle, to the goal field. It shows the weaknesses that the paper lists: abrupt turns, a goal near an
 /// obstacle that is never reached, and repulsion after passing; they are the method's and stay. The defaults

@@ -50,7 +50,7 @@ NavigatorInfo bezierInfo() {
   using P = Bezier::Params;
   return describeNavigator<P, Bezier>(
       "bezier", "the shortest Bezier curve round the obstacles that is clear of them",
-      "paper 004, with a collision test",
+      "Jung & Lee 2015, with a collision test",
       withPathParameters<P>(
           {number("clearance", &P::clearance, 0.0, 0.2, "m", "kept beside the robot's circumscribed circle"),
            number("alpha", &P::alpha, -0.5, 0.5, "m", "added to the length A = 3 r that selects obstacles"),

@@ -20,28 +20,29 @@ void sampleBezier(std::span<const Vec2> control, BezierSamples& out);
 Vec2 bezierPoint(std::span<const Vec2> control, std::size_t index);
 
 /// Unit vector across the line from `robot` to an obstacle, to the left: (-sin phi, cos phi) with
-/// phi = atan2(O - H). Paper 004 (1) with erratum E24; where it prints theta = pi - phi the segment AB is not
-/// across the line. (1, 0) turned left where the two points coincide.
+/// phi = atan2(O - H). Jung & Lee (2015), (1), which prints theta = pi - phi: with that the segment AB is not
+/// across the line (docs/papers.md). (1, 0) turned left where the two points coincide.
 Vec2 acrossLine(Vec2 robot, Vec2 obstacle);
 
-/// The ends A (left) and B (right) of an obstacle's safe region, paper 004 (2)-(5) with erratum E25: r is the
-/// obstacle's radius, A = 3 r + alpha.
+/// The ends A (left) and B (right) of an obstacle's safe region, Jung & Lee (2015), (2)-(5), A = 3 r + alpha;
+/// r is the obstacle's radius, not the distance that (5) prints (docs/papers.md).
 struct SafeEnds {
   Vec2 a;
   Vec2 b;
 };
 SafeEnds safeEnds(Vec2 robot, const Circle& obstacle, double alpha);
 
-/// Control point that leads the curve past an obstacle, paper 004 (6)-(8) with erratum E26:
-/// phi = atan2(end - O), at the distance `tbp` [m] from the obstacle towards that end.
+/// Control point that leads the curve past an obstacle, Jung & Lee (2015), (6)-(8), with
+/// phi = atan2(end - O) mended (docs/papers.md), at the distance `tbp` [m] from the obstacle towards that
+/// end.
 /// @param side  +1: past A (on the left of the obstacle as seen from the robot), -1: past B
 Vec2 controlPoint(Vec2 robot, Vec2 obstacle, int side, double tbp);
 
 /// Whether the segments p-q and a-b cross at an inner point of both.
 bool properlyIntersect(Vec2 p, Vec2 q, Vec2 a, Vec2 b);
 
-/// Indices of the obstacles whose segment AB the line from `robot` to `goal` crosses (paper 004, Figs 18-20),
-/// in the order in which they lie along it.
+/// Indices of the obstacles whose segment AB the line from `robot` to `goal` crosses (Jung & Lee, Figs
+/// 18-20), in the order in which they lie along it.
 void selectObstacles(Vec2 robot, Vec2 goal, std::span<const Circle> obstacles, double alpha,
                      std::vector<std::size_t>& out);
 

@@ -20,7 +20,7 @@ struct BezierPlannerParams {
   double hysteresis = 0.03;  ///< share by which a curve must be shorter than the one on the seeded sides
 };
 
-/// The guarded Bezier method: control points as in paper 004, but with the distance of the control points and
+/// The guarded Bezier method: control points as in Jung & Lee (2015), but with their distance and
 /// the sides chosen so that the curve is free.
 ///
 /// Of the curves round the obstacles on the line, with control points 4 ... 48 cm away, it keeps those that

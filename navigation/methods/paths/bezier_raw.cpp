@@ -10,7 +10,7 @@ constexpr std::size_t kReserved = 64;
 
 }  // namespace
 
-// The paper's obstacles stand still.
+// The obstacles of Jung & Lee (2015) stand still.
 BezierRaw::BezierRaw(Params params)
     : PathNavigator({.horizon = 0.0, .yield = 0.0, .replan = params.replan}), params_(params) {
   selected_.reserve(kReserved);
@@ -63,8 +63,8 @@ double BezierRaw::curve(const NavigationScene& scene, std::span<const Circle> bo
 NavigatorInfo bezierRawInfo() {
   using P = BezierRaw::Params;
   return describeNavigator<P, BezierRaw>(
-      "bezier-raw", "paper 004's Bezier curve as printed, without a collision test",
-      "paper 004, errata E24-E26, E28",
+      "bezier-raw", "the Bezier curve of Jung & Lee as printed, without a collision test",
+      "Jung & Lee 2015, sections 3-4, misprints mended",
       {number("tbp", &P::tbp, 0.0, 1.0, "m", "distance of a control point from its obstacle"),
        number("alpha", &P::alpha, -0.5, 0.5, "m", "added to the length A = 3 r that selects obstacles"),
        number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "share by which other sides must be shorter"),

@@ -6,9 +6,9 @@
 
 namespace fulbito {
 
-/// The Bezier method of paper 004 as printed, but for errata E24 to E26: of the 2^n curves round the
-/// obstacles on the line, the shortest, without a test whether it is free (E28: most are not). Kept as the
-/// comparison's baseline; `bezier` is the one to drive with. An arrival heading is not looked at.
+/// The Bezier method of Jung & Lee (2015) as printed, but for three misprints (docs/papers.md): of the 2^n
+/// curves round the obstacles on the line, the shortest, without a test whether it is free; most are not.
+/// Kept as the comparison's baseline; `bezier` is the one to drive with. An arrival heading is not looked at.
 ///
 /// Of more than eight obstacles on the line the eight nearest to the robot count.
 class BezierRaw final : public PathNavigator {

@@ -101,7 +101,7 @@ NavigatorInfo hermiteInfo() {
   using P = Hermite::Params;
   return describeNavigator<P, Hermite>(
       "hermite", "cubic Hermite segments through the shortest path's bends",
-      "paper 004's future work, cubic Hermite interpolation",
+      "cubic Hermite interpolation, future work of Jung & Lee 2015",
       withPathParameters<P>(
           {number("clearance", &P::clearance, 0.0, 0.2, "m", "kept beside the robot's circumscribed circle"),
            number("tension", &P::tension, 0.1, 2.0, "", "length of the joints' derivatives over the chord"),

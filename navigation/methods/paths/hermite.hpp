@@ -11,10 +11,11 @@ namespace fulbito {
 /// without its first point, in pieces of about `spacing` [m], 8 to 2000 of them.
 void appendHermite(Vec2 a, Vec2 da, Vec2 b, Vec2 db, double spacing, std::vector<Vec2>& out);
 
-/// Drives cubic Hermite segments (named by paper 004 as future work) through the shortest path's bends: one
-/// joint in the middle of each arc, along the circle, so that a curve begins to turn before the circle and
-/// ends after it. Ends along an arrival heading. The same guard as the Bezier method's tests the curve; while
-/// it touches, the circles of the shortest path are made larger, up to 4 cm; then that path itself is driven.
+/// Drives cubic Hermite segments (named by Jung & Lee 2015 as future work) through the shortest path's bends:
+/// one joint in the middle of each arc, along the circle, so that a curve begins to turn before the circle
+/// and ends after it. Ends along an arrival heading. The same guard as the Bezier method's tests the curve;
+/// while it touches, the circles of the shortest path are made larger, up to 4 cm; then that path itself is
+/// driven.
 class Hermite final : public PathNavigator {
  public:
   struct Params : PathNavigatorParams {

@@ -25,7 +25,7 @@ NavigatorInfo tangentGraphInfo() {
   using P = TangentGraphNavigator::Params;
   return describeNavigator<P, TangentGraphNavigator>(
       "tangent-graph", "follows the exact shortest path among the obstacles' discs",
-      "textbook (Latombe 1991), the anchor of paper 004's comparison",
+      "textbook: Latombe 1991, chapter 4",
       withPathParameters<P>(
           {number("margin", &P::margin, 0.0, 0.2, "m", "kept beside the robot's circumscribed circle"),
            number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "share of the way that another side must save"),

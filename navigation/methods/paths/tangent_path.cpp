@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/math/braking.hpp"
 #include "engine/core/math/math.hpp"
-#include "navigation/followers/speed_profile.hpp"
 
 namespace fulbito {
 namespace {

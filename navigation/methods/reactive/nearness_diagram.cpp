@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/math/braking.hpp"
 #include "engine/core/math/math.hpp"
-#include "navigation/followers/speed_profile.hpp"
 
 namespace fulbito {
 
@@ -51,7 +51,7 @@ NavigatorInfo nearnessDiagramInfo() {
   using P = NearnessDiagramParams;
   return describeNavigator<P, NearnessDiagram>(
       "nearness-diagram", "reactive: names the situation from the nearest obstacle in each sector",
-      "Minguez & Montano 2004; Kim et al. 2006, section II",
+      "Minguez & Montano 2004; P.-G. Kim et al. 2006",
       {integer("sectors", &P::sectors, 36, kMaxSectors, "sectors of the full circle"),
        number("range", &P::range, 0.1, 5.0, "m", "d_max: farthest obstacle that the diagram shows"),
        number("security", &P::security, 0.01, 2.0, "m", "d_s: security zone around the hull"),

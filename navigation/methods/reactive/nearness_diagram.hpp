@@ -25,8 +25,8 @@ struct NearnessDiagramParams {
 ///
 /// The direction comes as a constant heading field and the speed as a cap, so that the shared follower drives
 /// it and methods are compared, not controllers (the driver's own law is v_max k cos, omega_max k sin). As
-/// the published method knows no inertia, the cap also lets the robot stop before what lies straight ahead
-/// [ours].
+/// the published method knows no inertia, the cap also lets the robot stop before what lies straight ahead:
+/// our addition.
 class NearnessDiagram final : public Navigator, public HeadingField {
  public:
   using Params = NearnessDiagramParams;

@@ -57,8 +57,8 @@ double twoSidedDirection(double wanted, const SecurityZone& zone);
 
 /// The whole decision: area, situation, direction, speed, emergency.
 ///
-/// Where the goal is in the area, obstacles that are farther than the goal are outside the zone [ours]:
-/// otherwise a goal nearer than d_s to a wall is never reached.
+/// Where the goal is in the area, obstacles that are farther than the goal are outside the zone (our
+/// addition): otherwise a goal nearer than d_s to a wall is never reached.
 NearnessMotion decideNearness(const NearnessView& view, const NearnessHull& hull);
 
 }  // namespace fulbito

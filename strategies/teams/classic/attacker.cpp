@@ -35,7 +35,7 @@ Vec2 Classic::aim(const Observation& now, Vec2 ball) const {
   // A keeper in time for everything still leaves a wider and a narrower side.
   model.acceleration = 0.0;
   if (!shot) shot = bestShot(info_.field, model, ball, {blockers.data(), count});
-  return shot ? shot->aim : opponentGoal(info_.field);
+  return shot.value_or(opponentGoal(info_.field));
 }
 
 /// Where the ball shall go: at the free part of the goal, out of the own third up a side, along a wall that

@@ -1,5 +1,3 @@
-#include "strategies/teams/classic/classic.hpp"
-
 #include <algorithm>
 
 #include "engine/core/math/math.hpp"
@@ -9,6 +7,7 @@
 #include "strategies/skills/interception.hpp"
 #include "strategies/skills/positions.hpp"
 #include "strategies/teams/classic/classic_team.hpp"
+#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,11 +1,10 @@
 #include "strategies/teams/libero/drawing.hpp"
 
 #include <cmath>
+#include <string>
+#include <string_view>
 
 #include "strategies/interface/drawings.hpp"
-#include "strategies/teams/libero/attack/meet.hpp"
-#include "strategies/teams/libero/attack/support.hpp"
-#include "strategies/teams/libero/defence/keeper.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -30,50 +29,47 @@ void drawBall(const Picture& picture, std::vector<DebugDrawing>& drawings) {
   addCircle(drawings, to, picture.pitch.ball_radius);
 }
 
-/// Where the ball is met, from where it is pushed, and which part of their goal is meant.
-void drawStriker(const Picture& picture, int robot, const StrikerMemory& memory,
-                 std::vector<DebugDrawing>& drawings) {
-  constexpr double kBehind = 0.065;  // [m] from the ball's middle to the striker's
-  const Interception meet = interception(picture, picture.own(robot));
-  const Vec2 mouth{picture.pitch.half_length, memory.mouth};
-  const Aim aim = aimAt(picture.pitch, meet.ball, mouth);
-  const Vec2 behind = picture.pitch.inside(aim.contact - aim.direction * kBehind, picture.pitch.robot_half);
-  addLine(drawings, picture.own(robot).pose.position, behind);
-  addCircle(drawings, behind, kPlace);
-  addLine(drawings, behind, meet.ball);
-  if (aim.wall) {
-    addLine(drawings, meet.ball, picture.pitch.inside(meet.ball + aim.direction * 0.15, 0.0));
-  } else {
-    addLine(drawings, meet.ball, mouth);
-    addCircle(drawings, mouth, kPlace);
+const char* nameOf(Role role) {
+  switch (role) {
+    case Role::kKeeper:
+      return "keeper";
+    case Role::kStriker:
+      return "striker";
+    case Role::kSupport:
+      break;
   }
+  return "support";
+}
+
+void drawMove(Vec2 robot, Role role, const Move& move, std::vector<DebugDrawing>& drawings) {
+  Vec2 from = robot;
+  if (move.place) {
+    addCircle(drawings, *move.place, kPlace);
+    // The keeper is at its place nearly always.
+    if (role != Role::kKeeper) addLine(drawings, from, *move.place);
+    from = *move.place;
+  }
+  if (move.ball) {
+    addLine(drawings, from, *move.ball);
+    from = *move.ball;
+  }
+  if (move.target) {
+    addLine(drawings, from, *move.target);
+    addCircle(drawings, *move.target, kPlace);
+  }
+  std::string name = nameOf(role);
+  if (!std::string_view(move.skill).empty()) name.append(": ").append(move.skill);
+  addName(drawings, robot, name.c_str());
 }
 
 }  // namespace
 
-void draw(const Picture& picture, const Roles& roles, const StrikerMemory& memory,
+void draw(const Picture& picture, std::span<const Role> roles, std::span<const Move> moves,
           std::vector<DebugDrawing>& drawings) {
   drawBall(picture, drawings);
-  int rank = 0;
   for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (!picture.ownPresent(i)) continue;
-    const Vec2 self = picture.own(i).pose.position;
-    const char* name = "support";
-    if (i == roles.keeper) {
-      name = "keeper";
-      addCircle(drawings, keeperGoal(picture), kPlace);
-    } else if (i == roles.striker && !roles.keepers_ball) {
-      name = "striker";
-      drawStriker(picture, i, memory, drawings);
-    } else {
-      const Vec2 place = roles.keepers_ball ? waitingPlace(picture, rank) : supportPlace(picture, i, rank);
-      ++rank;
-      if (!canMeetBrought(picture, picture.own(i))) {
-        addLine(drawings, self, place);
-        addCircle(drawings, place, kPlace);
-      }
-    }
-    addName(drawings, self, name);
+    const auto robot = static_cast<std::size_t>(i);
+    if (picture.ownPresent(i)) drawMove(picture.own(i).pose.position, roles[robot], moves[robot], drawings);
   }
 }
 

@@ -1,23 +1,19 @@
 // Private header of strategies: not installed.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "strategies/interface/team_command.hpp"
-#include "strategies/teams/libero/attack/striker.hpp"
+#include "strategies/teams/libero/situation/move.hpp"
+#include "strategies/teams/libero/situation/picture.hpp"
 
 namespace fulbito::libero {
 
-/// Who plays what in one tick; -1: nobody.
-struct Roles {
-  int keeper = -1;
-  int striker = -1;
-  bool keepers_ball = false;  ///< the ball is the keeper's alone, all others wait
-};
-
-/// Shows what the team has in mind: roles, the ball's way, where the striker means to meet the ball and where
-/// to send it, the keeper's place and those of the others. Changes nothing that is played.
-void draw(const Picture& picture, const Roles& roles, const StrikerMemory& memory,
+/// Shows what the team has decided: the ball's way, and of each robot its role and skill, where it goes,
+/// where it means to touch the ball and where to send it. `moves` and `roles` are by robot. Changes nothing
+/// that is played.
+void draw(const Picture& picture, std::span<const Role> roles, std::span<const Move> moves,
           std::vector<DebugDrawing>& drawings);
 
 }  // namespace fulbito::libero

@@ -15,26 +15,24 @@ Twist turnFrontTo(const Pitch& pitch, const RobotState& robot, double heading) {
 }
 
 /// Straight on with the ball before the front: the heading is held and not steered at the ball, which keeps
-/// its sideways speed (reference page, 2.4).
+/// its sideways speed (docs/skills.md, Pushing).
 Twist push(const RobotState& robot, const Exercise& exercise) {
   const double error = math::wrapAngle(exercise.heading - robot.pose.heading);
   return {exercise.speed, 10.0 * error};
 }
 
-constexpr int kRunUp = 2;  // value of `side` while the robot runs up to the ball
-
 /// Rests behind the ball until it is aligned, then runs at it: slower than the game's way, and sure.
-Twist runUp(const Pitch& pitch, const RobotState& robot, Vec2 ball, double along, int& side) {
+Twist runUp(const Pitch& pitch, const RobotState& robot, Vec2 ball, double along, ExerciseMemory& memory) {
   const Vec2 direction = math::unit(along);
   const Vec2 local = intoFrame(direction, robot.pose.position - ball);
   const double skew = std::abs(foldedError(along, robot.pose.heading));
-  if (local.x < -0.10 && std::abs(local.y) < 0.006 && skew < 0.08) side = kRunUp;
-  if (side == kRunUp) {
-    return alongHeading(pitch, robot, along - std::clamp(6.0 * local.y, -0.2, 0.2), pitch.speed);
+  if (local.x < -0.10 && std::abs(local.y) < 0.006 && skew < 0.08) memory.runs_up = true;
+  if (memory.runs_up) {
+    return alongHeading(robot, along - std::clamp(6.0 * local.y, -0.2, 0.2), pitch.speed);
   }
   if (local.x > -0.09) {
-    const double heading = approachHeading(robot.pose.position, ball, along, 0.13, 3.0, side);
-    return alongHeading(pitch, robot, heading, pitch.speed);
+    const double heading = approachHeading(robot.pose.position, ball, along, 0.13, 3.0, memory.side);
+    return alongHeading(robot, heading, pitch.speed);
   }
   return restAt(pitch, robot, ball - direction * 0.16, along, 0.008);
 }
@@ -42,14 +40,14 @@ Twist runUp(const Pitch& pitch, const RobotState& robot, Vec2 ball, double along
 }  // namespace
 
 Twist exerciseTwist(const Pitch& pitch, const RobotState& robot, Vec2 ball, const Exercise& exercise,
-                    int& side) {
+                    ExerciseMemory& memory) {
   switch (exercise.kind) {
     case Exercise::Kind::kReachPose:
       return restAt(pitch, robot, exercise.target, exercise.heading, 0.012);
     case Exercise::Kind::kTurn:
       return turnFrontTo(pitch, robot, exercise.heading);
     case Exercise::Kind::kReachBall:
-      return runUp(pitch, robot, ball, exercise.heading, side);
+      return runUp(pitch, robot, ball, exercise.heading, memory);
     case Exercise::Kind::kPush:
       return push(robot, exercise);
     case Exercise::Kind::kPredictBall:

@@ -1,5 +1,3 @@
-#include "strategies/teams/libero/libero.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "strategies/teams/libero/motion/room.hpp"
 #include "strategies/teams/libero/restarts.hpp"
 #include "strategies/teams/libero/situation/areas.hpp"
+#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {
@@ -33,6 +32,7 @@ class Libero final : public Strategy {
     pitch_ = Pitch(info);
     foresight_ = Foresight(info);
     forgetStriker();
+    exercise_ = {};
     dispute_left_ = {};
     kick_off_hand_ = -1.0;
   }
@@ -41,12 +41,12 @@ class Libero final : public Strategy {
     const Observation& now = foresight_.update(observation);
     if (foresight_.playBegan()) {
       strike_ = {};
-      // Who is at the ball now makes the first moves, whoever was striker before.
+      // The robot at the ball makes the first moves, even if another was striker before.
       if (takenAtOnce(now)) forgetStriker();
     }
     ball_.take(foresight_.ballNow(), foresight_.ball());
     watchStuck(now);
-    // Before the signal nobody can move: that tells nothing of what presses or is caught.
+    // Before the signal no robot can move: standing still does not mean that it presses or is caught.
     if (!now.playing) strike_ = {};
     watchTouches(now);
     const Picture picture{now, pitch_, settings_, ball_, stuck_, dispute_left_};
@@ -56,11 +56,12 @@ class Libero final : public Strategy {
     int rank = 0;
     for (int i = 0; i < now.team_size; ++i) {
       if (!picture.ownPresent(i)) continue;
-      command.roles[static_cast<std::size_t>(i)] = roleOf(i);
-      command.robots[static_cast<std::size_t>(i)] = play(picture, i, rank);
+      const auto robot = static_cast<std::size_t>(i);
+      roles_[robot] = roleOf(i);
+      command.roles[robot] = static_cast<std::uint8_t>(roles_[robot]);
+      command.robots[robot] = play(picture, i, rank);
     }
-    if (observation.wants_drawings)
-      draw(picture, {keeper_, striker_, ballIsKeepers()}, strike_, command.drawings);
+    if (observation.wants_drawings) draw(picture, roles_, moves_, command.drawings);
     return command;
   }
 
@@ -74,7 +75,7 @@ class Libero final : public Strategy {
     ExerciseReply reply;
     reply.answer = foresight_.ball().positionAt(exercise.horizon);
     reply.command.robots[0] = RobotCommand::byTwist(
-        exerciseTwist(pitch_, now.own[0].state, now.ball.position, exercise, strike_.side));
+        exerciseTwist(pitch_, now.own[0].state, now.ball.position, exercise, exercise_));
     return reply;
   }
 
@@ -112,8 +113,8 @@ class Libero final : public Strategy {
     return seen.restart != RestartKind::kGoalKick || !seen.restart_is_ours;
   }
 
-  /// The keeper's alone is a ball that soon is in our area or near to it: who goes on running back beside
-  /// those who bring it is pushed in with it.
+  /// The ball counts as the keeper's if it will be in or near our area in 0.3 s: field players who follow it
+  /// would be pushed into the area.
   bool ballIsKeepers() const {
     constexpr double kAhead = 0.3;    // [s]
     constexpr double kMargin = 0.06;  // [m]
@@ -121,22 +122,29 @@ class Libero final : public Strategy {
     return keeper_ >= 0 && inOwnArea(pitch_, ball, kMargin) && std::abs(ball.y) < pitch_.area_half;
   }
 
+  /// What a robot does: its skill's move, kept legal, or a place that a navigator drives to.
   RobotCommand play(const Picture& picture, int robot, int& rank) {
-    if (robot == keeper_) return RobotCommand::byTwist(keep(picture, robot));
+    Move& move = moves_[static_cast<std::size_t>(robot)];
+    if (robot == keeper_) {
+      move = keep(picture, robot);
+      return RobotCommand::byTwist(move.twist);
+    }
     const bool keepers = ballIsKeepers();
     if (robot == striker_ && !keepers) {
-      const Twist twist = strike(picture, robot, strike_);
-      // The mark of a free ball is at the area's edge: who minds that edge comes late.
+      move = strike(picture, robot, strike_);
+      // The mark of a free ball is at the area's edge: a robot that minds that edge comes late.
       if (disputesFreeBall(picture.seen))
-        return clearOfKeeper(picture, robot, twist).value_or(RobotCommand::byTwist(twist));
-      return legal(picture, robot, twist);
+        return clearOfKeeper(picture, robot, move.twist).value_or(RobotCommand::byTwist(move.twist));
+      return legal(picture, robot, move.twist);
     }
-    if (!keepers && meetsToo(picture, robot)) {
+    if (!keepers && supportMayBlock(picture, robot)) {
       ++rank;
-      return legal(picture, robot, meetBrought(picture, picture.own(robot)));
+      move = blockDribble(picture, picture.own(robot));
+      return legal(picture, robot, move.twist);
     }
     const Vec2 place = keepers ? waitingPlace(picture, rank) : supportPlace(picture, robot, rank);
     ++rank;
+    move = {{}, keepers ? "wait" : "", place, {}, {}};
     if (!navigators_.empty() && distance(picture.own(robot).pose.position, place) > 0.1) {
       GoTo go_to;
       go_to.position = place;
@@ -144,18 +152,20 @@ class Libero final : public Strategy {
       go_to.avoid_ball = true;
       return RobotCommand::drivingTo(go_to);
     }
-    return legal(picture, robot, supportTo(picture, robot, place));
+    move.twist = supportTo(picture, robot, place);
+    return legal(picture, robot, move.twist);
   }
 
-  /// Whether a robot other than the striker meets a ball that is pushed toward our goal: not so near to the
-  /// goal that it would be pushed into the area.
-  bool meetsToo(const Picture& picture, int robot) const {
+  /// Whether a robot other than the striker blocks an opponent that dribbles toward our goal: not so near to
+  /// the goal that it would be pushed into the area.
+  bool supportMayBlock(const Picture& picture, int robot) const {
     const RobotState& self = picture.own(robot);
-    return self.pose.position.x > -pitch_.half_length + 0.45 && canMeetBrought(picture, self);
+    return self.pose.position.x > -pitch_.half_length + 0.45 && canBlockDribble(picture, self);
   }
 
-  /// 1 keeper, 2 striker, 3 support.
-  std::uint8_t roleOf(int robot) const { return robot == keeper_ ? 1 : robot == striker_ ? 2 : 3; }
+  Role roleOf(int robot) const {
+    return robot == keeper_ ? Role::kKeeper : robot == striker_ ? Role::kStriker : Role::kSupport;
+  }
 
   /// The last step: nobody but the keeper enters our area, only the striker theirs.
   RobotCommand legal(const Picture& picture, int robot, Twist wanted) const {
@@ -231,15 +241,14 @@ class Libero final : public Strategy {
   int striker_ = -1;
   double held_ = 1.0;  // [s] since the striker was chosen
   StrikerMemory strike_;
+  ExerciseMemory exercise_;
+  std::array<Role, kMaxTeamSize> roles_{};  // of this tick, by robot
+  std::array<Move, kMaxTeamSize> moves_{};
   double kick_off_hand_ = -1.0;  // of the last one; they are played to either side in turn
   std::array<double, kMaxTeamSize> dispute_left_{};  // [s]
   Vec2 stuck_at_;
   double stuck_ = 0.0;  // [s]
 };
-
-}  // namespace
-
-namespace {
 
 /// The default of `navigator`: the team's own motion skills, which cost a tenth of the registry's cheapest.
 constexpr const char* kOwnNavigation = "own";

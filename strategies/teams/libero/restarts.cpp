@@ -42,19 +42,21 @@ void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, T
   } else if (pitch.isLarge()) {
     // From the side: the ball leaves the face of whoever pushes it straight on, toward the support.
     const double angle = 0.5;
-    placed[1] = facing(-(pitch.circle + 0.045) * math::unit(-hand * angle), {});
-    placed[2] = facing({-pitch.circle - 0.02, -0.26 * hand}, {});
+    placed[1] = facing(-(pitch.field.centre_circle_radius + 0.045) * math::unit(-hand * angle), {});
+    placed[2] = facing({-pitch.field.centre_circle_radius - 0.02, -0.26 * hand}, {});
   } else {
     // Beside the line of the kick, as the taker's place tells it: met there the ball leaves its face toward
     // the support. Who kicks straight on is met from farther aside.
-    const Vec2 taker = takerOf(request).value_or(Vec2{pitch.circle, 0.0});
+    const Vec2 taker = takerOf(request).value_or(Vec2{pitch.field.centre_circle_radius, 0.0});
     const double line = math::angleOf(taker);
     const bool straight = std::abs(line) < 0.2;
     const double turn = std::abs(line) > 0.02 ? std::copysign(1.0, line) : hand;
     const Vec2 meeter = math::unit(line - turn * (straight ? 1.05 : 0.5));
     const Vec2 support = math::unit(line + turn * 0.87);
-    placed[1] = facing(ownHalf(pitch, -(pitch.circle + (straight ? 0.04 : 0.001)) * meeter), {});
-    placed[2] = facing(ownHalf(pitch, -(pitch.circle + (straight ? 0.25 : 0.14)) * support), {});
+    placed[1] =
+        facing(ownHalf(pitch, -(pitch.field.centre_circle_radius + (straight ? 0.04 : 0.001)) * meeter), {});
+    placed[2] =
+        facing(ownHalf(pitch, -(pitch.field.centre_circle_radius + (straight ? 0.25 : 0.14)) * support), {});
   }
 }
 

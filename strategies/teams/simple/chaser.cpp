@@ -1,10 +1,9 @@
-#include "strategies/teams/simple/chaser.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "engine/core/math/math.hpp"
 #include "strategies/skills/unsticking.hpp"
+#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,4 +1,4 @@
-#include "strategies/teams/simple/idle.hpp"
+#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,8 +1,7 @@
-#include "strategies/teams/simple/random_team.hpp"
-
 #include <cmath>
 
 #include "engine/core/math/random.hpp"
+#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {

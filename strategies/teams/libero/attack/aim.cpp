@@ -5,28 +5,12 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/core/models/field_places.hpp"
+
 namespace fulbito::libero {
 namespace {
 
 constexpr double kIntoWall = 0.15;  // [rad] into the wall: cages the ball while it is pushed along
-
-/// A wall as seen from a ball: how far its centre is from touching it, and the wall's normal into the field.
-struct Wall {
-  double gap = 1.0;
-  Vec2 normal;
-};
-
-Wall nearestWall(const Pitch& pitch, Vec2 p) {
-  const double sx = std::copysign(1.0, p.x), sy = std::copysign(1.0, p.y);
-  Wall wall{pitch.half_width - std::abs(p.y), {0.0, -sy}};
-  // In front of a goal's mouth there is no wall.
-  const double end = pitch.half_length - std::abs(p.x);
-  if (std::abs(p.y) > pitch.goal_half && end < wall.gap) wall = {end, {-sx, 0.0}};
-  const double cut =
-      (pitch.half_length + pitch.half_width - pitch.corner - std::abs(p.x) - std::abs(p.y)) / std::sqrt(2.0);
-  if (cut < wall.gap) wall = {cut, Vec2{-sx, -sy} / std::sqrt(2.0)};
-  return wall;
-}
 
 /// Along which way a wall is followed: up the side walls, toward their goal and away from ours.
 Vec2 wayAlong(Vec2 normal, Vec2 ball) {
@@ -84,12 +68,14 @@ double openMouth(const Picture& picture, Vec2 from, double shooter_y, double las
 
 Aim aimAt(const Pitch& pitch, Vec2 ball, Vec2 target) {
   Aim aim{ball, unitOr(target - ball, {1.0, 0.0}), false};
-  const Wall wall = nearestWall(pitch, ball);
   const double room = pitch.ball_radius + 0.03;
-  if (wall.gap > room || dot(aim.direction, wall.normal) < -0.1) return aim;
-  const Vec2 along = wayAlong(wall.normal, ball);
-  aim.direction = unitOr(along - wall.normal * kIntoWall, along);
-  aim.contact = pitch.inside(ball, pitch.robot_half + 0.003);
+  // In front of a goal's mouth there is no wall.
+  if (std::abs(ball.y) <= pitch.goal_half || wallClearance(pitch.field, ball) > room) return aim;
+  const Vec2 normal = nearestWallNormal(pitch.field, ball);
+  if (dot(aim.direction, normal) < -0.1) return aim;
+  const Vec2 along = wayAlong(normal, ball);
+  aim.direction = unitOr(along - normal * kIntoWall, along);
+  aim.contact = insideWalls(pitch.field, ball, pitch.robot_half + 0.003);
   aim.wall = true;
   return aim;
 }

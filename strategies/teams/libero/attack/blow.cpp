@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math/math.hpp"
+#include "engine/core/models/field_places.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -30,7 +31,7 @@ double barred(const Picture& picture, int robot, Vec2 contact, Vec2 direction) {
   const auto look = [&](Vec2 body, double weight) {
     const double near = squaredNorm(body - behind), far = squaredNorm(body - ahead);
     if (near < 0.075 * 0.075) cost += weight;
-    if (far < 0.065 * 0.065) cost += 1.0 * weight;
+    if (far < 0.065 * 0.065) cost += weight;
   };
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (picture.opponentPresent(i)) look(picture.opponent(i).pose.position, 1.0);
@@ -54,7 +55,7 @@ Vec2 blowInTime(Vec2 robot, const Aim& aim, Vec2 moving) {
   return early.x > kUpfield ? early : best;
 }
 
-Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, int& held) {
+Vec2 clearStrikeDirection(const Picture& picture, int robot, const Aim& aim, int& previous) {
   constexpr double kTurns[] = {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5};
   // Of the turns that are to one side.
   static const Vec2 kUnits[] = {math::unit(0.5), math::unit(1.0), math::unit(1.5)};
@@ -71,11 +72,11 @@ Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, int& held) {
     const Vec2 spot = aim.contact - direction * 0.065;
     double cost =
         0.3 * std::abs(kTurns[i]) + barred(picture, robot, aim.contact, direction) + distance(self, spot);
-    if (squaredNorm(picture.pitch.inside(spot, 0.037) - spot) > 1e-4) cost += 2.0;
-    if (i == held) cost -= 0.15;
+    if (squaredNorm(insideWalls(picture.pitch.field, spot, 0.037) - spot) > 1e-4) cost += 2.0;
+    if (i == previous) cost -= 0.15;
     if (cost < least) least = cost, best = i, chosen = direction;
   }
-  held = best;
+  previous = best;
   return chosen;
 }
 

@@ -10,7 +10,8 @@ namespace fulbito::libero {
 /// Then the blow is turned toward the robot's own way to the ball, if that leads up the field.
 Vec2 blowInTime(Vec2 robot, const Aim& aim, Vec2 moving);
 
-/// The aim's blow, turned as little as the bodies about the ball demand; `held` keeps the choice.
-Vec2 openBlow(const Picture& picture, int robot, const Aim& aim, int& held);
+/// The strike direction nearest to the aim's whose run-up and exit are free of bodies and walls. `previous`
+/// is the index of the one chosen last tick, which has an advantage; it is set to the new one's.
+Vec2 clearStrikeDirection(const Picture& picture, int robot, const Aim& aim, int& previous);
 
 }  // namespace fulbito::libero

@@ -19,7 +19,7 @@ bool isFoughtFor(const Picture& picture, Vec2 rel, const Aim& aim, double speed,
 bool squeezes(const Picture& picture, Vec2 rel, const Aim& aim) {
   constexpr double kReach = 0.13;  // [m]
   constexpr double kRolls = 0.8;   // [m/s] a faster ball is not to be pushed
-  constexpr double kRival = 0.20;  // [m] from 0.3 m on, two goals a match fewer against `classic`
+  constexpr double kRival = 0.20;  // [m] one farther off leaves time to come round the ball
   return squaredNorm(rel) < kReach * kReach && isFoughtFor(picture, rel, aim, kRolls, kRival);
 }
 
@@ -28,7 +28,7 @@ Twist squeeze(const Picture& picture, const RobotState& self, Vec2 rel, const Ai
   // two bring down the end wall slips through between that wall and the robot.
   constexpr double kAlong = 0.06;
   const double heading = math::angleOf(rel + aim.direction * kAlong);
-  return alongHeading(picture.pitch, self, heading, picture.pitch.speed);
+  return alongHeading(self, heading, picture.pitch.speed);
 }
 
 bool racesAlongWall(const Picture& picture, Vec2 rel, const Aim& aim) {
@@ -39,7 +39,7 @@ bool racesAlongWall(const Picture& picture, Vec2 rel, const Aim& aim) {
 
 Twist raceAlongWall(const Picture& picture, const RobotState& self, const Aim& aim) {
   constexpr double kBehind = 0.02;  // [m] straight at the ball it would be pushed into the wall
-  return passThrough(picture.pitch, self, aim.contact - aim.direction * kBehind, picture.pitch.speed);
+  return passThrough(self, aim.contact - aim.direction * kBehind, picture.pitch.speed);
 }
 
 }  // namespace fulbito::libero

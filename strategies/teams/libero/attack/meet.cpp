@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/models/field_places.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 
 namespace fulbito::libero {
@@ -14,7 +15,8 @@ bool threatened(const Picture& picture) {
   constexpr double kForward = 0.10;  // [m] x of the ball at most
   constexpr double kWall = 0.06;     // [m] off a wall at least: one that lies there is raced for
   const Vec2 ball = picture.ball.now().position;
-  if (ball.x > kForward || squaredNorm(picture.pitch.inside(ball, kWall) - ball) > 1e-9) return false;
+  if (ball.x > kForward || squaredNorm(insideWalls(picture.pitch.field, ball, kWall) - ball) > 1e-9)
+    return false;
   const Vec2 goal = picture.pitch.ownGoal() - ball;
   for (int i = 0; i < picture.seen.team_size; ++i) {
     if (!picture.opponentPresent(i)) continue;
@@ -24,7 +26,7 @@ bool threatened(const Picture& picture) {
   return false;
 }
 
-/// Two push past whoever meets one of them.
+/// Whether two opponents are at the ball: they push past a robot that blocks one of them.
 bool crowded(const Picture& picture) {
   constexpr double kCrowd = 0.3;  // [m]
   return picture.opponentsNear(picture.ball.now().position, kCrowd) > 1;
@@ -38,7 +40,7 @@ Vec2 wayOf(const Picture& picture, bool pushed) {
 
 }  // namespace
 
-bool carried(const Picture& picture) {
+bool opponentDribblesAtGoal(const Picture& picture) {
   const BallState& ball = picture.ball.now();
   if (ball.velocity.x > -0.3) return false;
   for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -49,23 +51,23 @@ bool carried(const Picture& picture) {
   return false;
 }
 
-bool canMeetBrought(const Picture& picture, const RobotState& robot) {
-  const bool pushed = carried(picture);
+bool canBlockDribble(const Picture& picture, const RobotState& robot) {
+  const bool pushed = opponentDribblesAtGoal(picture);
   if (!picture.pitch.isLarge() && crowded(picture)) return false;
   if (!pushed && (picture.pitch.isLarge() || !threatened(picture))) return false;
   const Vec2 rel = intoFrame(wayOf(picture, pushed), robot.pose.position - picture.ball.now().position);
   return rel.x > 0.02 && std::abs(rel.y) < 0.5 * rel.x + 0.05;
 }
 
-Twist meetBrought(const Picture& picture, const RobotState& robot) {
+Move blockDribble(const Picture& picture, const RobotState& robot) {
   const BallState& ball = picture.ball.now();
-  const bool pushed = carried(picture);
+  const bool pushed = opponentDribblesAtGoal(picture);
   const Vec2 way = wayOf(picture, pushed);
   const Vec2 goal = intoFrame(way, picture.pitch.ownGoal() - ball.position);
   const double lead = std::min(0.3, 0.4 * distance(robot.pose.position, ball.position));
   const double inner = pushed ? std::copysign(kInner, goal.y) : 0.0;
   const Vec2 to = ball.position + outOfFrame(way, {lead, inner});
-  return passThrough(picture.pitch, robot, to, picture.pitch.speed);
+  return {passThrough(robot, to, picture.pitch.speed), "block", to, {}, {}};
 }
 
 }  // namespace fulbito::libero

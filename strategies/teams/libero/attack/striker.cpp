@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math/math.hpp"
+#include "engine/core/models/field_places.hpp"
 #include "strategies/teams/libero/attack/blow.hpp"
 #include "strategies/teams/libero/attack/caught.hpp"
 #include "strategies/teams/libero/attack/corner.hpp"
@@ -22,6 +23,8 @@ constexpr double kSlip = 0.3;       // [s] that takes
 constexpr double kSlipTurn =
     0.15;                        // [rad] a face turned by that slides it out; by 0.25 they come past it first
 constexpr double kCrowd = 0.16;  // [m] about the ball, in which opponents are in the way
+constexpr double kRunUp = 0.065;     // [m] from the ball's middle to the striker's where they touch
+constexpr double kAlongWall = 0.15;  // [m] of a wall along which a ball there is sent, as it is shown
 
 Twist spin(StrikerMemory& memory, double dt) {
   memory.spin_left -= dt;
@@ -85,15 +88,15 @@ bool keeperRunsOut(const Picture& picture) {
   return false;
 }
 
-/// Whether an opponent is near enough to the ball to take it from who turns off. Once it is not, the ball is
-/// aimed: pushed on straight it ended in their corner and came back along the wall.
+/// Whether an opponent is near enough to the ball to take it from a robot that turns off. Otherwise the ball
+/// is aimed: pushed straight on it runs into their corner and comes back along the wall.
 bool contested(const Picture& picture) {
   constexpr double kNear = 0.22;  // [m]
   return picture.seen.since_restart < 0.1 || picture.opponentsNear(picture.ball.now().position, kNear) > 0;
 }
 
-/// Right after a restart the touch counts, whatever the direction; before a keeper that runs out who turns
-/// off in order to come round gives the ball away.
+/// Whether the touch counts more than its direction: right after a restart, and before a keeper that runs
+/// out, to which a robot that comes round the ball would lose it.
 bool rushes(const Picture& picture, Vec2 rel) {
   if (keeperRunsOut(picture)) return true;
   if (squaredNorm(rel) < 0.055 * 0.055) return false;
@@ -103,22 +106,22 @@ bool rushes(const Picture& picture, Vec2 rel) {
 }
 
 /// Where that touch is wanted. In the large game a free ball is met on its inner side, so that it slips from
-/// between the two toward the side wall: from the middle of both it was carried to our goal.
+/// between the two robots toward the side wall, away from our goal.
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
   if (picture.seen.restart != RestartKind::kFreeBall || !picture.pitch.isLarge()) return ball;
   return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
 }
 
-/// Straight at the ball: who turns off in order to come round gives it away. Where two meet with equal force
-/// nothing moves, until a face that is a little turned lets the ball slip out to the side wall: who turned
-/// first is first at it.
+/// Straight at the ball: a robot that comes round it would give it away. Where two push with equal force
+/// nothing moves, until a face that is a little turned lets the ball slip out to the side wall. The robot
+/// that turned first is first at it.
 Twist pressOn(const Picture& picture, const RobotState& self, Vec2 rel, StrikerMemory& memory) {
   const Pitch& pitch = picture.pitch;
   memory.slipping = memory.jammed > kPinched ? kSlip : memory.slipping - picture.seen.dt;
-  if (memory.slipping <= 0.0) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
+  if (memory.slipping <= 0.0) return passThrough(self, firstTouch(picture), pitch.speed);
   const double out = std::copysign(kSlipTurn, picture.ball.now().position.y);
-  return alongHeading(pitch, self, math::angleOf(rel) + out, pitch.speed);
+  return alongHeading(self, math::angleOf(rel) + out, pitch.speed);
 }
 
 /// Whether an opponent presses from the other side on the ball that we push, roughly where we want it.
@@ -128,8 +131,8 @@ bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
   return picture.opponentsNear(picture.ball.now().position + unitOr(rel, {}) * 0.06, 0.03) > 0;
 }
 
-/// A ball that runs along their goal line through the mouth is turned in by the face that pushes it: who
-/// comes round it first comes after the other post, and a robot that is alone goes on so from side to side.
+/// Whether the ball runs along their goal line through the mouth, before the robot: the face that pushes it
+/// turns it in. A robot that came round it would arrive after the ball has passed the other post.
 bool sweepsIn(const Picture& picture, Vec2 rel) {
   constexpr double kBefore = 0.12;  // [m] before the line
   constexpr double kPast = 0.03;    // [m] past a post
@@ -148,7 +151,7 @@ bool sweepsIn(const Picture& picture, Vec2 rel) {
 Twist sweepIn(const Picture& picture, const RobotState& self) {
   constexpr double kInto = 0.4;
   const double across = std::copysign(1.0, picture.ball.now().velocity.y);
-  return alongHeading(picture.pitch, self, math::angleOf({kInto, across}), picture.pitch.speed);
+  return alongHeading(self, math::angleOf({kInto, across}), picture.pitch.speed);
 }
 
 }  // namespace
@@ -157,40 +160,48 @@ bool disputesFreeBall(const Observation& seen) {
   return seen.restart == RestartKind::kFreeBall && seen.since_restart < kDispute;
 }
 
-Twist strike(const Picture& picture, int robot, StrikerMemory& memory) {
+Move strike(const Picture& picture, int robot, StrikerMemory& memory) {
   const RobotState& self = picture.own(robot);
   const Pitch& pitch = picture.pitch;
   const BallState& now = picture.ball.now();
   const Vec2 rel = now.position - self.pose.position;
   watchJam(picture, self, rel, memory);
-  if (memory.spin_left > 0.0) return spin(memory, picture.seen.dt);
+  if (memory.spin_left > 0.0) return {spin(memory, picture.seen.dt), "spin", {}, {}, {}};
 
-  if (disputesFreeBall(picture.seen) && contested(picture)) return pressOn(picture, self, rel, memory);
-  if (rushes(picture, rel)) return passThrough(pitch, self, firstTouch(picture), pitch.speed);
-  if (canMeetBrought(picture, self)) return meetBrought(picture, self);
-  if (const auto round = roundKeeper(picture, robot, now.position)) return *round;
-  if (isCaught(picture, self, memory)) return driveOff(pitch, self);
+  const Vec2 touch = firstTouch(picture);
+  if (disputesFreeBall(picture.seen) && contested(picture))
+    return {pressOn(picture, self, rel, memory), "press", {}, touch, {}};
+  if (rushes(picture, rel)) return {passThrough(self, touch, pitch.speed), "rush", {}, touch, {}};
+  if (canBlockDribble(picture, self)) return blockDribble(picture, self);
+  if (const auto round = roundKeeper(picture, robot, now.position))
+    return {*round, "round keeper", {}, now.position, {}};
+  if (isCaught(picture, self, memory)) return {driveOff(pitch, self), "drive off", {}, {}, {}};
   const bool close = squaredNorm(rel) < 0.10 * 0.10;
   const Vec2 ball = close ? now.position + now.velocity * 0.03 : interception(picture, self).ball;
-  memory.mouth = openMouth(picture, ball, self.pose.position.y, memory.mouth);
-  Aim aim = aimAt(pitch, ball, {pitch.half_length + 0.02, memory.mouth});
+  memory.target_y = openMouth(picture, ball, self.pose.position.y, memory.target_y);
+  const Vec2 target{pitch.half_length + 0.02, memory.target_y};
+  Aim aim = aimAt(pitch, ball, target);
   const bool pinned = aim.wall && squaredNorm(rel) < 0.085 * 0.085 && squaredNorm(now.velocity) < 0.2 * 0.2 &&
                       dot(unitOr(rel, {}), aim.direction) < 0.5;
   if (now.position.x > 0.5 && (memory.jammed > 0.35 || pinned) && memory.locked <= 0.0) {
     memory.spin_left = kSpinTime;
     memory.jammed = 0.0;
     memory.spin_sense = cross(rel, aim.direction) >= 0.0 ? 1.0 : -1.0;
-    return spin(memory, picture.seen.dt);
+    return {spin(memory, picture.seen.dt), "spin", {}, {}, {}};
   }
-  if (sweepsIn(picture, rel)) return sweepIn(picture, self);
-  if (headOn(picture, rel, aim)) return pressOn(picture, self, rel, memory);
-  if (squeezes(picture, rel, aim)) return squeeze(picture, self, rel, aim);
-  if (racesAlongWall(picture, rel, aim)) return raceAlongWall(picture, self, aim);
+  if (sweepsIn(picture, rel)) return {sweepIn(picture, self), "sweep in", {}, now.position, {}};
+  if (headOn(picture, rel, aim)) return {pressOn(picture, self, rel, memory), "press", {}, touch, {}};
+  if (squeezes(picture, rel, aim)) return {squeeze(picture, self, rel, aim), "squeeze", {}, now.position, {}};
+  if (racesAlongWall(picture, rel, aim))
+    return {raceAlongWall(picture, self, aim), "race", {}, aim.contact, {}};
   if (!aim.wall) aim.direction = blowInTime(self.pose.position, aim, now.velocity);
-  if (squaredNorm(rel) < 0.35 * 0.35) aim.direction = openBlow(picture, robot, aim, memory.turn);
-  return driveThrough(pitch, self, aim.contact, aim.direction,
-                      kRound + 0.03 * std::min(2, picture.opponentsNear(now.position, kCrowd)), now.velocity,
-                      memory.side);
+  if (squaredNorm(rel) < 0.35 * 0.35)
+    aim.direction = clearStrikeDirection(picture, robot, aim, memory.direction_index);
+  const double round = kRound + 0.03 * std::min(2, picture.opponentsNear(now.position, kCrowd));
+  const Vec2 behind = insideWalls(pitch.field, aim.contact - aim.direction * kRunUp, pitch.robot_half);
+  const Vec2 sent = aim.wall ? insideWalls(pitch.field, ball + aim.direction * kAlongWall, 0.0) : target;
+  return {driveThrough(pitch, self, aim.contact, aim.direction, round, now.velocity, memory.side), "", behind,
+          ball, sent};
 }
 
 }  // namespace fulbito::libero

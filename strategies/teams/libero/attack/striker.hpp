@@ -4,15 +4,16 @@
 #include "strategies/teams/libero/attack/aim.hpp"
 #include "strategies/teams/libero/motion/approach.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
+#include "strategies/teams/libero/situation/move.hpp"
 
 namespace fulbito::libero {
 
 /// What the striker remembers between ticks.
 struct StrikerMemory {
-  double mouth = 0.0;      ///< [m] y on their goal line that is aimed at
-  int side = 0;            ///< way round the ball that is held: +1 counter-clockwise
-  int turn = 0;            ///< which blow of those about the best one is held
-  double spin_left = 0.0;  ///< [s] of a spin that is under way
+  double target_y = 0.0;    ///< [m] y on their goal line that is aimed at
+  int side = 0;             ///< way round the ball that is held: +1 counter-clockwise
+  int direction_index = 0;  ///< of the strike direction chosen last tick, see `clearStrikeDirection`
+  double spin_left = 0.0;   ///< [s] of a spin that is under way
   double spin_sense = 1.0;
   double locked = 0.0;    ///< [s] before the next spin
   double jammed = 0.0;    ///< [s] for which robot and ball have pressed without moving
@@ -34,6 +35,6 @@ Interception interception(const Picture& picture, const RobotState& robot);
 bool disputesFreeBall(const Observation& seen);
 
 /// The striker's way: intercept, come round, push it in.
-Twist strike(const Picture& picture, int robot, StrikerMemory& memory);
+Move strike(const Picture& picture, int robot, StrikerMemory& memory);
 
 }  // namespace fulbito::libero

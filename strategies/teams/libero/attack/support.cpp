@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/math/braking.hpp"
 #include "engine/core/math/math.hpp"
+#include "engine/core/models/field_places.hpp"
 #include "strategies/teams/libero/situation/areas.hpp"
 
 namespace fulbito::libero {
@@ -36,7 +38,8 @@ double headingRound(const Picture& picture, int robot, Vec2 to) {
 Vec2 shadow(const Picture& picture, Vec2 ball) {
   const Pitch& pitch = picture.pitch;
   const Vec2 goal = pitch.ownGoal();
-  const double front = -pitch.half_length + pitch.area_depth + pitch.arc_depth + 0.09;
+  const double front =
+      -pitch.half_length + pitch.field.goal_area_depth + pitch.field.goal_area_arc_depth + 0.09;
   const double x = std::max(front, ball.x - 0.35);
   const double part = std::clamp((x - goal.x) / std::max(0.05, ball.x - goal.x), 0.0, 1.0);
   const double most = ball.x < front + 0.1 ? 0.25 : pitch.half_width - 0.06;
@@ -47,14 +50,10 @@ Vec2 shadow(const Picture& picture, Vec2 ball) {
 /// area.
 Vec2 outlet(const Pitch& pitch, Vec2 ball, int rank) {
   const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
-  const double back = -pitch.half_length + pitch.big_area_depth + 0.15;
-  if (rank == 2) return {std::clamp(ball.x + -0.5, back, pitch.half_length - 0.5), far_side * 0.45};
+  const double back = -pitch.half_length + pitch.field.big_area_depth + 0.15;
+  if (rank == 2) return {std::clamp(ball.x - 0.5, back, pitch.half_length - 0.5), far_side * 0.45};
   return {std::clamp(ball.x - 0.55, back, 0.0), far_side * 0.2};
 }
-
-}  // namespace
-
-namespace {
 
 /// The side on which the ball is not: +1 or -1. Of a ball in the middle, as at a penalty, the robot's own:
 /// a fixed one would send it across the field from one of its two sides.
@@ -89,7 +88,7 @@ Vec2 supportPlace(const Picture& picture, int robot, int rank) {
   Vec2 place = wantedPlace(picture, robot, rank);
   constexpr double kRoom = 0.22;  // [m] about the striker's ball
   if (squaredNorm(place - ball) < kRoom * kRoom) {
-    place = pitch.inside(ball + unitOr(place - ball, {-1.0, 0.0}) * kRoom, 0.06);
+    place = insideWalls(pitch.field, ball + unitOr(place - ball, {-1.0, 0.0}) * kRoom, 0.06);
   }
   place = outOfOwnArea(pitch, place, 0.07);
   return inTheirArea(pitch, ball, 0.1) ? outOfTheirArea(pitch, place, 0.08) : place;
@@ -108,8 +107,8 @@ Twist supportTo(const Picture& picture, int robot, Vec2 place) {
   const double d = distance(self.pose.position, place);
   const Vec2 ball = picture.ball.now().position;
   if (d < 0.03) return restAt(picture.pitch, self, place, math::angleOf(ball - self.pose.position), 0.04);
-  const double speed = std::min(picture.pitch.speed, std::sqrt(2.0 * 0.7 * picture.pitch.acceleration * d));
-  return alongHeading(picture.pitch, self, headingRound(picture, robot, place), speed);
+  const double speed = std::min(picture.pitch.speed, stoppingSpeed(0.7 * picture.pitch.acceleration, d));
+  return alongHeading(self, headingRound(picture, robot, place), speed);
 }
 
 }  // namespace fulbito::libero

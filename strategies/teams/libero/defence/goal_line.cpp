@@ -3,23 +3,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/math/braking.hpp"
 #include "engine/core/math/math.hpp"
 
 namespace fulbito::libero {
 
-bool crossing(const Picture& picture, double line, double& y) {
+std::optional<double> crossing(const Picture& picture, double line) {
+  constexpr int kSoon = 24;  // steps of the forecast
   Vec2 before = picture.ball.sample(0);
-  if (picture.ball.resting() || before.x < line) return false;
-  for (int i = 1; i <= 24; ++i) {
+  if (picture.ball.resting() || before.x < line) return std::nullopt;
+  for (int i = 1; i <= kSoon; ++i) {
     const Vec2 after = picture.ball.sample(i);
     if (after.x <= line) {
       const double part = (before.x - line) / std::max(1e-9, before.x - after.x);
-      y = before.y + (after.y - before.y) * part;
-      return true;
+      return before.y + (after.y - before.y) * part;
     }
     before = after;
   }
-  return false;
+  return std::nullopt;
 }
 
 Twist alongLine(const RobotState& self, double line, double speed) {
@@ -32,7 +33,7 @@ Twist alongLine(const RobotState& self, double line, double speed) {
 }
 
 double stoppableSpeed(const Pitch& pitch, double way, double gain) {
-  return std::min(std::sqrt(2.0 * 0.8 * pitch.acceleration * std::abs(way)), gain * std::abs(way));
+  return std::min(stoppingSpeed(0.8 * pitch.acceleration, std::abs(way)), gain * std::abs(way));
 }
 
 Twist slideTo(const Picture& picture, const RobotState& self, double line, double y) {

@@ -1,13 +1,15 @@
 // Private header of strategies: not installed.
 #pragma once
 
+#include <optional>
+
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/situation/picture.hpp"
 
 namespace fulbito::libero {
 
-/// Whether the free ball soon crosses the line at x = `line` [m], and where: `y` [m].
-bool crossing(const Picture& picture, double line, double& y);
+/// y [m] at which the free ball soon crosses the line at x = `line` [m], if it does.
+std::optional<double> crossing(const Picture& picture, double line);
 
 /// Along the line at `speed` [m/s], with a small lean that brings the robot back onto it while it moves.
 Twist alongLine(const RobotState& self, double line, double speed);

@@ -5,8 +5,9 @@
 
 #include "engine/core/math/math.hpp"
 #include "strategies/teams/libero/attack/meet.hpp"
-#include "strategies/teams/libero/attack/striker.hpp"
 #include "strategies/teams/libero/defence/goal_line.hpp"
+#include "strategies/teams/libero/motion/approach.hpp"
+#include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/situation/areas.hpp"
 
 namespace fulbito::libero {
@@ -18,12 +19,11 @@ constexpr double kStuck = 2.0;    // [s] after which a ball in our area is clear
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
 /// How far beside its crossing a carried ball is awaited [m]: on the side from which it comes, so that the
-/// keeper already moves across with it at the touch. A standing keeper was passed by what slid along its
-/// face.
+/// keeper already moves across with it at the touch. A ball slides past a keeper that stands, along its face.
 double lead(const Picture& picture, double line) {
   constexpr double kShare = 0.6;    // of the ball's way across
   constexpr double kLongest = 0.2;  // [s] before the touch
-  if (!carried(picture)) return 0.0;
+  if (!opponentDribblesAtGoal(picture)) return 0.0;
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
   const double gap = ball.position.x - (line + pitch.robot_half + pitch.ball_radius);
@@ -34,7 +34,7 @@ double lead(const Picture& picture, double line) {
 /// Whether a ball that comes slanting touches the keeper's face now or soon: there it loses little of its
 /// speed across, runs on along the face, and its spin presses it on toward the goal. The keeper goes with it
 /// from a moment before the touch; a keeper that waits for the ball to be past is 0.1 s late.
-bool goWith(const Picture& picture, const RobotState& self, double line, Twist& twist) {
+std::optional<Twist> goWith(const Picture& picture, const RobotState& self, double line) {
   constexpr double kSoon = 0.04;    // [s] before the touch
   constexpr double kFace = 0.04;    // [m] off the keeper's middle: a ball farther out has to be reached first
   constexpr double kAcross = 0.2;   // [m/s] slower balls wait
@@ -47,20 +47,19 @@ bool goWith(const Picture& picture, const RobotState& self, double line, Twist& 
   const double gap = rel.x - pitch.robot_half - pitch.ball_radius;
   const double across = ball.velocity.y;
   if (rel.x < 0.0 || gap > std::max(kTouch, -kSoon * ball.velocity.x) || std::abs(across) < kAcross)
-    return false;
+    return std::nullopt;
   const double time = ball.velocity.x < 0.0 ? std::clamp(-gap / ball.velocity.x, 0.0, kSoon) : 0.0;
   const double ahead = rel.y + across * time;
-  if (std::abs(ahead) > kFace) return false;
+  if (std::abs(ahead) > kFace) return std::nullopt;
   const double wanted = kShare * across + std::copysign(stoppableSpeed(pitch, ahead, 15.0), ahead);
   const double room = std::max(0.0, kRoom - std::copysign(1.0, wanted) * self.pose.position.y);
   const double speed = std::min({std::abs(wanted), pitch.speed, stoppableSpeed(pitch, room, 20.0)});
-  twist = alongLine(self, line, std::copysign(speed, wanted));
-  return true;
+  return alongLine(self, line, std::copysign(speed, wanted));
 }
 
-/// Whether the keeper is at a ball near the goal before any opponent. It keeps its line before a fast one,
-/// but for what runs along the end wall: it turned in order to clear while the ball arrived, and that went in
-/// beside it.
+/// Whether the keeper is at a ball near the goal before any opponent. Before a fast one it keeps its line: a
+/// keeper that turns in order to clear leaves the ball a way in beside it. What runs along the end wall is
+/// excepted.
 bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.1);
@@ -93,8 +92,8 @@ bool meetsAlongWall(const Picture& picture, const RobotState& self) {
   return self.pose.position.x < -pitch.half_length + kOwnStrip && self.pose.position.y * out < y - kBetween;
 }
 
-/// Pushes a ball that lies near out to the side, from the goal's side; false when the keeper is not there.
-bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
+/// Pushes a ball that lies near out to the side, from the goal's side; nothing when the keeper is not there.
+std::optional<Twist> clear(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.05);
   const Vec2 rel = ball - self.pose.position;
@@ -107,17 +106,15 @@ bool clear(const Picture& picture, const RobotState& self, Twist& twist) {
   const double out = ball.y >= 0.0 ? 1.0 : -1.0;
   const bool beside = rel.x < 0.03 && std::abs(rel.x) < 0.05 && rel.y * out > 0.04;
   if (at_wall || beside) {
-    if (rel.y * out < 0.02) return false;
-    twist = passThrough(pitch, self, {std::max(ball.x, -pitch.half_length + 0.042), ball.y + 0.1 * out},
-                        pitch.speed);
-    return true;
+    if (rel.y * out < 0.02) return std::nullopt;
+    return passThrough(self, {std::max(ball.x, -pitch.half_length + kDepth), ball.y + 0.1 * out},
+                       pitch.speed);
   }
-  if (rel.x < 0.02) return false;
+  if (rel.x < 0.02) return std::nullopt;
   const Vec2 way = unitOr(rel, {1.0, 0.0}) + Vec2{0.3, out * 0.4};
   int side = 0;
   const double heading = approachHeading(self.pose.position, ball, math::angleOf(way), 0.09, 1.0, side);
-  twist = alongHeading(pitch, self, heading, pitch.speed);
-  return true;
+  return alongHeading(self, heading, pitch.speed);
 }
 
 /// The ball lies or comes along our end wall, beside the goal or in its mouth's edge.
@@ -130,7 +127,7 @@ bool alongEndWall(const Picture& picture) {
 /// Closes the near post with a face that leads the ball out to the field, and holds: from within the mouth,
 /// so that a ball that is pushed along the wall meets the middle of the face. Beside its middle it would turn
 /// the keeper and pass behind it.
-Twist guardPost(const Picture& picture, const RobotState& self) {
+Move guardPost(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
   const double side = ball.y > 0.0 ? 1.0 : -1.0;
@@ -143,14 +140,14 @@ Twist guardPost(const Picture& picture, const RobotState& self) {
   if (std::abs(way.y) < 0.02 && way.x < 0.04) {
     Twist twist = turnTo(pitch, self, heading);
     twist.linear = std::clamp(4.0 * dot(way, math::unit(self.pose.heading)), -0.2, 0.2);
-    return twist;
+    return {twist, "guard post", post, {}, {}};
   }
-  return slideTo(picture, self, post.x, post.y);
+  return {slideTo(picture, self, post.x, post.y), "guard post", post, {}, {}};
 }
 
 /// Out along the line, at speed, to a ball that is carried slanting past the near post: to where it comes
 /// into the keeper's row, from within. A keeper that waits there is pushed along its own line into the goal.
-bool runOut(const Picture& picture, const RobotState& self, double line, Twist& twist) {
+std::optional<Move> runOut(const Picture& picture, const RobotState& self, double line) {
   constexpr double kStrip = 0.16;     // [m] off the wall, the ball
   constexpr double kNearest = 0.15;   // [m] |y| of the ball
   constexpr double kFarthest = 0.45;  // [m]
@@ -165,23 +162,24 @@ bool runOut(const Picture& picture, const RobotState& self, double line, Twist& 
   const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
   const double y = ball.position.y * out, across = -ball.velocity.y * out;
   if (ball.position.x > -pitch.half_length + kStrip || y < kNearest || y > kFarthest || across < kComing ||
-      !carried(picture))
-    return false;
+      !opponentDribblesAtGoal(picture))
+    return std::nullopt;
   const double before = std::max(0.0, ball.position.x - (line + kRow));
   const double meet = y - across * before / -ball.velocity.x - kRoom;
   const double own = self.pose.position.y * out;
-  if (meet < kLeast || own > y - kRoom / 2) return false;
+  if (meet < kLeast || own > y - kRoom / 2) return std::nullopt;
   if (std::abs(self.pose.position.x - line) > kOffLine ||
       std::abs(foldedError(math::kPi / 2, self.pose.heading)) > kTurned)
-    return false;
+    return std::nullopt;
   const bool there = own > meet - 0.01;
-  twist = there ? slideTo(picture, self, line, out * meet) : alongLine(self, line, out * pitch.speed);
-  return true;
+  const Twist twist =
+      there ? slideTo(picture, self, line, out * meet) : alongLine(self, line, out * pitch.speed);
+  return Move{twist, "run out", Vec2{line, out * meet}, {}, {}};
 }
 
 /// A ball in the mouth behind the keeper: whatever touches it from here pushes it in. The keeper gets out of
 /// its way along the line, and waits until the ball has come out or one of them has been moved.
-bool leaveBehind(const Picture& picture, const RobotState& self, double line, Twist& twist) {
+std::optional<Twist> leaveBehind(const Picture& picture, const RobotState& self, double line) {
   constexpr double kBehind = 0.025;  // [m] of the ball's centre behind the keeper's
   constexpr double kDeep = 0.025;    // [m] of the ball's centre before the goal line
   constexpr double kApart = 0.08;    // [m] along the line
@@ -191,17 +189,16 @@ bool leaveBehind(const Picture& picture, const RobotState& self, double line, Tw
   const Vec2 ball = picture.ball.now().position;
   const Vec2 rel = ball - self.pose.position;
   // Beside its front, with an opponent pushing from the other side, it is held out by the keeper that stays.
-  if (std::abs(rel.y) > kBeside && picture.opponentsNear(ball, kPushed) > 0) return false;
+  if (std::abs(rel.y) > kBeside && picture.opponentsNear(ball, kPushed) > 0) return std::nullopt;
   if (rel.x > -kBehind || ball.x > -pitch.half_length + kDeep || std::abs(ball.y) > pitch.goal_half)
-    return false;
+    return std::nullopt;
   const double away = rel.y > 0.0 ? -1.0 : 1.0;
-  twist = std::abs(rel.y) < kApart ? alongLine(self, line, away * pitch.speed) : Twist{0.0, 0.0};
-  return true;
+  return std::abs(rel.y) < kApart ? alongLine(self, line, away * pitch.speed) : Twist{};
 }
 
 /// A keeper that was pushed into the goal, with the ball before it, pushes it out while nobody is near: one
-/// that waited was pushed in with it by the next run at the ball.
-bool pushOut(const Picture& picture, const RobotState& self, Twist& twist) {
+/// that waits is pushed in with it by the next run at the ball.
+std::optional<Twist> pushOut(const Picture& picture, const RobotState& self) {
   constexpr double kIn = 0.02;      // [m] of the keeper's middle before the goal line at most
   constexpr double kBefore = 0.03;  // [m] by which the ball is farther out
   constexpr double kAside = 0.06;   // [m]
@@ -214,49 +211,44 @@ bool pushOut(const Picture& picture, const RobotState& self, Twist& twist) {
   const BallState& ball = picture.ball.now();
   const Vec2 rel = ball.position - self.pose.position;
   if (self.pose.position.x > -pitch.half_length + kIn || std::abs(ball.position.y) > pitch.goal_half)
-    return false;
-  if (rel.x < kBefore || std::abs(rel.y) > kAside || squaredNorm(rel) > kNear * kNear) return false;
+    return std::nullopt;
+  if (rel.x < kBefore || std::abs(rel.y) > kAside || squaredNorm(rel) > kNear * kNear) return std::nullopt;
   if (std::abs(foldedError(0.0, self.pose.heading)) > kTurned) {
-    if (squaredNorm(ball.velocity) > kLies * kLies) return false;
+    if (squaredNorm(ball.velocity) > kLies * kLies) return std::nullopt;
     for (int i = 0; i < picture.seen.team_size; ++i) {
       if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball.position) < kInTime)
-        return false;
+        return std::nullopt;
     }
   }
   const double side = ball.position.y >= 0.0 ? kOut : -kOut;
-  twist = alongHeading(pitch, self, math::angleOf(unitOr(rel, {1.0, 0.0}) + Vec2{0.0, side}), pitch.speed);
-  return true;
+  return alongHeading(self, math::angleOf(unitOr(rel, {1.0, 0.0}) + Vec2{0.0, side}), pitch.speed);
 }
 
-}  // namespace
-
+/// Where on its line the keeper should stand, y [m].
 double keeperPlace(const Picture& picture, double line) {
   const Pitch& pitch = picture.pitch;
-  double y = 0.0;
-  if (crossing(picture, line + pitch.ball_radius, y) && std::abs(y) < pitch.goal_half + 0.05) {
-    return std::clamp(y + lead(picture, line), -kReach, kReach);
+  const auto shot = crossing(picture, line + pitch.ball_radius);
+  if (shot && std::abs(*shot) < pitch.goal_half + 0.05) {
+    return std::clamp(*shot + lead(picture, line), -kReach, kReach);
   }
   const Vec2 ball = picture.ball.at(0.05);
   const double depth = std::max(ball.x + pitch.half_length, kDepth);
   const double k = line + pitch.half_length;
-  y = std::clamp(ball.y, -1.0, 1.0) * k / depth;
+  const double y = std::clamp(ball.y, -1.0, 1.0) * k / depth;
   return std::clamp(y, -kReach, kReach);
 }
 
-Vec2 keeperGoal(const Picture& picture) {
-  const double line = -picture.pitch.half_length + kDepth;
-  return {line, keeperPlace(picture, line)};
-}
+}  // namespace
 
 bool mustSave(const Picture& picture, int robot) {
   const Pitch& pitch = picture.pitch;
-  double y = 0.0;
-  if (!crossing(picture, -pitch.half_length, y) || std::abs(y) > pitch.goal_half + 0.02) return false;
+  const auto shot = crossing(picture, -pitch.half_length);
+  if (!shot || std::abs(*shot) > pitch.goal_half + 0.02) return false;
   return picture.own(robot).pose.position.x < -pitch.half_length + 0.3 &&
          picture.ball.now().position.x > picture.own(robot).pose.position.x;
 }
 
-Twist keep(const Picture& picture, int robot) {
+Move keep(const Picture& picture, int robot) {
   const RobotState& self = picture.own(robot);
   const Pitch& pitch = picture.pitch;
   const double line = -pitch.half_length + kDepth;
@@ -265,22 +257,23 @@ Twist keep(const Picture& picture, int robot) {
   if (picture.seen.restart == RestartKind::kPenalty && !picture.seen.restart_is_ours &&
       picture.seen.since_restart < 0.8 && rel.x > 0.04 && squaredNorm(rel) > 0.06 * 0.06) {
     // Out to meet the taker: the nearer to the ball, the more of the goal is covered.
-    return passThrough(pitch, self, ball.position + ball.velocity * 0.12, pitch.speed);
+    const Vec2 meet = ball.position + ball.velocity * 0.12;
+    return {passThrough(self, meet, pitch.speed), "meet penalty", {}, meet, {}};
   }
-  Twist out;
-  double shot = 0.0;
-  const bool coming = crossing(picture, -pitch.half_length, shot) &&
-                      std::abs(shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
+  const auto shot = crossing(picture, -pitch.half_length);
+  const bool coming =
+      shot && std::abs(*shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
   const bool stuck = picture.stuck > kStuck && inOwnArea(pitch, ball.position, 0.05);
-  if (leaveBehind(picture, self, line, out)) return out;
-  if (pushOut(picture, self, out)) return out;
-  if (!coming && (stuck || comesFirst(picture, self) || meetsAlongWall(picture, self)) &&
-      clear(picture, self, out))
-    return out;
-  if (runOut(picture, self, line, out)) return out;
+  if (const auto twist = leaveBehind(picture, self, line)) return {*twist, "leave ball", {}, {}, {}};
+  if (const auto twist = pushOut(picture, self)) return {*twist, "push out", {}, ball.position, {}};
+  if (!coming && (stuck || comesFirst(picture, self) || meetsAlongWall(picture, self))) {
+    if (const auto twist = clear(picture, self)) return {*twist, "clear", {}, ball.position, {}};
+  }
+  if (const auto move = runOut(picture, self, line)) return *move;
   if (!(coming && rel.x > 0.03) && alongEndWall(picture)) return guardPost(picture, self);
-  if (goWith(picture, self, line, out)) return out;
-  return slideTo(picture, self, line, keeperPlace(picture, line));
+  if (const auto twist = goWith(picture, self, line)) return {*twist, "go with ball", {}, {}, {}};
+  const double y = keeperPlace(picture, line);
+  return {slideTo(picture, self, line, y), "", Vec2{line, y}, {}, {}};
 }
 
 }  // namespace fulbito::libero

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/math/braking.hpp"
 #include "engine/core/math/math.hpp"
+#include "engine/core/models/field_places.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -24,18 +26,18 @@ constexpr double kArc = 0.12;         // [m] from the ball, where it is reached
 constexpr double kTurnsOff = 0.6;     // [rad] between the way to the ball and the blow, from which it matters
 
 /// The speed at which a robot that is `distance` [m] from a ball comes on to the circle round it: at full
-/// speed it slides past, stops and comes back, which takes 0.6 s.
+/// speed it would slide past and have to come back.
 double arrivingSpeed(const Pitch& pitch, double distance) {
   const double way = std::max(0.0, distance - kArc);
-  return std::min(pitch.speed, std::sqrt(kRoundSpeed * kRoundSpeed + 2.0 * kSlowing * way));
+  return std::min(pitch.speed, stoppingSpeed(kSlowing, way, kRoundSpeed));
 }
 
-/// `heading` turned along a wall, or out of a goal's mouth, where it would lead the robot into it: between
-/// the ball and a post it stood still, wanting to turn.
+/// `heading` turned along a wall, or out of a goal's mouth, where it would lead the robot into it: a robot
+/// that a wall or post keeps from turning stands still.
 double alongWalls(const Pitch& pitch, Vec2 robot, double heading) {
   constexpr double kAhead = 0.06, kMargin = 0.045, kHere = 0.01;  // [m]
   const Vec2 to = robot + math::unit(heading) * kAhead;
-  const Vec2 kept = pitch.inside(to, kMargin) - robot;
+  const Vec2 kept = insideWalls(pitch.field, to, kMargin) - robot;
   if (squaredNorm(kept) < kHere * kHere || squaredNorm(kept - (to - robot)) < 1e-8) return heading;
   return math::angleOf(kept);
 }
@@ -67,7 +69,7 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
     const bool comes_round = squaredNorm(rolling) < kLies * kLies &&
                              std::abs(math::wrapAngle(math::angleOf(way) - along)) > kTurnsOff;
     const double led = alongWalls(pitch, self.pose.position, heading);
-    return alongHeading(pitch, self, led, comes_round ? arrivingSpeed(pitch, norm(way)) : pitch.speed);
+    return alongHeading(self, led, comes_round ? arrivingSpeed(pitch, norm(way)) : pitch.speed);
   }
   side = 0;
   const double to_touch = std::max(0.0, -local.x - 0.06);
@@ -78,9 +80,7 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   // Who follows a rolling ball at its own speed never touches it again, and cannot mend its direction.
   const double touch = kSlowTouch + kCarried * std::max(0.0, dot(rolling, direction));
   const double speed = std::min(pitch.speed, touch + (to_touch + 0.025) / std::max(needed, 0.01));
-  Steering steering;
-  steering.gain = to_touch < 0.015 ? kPushGain : 16.0;
-  return alongHeading(pitch, self, heading, speed, steering);
+  return alongHeading(self, heading, speed, to_touch < 0.015 ? kPushGain : kTurnGain);
 }
 
 }  // namespace fulbito::libero

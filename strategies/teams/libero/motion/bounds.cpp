@@ -24,7 +24,8 @@ struct Bound {
   /// The greatest depth on the way to rest from there.
   double deepest(Roll roll) const {
     double most = depth(roll.place);
-    for (int i = 0; i < kHorizon && !roll.rests(); ++i) {
+    const int horizon = ticksToRest(pitch);
+    for (int i = 0; i < horizon && !roll.rests(); ++i) {
       roll.brake();
       most = std::max(most, depth(roll.place));
     }
@@ -46,7 +47,7 @@ struct Bound {
     return unitOr(slope, {1.0, 0.0});
   }
 
-  Twist along(Vec2 way) const { return alongHeading(pitch, robot, math::angleOf(way), pitch.speed); }
+  Twist along(Vec2 way) const { return alongHeading(robot, math::angleOf(way), pitch.speed); }
 
   /// Both wheels at this speed [m/s], as fast as they get there.
   RobotCommand straight(double speed) const {
@@ -67,7 +68,8 @@ struct Bound {
     Vec2 best{1.0, 0.0};
     double least = 1e9;
     for (const Vec2 way : {Vec2{1.0, 0.0}, Vec2{0.0, 1.0}, Vec2{0.0, -1.0}}) {
-      const double room = way.y == 0.0 ? pitch.area_depth + pitch.arc_depth - pitch.half_length - p.x
+      const double room = way.y == 0.0 ? pitch.field.goal_area_depth + pitch.field.goal_area_arc_depth -
+                                             pitch.half_length - p.x
                                        : pitch.area_half - way.y * p.y;
       const double time = timeToReach(pitch, robot, p + way * std::max(0.02, room + margin));
       if (time < least) least = time, best = way;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/math/braking.hpp"
 #include "engine/core/math/math.hpp"
 
 namespace fulbito::libero {
@@ -10,11 +11,7 @@ namespace {
 
 constexpr double kHeldSpeed = 0.3;   // [m/s] above which an end keeps leading
 constexpr double kHeldAngle = 0.26;  // [rad] beyond a right angle
-
-/// The speed from which one can still stop in `way` [m], with a reserve.
-double stoppingSpeed(const Pitch& pitch, double way) {
-  return std::sqrt(2.0 * 0.75 * pitch.acceleration * std::max(0.0, way));
-}
+constexpr double kBraking = 0.75;    // share of the acceleration that a robot plans to brake with
 
 /// atan(s / c) for s, c >= 0 by a polynomial, within 0.004 rad: good enough for a time, and cheap.
 double foldedAngle(double s, double c) {
@@ -55,8 +52,7 @@ double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 face, Vec2 
   return turn + (v - v0) / a + (d - ramp) / v;
 }
 
-Twist alongHeading(const Pitch&, const RobotState& robot, double heading, double speed,
-                   const Steering& steering) {
+Twist alongHeading(const RobotState& robot, double heading, double speed, double gain) {
   double error = math::wrapAngle(heading - robot.pose.heading);
   const double forward = dot(robot.velocity, math::unit(robot.pose.heading));
   double limit = math::kPi / 2;
@@ -68,12 +64,11 @@ Twist alongHeading(const Pitch&, const RobotState& robot, double heading, double
     sign = -1.0;
   }
   const double c = std::max(0.0, math::cos(error));
-  const double slowed = steering.slow_down > 1.5 ? c * c : c;
-  return {sign * speed * slowed, std::clamp(steering.gain * error, -24.0, 24.0)};
+  return {sign * speed * (c * c), std::clamp(gain * error, -24.0, 24.0)};
 }
 
 double fastestTurn(const Pitch& pitch, double angle) {
-  return std::min(std::sqrt(2.0 * 0.6 * pitch.acceleration / pitch.half_track * angle), 25.0 * angle);
+  return std::min(stoppingSpeed(0.6 * pitch.acceleration / pitch.half_track, angle), 25.0 * angle);
 }
 
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading) {
@@ -90,11 +85,12 @@ Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double hea
     twist.linear = std::clamp(4.0 * local.x, -0.2, 0.2);
     return twist;
   }
-  return alongHeading(pitch, robot, math::angleOf(way), std::min(pitch.speed, stoppingSpeed(pitch, d)));
+  return alongHeading(robot, math::angleOf(way),
+                      std::min(pitch.speed, stoppingSpeed(kBraking * pitch.acceleration, d)));
 }
 
-Twist passThrough(const Pitch& pitch, const RobotState& robot, Vec2 place, double speed) {
-  return alongHeading(pitch, robot, math::angleOf(place - robot.pose.position), speed);
+Twist passThrough(const RobotState& robot, Vec2 place, double speed) {
+  return alongHeading(robot, math::angleOf(place - robot.pose.position), speed);
 }
 
 }  // namespace fulbito::libero

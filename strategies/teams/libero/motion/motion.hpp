@@ -5,22 +5,19 @@
 
 namespace fulbito::libero {
 
-/// How sharply a robot turns toward the wanted heading.
-struct Steering {
-  double gain = 16.0;      ///< [1/s] yaw rate for a heading error
-  double slow_down = 2.0;  ///< power of the cosine of the error that slows the robot while it turns
-};
+/// [1/s] yaw rate per heading error, where a skill has no other.
+inline constexpr double kTurnGain = 16.0;
 
-/// Time [s] in which `robot` can be at `target`, turn and ramp included; either end may lead. The formula of
-/// the reference page (2.1), with the speed that the robot already has.
+/// Time [s] in which `robot` can be at `target`, turn and ramp included; either end may lead. The speed that
+/// the robot already has counts (docs/skills.md, Time to reach).
 double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target);
 /// The same where the unit vector `face` of its heading is known: for who asks of many targets.
 double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 face, Vec2 target);
 
 /// Drives along `heading` [rad] at `speed` [m/s] with whichever end takes the smaller turn; a moving robot
-/// keeps its end unless the other is clearly nearer.
-Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed,
-                   const Steering& steering = {});
+/// keeps its end unless the other is clearly nearer. It slows down by the squared cosine of the error while
+/// it turns; `gain` [1/s] is the yaw rate per error.
+Twist alongHeading(const RobotState& robot, double heading, double speed, double gain = kTurnGain);
 
 /// The yaw rate [rad/s] at which a turn by `angle` [rad] >= 0 can still be stopped in time.
 double fastestTurn(const Pitch& pitch, double angle);
@@ -33,7 +30,7 @@ Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double hea
              double heading_from = 0.02);
 
 /// Drives through `place` at speed.
-Twist passThrough(const Pitch& pitch, const RobotState& robot, Vec2 place, double speed);
+Twist passThrough(const RobotState& robot, Vec2 place, double speed);
 
 /// Difference of two headings when either end may lead, in [-pi/2, pi/2].
 double foldedError(double wanted, double heading);

@@ -9,15 +9,17 @@
 
 namespace fulbito::libero {
 
-inline constexpr double kTick = 1.0 / 60.0;  ///< [s]
-inline constexpr int kHorizon = 16;          ///< [ticks] in which a robot comes to rest from any speed
-inline constexpr double kStands = 1e-9;      ///< [m/s] below which wheels that brake stand
-inline constexpr double kGrip = 5.5;         ///< [m/s^2] at which a robot that slides across comes to rest
+inline constexpr double kToRest = 0.265;  ///< [s] in which a robot comes to rest from any speed
+inline constexpr double kStands = 1e-9;   ///< [m/s] below which wheels that brake stand
+inline constexpr double kGrip = 5.5;      ///< [m/s^2] at which a robot that slides across comes to rest
+
+/// Ticks until a robot that brakes from any speed rests.
+inline int ticksToRest(const Pitch& pitch) { return static_cast<int>(std::ceil(kToRest / pitch.tick)); }
 
 /// [m] that a robot of `speed` [m/s], after a tick of whatever it is told, goes at most before it rests.
 inline double mostWay(const Pitch& pitch, double speed) {
-  const double then = speed + pitch.acceleration * kTick;
-  return then * (2 * kTick + then / (2 * kGrip));
+  const double then = speed + pitch.acceleration * pitch.tick;
+  return then * (2 * pitch.tick + then / (2 * kGrip));
 }
 
 /// Unit vector at a small `angle` [rad]: to 1e-7 up to 0.26, half of what a robot turns in a tick at most.
@@ -50,7 +52,7 @@ struct Roll {
 
   /// As a twist is carried out: what the wheels can gain goes to turning first.
   void drive(Twist wanted) {
-    const double before = forward, yaw_before = yaw, most = pitch.acceleration * kTick;
+    const double before = forward, yaw_before = yaw, most = pitch.acceleration * pitch.tick;
     const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most, most);
     const double rest = most - std::abs(turn);
     yaw = std::clamp(yaw + turn, -pitch.speed, pitch.speed);
@@ -72,10 +74,10 @@ struct Roll {
   }
 
   void move(double speed, double turning) {
-    across -= std::clamp(across, -kGrip * kTick, kGrip * kTick);
-    const Vec2 half = smallTurn(turning / pitch.half_track * (kTick / 2));
+    across -= std::clamp(across, -kGrip * pitch.tick, kGrip * pitch.tick);
+    const Vec2 half = smallTurn(turning / pitch.half_track * (pitch.tick / 2));
     const Vec2 middle = outOfFrame(face, half);
-    place += outOfFrame(middle, {speed, across}) * kTick;
+    place += outOfFrame(middle, {speed, across}) * pitch.tick;
     face = outOfFrame(middle, half);
   }
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/math/math.hpp"
+#include "engine/core/models/field_places.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/motion/roll.hpp"
 #include "strategies/teams/libero/situation/areas.hpp"
@@ -37,7 +38,7 @@ struct Keeper {
   double gap() const { return gapAfter(start, 0); }
   /// After that many ticks, in which the keeper goes on as it does.
   double gapAfter(const Roll& roll, int ticks) const {
-    const Vec2 there = keeper.pose.position + keeper.velocity * (ticks * kTick);
+    const Vec2 there = keeper.pose.position + keeper.velocity * (ticks * pitch.tick);
     return gapOf(pitch.robot_half, there - roll.place, roll.face, faced);
   }
 
@@ -46,7 +47,8 @@ struct Keeper {
     Roll roll = start;
     roll.drive(twist);
     double least = gapAfter(roll, 1);
-    for (int i = 2; i < kHorizon && !roll.rests(); ++i) {
+    const int horizon = ticksToRest(pitch);
+    for (int i = 2; i < horizon && !roll.rests(); ++i) {
       roll.brake();
       least = std::min(least, gapAfter(roll, i));
     }
@@ -56,11 +58,12 @@ struct Keeper {
   /// [m] to the keeper, summed over some ticks of a twist, walls in the way: the sooner it leaves the better.
   /// Where it is off, farther counts no more: an arc that ends farther away rubs along the keeper longer.
   double gapsBy(Twist twist) const {
-    constexpr double kOff = 0.02;  // [m]
-    constexpr int kAhead = 15;     // [ticks] in which a robot that stood is past the keeper's body
+    constexpr double kOff = 0.02;    // [m]
+    constexpr double kAhead = 0.25;  // [s] in which a robot that stood is past the keeper's body
     Roll roll = start;
     double sum = 0.0;
-    for (int i = 1; i <= kAhead; ++i) {
+    const int ticks = static_cast<int>(std::lround(kAhead / pitch.tick));
+    for (int i = 1; i <= ticks; ++i) {
       roll.drive(twist);
       roll.place = walled(roll.place, roll.face);
       sum += std::min(kOff, gapAfter(roll, i));
@@ -75,7 +78,7 @@ struct Keeper {
     const double post = pitch.goal_half - half;
     const bool in_mouth =
         p.x > pitch.half_length - half && std::abs(p.y) < pitch.goal_half - pitch.robot_half + kRoom;
-    return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : pitch.inside(p, half);
+    return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : insideWalls(pitch.field, p, half);
   }
 
   /// Whatever brings the robot off the keeper best: with either end, turning or not.
@@ -84,9 +87,9 @@ struct Keeper {
     const double v = pitch.speed;
     Twist best;
     double most = -1e9;
-    for (const Twist twist : {Twist{v, 0.0}, Twist{-v, 0.0}, alongHeading(pitch, self, math::angleOf(off), v),
-                              alongHeading(pitch, self, math::angleOf(perp(off)), v),
-                              alongHeading(pitch, self, math::angleOf(-perp(off)), v), Twist{}}) {
+    for (const Twist twist : {Twist{v, 0.0}, Twist{-v, 0.0}, alongHeading(self, math::angleOf(off), v),
+                              alongHeading(self, math::angleOf(perp(off)), v),
+                              alongHeading(self, math::angleOf(-perp(off)), v), Twist{}}) {
       const double gaps = gapsBy(twist);
       if (gaps > most) most = gaps, best = twist;
     }
@@ -100,7 +103,7 @@ struct Keeper {
     const Vec2 off = unitOr(self.pose.position - keeper.pose.position, {-1.0, 0.0});
     const Vec2 going = start.face * wanted.linear;
     const double hand = dot(going, perp(off)) >= 0.0 ? 1.0 : -1.0;
-    const Twist slide = alongHeading(pitch, self, math::angleOf(perp(off) * hand + off * 0.3), pitch.speed);
+    const Twist slide = alongHeading(self, math::angleOf(perp(off) * hand + off * 0.3), pitch.speed);
     if (allows(slide)) return RobotCommand::byTwist(slide);
     if (allows({0.0, slide.angular})) return RobotCommand::byTwist({0.0, slide.angular});
     return away();
@@ -118,7 +121,8 @@ bool keeps(const Picture& picture, int opponent) {
 
 /// Whether the two cannot come near each other before the robot rests, however they turn.
 bool isFar(const Pitch& pitch, const RobotState& self, const RobotState& keeper) {
-  const double ways = mostWay(pitch, norm(self.velocity)) + norm(keeper.velocity) * (kHorizon * kTick);
+  const double ways =
+      mostWay(pitch, norm(self.velocity)) + norm(keeper.velocity) * (ticksToRest(pitch) * pitch.tick);
   const double apart = ways + 2.0 * (pitch.robot_corner + kRoom);
   return squaredNorm(keeper.pose.position - self.pose.position) > std::min(kNear * kNear, apart * apart);
 }
@@ -162,7 +166,7 @@ std::optional<Twist> roundKeeper(const Picture& picture, int robot, Vec2 target)
     turned = outOfFrame(way, {std::max(rel.x, kRoom), pass});
   }
   if (!turned) return std::nullopt;
-  return alongHeading(pitch, self, math::angleOf(*turned), pitch.speed);
+  return alongHeading(self, math::angleOf(*turned), pitch.speed);
 }
 
 std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted) {

@@ -11,7 +11,7 @@ TrialConfig movingTrial(const std::string& navigator) {
   TrialConfig config;
   config.layout = (*findSuite("moving"))->layout(2015, 3);
   config.field = *loadField(config.layout.field);
-  config.robot = *loadRobot("paper-004");
+  config.robot = *loadRobot("jung-lee-2015");
   config.physics = *loadPhysics("standard");
   config.navigator = *parseNavigator(navigator);
   config.sensors.position_noise = 0.002;

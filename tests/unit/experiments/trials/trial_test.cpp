@@ -11,7 +11,7 @@ TrialConfig cornerTrial(const std::string& navigator, double speed) {
   TrialConfig config;
   config.layout = cornerLayout(2015, 3);
   config.field = *loadField(config.layout.field);
-  config.robot = robotAt(*loadRobot("paper-004"), speed);
+  config.robot = robotAt(*loadRobot("jung-lee-2015"), speed);
   config.physics = *loadPhysics("standard");
   config.navigator = *parseNavigator(navigator);
   return config;

@@ -50,7 +50,8 @@ TEST_CASE("the time bound is a ramp and a run, or a ramp alone", "[unit]") {
   CHECK(timeBound(0.5, 2.6, 5.0) == Approx(std::sqrt(0.2)));
   // Both forms agree where the ramp just reaches the top speed.
   CHECK(timeBound(0.1, 1.0, 5.0) == Approx(std::sqrt(0.04)));
-  // Paper 000, Table 4: d = 7.18 m, a = 0.05 m/s^2, v = 0.1 ... 0.5 m/s, printed 72.8 ... 19.3 s (truncated).
+  // Choi & Lee (2005), Table 4: d = 7.18 m, a = 0.05 m/s^2, v = 0.1 ... 0.5 m/s, printed 72.8 ... 19.3 s
+  // (truncated).
   CHECK(timeBound(7.18, 0.1, 0.05) == Approx(72.8));
   CHECK(timeBound(7.18, 0.5, 0.05) == Approx(19.36));
 }

@@ -108,9 +108,8 @@ TEST_CASE("a ball rests where its speed ends", "[unit]") {
   CHECK(prediction.endOfWay().x == Approx(0.3 * 0.3 / (2 * loss)).margin(0.001));
   CHECK(prediction.velocityAt(99.0) == Vec2{});
   CHECK(prediction.positionAt(99.0) == prediction.endOfWay());
-  CHECK(prediction.confidenceAt(99.0) == 1.0);
   prediction.predict(course, {{0.1, 0.2}, {}, {}});
-  CHECK(prediction.stretches().size() == 1);
+  CHECK(prediction.endOfMotion() == 0.0);
   CHECK(prediction.positionAt(1.0) == Vec2{0.1, 0.2});
 }
 
@@ -121,28 +120,11 @@ TEST_CASE("the passage of a line is where the path crosses it", "[unit]") {
   prediction.predict(course, {{0.0, 0.3}, {-0.8, 0.5}, {-0.8, 0.5}});
   const auto passage = prediction.crossing({-0.6, 0.0}, {-1.0, 0.0});
   REQUIRE(passage);
-  CHECK(passage->bounces == 1);
+  CHECK(prediction.bouncesBefore(passage->time) == 1);
   CHECK(passage->place.x == Approx(-0.6));
   CHECK(distance(prediction.positionAt(passage->time), passage->place) < 1e-9);
   CHECK_FALSE(prediction.crossing({0.2, 0.0}, {1.0, 0.0}));
   CHECK_FALSE(prediction.crossing({-0.6, 0.0}, {-1.0, 0.0}, passage->time + 0.01));
-}
-
-TEST_CASE("a ball stops at the first robot in its way", "[unit]") {
-  const MatchInfo info = test::matchInfo();
-  const BallCourse course(info.field, info.ball, info.physics);
-  BallPrediction prediction;
-  const Vec2 velocity{1.0, 0.0};
-  prediction.predict(course, {{0.0, 0.0}, velocity, velocity});
-  const std::array<BallBlocker, 4> robots = {
-      {{{0.5, 0.01}, 0.04}, {{0.3, -0.02}, 0.04}, {{0.2, 0.2}, 0.04}, {{-0.05, 0.0}, 0.04}}};
-  const auto block = prediction.blockBy(robots, info.ball.radius);
-  REQUIRE(block);
-  CHECK(block->index == 1);
-  const Vec2 end = prediction.endOfWay();
-  CHECK(distance(end, robots[1].position) == Approx(0.04 + info.ball.radius).epsilon(1e-6));
-  CHECK(prediction.positionAt(block->time + 1.0) == end);
-  CHECK_FALSE(prediction.blockBy(std::span(robots).subspan(2), info.ball.radius));
 }
 
 }  // namespace fulbito

@@ -55,27 +55,4 @@ TEST_CASE("robot and ball are at the meeting together, and not much earlier", "[
   CHECK(missed < 30);
 }
 
-TEST_CASE("the first at the ball is the one with the earliest meeting", "[unit]") {
-  const MatchInfo info = test::matchInfo();
-  const BallCourse course(info.field, info.ball, info.physics);
-  const RobotPace pace(info.robot);
-  Rng rng(5, Stream::kTest);
-  for (int i = 0; i < 200; ++i) {
-    BallPrediction ball;
-    ball.predict(course, anyBall(rng), 4.0);
-    std::array<ObservedRobot, 4> robots;
-    for (ObservedRobot& robot : robots) robot = {true, anywhere(rng)};
-    robots[1].present = false;
-    const auto first = firstAtBall(ball, pace, robots);
-    REQUIRE(first);
-    CHECK(first->robot != 1);
-    for (const ObservedRobot& robot : robots) {
-      if (!robot.present) continue;
-      const auto meeting = intercept(ball, pace, robot.state);
-      if (meeting) CHECK(first->time <= meeting->time + 0.011);
-    }
-  }
-  CHECK_FALSE(firstAtBall(BallPrediction{}, pace, {}));
-}
-
 }  // namespace fulbito

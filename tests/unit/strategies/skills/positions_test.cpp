@@ -95,12 +95,6 @@ TEST_CASE("the shadow is between ball and goal and out of the own area", "[unit]
     CHECK(place.x <= ball.x + 1e-12);
     CHECK(place.x >= -field.length / 2 + field.goal_area_depth - 1e-12);
   }
-  const std::array<Vec2, 3> opponents = {{{0.2, 0.0}, {-0.5, 0.1}, {-0.3, 0.4}}};
-  CHECK(*mostDangerous(field, opponents, std::nullopt) == 1);
-  CHECK(*mostDangerous(field, opponents, 1) == 2);
-  const Vec2 mark = markingPoint(field, opponents[1], 0.1);
-  CHECK(distance(mark, opponents[1]) == Approx(0.1));
-  CHECK(distance(mark, ownGoal(field)) < distance(opponents[1], ownGoal(field)));
   CHECK(reboundSpot(field, {0.5, 0.3}).y < 0.0);
 }
 

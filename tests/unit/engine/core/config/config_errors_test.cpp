@@ -35,9 +35,10 @@ TEST_CASE("an unknown preset is a usage error with a suggestion", "[unit]") {
   const auto robot = loadRobot("vss");
   REQUIRE_FALSE(robot);
   CHECK(robot.error().code == ErrorCode::kUsage);
-  CHECK(robot.error().message ==
-        "'vss' is neither a file nor one of the presets of robots: firasim, paper-004, vsss. Did you mean "
-        "'vsss'?");
+  CHECK(
+      robot.error().message ==
+      "'vss' is neither a file nor one of the presets of robots: firasim, jung-lee-2015, vsss. Did you mean "
+      "'vsss'?");
   CHECK(loadPhysics("quick").error().message ==
         "'quick' is neither a file nor one of the presets of physics: faithful, fast, standard.");
   CHECK(presetText("fields", "vsss-6v6").error().code == ErrorCode::kUsage);

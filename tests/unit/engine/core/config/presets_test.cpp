@@ -24,7 +24,7 @@ using Names = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("the presets are those of the manual, in alphabetical order", "[unit]") {
-  CHECK(presetNames("robots") == Names{"firasim", "paper-004", "vsss"});
+  CHECK(presetNames("robots") == Names{"firasim", "jung-lee-2015", "vsss"});
   CHECK(presetNames("physics") == Names{"faithful", "fast", "standard"});
   CHECK(presetNames("fields") == Names{"jung-lee-2015", "vsss-3v3", "vsss-5v5"});
   CHECK(presetNames("nonsense").empty());
@@ -75,8 +75,8 @@ TEST_CASE("the robot firasim has the figures of FIRASim", "[unit]") {
   CHECK(preset.ball.roll_deceleration == 0.0756);
 }
 
-TEST_CASE("the robot paper-004 has the figures of the comparison", "[unit]") {
-  const RobotModel robot = loadRobot("paper-004")->robot;
+TEST_CASE("the robot jung-lee-2015 has the figures of the comparison", "[unit]") {
+  const RobotModel robot = loadRobot("jung-lee-2015")->robot;
   CHECK(robot.length == 0.075);
   CHECK(robot.axle_track == 0.068);
   CHECK(robot.maxSpeed() == Approx(2.6));

@@ -67,16 +67,16 @@ TEST_CASE("a Bezier curve stays in the hull of its control points", "[unit]") {
 }
 
 TEST_CASE("the segment AB stands across the line to the obstacle in every direction", "[unit]") {
-  // Erratum E24: with theta = pi - phi it would stand at 130, 170 and 180 degrees for phi = 20, 40, 45.
+  // As printed, with theta = pi - phi it would stand at 130, 170 and 180 degrees for phi = 20, 40, 45.
   const Vec2 robot{0.2, -0.1};
   for (int degrees = 0; degrees < 360; degrees += 5) {
     const Vec2 line{std::cos(degrees * kDegree), std::sin(degrees * kDegree)};
     const Circle obstacle{robot + line * 0.7, 0.0335};
     const SafeEnds ends = safeEnds(robot, obstacle, 0.01);
     CHECK(dot(ends.a - ends.b, line) == Approx(0.0).margin(1e-12));
-    CHECK(cross(line, ends.a - obstacle.centre) == Approx(3.0 * 0.0335 + 0.01));  // E25: r is the radius
+    CHECK(cross(line, ends.a - obstacle.centre) == Approx(3.0 * 0.0335 + 0.01));  // r is the radius
     CHECK(distance(ends.a, ends.b) == Approx(2.0 * (3.0 * 0.0335 + 0.01)));
-    // Erratum E26: phi = atan2(B - O) puts the control point on B's side, in all 36 directions and between.
+    // Mended, phi = atan2(B - O) puts the control point on B's side, in all 36 directions and between.
     const Vec2 to_b = controlPoint(robot, obstacle.centre, -1, 0.33) - obstacle.centre;
     CHECK(norm(to_b) == Approx(0.33));
     CHECK(cross(to_b, ends.b - obstacle.centre) == Approx(0.0).margin(1e-12));

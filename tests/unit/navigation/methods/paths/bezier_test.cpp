@@ -91,7 +91,8 @@ TEST_CASE("the guarded curve keeps its clearance where the printed method mostly
   CHECK(bezier.counts().plans == layouts);
   CHECK(bezier.counts().tight == 0);
   CHECK(bezier.counts().tangent == 0);
-  // Erratum E28: 81 to 90 % come nearer than the half width, 91 to 100 % nearer than the whole circle.
+  // The printed method's missing collision test (docs/papers.md): 81 to 90 % come nearer than the half width,
+  // 91 to 100 % nearer than the whole circle.
   INFO("raw: " << raw_half_width_hits << " nearer than the half width, " << raw_hits << " than the circle");
   CHECK(raw_half_width_hits >= layouts * 75 / 100);
   CHECK(raw_hits > raw_half_width_hits);

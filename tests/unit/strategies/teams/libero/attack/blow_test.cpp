@@ -22,7 +22,7 @@ TEST_CASE("libero meets a ball that rolls across, rather than to go round it whi
   struct Crossing {
     Pose2 robot;
     Vec2 ball, velocity;
-    double least;  // [s] by the time to reach of the reference page (2.1)
+    double least;  // [s] by the time to reach of docs/skills.md
   };
   // With the best blow in mind these took 0.45 to 1.7 s more than the least.
   const Crossing crossings[] = {{{{-0.191, -0.126}, 0.51}, {-0.070, 0.484}, {0.10, -0.36}, 0.533},

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cmath>
+
+namespace fulbito {
+
+/// Highest speed [m/s], or [rad/s], from which something that slows down by `deceleration` > 0 [m/s^2], or
+/// [rad/s^2], comes down to `final_speed` within `way` >= 0 [m], or [rad]: v^2 = v_f^2 + 2 a s.
+inline double stoppingSpeed(double deceleration, double way, double final_speed = 0.0) {
+  return std::sqrt(final_speed * final_speed + 2.0 * deceleration * way);
+}
+
+}  // namespace fulbito

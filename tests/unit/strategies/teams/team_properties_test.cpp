@@ -1,0 +1,19 @@
+#include "tests/support/team_properties.hpp"
+
+#include "strategies/registry.hpp"
+#include "tests/support/catch.hpp"
+
+namespace fulbito {
+
+TEST_CASE("every built-in team keeps what teams promise", "[unit]") {
+  for (const TeamInfo& info : teams()) {
+    DYNAMIC_SECTION(info.name) {
+      test::TeamProperties properties;
+      // It draws its drives from a stream of its own, which knows no sides.
+      properties.mirrored = info.name != "random";
+      test::checkTeamProperties(info.name, properties);
+    }
+  }
+}
+
+}  // namespace fulbito
