@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/structure/text_of.hpp"
 #include "tests/support/catch.hpp"
 
 // Whatever a comment, a preset, a help text or a page cites can be looked up: in this repository, or in a
@@ -60,6 +61,23 @@ TEST_CASE("nothing cites a page or a numbering that is not in the repository", "
       }
     }
   }
+}
+
+TEST_CASE("docs/drills.md gives each drill's source as the drill's file does", "[unit]") {
+  const std::string page = textOf(fs::path(FULBITO_SOURCE_DIR) / "docs" / "drills.md");
+  const std::string key = "\nsource = \"";
+  int drills = 0;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(FULBITO_SOURCE_DIR) / "match" / "drills" / "definitions")) {
+    const std::string drill = textOf(entry.path());
+    INFO(entry.path().filename().string());
+    REQUIRE(drill.find(key) != std::string::npos);
+    const std::size_t begin = drill.find(key) + key.size();
+    CHECK(page.find("| " + drill.substr(begin, drill.find("\"\n", begin) - begin) + " |\n") !=
+          std::string::npos);
+    ++drills;
+  }
+  CHECK(drills == 21);
 }
 
 TEST_CASE("private citations are found, and names that look like them are not", "[unit]") {

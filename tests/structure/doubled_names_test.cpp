@@ -1,10 +1,10 @@
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 
 #include "tests/structure/definitions.hpp"
+#include "tests/structure/text_of.hpp"
 #include "tests/support/catch.hpp"
 
 // Two types of one name in one namespace are one type for the linker: whichever it meets first (the one
@@ -19,11 +19,6 @@ constexpr std::array kFolders = {"engine",      "navigation", "strategies", "ref
 
 /// Linked in place of view_window.cpp in a build without a window, never beside it.
 constexpr const char* kInsteadOfAnother = "no_window.cpp";
-
-std::string textOf(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// Which files define what, over all libraries and the program.
 std::map<std::string, std::set<std::string>> filesByName() {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "tests/structure/arrows.hpp"
+#include "tests/structure/text_of.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito::test {
@@ -23,11 +23,6 @@ const std::set<std::string> kKnownLibraries = {
     "box2d",  "SDL.h",        "SDL2",   "SDL_ttf.h", "SDL2_gfxPrimitives.h",
     "png.h",  "nlohmann",     "CLI",    "Eigen",     "zstd.h",
     "zlib.h", "libdeflate.h", "cgif.h"};
-
-std::string textOf(const fs::path& path) {
-  std::ifstream in(path);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 std::string folderOf(const std::string& path) { return fs::path(path).parent_path().string(); }
 
