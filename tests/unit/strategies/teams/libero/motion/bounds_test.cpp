@@ -2,7 +2,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "navigation/followers/limiter.hpp"
-#include "strategies/teams/libero/situation/areas.hpp"
+#include "strategies/skills/area_projection.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -20,7 +20,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
     const bool own = run % 2 == 0;
     const double sign = own ? 1.0 : -1.0;
     const double least = own ? libero::kOwnMargin : libero::kTheirMargin + pitch.robot_corner;
-    const auto outside = [&](Vec2 p) { return libero::outsideOwnArea(pitch, p * sign); };
+    const auto outside = [&](Vec2 p) { return distanceToArea(info.field, p, own); };
     Observation seen;
     seen.team_size = 3;
     RobotState& robot = seen.own[1].state;
@@ -50,7 +50,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
 
 TEST_CASE("libero's second attacker leaves their goal's mouth by its front", "[unit]") {
   // It pushed at the post for good: past that the way out was shortest.
-  const libero::Pitch pitch(test::infoOf(3));
+  const FieldGeometry field = test::infoOf(3).field;
   for (const double side : {1.0, -1.0}) {
     for (const double heading : {-1.57, 0.4, 1.57}) {
       Placement scene;
@@ -61,7 +61,7 @@ TEST_CASE("libero's second attacker leaves their goal's mouth by its front", "[u
       const Match match = test::playedFrom(test::mirrored(scene, side), 1.5);
       const Vec2 place = match.world().robots[2].pose.position;
       CAPTURE(side, heading, place.x, place.y);
-      CHECK(libero::outsideOwnArea(pitch, -place) > 0.0);
+      CHECK(distanceToArea(field, place, false) > 0.0);
     }
   }
 }
