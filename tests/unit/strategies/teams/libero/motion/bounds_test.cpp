@@ -9,11 +9,14 @@
 namespace fulbito {
 
 TEST_CASE("libero's areas step never lets a robot in that can still stop outside", "[unit]") {
-  const MatchInfo info = test::infoOf(3);
+  // Whatever the control period: the guard rolls the robot forward by the match's own ticks.
+  const int rate = GENERATE(60, 30, 200);  // [Hz]
+  MatchInfo info = test::infoOf(3);
+  info.physics.control_rate = rate;
   const libero::Pitch pitch(info);
   const libero::Settings settings;
   const libero::BallForecast ball;
-  const double dt = 1.0 / 60.0;
+  const double dt = info.physics.controlPeriod();
   Rng rng{3, Stream::kTest, 0};
   int near = 0;
   for (int run = 0; run < 400; ++run) {
@@ -30,8 +33,8 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
       robot.pose = {{-sign * rng.uniform(0.3, 0.7), rng.uniform(-0.6, 0.6)}, rng.uniform(-3.14, 3.14)};
     } while (outside(robot.pose.position) < least + 0.01);
     Twist wanted;
-    for (int tick = 0; tick < 240; ++tick) {
-      if (rng.uniform(0.0, 1.0) < 0.06) wanted = {rng.uniform(-1.2, 1.2), rng.uniform(-12.0, 12.0)};
+    for (double time = 0.0; time < 4.0; time += dt) {
+      if (rng.uniform(0.0, 1.0) < 3.6 * dt) wanted = {rng.uniform(-1.2, 1.2), rng.uniform(-12.0, 12.0)};
       const libero::Picture picture{seen, pitch, settings, ball};
       const RobotCommand command = libero::keptOut(picture, 1, {own, !own}, wanted);
       const Twist limited = limitTwist(steady(info.robot), bodyTwist(robot), command.twist, dt);
