@@ -47,8 +47,9 @@ class FreeMouth {
   std::size_t count_ = 0;
 };
 
-/// Where on the opponents' goal line [m] a shot is best aimed: into the interval that is widest as the ball sees it, at its middle,
-/// or 60:40 against the motion of the nearest blocker to the goal. Empty when nothing is free.
+/// Where on the opponents' goal line [m] a shot is best aimed: into the interval that is widest as the ball
+/// sees it, at its middle, or 60:40 against the motion of the nearest blocker to the goal. Empty when nothing
+/// is free.
 std::optional<Vec2> bestShot(const FieldGeometry& field, const ShotModel& model, Vec2 ball,
                              std::span<const ShotBlocker> blockers);
 
