@@ -45,14 +45,17 @@ bool BallWalls::isFree(Vec2 p, double margin) const {
 }
 
 std::optional<BallWalls::Hit> BallWalls::firstHit(const EvenMotion& motion, double duration) const {
-  // A parabola leaves its chord by no more than this; the rectangle with cut corners is convex.
+  // A parabola leaves its chord by at most `bulge`; from an end of the chord on by at most four times the
+  // share of the way, so that a chord which ends that far off a wall that it begins at keeps it off the wall.
   const double bulge = norm(motion.acceleration) * duration * duration / 8.0;
   const Vec2 end = motion.positionAt(duration);
-  if (isFree(motion.position) && isFree(end, bulge)) return std::nullopt;
+  if (isFree(motion.position) && isFree(end, 4.0 * bulge)) return std::nullopt;
+  // The rectangle with cut corners is convex.
+  if (isFree(motion.position, bulge) && isFree(end, bulge)) return std::nullopt;
   std::optional<Hit> first;
   double until = duration;
   for (const Line& line : lines_) {
-    if (dot(end - line.begin, line.normal) <= bulge) meetLine(line, motion, first, until);
+    if (dot(end - line.begin, line.normal) <= 4.0 * bulge) meetLine(line, motion, first, until);
   }
   for (const Vec2 post : posts_) meetPost(post, motion, first, until);
   return first;
@@ -74,24 +77,28 @@ void BallWalls::meetLine(const Line& line, const EvenMotion& motion, std::option
 
 void BallWalls::meetPost(Vec2 post, const EvenMotion& motion, std::optional<Hit>& first,
                          double& until) const {
-  // Posts are met on the chord: between a ball's events the way is straight but for the first moment of a
-  // kick across its own spin.
-  const Vec2 from = motion.position - post, step = motion.positionAt(until) - motion.position;
-  const double along = dot(from, step), length2 = squaredNorm(step);
-  if (along >= 0.0) return;
-  const double beyond = squaredNorm(from) - radius_ * radius_;
-  const double discriminant = along * along - length2 * beyond;
-  if (discriminant < 0.0) return;
-  const double share = beyond <= 0.0 ? 0.0 : (-along - std::sqrt(discriminant)) / length2;
-  if (share > 1.0) return;
-  // Share of the way to share of the time: the fall toward the line that is touched there.
-  const Vec2 normal = unitOr(from + step * share, {1.0, 0.0});
-  const Vec2 ahead = step / std::sqrt(length2);
-  const auto time = timeOfFall(share * std::sqrt(length2), -dot(motion.velocity, ahead),
-                               -dot(motion.acceleration, ahead), until);
-  const double when = share <= 0.0 ? 0.0 : time.value_or(until);
-  first = Hit{when, normal};
-  until = when;
+  constexpr double kTouch = 1e-5;  // [m]
+  constexpr double kStep = 1e-4;   // [m] that a ball which leaves the post moves at least between two looks
+  constexpr int kMostLooks = 200;
+  const Vec2 end = motion.positionAt(until);
+  const double bulge = norm(motion.acceleration) * until * until / 8.0;
+  const double reach = radius_ + bulge + distance(motion.position, end) / 2.0;
+  if (squaredNorm((motion.position + end) / 2.0 - post) > reach * reach) return;
+  // Speed is greatest at an end of the motion: in the time that the gap takes at it the ball stays clear.
+  const double fastest = std::max(norm(motion.velocity), norm(motion.velocityAt(until)));
+  if (fastest <= 0.0) return;
+  double time = 0.0;
+  for (int look = 0; look < kMostLooks && time < until; ++look) {
+    const Vec2 from = motion.positionAt(time) - post;
+    const double gap = norm(from) - radius_;
+    const bool approaches = dot(from, motion.velocityAt(time)) < 0.0;
+    if (gap <= kTouch && approaches) {
+      first = Hit{time, unitOr(from, {1.0, 0.0})};
+      until = time;
+      return;
+    }
+    time += std::max(gap, approaches ? kTouch : kStep) / fastest;
+  }
 }
 
 }  // namespace fulbito

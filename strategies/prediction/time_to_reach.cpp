@@ -36,7 +36,8 @@ double timeToTurn(const RobotPace& pace, double angle) {
 
 double foldedAngle(double sine, double cosine) {
   const double s = std::abs(sine), c = std::abs(cosine);
-  return s * (math::kPi / 2) / (s + (math::kPi / 2) * c) * (1.0 + 0.57 * s * c);
+  const auto arc = [](double tangent) { return tangent * (math::kPi / 4 + 0.273 * (1.0 - tangent)); };
+  return s < c ? arc(s / c) : math::kPi / 2 - arc(c / s);
 }
 
 double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target) {

@@ -21,8 +21,9 @@ double timeAlong(const RobotPace& pace, double distance, double speed);
 /// Time [s] of a turn in place by `angle` [rad] >= 0 from rest to rest.
 double timeToTurn(const RobotPace& pace, double angle);
 
-/// Angle [rad] in [0, pi/2] between two lines from sine and cosine of the angle between them; within 4 %, for
-/// estimates that are made many times a tick.
+/// Angle [rad] in [0, pi/2] between two lines from sine and cosine of the angle between them, not both 0:
+/// within 0.004 rad by a polynomial (Rajan et al. 2006, "Efficient approximations for the arctangent
+/// function", eq. 8), for estimates that are made many times a tick.
 double foldedAngle(double sine, double cosine);
 
 /// A robot as estimates of time see it; made once when many are made.

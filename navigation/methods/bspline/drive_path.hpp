@@ -35,16 +35,16 @@ class DrivePath {
   /// Span of the spline that the robot is in.
   std::size_t span() const;
 
-  /// Drives on in thought from the robot's place.
+  /// What `conflict` simulates: driving on along the path from the robot's place.
   struct Ride {
-    double speed = 0.0;         ///< [m/s] now
-    double top = 1e9;           ///< [m/s] that the ride brakes or speeds up to
-    double acceleration = 5.0;  ///< [m/s^2]
-    double hold = 0.0;          ///< [s] that the robot turns before it can speed up
-    double end = 1e9;           ///< [m] along the path where discs at rest are no matter any more
-    double horizon = 0.8;       ///< [s]
-    double margin = 0.006;      ///< [m] of clearance at once
-    double doubt = 0.03;        ///< [m/s] that the margin to moving discs grows by
+    double speed = 0.0;           ///< [m/s] now
+    double top = 1e9;             ///< [m/s] that the ride brakes or speeds up to
+    double acceleration = 5.0;    ///< [m/s^2]
+    double hold = 0.0;            ///< [s] that the robot turns before it can speed up
+    double end = 1e9;             ///< [m] along the path where discs at rest are no matter any more
+    double horizon = 0.8;         ///< [s]
+    double margin = 0.006;        ///< [m] of clearance at once
+    double margin_growth = 0.03;  ///< [m/s] of the margin to moving discs
   };
   /// When [s] such a ride first comes too near to a disc by the robot's own motion; infinite when it does
   /// not.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "strategies/prediction/foresight.hpp"
+#include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/attack/meet.hpp"
 #include "strategies/teams/libero/attack/striker.hpp"
 #include "strategies/teams/libero/attack/support.hpp"
@@ -12,7 +13,6 @@
 #include "strategies/teams/libero/motion/bounds.hpp"
 #include "strategies/teams/libero/motion/room.hpp"
 #include "strategies/teams/libero/restarts.hpp"
-#include "strategies/teams/libero/situation/areas.hpp"
 #include "strategies/teams/teams.hpp"
 
 namespace fulbito {
@@ -97,7 +97,7 @@ class Libero final : public Strategy {
     stuck_ = 0.0;
   }
 
-  /// Who has touched the ball lately.
+  /// Which of ours have touched the ball lately.
   void watchTouches(const Observation& seen) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
       double& left = dispute_left_[i];
@@ -119,7 +119,7 @@ class Libero final : public Strategy {
     constexpr double kAhead = 0.3;    // [s]
     constexpr double kMargin = 0.06;  // [m]
     const Vec2 ball = ball_.at(kAhead);
-    return keeper_ >= 0 && inOwnArea(pitch_, ball, kMargin) && std::abs(ball.y) < pitch_.area_half;
+    return keeper_ >= 0 && isInArea(pitch_.field, ball, true, kMargin) && std::abs(ball.y) < pitch_.area_half;
   }
 
   /// What a robot does: its skill's move, kept legal, or a place that a navigator drives to.
@@ -175,8 +175,8 @@ class Libero final : public Strategy {
       if (const auto off = clearOfKeeper(picture, robot, wanted)) return *off;
     }
     const RobotCommand kept = keptOut(picture, robot, {keeper_ >= 0, theirs}, wanted);
-    // Who has to leave their area does not push its way out through the keeper.
-    if (theirs && inTheirArea(pitch_, picture.own(robot).pose.position, pitch_.robot_corner)) {
+    // A robot that has to leave their area does not push its way out through the keeper.
+    if (theirs && isInArea(pitch_.field, picture.own(robot).pose.position, false, pitch_.robot_corner)) {
       if (const auto off = clearOfKeeper(picture, robot, twistOf(pitch_, kept))) return *off;
     }
     return kept;
@@ -192,10 +192,12 @@ class Libero final : public Strategy {
 
   /// Whether one of ours but the striker, who stands outside, is still in their area: a second is a foul.
   bool mateIsIn(const Picture& picture) const {
-    if (outsideOwnArea(pitch_, -picture.own(striker_).pose.position) < pitch_.robot_half) return false;
+    if (distanceToArea(pitch_.field, picture.own(striker_).pose.position, false) < pitch_.robot_half)
+      return false;
     for (int i = 0; i < picture.seen.team_size; ++i) {
       if (i == striker_ || !picture.ownPresent(i)) continue;
-      if (outsideOwnArea(pitch_, -picture.own(i).pose.position) < pitch_.robot_corner + 0.004) return true;
+      if (distanceToArea(pitch_.field, picture.own(i).pose.position, false) < pitch_.robot_corner + 0.004)
+        return true;
     }
     return false;
   }
@@ -210,7 +212,7 @@ class Libero final : public Strategy {
     if (present == 1 && !mustSave(picture, keeper_)) keeper_ = -1;
   }
 
-  /// The one who has the ball first; the present one is kept unless another is clearly better.
+  /// The robot that has the ball first; the present one is kept unless another is clearly better.
   void chooseStriker(const Picture& picture) {
     if (picture.seen.playing) held_ += picture.seen.dt;
     constexpr double kStays = 0.5;   // [s] in their area, which the next one may enter only after it has left
@@ -222,7 +224,8 @@ class Libero final : public Strategy {
       const libero::Interception meet = interception(picture, picture.own(i));
       double cost = meet.time;
       if (picture.own(i).pose.position.x > meet.ball.x) cost += 0.3;
-      if (i == striker_) cost -= inTheirArea(pitch_, picture.own(i).pose.position, 0.05) ? kStays : 0.2;
+      if (i == striker_)
+        cost -= isInArea(pitch_.field, picture.own(i).pose.position, false, 0.05) ? kStays : 0.2;
       if (cost < least - kAlike) least = cost, best = i;
     }
     if (best == striker_) return;

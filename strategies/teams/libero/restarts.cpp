@@ -35,18 +35,18 @@ void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, T
   if (placed[2] && placed[2]->position.y != 0.0) hand = std::copysign(1.0, placed[2]->position.y);
   const double far = 0.05 + pitch.robot_corner;
   if (request.ours) {
-    // Past those who come straight at the ball: off the middle, toward the side on which the support waits.
+    // Past robots that come straight at the ball: off the middle, toward the side on which the support waits.
     const double angle = 0.6;
     placed[1] = facing(-kBehind * math::unit(-hand * angle), {});
     placed[2] = facing({-far, -0.30 * hand}, {0.4, -0.3 * hand});
   } else if (pitch.isLarge()) {
-    // From the side: the ball leaves the face of whoever pushes it straight on, toward the support.
+    // From the side: the ball leaves the face of a robot that pushes it straight on, toward the support.
     const double angle = 0.5;
     placed[1] = facing(-(pitch.field.centre_circle_radius + 0.045) * math::unit(-hand * angle), {});
     placed[2] = facing({-pitch.field.centre_circle_radius - 0.02, -0.26 * hand}, {});
   } else {
     // Beside the line of the kick, as the taker's place tells it: met there the ball leaves its face toward
-    // the support. Who kicks straight on is met from farther aside.
+    // the support. A straight kick is met from farther aside.
     const Vec2 taker = takerOf(request).value_or(Vec2{pitch.field.centre_circle_radius, 0.0});
     const double line = math::angleOf(taker);
     const bool straight = std::abs(line) < 0.2;
@@ -92,7 +92,7 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   } else {
     const double hand = placed[1] && placed[1]->position.y < 0.0 ? -1.0 : 1.0;
     placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, hand * 0.06}, 0.0};
-    // Wide, off the way of those who run at the ball: they would be pushed into the area.
+    // Wide, off the way of robots that run at the ball: they would be pushed into the area.
     constexpr double kWide[] = {-0.55, 0.55, -0.27, 0.27};
     for (std::size_t i = 1; i < std::min<std::size_t>(5, static_cast<std::size_t>(pitch.team_size)); ++i) {
       placed[i] = facing({0.06, hand * kWide[i - 1]}, ball);

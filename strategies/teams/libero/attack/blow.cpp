@@ -9,7 +9,7 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kRolling = 0.25;  // [m/s] a slower ball waits for who comes round it
+constexpr double kRolling = 0.25;  // [m/s] a slower ball waits for a robot that comes round
 constexpr double kNear = 0.033;    // [m] from here on there is no room to turn
 constexpr double kTurnIn = 0.5;    // [rad] off its way to the ball that a robot turns in before the touch
 constexpr double kTurnOn = 3.0;    // [rad/m] the same on the last 20 cm

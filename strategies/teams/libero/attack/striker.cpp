@@ -5,21 +5,22 @@
 
 #include "engine/core/math/math.hpp"
 #include "engine/core/models/field_places.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
 #include "strategies/teams/libero/attack/blow.hpp"
 #include "strategies/teams/libero/attack/caught.hpp"
 #include "strategies/teams/libero/attack/corner.hpp"
 #include "strategies/teams/libero/attack/meet.hpp"
 #include "strategies/teams/libero/motion/room.hpp"
-#include "strategies/teams/libero/situation/areas.hpp"
 
 namespace fulbito::libero {
 namespace {
 
 constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
 constexpr double kSpinTime = 0.45;  // [s]
-constexpr double kDispute = 2.0;    // [s] for which a free ball or penalty is a duel of who keeps at it
-constexpr double kPinched = 0.3;    // [s] of pressing after which a pinched ball is let slip
-constexpr double kSlip = 0.3;       // [s] that takes
+constexpr double kDispute =
+    2.0;  // [s] for which a free ball or penalty is a duel that is won by keeping at it
+constexpr double kPinched = 0.3;  // [s] of pressing after which a pinched ball is let slip
+constexpr double kSlip = 0.3;     // [s] that takes
 constexpr double kSlipTurn =
     0.15;                        // [rad] a face turned by that slides it out; by 0.25 they come past it first
 constexpr double kCrowd = 0.16;  // [m] about the ball, in which opponents are in the way
@@ -48,16 +49,16 @@ Interception interception(const Picture& picture, const RobotState& robot) {
   const auto strike_point = [&](Vec2 ball) { return ball - unitOr(goal - ball, {1.0, 0.0}) * 0.04; };
   if (picture.ball.resting()) {
     const Vec2 ball = picture.ball.sample(0);
-    return {timeToReach(picture.pitch, robot, strike_point(ball)), ball};
+    return {timeToReach(picture.pitch.pace, robot, strike_point(ball)), ball};
   }
-  const Vec2 face = math::unit(robot.pose.heading);
+  const Runner runner{robot.pose.position, math::unit(robot.pose.heading), robot.velocity};
   double late = 0.0;  // by how much the robot came too late at the step before
   for (int i = 0; i <= BallForecast::kSteps; i += 2) {
     const double time = i * BallForecast::kStep;
     const Vec2 ball = picture.ball.sample(i);
     const double least = picture.pitch.speed * time + 0.12;
     if (squaredNorm(ball - robot.pose.position) > least * least && i < BallForecast::kSteps) continue;
-    const double needed = timeToReach(picture.pitch, robot, face, strike_point(ball));
+    const double needed = timeToReach(picture.pitch.pace, runner, strike_point(ball));
     if (needed <= time || i == BallForecast::kSteps) {
       if (i == 0) return {needed, ball};
       const double early = time - needed;
@@ -72,8 +73,8 @@ Interception interception(const Picture& picture, const RobotState& robot) {
 
 namespace {
 
-/// Whether at our penalty somebody runs out of their goal at the ball; until that can be seen, so it is taken
-/// to be.
+/// Whether at our penalty an opponent runs out of their goal at the ball; until that can be seen, so it is
+/// taken to be.
 bool keeperRunsOut(const Picture& picture) {
   const Observation& seen = picture.seen;
   if (seen.restart != RestartKind::kPenalty || !seen.restart_is_ours || seen.since_restart > kDispute)

@@ -6,7 +6,7 @@
 #include "engine/core/math/braking.hpp"
 #include "engine/core/math/math.hpp"
 #include "engine/core/models/field_places.hpp"
-#include "strategies/teams/libero/situation/areas.hpp"
+#include "strategies/skills/area_projection.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -90,8 +90,8 @@ Vec2 supportPlace(const Picture& picture, int robot, int rank) {
   if (squaredNorm(place - ball) < kRoom * kRoom) {
     place = insideWalls(pitch.field, ball + unitOr(place - ball, {-1.0, 0.0}) * kRoom, 0.06);
   }
-  place = outOfOwnArea(pitch, place, 0.07);
-  return inTheirArea(pitch, ball, 0.1) ? outOfTheirArea(pitch, place, 0.08) : place;
+  place = outsideArea(pitch.field, place, true, 0.07);
+  return isInArea(pitch.field, ball, false, 0.1) ? outsideArea(pitch.field, place, false, 0.08) : place;
 }
 
 Vec2 waitingPlace(const Picture& picture, int rank) {

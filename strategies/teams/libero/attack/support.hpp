@@ -10,8 +10,8 @@ namespace fulbito::libero {
 /// attack, never at the striker's ball nor in an area. `rank` counts the robots without the ball, 0 first.
 Vec2 supportPlace(const Picture& picture, int robot, int rank);
 
-/// Where they wait while the ball is the keeper's alone: beside the area, off the way of those who run at it,
-/// who would push them in, and ready for what comes out.
+/// Where they wait while the ball is the keeper's alone: beside the area, off the way of robots that run at
+/// it, which would push them in, and ready for what comes out.
 Vec2 waitingPlace(const Picture& picture, int rank);
 
 /// Drives there, round mates and opponents.

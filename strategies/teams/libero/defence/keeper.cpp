@@ -4,18 +4,20 @@
 #include <cmath>
 
 #include "engine/core/math/math.hpp"
+#include "engine/core/models/field_places.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
+#include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/attack/meet.hpp"
 #include "strategies/teams/libero/defence/goal_line.hpp"
 #include "strategies/teams/libero/motion/approach.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
-#include "strategies/teams/libero/situation/areas.hpp"
 
 namespace fulbito::libero {
 namespace {
 
 constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
 constexpr double kSlow = 0.6;     // [m/s] of a ball that the keeper goes out to
-constexpr double kStuck = 2.0;    // [s] after which a ball in our area is cleared whoever waits for it
+constexpr double kStuck = 2.0;  // [s] after which a ball in our area is cleared though opponents wait for it
 constexpr double kReach = 0.175;  // [m] most |y| on the line
 
 /// How far beside its crossing a carried ball is awaited [m]: on the side from which it comes, so that the
@@ -66,16 +68,16 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   if (ball.x > -pitch.half_length + 0.24 || std::abs(ball.y) > 0.36) return false;
   const BallState& now = picture.ball.now();
   if (now.position.x > -pitch.half_length + 0.06 && squaredNorm(now.velocity) > kSlow * kSlow) return false;
-  const double mine = timeToReach(pitch, self, ball);
+  const double mine = timeToReach(pitch.pace, self, ball);
   for (int i = 0; i < picture.seen.team_size; ++i) {
-    if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball) < mine) return false;
+    if (picture.opponentPresent(i) && timeToReach(pitch.pace, picture.opponent(i), ball) < mine) return false;
   }
   return true;
 }
 
 /// Whether the keeper goes out along the end wall to a ball there. Far from the post it has the wall behind
-/// it, and nothing gets past. At the post whoever brings the ball arrives at full speed and pushes beside the
-/// keeper's middle, which turns it, and the ball goes in behind it.
+/// it, and nothing gets past. At the post an opponent with the ball arrives at full speed and pushes beside
+/// the keeper's middle, which turns it, and the ball goes in behind it.
 bool meetsAlongWall(const Picture& picture, const RobotState& self) {
   constexpr double kStrip = 0.06;     // [m] off the wall, the ball
   constexpr double kOwnStrip = 0.09;  // [m] off the wall, the keeper
@@ -196,16 +198,16 @@ std::optional<Twist> leaveBehind(const Picture& picture, const RobotState& self,
   return std::abs(rel.y) < kApart ? alongLine(self, line, away * pitch.speed) : Twist{};
 }
 
-/// A keeper that was pushed into the goal, with the ball before it, pushes it out while nobody is near: one
-/// that waits is pushed in with it by the next run at the ball.
+/// A keeper that was pushed into the goal, with the ball before it, pushes it out while no opponent is near:
+/// one that waits is pushed in with it by the next run at the ball.
 std::optional<Twist> pushOut(const Picture& picture, const RobotState& self) {
   constexpr double kIn = 0.02;      // [m] of the keeper's middle before the goal line at most
   constexpr double kBefore = 0.03;  // [m] by which the ball is farther out
   constexpr double kAside = 0.06;   // [m]
   constexpr double kNear = 0.115;   // [m]
   constexpr double kLies = 0.35;    // [m/s]
-  constexpr double kInTime = 0.2;   // [s] that nobody is at the ball
-  constexpr double kTurned = 0.9;   // [rad] off straight out: from there on it goes on whoever comes
+  constexpr double kInTime = 0.2;   // [s] that no opponent is at the ball
+  constexpr double kTurned = 0.9;   // [rad] off straight out: from there on it goes on whatever comes
   constexpr double kOut = 0.2;      // tangent, to the side of the near post
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
@@ -216,7 +218,7 @@ std::optional<Twist> pushOut(const Picture& picture, const RobotState& self) {
   if (std::abs(foldedError(0.0, self.pose.heading)) > kTurned) {
     if (squaredNorm(ball.velocity) > kLies * kLies) return std::nullopt;
     for (int i = 0; i < picture.seen.team_size; ++i) {
-      if (picture.opponentPresent(i) && timeToReach(pitch, picture.opponent(i), ball.position) < kInTime)
+      if (picture.opponentPresent(i) && timeToReach(pitch.pace, picture.opponent(i), ball.position) < kInTime)
         return std::nullopt;
     }
   }
@@ -232,10 +234,7 @@ double keeperPlace(const Picture& picture, double line) {
     return std::clamp(*shot + lead(picture, line), -kReach, kReach);
   }
   const Vec2 ball = picture.ball.at(0.05);
-  const double depth = std::max(ball.x + pitch.half_length, kDepth);
-  const double k = line + pitch.half_length;
-  const double y = std::clamp(ball.y, -1.0, 1.0) * k / depth;
-  return std::clamp(y, -kReach, kReach);
+  return std::clamp(equalGapPoint(pitch.field, ball, kDepth).y, -kReach, kReach);
 }
 
 }  // namespace
@@ -263,7 +262,7 @@ Move keep(const Picture& picture, int robot) {
   const auto shot = crossing(picture, -pitch.half_length);
   const bool coming =
       shot && std::abs(*shot) < pitch.goal_half + 0.03 && squaredNorm(ball.velocity) > 0.3 * 0.3;
-  const bool stuck = picture.stuck > kStuck && inOwnArea(pitch, ball.position, 0.05);
+  const bool stuck = picture.stuck > kStuck && isInArea(pitch.field, ball.position, true, 0.05);
   if (const auto twist = leaveBehind(picture, self, line)) return {*twist, "leave ball", {}, {}, {}};
   if (const auto twist = pushOut(picture, self)) return {*twist, "push out", {}, ball.position, {}};
   if (!coming && (stuck || comesFirst(picture, self) || meetsAlongWall(picture, self))) {

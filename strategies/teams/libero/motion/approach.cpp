@@ -19,7 +19,7 @@ constexpr double kSideRate = 0.35;    // [m/s] the same of the lateral error
 constexpr double kSlowTouch = 0.5;    // [m/s]
 constexpr double kPushGain = 10.0;    // [1/s]
 constexpr double kCarried = 0.5;      // share of the ball's speed by which the touch is faster
-constexpr double kLies = 0.15;        // [m/s] a slower ball waits for who comes round it
+constexpr double kLies = 0.15;        // [m/s] a slower ball waits for a robot that comes round
 constexpr double kRoundSpeed = 0.49;  // [m/s] on the circle round it
 constexpr double kSlowing = 4.0;      // [m/s^2] at which that speed is come down to
 constexpr double kArc = 0.12;         // [m] from the ball, where it is reached
@@ -77,7 +77,7 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   const double heading = along - math::atan2(local.y, carrot);
   const double skew = std::abs(foldedError(along, self.pose.heading));
   const double needed = skew / kTurnRate + std::abs(local.y) / kSideRate;
-  // Who follows a rolling ball at its own speed never touches it again, and cannot mend its direction.
+  // A robot that follows a ball at its own speed never touches it again, and cannot mend its direction.
   const double touch = kSlowTouch + kCarried * std::max(0.0, dot(rolling, direction));
   const double speed = std::min(pitch.speed, touch + (to_touch + 0.025) / std::max(needed, 0.01));
   return alongHeading(self, heading, speed, to_touch < 0.015 ? kPushGain : kTurnGain);

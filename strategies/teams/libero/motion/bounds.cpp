@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "engine/core/math/math.hpp"
+#include "engine/core/models/goal_area.hpp"
 #include "strategies/interface/team_frame.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/motion/roll.hpp"
-#include "strategies/teams/libero/situation/areas.hpp"
 
 namespace fulbito::libero {
 namespace {
@@ -17,9 +18,10 @@ struct Bound {
   const Pitch& pitch;
   const RobotState& robot;
   double margin;
+  AreaShape area = goalAreaOf(pitch.field);
 
   /// [m] how deep a point is in the widened area; negative outside.
-  double depth(Vec2 p) const { return margin - outsideOwnArea(pitch, p); }
+  double depth(Vec2 p) const { return margin - distanceTo(area, intoGoalFrame(pitch.field, Side::kLeft, p)); }
 
   /// The greatest depth on the way to rest from there.
   double deepest(Roll roll) const {
@@ -54,8 +56,8 @@ struct Bound {
     return RobotCommand::byWheels({speed / pitch.wheel_radius, speed / pitch.wheel_radius});
   }
 
-  /// Out of the goal's mouth: past its posts nothing leads to either side, and who stands along a post first
-  /// comes off it.
+  /// Out of the goal's mouth: past its posts nothing leads to either side, and a robot that stands along a
+  /// post first comes off it.
   RobotCommand leavingMouth() const {
     return RobotCommand::byTwist(along({pitch.robot_corner, -robot.pose.position.y}));
   }
@@ -71,7 +73,7 @@ struct Bound {
       const double room = way.y == 0.0 ? pitch.field.goal_area_depth + pitch.field.goal_area_arc_depth -
                                              pitch.half_length - p.x
                                        : pitch.area_half - way.y * p.y;
-      const double time = timeToReach(pitch, robot, p + way * std::max(0.02, room + margin));
+      const double time = timeToReach(pitch.pace, robot, p + way * std::max(0.02, room + margin));
       if (time < least) least = time, best = way;
     }
     const Vec2 face = math::unit(robot.pose.heading);
@@ -85,7 +87,7 @@ struct Bound {
   /// Along the edge, to the hand to which `wanted` leads, and off it by `off`.
   Twist alongEdge(Twist wanted, double off) const {
     const Vec2 out = outward(robot.pose.position);
-    // Who only turns goes away from the goal's middle: to the same hand on either side of it.
+    // A robot that only turns goes away from the goal's middle: to the same hand on either side of it.
     const Vec2 idle = 1e-9 * Vec2{1.0, std::copysign(1.0, robot.pose.position.y)};
     const Vec2 going = math::unit(robot.pose.heading) * wanted.linear + idle;
     const double hand = dot(going, perp(out)) >= 0.0 ? 1.0 : -1.0;

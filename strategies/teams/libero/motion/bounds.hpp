@@ -18,7 +18,7 @@ RobotCommand keptOut(const Picture& picture, int robot, Closed closed, Twist wan
 
 /// [m] how near to our area's line the centre may come: a defender is inside with more than half of its body.
 inline constexpr double kOwnMargin = 0.015;
-/// [m] more than that while an opponent comes at it, who would push it in.
+/// [m] more than that while an opponent comes at it and would push it in.
 inline constexpr double kPressedMargin = 0.12;
 /// [m] the same at theirs, where any part counts, beyond the body's circle.
 inline constexpr double kTheirMargin = 0.008;

@@ -13,12 +13,6 @@ constexpr double kHeldSpeed = 0.3;   // [m/s] above which an end keeps leading
 constexpr double kHeldAngle = 0.26;  // [rad] beyond a right angle
 constexpr double kBraking = 0.75;    // share of the acceleration that a robot plans to brake with
 
-/// atan(s / c) for s, c >= 0 by a polynomial, within 0.004 rad: good enough for a time, and cheap.
-double foldedAngle(double s, double c) {
-  const auto arc = [](double z) { return z * (math::kPi / 4 + 0.273 * (1.0 - z)); };
-  return s < c ? arc(s / c) : math::kPi / 2 - arc(c / s);
-}
-
 }  // namespace
 
 double foldedError(double wanted, double heading) {
@@ -26,30 +20,6 @@ double foldedError(double wanted, double heading) {
   if (error > math::kPi / 2) return error - math::kPi;
   if (error < -math::kPi / 2) return error + math::kPi;
   return error;
-}
-
-double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target) {
-  return timeToReach(pitch, robot, math::unit(robot.pose.heading), target);
-}
-
-double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 face, Vec2 target) {
-  const Vec2 way = target - robot.pose.position;
-  const double d = norm(way);
-  if (d < 0.01) return 0.0;
-  const Vec2 to = way / d;
-  const double turn =
-      1.4 * std::sqrt(foldedAngle(std::abs(cross(face, to)), std::abs(dot(face, to))) / pitch.turning);
-  const double v0 = std::clamp(dot(robot.velocity, to), -pitch.speed, pitch.speed);
-  const double a = pitch.acceleration, v = pitch.speed;
-  if (v0 < 0.0) {
-    const double back = v0 * v0 / (2 * a);
-    const double far = d + back;
-    const double run = far < v * v / (2 * a) ? std::sqrt(2 * far / a) : far / v + v / (2 * a);
-    return turn - v0 / a + run;
-  }
-  const double ramp = (v * v - v0 * v0) / (2 * a);
-  if (d < ramp) return turn + (std::sqrt(v0 * v0 + 2 * a * d) - v0) / a;
-  return turn + (v - v0) / a + (d - ramp) / v;
 }
 
 Twist alongHeading(const RobotState& robot, double heading, double speed, double gain) {

@@ -8,12 +8,6 @@ namespace fulbito::libero {
 /// [1/s] yaw rate per heading error, where a skill has no other.
 inline constexpr double kTurnGain = 16.0;
 
-/// Time [s] in which `robot` can be at `target`, turn and ramp included; either end may lead. The speed that
-/// the robot already has counts (docs/skills.md, Time to reach).
-double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target);
-/// The same where the unit vector `face` of its heading is known: for who asks of many targets.
-double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 face, Vec2 target);
-
 /// Drives along `heading` [rad] at `speed` [m/s] with whichever end takes the smaller turn; a moving robot
 /// keeps its end unless the other is clearly nearer. It slows down by the squared cosine of the error while
 /// it turns; `gain` [1/s] is the yaw rate per error.

@@ -5,16 +5,16 @@
 
 #include "engine/core/math/math.hpp"
 #include "engine/core/models/field_places.hpp"
+#include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 #include "strategies/teams/libero/motion/roll.hpp"
-#include "strategies/teams/libero/situation/areas.hpp"
 
 namespace fulbito::libero {
 namespace {
 
 constexpr double kTouch = 0.005;  // [m] between bodies that are taken to touch, as pictures go
 constexpr double kRoom = 0.006;   // [m] kept to a keeper
-constexpr double kNear = 0.40;    // [m] beyond which nobody comes within the horizon
+constexpr double kNear = 0.40;    // [m] beyond which no robot comes within the horizon
 
 /// Half the extent of a square of half size `half` along the other's sides, where `a` and `b` point along a
 /// side of either: alike for all four.
@@ -71,8 +71,8 @@ struct Keeper {
     return sum;
   }
 
-  /// `p` where a body that faces so fits, in their goal too: who turns at a wall comes off it, perhaps into
-  /// the keeper.
+  /// `p` where a body that faces so fits, in their goal too: a robot that turns at a wall comes off it,
+  /// perhaps into the keeper.
   Vec2 walled(Vec2 p, Vec2 face) const {
     const double half = reach(pitch.robot_half, face, {1.0, 0.0});
     const double post = pitch.goal_half - half;
@@ -110,13 +110,13 @@ struct Keeper {
   }
 };
 
-/// Whether the opponent is in their area or about to come in: whoever is longest in it keeps.
+/// Whether the opponent is in their area or about to come in: the one that is longest in it keeps.
 bool keeps(const Picture& picture, int opponent) {
   constexpr double kSoon = 0.2;  // [s] about the time to stop or to turn off
   if (!picture.opponentPresent(opponent)) return false;
   const RobotState& other = picture.opponent(opponent);
-  return inTheirArea(picture.pitch, other.pose.position) ||
-         inTheirArea(picture.pitch, other.pose.position + other.velocity * kSoon);
+  return isInArea(picture.pitch.field, other.pose.position, false) ||
+         isInArea(picture.pitch.field, other.pose.position + other.velocity * kSoon, false);
 }
 
 /// Whether the two cannot come near each other before the robot rests, however they turn.
@@ -127,7 +127,7 @@ bool isFar(const Pitch& pitch, const RobotState& self, const RobotState& keeper)
   return squaredNorm(keeper.pose.position - self.pose.position) > std::min(kNear * kNear, apart * apart);
 }
 
-/// Whether the ball lies between the two: who meets a keeper there meets it at the ball.
+/// Whether the ball lies between the two: a keeper that is met there is met at the ball.
 bool ballBetween(const Picture& picture, const RobotState& self, const RobotState& keeper) {
   const Vec2 way = keeper.pose.position - self.pose.position;
   const Vec2 ball = intoFrame(unitOr(way, {1.0, 0.0}), picture.seen.ball.position - self.pose.position);

@@ -6,8 +6,8 @@
 #include "strategies/interface/team_command.hpp"
 #include "strategies/teams/libero/situation/picture.hpp"
 
-/// Law 13: who presses on the opponents' keeper in its area without disputing the ball charges it, and the
-/// ball is theirs. So it is an obstacle to all who are not at the ball.
+/// Law 13: a robot that presses on the opponents' keeper in its area without disputing the ball charges it,
+/// and the ball is theirs. So the keeper is an obstacle to all robots that are not at the ball.
 namespace fulbito::libero {
 
 /// [s] after a touch of the ball in which a robot still disputes it. Referees allow 0.5 s; of that it takes

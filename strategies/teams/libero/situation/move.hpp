@@ -11,8 +11,8 @@ namespace fulbito::libero {
 /// What a robot is in the team, numbered as `TeamCommand::roles` are.
 enum class Role : std::uint8_t { kKeeper = 1, kStriker, kSupport };
 
-/// What a skill decided for a robot in one tick, and what it means by it: the twist is driven, the rest
-/// shown.
+/// What a skill decided for a robot in one tick: the twist is driven, as far as areas and keepers allow, the
+/// rest shown.
 struct Move {
   Twist twist;
   const char* skill = "";      ///< name of what is done, where it is not the role's usual

@@ -6,6 +6,7 @@ namespace fulbito::libero {
 
 Pitch::Pitch(const MatchInfo& info)
     : field(info.field),
+      pace(info.robot),
       half_length(info.field.length / 2),
       half_width(info.field.width / 2),
       goal_half(info.field.goal_width / 2),
@@ -15,7 +16,6 @@ Pitch::Pitch(const MatchInfo& info)
       robot_corner(info.robot.circumradius()),
       speed(info.robot.maxSpeed()),
       acceleration(info.robot.wheel_acceleration),
-      turning(info.robot.turnAcceleration()),
       half_track(info.robot.axle_track / 2),
       wheel_radius(info.robot.wheel_radius),
       tick(info.physics.controlPeriod()),

@@ -3,6 +3,7 @@
 
 #include "engine/core/models/drive_law.hpp"
 #include "strategies/interface/observation.hpp"
+#include "strategies/prediction/time_to_reach.hpp"
 
 namespace fulbito::libero {
 
@@ -18,6 +19,7 @@ struct Pitch {
   bool isLarge() const { return team_size > 3; }
 
   FieldGeometry field;
+  RobotPace pace;
   double half_length;   ///< [m]
   double half_width;    ///< [m]
   double goal_half;     ///< [m]
@@ -27,7 +29,6 @@ struct Pitch {
   double robot_corner;  ///< [m] centre to corner
   double speed;         ///< [m/s] of a robot at most
   double acceleration;  ///< [m/s^2] straight on
-  double turning;       ///< [rad/s^2] in place, at most
   double half_track;    ///< [m]
   double wheel_radius;  ///< [m]
   double tick;          ///< [s] control period

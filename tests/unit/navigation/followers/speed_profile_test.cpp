@@ -1,5 +1,6 @@
 #include "navigation/followers/speed_profile.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include "engine/core/math/math.hpp"

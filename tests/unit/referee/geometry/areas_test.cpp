@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/config/presets.hpp"
 #include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
@@ -34,28 +33,6 @@ AreaBody randomBody(Rng& rng) {
 
 }  // namespace
 
-TEST_CASE("the 3v3 goal area has the rule book's arc", "[unit]") {
-  const AreaShape area = goalAreaOf(FieldGeometry{});
-  CHECK(area.arc_radius == Approx(0.125));
-  CHECK(area.arc_centre == Approx(0.075));
-  CHECK(area.reach() == Approx(0.20));
-  CHECK(goalAreaOf(FieldGeometry{}, false).reach() == Approx(0.15));
-  const FieldGeometry large = *loadField("vsss-5v5");
-  CHECK(goalAreaOf(large).arc_radius == 0.0);
-  CHECK(bigAreaOf(large).depth == 0.35);
-  CHECK(bigAreaOf(FieldGeometry{}).half_width == 0.0);
-}
-
-TEST_CASE("points in and out of the area", "[unit]") {
-  const AreaShape area = goalAreaOf(FieldGeometry{});
-  for (const Vec2 in : {Vec2{0.149, 0.34}, Vec2{0.149, -0.34}, Vec2{0.199, 0.0}, Vec2{-0.05, 0.1}}) {
-    CHECK(contains(area, in));
-  }
-  for (const Vec2 out : {Vec2{0.151, 0.11}, Vec2{0.201, 0.0}, Vec2{0.10, 0.36}, Vec2{0.19, 0.06}}) {
-    CHECK_FALSE(contains(area, out));
-  }
-}
-
 TEST_CASE("share and overlap agree with a count of points", "[unit]") {
   Rng rng(1, Stream::kTest);
   for (const bool arc : {true, false}) {
@@ -74,13 +51,6 @@ TEST_CASE("share and overlap agree with a count of points", "[unit]") {
       REQUIRE(counts(area, body, BodyPart::kCentre) == contains(area, body.centre));
     }
   }
-}
-
-TEST_CASE("a goal's frame is a rotation of the other's", "[unit]") {
-  const FieldGeometry field;
-  const Vec2 p{0.61, -0.22};
-  CHECK(intoGoalFrame(field, Side::kRight, p) == intoGoalFrame(field, Side::kLeft, -p));
-  CHECK(intoGoalFrame(field, Side::kLeft, {-0.75, 0.1}) == Vec2{0.0, 0.1});
 }
 
 TEST_CASE("the report counts by team and side, and by what the rules count", "[unit]") {

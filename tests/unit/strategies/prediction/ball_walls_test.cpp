@@ -1,5 +1,7 @@
 #include "strategies/prediction/ball_walls.hpp"
 
+#include <cmath>
+
 #include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
 #include "strategies/prediction/ball_prediction.hpp"
@@ -8,6 +10,20 @@
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
+namespace {
+
+/// Whether a ball's centre at `p` is nowhere more than 3 mm in a wall or post: on the playing rectangle, in a
+/// goal, or between the two in a mouth.
+bool isClear(const MatchInfo& info, Vec2 p) {
+  const FieldGeometry& field = info.field;
+  const double room = info.ball.radius - 0.003;
+  if (insideField(field, p, room)) return true;
+  const double x = std::abs(p.x), y = std::abs(p.y);
+  return y < field.goal_width / 2 && x < field.length / 2 &&
+         distance({x, y}, {field.length / 2, field.goal_width / 2}) >= room;
+}
+
+}  // namespace
 
 TEST_CASE("the time of a fall is the first passage through zero", "[unit]") {
   CHECK(*timeOfFall(1.0, -2.0, 0.0, 1.0) == Approx(0.5));
@@ -35,11 +51,7 @@ TEST_CASE("a predicted ball stays on the field, corners and posts included", "[u
     prediction.predict(course, ball);
     for (double t = 0.0; t < 3.5; t += 0.05) {
       const Vec2 p = prediction.positionAt(t);
-      const bool inside = insideField(info.field, p, info.ball.radius - 0.003);
-      // Between the posts the ball is neither on the rectangle nor in the goal by that test.
-      const bool between =
-          std::abs(p.y) < info.field.goal_width / 2 && std::abs(p.x) < info.field.length / 2 + 0.1;
-      if (!inside && !between) {
+      if (!isClear(info, p)) {
         CAPTURE(i, t, p.x, p.y);
         FAIL_CHECK("the ball is in a wall");
       }
@@ -47,6 +59,37 @@ TEST_CASE("a predicted ball stays on the field, corners and posts included", "[u
     }
   }
   CHECK(in_goal > 100);
+}
+
+TEST_CASE("a ball on a bent way meets what its chord passes by", "[unit]") {
+  const MatchInfo info = test::matchInfo();
+  const BallCourse course(info.field, info.ball, info.physics);
+  const double wall = info.field.width / 2 - info.ball.radius;
+  struct Scene {
+    BallState ball;
+    double until;  // [s]
+  };
+  const Scene scenes[] = {// Sidespin bends the way into the goal's side wall, a post, a post from the side.
+                          {{{-0.59388, -0.05457}, {-1.39425, 2.25852}, {-0.42523, -1.58413}}, 0.3},
+                          {{{-0.70370, 0.02599}, {-0.43150, -2.35402}, {1.42177, 0.42475}}, 0.3},
+                          {{{-0.28024, -0.33089}, {-1.76738, 2.27849}, {-0.79250, -1.65234}}, 0.5},
+                          // It leaves a post with spin toward it.
+                          {{{0.4959289092504795, 0.03041831854301924},
+                            {1.9227620324496568, 1.4171300960774715},
+                            {-0.14876151646460656, -1.405822064977879}},
+                           0.5},
+                          // Backspin turns the ball round just after it has come to the wall.
+                          {{{0.0, wall - 0.0001}, {0.0, 0.2}, {0.0, -2.0}}, 0.3}};
+  for (const Scene& scene : scenes) {
+    BallPrediction prediction;
+    prediction.predict(course, scene.ball);
+    CAPTURE(scene.ball.position.x, scene.ball.position.y);
+    CHECK(prediction.bouncesBefore(scene.until) >= 1);
+    CHECK(prediction.bouncesBefore(3.0) < 20);
+    int in_wall = 0;
+    for (double t = 0.0; t < 1.0; t += 0.005) in_wall += isClear(info, prediction.positionAt(t)) ? 0 : 1;
+    CHECK(in_wall == 0);
+  }
 }
 
 TEST_CASE("a ball on a post comes back", "[unit]") {

@@ -28,10 +28,10 @@ TEST_CASE("the time along a line is the engine's", "[unit]") {
   }
 }
 
-TEST_CASE("the folded angle is within 4 %", "[unit]") {
+TEST_CASE("the folded angle is within 0.004 rad", "[unit]") {
   for (double angle = 0.01; angle < math::kPi / 2; angle += 0.01) {
-    CHECK(foldedAngle(std::sin(angle), std::cos(angle)) == Approx(angle).epsilon(0.04));
-    CHECK(foldedAngle(-std::sin(angle), -std::cos(angle)) == Approx(angle).epsilon(0.04));
+    CHECK(foldedAngle(std::sin(angle), std::cos(angle)) == Approx(angle).margin(0.004));
+    CHECK(foldedAngle(-std::sin(angle), -std::cos(angle)) == Approx(angle).margin(0.004));
   }
 }
 

@@ -9,6 +9,8 @@
 namespace fulbito {
 namespace {
 
+constexpr double kFewTicks = 4.0 / 60.0;  // [s]
+
 RobotState anywhere(Rng& rng) {
   RobotState robot;
   robot.pose = {{rng.uniform(-0.65, 0.65), rng.uniform(-0.55, 0.55)}, rng.uniform(-math::kPi, math::kPi)};
@@ -43,13 +45,13 @@ TEST_CASE("robot and ball are at the meeting together, and not much earlier", "[
     }
     CHECK(distance(meeting->ball, ball.positionAt(meeting->time)) < 1e-9);
     CHECK(distance(meeting->robot, meeting->ball) == Approx(request.standoff).epsilon(1e-6));
-    if (meeting->time > 0.0) CHECK(timeToReach(pace, robot, meeting->robot) < meeting->time + 0.06);
+    if (meeting->time > 0.0) CHECK(timeToReach(pace, robot, meeting->robot) < meeting->time + kFewTicks);
     // An earlier meeting by more than a few ticks would have been found.
     for (double t = 0.05; t < meeting->time - 0.12; t += 0.05) {
       const Vec2 place = ball.positionAt(t);
       const Vec2 from = request.aim ? *request.aim : place + (place - robot.pose.position);
       const Vec2 there = place - unitOr(from - place, {1.0, 0.0}) * request.standoff;
-      CHECK(timeToReach(pace, robot, there) > t - 0.05);
+      CHECK(timeToReach(pace, robot, there) > t - kFewTicks);
     }
   }
   CHECK(missed < 30);

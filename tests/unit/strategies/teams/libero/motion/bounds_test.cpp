@@ -2,25 +2,28 @@
 
 #include "engine/core/math/random.hpp"
 #include "navigation/followers/limiter.hpp"
-#include "strategies/teams/libero/situation/areas.hpp"
+#include "strategies/skills/area_projection.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito {
 
 TEST_CASE("libero's areas step never lets a robot in that can still stop outside", "[unit]") {
-  const MatchInfo info = test::infoOf(3);
+  // Whatever the control period: the guard rolls the robot forward by the match's own ticks.
+  const int rate = GENERATE(60, 30, 200);  // [Hz]
+  MatchInfo info = test::infoOf(3);
+  info.physics.control_rate = rate;
   const libero::Pitch pitch(info);
   const libero::Settings settings;
   const libero::BallForecast ball;
-  const double dt = 1.0 / 60.0;
+  const double dt = info.physics.controlPeriod();
   Rng rng{3, Stream::kTest, 0};
   int near = 0;
   for (int run = 0; run < 400; ++run) {
     const bool own = run % 2 == 0;
     const double sign = own ? 1.0 : -1.0;
     const double least = own ? libero::kOwnMargin : libero::kTheirMargin + pitch.robot_corner;
-    const auto outside = [&](Vec2 p) { return libero::outsideOwnArea(pitch, p * sign); };
+    const auto outside = [&](Vec2 p) { return distanceToArea(info.field, p, own); };
     Observation seen;
     seen.team_size = 3;
     RobotState& robot = seen.own[1].state;
@@ -30,8 +33,8 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
       robot.pose = {{-sign * rng.uniform(0.3, 0.7), rng.uniform(-0.6, 0.6)}, rng.uniform(-3.14, 3.14)};
     } while (outside(robot.pose.position) < least + 0.01);
     Twist wanted;
-    for (int tick = 0; tick < 240; ++tick) {
-      if (rng.uniform(0.0, 1.0) < 0.06) wanted = {rng.uniform(-1.2, 1.2), rng.uniform(-12.0, 12.0)};
+    for (double time = 0.0; time < 4.0; time += dt) {
+      if (rng.uniform(0.0, 1.0) < 3.6 * dt) wanted = {rng.uniform(-1.2, 1.2), rng.uniform(-12.0, 12.0)};
       const libero::Picture picture{seen, pitch, settings, ball};
       const RobotCommand command = libero::keptOut(picture, 1, {own, !own}, wanted);
       const Twist limited = limitTwist(steady(info.robot), bodyTwist(robot), command.twist, dt);
@@ -50,7 +53,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
 
 TEST_CASE("libero's second attacker leaves their goal's mouth by its front", "[unit]") {
   // It pushed at the post for good: past that the way out was shortest.
-  const libero::Pitch pitch(test::infoOf(3));
+  const FieldGeometry field = test::infoOf(3).field;
   for (const double side : {1.0, -1.0}) {
     for (const double heading : {-1.57, 0.4, 1.57}) {
       Placement scene;
@@ -61,7 +64,7 @@ TEST_CASE("libero's second attacker leaves their goal's mouth by its front", "[u
       const Match match = test::playedFrom(test::mirrored(scene, side), 1.5);
       const Vec2 place = match.world().robots[2].pose.position;
       CAPTURE(side, heading, place.x, place.y);
-      CHECK(libero::outsideOwnArea(pitch, -place) > 0.0);
+      CHECK(distanceToArea(field, place, false) > 0.0);
     }
   }
 }

@@ -1,0 +1,41 @@
+#include "strategies/teams/libero/attack/support.hpp"
+
+#include "engine/core/math/random.hpp"
+#include "strategies/skills/area_projection.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/unit/strategies/teams/libero/scenes.hpp"
+
+namespace fulbito {
+
+TEST_CASE("libero's robots without the ball have places on the field, off the ball, in no area", "[unit]") {
+  for (const int size : {3, 5}) {
+    const MatchInfo info = test::infoOf(size);
+    const libero::Pitch pitch(info);
+    const libero::Settings settings;
+    Rng rng(7, Stream::kTest, static_cast<std::uint64_t>(size));
+    for (int run = 0; run < 2000; ++run) {
+      Observation seen = test::anything(rng, info);
+      seen.ball.velocity = {};
+      libero::BallForecast ball;
+      ball.take(seen.ball, {});
+      const libero::Picture picture{seen, pitch, settings, ball};
+      for (int rank = 0; rank < size - 1; ++rank) {
+        CAPTURE(size, run, rank, seen.ball.position.x, seen.ball.position.y);
+        const Vec2 place = libero::supportPlace(picture, 1, rank);
+        CHECK(wallClearance(info.field, place) > pitch.robot_half);
+        CHECK_FALSE(isInArea(info.field, place, true, 0.07 - 1e-9));
+        const bool in_theirs = isInArea(info.field, seen.ball.position, false);
+        if (in_theirs) CHECK_FALSE(isInArea(info.field, place, false, 0.08 - 1e-9));
+        // At an area's edge there may be no room beside the ball.
+        const bool room = distanceToArea(info.field, seen.ball.position, true) > 0.35 &&
+                          distanceToArea(info.field, seen.ball.position, false) > 0.35;
+        if (room) CHECK(distance(place, seen.ball.position) > 0.15);
+        const Vec2 waiting = libero::waitingPlace(picture, rank);
+        CHECK(wallClearance(info.field, waiting) > pitch.robot_corner);
+        CHECK_FALSE(isInArea(info.field, waiting, true, pitch.robot_corner));
+      }
+    }
+  }
+}
+
+}  // namespace fulbito

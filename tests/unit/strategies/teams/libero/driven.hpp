@@ -1,0 +1,18 @@
+#pragma once
+
+#include <utility>
+
+#include "navigation/followers/limiter.hpp"
+#include "strategies/interface/observation.hpp"
+#include "strategies/interface/team_command.hpp"
+
+namespace fulbito::test {
+
+/// A robot a tick later that is told a twist, as the match limits it.
+inline RobotState driven(const MatchInfo& info, const RobotState& robot, Twist twist) {
+  const double dt = info.physics.controlPeriod();
+  const Twist limited = limitTwist(steady(info.robot), bodyTwist(robot), twist, dt);
+  return rolledForward(info.robot, robot, saturate(info.robot, inverseKinematics(info.robot, limited)), dt);
+}
+
+}  // namespace fulbito::test
