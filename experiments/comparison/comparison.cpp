@@ -1,7 +1,6 @@
 #include "experiments/comparison/comparison.hpp"
 
 #include <array>
-#include <mutex>
 
 #include <fmt/format.h>
 
@@ -213,28 +212,18 @@ Result<Comparison> planComparison(const ComparisonConfig& config) {
   return comparison;
 }
 
-Result<void> runComparison(Comparison& comparison, const Clock& clock, const Progress& progress) {
+Result<void> runComparison(Comparison& comparison, const Clock& clock, const Progress& watcher) {
   const std::vector<Task> tasks = tasksOf(comparison);
   comparison.records.assign(tasks.size(), {});
-  std::size_t done = 0;
-  std::mutex mutex;
-  Result<void> failure;
-  forEachTask(comparison.config.jobs, tasks.size(), [&](std::size_t i) {
-    auto record = runTask(comparison, tasks[i], clock);
-    const std::scoped_lock lock(mutex);
-    Result<void> result;
-    if (!record) {
-      result = tl::unexpected<Error>(record.error());
-    } else {
-      comparison.records[i] = std::move(*record);
-      if (progress && !progress(++done, tasks.size())) {
-        result = fail(ErrorCode::kInterrupted, "interrupted");
-      }
-    }
-    if (!result && failure) failure = result;
-    return result.has_value();
-  });
-  if (!failure) return failure;
+  WorkProgress progress(watcher, tasks.size());
+  const auto done =
+      parallelFor(comparison.config.jobs, tasks.size(), progress, [&](std::size_t i) -> Result<void> {
+        auto record = runTask(comparison, tasks[i], clock);
+        if (!record) return tl::unexpected<Error>(record.error());
+        comparison.records[i] = std::move(*record);
+        return {};
+      });
+  if (!done) return done;
   summarise(comparison);
   if (comparison.config.suite == kPaperSuite && !comparison.config.only) judgeReproduction(comparison);
   return {};
