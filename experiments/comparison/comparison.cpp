@@ -56,13 +56,8 @@ Result<void> checkRanges(const ComparisonConfig& config) {
   if (config.jobs < 0 || config.jobs > 1024) {
     return fail(ErrorCode::kUsage, fmt::format("--jobs: {} is outside 1 ... 1024", config.jobs));
   }
-  if (config.sensors.latency_ticks < 0 || config.sensors.latency_ticks > 60) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("--latency: {} is outside 0 ... 60 ticks", config.sensors.latency_ticks));
-  }
-  if (!(config.sensors.position_noise >= 0.0 && config.sensors.position_noise <= 0.1)) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("--noise: {} is outside 0 ... 0.1 m", config.sensors.position_noise));
+  if (auto checked = validate(config.sensors); !checked) {
+    return fail(checked.error().code, "--" + checked.error().message);
   }
   return {};
 }
@@ -176,6 +171,7 @@ Result<TrialConfig> trialConfig(const Comparison& comparison, const ComparisonBl
   config.physics = comparison.physics;
   config.navigator = block.navigators[navigator];
   config.sensors = comparison.config.sensors;
+  config.sensors.heading_noise = headingNoise(config.sensors.position_noise, config.robot.robot.length);
   config.forbidden = block.suite->forbidden;
   config.limit_clearance = block.suite->limit_clearance;
   config.seed = block.seed;
