@@ -55,11 +55,11 @@ TEST_CASE("a recording that was written long ago is read as it was", "[unit]") {
   CHECK(sums.events == 7);
   CHECK(sums.samples == 300);
   CHECK(sums.checks == 10);
-  CHECK(sums.commands == Approx(0.0).margin(1e-9));
-  CHECK(sums.hashes == 0u);
-  CHECK(sums.body_hashes == 0u);
-  CHECK(sums.ball_x == Approx(0.0).margin(1e-9));
-  CHECK(sums.headings == Approx(0.0).margin(1e-9));
+  CHECK(sums.commands == Approx(18559.37).margin(1e-6));
+  CHECK(sums.hashes == 0x4d693ffa23b9c925u);
+  CHECK(sums.body_hashes == 0x82de5287532b9d26u);
+  CHECK(sums.ball_x == Approx(45.2765).margin(1e-6));
+  CHECK(sums.headings == Approx(-19.4079249283).margin(1e-6));
 }
 
 }  // namespace fulbito
