@@ -19,10 +19,10 @@ struct ComparisonConfig {
   std::vector<double> speeds;           ///< [m/s]; empty = the suite's
   int trials = 0;                       ///< layouts of each block; 0 = the suite's
   std::uint64_t seed = 2015;
-  int jobs = 0;                       ///< worker threads; 0 = all cores
-  std::string robot = "paper-004";    ///< preset or file
-  std::string physics = "standard";   ///< preset or file
-  SensorModel sensors;                ///< its heading noise follows from the position noise
+  int jobs = 0;                      ///< worker threads; 0 = all cores
+  std::string robot = "paper-004";   ///< preset or file
+  std::string physics = "standard";  ///< preset or file
+  SensorModel sensors;
   std::optional<std::uint64_t> only;  ///< this layout of each block alone
   int pictures = 8;                   ///< layouts of each block whose traces are kept for pictures
   std::string record;                 ///< folder for recordings of these layouts; empty: none

@@ -68,7 +68,7 @@ Twist alongHeading(const Pitch&, const RobotState& robot, double heading, double
     sign = -1.0;
   }
   const double c = std::max(0.0, math::cos(error));
-  const double slowed = c * c;
+  const double slowed = steering.slow_down > 1.5 ? c * c : c;
   return {sign * speed * slowed, std::clamp(steering.gain * error, -24.0, 24.0)};
 }
 

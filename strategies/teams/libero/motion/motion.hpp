@@ -7,7 +7,8 @@ namespace fulbito::libero {
 
 /// How sharply a robot turns toward the wanted heading.
 struct Steering {
-  double gain = 16.0;  ///< [1/s] yaw rate for a heading error
+  double gain = 16.0;      ///< [1/s] yaw rate for a heading error
+  double slow_down = 2.0;  ///< power of the cosine of the error that slows the robot while it turns
 };
 
 /// Time [s] in which `robot` can be at `target`, turn and ramp included; either end may lead. The formula of
@@ -17,8 +18,7 @@ double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 target);
 double timeToReach(const Pitch& pitch, const RobotState& robot, Vec2 face, Vec2 target);
 
 /// Drives along `heading` [rad] at `speed` [m/s] with whichever end takes the smaller turn; a moving robot
-/// keeps its end unless the other is clearly nearer. While it turns, the squared cosine of the error slows
-/// it.
+/// keeps its end unless the other is clearly nearer.
 Twist alongHeading(const Pitch& pitch, const RobotState& robot, double heading, double speed,
                    const Steering& steering = {});
 
