@@ -118,7 +118,7 @@ Result<MatchConfig> configOf(const MatchCommand& options) {
   config.physics = std::move(*physics);
   config.vision = options.vision;
   // As in trials: the heading of a body whose front and back are each seen that far off.
-  config.vision.heading_noise = headingNoise(config.vision.position_noise, config.robot.robot.length);
+  config.vision.heading_noise = 2.0 * config.vision.position_noise / config.robot.robot.length;
   config.seed = options.seed;
   if (auto started = addStart(options.start, config); !started) return tl::unexpected<Error>(started.error());
   return config;
