@@ -47,6 +47,8 @@ void addSensors(CLI::App& command, SensorModel& sensors) {
       .add_option("--noise", sensors.position_noise,
                   "standard deviation of observed positions [m], 0 ... 0.1")
       ->capture_default_str();
+  command.add_option("--dropout", sensors.dropout, "chance that a body is not seen in a tick, 0 ... 0.99")
+      ->capture_default_str();
 }
 
 CLI::App* addRun(CLI::App& app, Options& options) {

@@ -19,8 +19,6 @@ class Pilot {
   WheelSpeeds drive(const NavigationScene& scene);
   /// What the navigator wanted at the last tick.
   const Guidance& guidance() const { return guidance_; }
-  /// Whether the last tick was spent getting away from a wall.
-  bool escaping() const { return escape_.active(); }
 
  private:
   std::unique_ptr<Navigator> navigator_;

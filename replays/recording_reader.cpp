@@ -54,17 +54,17 @@ struct RecordingReader::Impl {
   Step readPrologue() {
     if (!BytesView(bytes).starts_with(kMagic)) return bad("not a recording (.fbr) of this program");
     ByteReader in(BytesView(bytes).substr(kMagic.size()));
-    version = in.fixed<std::uint32_t>();
+    const auto version = in.fixed<std::uint32_t>();
     if (!in.good()) return bad("cut before its header");
-    if (version < 1 || version > kRecordingVersion) {
+    if (version != kRecordingVersion) {
       return bad(
-          fmt::format("format version {}; this program reads versions 1 ... {}", version, kRecordingVersion));
+          fmt::format("a recording of format {}; this program reads format {}", version, kRecordingVersion));
     }
     return {};
   }
 
   Step readHeader() {
-    const auto block = blockAt(bytes, kPrologueSize, headerSeed(version));
+    const auto block = blockAt(bytes, kPrologueSize, kHeaderSeed);
     if (!block) {
       return bad(block.error() == BlockFlaw::kCut ? "cut before the end of its header"
                                                   : "its header is damaged");
@@ -72,7 +72,7 @@ struct RecordingReader::Impl {
     if (block->type != BlockType::kHeader) return badBlock(*block, "a header was expected");
     const auto text = textOf(*block);
     if (!text) return badBlock(*block, "it cannot be unpacked");
-    auto read = headerFromJson(*text, version);
+    auto read = headerFromJson(*text);
     if (!read) return badBlock(*block, read.error());
     header = std::move(*read);
     header_checksum = block->checksum;
@@ -166,7 +166,6 @@ struct RecordingReader::Impl {
   const std::string bytes;
   const std::string origin;
   DecodingBudget budget;
-  std::uint32_t version = 0;
   RecordingHeader header;
   std::size_t header_bytes = 0;
   std::uint64_t header_checksum = 0;
@@ -207,7 +206,6 @@ std::size_t RecordingReader::sizeInBytes() const { return impl_->bytes.size(); }
 
 const std::string& RecordingReader::origin() const { return impl_->origin; }
 std::string_view RecordingReader::bytes() const { return impl_->bytes; }
-std::uint32_t RecordingReader::version() const { return impl_->version; }
 
 std::vector<RecordingPart> RecordingReader::sizeByPart() const {
   std::vector<RecordingPart> parts{{"header", impl_->header_bytes}};
@@ -226,10 +224,6 @@ std::vector<RecordingPart> RecordingReader::sizeByPart() const {
   }
   parts.push_back({"frame", impl_->bytes.size() - known});
   return parts;
-}
-
-Tick RecordingReader::firstTick(std::size_t index) const {
-  return static_cast<Tick>(impl_->chunks[index].place.first_tick);
 }
 
 Result<RecordedChunk> RecordingReader::chunk(std::size_t index) const {

@@ -28,7 +28,7 @@ struct RecordingPart {
 class RecordingReader {
  public:
   /// Errors: kIo; kBadInput naming the file, the block and its place, for what is no recording, of another
-  /// version, or damaged. A file that was cut is no error: see `finished`.
+  /// format, or damaged. A file that was cut is no error: see `finished`.
   static Result<RecordingReader> open(const std::string& file, RecordingReadOptions options = {});
   /// The same from bytes in memory; `origin` stands for the file's name in errors.
   static Result<RecordingReader> parse(std::string bytes, const std::string& origin,
@@ -45,8 +45,6 @@ class RecordingReader {
   /// Ticks in all chunks.
   Tick ticks() const;
   std::size_t chunkCount() const;
-  /// First tick of a chunk, `index` below `chunkCount`.
-  Tick firstTick(std::size_t index) const;
   /// A chunk, `index` below `chunkCount`. Errors: kBadInput.
   Result<RecordedChunk> chunk(std::size_t index) const;
   std::size_t sizeInBytes() const;
@@ -56,8 +54,6 @@ class RecordingReader {
   const std::string& origin() const;
   /// The whole file.
   std::string_view bytes() const;
-  /// Version of the format that the file is written in.
-  std::uint32_t version() const;
 
  private:
   struct Impl;

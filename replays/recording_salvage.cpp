@@ -46,7 +46,7 @@ Result<Salvage> salvaged(const Result<RecordingReader>& reader) {
   found.header = reader->header();
   found.whole = reader->finished();
   const BytesView bytes = reader->bytes();
-  const auto head = blockAt(bytes, kPrologueSize, headerSeed(reader->version()));
+  const auto head = blockAt(bytes, kPrologueSize, kHeaderSeed);
   if (!head) return fail(ErrorCode::kBadInput, reader->origin() + ": its header is damaged");
   DecodingBudget budget(bytes.size());
   std::size_t next = head->end(), known = next;

@@ -8,20 +8,8 @@
 #include "replays/header/header_json.hpp"
 
 namespace fulbito {
-namespace {
-
-/// What came from a file of version 1 is written in this version's steps.
-RecordingHeader inThisVersion(RecordingHeader header) {
-  if (header.sample_turn > 0) return header;
-  header.sample_step = RecordingHeader().sample_step;
-  header.sample_turn = RecordingHeader().sample_turn;
-  return header;
-}
-
-}  // namespace
-
 struct RecordingWriter::Impl {
-  Impl(Sink to, const RecordingHeader& h) : sink(std::move(to)), header(inThisVersion(h)), chunk(header) {}
+  Impl(Sink to, const RecordingHeader& h) : sink(std::move(to)), header(h), chunk(header) {}
 
   void write(BytesView bytes) {
     if (state) state = sink(bytes);
@@ -29,8 +17,7 @@ struct RecordingWriter::Impl {
   }
   std::uint64_t writeBlock(BlockType type, Codec codec, std::size_t raw_size, BytesView content) {
     block.clear();
-    const std::uint64_t seed =
-        blocks == 0 ? headerSeed(kRecordingVersion) : blockSeed(header_checksum, blocks);
+    const std::uint64_t seed = blocks == 0 ? kHeaderSeed : blockSeed(header_checksum, blocks);
     const std::uint64_t checksum = appendBlock(type, codec, raw_size, content, seed, block);
     if (blocks++ == 0) header_checksum = checksum;
     write(block);

@@ -61,6 +61,7 @@ Result<TrialConfig> configOf(const RunOptions& options) {
   config.physics = std::move(*physics);
   config.navigator = std::move(*navigator);
   config.sensors = options.sensors;
+  config.sensors.heading_noise = headingNoise(config.sensors.position_noise, config.robot.robot.length);
   config.forbidden = problem->forbidden;
   config.limit_clearance = problem->limit_clearance;
   config.seed = options.seed;

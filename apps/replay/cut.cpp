@@ -1,4 +1,4 @@
-#include "apps/replay/cut.hpp"
+#include "replays/verify/cut.hpp"
 
 #include <charconv>
 
@@ -10,8 +10,8 @@
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
 #include "apps/common/output_names.hpp"
+#include "apps/replay/replay.hpp"
 #include "engine/core/system/output_file.hpp"
-#include "replays/verify/cut.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -1,4 +1,4 @@
-#include "apps/replay/diff.hpp"
+#include "replays/verify/diff.hpp"
 
 #include <cstdio>
 
@@ -8,7 +8,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
-#include "replays/verify/diff.hpp"
+#include "apps/replay/replay.hpp"
 
 namespace fulbito::app {
 namespace {

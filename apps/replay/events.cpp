@@ -1,5 +1,3 @@
-#include "apps/replay/events.hpp"
-
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +5,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
+#include "apps/replay/replay.hpp"
 #include "engine/core/base/match_clock.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "match/record/recorded_events.hpp"

@@ -1,5 +1,3 @@
-#include "apps/replay/export.hpp"
-
 #include <algorithm>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +6,7 @@
 #include "apps/common/option_values.hpp"
 #include "apps/replay/export_flags.hpp"
 #include "apps/replay/export_request.hpp"
+#include "apps/replay/replay.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -1,7 +1,7 @@
 // Private header of apps: not installed.
 #pragma once
 
-#include "apps/replay/export.hpp"
+#include "apps/replay/replay.hpp"
 #include "engine/core/base/result.hpp"
 
 namespace fulbito::app {

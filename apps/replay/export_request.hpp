@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/replay/export.hpp"
+#include "apps/replay/replay.hpp"
 #include "replays/export/frames.hpp"
 #include "replays/render/match/match_picture.hpp"
 #include "replays/render/match/replay_scene.hpp"

@@ -1,5 +1,3 @@
-#include "apps/replay/info.hpp"
-
 #include <cstdio>
 #include <map>
 
@@ -9,6 +7,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
+#include "apps/replay/replay.hpp"
 #include "engine/core/config/presets.hpp"
 #include "match/record/recorded_events.hpp"
 #include "referee/rules/rules.hpp"
@@ -115,7 +114,7 @@ Json toJson(const std::string& file, const RecordingReader& recording, const Tal
   const RecordingHeader& header = recording.header();
   Json json{{"schema_version", 1},
             {"file", file},
-            {"format_version", recording.version()},
+            {"format_version", kRecordingVersion},
             {"kind", kindOf(header)},
             {"level", levelOf(header)},
             {"end", endOf(recording)},
@@ -179,7 +178,7 @@ std::string recipeText(const RecordingHeader& header) {
 
 void print(const std::string& file, const RecordingReader& recording, const Tally& tally) {
   const RecordingHeader& header = recording.header();
-  say("{}: {}, level {}, format {}, {}\n", file, kindOf(header), levelOf(header), recording.version(),
+  say("{}: {}, level {}, format {}, {}\n", file, kindOf(header), levelOf(header), kRecordingVersion,
       endOf(recording));
   say("{}{}", whoText(recording), recipeText(header));
   say("  length     {:.1f} s, {} ticks at {} Hz, {} plays\n",

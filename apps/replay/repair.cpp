@@ -1,4 +1,4 @@
-#include "apps/replay/repair.hpp"
+#include "replays/verify/repair.hpp"
 
 #include <optional>
 #include <utility>
@@ -10,9 +10,9 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/output_names.hpp"
+#include "apps/replay/replay.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "engine/core/system/output_file.hpp"
-#include "replays/verify/repair.hpp"
 
 namespace fulbito::app {
 namespace {

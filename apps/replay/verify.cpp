@@ -1,5 +1,3 @@
-#include "apps/replay/verify.hpp"
-
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +10,7 @@
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
 #include "apps/common/progress.hpp"
+#include "apps/replay/replay.hpp"
 #include "replays/verify/verify_many.hpp"
 
 namespace fulbito::app {

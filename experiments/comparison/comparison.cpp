@@ -1,7 +1,6 @@
 #include "experiments/comparison/comparison.hpp"
 
 #include <array>
-#include <mutex>
 
 #include <fmt/format.h>
 
@@ -57,13 +56,8 @@ Result<void> checkRanges(const ComparisonConfig& config) {
   if (config.jobs < 0 || config.jobs > 1024) {
     return fail(ErrorCode::kUsage, fmt::format("--jobs: {} is outside 1 ... 1024", config.jobs));
   }
-  if (config.sensors.latency_ticks < 0 || config.sensors.latency_ticks > 60) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("--latency: {} is outside 0 ... 60 ticks", config.sensors.latency_ticks));
-  }
-  if (!(config.sensors.position_noise >= 0.0 && config.sensors.position_noise <= 0.1)) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("--noise: {} is outside 0 ... 0.1 m", config.sensors.position_noise));
+  if (auto checked = validate(config.sensors); !checked) {
+    return fail(checked.error().code, "--" + checked.error().message);
   }
   return {};
 }
@@ -177,6 +171,7 @@ Result<TrialConfig> trialConfig(const Comparison& comparison, const ComparisonBl
   config.physics = comparison.physics;
   config.navigator = block.navigators[navigator];
   config.sensors = comparison.config.sensors;
+  config.sensors.heading_noise = headingNoise(config.sensors.position_noise, config.robot.robot.length);
   config.forbidden = block.suite->forbidden;
   config.limit_clearance = block.suite->limit_clearance;
   config.seed = block.seed;
@@ -213,28 +208,18 @@ Result<Comparison> planComparison(const ComparisonConfig& config) {
   return comparison;
 }
 
-Result<void> runComparison(Comparison& comparison, const Clock& clock, const Progress& progress) {
+Result<void> runComparison(Comparison& comparison, const Clock& clock, const Progress& watcher) {
   const std::vector<Task> tasks = tasksOf(comparison);
   comparison.records.assign(tasks.size(), {});
-  std::size_t done = 0;
-  std::mutex mutex;
-  Result<void> failure;
-  forEachTask(comparison.config.jobs, tasks.size(), [&](std::size_t i) {
-    auto record = runTask(comparison, tasks[i], clock);
-    const std::scoped_lock lock(mutex);
-    Result<void> result;
-    if (!record) {
-      result = tl::unexpected<Error>(record.error());
-    } else {
-      comparison.records[i] = std::move(*record);
-      if (progress && !progress(++done, tasks.size())) {
-        result = fail(ErrorCode::kInterrupted, "interrupted");
-      }
-    }
-    if (!result && failure) failure = result;
-    return result.has_value();
-  });
-  if (!failure) return failure;
+  WorkProgress progress(watcher, tasks.size());
+  const auto done =
+      parallelFor(comparison.config.jobs, tasks.size(), progress, [&](std::size_t i) -> Result<void> {
+        auto record = runTask(comparison, tasks[i], clock);
+        if (!record) return tl::unexpected<Error>(record.error());
+        comparison.records[i] = std::move(*record);
+        return {};
+      });
+  if (!done) return done;
   summarise(comparison);
   if (comparison.config.suite == kPaperSuite && !comparison.config.only) judgeReproduction(comparison);
   return {};

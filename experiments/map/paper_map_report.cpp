@@ -184,7 +184,8 @@ std::string mapJson(const PaperMap& map, double wall_seconds) {
                  {"robot", config.base.robot},
                  {"physics", config.base.physics},
                  {"latency_ticks", config.base.sensors.latency_ticks},
-                 {"noise_m", config.base.sensors.position_noise}}},
+                 {"noise_m", config.base.sensors.position_noise},
+                 {"dropout", config.base.sensors.dropout}}},
                {"cells", Json::array()},
                {"findings", Json::array()}};
   for (const MapCell& cell : map.cells) json["cells"].push_back(cellJson(cell));

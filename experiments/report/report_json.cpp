@@ -66,7 +66,8 @@ Json configJson(const Comparison& comparison) {
                  {"robot", c.robot},
                  {"physics", c.physics},
                  {"latency_ticks", c.sensors.latency_ticks},
-                 {"noise_m", c.sensors.position_noise}};
+                 {"noise_m", c.sensors.position_noise},
+                 {"dropout", c.sensors.dropout}};
   if (c.only) config["only"] = *c.only;
   return config;
 }

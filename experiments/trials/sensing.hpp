@@ -1,15 +1,14 @@
 #pragma once
 
-#include <deque>
 #include <vector>
 
-#include "engine/core/math/random.hpp"
+#include "engine/core/models/sensor.hpp"
 #include "experiments/trials/trial.hpp"
 
 namespace fulbito {
 
-/// The observation that a navigator gets: delayed, noisy, and rolled forward through the commands given
-/// meanwhile.
+/// The observation that a navigator gets: what the trial's sensors show of the world, rolled forward through
+/// the commands given meanwhile. Velocities are seen without noise.
 class Sensing {
  public:
   Sensing(const TrialConfig& config);
@@ -26,16 +25,16 @@ class Sensing {
  private:
   struct Sight {
     RobotState robot;
-    std::vector<DiscObstacle> discs;
+    std::vector<std::vector<DiscObstacle>> obstacles;  ///< each as the discs that cover it
   };
-  Sight look(const WorldState& world);
+  void look(const WorldState& world);
 
   const TrialConfig& config_;
   const double dt_;
-  Rng noise_;
-  std::vector<Sight> sights_;          ///< ring of the last latency + 1 observations
+  Sensor sensor_;
+  Sight last_;  ///< as seen last, each body at its own time
+  DelayedPictures<Sight> sights_;
   std::vector<WheelSpeeds> commands_;  ///< ring of the last latency commands
-  std::size_t seen_ = 0;
   std::size_t given_ = 0;
   RobotState robot_;
   std::vector<DiscObstacle> discs_;

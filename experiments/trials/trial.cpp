@@ -77,15 +77,7 @@ Result<void> check(const TrialConfig& config) {
   if (!(speed >= 0.05 && speed <= 10.0)) {
     return fail(ErrorCode::kUsage, fmt::format("speed: {} is outside 0.05 ... 10 m/s", speed));
   }
-  if (config.sensors.latency_ticks < 0 || config.sensors.latency_ticks > 60) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("latency: {} is outside 0 ... 60 ticks", config.sensors.latency_ticks));
-  }
-  if (!(config.sensors.position_noise >= 0.0 && config.sensors.position_noise <= 0.1)) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("noise: {} is outside 0 ... 0.1 m", config.sensors.position_noise));
-  }
-  return {};
+  return validate(config.sensors);
 }
 
 /// What `work` gives; how long it took [us] is appended to `durations` where there is a clock.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/config/presets.hpp"
+#include "engine/core/models/sensor_model.hpp"
 #include "navigation/registry.hpp"
 #include "referee/trial/trial_referee.hpp"
 
@@ -15,14 +16,6 @@ namespace fulbito {
 /// times go only into the fields named compute_ or wall_.
 using Clock = std::function<std::int64_t()>;
 
-/// What the robot knows late and badly.
-struct SensorModel {
-  int latency_ticks =
-      0;  ///< age of the observation; the navigator knows the commands given since, and rolls them forward
-  double position_noise =
-      0.0;  ///< [m] standard deviation of each coordinate; headings get noise / half a body [rad]
-};
-
 /// One trial: a robot, a layout, a navigator.
 struct TrialConfig {
   Layout layout;
@@ -30,7 +23,8 @@ struct TrialConfig {
   RobotPreset robot;  ///< its max_wheel_speed is the speed limit of the trial
   PhysicsProfile physics;
   NavigatorChoice navigator;
-  SensorModel sensors;
+  SensorModel
+      sensors;  ///< of the observation; the navigator knows the commands given since, and rolls it forward
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;
   double limit_clearance = 0.058;  ///< [m] between the robot's centre and obstacles along the L* path
   std::uint64_t seed = 1;

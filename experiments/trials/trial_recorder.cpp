@@ -18,7 +18,8 @@ RecordingRecipe recipeOf(const TrialConfig& config) {
   recipe.navigator = config.navigator.text;
   recipe.latency_ticks = config.sensors.latency_ticks;
   recipe.position_noise = config.sensors.position_noise;
-  recipe.heading_noise = 2.0 * config.sensors.position_noise / config.robot.robot.length;
+  recipe.heading_noise = config.sensors.heading_noise;
+  recipe.dropout = config.sensors.dropout;
   recipe.seed = config.seed;
   recipe.index = config.index;
   recipe.more.emplace_back("layout", config.layout.name);

@@ -7,10 +7,6 @@
 namespace fulbito {
 namespace {
 
-constexpr int kMaxLatency = 60;            // [ticks]
-constexpr double kMaxPositionNoise = 0.1;  // [m]
-constexpr double kMaxHeadingNoise = 1.0;   // [rad]
-constexpr double kMaxDropout = 0.99;
 constexpr double kMaxPlacementError = 0.01;  // [m]
 constexpr double kMaxHeadingError = 0.2;     // [rad]
 constexpr int kMaxScore = 1000;
@@ -19,13 +15,6 @@ constexpr int kLastPeriod = 3;  // a shoot-out cannot be begun in its middle
 Result<void> range(const char* name, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) return {};
   return fail(ErrorCode::kUsage, fmt::format("{}: {} is outside {} ... {}{}", name, value, low, high, unit));
-}
-
-Result<void> checkVision(const VisionModel& vision) {
-  if (auto r = range("vision latency", vision.latency_ticks, 0, kMaxLatency, " ticks"); !r) return r;
-  if (auto r = range("position noise", vision.position_noise, 0.0, kMaxPositionNoise, " m"); !r) return r;
-  if (auto r = range("heading noise", vision.heading_noise, 0.0, kMaxHeadingNoise, " rad"); !r) return r;
-  return range("vision drop-out", vision.dropout, 0.0, kMaxDropout, "");
 }
 
 Result<void> checkStart(const MatchConfig& config) {
@@ -77,7 +66,7 @@ Result<void> checkMatch(const MatchConfig& config) {
   const PlacementError& error = config.placement_error;
   if (auto r = range("placement error", error.position, 0.0, kMaxPlacementError, " m"); !r) return r;
   if (auto r = range("placement error", error.heading, 0.0, kMaxHeadingError, " rad"); !r) return r;
-  if (auto r = checkVision(config.vision); !r) return r;
+  if (auto r = validate(config.vision); !r) return r;
   if (auto r = checkScoreboard(config); !r) return r;
   return checkStart(config);
 }

@@ -8,6 +8,7 @@
 #include "engine/core/config/presets.hpp"
 #include "engine/core/models/field_geometry.hpp"
 #include "engine/core/models/physics_profile.hpp"
+#include "engine/core/models/sensor_model.hpp"
 #include "referee/rules/rules.hpp"
 #include "referee/state/placement.hpp"
 #include "referee/state/referee_state.hpp"
@@ -19,19 +20,9 @@ namespace fulbito {
 /// Seed that is used where none is given.
 inline constexpr std::uint64_t kDefaultMatchSeed = 1;
 
-/// How well the teams see. The defaults are the truth. Every seat (blue, yellow) has random numbers of its
-/// own. How noise makes velocities uncertain, and what a drop-out does: docs/matches.md.
-struct VisionModel {
-  int latency_ticks = 0;        ///< age of every picture, 0 ... 60
-  double position_noise = 0.0;  ///< [m] standard deviation of positions, 0 ... 0.1
-  double heading_noise = 0.0;   ///< [rad] standard deviation of headings, 0 ... 1
-  double dropout = 0.0;  ///< chance that a body is not seen in a tick, 0 ... 0.99: its last sight stays
-
-  /// Whether the teams see the truth of this tick.
-  bool perfect() const {
-    return latency_ticks == 0 && position_noise == 0.0 && heading_noise == 0.0 && dropout == 0.0;
-  }
-};
+/// How well a team sees. Every seat (blue, yellow) has random numbers of its own. How noise makes velocities
+/// uncertain, and what a drop-out does: docs/matches.md.
+using VisionModel = SensorModel;
 
 /// How exactly robots stand at a restart of the rules: uniform errors up to these, drawn from the match's
 /// seed. Without them, teams that draw no numbers would play the same match whatever the seed.

@@ -126,10 +126,10 @@ Schema schemaOf(DrillBar& b) {
 
 Schema schemaOf(VisionModel& v) {
   return {
-      {"latency_ticks", &v.latency_ticks, 0, 60, "", "age of observations"},
-      {"position_noise", &v.position_noise, 0.0, 0.1, "m", "standard deviation"},
+      {"latency_ticks", &v.latency_ticks, 0, kMaxLatencyTicks, "", "age of observations"},
+      {"position_noise", &v.position_noise, 0.0, kMaxPositionNoise, "m", "standard deviation"},
       {"heading_noise", Angle{&v.heading_noise}, 0.0, 57.0, "", "standard deviation"},
-      {"dropout", &v.dropout, 0.0, 1.0, "", "chance that a body is not seen"},
+      {"dropout", &v.dropout, 0.0, kMaxDropout, "", "chance that a body is not seen"},
   };
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <mutex>
 
 #include <fmt/format.h>
 
@@ -9,41 +8,16 @@
 namespace fulbito {
 namespace {
 
-/// Work that was counted out before: how much of it is done.
-struct Counter {
-  const DrillProgress& progress;
-  std::size_t total = 0;
-  std::size_t done = 0;
-};
-
-/// Calls `work(i)` for 0 ... count - 1 on several threads. `work` writes to its own place only.
-template <typename Work>
-Result<void> inParallel(int jobs, std::size_t count, Counter& counter, const Work& work) {
-  std::mutex mutex;
-  Result<void> failure;
-  forEachTask(jobs, count, [&](std::size_t i) {
-    Result<void> result = work(i);
-    const std::scoped_lock lock(mutex);
-    ++counter.done;
-    if (result && counter.progress && !counter.progress(counter.done, counter.total)) {
-      result = fail(ErrorCode::kInterrupted, "interrupted");
-    }
-    if (!result && failure) failure = result;
-    return result.has_value();
-  });
-  return failure;
-}
-
 int trialsOf(const DrillOptions& options, const Drill& drill) {
   return options.trials > 0 ? options.trials : drill.trials;
 }
 
-Result<std::vector<DrillTrial>> playTrials(const DrillRun& run, const Drill& drill, Counter& counter) {
+Result<std::vector<DrillTrial>> playTrials(const DrillRun& run, const Drill& drill, WorkProgress& progress) {
   const auto base = drillMatch(run, drill);
   if (!base) return tl::unexpected<Error>(base.error());
   std::vector<DrillTrial> trials(static_cast<std::size_t>(trialsOf(run.options, drill)));
   const auto played =
-      inParallel(run.options.jobs, trials.size(), counter, [&](std::size_t i) -> Result<void> {
+      parallelFor(run.options.jobs, trials.size(), progress, [&](std::size_t i) -> Result<void> {
         auto trial = playTrial(run, drill, *base, static_cast<int>(i));
         if (!trial) return tl::unexpected<Error>(trial.error());
         trials[i] = *trial;
@@ -59,8 +33,8 @@ const Drill* findDrill(const std::vector<Drill>& drills, int number) {
   return found == drills.end() ? nullptr : &*found;
 }
 
-Result<void> runTrials(const DrillRun& run, DrillReport& report, Counter& counter) {
-  auto trials = playTrials(run, report.drill, counter);
+Result<void> runTrials(const DrillRun& run, DrillReport& report, WorkProgress& progress) {
+  auto trials = playTrials(run, report.drill, progress);
   if (!trials) return tl::unexpected<Error>(trials.error());
   report.trials = std::move(*trials);
   report.offered = std::all_of(report.trials.begin(), report.trials.end(),
@@ -69,12 +43,12 @@ Result<void> runTrials(const DrillRun& run, DrillReport& report, Counter& counte
   return {};
 }
 
-Result<void> runMatches(const DrillRun& run, DrillReport& report, Counter& counter) {
+Result<void> runMatches(const DrillRun& run, DrillReport& report, WorkProgress& progress) {
   const auto base = drillMatch(run, report.drill);
   if (!base) return tl::unexpected<Error>(base.error());
   std::vector<DrillMatch> matches(static_cast<std::size_t>(trialsOf(run.options, report.drill)));
   const auto played =
-      inParallel(run.options.jobs, matches.size(), counter, [&](std::size_t i) -> Result<void> {
+      parallelFor(run.options.jobs, matches.size(), progress, [&](std::size_t i) -> Result<void> {
         auto match = playDrillMatch(run, report.drill, *base, static_cast<int>(i));
         if (!match) return tl::unexpected<Error>(match.error());
         matches[i] = *match;
@@ -97,18 +71,18 @@ int successes(const std::vector<DrillTrial>& trials) {
 
 /// Each repeated drill twice, with better and with worse sight, on the same starts.
 Result<void> runRepeats(const DrillRun& run, const std::vector<Drill>& drills, DrillReport& report,
-                        Counter& counter) {
+                        WorkProgress& progress) {
   const Drill& asked = report.drill;
   const double dt = run.physics.controlPeriod();
   for (const int number : asked.repeats) {
     Drill repeated = *findDrill(drills, number);
     repeated.trials = asked.trials;
     repeated.sight = asked.sight_before;
-    const auto before = playTrials(run, repeated, counter);
+    const auto before = playTrials(run, repeated, progress);
     if (!before) return tl::unexpected<Error>(before.error());
     repeated.sight = asked.sight;
     repeated.latency += (asked.sight.latency_ticks - asked.sight_before.latency_ticks) * dt;
-    const auto after = playTrials(run, repeated, counter);
+    const auto after = playTrials(run, repeated, progress);
     if (!after) return tl::unexpected<Error>(after.error());
     const double reference = static_cast<double>(successes(*before)) / static_cast<double>(before->size());
     Interval kept = wilson(successes(*after), static_cast<int>(after->size()));
@@ -151,7 +125,7 @@ bool DrillReport::passed() const {
 }
 
 Result<std::vector<DrillReport>> runDrills(const std::vector<Drill>& drills, const std::vector<int>& numbers,
-                                           const DrillOptions& options, const DrillProgress& progress) {
+                                           const DrillOptions& options, const DrillProgress& watcher) {
   DrillRun run{options, {}, {}};
   auto robot = loadRobot(options.robot);
   if (!robot) return tl::unexpected<Error>(robot.error());
@@ -160,25 +134,26 @@ Result<std::vector<DrillReport>> runDrills(const std::vector<Drill>& drills, con
   if (!physics) return tl::unexpected<Error>(physics.error());
   run.physics = std::move(*physics);
   std::vector<const Drill*> asked;
-  Counter counter{progress};
+  std::size_t total = 0;
   for (const Drill& drill : drills) {
     if (!numbers.empty() && std::find(numbers.begin(), numbers.end(), drill.number) == numbers.end())
       continue;
     if (auto checked = checkRepeats(drills, drill); !checked) return tl::unexpected<Error>(checked.error());
     asked.push_back(&drill);
-    counter.total += workOf(options, drill);
+    total += workOf(options, drill);
   }
+  WorkProgress progress(watcher, total);
   std::vector<DrillReport> reports;
   for (const Drill* drill : asked) {
     DrillReport report;
     report.drill = *drill;
     Result<void> ran;
     if (!drill->repeats.empty()) {
-      ran = runRepeats(run, drills, report, counter);
+      ran = runRepeats(run, drills, report, progress);
     } else if (!drill->match_opponent.empty()) {
-      ran = runMatches(run, report, counter);
+      ran = runMatches(run, report, progress);
     } else {
-      ran = runTrials(run, report, counter);
+      ran = runTrials(run, report, progress);
     }
     if (!ran) return tl::unexpected<Error>(ran.error());
     reports.push_back(std::move(report));

@@ -1,7 +1,5 @@
 #include "match/seats/vision.hpp"
 
-#include <algorithm>
-
 #include "engine/core/math/math.hpp"
 
 namespace fulbito {
@@ -16,10 +14,7 @@ constexpr double kRateGain = 0.1715728752538099;
 }  // namespace
 
 Vision::Vision(const VisionModel& model, std::uint64_t seed, TeamId seat, double dt)
-    : model_(model),
-      dt_(dt),
-      random_(seed, Stream::kVision, indexOf(seat)),
-      pictures_(static_cast<std::size_t>(model.latency_ticks) + 1) {}
+    : dt_(dt), sensor_(model, Rng(seed, Stream::kVision, indexOf(seat))), pictures_(model.latency_ticks) {}
 
 void Vision::reset(const WorldState& world) {
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
@@ -33,22 +28,20 @@ void Vision::reset(const WorldState& world) {
   const BallState& ball = world.balls.front();
   last_.ball = ball;
   tracks_.back() = {{ball.position.x, ball.velocity.x}, {ball.position.y, ball.velocity.y}, {}, 0};
-  std::fill(pictures_.begin(), pictures_.end(), last_);
-  next_ = 0;
+  pictures_.fill(last_);
 }
 
 bool Vision::seen(BodyTracks& tracks) {
   ++tracks.gap;
-  return !(model_.dropout > 0.0) || random_.uniform() >= model_.dropout;
+  return sensor_.sees();
 }
 
 // The filter's prediction and correction over the ticks since the body was last seen. With a gap the rate's
 // correction is spread over it.
 void Vision::blur(BodyTracks& tracks, Vec2& position, Vec2& velocity) {
-  if (!(model_.position_noise > 0.0)) return;
+  if (!sensor_.blur(position)) return;
   const double elapsed = dt_ * tracks.gap;
-  const auto follow = [&](Track& track, double& value, double& rate) {
-    value += random_.normal(0.0, model_.position_noise);
+  const auto follow = [&](Track& track, double value, double& rate) {
     const double predicted = track.value + track.rate * elapsed;
     const double surprise = value - predicted;
     track = {predicted + kPositionGain * surprise, track.rate + kRateGain / elapsed * surprise};
@@ -59,9 +52,8 @@ void Vision::blur(BodyTracks& tracks, Vec2& position, Vec2& velocity) {
 }
 
 void Vision::blur(BodyTracks& tracks, double& heading, double& rate) {
-  if (!(model_.heading_noise > 0.0)) return;
+  if (!sensor_.blurHeading(heading)) return;
   const double elapsed = dt_ * tracks.gap;
-  heading = math::wrapAngle(heading + random_.normal(0.0, model_.heading_noise));
   Track& track = tracks.heading;
   const double predicted = track.value + track.rate * elapsed;
   const double surprise = math::wrapAngle(heading - predicted);
@@ -88,9 +80,8 @@ void Vision::look(const WorldState& world) {
 
 const Sight& Vision::see(const WorldState& world) {
   look(world);
-  pictures_[next_] = last_;
-  next_ = (next_ + 1) % pictures_.size();
-  return pictures_[next_];
+  pictures_.take(last_);
+  return pictures_.shown();
 }
 
 }  // namespace fulbito

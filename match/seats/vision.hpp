@@ -2,11 +2,9 @@
 #pragma once
 
 #include <array>
-#include <span>
-#include <vector>
 
 #include "engine/core/base/team.hpp"
-#include "engine/core/math/random.hpp"
+#include "engine/core/models/sensor.hpp"
 #include "match/config/match_config.hpp"
 
 namespace fulbito {
@@ -45,13 +43,11 @@ class Vision {
   void blur(BodyTracks& tracks, Vec2& position, Vec2& velocity);
   void blur(BodyTracks& tracks, double& heading, double& rate);
 
-  VisionModel model_;
   double dt_;
-  Rng random_;
+  Sensor sensor_;
   std::array<BodyTracks, 2 * kMaxTeamSize + 1> tracks_;
-  Sight last_;                   ///< as seen last, each body at its own time
-  std::vector<Sight> pictures_;  ///< ring of the last latency + 1 pictures
-  std::size_t next_ = 0;         ///< place of the oldest picture
+  Sight last_;  ///< as seen last, each body at its own time
+  DelayedPictures<Sight> pictures_;
 };
 
 }  // namespace fulbito

@@ -1,8 +1,6 @@
 #include "match/series/series.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
 
 #include <fmt/format.h>
 
@@ -21,33 +19,27 @@ constexpr Tick kTicksBetweenLooks = 4096;  // about a minute of play
 /// The pairs of a series while several threads play them.
 class Schedule {
  public:
-  Schedule(const SeriesConfig& config, const SeriesProgress& progress)
+  Schedule(const SeriesConfig& config, const SeriesProgress& watcher)
       : config_(config),
-        progress_(progress),
         pairs_(static_cast<std::size_t>(config.pairs)),
-        legs_done_(pairs_.size() * 2, 0) {
+        legs_done_(pairs_.size() * 2, 0),
+        progress_(watcher, legs_done_.size()) {
     for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i].seed = seedOfPair(config.match.seed, i);
   }
 
-  std::size_t legs() const { return legs_done_.size(); }
-  /// Plays one; false when the series shall stop.
-  bool playLeg(std::size_t leg);
-
-  Result<SeriesResult> result();
+  /// Plays the legs. Errors: of a match; kInterrupted when stopped.
+  Result<void> play();
+  /// Of what was played.
+  SeriesResult result();
 
  private:
   MatchConfig configOf(std::size_t leg) const;
-  bool look(std::size_t newly_done);
-  bool failWith(const Error& error);
+  Result<void> playLeg(std::size_t leg);
 
   const SeriesConfig& config_;
-  const SeriesProgress& progress_;
   std::vector<PairRecord> pairs_;
   std::vector<char> legs_done_;
-  std::atomic<bool> stop_{false};
-  std::mutex mutex_;
-  std::size_t done_ = 0;
-  std::optional<Error> error_;
+  WorkProgress progress_;
 };
 
 MatchConfig Schedule::configOf(std::size_t leg) const {
@@ -57,33 +49,25 @@ MatchConfig Schedule::configOf(std::size_t leg) const {
   return config;
 }
 
-// Tells how far the series is, one thread at a time; false when it shall stop.
-bool Schedule::look(std::size_t newly_done) {
-  const std::scoped_lock lock(mutex_);
-  done_ += newly_done;
-  if (!stop_ && progress_ && !progress_(done_, legs_done_.size())) stop_ = true;
-  return !stop_;
+Result<void> Schedule::play() {
+  return parallelFor(config_.jobs, legs_done_.size(), progress_,
+                     [this](std::size_t leg) { return playLeg(leg); });
 }
 
-bool Schedule::failWith(const Error& error) {
-  const std::scoped_lock lock(mutex_);
-  if (!error_) error_ = error;
-  stop_ = true;
-  return false;
-}
-
-bool Schedule::playLeg(std::size_t leg) {
+Result<void> Schedule::playLeg(std::size_t leg) {
   auto match = Match::create(configOf(leg));
-  if (!match) return failWith(match.error());
+  if (!match) return tl::unexpected<Error>(match.error());
   FoulGoalCounter fouls;
   match->watch(fouls);
   while (match->step()) {
-    if (match->tick() % kTicksBetweenLooks == 0 && !look(0)) return false;
+    if (match->tick() % kTicksBetweenLooks == 0 && !progress_.goesOn()) {
+      return fail(ErrorCode::kInterrupted, "interrupted");
+    }
   }
   pairs_[leg / 2].legs[leg % 2] = {match->referee().score, fouls.goals(), match->tick(), match->hash(),
                                    match->faults()};
   legs_done_[leg] = 1;
-  return look(1);
+  return {};
 }
 
 void count(SeriesResult& result) {
@@ -106,8 +90,7 @@ void count(SeriesResult& result) {
   result.goal_difference = meanInterval(differences);
 }
 
-Result<SeriesResult> Schedule::result() {
-  if (error_) return tl::unexpected<Error>(*error_);
+SeriesResult Schedule::result() {
   SeriesResult result;
   const auto missing = std::find(legs_done_.begin(), legs_done_.end(), 0);
   const auto complete = static_cast<std::size_t>(missing - legs_done_.begin()) / 2;
@@ -147,7 +130,8 @@ std::uint64_t seedOfPair(std::uint64_t series_seed, std::uint64_t pair) {
 Result<SeriesResult> playSeries(const SeriesConfig& config, const SeriesProgress& progress) {
   if (auto checked = checkRanges(config); !checked) return tl::unexpected<Error>(checked.error());
   Schedule schedule(config, progress);
-  forEachTask(config.jobs, schedule.legs(), [&](std::size_t leg) { return schedule.playLeg(leg); });
+  const auto played = schedule.play();
+  if (!played && played.error().code != ErrorCode::kInterrupted) return tl::unexpected<Error>(played.error());
   return schedule.result();
 }
 

@@ -1,6 +1,5 @@
-#include "referee/calls/attackers.hpp"
-
 #include "referee/calls/area_crowd.hpp"
+#include "referee/calls/calls.hpp"
 #include "referee/calls/detector_support.hpp"
 
 namespace fulbito {

@@ -1,7 +1,6 @@
 #include "referee/calls/decide_area_fouls.hpp"
 
-#include "referee/calls/attackers.hpp"
-#include "referee/calls/defenders.hpp"
+#include "referee/calls/calls.hpp"
 #include "referee/calls/detector_support.hpp"
 
 namespace fulbito {

@@ -1,14 +1,9 @@
 #include "referee/calls/detectors.hpp"
 
+#include "referee/calls/calls.hpp"
 #include "referee/calls/decide_area_fouls.hpp"
 #include "referee/calls/detector_support.hpp"
-#include "referee/calls/goal.hpp"
-#include "referee/calls/holding.hpp"
-#include "referee/calls/keeper_charged.hpp"
-#include "referee/calls/keeper_holding.hpp"
 #include "referee/calls/note_presence.hpp"
-#include "referee/calls/push.hpp"
-#include "referee/calls/stuck_ball.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,5 +1,4 @@
-#include "referee/calls/keeper_holding.hpp"
-
+#include "referee/calls/calls.hpp"
 #include "referee/calls/detector_support.hpp"
 #include "referee/calls/note_presence.hpp"
 #include "referee/geometry/ball_gap.hpp"

@@ -1,5 +1,4 @@
-#include "referee/calls/push.hpp"
-
+#include "referee/calls/calls.hpp"
 #include "referee/calls/detector_support.hpp"
 
 namespace fulbito {

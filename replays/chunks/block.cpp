@@ -5,8 +5,6 @@
 
 namespace fulbito {
 
-std::uint64_t headerSeed(std::uint32_t version) { return version < 3 ? 0 : version; }
-
 std::uint64_t blockSeed(std::uint64_t header_checksum, std::uint64_t number) {
   return header_checksum + number;
 }

@@ -11,6 +11,7 @@
 
 #include "replays/coding/byte_io.hpp"
 #include "replays/coding/compression.hpp"
+#include "replays/recording/recording.hpp"
 
 /// A file is its magic number and version, then blocks. A block is a checksum (8 bytes), type, codec, size as
 /// stored and size unpacked (4 each), then its bytes; the checksum covers all that follows it in the block.
@@ -54,8 +55,8 @@ struct Block {
   std::size_t end() const { return offset + kBlockHeadSize + payload.size(); }
 };
 
-/// The seed of the header's checksum: from version 3 on a damaged version is noticed by it.
-std::uint64_t headerSeed(std::uint32_t version);
+/// The seed of the header's checksum: a header of another format is none of this one.
+inline constexpr std::uint64_t kHeaderSeed = kRecordingVersion;
 /// The seed of any other block's checksum: no block can stand in another's place or come from another file.
 std::uint64_t blockSeed(std::uint64_t header_checksum, std::uint64_t number);
 

@@ -76,7 +76,7 @@ class ChunkBuilder {
   void putStored(std::uint8_t id, BytesView part);
   void putList(std::uint8_t id, const List& list, Compressor& compressor);
   template <typename Pack>
-  void putModelled(std::uint8_t id, Codec codec, const Columns& table, const Pack& pack);
+  void putModelled(std::uint8_t id, const Columns& table, const Pack& pack);
   void startNext();
 
   RecordingHeader header_;

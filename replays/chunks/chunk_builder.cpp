@@ -215,11 +215,11 @@ void ChunkBuilder::putList(std::uint8_t id, const List& list, Compressor& compre
 }
 
 template <typename Pack>
-void ChunkBuilder::putModelled(std::uint8_t id, Codec codec, const Columns& table, const Pack& pack) {
+void ChunkBuilder::putModelled(std::uint8_t id, const Columns& table, const Pack& pack) {
   if (table.rows() == 0 || table.columns() == 0) return;
   const std::size_t begin = body_.size();
   pack();
-  sections_.push_back({id, codec, table.columns() * table.rows(), body_.size() - begin});
+  sections_.push_back({id, Codec::kModelled, table.columns() * table.rows(), body_.size() - begin});
 }
 
 void ChunkBuilder::pack(Compressor& compressor, Bytes& out) {
@@ -228,7 +228,7 @@ void ChunkBuilder::pack(Compressor& compressor, Bytes& out) {
   body_.clear();
   sections_.clear();
   putList(id_of(SectionId::kPlays), play_list_, compressor);
-  putModelled(id_of(SectionId::kCommands), Codec::kUnits, commands_,
+  putModelled(id_of(SectionId::kCommands), commands_,
               [&] { packCommands(commands_, header_.command_model, body_); });
   const BytesView exact = exact_commands_, runs = runs_;
   if (!exact.empty()) putSection(id_of(SectionId::kCommands), {&exact, 1}, compressor);
@@ -237,8 +237,7 @@ void ChunkBuilder::pack(Compressor& compressor, Bytes& out) {
   putStored(id_of(SectionId::kChecks), checks_);
   putList(id_of(SectionId::kEvents), events_, compressor);
   putList(id_of(SectionId::kDrawings), drawings_, compressor);
-  putModelled(id_of(SectionId::kSamples), Codec::kModelled, samples_,
-              [&] { packSamples(samples_, header_, body_); });
+  putModelled(id_of(SectionId::kSamples), samples_, [&] { packSamples(samples_, header_, body_); });
   writeHead(out);
   out.append(body_);
   startNext();

@@ -16,11 +16,10 @@ enum class SectionId : std::uint8_t {
   kCommands,
   kTickHashes,
   kPlaying,
-  kShortChecks,  ///< before version 4
+  kChecks,
   kEvents,
   kDrawings,
-  kSamples,
-  kChecks
+  kSamples
 };
 
 /// Columns of one body in the table of samples: a ball has no heading.

@@ -101,17 +101,15 @@ class ChunkParser {
     if (section->raw > most) return std::nullopt;
     return unpack(section->codec, section->stored, section->raw);
   }
-  /// A section that is a table: by `model(codec, bytes)` where it was packed so, else as version 1 did.
+  /// A section that is a table of so many values, by `model(bytes)`.
   template <typename Model>
-  std::optional<Columns> table(SectionId id, std::size_t columns, std::size_t rows,
-                               const Model& model) const {
+  std::optional<Columns> table(SectionId id, std::size_t values, const Model& model) const {
     const Section* section = find(id);
-    if (section == nullptr) return std::nullopt;
-    if (section->codec >= static_cast<std::uint8_t>(Codec::kModelled)) {
-      return section->raw == columns * rows ? model(Codec{section->codec}, section->stored) : std::nullopt;
+    if (section == nullptr || section->raw != values ||
+        section->codec != static_cast<std::uint8_t>(Codec::kModelled)) {
+      return std::nullopt;
     }
-    const auto bytes = open(id, maxPackedSize(columns, rows));
-    return bytes ? unpackColumns(*bytes, columns, rows) : std::nullopt;
+    return model(section->stored);
   }
 
   /// Reads a section that is a list: `each` takes one item off the reader.
@@ -175,10 +173,9 @@ class ChunkParser {
     chunk_.commands.resize(robots_ * ticks());
     if (values == 0) return find(SectionId::kCommands) == nullptr;
     if (header_.command_step == 0.0) return exactCommands(values);
-    const auto table =
-        this->table(SectionId::kCommands, 2 * robots_, ticks(), [&](Codec codec, BytesView stored) {
-          return unpackCommands(stored, codec, header_.command_model, 2 * robots_, ticks());
-        });
+    const auto table = this->table(SectionId::kCommands, values, [&](BytesView stored) {
+      return unpackCommands(stored, header_.command_model, 2 * robots_, ticks());
+    });
     if (!table) return false;
     for (std::size_t row = 0; row < ticks(); ++row) {
       for (std::size_t robot = 0; robot < robots_; ++robot) {
@@ -222,30 +219,17 @@ class ChunkParser {
   }
 
   bool checks() {
-    // Before version 4: the running hash, of which the ticks have enough, and a byte for each of a body's
-    // hashes.
-    const bool is_short = find(SectionId::kShortChecks) != nullptr;
-    const std::size_t bodies = header_.bodies.size(), each = is_short ? 8 + 2 * bodies : 8 * bodies;
+    const std::size_t bodies = header_.bodies.size(), each = 8 * bodies;
     const Tick every = header_.control_rate;
     const auto expected = static_cast<std::size_t>(multiplesIn(chunk_.first_tick, chunk_.ticks, every));
-    const auto bytes = open(is_short ? SectionId::kShortChecks : SectionId::kChecks, each * expected);
+    const auto bytes = open(SectionId::kChecks, each * expected);
     if (!bytes || bytes->size() != each * expected) return false;
     ByteReader in(*bytes);
     for (std::size_t i = 0; i < expected; ++i) {
       RecordedCheck& check = chunk_.checks.emplace_back();
       check.tick = (chunk_.first_tick / every + 1 + static_cast<Tick>(i)) * every;
       check.bodies.resize(bodies);
-      if (is_short) {
-        check.mask = 0xff;
-        in.bytes(8);
-      }
-      for (BodyHash& hash : check.bodies) {
-        if (is_short) {
-          hash = {in.byte(), in.byte()};
-        } else {
-          hash = {in.fixed<std::uint32_t>(), in.fixed<std::uint32_t>()};
-        }
-      }
+      for (BodyHash& hash : check.bodies) hash = {in.fixed<std::uint32_t>(), in.fixed<std::uint32_t>()};
     }
     return true;
   }
@@ -291,9 +275,8 @@ class ChunkParser {
                           : std::size_t{0};
     const std::size_t columns = sampleColumns(header_);
     if (rows * columns == 0) return find(SectionId::kSamples) == nullptr;
-    const auto table = this->table(SectionId::kSamples, columns, rows, [&](Codec codec, BytesView stored) {
-      return codec == Codec::kModelled ? unpackSamples(stored, header_, rows) : std::nullopt;
-    });
+    const auto table = this->table(SectionId::kSamples, columns * rows,
+                                   [&](BytesView stored) { return unpackSamples(stored, header_, rows); });
     if (!table) return false;
     for (std::size_t row = 0; row < rows; ++row) {
       const Tick tick = (chunk_.first_tick / every + 1 + static_cast<Tick>(row)) * every;
@@ -330,8 +313,8 @@ tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const Reco
 }
 
 std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header) {
-  static constexpr std::array<const char*, 10> kNames{"other",  "plays",  "commands", "hashes",  "clock",
-                                                      "checks", "events", "drawings", "samples", "checks"};
+  static constexpr std::array<const char*, 9> kNames{"other",  "plays",  "commands", "hashes", "clock",
+                                                     "checks", "events", "drawings", "samples"};
   std::vector<SectionSize> sizes;
   const auto layout = layoutOf(payload, header);
   if (!layout) return sizes;

@@ -155,9 +155,9 @@ std::int32_t unitOf(const Columns& table, std::size_t robot) {
   return std::max(unit, 1);
 }
 
-Motors motorsIn(std::int32_t unit, CommandModel model, std::int64_t exact_units) {
+Motors motorsIn(std::int32_t unit, CommandModel model) {
   for (int* steps : {&model.most_change, &model.spin_from, &model.spin_to}) *steps /= unit;
-  return {unit, model, model.most_change / kExactShare + exact_units};
+  return {unit, model, model.most_change / kExactShare + kExactUnits};
 }
 
 }  // namespace
@@ -167,7 +167,7 @@ void packCommands(const Columns& table, const CommandModel& model, Bytes& out) {
   std::vector<Motors> motors(robots);
   ByteWriter head(out);
   for (std::size_t robot = 0; robot < robots; ++robot) {
-    motors[robot] = motorsIn(unitOf(table, robot), model, kExactUnits);
+    motors[robot] = motorsIn(unitOf(table, robot), model);
     head.varint(static_cast<std::uint64_t>(motors[robot].unit));
   }
   RangeEncoder coder(out);
@@ -183,16 +183,15 @@ void packCommands(const Columns& table, const CommandModel& model, Bytes& out) {
   coder.finish();
 }
 
-std::optional<Columns> unpackCommands(BytesView bytes, Codec codec, const CommandModel& model,
-                                      std::size_t columns, std::size_t rows) {
-  if (codec != Codec::kModelled && codec != Codec::kUnits) return std::nullopt;
+std::optional<Columns> unpackCommands(BytesView bytes, const CommandModel& model, std::size_t columns,
+                                      std::size_t rows) {
   const std::size_t robots = columns / 2;
-  std::vector<Motors> motors(robots, motorsIn(1, model, codec == Codec::kUnits ? kExactUnits : 0));
+  std::vector<Motors> motors;
   ByteReader head(bytes);
-  for (std::size_t robot = 0; codec == Codec::kUnits && robot < robots; ++robot) {
+  for (std::size_t robot = 0; robot < robots; ++robot) {
     const auto unit = static_cast<std::int32_t>(head.varint(std::numeric_limits<std::int32_t>::max()));
     if (unit < 1) return std::nullopt;
-    motors[robot] = motorsIn(unit, model, kExactUnits);
+    motors.push_back(motorsIn(unit, model));
   }
   RangeDecoder coder(head.bytes(head.left()));
   CommandCode<RangeDecoder> code(coder);

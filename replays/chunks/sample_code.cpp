@@ -107,7 +107,6 @@ void packSamples(const Columns& table, const RecordingHeader& header, Bytes& out
 }
 
 std::optional<Columns> unpackSamples(BytesView bytes, const RecordingHeader& header, std::size_t rows) {
-  if (header.sample_turn < 1) return std::nullopt;  // version 1 packed in another way
   RangeDecoder coder(bytes);
   SampleCode<RangeDecoder> code(coder, header.sample_turn);
   Bodies bodies(header);

@@ -1,6 +1,8 @@
 // Private header of replays: not installed.
 #pragma once
 
+#include <optional>
+
 #include "replays/coding/byte_io.hpp"
 #include "replays/coding/columns.hpp"
 #include "replays/recording/recording.hpp"

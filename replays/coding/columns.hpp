@@ -3,10 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <vector>
-
-#include "replays/coding/byte_io.hpp"
 
 namespace fulbito {
 
@@ -31,18 +28,11 @@ class Columns {
   std::vector<std::int32_t> values_;
 };
 
-/// The most bytes that such a table takes in a file of version 1.
-std::size_t maxPackedSize(std::size_t columns, std::size_t rows);
-
-/// A table as version 1 kept it: every column as what is left after a prediction from its own past, split
-/// into planes of equal significance. Empty when the bytes are not those of such a table.
-std::optional<Columns> unpackColumns(BytesView bytes, std::size_t columns, std::size_t rows);
-
 /// `value / step` as the nearest whole number; 0 for what is not finite or too large.
 inline std::int32_t wholeSteps(double value, double step) {
   const double steps = value / step;
   if (!(std::abs(steps) < 2147483000.0)) return 0;
-  return static_cast<std::int32_t>(steps + std::copysign(0.5, steps));  // no branch that nobody can foretell
+  return static_cast<std::int32_t>(steps + std::copysign(0.5, steps));  // branch-free: signs are random
 }
 
 }  // namespace fulbito

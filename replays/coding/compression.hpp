@@ -14,8 +14,7 @@ namespace fulbito {
 enum class Codec : std::uint8_t {
   kStored = 0,
   kZstd = 1,
-  kModelled = 2,  ///< of a chunk's commands and samples: a model of their own, see command_code, sample_code
-  kUnits = 3      ///< of commands, from version 3 on: the same, in units that are told first
+  kModelled = 2  ///< of a chunk's commands and samples: a model of their own, see command_code, sample_code
 };
 
 /// Packs bytes with zstd; keeps its tables between calls.

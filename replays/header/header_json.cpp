@@ -239,7 +239,9 @@ std::optional<std::string> flawOf(const RecordingHeader& header) {
   if (!inRange(header.command_model)) return "command_model is out of its ranges";
   if (!(header.sample_step >= 1e-6 && header.sample_step <= 1.0))
     return "sample_step is outside 1e-6 ... 1 m";
-  if (!inRange(header.sample_turn, kMaxSampleTurn)) return "sample_turn is out of its range";
+  if (header.sample_turn < 1 || !inRange(header.sample_turn, kMaxSampleTurn)) {
+    return fmt::format("sample_turn is outside 1 ... {}", kMaxSampleTurn);
+  }
   if (header.bodies.size() > kMaxRecordedBodies) {
     return fmt::format("there are more than {} bodies", kMaxRecordedBodies);
   }
@@ -287,7 +289,7 @@ std::string toJson(const RecordingResult& result) {
                  {"figures", figures}});
 }
 
-tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text, std::uint32_t version) {
+tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text) {
   const auto parsed = parseJson(text);
   if (!parsed) return tl::unexpected(parsed.error());
   const Json& json = *parsed;
@@ -299,14 +301,9 @@ tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text, std::u
   fields.whole("control_rate", 1000, header.control_rate);
   fields.number("command_step", header.command_step);
   fields.whole("sample_every", 1000, header.sample_every);
-  if (version == 1) {
-    header.sample_step = 1e-4;
-    header.sample_turn = 0;
-  } else {
-    fields.number("sample_step", header.sample_step);
-    fields.whole("sample_turn", kMaxSampleTurn, header.sample_turn);
-    if (const Json* model = fields.find("command_model")) readModel(*model, header.command_model, flaw);
-  }
+  fields.number("sample_step", header.sample_step);
+  fields.whole("sample_turn", kMaxSampleTurn, header.sample_turn);
+  if (const Json* model = fields.find("command_model")) readModel(*model, header.command_model, flaw);
   fields.whole("chunk_ticks", kMaxChunkTicks, header.chunk_ticks);
   fields.list("bodies", kMaxRecordedBodies, [&](const Json& body, const std::string& where) {
     header.bodies.push_back(readBody(body, where, flaw));

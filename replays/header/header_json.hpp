@@ -22,8 +22,7 @@ std::optional<std::string> flawOf(const RecordingHeader& header);
 std::string toJson(const RecordingHeader& header);
 std::string toJson(const RecordingResult& result);
 /// @{ Errors say what is wrong, without the file's name. Unknown keys are passed over.
-tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text,
-                                                          std::uint32_t version = kRecordingVersion);
+tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text);
 tl::expected<RecordingResult, std::string> resultFromJson(BytesView text);
 /// @}
 

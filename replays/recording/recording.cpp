@@ -49,9 +49,7 @@ int countOf(const RecordingHeader& header, BodyKind kind) {
                                         [kind](const RecordedBody& body) { return body.kind == kind; }));
 }
 
-double sampleHeadingStep(const RecordingHeader& header) {
-  return header.sample_turn > 0 ? 2.0 * math::kPi / header.sample_turn : 1e-3;
-}
+double sampleHeadingStep(const RecordingHeader& header) { return 2.0 * math::kPi / header.sample_turn; }
 
 Tick drawingTicks(const RecordingHeader& header) {
   return std::max(header.sample_every, header.control_rate / 5);

@@ -19,8 +19,8 @@
 /// and, at the full level, where everything was, so that a viewer needs no physics.
 namespace fulbito {
 
-/// Version of the file format that this library writes. It reads this one and all before it.
-inline constexpr std::uint32_t kRecordingVersion = 4;
+/// The file format that this library writes and reads.
+inline constexpr std::uint32_t kRecordingVersion = 1;
 
 /// What was recorded. The names stand in files: match, trial.
 enum class RecordingKind : std::uint8_t { kMatch, kTrial };
@@ -77,7 +77,7 @@ struct RecordingHeader {
   CommandModel command_model;
   int sample_every = 2;              ///< ticks between sampled states
   double sample_step = 5e-4;         ///< [m] sampled places are multiples of it
-  int sample_turn = 1024;            ///< steps of a turn; sampled headings are whole steps. 0: version 1
+  int sample_turn = 1024;            ///< steps of a turn; sampled headings are whole steps
   int chunk_ticks = 360;             ///< ticks that are lost at most when the file is cut
   std::vector<RecordedBody> bodies;  ///< robots, then balls, then obstacles
   RecordingRecipe recipe;
@@ -148,11 +148,7 @@ struct BodyHash {
 /// Hashes of one state, body by body, kept once a second.
 struct RecordedCheck {
   Tick tick = 0;
-  std::uint32_t mask = 0xffffffff;  ///< bits that were kept of each hash: before version 4 only the lowest 8
-  std::vector<BodyHash> bodies;     ///< one a body of the header; 0 of an absent one
-
-  /// What is kept of a hash.
-  BodyHash kept(BodyHash hash) const { return {hash.place & mask, hash.motion & mask}; }
+  std::vector<BodyHash> bodies;  ///< one per body of the header; 0 of an absent one
 };
 
 /// Where the bodies were, rounded to the header's steps.

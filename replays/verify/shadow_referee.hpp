@@ -53,7 +53,6 @@ struct RuleAgreement {
   std::int64_t same = 0, a_earlier = 0, b_earlier = 0, only_a = 0, only_b = 0;
   std::int64_t different = 0;         ///< where the other called something else
   double a_lead = 0.0, b_lead = 0.0;  ///< [s] mean, where one was earlier
-  std::int64_t disagreements() const { return a_earlier + b_earlier + only_a + only_b + different; }
 };
 
 /// Two different calls, and how often they met.

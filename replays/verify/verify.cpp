@@ -82,7 +82,7 @@ class Verifier final : public ReplayVisitor {
 
   void nameByHash(const ReplayedTick& tick, const RecordedCheck& check) {
     for (std::size_t i = 0; i < tick.bodies.size(); ++i) {
-      const BodyHash now = check.kept(bodyHash(tick.world->state(), i)), then = check.bodies[tick.bodies[i]];
+      const BodyHash now = bodyHash(tick.world->state(), i), then = check.bodies[tick.bodies[i]];
       if (now == then) continue;
       if (!found_->body) nameBody(tick.bodies[i], tick.tick, now.place != then.place ? "place" : "motion");
       ++found_->bodies;

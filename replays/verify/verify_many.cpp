@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <mutex>
 
 #include <fmt/format.h>
 
@@ -32,22 +31,21 @@ Result<std::vector<std::string>> recordingFiles(const std::vector<std::string>& 
 
 Result<std::vector<VerifiedFile>> verifyRecordings(
     const std::vector<std::string>& files, int jobs,
-    const std::function<bool(std::size_t done, std::size_t total)>& progress) {
+    const std::function<bool(std::size_t done, std::size_t total)>& watcher) {
   std::vector<VerifiedFile> results;
   results.reserve(files.size());
   for (const std::string& file : files) results.push_back({file, Verification{}});
-  std::size_t done = 0;
-  std::mutex mutex;
-  forEachTask(jobs, files.size(), [&](std::size_t i) {
+  WorkProgress progress(watcher, files.size());
+  const auto done = parallelFor(jobs, files.size(), progress, [&](std::size_t i) -> Result<void> {
     auto verified = verifyRecording(files[i]);
-    const std::scoped_lock lock(mutex);
-    // One that was broken off is not done.
-    if (!verified && verified.error().code == ErrorCode::kInterrupted) return false;
+    // A bad file is a result; one that was broken off is none.
+    if (!verified && verified.error().code == ErrorCode::kInterrupted) {
+      return tl::unexpected<Error>(verified.error());
+    }
     results[i].result = std::move(verified);
-    ++done;
-    return !progress || progress(done, files.size()) || done == files.size();
+    return {};
   });
-  if (done < files.size()) return fail(ErrorCode::kInterrupted, "interrupted");
+  if (!done) return tl::unexpected<Error>(done.error());
   return results;
 }
 

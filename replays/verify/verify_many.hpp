@@ -18,10 +18,10 @@ struct VerifiedFile {
 /// Errors: kIo for what is not there or cannot be listed.
 Result<std::vector<std::string>> recordingFiles(const std::vector<std::string>& files_or_folders);
 
-/// Verifies each on `jobs` threads (0: all cores); results come in the order of the files. `progress` hears
-/// how many are done, and ends the run by returning false. Errors: kInterrupted.
+/// Verifies each on `jobs` threads (0: all cores); results come in the order of the files. `watcher` hears
+/// how many are done, and stops the run by returning false. Errors: kInterrupted.
 Result<std::vector<VerifiedFile>> verifyRecordings(
     const std::vector<std::string>& files, int jobs,
-    const std::function<bool(std::size_t done, std::size_t total)>& progress);
+    const std::function<bool(std::size_t done, std::size_t total)>& watcher);
 
 }  // namespace fulbito

@@ -1,4 +1,4 @@
-// Prints, for small pictures of the oldest golden recording and of one trial's layout, their size and a hash
+// Prints, for small pictures of the golden recording and of one trial's layout, their size and a hash
 // over all their pixels: dark and light, with every kind of overlay.
 #include <cinttypes>
 #include <cstdio>

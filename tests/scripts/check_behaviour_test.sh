@@ -3,12 +3,8 @@
 # scripts/check-behaviour.sh to tell them apart. Usage: check_behaviour_test.sh PROJECT
 set -euo pipefail
 project=$1
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-unset FULBITO_BASE
-export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
-export GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
-failures=0
+# shellcheck source=tests/scripts/small_repository.sh
+. "$project"/tests/scripts/small_repository.sh
 
 # behaves SIGNATURE: the program prints it from now on, and the golden file says so too.
 behaves() {
@@ -28,8 +24,7 @@ expect() {
   local output status=0
   output=$(scripts/check-behaviour.sh "$tree/program" 2>&1) || status=$?
   if ((status != $1)) || [[ $output != *"$2"* ]]; then
-    echo "FAILED: $3: exit code $status instead of $1, or no '$2' in: $output"
-    failures=$((failures + 1))
+    failed "$3: exit code $status instead of $1, or no '$2' in: $output"
   fi
 }
 
@@ -67,8 +62,4 @@ FULBITO_BASE=HEAD expect 0 'golden hashes are those of' 'another base'
 FULBITO_BASE=none expect 1 'no commit message names' 'no base'
 FULBITO_BASE=nothing expect 2 'names no commit' 'a base that is none'
 
-if ((failures > 0)); then
-  echo "$failures failures" >&2
-  exit 1
-fi
-echo 'check-behaviour tells them apart'
+finish 'check-behaviour tells them apart'

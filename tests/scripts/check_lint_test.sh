@@ -3,20 +3,15 @@
 # Usage: check_lint_test.sh PROJECT
 set -euo pipefail
 project=$1
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
-unset FULBITO_BASE
-export GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null
-export GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a@b GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a@b
-failures=0
+# shellcheck source=tests/scripts/small_repository.sh
+. "$project"/tests/scripts/small_repository.sh
 
 # expect FILES NAME [OPTIONS...]
 expect() {
   local chosen name=$2
   chosen=$(scripts/check-lint.sh --list "${@:3}" | tr '\n' ' ')
   if [[ $chosen != "$1 " && $chosen != "$1" ]]; then
-    echo "FAILED: $name: '$chosen' instead of '$1'"
-    failures=$((failures + 1))
+    failed "$name: '$chosen' instead of '$1'"
   fi
 }
 
@@ -56,8 +51,4 @@ FULBITO_BASE=HEAD expect 'engine/core/base.cpp match/rule.cpp' 'what includes a 
 touch .clang-tidy
 FULBITO_BASE=HEAD expect 'engine/core/base.cpp match/other.cpp match/rule.cpp' 'the checks changed' release
 
-if ((failures > 0)); then
-  echo "$failures failures" >&2
-  exit 1
-fi
-echo 'check-lint chooses what it should'
+finish 'check-lint chooses what it should'

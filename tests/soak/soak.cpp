@@ -6,16 +6,15 @@
 // The memory's growth counts from the end of the first round over all pairings. Exit code 0: all is well; 1:
 // not.
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <unistd.h>
 #include <vector>
 
+#include "engine/core/system/worker_threads.hpp"
 #include "match/play/match.hpp"
 
 namespace {
@@ -60,13 +59,11 @@ class Soak {
 
   /// Plays the matches from `first` to before `last`.
   void play(std::size_t first, std::size_t last, int jobs) {
-    next_ = first;
-    std::vector<std::jthread> workers;
-    for (int job = 0; job < jobs; ++job) {
-      workers.emplace_back([this, last] {
-        for (std::size_t i = next_++; i < last; i = next_++) playOne(i);
-      });
-    }
+    WorkProgress progress({}, last - first);
+    (void)parallelFor(jobs, last - first, progress, [&](std::size_t i) -> Result<void> {
+      playOne(first + i);
+      return {};
+    });
   }
 
   std::size_t warmUp() const { return std::min(pairings_.size(), matches_); }
@@ -109,7 +106,6 @@ class Soak {
 
   std::size_t matches_;
   std::vector<MatchConfig> pairings_;
-  std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
   int failures_ = 0;
   std::int64_t ticks_ = 0, goals_ = 0, restarts_ = 0, rejected_ = 0;
@@ -120,7 +116,7 @@ class Soak {
 int main(int argc, char** argv) {
   const int matches = argc > 1 ? std::atoi(argv[1]) : 0;
   const double half_seconds = argc > 2 ? std::atof(argv[2]) : 300.0;
-  const int jobs = argc > 3 ? std::atoi(argv[3]) : static_cast<int>(std::thread::hardware_concurrency());
+  const int jobs = argc > 3 ? std::atoi(argv[3]) : fulbito::threadsFor(0, 1024);
   if (matches < 1 || !(half_seconds > 0.0) || jobs < 1) {
     std::fprintf(stderr, "usage: soak MATCHES [HALF_SECONDS] [JOBS]\n");
     return 2;

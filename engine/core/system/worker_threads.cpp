@@ -4,9 +4,10 @@
 #include <atomic>
 #include <csignal>
 #include <exception>
-#include <mutex>
+#include <optional>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace fulbito {
@@ -48,6 +49,24 @@ class FirstException {
   std::exception_ptr first_;
 };
 
+/// The error of the first failed task. One that was only broken off counts after all others.
+class FirstError {
+ public:
+  void take(std::size_t task, const Error& error) {
+    const std::scoped_lock lock(mutex_);
+    const std::pair rank{error.code == ErrorCode::kInterrupted, task};
+    if (error_ && rank_ < rank) return;
+    rank_ = rank;
+    error_ = error;
+  }
+  const std::optional<Error>& error() const { return error_; }
+
+ private:
+  std::mutex mutex_;
+  std::pair<bool, std::size_t> rank_;
+  std::optional<Error> error_;
+};
+
 /// As many threads as the system gives.
 std::vector<std::jthread> start(int threads, const std::function<void()>& call) {
   std::vector<std::jthread> started;
@@ -67,19 +86,47 @@ std::vector<std::jthread> start(int threads, const std::function<void()>& call) 
 
 }  // namespace
 
+WorkProgress::WorkProgress(WorkWatcher watcher, std::size_t total)
+    : watcher_(std::move(watcher)), total_(total) {}
+
+bool WorkProgress::tell(std::size_t finished) {
+  const std::scoped_lock lock(mutex_);
+  done_ += finished;
+  if (!stopped_ && watcher_ && !watcher_(done_, total_)) stopped_ = true;
+  return !stopped_;
+}
+
+bool WorkProgress::stopped() const {
+  const std::scoped_lock lock(mutex_);
+  return stopped_;
+}
+
 int threadsFor(int jobs, std::size_t tasks) {
   const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const auto wanted = static_cast<std::size_t>(jobs > 0 ? jobs : cores);
   return static_cast<int>(std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(tasks, 1)));
 }
 
-void forEachTask(int jobs, std::size_t count, const std::function<bool(std::size_t)>& task) {
-  std::atomic<std::size_t> next{0};
-  std::atomic<bool> stop{false};
+Result<void> parallelFor(int jobs, std::size_t count, WorkProgress& progress,
+                         const std::function<Result<void>(std::size_t)>& task) {
+  std::atomic<std::size_t> next{0}, done{0};
+  std::atomic<bool> stop{progress.stopped()};
+  FirstError first;
+  const auto run = [&](std::size_t i) {
+    if (const auto result = task(i); !result) {
+      first.take(i, result.error());
+      return false;
+    }
+    ++done;
+    return progress.finishedOne();
+  };
   const auto work = [&] {
     try {
-      for (std::size_t i = next++; i < count && !stop; i = next++) {
-        if (!task(i)) stop = true;
+      // Whoever takes a task runs it: a stop in between would leave one out before another that failed.
+      while (!stop) {
+        const std::size_t i = next++;
+        if (i >= count) return;
+        if (!run(i)) stop = true;
       }
     } catch (...) {
       stop = true;
@@ -87,6 +134,9 @@ void forEachTask(int jobs, std::size_t count, const std::function<bool(std::size
     }
   };
   runBeside(threadsFor(jobs, count) - 1, work, [&work](int) { work(); });
+  if (first.error()) return tl::unexpected<Error>(*first.error());
+  if (done < count) return fail(ErrorCode::kInterrupted, "interrupted");
+  return {};
 }
 
 void runBeside(int threads, const std::function<void()>& work,

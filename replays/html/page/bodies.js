@@ -32,9 +32,9 @@ function paintRobot(ctx, view, body, x, y, heading, colour) {
   ctx.lineWidth = Math.max(1, length * 0.05);
   ctx.strokeStyle = team === undefined ? colours.ink : colours.edge[team];
   ctx.stroke();
-  ctx.fillStyle = '#454c55';
+  ctx.fillStyle = colours.wheel;
   for (const side of [-0.49, 0.4]) ctx.fillRect(-length * 0.23, width * side, length * 0.46, width * 0.09);
-  ctx.fillStyle = team === 1 ? colours.badge[1] : '#fff';
+  ctx.fillStyle = team === undefined ? '#fff' : colours.badge[team];
   ctx.beginPath();
   ctx.moveTo(length * 0.44, -width * 0.18);
   ctx.lineTo(length * 0.44, width * 0.18);

@@ -1,18 +1,17 @@
 // Part 4: colours, and the view that turns metres into pixels.
 
-const kSeries = ['#56b4e9', '#e69f00', '#009e73', '#f0e442', '#6e46ff', '#d55e00', '#cc79a7', '#3fe0d8', '#cc00cc',
-  '#ffbb99', '#aa77ff', '#aa5599'];
-
+const kSeries = [];
 const colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
-  for (const name of ['page', 'text', 'dim', 'wall', 'floor', 'line', 'ball', 'seam', 'blue', 'yellow', 'ink', 'obstacle', 'goal',
-    'bad', 'trail']) colours[name] = style.getPropertyValue(`--${name}`).trim();
+  const read = (name) => style.getPropertyValue(`--${name}`).trim();
+  for (const name of ['page', 'text', 'dim', 'wall', 'floor', 'line', 'ball', 'seam', 'wheel', 'blue', 'yellow', 'ink', 'obstacle',
+    'goal', 'bad', 'trail']) colours[name] = read(name);
   colours.team = [colours.blue, colours.yellow];
   colours.trails = [colours.blue, colours.trail];
-  colours.badge = ['#fff', '#2c2204'];
-  colours.digit = ['#0e347a', '#ffe278'];
-  colours.edge = ['#082659', '#684800'];
+  for (const part of ['edge', 'badge', 'digit']) colours[part] = [read(`blue-${part}`), read(`yellow-${part}`)];
+  kSeries.length = 0;
+  for (let i = 0, colour; (colour = read(`series-${i}`)) !== ''; ++i) kSeries.push(colour);
 }
 
 /** Black or white, whichever can be read on a colour of the form #rrggbb. */

@@ -1,26 +1,10 @@
 #include "replays/render/colours/palette.hpp"
 
-#include <array>
+#include "replays/render/colours/shared_colours.hpp"
 
 namespace fulbito {
-namespace {
 
-// Okabe and Ito's set for colour-blind readers (an indigo for their dark blue, no black), then
-// five that keep as far from those and each other as can be in normal, protan, deutan and tritan vision.
-constexpr std::array<Colour, kSeriesColours> kSeries{{{86, 180, 233},
-                                                      {230, 159, 0},
-                                                      {0, 158, 115},
-                                                      {240, 228, 66},
-                                                      {110, 70, 255},
-                                                      {213, 94, 0},
-                                                      {204, 121, 167},
-                                                      {63, 224, 216},
-                                                      {204, 0, 204},
-                                                      {255, 187, 153},
-                                                      {170, 119, 255},
-                                                      {170, 85, 153}}};
-
-}  // namespace
+static_assert(kSeries.size() == kSeriesColours);
 
 Colour seriesColour(std::size_t index) { return kSeries[index % kSeries.size()]; }
 

@@ -122,10 +122,6 @@ Vec2 MatchPicture::toField(Vec2 pixel) const {
   return Vec2{p.x, -p.y} / impl_->plan.pixels_per_metre;
 }
 
-Vec2 MatchPicture::toPixel(Vec2 place) const {
-  return impl_->plan.centre + Vec2{place.x, -place.y} * impl_->plan.pixels_per_metre;
-}
-
 bool MatchPicture::onTimeBar(Vec2 pixel) const {
   return impl_->spec.seconds > 0.0 && pixel.y >= impl_->plan.height - impl_->plan.foot;
 }

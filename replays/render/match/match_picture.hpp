@@ -74,10 +74,8 @@ class MatchPicture {
   Result<Canvas> canvas() const;
   /// Draws a moment over all of `canvas`, which must come from `canvas()`.
   void drawFrame(Canvas& canvas, const ReplayMoment& moment, const MatchOverlays& overlays = {}) const;
-  /// @{ Between pixels of the picture and metres of the field, for what a user points at.
+  /// The place [m] of a pixel, for what a user points at.
   Vec2 toField(Vec2 pixel) const;
-  Vec2 toPixel(Vec2 place) const;
-  /// @}
   /// Whether a pixel is on the bar of time, or near enough to mean it.
   bool onTimeBar(Vec2 pixel) const;
   /// The time [s] for which a column of the bar of time stands; beyond its ends: the nearest one.

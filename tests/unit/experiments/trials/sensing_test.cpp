@@ -71,6 +71,33 @@ TEST_CASE("noise has the standard deviation asked for and belongs to the trial's
   CHECK(std::sqrt(square / n) == Approx(0.004).epsilon(0.05));
 }
 
+TEST_CASE("a body that drops out stays where it was seen last; at the start all are seen", "[unit]") {
+  SensorModel sensors;
+  sensors.dropout = 0.3;
+  TrialConfig config = configWith(sensors);
+  const int n = 4000;
+  int stale_robot = 0, stale_obstacle = 0;
+  for (config.index = 0; config.index < 20; ++config.index) {
+    Sensing sensing(config);
+    double robot = 0.0, obstacle = 0.0;
+    for (int i = 0; i < n / 20; ++i) {
+      const double x = 0.001 * (i + 1);
+      sensing.observe(worldAt(x, {-x, 0.3}, {}));
+      const double robot_now = sensing.robot().pose.position.x,
+                   obstacle_now = sensing.obstacles()[0].position.x;
+      REQUIRE((robot_now == x || (i > 0 && robot_now == robot)));
+      REQUIRE((obstacle_now == -x || (i > 0 && obstacle_now == obstacle)));
+      stale_robot += robot_now == x ? 0 : 1;
+      stale_obstacle += obstacle_now == -x ? 0 : 1;
+      robot = robot_now;
+      obstacle = obstacle_now;
+    }
+  }
+  // Four standard deviations of a binomial count are 116.
+  CHECK(stale_robot == Approx(0.3 * n).margin(116));
+  CHECK(stale_obstacle == Approx(0.3 * n).margin(116));
+}
+
 TEST_CASE("boxes are covered by discs", "[unit]") {
   ObstacleSpec box;
   box.shape = ObstacleShape::kBox;

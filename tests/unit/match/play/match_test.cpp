@@ -153,11 +153,11 @@ TEST_CASE("what cannot be played is refused with the reason", "[unit]") {
   CHECK(refusal([](MatchConfig& c) { c.rules.team_size = 12; }) ==
         "team size of the rules: 12 is outside 1 ... 11");
   CHECK(refusal([](MatchConfig& c) { c.vision.latency_ticks = 61; }) ==
-        "vision latency: 61 is outside 0 ... 60 ticks");
+        "latency: 61 is outside 0 ... 60 ticks");
   CHECK(refusal([](MatchConfig& c) { c.vision.position_noise = -1.0; }) ==
-        "position noise: -1 is outside 0 ... 0.1 m");
-  CHECK(refusal([](MatchConfig& c) { c.vision.heading_noise = 2.0; }) ==
-        "heading noise: 2 is outside 0 ... 1 rad");
+        "noise: -1 is outside 0 ... 0.1 m");
+  CHECK(refusal([](MatchConfig& c) { c.vision.heading_noise = 7.0; }) ==
+        "heading noise: 7 is outside 0 ... 6.283 rad");
   CHECK(refusal([](MatchConfig& c) { c.vision.dropout = 1.0; }) ==
         "vision drop-out: 1 is outside 0 ... 0.99");
   CHECK(refusal([](MatchConfig& c) { c.decision_work = -1; }) == "decision work: -1 is below 0");

@@ -141,7 +141,7 @@ TEST_CASE("what a series cannot play is refused", "[unit]") {
   CHECK(playSeries(config).error().message == "jobs: -1 is outside 0 ... 1024");
   config.jobs = 2;
   config.match.vision.dropout = 2.0;
-  CHECK(playSeries(config).error().message == "vision drop-out: 2 is outside 0 ... 0.99");
+  CHECK(playSeries(config).error().message == "dropout: 2 is outside 0 ... 0.99");
 }
 
 }  // namespace fulbito

@@ -1,5 +1,8 @@
 #include "replays/html/html_page.hpp"
 
+#include <algorithm>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "replays/html/base64.hpp"
@@ -41,6 +44,23 @@ TEST_CASE("a page is whole: every part is in its place", "[unit]") {
   const std::string columns = test::inflated(packed, meta["payload"]["raw"]);
   CHECK(columns == packedColumns(test::sampleScene()));
   CHECK(meta["payload"]["crc"] == crc32Of(columns));
+}
+
+TEST_CASE("the page has the colours that pictures have", "[unit]") {
+  const std::string html = pageOf(PageKind::kReplay, {test::sampleScene()});
+  const std::string light = between(html, ":root {", "}");
+  const std::string dark = between(html, ":root[data-theme=\"dark\"] {", "}");
+  const auto has = [](const std::string& variables, std::string name, unsigned rgb) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    return variables.find(fmt::format(" --{}: #{:06x};", name, rgb)) != std::string::npos;
+  };
+#define SHARED_COLOUR(name, light_rgb, dark_rgb) \
+  CHECK(has(light, #name, light_rgb));           \
+  CHECK(has(dark, #name, dark_rgb));
+#define SERIES_COLOUR(number, rgb) CHECK(has(light, "series-" #number, rgb));
+#include "replays/render/colours/shared_colours.def"
+#undef SHARED_COLOUR
+#undef SERIES_COLOUR
 }
 
 TEST_CASE("the security policy names digests of what the page runs", "[unit]") {

@@ -14,7 +14,7 @@ struct Golden {
 };
 
 Golden golden() {
-  auto recording = RecordingReader::open(FULBITO_GOLDEN_RECORDINGS "/v1.fbr");
+  auto recording = RecordingReader::open(FULBITO_GOLDEN_RECORDINGS "/chaser-idle.fbr");
   REQUIRE(recording);
   auto timeline = ReplayTimeline::read(*recording);
   REQUIRE(timeline);

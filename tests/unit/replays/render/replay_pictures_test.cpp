@@ -48,7 +48,7 @@ TEST_CASE("a heat map is hot where the ball was", "[unit]") {
   const auto map = drawHeatMap(timeline, specOf(timeline), {{4}, "the ball", 0.0, 20.0});
   REQUIRE(map);
   const auto heat = [&](Vec2 place) {
-    const Vec2 pixel = picture->toPixel(place);
+    const Vec2 pixel = pixelOf(*picture, place);
     return lightness(map->pixel(static_cast<int>(pixel.x), static_cast<int>(pixel.y)));
   };
   CHECK(heat({0.3, 0.1}) > 4.0 * heat({0.3, -0.3}));

@@ -5,6 +5,7 @@
 #include "engine/core/math/math.hpp"
 #include "replays/render/field/bar_chart.hpp"
 #include "replays/render/field/field_picture.hpp"
+#include "replays/render/match/match_plan.hpp"
 
 namespace fulbito::test {
 
@@ -45,6 +46,12 @@ inline FieldPicture cornerPicture() {
     picture.layout.obstacles.push_back(disc(p));
   }
   return picture;
+}
+
+/// Where a place of the field is in a match's picture.
+inline Vec2 pixelOf(const MatchPicture& picture, Vec2 place) {
+  const MatchPlan plan = planOf(picture.spec());
+  return plan.centre + Vec2{place.x, -place.y} * plan.pixels_per_metre;
 }
 
 inline bool same(Colour a, Colour b) { return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a; }

@@ -59,19 +59,17 @@ TEST_CASE("many recordings are verified at once, the same for any number of jobs
   CHECK(stopped.error().code == ErrorCode::kInterrupted);
 }
 
-// They were made when bodies still overlapped and each wheel was limited on its own: today's matches differ.
-TEST_CASE("recordings of every version of the format can be played again", "[unit]") {
+// It was made when bodies still overlapped and each wheel was limited on its own: today's matches differ.
+TEST_CASE("a recording of other physics is played again, and found to differ", "[unit]") {
   const auto files = recordingFiles({FULBITO_GOLDEN_RECORDINGS});
   REQUIRE(files);
-  CHECK(files->size() == kRecordingVersion);
+  REQUIRE(files->size() == 1);
   const auto verified = verifyRecordings(*files, 1, nullptr);
   REQUIRE(verified);
-  for (const VerifiedFile& file : *verified) {
-    INFO(file.file);
-    REQUIRE(file.result);
-    CHECK_FALSE(file.result->same());
-    CHECK(file.result->final_hash != 0xbd119ad0e1f45b69u);
-  }
+  const auto& result = verified->front().result;
+  REQUIRE(result);
+  CHECK_FALSE(result->same());
+  CHECK(result->final_hash != 0xbd119ad0e1f45b69u);
 }
 
 }  // namespace fulbito

@@ -77,15 +77,15 @@ TEST_CASE("bodies are where they are, in their colours", "[unit]") {
     const ReplayMoment moment = apart();
     const Canvas canvas = drawn(spec, moment);
     const MatchStyle& style = styleOf(theme);
-    CHECK(same(at(canvas, picture->toPixel(moment.bodies[2]->position)), style.ball));
+    CHECK(same(at(canvas, pixelOf(*picture, moment.bodies[2]->position)), style.ball));
     // Between the mark and the body's side.
     const auto beside = [&](std::size_t body) {
       const Pose2& pose = *moment.bodies[body];
-      return at(canvas, picture->toPixel(pose.position - math::unit(pose.heading) * (0.43 * 0.075)));
+      return at(canvas, pixelOf(*picture, pose.position - math::unit(pose.heading) * (0.43 * 0.075)));
     };
     CHECK(same(beside(0), style.teams[0].body));
     CHECK(same(beside(1), style.teams[1].body));
-    CHECK(same(at(canvas, picture->toPixel({0.3, 0.3})), style.field.floor));
+    CHECK(same(at(canvas, pixelOf(*picture, {0.3, 0.3})), style.field.floor));
   }
 }
 
@@ -98,7 +98,7 @@ TEST_CASE("teams have different marks, not colours alone", "[unit]") {
   const MatchStyle& style = styleOf(PictureTheme::kDark);
   const auto corner = [&](std::size_t body) {
     const Vec2 badge = moment.bodies[body]->position - Vec2{0.12 * 0.0375, 0.0};
-    return at(canvas, picture->toPixel(badge + Vec2{-0.68, 0.68} * (0.29 * 0.075)));
+    return at(canvas, pixelOf(*picture, badge + Vec2{-0.68, 0.68} * (0.29 * 0.075)));
   };
   CHECK(same(corner(0), style.teams[0].badge));
   CHECK(same(corner(1), style.teams[1].body));
@@ -107,7 +107,7 @@ TEST_CASE("teams have different marks, not colours alone", "[unit]") {
 TEST_CASE("a fifth of a pixel can be seen", "[unit]") {
   const auto picture = MatchPicture::create(duel());
   ReplayMoment moved = apart();
-  const double pixel = 1.0 / (picture->toPixel({1.0, 0.0}).x - picture->toPixel({0.0, 0.0}).x);
+  const double pixel = 1.0 / (pixelOf(*picture, {1.0, 0.0}).x - pixelOf(*picture, {0.0, 0.0}).x);
   for (auto& body : moved.bodies) body->position.x += 0.2 * pixel;
   const int changed = differing(drawn(duel(), apart()), drawn(duel(), moved));
   CHECK(changed > 100);
@@ -118,7 +118,7 @@ TEST_CASE("goals have the colour of the team that defends them", "[unit]") {
   ReplayMoment moment = apart();
   const MatchStyle& style = styleOf(PictureTheme::kDark);
   const auto picture = MatchPicture::create(duel());
-  const Vec2 left = picture->toPixel({-0.8, 0.1}), right = picture->toPixel({0.8, 0.1});
+  const Vec2 left = pixelOf(*picture, {-0.8, 0.1}), right = pixelOf(*picture, {0.8, 0.1});
   CHECK(same(at(drawn(duel(), moment), left), style.teams[0].goal));
   moment.blue_side = Side::kRight;
   CHECK(same(at(drawn(duel(), moment), left), style.teams[1].goal));
@@ -174,9 +174,9 @@ TEST_CASE("every size that is allowed can be drawn, others name the limits", "[u
 TEST_CASE("pixels and places of the field belong together", "[unit]") {
   const auto picture = MatchPicture::create(duel());
   for (const Vec2 place : {Vec2{0.0, 0.0}, Vec2{0.5, -0.3}, Vec2{-0.75, 0.65}}) {
-    CHECK(distance(picture->toField(picture->toPixel(place)), place) < 1e-12);
+    CHECK(distance(picture->toField(pixelOf(*picture, place)), place) < 1e-12);
   }
-  CHECK(picture->toPixel({0.0, 0.5}).y < picture->toPixel({0.0, 0.0}).y);
+  CHECK(pixelOf(*picture, {0.0, 0.5}).y < pixelOf(*picture, {0.0, 0.0}).y);
 }
 
 TEST_CASE("poses that are no numbers are left out", "[unit]") {
