@@ -14,7 +14,7 @@ class App;
 
 namespace fulbito::app {
 
-/// What `fulbito match` was asked.
+/// Options of `fulbito match`.
 struct MatchCommand {
   std::string blue = "libero";
   std::string yellow = "classic";
@@ -26,8 +26,8 @@ struct MatchCommand {
   std::string start;                   ///< start state file; empty: a kick-off
   VisionModel vision;
   std::string record;          ///< file; empty: none
-  bool record_recipe = false;  ///< the recording holds only what cannot be computed again
-  bool drawings = false;       ///< the recording also holds what the teams draw
+  bool record_recipe = false;  ///< omit from the recording what can be recomputed
+  bool drawings = false;       ///< also record what the teams draw
   std::string events;          ///< file or "-"; empty: none
   std::optional<int> pairs;    ///< empty: one match
   int jobs = 0;
@@ -35,13 +35,13 @@ struct MatchCommand {
   ViewOptions window;
   bool profile = false;
   bool json = false;
-  bool force = false;  ///< files that exist are replaced
+  bool force = false;  ///< replace existing files
 };
 
 /// Adds `match`.
 CLI::App* addMatch(CLI::App& app, MatchCommand& options);
 
-/// Plays what was asked and returns the exit code.
+/// Runs the command and returns its exit code.
 int match(const MatchCommand& options);
 
 }  // namespace fulbito::app

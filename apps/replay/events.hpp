@@ -8,7 +8,7 @@ class App;
 
 namespace fulbito::app {
 
-/// What `fulbito replay events` was asked.
+/// Options of `fulbito replay events`.
 struct ReplayEventsCommand {
   std::string file;
   bool json = false;
@@ -17,7 +17,7 @@ struct ReplayEventsCommand {
 /// Adds `events` to `replay`.
 CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayEvents(const ReplayEventsCommand& options);
 
 }  // namespace fulbito::app

@@ -12,16 +12,15 @@ class App;
 
 namespace fulbito::app {
 
-/// What `fulbito replay export` was asked. Of a product that was asked for without a file the name is empty:
-/// it is named after the recording.
+/// Options of `fulbito replay export`. An empty file name of a product means: named after the recording.
 struct ReplayExportCommand {
-  const CLI::App* command = nullptr;  ///< knows which flags were given
+  const CLI::App* command = nullptr;  ///< tells which flags were given
   std::string file;
   std::optional<std::string> png, contact_sheet, trails, gif, mp4, webm, svg, csv, jsonl;
-  std::vector<std::string> heatmap;  ///< whose, and where it is written
+  std::vector<std::string> heatmap;  ///< body, and optionally the output file
   HtmlExport html;
   std::vector<double> at;  ///< [s]
-  std::string around;      ///< name of events
+  std::string around;      ///< name of the events
   bool highlights = false;
   std::optional<double> from, to, fps, speed;
   std::string size;  ///< "W" or "WxH"; empty: the product's own
@@ -36,7 +35,7 @@ struct ReplayExportCommand {
 /// Adds `export` to `replay`.
 CLI::App* addReplayExport(CLI::App& replay, ReplayExportCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayExport(const ReplayExportCommand& options);
 
 }  // namespace fulbito::app

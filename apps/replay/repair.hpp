@@ -8,7 +8,7 @@ class App;
 
 namespace fulbito::app {
 
-/// What `fulbito replay repair` was asked.
+/// Options of `fulbito replay repair`.
 struct ReplayRepairCommand {
   std::string file;
   std::string out;
@@ -19,7 +19,7 @@ struct ReplayRepairCommand {
 /// Adds `repair` to `replay`.
 CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayRepair(const ReplayRepairCommand& options);
 
 }  // namespace fulbito::app

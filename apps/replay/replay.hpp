@@ -10,9 +10,9 @@
 
 namespace fulbito::app {
 
-/// What `fulbito replay` was asked: each part keeps its own.
+/// Options of `fulbito replay`, by subcommand.
 struct ReplayCommands {
-  CLI::App* command = nullptr;  ///< knows which part was named
+  CLI::App* command = nullptr;  ///< tells which subcommand was given
   ReplayInfoCommand info;
   ReplayEventsCommand events;
   ReplayVerifyCommand verify;
@@ -22,10 +22,10 @@ struct ReplayCommands {
   ReplayExportCommand exporting;
 };
 
-/// Adds `replay` with its parts.
+/// Adds `replay` with its subcommands.
 CLI::App* addReplay(CLI::App& app, ReplayCommands& options);
 
-/// Runs the part that was named and returns its exit code.
+/// Runs the given subcommand and returns its exit code.
 int replay(const ReplayCommands& options);
 
 }  // namespace fulbito::app

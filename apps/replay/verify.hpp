@@ -9,7 +9,7 @@ class App;
 
 namespace fulbito::app {
 
-/// What `fulbito replay verify` was asked.
+/// Options of `fulbito replay verify`.
 struct ReplayVerifyCommand {
   std::vector<std::string> files;  ///< or folders
   int jobs = 0;
@@ -19,7 +19,7 @@ struct ReplayVerifyCommand {
 /// Adds `verify` to `replay`.
 CLI::App* addReplayVerify(CLI::App& replay, ReplayVerifyCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayVerify(const ReplayVerifyCommand& options);
 
 }  // namespace fulbito::app
