@@ -33,7 +33,8 @@ tl::unexpected<Error> usage(std::string message) { return fail(ErrorCode::kUsage
 Result<void> apart(const NamedFile& output, const NamedFile& other, const char* use) {
   if (output.file.empty() || other.file.empty()) return {};
   if (output.file == kDash && other.file == kDash) {
-    return usage(fmt::format("{} and {} both write to stdout; give one of them a file", output.flag, other.flag));
+    return usage(
+        fmt::format("{} and {} both write to stdout; give one of them a file", output.flag, other.flag));
   }
   if (!sameFile(output.file, other.file)) return {};
   return usage(
@@ -55,7 +56,7 @@ Result<void> mayWrite(const NamedFile& output, bool force) {
     return usage(fmt::format("{}: '-' is not allowed: the output must be a file", output.flag));
   }
   if (isStream(output.file)) return {};
-  if (auto there = checkPlaceOf(output.file); !there) return there;
+  if (auto there = checkOutputPath(output.file); !there) return there;
   std::error_code error;
   if (force || !fs::exists(output.file, error)) return {};
   return usage(fmt::format("{}: '{}' exists; use --force to replace it", output.flag, output.file));

@@ -175,7 +175,7 @@ void printJson(const std::string& kind) {
 int list(const ListOptions& options) {
   if (std::find(kKinds.begin(), kKinds.end(), options.kind) == kKinds.end()) {
     return report(
-        {ErrorCode::kUsage, fmt::format("list: unknown kind '{}'; must be one of {}.{}", options.kind,
+        {ErrorCode::kUsage, fmt::format("list: there is no kind '{}'; it must be one of {}.{}", options.kind,
                                         fmt::join(kKinds, ", "), suggestion(options.kind, kKinds))});
   }
   if (options.json) {

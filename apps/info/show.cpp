@@ -20,7 +20,7 @@ int showCase(const std::string& name) {
     }
     names.push_back(layout.name);
   }
-  return report({ErrorCode::kUsage, fmt::format("unknown case '{}'.{}", name, suggestion(name, names))});
+  return report({ErrorCode::kUsage, fmt::format("there is no case '{}'.{}", name, suggestion(name, names))});
 }
 
 int showPreset(const std::string& kind, const std::string& name) {
@@ -45,7 +45,7 @@ int show(const ShowOptions& options) {
   }
   if (options.kind == "case") return showCase(options.name);
   return report(
-      {ErrorCode::kUsage, fmt::format("show: unknown kind '{}'; must be one of {}.{}", options.kind,
+      {ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it must be one of {}.{}", options.kind,
                                       fmt::join(kinds, ", "), suggestion(options.kind, kinds))});
 }
 

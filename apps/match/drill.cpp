@@ -28,7 +28,7 @@ Result<int> drillNumber(const std::vector<Drill>& drills, const std::string& wor
     if (is_number ? drill.number == number : drill.name == word) return drill.number;
     names.push_back(drill.name);
   }
-  return fail(ErrorCode::kUsage, fmt::format("--drill: unknown drill '{}'.{} See fulbito drill --list.",
+  return fail(ErrorCode::kUsage, fmt::format("--drill: there is no drill '{}'.{} See fulbito drill --list.",
                                              word, suggestion(word, names)));
 }
 
@@ -47,21 +47,26 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       "  fulbito drill libero --json > drills.json\n"
       "  fulbito drill chaser classic --drill 3,10,13 --trials 80\n"
       "  fulbito drill --list\n"
-      "All drills take about five minutes on one core; drills 18 and 21, which are whole matches, take most of\n"
+      "All drills take about five minutes on one core; drills 18 and 21, which are whole matches, take most "
+      "of\n"
       "it. stderr shows the progress. --drill and --trials shorten the run.\n"
       "Exit codes: 0 success, 1 with --check: a drill failed.");
   command->add_option("team", options.teams, "team, e.g. classic; several teams print one table");
-  command->add_option("--drill", options.drills, "drills by number or name, separated by commas (default: all)")->delimiter(',');
+  command
+      ->add_option("--drill", options.drills, "drills by number or name, separated by commas (default: all)")
+      ->delimiter(',');
   wholeNumber(
-      command->add_option("--trials", options.run.trials, "trials per drill (default: from the drill file)"), 1,
-      kMostTrials);
+      command->add_option("--trials", options.run.trials, "trials per drill (default: from the drill file)"),
+      1, kMostTrials);
   wholeNumber(command->add_option("--seed", options.run.seed, "random seed (start positions, matches)"))
       ->capture_default_str();
   addJobs(*command, options.run.jobs, "worker threads");
   command->add_option("--robot", options.run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", options.run.physics, "physics profile or TOML file")
       ->capture_default_str();
-  command->add_option("--drills", options.folder, "use the *.toml files in this folder instead of the built-in drills")
+  command
+      ->add_option("--drills", options.folder,
+                   "use the *.toml files in this folder instead of the built-in drills")
       ->type_name("FOLDER");
   command->add_flag("--json", options.json, "print JSON");
   command->add_flag("--check", options.check, "return exit code 1 if a drill fails");

@@ -12,31 +12,31 @@
 
 namespace fulbito {
 
-/// The most robots that are on the field at once.
+/// Largest number of robots on the field.
 inline constexpr std::size_t kMostRobots = 2 * static_cast<std::size_t>(kMaxTeamSize);
 
 /// A set of robots: bit i is robot i of a MatchView.
 using RobotSet = std::uint32_t;
 
-/// An area in front of a goal in that goal's frame: origin in the middle of the goal line, x into the field
-/// (for both goals a rotation, no reflection). It has no end behind the goal line, so that a body in the goal
+/// An area in front of a goal, in that goal's frame: origin at the centre of the goal line, x into the field
+/// (for both goals a rotation, not a reflection). It is unbounded behind the goal line, so a body in the goal
 /// mouth is in the area.
 struct AreaShape {
-  double half_width = 0.0;  ///< [m] along the goal line; 0 = there is no such area
+  double half_width = 0.0;  ///< [m] along the goal line; 0 = no area
   double depth = 0.0;       ///< [m] of the straight part
-  double arc_centre = 0.0;  ///< [m] x of the arc's circle; what of it lies beyond `depth` is in the area
+  double arc_centre = 0.0;  ///< [m] x of the arc's circle; its part beyond `depth` belongs to the area
   double arc_radius = 0.0;  ///< [m] 0 = no arc
 
-  /// [m] how far the area reaches into the field.
+  /// Extent [m] of the area into the field.
   double reach() const { return arc_radius > 0.0 ? arc_centre + arc_radius : depth; }
 };
 
-/// @{ The areas of a field; without an arc where `arc` is false.
+/// @{ The areas of a field; without its arc if `arc` is false.
 AreaShape goalAreaOf(const FieldGeometry& field, bool arc = true);
 AreaShape bigAreaOf(const FieldGeometry& field);
 /// @}
 
-/// `area` with a border of `margin` [m] more on all sides.
+/// `area` enlarged by `margin` [m] on all sides.
 AreaShape grown(const AreaShape& area, double margin);
 
 /// A body in the frame of a goal.
@@ -47,41 +47,41 @@ struct AreaBody {
   double half_width = 0.0;
 };
 
-/// A point of the world in the frame of the goal at `side`.
+/// A world point in the frame of the goal at `side`.
 Vec2 intoGoalFrame(const FieldGeometry& field, Side side, Vec2 point);
 /// The robot's body in the frame of the goal at `side`.
 AreaBody intoGoalFrame(const FieldGeometry& field, Side side, const RobotModel& robot, const Pose2& pose);
 
 /// Whether a point is in the area or on its border.
 bool contains(const AreaShape& area, Vec2 point);
-/// Whether the body and the area share more than a line. Exact, the arc too.
+/// Whether body and area share more than a line. Exact, including the arc.
 bool overlaps(const AreaShape& area, const AreaBody& body);
-/// The share of the body that is in the area, 0 ... 1. Exact, the arc too.
+/// The share of the body inside the area, 0 ... 1. Exact, including the arc.
 double shareInside(const AreaShape& area, const AreaBody& body);
-/// Whether the body counts as inside.
+/// Whether the body counts as inside by `part`.
 bool counts(const AreaShape& area, const AreaBody& body, BodyPart part);
 
-/// Who is in the areas at one goal, counted as the rules count.
+/// Ball and robots in the areas at one goal, counted by the rules.
 struct GoalAreaReport {
   bool ball = false;           ///< its centre is in the goal area
   bool ball_in_big = false;    ///< in the big area
-  RobotSet attackers = 0;      ///< of the team that attacks this goal, in the goal area
-  RobotSet defenders = 0;      ///< of the team that defends it
+  RobotSet attackers = 0;      ///< of the team attacking this goal, in the goal area
+  RobotSet defenders = 0;      ///< of the team defending it
   RobotSet big_attackers = 0;  ///< the same in the big area
   RobotSet big_defenders = 0;
 };
 
-/// Who is in which area in one tick, by Side.
+/// The areas' content in one tick, by Side.
 using AreaReport = std::array<GoalAreaReport, 2>;
 
-/// What the areas of a match look like: made once, used every tick.
+/// The shapes of a match's areas: computed once, used every tick.
 struct AreaSetup {
   AreaShape goal_area, goal_area_grown;
   AreaShape big_area, big_area_grown;
 };
 AreaSetup areaSetup(const FieldGeometry& field, const AreaRules& rules);
 
-/// Counts one tick. `before`: the tick before, for the hysteresis; an empty report at a restart.
+/// Counts one tick. `before` is the previous tick's report, for hysteresis; empty at a restart.
 AreaReport reportAreas(const MatchView& view, const FieldGeometry& field, const RobotModel& robot,
                        const AreaRules& rules, Side blue_side, const AreaReport& before);
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-/// Names of the rules that a referee calls, as they stand in events, recordings and tables.
+/// Names of the referee's calls in events, recordings and tables.
 namespace fulbito::clause {
 
 inline constexpr std::string_view kGoal = "goal";
@@ -17,7 +17,7 @@ inline constexpr std::string_view kPenaltyStuck = "penalty.stuck";
 inline constexpr std::string_view kPush = "free-kick.push";
 inline constexpr std::string_view kFreeKickHolding = "free-kick.holding";
 
-/// Whether it is a foul of the team that it is called against.
+/// Whether the call is a foul of the team that it is against.
 constexpr bool isFoul(std::string_view clause) {
   return clause.starts_with("goal-kick.") || clause.starts_with("penalty.") ||
          clause.starts_with("free-kick.") || clause == "false-start";

@@ -9,11 +9,11 @@
 namespace fulbito {
 namespace {
 
-/// How a call's value is told.
+/// How a call's measured value is shown.
 struct Measure {
   std::string_view before;
   std::string_view unit;
-  double scale = 1.0;  ///< units in one of the value's
+  double scale = 1.0;  ///< factor from the value to `unit`
 };
 
 constexpr Measure kStood{"for ", "s"};
@@ -22,10 +22,10 @@ constexpr Measure kPressed{"pressed with ", "N s"};
 constexpr Measure kMoved{"moved by ", "mm", 1e3};
 constexpr Measure kLead{"lead of ", "goals"};
 
-/// Whom a call favours, by the team of its event.
+/// The team that a call favours, relative to the team of its event.
 enum class Gain : std::uint8_t { kNobody, kNamed, kOther };
 
-/// A clause of the referee's record. Titles are empty where a call is no news.
+/// The words for a clause. The title is empty if the call needs no banner.
 struct Clause {
   std::string_view name, title, detail;
   Gain gain = Gain::kNobody;
@@ -35,7 +35,7 @@ struct Clause {
 constexpr std::array kClauses{
     Clause{"goal", "Goal!", "", Gain::kNamed, {"ball past the line by ", "mm", 1e3}},
     Clause{"kick-off", "", "", Gain::kNamed},
-    Clause{"free-ball", "Free ball", "nobody gets on", Gain::kNobody, kStood},
+    Clause{"free-ball", "Free ball", "stuck ball", Gain::kNobody, kStood},
     Clause{"goal-kick.attackers", "Goal kick", "too many attackers in the area", Gain::kOther, kInside},
     Clause{"goal-kick.keeper-charged", "Goal kick", "keeper charged", Gain::kOther, kPressed},
     Clause{"goal-kick.stuck", "Goal kick", "ball stuck in the area", Gain::kOther, kStood},
@@ -51,7 +51,7 @@ constexpr std::array kClauses{
     Clause{"shoot-out", "Shoot-out", "", Gain::kNamed},
     Clause{"false-start", "False start", "", Gain::kNobody, kMoved},
     Clause{"mercy", "Full time", "the lead is too large", Gain::kNamed, kLead},
-    Clause{"walk-over", "Walk-over", "a team did not come", Gain::kOther},
+    Clause{"walk-over", "Walk-over", "a team is absent", Gain::kOther},
     Clause{"match.abandoned", "Match abandoned", ""},
     Clause{"placement", "", "", Gain::kNobody, kMoved},
 };
@@ -85,7 +85,7 @@ std::string_view titleOf(RestartKind kind) {
   return "";
 }
 
-/// Details that the table cannot hold.
+/// Details that depend on the event.
 std::string detailOf(const RecordedEvent& event, const Clause& clause,
                      const std::vector<std::string>& teams) {
   if (clause.name == "full-time" && !event.team) return "draw";
@@ -113,7 +113,7 @@ CallWords wordsOf(const RecordedEvent& event, const std::vector<std::string>& te
 
 CallWords wordsOf(RestartKind kind, TeamId team, const std::vector<std::string>& teams) {
   CallWords words{std::string(titleOf(kind)), "", {}};
-  // At a free ball both teams stand equally far.
+  // A free ball favours neither team.
   if (kind == RestartKind::kFreeBall || words.title.empty()) return words;
   words.detail = teamName(team, teams);
   words.favours = team;
@@ -122,7 +122,7 @@ CallWords wordsOf(RestartKind kind, TeamId team, const std::vector<std::string>&
 
 std::string measuredText(const RecordedEvent& event) {
   const Clause* clause = clauseOf(event.clause);
-  // What a rule does not know counts how often: a command that was rejected, for the first, tenth ... time.
+  // Other events are counts: a command was rejected for the first, tenth ... time.
   const Measure measure = clause != nullptr ? clause->measure : Measure{"count ", ""};
   const bool nothing = event.value == 0.0 && event.threshold == 0.0;
   if (measure.before.empty() || nothing) return {};

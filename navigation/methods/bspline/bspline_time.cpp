@@ -137,14 +137,14 @@ double BsplineTime::guard(const NavigationScene& scene) {
     }
     return kInfinity;
   }
-  // A touch that can no more be avoided shall at least not be the robot's doing.
-  if (braces(scene)) return cap_ = 0.0;
-  // Every second look is enough: in a tick a robot goes five centimetres at most.
+  // If a collision cannot be avoided, stop, so that the robot is not the one that drives into the other.
+  if (collisionUnavoidable(scene)) return cap_ = 0.0;
+  // Every second tick is enough: a robot moves at most five centimetres per tick.
   if (age_ == 0 || scene.tick % 2 == 0) cap_ = slowDown(scene);
   return cap_;
 }
 
-bool BsplineTime::braces(const NavigationScene& scene) const {
+bool BsplineTime::collisionUnavoidable(const NavigationScene& scene) const {
   const double speed = norm(scene.self.velocity);
   if (speed > kBraceSpeed) return false;
   const Vec2 facing = math::unit(scene.self.pose.heading);
