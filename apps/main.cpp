@@ -219,7 +219,7 @@ std::optional<Error> wrongCommand(const CLI::App& app, std::span<char*> words) {
 std::string remedyFor(const std::string& word, const std::vector<std::string>& flags) {
   const bool takes_rules = std::find(flags.begin(), flags.end(), "--rules") != flags.end();
   if (word == "--field" && takes_rules) {
-    return " The rules name the field: set rules.field in a profile (fulbito rules show vsss-5v5 > "
+    return " The field belongs to the rules: set rules.field in a profile (fulbito rules show vsss-5v5 > "
            "mine.toml) "
            "and pass it with --rules.";
   }

@@ -41,7 +41,7 @@ std::string limitedNumberError(std::string& text, std::uint64_t least, std::uint
   const char* const end = digits.data() + digits.size();
   const auto read = std::from_chars(digits.data(), end, value);
   if (!whole || read.ec != std::errc() || read.ptr != end || value < least || value > most) {
-    return fmt::format("'{}' is not a whole number from {} to {}", text, least, most);
+    return fmt::format("'{}' is not a whole number in {} ... {}", text, least, most);
   }
   text = digits;
   return {};

@@ -53,7 +53,7 @@ Result<void> mayWrite(const NamedFile& output, bool force) {
   if (output.file.empty()) return {};
   if (output.file == kDash) {
     if (output.dash == Dash::kStdout) return {};
-    return usage(fmt::format("{}: '-' is not allowed: the output must be a file", output.flag));
+    return usage(fmt::format("{}: '-': the output must go to a file, not to stdout", output.flag));
   }
   if (isStream(output.file)) return {};
   if (auto there = checkOutputPath(output.file); !there) return there;

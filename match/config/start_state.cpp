@@ -94,7 +94,7 @@ std::string flawOf(const StartBody& body, const std::vector<StartBody>& others, 
   return {};
 }
 
-/// What the match that shall begin from the start cannot take.
+/// The first flaw of a start state for this match.
 std::optional<Flaw> findFlaw(const ConfigDocument& document, const StartState& start,
                              const MatchConfig& match) {
   const RobotModel& robot = match.robot.robot;

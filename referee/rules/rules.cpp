@@ -24,7 +24,7 @@ struct RulesFile {
   Rules rules;
 };
 
-/// Keys of [fouls] that are no more. Recordings hold whole profiles, so those of earlier versions have them.
+/// Former keys of [fouls]. Recordings of earlier versions still contain them.
 using RetiredKeys = std::array<double, 3>;
 
 void append(Schema& schema, RetiredKeys& values) {

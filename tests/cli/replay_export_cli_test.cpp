@@ -107,13 +107,13 @@ TEST_CASE("what is not possible names the flag and what is", "[cli]") {
     CHECK(output.out.empty());
     CHECK(contains(output.err, part));
   };
-  refused("", "say what to make");
-  refused("--png --at 31", "--at 31: the recording goes from 0 to ");
+  refused("", "needs a product");
+  refused("--png --at 31", "--at 31: the recording lasts from 0 to ");
   refused("--png --at -1", "--at -1");
   refused("--png --at nan", "'nan' is not a number");
   refused("--gif --from 30", "--from 30");
   refused("--gif --from 5 --to 4", "--from 5 is after --to 4");
-  refused("--png --around shoot-out", "What there is: ");
+  refused("--png --around shoot-out", "Recorded events: ");
   refused("--gif --highlights --to 0.1", "--highlights");
   refused("--png --size 10", "--size '10'");
   refused("--png --size 400x", "160 to 16384");
