@@ -180,13 +180,13 @@ NavigatorInfo bsplineTimeInfo() {
   using P = BsplineTime::Params;
   return describeNavigator<P, BsplineTime>(
       "bspline-time", "cubic B-spline optimised for travel time", "future work of Jung & Lee 2015; own",
-      {number("clearance", &P::clearance, 0.0, 0.2, "m", "of the robot's square that a plan pays time for"),
+      {number("clearance", &P::clearance, 0.0, 0.2, "m", "clearance of the robot's square below which a plan costs time"),
        number("least-clearance", &P::least_clearance, 0.001, 0.1, "m", "below it a plan counts as blocked"),
        number("acceleration-share", &P::acceleration_share, 0.1, 1.0, "",
               "of the wheel acceleration that plans use"),
        number("lateral-share", &P::lateral_share, 0.1, 1.0, "", "of the lateral grip that plans use"),
-       integer("evaluations", &P::evaluations, 1, 10000, "splines judged a tick while improving a plan"),
-       integer("effort", &P::effort, 1, 1000000, "splines judged a plan at most"),
+       integer("evaluations", &P::evaluations, 1, 10000, "splines evaluated per tick while improving a plan"),
+       integer("effort", &P::effort, 1, 1000000, "most splines evaluated per plan"),
        integer("moving-effort", &P::moving_effort, 1, 1000000, "the same among moving obstacles")},
       true);
 }

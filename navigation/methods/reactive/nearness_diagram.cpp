@@ -50,15 +50,15 @@ double NearnessDiagram::brakingSpeed(const NavigationScene& scene) const {
 NavigatorInfo nearnessDiagramInfo() {
   using P = NearnessDiagramParams;
   return describeNavigator<P, NearnessDiagram>(
-      "nearness-diagram", "reactive: names the situation from the nearest obstacle in each sector",
+      "nearness-diagram", "reactive: classifies the situation by the nearest obstacle per sector",
       "Minguez & Montano 2004; Kim et al. 2006, section II",
       {integer("sectors", &P::sectors, 36, kMaxSectors, "sectors of the full circle"),
        number("range", &P::range, 0.1, 5.0, "m", "d_max: farthest obstacle that the diagram shows"),
        number("security", &P::security, 0.01, 2.0, "m", "d_s: security zone around the hull"),
        number("gap_margin", &P::gap_margin, 0.0, 0.05, "m",
               "added to half the robot's width when a gap is tested"),
-       number("margin", &P::margin, 0.0, 0.1, "m", "room kept by the emergency rules"),
-       number("braking", &P::braking, 0.1, 1.0, "", "share of the wheel acceleration to stop with"),
+       number("margin", &P::margin, 0.0, 0.1, "m", "distance kept by the emergency rules"),
+       number("braking", &P::braking, 0.1, 1.0, "", "share of the wheel acceleration for stopping"),
        choice("wide_region", &P::wide_region, {"corner", "sector"},
               "enter a wide region past its corner obstacle by R + d_s, or 45 degrees inside its border")});
 }
