@@ -23,7 +23,7 @@ struct ComparisonConfig {
   std::string robot = "paper-004";   ///< preset or file
   std::string physics = "standard";  ///< preset or file
   SensorModel sensors;
-  std::optional<std::uint64_t> only;  ///< run only this layout of each block
+  std::optional<std::uint64_t> only;  ///< this layout of each block alone
   int pictures = 8;                   ///< layouts per block whose traces are kept for pictures
   std::string record;                 ///< folder for recordings of these layouts; empty: none
 };

@@ -18,9 +18,9 @@ using Clock = std::function<std::int64_t()>;
 /// Sensor latency and noise.
 struct SensorModel {
   int latency_ticks =
-      0;  ///< [ticks] age of the observation, which is rolled forward through the commands since then
+      0;  ///< age of the observation; the navigator knows the commands given since, and rolls them forward
   double position_noise =
-      0.0;  ///< [m] standard deviation per coordinate; headings get noise / half a body [rad]
+      0.0;  ///< [m] standard deviation of each coordinate; headings get noise / half a body [rad]
 };
 
 /// One trial: a robot, a layout, a navigator.

@@ -30,7 +30,7 @@ class Schedule {
   }
 
   std::size_t legs() const { return legs_done_.size(); }
-  /// Plays one pair; false to stop the series.
+  /// Plays one; false when the series shall stop.
   bool playLeg(std::size_t leg);
 
   Result<SeriesResult> result();
@@ -57,7 +57,7 @@ MatchConfig Schedule::configOf(std::size_t leg) const {
   return config;
 }
 
-// Reports progress, one thread at a time; false to stop.
+// Tells how far the series is, one thread at a time; false when it shall stop.
 bool Schedule::look(std::size_t newly_done) {
   const std::scoped_lock lock(mutex_);
   done_ += newly_done;

@@ -8,8 +8,8 @@
 
 namespace fulbito {
 
-/// Appends a table of commands: left and right of every robot in steps, one row per tick. Starts with one
-/// varint per robot: the quantum that divides all its commands.
+/// Appends a table of commands: left and right of every robot in steps, one row a tick. First a varint a
+/// robot: the unit of which all its commands are whole multiples.
 void packCommands(const Columns& table, const CommandModel& model, Bytes& out);
 
 /// Reverses it. Empty when the bytes are not those of such a table. With `Codec::kModelled` there are no

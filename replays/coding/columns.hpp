@@ -42,8 +42,7 @@ std::optional<Columns> unpackColumns(BytesView bytes, std::size_t columns, std::
 inline std::int32_t wholeSteps(double value, double step) {
   const double steps = value / step;
   if (!(std::abs(steps) < 2147483000.0)) return 0;
-  return static_cast<std::int32_t>(steps +
-                                   std::copysign(0.5, steps));  // branch-free: the branch would mispredict
+  return static_cast<std::int32_t>(steps + std::copysign(0.5, steps));  // no branch that nobody can foretell
 }
 
 }  // namespace fulbito
