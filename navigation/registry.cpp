@@ -40,7 +40,7 @@ const std::vector<ParameterSpec>& common() {
        1.0,
        {"preview", "classic"},
        "",
-       "controller from guidance to wheel speeds: the shared preview follower or the papers' control law"},
+       "what turns the guidance into wheel speeds: the shared preview follower or the papers' control law"},
       {"wall_escape",
        ParameterSpec::Type::kFlag,
        1.0,

@@ -114,7 +114,7 @@ void printTeams() {
     say("{}\n  {}\n", info.name, info.summary);
     for (const ParameterSpec& spec : info.parameters) printParameter(spec);
     if (info.takes_navigator) {
-      say("    {:<16} {}; one of fulbito list navigators\n", "navigator", info.default_navigator);
+      say("    {:<16} {}; any of fulbito list navigators\n", "navigator", info.default_navigator);
     }
   }
   say("Example with parameters: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");

@@ -72,7 +72,8 @@ Result<void> checkFlags(const MatchCommand& options) {
        {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
         std::pair{"--profile", options.profile}, std::pair{"--view", options.view}}) {
     if (given) {
-      return fail(ErrorCode::kUsage, fmt::format("{} records a single match and cannot be used with -n/--pairs", flag));
+      return fail(ErrorCode::kUsage,
+                  fmt::format("{} records a single match and cannot be used with -n/--pairs", flag));
     }
   }
   return {};
@@ -260,16 +261,19 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   wholeNumber(command.add_option("--seed", options.seed,
                                  "random seed (coin tosses, placement error, sensor noise, teams)"))
       ->capture_default_str();
-  command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: from the rules)");
-  command.add_option("--start", options.start, "start from the state in this TOML file instead of a kick-off")->type_name("FILE");
-  command.add_option("--latency", options.vision.latency_ticks, "age of what teams see [control ticks], 0 ... 60")
+  command.add_option("--half-seconds", options.half_seconds,
+                     "length of a half [s] (default: from the rules)");
+  command
+      .add_option("--start", options.start, "start from the state in this TOML file instead of a kick-off")
+      ->type_name("FILE");
+  command.add_option("--latency", options.vision.latency_ticks, "age of what teams see in ticks, 0 ... 60")
       ->capture_default_str();
   command
       .add_option("--noise", options.vision.position_noise,
-                  "noise of positions that teams see: standard deviation [m], 0 ... 0.1")
+                  "standard deviation of positions that teams see [m], 0 ... 0.1")
       ->capture_default_str();
   command
-      .add_option("--dropout", options.vision.dropout, "probability per tick that a body is not seen, 0 ... 0.99")
+      .add_option("--dropout", options.vision.dropout, "chance that a body is not seen in a tick, 0 ... 0.99")
       ->capture_default_str();
 }
 
@@ -281,7 +285,8 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       "Examples:\n"
       "  fulbito match                                  libero against classic, two halves of five minutes\n"
       "  fulbito match libero chaser --seed 7 --record game.fbr\n"
-      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20   20 pairs, 2 matches each\n"
+      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20   20 pairs, 2 matches "
+      "each\n"
       "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
       "  fulbito match libero idle --start corner.toml --events -\n"
       "  fulbito match libero classic --view --record game.fbr   watch it, drag the ball and robots\n"
@@ -302,11 +307,13 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
                  "with --record: also record what the teams plan, 10 times per second, for pictures")
       ->needs(record)
       ->excludes(recipe);
-  command->add_option("--events", options.events, "write events as JSON lines while the match runs; - for stdout")
+  command
+      ->add_option("--events", options.events,
+                   "write events as JSON lines while the match runs; - for stdout")
       ->type_name("FILE");
-  wholeNumber(
-      command->add_option("-n,--pairs", options.pairs, "play a series of this many swapped pairs (teams change colours)"),
-      1, kMostPairs)
+  wholeNumber(command->add_option("-n,--pairs", options.pairs,
+                                  "play a series of this many swapped pairs (teams change colours)"),
+              1, kMostPairs)
       ->type_name("PAIRS");
   addJobs(*command, options.jobs, "worker threads for a series");
   command->add_flag("--force", options.force, "replace existing files");

@@ -9,7 +9,7 @@ class App;
 
 namespace fulbito::app {
 
-/// Options of `fulbito replay cut`.
+/// What `fulbito replay cut` was asked.
 struct ReplayCutCommand {
   std::string file;
   std::string out;
@@ -23,7 +23,7 @@ struct ReplayCutCommand {
 /// Adds `cut` to `replay`.
 CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options);
 
-/// Runs the command and returns its exit code.
+/// Runs it and returns the exit code.
 int replayCut(const ReplayCutCommand& options);
 
 }  // namespace fulbito::app

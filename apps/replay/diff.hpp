@@ -8,7 +8,7 @@ class App;
 
 namespace fulbito::app {
 
-/// Options of `fulbito replay diff`.
+/// What `fulbito replay diff` was asked.
 struct ReplayDiffCommand {
   std::string a;
   std::string b;
@@ -18,7 +18,7 @@ struct ReplayDiffCommand {
 /// Adds `diff` to `replay`.
 CLI::App* addReplayDiff(CLI::App& replay, ReplayDiffCommand& options);
 
-/// Runs the command and returns its exit code.
+/// Runs it and returns the exit code.
 int replayDiff(const ReplayDiffCommand& options);
 
 }  // namespace fulbito::app

@@ -8,7 +8,7 @@ class App;
 
 namespace fulbito::app {
 
-/// Options of `fulbito replay events`.
+/// What `fulbito replay events` was asked.
 struct ReplayEventsCommand {
   std::string file;
   bool json = false;
@@ -17,7 +17,7 @@ struct ReplayEventsCommand {
 /// Adds `events` to `replay`.
 CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options);
 
-/// Runs the command and returns its exit code.
+/// Runs it and returns the exit code.
 int replayEvents(const ReplayEventsCommand& options);
 
 }  // namespace fulbito::app

@@ -12,15 +12,16 @@ class App;
 
 namespace fulbito::app {
 
-/// Options of `fulbito replay export`. An empty file name of a product means: named after the recording.
+/// What `fulbito replay export` was asked. Of a product that was asked for without a file the name is empty:
+/// it is named after the recording.
 struct ReplayExportCommand {
-  const CLI::App* command = nullptr;  ///< tells which flags were given
+  const CLI::App* command = nullptr;  ///< knows which flags were given
   std::string file;
   std::optional<std::string> png, contact_sheet, trails, gif, mp4, webm, svg, csv, jsonl;
-  std::vector<std::string> heatmap;  ///< body, and optionally the output file
+  std::vector<std::string> heatmap;  ///< whose, and where it is written
   HtmlExport html;
   std::vector<double> at;  ///< [s]
-  std::string around;      ///< name of the events
+  std::string around;      ///< name of events
   bool highlights = false;
   std::optional<double> from, to, fps, speed;
   std::string size;  ///< "W" or "WxH"; empty: the product's own
@@ -35,7 +36,7 @@ struct ReplayExportCommand {
 /// Adds `export` to `replay`.
 CLI::App* addReplayExport(CLI::App& replay, ReplayExportCommand& options);
 
-/// Runs the command and returns its exit code.
+/// Runs it and returns the exit code.
 int replayExport(const ReplayExportCommand& options);
 
 }  // namespace fulbito::app

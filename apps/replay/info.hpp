@@ -8,7 +8,7 @@ class App;
 
 namespace fulbito::app {
 
-/// Options of `fulbito replay info`.
+/// What `fulbito replay info` was asked.
 struct ReplayInfoCommand {
   std::string file;
   bool json = false;
@@ -17,7 +17,7 @@ struct ReplayInfoCommand {
 /// Adds `info` to `replay`.
 CLI::App* addReplayInfo(CLI::App& replay, ReplayInfoCommand& options);
 
-/// Runs the command and returns its exit code.
+/// Runs it and returns the exit code.
 int replayInfo(const ReplayInfoCommand& options);
 
 }  // namespace fulbito::app

@@ -8,7 +8,7 @@ class App;
 
 namespace fulbito::app {
 
-/// Options of `fulbito replay repair`.
+/// What `fulbito replay repair` was asked.
 struct ReplayRepairCommand {
   std::string file;
   std::string out;
@@ -19,7 +19,7 @@ struct ReplayRepairCommand {
 /// Adds `repair` to `replay`.
 CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options);
 
-/// Runs the command and returns its exit code.
+/// Runs it and returns the exit code.
 int replayRepair(const ReplayRepairCommand& options);
 
 }  // namespace fulbito::app

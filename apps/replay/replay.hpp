@@ -10,9 +10,9 @@
 
 namespace fulbito::app {
 
-/// Options of `fulbito replay`, by subcommand.
+/// What `fulbito replay` was asked: each part keeps its own.
 struct ReplayCommands {
-  CLI::App* command = nullptr;  ///< tells which subcommand was given
+  CLI::App* command = nullptr;  ///< knows which part was named
   ReplayInfoCommand info;
   ReplayEventsCommand events;
   ReplayVerifyCommand verify;
@@ -22,10 +22,10 @@ struct ReplayCommands {
   ReplayExportCommand exporting;
 };
 
-/// Adds `replay` with its subcommands.
+/// Adds `replay` with its parts.
 CLI::App* addReplay(CLI::App& app, ReplayCommands& options);
 
-/// Runs the given subcommand and returns its exit code.
+/// Runs the part that was named and returns its exit code.
 int replay(const ReplayCommands& options);
 
 }  // namespace fulbito::app

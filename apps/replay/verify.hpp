@@ -9,7 +9,7 @@ class App;
 
 namespace fulbito::app {
 
-/// Options of `fulbito replay verify`.
+/// What `fulbito replay verify` was asked.
 struct ReplayVerifyCommand {
   std::vector<std::string> files;  ///< or folders
   int jobs = 0;
@@ -19,7 +19,7 @@ struct ReplayVerifyCommand {
 /// Adds `verify` to `replay`.
 CLI::App* addReplayVerify(CLI::App& replay, ReplayVerifyCommand& options);
 
-/// Runs the command and returns its exit code.
+/// Runs it and returns the exit code.
 int replayVerify(const ReplayVerifyCommand& options);
 
 }  // namespace fulbito::app

@@ -15,7 +15,7 @@ namespace fulbito {
 /// go into fields named compute_ or wall_.
 using Clock = std::function<std::int64_t()>;
 
-/// Sensor latency and noise.
+/// What the robot knows late and badly.
 struct SensorModel {
   int latency_ticks =
       0;  ///< age of the observation; the navigator knows the commands given since, and rolls them forward

@@ -58,7 +58,7 @@ std::vector<ReplayEvent> merged(Course course, const RecordingReader& recording)
   return events;
 }
 
-/// The recipe as a match configuration. The teams need not be registered any more.
+/// What the recipe says in the terms of a match; the teams need not exist any more.
 Result<MatchConfig> configOf(const RecordingRecipe& recipe) {
   MatchConfig config;
   auto rules = parseRules(recipe.rules, "recorded rules");

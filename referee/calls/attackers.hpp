@@ -5,8 +5,8 @@
 
 namespace fulbito {
 
-/// Law 8.2: too many attackers in the opponents' goal area (or big area). With `attackers_take_part`, only if
-/// one beyond the first takes part: it touched the ball or the keeper within `part_seconds`.
+/// Law 8.2: more attackers than allowed in the opponents' goal area (or big area), where the rules say so
+/// only if one beyond the first takes part: it touched the ball or the keeper within `part_seconds`.
 std::optional<AreaFoul> detectAttackers(const DetectorInput& input, const TouchMemory& touches,
                                         const PresenceMemory& presence);
 

@@ -5,8 +5,8 @@
 
 namespace fulbito {
 
-/// Law 8.3: too many defenders in their own goal area (or big area) with the ball inside. With
-/// `defenders_take_part`, only if one beyond the first takes part: it touched the ball or an opponent within
+/// Law 8.3: more defenders than allowed in their own goal area (or big area) with the ball inside, where the
+/// rules say so only if one beyond the first takes part: it touched the ball or an opponent within
 /// `part_seconds`.
 std::optional<AreaFoul> detectDefenders(const DetectorInput& input, const TouchMemory& touches,
                                         const PresenceMemory& presence);

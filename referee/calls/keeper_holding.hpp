@@ -5,9 +5,9 @@
 
 namespace fulbito {
 
-/// Law 8.1: the keeper holds the ball. Both are in its goal area, at most `control_gap` apart, for
-/// `hold_seconds`; breaks of up to `release_seconds` do not end the count. An opponent within
-/// `dispute_lengths` of the ball restarts the count.
+/// Law 8.1: the keeper keeps the ball. It is in its goal area with the ball there, at most `control_gap` from
+/// its body, for `hold_seconds`; breaks up to `release_seconds` do not end the count. An opponent within
+/// `dispute_lengths` of the ball challenges: the count begins anew.
 std::optional<Finding> detectKeeperHolding(const DetectorInput& input, const PresenceMemory& presence,
                                            KeeperMemory& memory);
 

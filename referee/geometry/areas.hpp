@@ -18,25 +18,25 @@ inline constexpr std::size_t kMostRobots = 2 * static_cast<std::size_t>(kMaxTeam
 /// A set of robots: bit i is robot i of a MatchView.
 using RobotSet = std::uint32_t;
 
-/// An area in front of a goal, in that goal's frame: origin at the centre of the goal line, x into the field
-/// (for both goals a rotation, not a reflection). It is unbounded behind the goal line, so a body in the goal
+/// An area in front of a goal in that goal's frame: origin in the middle of the goal line, x into the field
+/// (for both goals a rotation, no reflection). It has no end behind the goal line, so that a body in the goal
 /// mouth is in the area.
 struct AreaShape {
-  double half_width = 0.0;  ///< [m] along the goal line; 0 = no area
+  double half_width = 0.0;  ///< [m] along the goal line; 0 = there is no such area
   double depth = 0.0;       ///< [m] of the straight part
-  double arc_centre = 0.0;  ///< [m] x of the arc's circle; its part beyond `depth` belongs to the area
+  double arc_centre = 0.0;  ///< [m] x of the arc's circle; what of it lies beyond `depth` is in the area
   double arc_radius = 0.0;  ///< [m] 0 = no arc
 
-  /// Extent [m] of the area into the field.
+  /// [m] how far the area reaches into the field.
   double reach() const { return arc_radius > 0.0 ? arc_centre + arc_radius : depth; }
 };
 
-/// @{ The areas of a field; without its arc if `arc` is false.
+/// @{ The areas of a field; without an arc where `arc` is false.
 AreaShape goalAreaOf(const FieldGeometry& field, bool arc = true);
 AreaShape bigAreaOf(const FieldGeometry& field);
 /// @}
 
-/// `area` enlarged by `margin` [m] on all sides.
+/// `area` with a border of `margin` [m] more on all sides.
 AreaShape grown(const AreaShape& area, double margin);
 
 /// A body in the frame of a goal.
@@ -47,14 +47,14 @@ struct AreaBody {
   double half_width = 0.0;
 };
 
-/// A world point in the frame of the goal at `side`.
+/// A point of the world in the frame of the goal at `side`.
 Vec2 intoGoalFrame(const FieldGeometry& field, Side side, Vec2 point);
 /// The robot's body in the frame of the goal at `side`.
 AreaBody intoGoalFrame(const FieldGeometry& field, Side side, const RobotModel& robot, const Pose2& pose);
 
 /// Whether a point is in the area or on its border.
 bool contains(const AreaShape& area, Vec2 point);
-/// Whether body and area share more than a line. Exact, including the arc.
+/// Whether the body and the area share more than a line. Exact, the arc too.
 bool overlaps(const AreaShape& area, const AreaBody& body);
 /// The share of the body inside the area, 0 ... 1. Exact, including the arc.
 double shareInside(const AreaShape& area, const AreaBody& body);

@@ -54,7 +54,7 @@ void MatchReferee::restarted(const RestartCall& call, const Placement& placement
   state_.last = call;
   state_.placed = placement;
   state_.last_tick = tick;
-  // After too many false starts the signal comes at once, so that no team can delay the match.
+  // Who will not wait is not waited for: nobody may play before the signal for long.
   const int repeats = state_.false_starts[0] + state_.false_starts[1];
   const Tick delay = repeats < setup_.rules.restart.max_repeats || repeats == 0 ? call.delay : 0;
   state_.play_began = tick + delay;

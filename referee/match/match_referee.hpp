@@ -22,7 +22,7 @@ class MatchReferee {
   /// Processes one tick and appends its events. If it returns a call, play has stopped: place all robots
   /// (`place`) and call `restarted` before the next tick. Returns none after `state().ended`.
   std::optional<RestartCall> observe(const MatchView& view, std::vector<GameEvent>& events);
-  /// Starts play from the placement, at once or after the call's delay. `tick` is the match's.
+  /// All stand as placed; play begins at once or after the call's delay. `tick` is the match's.
   void restarted(const RestartCall& call, const Placement& placement, Tick tick);
 
   const RefereeState& state() const { return state_; }

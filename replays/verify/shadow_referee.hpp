@@ -9,8 +9,9 @@
 #include "referee/rules/rules.hpp"
 #include "replays/recording_reader.hpp"
 
-/// Shadow referees: two rules profiles judge the same recorded plays. Each play is judged from its recorded start,
-/// clock and score up to the tick at which the recording's own referee stopped it. Later calls are unknown.
+/// Shadow referees: two rules profiles judge the same recorded plays. Each play is judged from its recorded
+/// start, clock and score up to the tick at which the recording's own referee stopped it. Later calls are
+/// unknown.
 namespace fulbito {
 
 /// The first call by which a referee stopped a play.
@@ -51,7 +52,7 @@ struct RuleAgreement {
   std::int64_t a = 0, b = 0;  ///< plays stopped for it by each profile
   std::int64_t same = 0, a_earlier = 0, b_earlier = 0, only_a = 0, only_b = 0;
   std::int64_t different = 0;         ///< plays in which the other made a different call
-  double a_lead = 0.0, b_lead = 0.0;  ///< [s] mean lead in plays where one was earlier
+  double a_lead = 0.0, b_lead = 0.0;  ///< [s] mean, where one was earlier
   std::int64_t disagreements() const { return a_earlier + b_earlier + only_a + only_b + different; }
 };
 
@@ -73,8 +74,9 @@ struct RulesComparison {
   /// @}
 };
 
-/// Judges one more recording by both profiles. Length of halves and team size come from the recording, so only calls
-/// are compared; shoot-outs are skipped. Errors: kBadInput if it is not a match or cannot be simulated.
+/// Judges one more recording by both profiles. Length of halves and team size come from the recording, so
+/// only calls are compared; shoot-outs are skipped. Errors: kBadInput if it is not a match or cannot be
+/// simulated.
 Result<void> compareRules(const RecordingReader& recording, const Rules& a, const Rules& b,
                           RulesComparison& comparison);
 

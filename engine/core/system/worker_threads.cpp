@@ -12,7 +12,7 @@
 namespace fulbito {
 namespace {
 
-/// Blocks all signals in threads that start during its lifetime.
+/// Blocks all signals, so that threads that are started meanwhile take none.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -48,7 +48,7 @@ class FirstException {
   std::exception_ptr first_;
 };
 
-/// As many of the threads as the system can start.
+/// As many threads as the system gives.
 std::vector<std::jthread> start(int threads, const std::function<void()>& call) {
   std::vector<std::jthread> started;
   started.reserve(static_cast<std::size_t>(std::max(threads, 0)));

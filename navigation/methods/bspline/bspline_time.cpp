@@ -137,14 +137,14 @@ double BsplineTime::guard(const NavigationScene& scene) {
     }
     return kInfinity;
   }
-  // If a collision cannot be avoided, stop, so that the robot is not the one that drives into the other.
-  if (collisionUnavoidable(scene)) return cap_ = 0.0;
-  // Every second tick is enough: a robot moves at most five centimetres per tick.
+  // A touch that can no more be avoided shall at least not be the robot's doing.
+  if (braces(scene)) return cap_ = 0.0;
+  // Every second look is enough: in a tick a robot goes five centimetres at most.
   if (age_ == 0 || scene.tick % 2 == 0) cap_ = slowDown(scene);
   return cap_;
 }
 
-bool BsplineTime::collisionUnavoidable(const NavigationScene& scene) const {
+bool BsplineTime::braces(const NavigationScene& scene) const {
   const double speed = norm(scene.self.velocity);
   if (speed > kBraceSpeed) return false;
   const Vec2 facing = math::unit(scene.self.pose.heading);
@@ -180,13 +180,13 @@ NavigatorInfo bsplineTimeInfo() {
   using P = BsplineTime::Params;
   return describeNavigator<P, BsplineTime>(
       "bspline-time", "cubic B-spline optimised for travel time", "future work of Jung & Lee 2015; own",
-      {number("clearance", &P::clearance, 0.0, 0.2, "m", "clearance of the robot's square below which a plan costs time"),
+      {number("clearance", &P::clearance, 0.0, 0.2, "m", "of the robot's square that a plan pays time for"),
        number("least-clearance", &P::least_clearance, 0.001, 0.1, "m", "below it a plan counts as blocked"),
        number("acceleration-share", &P::acceleration_share, 0.1, 1.0, "",
               "of the wheel acceleration that plans use"),
        number("lateral-share", &P::lateral_share, 0.1, 1.0, "", "of the lateral grip that plans use"),
-       integer("evaluations", &P::evaluations, 1, 10000, "splines evaluated per tick while improving a plan"),
-       integer("effort", &P::effort, 1, 1000000, "most splines evaluated per plan"),
+       integer("evaluations", &P::evaluations, 1, 10000, "splines judged a tick while improving a plan"),
+       integer("effort", &P::effort, 1, 1000000, "splines judged a plan at most"),
        integer("moving-effort", &P::moving_effort, 1, 1000000, "the same among moving obstacles")},
       true);
 }

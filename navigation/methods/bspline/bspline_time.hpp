@@ -31,7 +31,7 @@ class BsplineTime final : public Navigator {
   void brake(const NavigationScene& scene, double speed);
   void refine();
   double guard(const NavigationScene& scene);
-  bool collisionUnavoidable(const NavigationScene& scene) const;
+  bool braces(const NavigationScene& scene) const;
   double slowDown(const NavigationScene& scene);
   bool discsChanged() const;
   double conflictAt(const NavigationScene& scene, double top, double horizon) const;

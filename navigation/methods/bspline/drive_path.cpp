@@ -105,7 +105,7 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
     for (const ForecastDisc& disc : discs) {
       if (way > ride.end && !disc.moves) continue;
       const Vec2 centre = disc.at(time);
-      const double margin = ride.margin + (disc.moves ? ride.margin_growth * time : 0.0);
+      const double margin = ride.margin + (disc.moves ? ride.doubt * time : 0.0);
       const double near = reach + margin + disc.radius;
       if (squaredNorm(centre - position) > near * near) continue;
       // Driving away from a disc that touches the robot already is the cure, not a conflict.

@@ -35,19 +35,19 @@ class DrivePath {
   /// Span of the spline that the robot is in.
   std::size_t span() const;
 
-  /// A simulated drive along the path from the robot's place.
+  /// Drives on in thought from the robot's place.
   struct Ride {
-    double speed = 0.0;           ///< [m/s] present speed
-    double top = 1e9;             ///< [m/s] target speed of the drive
-    double acceleration = 5.0;    ///< [m/s^2]
-    double hold = 0.0;            ///< [s] turning time before the robot can accelerate
-    double end = 1e9;             ///< [m] along the path; discs at rest are ignored beyond it
-    double horizon = 0.8;         ///< [s]
-    double margin = 0.006;        ///< [m] clearance now
-    double margin_growth = 0.03;  ///< [m/s] growth of the margin to moving discs
+    double speed = 0.0;         ///< [m/s] now
+    double top = 1e9;           ///< [m/s] that the ride brakes or speeds up to
+    double acceleration = 5.0;  ///< [m/s^2]
+    double hold = 0.0;          ///< [s] that the robot turns before it can speed up
+    double end = 1e9;           ///< [m] along the path where discs at rest are no matter any more
+    double horizon = 0.8;       ///< [s]
+    double margin = 0.006;      ///< [m] of clearance at once
+    double doubt = 0.03;        ///< [m/s] that the margin to moving discs grows by
   };
-  /// Time [s] at which such a drive first comes too close to a disc by the robot's own motion; infinite if
-  /// never.
+  /// When [s] such a ride first comes too near to a disc by the robot's own motion; infinite when it does
+  /// not.
   double conflict(const Ride& ride, const BodyShape& body, std::span<const ForecastDisc> discs) const;
 
  private:

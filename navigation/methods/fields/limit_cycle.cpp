@@ -84,8 +84,8 @@ double LimitCycle::heading(Vec2 p) const {
 NavigatorInfo limitCycleInfo() {
   using P = LimitCycle::Params;
   return describeNavigator<P, LimitCycle>(
-      "limit-cycle", "stable orbits around the obstacles in the way", "Kim & Kim 2003; paper 001",
-      {number("margin", &P::margin, 0.0, 0.5, "m", "distance of an orbit from the bodies"),
+      "limit-cycle", "stable orbits about the obstacles in the way", "Kim & Kim 2003; paper 001",
+      {number("margin", &P::margin, 0.0, 0.5, "m", "what an orbit adds to the bodies' radii"),
        number("mu", &P::mu, 0.1, 20.0, "", "convergence to the orbit; larger values turn onto it later"),
        number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad", "advantage that makes the robot change sides"),
        number("posture_radius", &P::posture_radius, 0.02, 1.0, "m",

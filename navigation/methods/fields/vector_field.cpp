@@ -31,7 +31,7 @@ double VectorField::heading(Vec2 p) const {
 NavigatorInfo vectorFieldInfo() {
   using P = VectorField::Params;
   return describeNavigator<P, VectorField>(
-      "vector-field", "repulsive ring around the nearest obstacle", "paper 004, Figs 1-2",
+      "vector-field", "repulsive ring about the nearest obstacle", "paper 004, Figs 1-2",
       withGoalFieldParameters<P>(
           {number("offset", &P::offset, 0.0, 1.0, "m",
                   "distance from a ball-sized obstacle's centre up to which the field points straight away"),

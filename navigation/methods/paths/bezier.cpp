@@ -49,10 +49,11 @@ bool Bezier::findCurve(const NavigationScene& scene, std::span<const Circle> bod
 NavigatorInfo bezierInfo() {
   using P = Bezier::Params;
   return describeNavigator<P, Bezier>(
-      "bezier", "shortest collision-free Bezier curve around the obstacles",
+      "bezier", "the shortest Bezier curve round the obstacles that is clear of them",
       "paper 004, with a collision test",
       withPathParameters<P>(
-          {number("clearance", &P::clearance, 0.0, 0.2, "m", "distance kept from the robot's circumscribed circle"),
+          {number("clearance", &P::clearance, 0.0, 0.2, "m",
+                  "distance kept from the robot's circumscribed circle"),
            number("alpha", &P::alpha, -0.5, 0.5, "m", "added to the length A = 3 r that selects obstacles"),
            flag("all_sides", &P::all_sides, "compare all choices of sides, not only the shortest path's"),
            number("hysteresis", &P::hysteresis, 0.0, 1.0, "",

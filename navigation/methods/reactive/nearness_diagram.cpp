@@ -50,7 +50,7 @@ double NearnessDiagram::brakingSpeed(const NavigationScene& scene) const {
 NavigatorInfo nearnessDiagramInfo() {
   using P = NearnessDiagramParams;
   return describeNavigator<P, NearnessDiagram>(
-      "nearness-diagram", "reactive: classifies the situation by the nearest obstacle per sector",
+      "nearness-diagram", "reactive: names the situation from the nearest obstacle in each sector",
       "Minguez & Montano 2004; Kim et al. 2006, section II",
       {integer("sectors", &P::sectors, 36, kMaxSectors, "sectors of the full circle"),
        number("range", &P::range, 0.1, 5.0, "m", "d_max: farthest obstacle that the diagram shows"),
