@@ -263,9 +263,7 @@ void addConditions(CLI::App& command, MatchCommand& options) {
       ->capture_default_str();
   command.add_option("--half-seconds", options.half_seconds,
                      "length of a half [s] (default: from the rules)");
-  command
-      .add_option("--start", options.start, "start from the state in this TOML file instead of a kick-off")
-      ->type_name("FILE");
+  command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
   command.add_option("--latency", options.vision.latency_ticks, "age of what teams see in ticks, 0 ... 60")
       ->capture_default_str();
   command
