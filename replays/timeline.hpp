@@ -48,8 +48,8 @@ class ReplayTimeline {
   std::span<const RecordedSample> samples() const { return samples_; }
   std::span<const RecordedDrawing> drawings() const { return drawings_; }
 
-  /// The moment at a time [s], clamped to the recording. Poses are interpolated between samples (headings the short
-  /// way), but not across the start of a play, where bodies jump.
+  /// The moment at a time [s], clamped to the recording. Poses are interpolated between samples (headings the
+  /// short way), but not across the start of a play, where bodies jump.
   ReplayMoment at(double seconds) const;
   /// The same, reusing the memory of `moment`.
   void at(double seconds, ReplayMoment& moment) const;
