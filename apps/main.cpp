@@ -51,7 +51,8 @@ void addSensors(CLI::App& command, SensorModel& sensors) {
 
 CLI::App* addRun(CLI::App& app, Options& options) {
   RunOptions& run = options.run;
-  CLI::App* command = app.add_subcommand("run", "drive one robot through a navigation trial and print its score");
+  CLI::App* command =
+      app.add_subcommand("run", "drive one robot through a navigation trial and print its score");
   command->footer(
       "Examples:\n"
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
@@ -61,16 +62,15 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       "Names: fulbito list navigators, fulbito list suites, fulbito list cases.");
   command->add_option("--navigator", run.navigator, "navigation method, e.g. bezier:clearance=0.03")
       ->capture_default_str();
-  command->add_option("--layout", run.layout, "TOML file, named case or SUITE:NUMBER")
-      ->capture_default_str();
+  command->add_option("--layout", run.layout, "TOML file, named case or SUITE:NUMBER")->capture_default_str();
   command->add_option("--speed", run.speed, "top speed of the wheels over the ground [m/s], 0.05 ... 10")
       ->capture_default_str();
   command->add_option("--robot", run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", run.physics, "physics profile or TOML file")->capture_default_str();
-  wholeNumber(command->add_option("--seed", run.seed, "random seed (layout, sensor noise)"))->capture_default_str();
+  wholeNumber(command->add_option("--seed", run.seed, "random seed (layout, sensor noise)"))
+      ->capture_default_str();
   addSensors(*command, run.sensors);
-  command
-      ->add_option("--png", options.run_png, "write a PNG picture (without FILE: named after the layout)")
+  command->add_option("--png", options.run_png, "write a PNG picture (without FILE: named after the layout)")
       ->expected(0, 1)
       ->type_name("[FILE]");
   CLI::Option* record = command->add_option("--record", run.record, "write a recording")->type_name("FILE");
@@ -78,7 +78,8 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       ->add_flag("--drawings", run.drawings,
                  "with --record: also record the planned path or field, 10 times per second")
       ->needs(record);
-  command->add_option("--trace", run.trace, "write CSV, one line per control tick; - for stdout")->type_name("FILE");
+  command->add_option("--trace", run.trace, "write CSV, one line per control tick; - for stdout")
+      ->type_name("FILE");
   command->add_flag("--force", run.force, "replace existing files");
   command->add_flag("--json", run.json, "print the score as JSON");
   return command;
@@ -88,13 +89,14 @@ CLI::App* addRun(CLI::App& app, Options& options) {
 void addMap(CLI::App& command, CompareOptions& compare) {
   MapConfig& config = compare.map;
   CLI::Option* map = command.add_flag(
-      "--map", compare.mapped,
-      "compare the Bezier method with limit-cycle rings of many sizes instead");
+      "--map", compare.mapped, "compare the Bezier method with limit-cycle rings of many sizes instead");
   for (const char* other :
        {"--navigators", "--only", "--pictures", "--record", "--tune", "--tune-evaluations", "--html"}) {
     map->excludes(command.get_option(other));
   }
-  command.add_option("--radii", config.radii, "with --map: radii of the rings [m]")->delimiter(',')->needs(map);
+  command.add_option("--radii", config.radii, "with --map: radii of the rings [m]")
+      ->delimiter(',')
+      ->needs(map);
   command.add_option("--widths", config.widths, "with --map: widths of the rings [m]")
       ->delimiter(',')
       ->needs(map);
@@ -131,10 +133,11 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   command->add_option("--navigators", config.navigators,
                       "methods, e.g. bezier limit-cycle:mu=3 (default: the suite's)");
   command->add_option("--speeds", config.speeds, "top speeds [m/s] (default: the suite's)")->delimiter(',');
-  wholeNumber(command->add_option("--trials", config.trials,
-                                  "layouts per suite and speed (default: the suite's)"),
-              1, kMostTrials);
-  wholeNumber(command->add_option("--seed", config.seed, "random seed (layouts, sensor noise)"))->capture_default_str();
+  wholeNumber(
+      command->add_option("--trials", config.trials, "layouts per suite and speed (default: the suite's)"), 1,
+      kMostTrials);
+  wholeNumber(command->add_option("--seed", config.seed, "random seed (layouts, sensor noise)"))
+      ->capture_default_str();
   addJobs(*command, config.jobs, "worker threads");
   wholeNumber(command->add_option("--only", options.only, "run only this layout of the suite"))
       ->type_name("NUMBER");
@@ -145,9 +148,12 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
   addSensors(*command, config.sensors);
-  CLI::Option* tune = command->add_option("--tune", compare.tune, "first tune this method on separate training layouts")
-                          ->type_name("NAVIGATOR");
-  command->add_option("--tune-evaluations", compare.tune_evaluations, "with --tune: number of parameter sets to try")
+  CLI::Option* tune =
+      command->add_option("--tune", compare.tune, "first tune this method on separate training layouts")
+          ->type_name("NAVIGATOR");
+  command
+      ->add_option("--tune-evaluations", compare.tune_evaluations,
+                   "with --tune: number of parameter sets to try")
       ->needs(tune)
       ->capture_default_str();
   command->add_option("--out", compare.out, "folder for results.json, trials.csv and the pictures")
@@ -163,8 +169,7 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
 }
 
 void addRest(CLI::App& app, Options& options) {
-  CLI::App* list =
-      app.add_subcommand("list", "list the available teams, navigators, suites, presets ...");
+  CLI::App* list = app.add_subcommand("list", "list the available teams, navigators, suites, presets ...");
   list->footer("Examples:\n  fulbito list teams\n  fulbito list navigators\n  fulbito list suites --json");
   list->add_option("kind", options.list.kind,
                    "teams, navigators, suites, cases, robots, physics, fields or rules")
@@ -178,11 +183,12 @@ void addRest(CLI::App& app, Options& options) {
   show->add_option("kind", options.show.kind, "robot, physics, field, rules or case")->required();
   show->add_option("name", options.show.name, "name of the preset (fulbito list)")->required();
 
-  CLI::App* bench =
-      app.add_subcommand("bench", "measure the engine's speed against a bare Box2D loop");
+  CLI::App* bench = app.add_subcommand("bench", "measure the engine's speed against a bare Box2D loop");
   bench->footer(
       "Examples:\n  fulbito bench\n  fulbito bench --signature\n  fulbito bench --json > bench.json");
-  bench->add_option("--repetitions", options.bench.repetitions, "repetitions per row (median is printed), 1 ... 1000")
+  bench
+      ->add_option("--repetitions", options.bench.repetitions,
+                   "repetitions per row (median is printed), 1 ... 1000")
       ->capture_default_str();
   bench->add_option("--episodes", options.bench.episodes, "10-second episodes per repetition, 1 ... 100000")
       ->capture_default_str();
@@ -210,9 +216,10 @@ std::optional<Error> wrongCommand(const CLI::App& app, std::span<char*> words) {
   }
   const bool part = app.get_parent() != nullptr;
   const std::string whole = part ? "fulbito " + app.get_name() : "fulbito";
-  return Error{ErrorCode::kUsage, fmt::format("{}there is no {} '{}'.{} See {} --help.",
-                                              part ? app.get_name() + ": " : "", part ? "subcommand" : "command",
-                                              words.front(), suggestion(words.front(), names), whole)};
+  return Error{
+      ErrorCode::kUsage,
+      fmt::format("{}there is no {} '{}'.{} See {} --help.", part ? app.get_name() + ": " : "",
+                  part ? "subcommand" : "command", words.front(), suggestion(words.front(), names), whole)};
 }
 
 /// Advice for an unknown option.

@@ -73,9 +73,8 @@ int rules(const RulesOptions& options) {
   if (!options.show.empty()) return showRules(options.show);
   if (!options.check.empty()) return checkRules(options.check);
   if (!options.compare.files.empty()) return compareRules(options.compare);
-  return report(
-      {ErrorCode::kUsage,
-       "rules: needs show NAME, check FILE or compare A B RECORDING. See fulbito rules --help."});
+  return report({ErrorCode::kUsage,
+                 "rules: needs show NAME, check FILE or compare A B RECORDING. See fulbito rules --help."});
 }
 
 }  // namespace fulbito::app

@@ -143,7 +143,8 @@ CLI::App* addRulesCompare(CLI::App& rules, RulesCompareOptions& options) {
   CLI::App* command =
       rules.add_subcommand("compare", "judge recorded matches by two profiles and compare the calls");
   command->footer(
-      "Both referees judge every recorded play from its start to the tick at which the recorded one stopped it.\n"
+      "Both referees judge every recorded play from its start to the tick at which the recorded one stopped "
+      "it.\n"
       "Example:\n"
       "  fulbito rules compare vsss-3v3 league-program-2021 game.fbr");
   command->add_option("a", options.a, "first rules profile or TOML file")->required();

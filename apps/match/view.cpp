@@ -42,7 +42,8 @@ Result<void> readSize(const std::string& text, WindowOptions& window) {
 
 Result<void> checkSpeed(double speed) {
   if (std::find(std::begin(kViewSpeeds), std::end(kViewSpeeds), speed) != std::end(kViewSpeeds)) return {};
-  return fail(ErrorCode::kUsage, fmt::format("--speed: {:g} must be one of 0.25, 0.5, 1, 2, 4, 8, 16", speed));
+  return fail(ErrorCode::kUsage,
+              fmt::format("--speed: {:g} must be one of 0.25, 0.5, 1, 2, 4, 8, 16", speed));
 }
 
 ViewSettings settingsOf(const ViewOptions& options) {
@@ -111,7 +112,8 @@ void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed
     if (needed != nullptr) option->needs(needed);
     return option;
   };
-  add(command.add_option("--speed", options.speed, "playback speed, 1 = real time: 0.25, 0.5, 1, 2, 4, 8, 16"))
+  add(command.add_option("--speed", options.speed,
+                         "playback speed, 1 = real time: 0.25, 0.5, 1, 2, 4, 8, 16"))
       ->capture_default_str();
   add(command.add_option("--theme", options.theme, "colour theme: dark or light"))
       ->check(CLI::IsMember({"dark", "light"}).description(""))
@@ -121,8 +123,8 @@ void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed
   add(command.add_flag("--paused", options.paused, "start paused"));
   add(command.add_flag("--full-screen", options.full_screen, "fill the screen"));
   add(command.add_flag("--keys", options.help, "show the list of keys at the start"));
-  wholeNumber(add(command.add_option("--frames", options.frames,
-                                     "exit after N frames, or when nothing moves")))
+  wholeNumber(
+      add(command.add_option("--frames", options.frames, "exit after N frames, or when nothing moves")))
       ->type_name("N");
   add(command.add_option("--screenshot", options.screenshot, "write the last frame as PNG"))
       ->type_name("FILE");

@@ -31,8 +31,10 @@ Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) 
     const auto result =
         tune(config, tuning, [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
     if (!result) return tl::unexpected<Error>(result.error());
-    note("tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, with defaults {:.3f}, {} evaluations)\n",
-         speed, result->navigator, result->layouts, result->objective, result->initial, result->evaluations);
+    note(
+        "tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, with defaults {:.3f}, {} "
+        "evaluations)\n",
+        speed, result->navigator, result->layouts, result->objective, result->initial, result->evaluations);
     config.navigators.push_back(result->navigator);
   }
   return {};

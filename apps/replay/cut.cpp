@@ -65,8 +65,7 @@ void print(const ReplayCutCommand& options, const PlayRange& plays, const Record
 }  // namespace
 
 CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
-  CLI::App* command =
-      replay.add_subcommand("cut", "copy some plays of a recording to a new one");
+  CLI::App* command = replay.add_subcommand("cut", "copy some plays of a recording to a new one");
   command->footer(
       "Plays are kept whole, from restart to restart, so the copy verifies like any recording.\n"
       "Examples:\n"
@@ -74,7 +73,8 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
       "  fulbito replay cut game.fbr some.fbr --plays 3-5");
   command->add_option("file", options.file, "recording (.fbr)")->required();
   command->add_option("out", options.out, "recording to write")->required();
-  number(command->add_option("--from", options.from, "first second of the recording to keep (default: its start)"))
+  number(command->add_option("--from", options.from,
+                             "first second of the recording to keep (default: its start)"))
       ->type_name("S");
   number(command->add_option("--to", options.to, "last second of the recording to keep (default: its end)"))
       ->type_name("S");

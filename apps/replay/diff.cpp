@@ -51,8 +51,9 @@ void printTicks(const RecordingDifference& found, double dt) {
     }
     return;
   }
-  say("first difference at tick {} ({:.3f} s), in play {}{}\n", *found.tick, static_cast<double>(*found.tick) * dt,
-      found.play + 1, found.start ? ", whose start already differs" : "");
+  say("first difference at tick {} ({:.3f} s), in play {}{}\n", *found.tick,
+      static_cast<double>(*found.tick) * dt, found.play + 1,
+      found.start ? ", whose start already differs" : "");
   std::size_t shown = 0;
   for (const BodyDifference& d : found.bodies) {
     if (shown++ == kShownBodies) {

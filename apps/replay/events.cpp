@@ -66,7 +66,8 @@ Result<void> printLines(const RecordingReader& recording) {
 CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options) {
   CLI::App* command = replay.add_subcommand("events", "list the referee's calls with their measured values");
   command->footer(
-      "Columns: time in the recording; period and its clock (minutes:seconds, truncated); score after the event;\n"
+      "Columns: time in the recording; period and its clock (minutes:seconds, truncated); score after the "
+      "event;\n"
       "call, or restart (-); team and robot that scored, take the restart, or committed the foul;\n"
       "ball position; law; measured value and its limit.\n"
       "Examples:\n"

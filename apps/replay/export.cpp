@@ -47,12 +47,14 @@ void addProduct(CLI::App& command, const char* flag, std::optional<std::string>&
 }
 
 void addProducts(CLI::App& command, ReplayExportCommand& options) {
-  addProduct(command, "--png", options.png,
-             "stills: at the times --at, at the events --around, at --fps between --from and --to, or the end");
+  addProduct(
+      command, "--png", options.png,
+      "stills: at the times --at, at the events --around, at --fps between --from and --to, or the end");
   addProduct(command, "--contact-sheet", options.contact_sheet,
              "twelve small pictures in one, or one per event");
   addProduct(command, "--trails", options.trails, "paths of all bodies over the field");
-  command.add_option("--heatmap", options.heatmap, "heat map of the ball, blue, yellow or one robot (blue:1)")
+  command
+      .add_option("--heatmap", options.heatmap, "heat map of the ball, blue, yellow or one robot (blue:1)")
       ->expected(1, 2)
       ->type_name("WHO [OUT]")
       ->group("Products (OUT: a file, - for stdout; default: named after the recording)");
@@ -76,15 +78,18 @@ void addWhen(CLI::App& command, ReplayExportCommand& options) {
   command.add_option("--to", options.to, "end [s] (default: the end)")->group("When");
   command.add_option("--fps", options.fps, "frames per second, 0.01 ... 240")->group("When");
   command
-      .add_option(
-          "--speed", options.speed,
-          "speed of films, 1 = real time (default: 4; 1 up to 30 s and with --around, --highlights)")
+      .add_option("--speed", options.speed,
+                  "speed of films, 1 = real time (default: 4; 1 up to 30 s and with --around, --highlights)")
       ->group("When");
 }
 
 void addLook(CLI::App& command, ReplayExportCommand& options) {
-  command.add_option("--size", options.size, "width, or width x height [px]")->type_name("SIZE")->group("How");
-  command.add_option("--theme", options.theme, "colour theme: dark or light")->capture_default_str()->group("How");
+  command.add_option("--size", options.size, "width, or width x height [px]")
+      ->type_name("SIZE")
+      ->group("How");
+  command.add_option("--theme", options.theme, "colour theme: dark or light")
+      ->capture_default_str()
+      ->group("How");
   command.add_option("--trail", options.trail_seconds, "length of the trails [s], 0 ... 60")
       ->capture_default_str()
       ->group("How");

@@ -55,8 +55,8 @@ Result<void> exportVideo(const ExportRequest& request, VideoFormat format, const
   if (!picture) return tl::unexpected<Error>(picture.error());
   const MatchPictureSpec& spec = picture->spec();
   if (spec.width % 2 != 0 || spec.height % 2 != 0) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("--size {}x{}: width and height of a video must be even", spec.width, spec.height));
+    return fail(ErrorCode::kUsage, fmt::format("--size {}x{}: width and height of a video must be even",
+                                               spec.width, spec.height));
   }
   const double fps = request.options->fps.value_or(kVideoFps);
   auto video = VideoPipe::open(*file, {format, spec.width, spec.height, fps, request.options->quality});

@@ -53,7 +53,8 @@ std::string numbered(const std::string& file, std::size_t index) {
 Result<std::vector<std::string>> pictureFiles(const ExportRequest& request, const std::string& given,
                                               const std::string& ending, std::size_t count) {
   if (count > 1 && given == "-") {
-    return fail(ErrorCode::kUsage, fmt::format("{} pictures cannot be written to stdout; name a file", count));
+    return fail(ErrorCode::kUsage,
+                fmt::format("{} pictures cannot be written to stdout; name a file", count));
   }
   std::vector<std::string> files;
   for (std::size_t i = 1; i <= count; ++i) {
@@ -197,9 +198,7 @@ Result<HeatMapChoice> heatChoice(const ExportRequest& request, const std::string
   if (choice.bodies.empty()) {
     return fail(
         ErrorCode::kUsage,
-        fmt::format(
-            "--heatmap '{}': must be ball, blue, yellow or a recorded robot such as blue:0",
-            word));
+        fmt::format("--heatmap '{}': must be ball, blue, yellow or a recorded robot such as blue:0", word));
   }
   choice.label = word == "ball" ? "the ball" : word == "robot" ? "the robot" : word;
   const std::size_t index = team == "yellow" ? 1 : 0;

@@ -201,7 +201,8 @@ void print(const std::string& file, const RecordingReader& recording, const Tall
 }  // namespace
 
 CLI::App* addReplayInfo(CLI::App& replay, ReplayInfoCommand& options) {
-  CLI::App* command = replay.add_subcommand("info", "show what a recording contains and what takes its space");
+  CLI::App* command =
+      replay.add_subcommand("info", "show what a recording contains and what takes its space");
   command->footer("Examples:\n  fulbito replay info game.fbr\n  fulbito replay info game.fbr --json");
   command->add_option("file", options.file, "recording (.fbr)")->required();
   command->add_flag("--json", options.json, "print JSON");

@@ -56,8 +56,7 @@ void print(const ReplayRepairCommand& options, const Salvage& found, const std::
 }  // namespace
 
 CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options) {
-  CLI::App* command =
-      replay.add_subcommand("repair", "recover a valid recording from a damaged one");
+  CLI::App* command = replay.add_subcommand("repair", "recover a valid recording from a damaged one");
   command->footer(
       "Keeps everything before the damage and every play that starts after it.\n"
       "Example:\n"

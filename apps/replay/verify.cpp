@@ -84,8 +84,8 @@ void printTable(const std::vector<VerifiedFile>& files, double wall) {
         v.seconds, v.plays, v.final_hash, v.same() ? std::string() : v.divergence->text);
   }
   const Counts counts = countsOf(files);
-  say("\n{} recordings: {} same, {} different, {} cut, {} bad\n", files.size(), counts.same,
-      counts.different, counts.cut, counts.bad);
+  say("\n{} recordings: {} same, {} different, {} cut, {} bad\n", files.size(), counts.same, counts.different,
+      counts.cut, counts.bad);
   say("{:.1f} s simulated in {:.2f} s: {:.0f} x real time\n", counts.simulated, wall,
       counts.simulated / wall);
 }
@@ -164,7 +164,8 @@ CLI::App* addReplayVerify(CLI::App& replay, ReplayVerifyCommand& options) {
       "Examples:\n"
       "  fulbito replay verify game.fbr\n"
       "  fulbito replay verify recordings/ --jobs 2 --json > verified.json\n"
-      "Exit codes: 0 all identical, 7 one differs (its first differing tick, body and coordinate are printed),\n"
+      "Exit codes: 0 all identical, 7 one differs (its first differing tick, body and coordinate are "
+      "printed),\n"
       "3 one is damaged or cut off.");
   command->add_option("files", options.files, "recordings (.fbr) or folders that contain them")->required();
   addJobs(*command, options.jobs, "worker threads");

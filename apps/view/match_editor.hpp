@@ -8,8 +8,8 @@
 
 namespace fulbito {
 
-/// Lets the user drag the ball and robots of a live match: grab, drag, drop. The match then continues in a new
-/// play (`Match::replace`). A body dragged onto an occupied place stays at the last free one.
+/// Lets the user drag the ball and robots of a live match: grab, drag, drop. The match then continues in a
+/// new play (`Match::replace`). A body dragged onto an occupied place stays at the last free one.
 class MatchEditor {
  public:
   /// Refers to `match`.

@@ -265,9 +265,9 @@ void ViewWindow::Impl::take(const SDL_Event& event, Viewer& viewer) {
   }
 }
 
-/// Handles all pending events; waits for the first one for at most this long [ns]. Does not use SDL_WaitEvent:
-/// on X11 it messages the window over a second connection, which ends the program with BadWindow if the window
-/// is already gone.
+/// Handles all pending events; waits for the first one for at most this long [ns]. Does not use
+/// SDL_WaitEvent: on X11 it messages the window over a second connection, which ends the program with
+/// BadWindow if the window is already gone.
 void ViewWindow::Impl::takeAll(Viewer& viewer, std::int64_t wait) {
   constexpr std::int64_t kLook = 4;  // [ms] between checks
   SDL_Event event;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLongestGap = 0.1;              // [s]
 constexpr std::int64_t kNotice = 2'500'000'000;  // [ns]
-constexpr double kBackSlack = 0.5;         // [s] after seeking to an event, going back within this time skips it
+constexpr double kBackSlack = 0.5;  // [s] after seeking to an event, going back within this time skips it
 constexpr double kNotch = math::kPi / 12;  // [rad] per notch of the wheel
 
 std::string speedText(double speed) {

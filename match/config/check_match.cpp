@@ -39,8 +39,9 @@ Result<void> checkStart(const MatchConfig& config) {
       if (i >= static_cast<std::size_t>(config.rules.team_size)) {
         return fail(
             ErrorCode::kUsage,
-            fmt::format("start state: {} has a robot {}, but the rules '{}' have {} robots per team, counted from 0",
-                        nameOf(team), i, config.rules.name, config.rules.team_size));
+            fmt::format(
+                "start state: {} has a robot {}, but the rules '{}' have {} robots per team, counted from 0",
+                nameOf(team), i, config.rules.name, config.rules.team_size));
       }
     }
   }

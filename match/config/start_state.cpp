@@ -37,10 +37,11 @@ Schema robotSchema(StartRobot& robot) {
 }
 
 Schema boardSchema(Scoreboard& board) {
-  return {{"blue", &board.score[0], 0, 1000, "", "goals so far", false},
-          {"yellow", &board.score[1], 0, 1000, "", "goals so far", false},
-          {"period", &board.period, 1, 3, "", "1, 2: halves; 3: overtime", false},
-          {"play_seconds", &board.play_seconds, 0.0, kMaxPlay, "s", "elapsed play time in the period", false}};
+  return {
+      {"blue", &board.score[0], 0, 1000, "", "goals so far", false},
+      {"yellow", &board.score[1], 0, 1000, "", "goals so far", false},
+      {"period", &board.period, 1, 3, "", "1, 2: halves; 3: overtime", false},
+      {"play_seconds", &board.play_seconds, 0.0, kMaxPlay, "s", "elapsed play time in the period", false}};
 }
 
 Result<void> readRobots(const ConfigDocument& document, Placement& placement) {

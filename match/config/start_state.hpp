@@ -22,8 +22,8 @@ struct StartState {
 /// Robots that are not listed are not on the field. Errors: kIo; kBadInput as `file:line: table.key ...`.
 Result<StartState> loadStartState(const std::string& file);
 
-/// The same, checked against a match: its rules have all robots, all bodies are inside the field without overlap, and
-/// the elapsed play time fits into a half. Ignores `match.start`.
+/// The same, checked against a match: its rules have all robots, all bodies are inside the field without
+/// overlap, and the elapsed play time fits into a half. Ignores `match.start`.
 Result<StartState> loadStartState(const std::string& file, const MatchConfig& match);
 
 /// The same from text; `origin` stands for the file name in errors.

@@ -10,7 +10,7 @@ namespace fulbito {
 
 /// One entry of a recording's event log: a call of the referee, or a restart.
 struct ReplayEvent {
-  RecordedEvent call;  ///< for a restart: tick, time, period, taking team and ball position
+  RecordedEvent call;                  ///< for a restart: tick, time, period, taking team and ball position
   std::optional<RestartKind> restart;  ///< empty: a call
   PerTeam<int> score{};                ///< after it
 };

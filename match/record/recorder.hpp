@@ -11,8 +11,8 @@ namespace fulbito {
 /// The header of a recording of the match.
 RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level);
 
-/// Records the observed match (docs/recordings.md). `Match::finish` completes the file however the match ends.
-/// If the program dies, the file can be read up to its last few seconds.
+/// Records the observed match (docs/recordings.md). `Match::finish` completes the file however the match
+/// ends. If the program dies, the file can be read up to its last few seconds.
 class MatchRecorder final : public MatchObserver {
  public:
   /// Opens the file at once, so that errors appear before the match.

@@ -11,7 +11,7 @@ namespace fulbito {
 
 /// One entry of a match's event log: a call of the referee, or a restart.
 struct LoggedEvent {
-  GameEvent call;  ///< for a restart: tick, time, period, taking team and ball position
+  GameEvent call;                      ///< for a restart: tick, time, period, taking team and ball position
   std::optional<RestartKind> restart;  ///< empty: a call
   PerTeam<int> score{};                ///< after it
 };

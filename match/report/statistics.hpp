@@ -60,8 +60,9 @@ inline constexpr double kPossessionLead = 0.02;
 
 /// @{ A shot: the ball was last touched by the attacking team and is faster than `kShotSpeed`. At its present
 /// velocity it would cross the goal line within `kShotHorizon`, between the posts or at most `kShotNearMiss`
-/// beside one. The shot is on goal if at any moment the whole ball would pass between the posts; a goal always
-/// is, unless it is an own goal. A shot ends when this has not held for `kShotPause`, or when play stops.
+/// beside one. The shot is on goal if at any moment the whole ball would pass between the posts; a goal
+/// always is, unless it is an own goal. A shot ends when this has not held for `kShotPause`, or when play
+/// stops.
 inline constexpr double kShotSpeed = 0.4;      ///< [m/s]
 inline constexpr double kShotHorizon = 1.0;    ///< [s]
 inline constexpr double kShotNearMiss = 0.10;  ///< [m] next to a post
@@ -82,7 +83,8 @@ struct MatchStatistics {
   int opponent_contacts = 0;     ///< begun contacts between robots of the two teams
   double ball_x_sum = 0.0;       ///< [m] summed over ticks; +: toward yellow's goal
 
-  /// Share of play time, 0 ... 1, with possession. Both teams' shares add up to 1, or are 0 if neither had it.
+  /// Share of play time, 0 ... 1, with possession. Both teams' shares add up to 1, or are 0 if neither had
+  /// it.
   double possession(TeamId team) const;
   /// Share of play time of the ball in the team's own (0), the middle (1) and the opponents' third (2).
   double third(TeamId team, std::size_t which) const;

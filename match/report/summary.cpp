@@ -140,8 +140,7 @@ std::string counted(int count, const char* one, const char* many) {
 }
 
 std::string faultLine(const MatchReport& report) {
-  return report.faults.abandoned ? "the match was abandoned: " + report.faults.abandoned->message + "\n"
-                                 : "";
+  return report.faults.abandoned ? "the match was abandoned: " + report.faults.abandoned->message + "\n" : "";
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ inline constexpr double kFoulPaysWithin = 5.0;
 /// Finds goals that a team scores shortly after its own foul.
 class FoulGoalFinder {
  public:
-  /// Processes an event after `played` ticks of play of `dt` [s]. Returns the clause if the event is a goal of
-  /// a team that was called for that clause at most `kFoulPaysWithin` ago.
+  /// Processes an event after `played` ticks of play of `dt` [s]. Returns the clause if the event is a goal
+  /// of a team that was called for that clause at most `kFoulPaysWithin` ago.
   std::optional<std::string_view> take(const GameEvent& event, Tick played, double dt);
 
  private:

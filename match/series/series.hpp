@@ -11,8 +11,9 @@
 
 namespace fulbito {
 
-/// A series of matches of the same two teams in swapped pairs: the second leg has the same seed with the seats
-/// exchanged. Random numbers belong to seats, so a team against itself gives a goal difference of exactly zero.
+/// A series of matches of the same two teams in swapped pairs: the second leg has the same seed with the
+/// seats exchanged. Random numbers belong to seats, so a team against itself gives a goal difference of
+/// exactly zero.
 struct SeriesConfig {
   MatchConfig match;  ///< the first leg: team A is blue; `seed` is the series' seed
   int pairs = 1;      ///< 1 ... 100,000
@@ -54,12 +55,12 @@ struct SeriesResult {
   Interval goal_difference;  ///< A's goals minus B's, per match; interval: `meanInterval` over pairs
 };
 
-/// Called after each match with the number of finished matches. Returning false stops the series. Calls do not
-/// overlap.
+/// Called after each match with the number of finished matches. Returning false stops the series. Calls do
+/// not overlap.
 using SeriesProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
-/// Plays the series. The result does not depend on the number of jobs. If stopped early, it holds the complete
-/// pairs before the first gap. Errors: as `Match::create`; kUsage for `pairs` and `jobs`.
+/// Plays the series. The result does not depend on the number of jobs. If stopped early, it holds the
+/// complete pairs before the first gap. Errors: as `Match::create`; kUsage for `pairs` and `jobs`.
 Result<SeriesResult> playSeries(const SeriesConfig& config, const SeriesProgress& progress = {});
 
 /// Seed of a pair. The first pair uses the series' seed.

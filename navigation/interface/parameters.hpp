@@ -84,8 +84,7 @@ struct Setting {
   std::string value;
 };
 
-/// Parses `text` as a value of `spec`. Errors: kUsage naming the parameter and the allowed range
-/// or choices.
+/// Parses `text` as a value of `spec`. Errors: kUsage naming the parameter and the allowed range or choices.
 Result<double> parseParameter(const ParameterSpec& spec, const std::string& text);
 
 /// Parses `name=value,name=value`. Errors (kUsage) quote `whole`.

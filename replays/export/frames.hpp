@@ -15,8 +15,8 @@ struct ReplayRange {
   double to = 0.0;
 };
 
-/// The recording times [s] of a film's frames: `fps` frames per second of film, `speed` seconds of the recording per
-/// second of film. Ranges that touch or overlap are joined; each has at least one frame.
+/// The recording times [s] of a film's frames: `fps` frames per second of film, `speed` seconds of the
+/// recording per second of film. Ranges that touch or overlap are joined; each has at least one frame.
 std::vector<double> filmTimes(std::vector<ReplayRange> ranges, double fps, double speed);
 
 /// The ranges around some ticks, clamped to the recording.

@@ -11,8 +11,8 @@
 
 namespace fulbito {
 
-/// The palette of a GIF, at most 255 colours: the most frequent ones of some pictures. Similar colours are skipped
-/// while others are available.
+/// The palette of a GIF, at most 255 colours: the most frequent ones of some pictures. Similar colours are
+/// skipped while others are available.
 class GifPalette {
  public:
   explicit GifPalette(const std::vector<const Canvas*>& samples);

@@ -17,8 +17,8 @@ struct VideoSettings {
   int quality = 22;  ///< as x264's: 0 (best) ... 51
 };
 
-/// A video that ffmpeg, as a child in its own process group, makes from frames on a pipe. The file appears under its
-/// name when it is complete. An unfinished file is removed.
+/// A video that ffmpeg, as a child in its own process group, makes from frames on a pipe. The file appears
+/// under its name when it is complete. An unfinished file is removed.
 class VideoPipe {
  public:
   /// `file` "-" is stdout. Errors: kIo if ffmpeg is missing or cannot be started; as OutputFile::create.
@@ -27,8 +27,8 @@ class VideoPipe {
   VideoPipe& operator=(VideoPipe&&) noexcept;
   ~VideoPipe();
 
-  /// Writes a frame from `toYuv420`. Errors: kIo with ffmpeg's last message; kInterrupted if the process is asked to
-  /// stop while waiting for ffmpeg.
+  /// Writes a frame from `toYuv420`. Errors: kIo with ffmpeg's last message; kInterrupted if the process is
+  /// asked to stop while waiting for ffmpeg.
   Result<void> write(const std::string& frame);
   /// Waits for ffmpeg and completes the file. Errors: as `write`.
   Result<void> finish();

@@ -21,8 +21,8 @@ struct Page {
   std::vector<PageScene> scenes;
 };
 
-/// The viewer with these scenes as one self-contained HTML file. The same page gives the same bytes. Errors: kUsage
-/// for a page without a scene, or a ghost with different bodies.
+/// The viewer with these scenes as one self-contained HTML file. The same page gives the same bytes. Errors:
+/// kUsage for a page without a scene, or a ghost with different bodies.
 Result<std::string> htmlPage(const Page& page);
 
 }  // namespace fulbito

@@ -17,8 +17,8 @@ struct PagePayload {
   std::uint32_t crc = 0;           ///< of all bytes before deflate
 };
 
-/// Everything except the values per tick, as JSON that is safe inside a script element: it contains no '<', '>', '&'
-/// or non-ASCII character, whatever the texts are.
+/// Everything except the values per tick, as JSON that is safe inside a script element: it contains no '<',
+/// '>', '&' or non-ASCII character, whatever the texts are.
 std::string pageJson(const Page& page, const PagePayload& payload);
 
 }  // namespace fulbito

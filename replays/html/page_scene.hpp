@@ -12,7 +12,8 @@
 #include "engine/core/models/field_geometry.hpp"
 #include "replays/recording/recording.hpp"
 
-/// The content of the HTML viewer (docs/viewer.md) as plain values, for both recordings and races of navigators.
+/// The content of the HTML viewer (docs/viewer.md) as plain values, for both recordings and races of
+/// navigators.
 namespace fulbito {
 
 /// A body as the viewer draws it.

@@ -12,7 +12,8 @@
 
 namespace fulbito {
 
-/// Writes the visited plays to a new recording and compares them with the recorded ones. Stops at a difference.
+/// Writes the visited plays to a new recording and compares them with the recorded ones. Stops at a
+/// difference.
 class PlayCopier final : public ReplayVisitor {
  public:
   explicit PlayCopier(RecordingWriter writer) : writer_(std::move(writer)) {}

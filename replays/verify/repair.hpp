@@ -16,9 +16,10 @@ struct Repair {
   bool end_lost = false;
 };
 
-/// A valid recording of all readable plays. Each play has its own world, so plays after the damage are kept too. Of
-/// a damaged play, the part before the damage remains. All plays are simulated again; after a gap the running hash
-/// differs from the original's. Errors: kBadInput if no play is readable, or the simulation differs.
+/// A valid recording of all readable plays. Each play has its own world, so plays after the damage are kept
+/// too. Of a damaged play, the part before the damage remains. All plays are simulated again; after a gap the
+/// running hash differs from the original's. Errors: kBadInput if no play is readable, or the simulation
+/// differs.
 Result<Repair> repair(const Salvage& salvage);
 
 }  // namespace fulbito

@@ -53,8 +53,8 @@ class ReplayVisitor {
   /// @}
 };
 
-/// Simulates a recording again: creates each play's world from its recorded start and applies the recorded commands,
-/// without teams or referee. Errors: kBadInput naming the file, if the recipe gives no valid world.
+/// Simulates a recording again: creates each play's world from its recorded start and applies the recorded
+/// commands, without teams or referee. Errors: kBadInput naming the file, if the recipe gives no valid world.
 Result<void> resimulate(const RecordingReader& recording, ReplayVisitor& visitor);
 
 /// Plays of a recording, counted from 0; both ends are included.

@@ -13,8 +13,8 @@ struct Divergence {
   Tick tick = 0;          ///< of the recording: the first whose hash differs
   std::int64_t play = 0;  ///< in which play, from 0
   Tick play_tick = 0;     ///< ticks since the play began
-  /// The first body that differs, possibly at a later tick: bodies are hashed once per second and sampled 30 times
-  /// per second.
+  /// The first body that differs, possibly at a later tick: bodies are hashed once per second and sampled 30
+  /// times per second.
   std::optional<std::size_t> body;
   std::string body_name;
   int bodies = 0;  ///< number of bodies that differ at `body_tick`

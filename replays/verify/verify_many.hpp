@@ -14,8 +14,8 @@ struct VerifiedFile {
   Result<Verification> result;
 };
 
-/// Expands folders to their .fbr files, sorted by name; files stay as they are. Errors: kIo for missing files and
-/// folders that cannot be listed.
+/// Expands folders to their .fbr files, sorted by name; files stay as they are. Errors: kIo for missing files
+/// and folders that cannot be listed.
 Result<std::vector<std::string>> recordingFiles(const std::vector<std::string>& files_or_folders);
 
 /// Verifies each on `jobs` threads (0: all cores); results come in the order of the files. `progress` hears

@@ -36,7 +36,8 @@ NavigatorInfo tangentFieldInfo() {
           {number("offset", &P::offset, 0.01, 1.0, "m", "radius of the circle around a ball-sized obstacle"),
            number("range", &P::range, 0.0, 10.0, "m",
                   "obstacles whose centre is farther away have no effect"),
-           number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad", "advantage that makes the robot change sides")}));
+           number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad",
+                  "advantage that makes the robot change sides")}));
 }
 
 }  // namespace fulbito

@@ -103,7 +103,8 @@ NavigatorInfo hermiteInfo() {
       "hermite", "cubic Hermite segments through the shortest path's bends",
       "paper 004's future work, cubic Hermite interpolation",
       withPathParameters<P>(
-          {number("clearance", &P::clearance, 0.0, 0.2, "m", "distance kept from the robot's circumscribed circle"),
+          {number("clearance", &P::clearance, 0.0, 0.2, "m",
+                  "distance kept from the robot's circumscribed circle"),
            number("tension", &P::tension, 0.1, 2.0, "", "length of the joints' derivatives over the chord"),
            number("hysteresis", &P::hysteresis, 0.0, 1.0, "",
                   "relative gain in length that makes the robot change sides")}));

@@ -28,8 +28,10 @@ NavigatorInfo tangentGraphInfo() {
       "textbook (Latombe 1991), the anchor of paper 004's comparison",
       withPathParameters<P>(
           {number("margin", &P::margin, 0.0, 0.2, "m", "distance kept from the robot's circumscribed circle"),
-           number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "relative gain in length that makes the robot change sides"),
-           number("approach", &P::approach, 0.0, 0.5, "m", "straight length before a goal with an arrival heading"),
+           number("hysteresis", &P::hysteresis, 0.0, 1.0, "",
+                  "relative gain in length that makes the robot change sides"),
+           number("approach", &P::approach, 0.0, 0.5, "m",
+                  "straight length before a goal with an arrival heading"),
            number("bend", &P::bend, 0.01, 0.5, "m", "radius of the turn onto that straight")}));
 }
 

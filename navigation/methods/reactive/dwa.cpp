@@ -115,8 +115,7 @@ double Dwa::score(const NavigationScene& scene, const Window& window, Twist twis
 NavigatorInfo dwaInfo() {
   using P = DwaParams;
   return describeNavigator<P, Dwa>(
-      "dwa", "dynamic window: best reachable speed and yaw rate",
-      "Fox, Burgard & Thrun 1997",
+      "dwa", "dynamic window: best reachable speed and yaw rate", "Fox, Burgard & Thrun 1997",
       {integer("speeds", &P::speeds, 2, 50, "samples of the forward speed"),
        integer("turns", &P::turns, 3, 101, "samples of the yaw rate"),
        number("window", &P::window, 0.01, 1.0, "s", "length of the window, as time of wheel acceleration"),

@@ -15,8 +15,8 @@ struct HeatMapChoice {
   double from = 0.0, to = 0.0;      ///< [s] of the recording
 };
 
-/// The time that the bodies spent at each place during play, in seconds per square decimetre, smoothed over 2.5 cm.
-/// Halves are turned so that blue attacks to the right. Errors: as MatchPicture::create.
+/// The time that the bodies spent at each place during play, in seconds per square decimetre, smoothed over
+/// 2.5 cm. Halves are turned so that blue attacks to the right. Errors: as MatchPicture::create.
 Result<Canvas> drawHeatMap(const ReplayTimeline& timeline, const MatchPictureSpec& spec,
                            const HeatMapChoice& choice);
 

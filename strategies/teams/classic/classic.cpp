@@ -204,7 +204,8 @@ TeamInfo classicInfo() {
   using P = Classic::Params;
   return describeTeam<P, Classic>(
       "classic", "textbook team: fixed roles, a keeper on its line, a vector field to the ball",
-      {number("keeper_depth", &P::keeper_depth, 0.03, 0.2, "m", "distance of the keeper's line from the goal line"),
+      {number("keeper_depth", &P::keeper_depth, 0.03, 0.2, "m",
+              "distance of the keeper's line from the goal line"),
        number("support", &P::support, 0.1, 1.0, "m", "distance of the supporter behind the ball"),
        number("strike_speed", &P::strike_speed, 0.2, 3.0, "m/s", "speed for driving through a lined-up ball"),
        flag("exchange", &P::exchange, "the field player nearest to the ball becomes the attacker"),

@@ -155,7 +155,8 @@ TEST_CASE("contacts with opponents are in both columns, next to those with teamm
   Played played(chasers(), 10);
   played.report.statistics.opponent_contacts = 83;
   const std::string text = matchText(played.report);
-  const std::size_t mates = text.find("contacts with teammates"), opponents = text.find("contacts with opponents");
+  const std::size_t mates = text.find("contacts with teammates"),
+                    opponents = text.find("contacts with opponents");
   const std::string row = text.substr(opponents, text.find('\n', opponents) - opponents);
   CHECK(text.find('\n', mates) + 3 == opponents);
   CHECK(row.find("83") != row.rfind("83"));
