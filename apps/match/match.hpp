@@ -26,8 +26,8 @@ struct MatchCommand {
   std::string start;                   ///< start state file; empty: a kick-off
   VisionModel vision;
   std::string record;          ///< file; empty: none
-  bool record_recipe = false;  ///< omit from the recording what can be recomputed
-  bool drawings = false;       ///< also record what the teams draw
+  bool record_recipe = false;  ///< the recording holds only what cannot be computed again
+  bool drawings = false;       ///< the recording also holds what the teams draw
   std::string events;          ///< file or "-"; empty: none
   std::optional<int> pairs;    ///< empty: one match
   int jobs = 0;
