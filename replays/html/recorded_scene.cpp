@@ -134,7 +134,7 @@ void addFacts(const RecordingReader& recording, const RobotPreset& robot, PageSc
   fact("Control rate", fmt::format("{} Hz", header.control_rate));
   if (recipe.latency_ticks > 0) fact("Latency", fmt::format("{} ticks", recipe.latency_ticks));
   if (recipe.position_noise > 0.0) fact("Noise", fmt::format("{:g} mm", recipe.position_noise * 1e3));
-  if (recipe.dropout > 0.0) fact("Drop-out", fmt::format("{:g} %", recipe.dropout * 100));
+  if (recipe.dropout > 0.0) fact("Not seen", fmt::format("{:g} %", recipe.dropout * 100));
   if (const auto& result = recording.result()) {
     if (header.kind == RecordingKind::kTrial) fact("Outcome", result->outcome);
     for (const auto& [name, value] : result->figures) {
