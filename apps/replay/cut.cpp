@@ -73,10 +73,9 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
       "  fulbito replay cut game.fbr some.fbr --plays 3-5");
   command->add_option("file", options.file, "recording (.fbr)")->required();
   command->add_option("out", options.out, "recording to write")->required();
-  number(command->add_option("--from", options.from,
-                             "first second of the recording to keep (default: its start)"))
+  number(command->add_option("--from", options.from, "keep plays from this time on [s] (default: the start)"))
       ->type_name("S");
-  number(command->add_option("--to", options.to, "last second of the recording to keep (default: its end)"))
+  number(command->add_option("--to", options.to, "keep plays up to this time [s] (default: the end)"))
       ->type_name("S");
   command->add_option("--plays", options.plays, "keep plays A to B, counted from 1")->type_name("A-B");
   command->add_flag("--force", options.force, "replace an existing file");

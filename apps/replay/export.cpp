@@ -47,9 +47,8 @@ void addProduct(CLI::App& command, const char* flag, std::optional<std::string>&
 }
 
 void addProducts(CLI::App& command, ReplayExportCommand& options) {
-  addProduct(
-      command, "--png", options.png,
-      "stills: at the times --at, at the events --around, at --fps between --from and --to, or the end");
+  addProduct(command, "--png", options.png,
+             "stills at --at or --around, at --fps from --from to --to, or of the last frame");
   addProduct(command, "--contact-sheet", options.contact_sheet,
              "twelve small pictures in one, or one per event");
   addProduct(command, "--trails", options.trails, "paths of all bodies over the field");
@@ -69,9 +68,8 @@ void addProducts(CLI::App& command, ReplayExportCommand& options) {
 void addWhen(CLI::App& command, ReplayExportCommand& options) {
   command.add_option("--at", options.at, "times of stills [s], one or more")->group("When");
   command
-      .add_option(
-          "--around", options.around,
-          "events: goals, penalty, free-ball, half ..., or the n-th (goals:1); films show 5 s around each")
+      .add_option("--around", options.around,
+                  "events: goals, penalty, half ..., or one of them: goals:1; films show 5 s around each")
       ->group("When");
   command.add_flag("--highlights", options.highlights, "the same as --around goals")->group("When");
   command.add_option("--from", options.from, "start [s] (default: the beginning)")->group("When");
@@ -79,7 +77,7 @@ void addWhen(CLI::App& command, ReplayExportCommand& options) {
   command.add_option("--fps", options.fps, "frames per second, 0.01 ... 240")->group("When");
   command
       .add_option("--speed", options.speed,
-                  "speed of films, 1 = real time (default: 4; 1 up to 30 s and with --around, --highlights)")
+                  "speed of films, 1 = real time (default: 1 for events and up to 30 s, else 4)")
       ->group("When");
 }
 

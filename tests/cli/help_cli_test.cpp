@@ -53,11 +53,11 @@ std::vector<HelpEntry> entriesOf(const HelpText& help, const std::string& headin
       inside = false;
     } else if (inside) {
       const bool continued = line.find_first_not_of(' ') >= kDescriptionAt;
-      if (!continued) entries.push_back({trimmed(line.substr(0, line.find("  ", 2))), {}});
-      const std::size_t gap = line.find("  ", 2);
-      if (entries.empty() || (!continued && gap == std::string::npos)) continue;
+      const bool described = line.size() > kDescriptionAt && line[kDescriptionAt - 1] == ' ';
+      if (!continued) entries.push_back({trimmed(described ? line.substr(0, kDescriptionAt) : line), {}});
+      if (entries.empty() || !described) continue;
       std::string& text = entries.back().description;
-      text += (text.empty() ? "" : " ") + trimmed(continued ? line : line.substr(gap));
+      text += (text.empty() ? "" : " ") + trimmed(line.substr(kDescriptionAt));
     }
   }
   return entries;
