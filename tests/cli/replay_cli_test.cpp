@@ -175,14 +175,14 @@ TEST_CASE("replay cut makes a recording that verifies, and replaces none unasked
     CHECK(output.code == 2);
     CHECK(output.err.find(part) != std::string::npos);
   };
-  refuses("", "--plays A-B or --from and --to");
-  refuses("--plays 1 --from 2", "--plays A-B or --from and --to");
-  refuses("--plays 5-2", "'5-2' is no range");
-  refuses("--plays 0", "'0' is no range");
-  refuses("--plays x", "'x' is no range");
+  refuses("", "--plays A-B, or --from and --to");
+  refuses("--plays 1 --from 2", "--plays A-B, or --from and --to");
+  refuses("--plays 5-2", "'5-2' is not a range");
+  refuses("--plays 0", "'0' is not a range");
+  refuses("--plays x", "'x' is not a range");
   refuses("--plays 1-999", "are not within 1 ... ");
   refuses("--from 2 --to 1", "--from 2 is after --to 1");
-  refuses("--from 500 --to 600", "no play has a part in 500 ... 600 s");
+  refuses("--from 500 --to 600", "no play overlaps 500 ... 600 s");
   CHECK_FALSE(fs::exists(box.path / "d.fbr"));
 }
 
