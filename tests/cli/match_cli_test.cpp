@@ -232,7 +232,7 @@ TEST_CASE("a match on another field than its places are written for says so and 
   CHECK(output.err.find("Start from: fulbito rules show vsss-5v5") != std::string::npos);
   const Output check = box.run("rules check mine.toml");
   CHECK(check.code == 0);
-  CHECK(check.out.find("note: the places of the rules 'mine'") != std::string::npos);
+  CHECK(check.out.find("note: the places (in metres) of the rules 'mine'") != std::string::npos);
   CHECK(box.run("rules check vsss-5v5").out.find("note") == std::string::npos);
 }
 
