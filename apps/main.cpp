@@ -41,11 +41,11 @@ struct Options {
 };
 
 void addSensors(CLI::App& command, SensorModel& sensors) {
-  command.add_option("--latency", sensors.latency_ticks, "age of observations in control ticks, 0 ... 60")
+  command.add_option("--latency", sensors.latency_ticks, "age of observations [control ticks], 0 ... 60")
       ->capture_default_str();
   command
       .add_option("--noise", sensors.position_noise,
-                  "standard deviation of observed positions [m], 0 ... 0.1")
+                  "noise of observed positions: standard deviation [m], 0 ... 0.1")
       ->capture_default_str();
   command.add_option("--dropout", sensors.dropout, "chance that a body is not seen in a tick, 0 ... 0.99")
       ->capture_default_str();
@@ -53,7 +53,8 @@ void addSensors(CLI::App& command, SensorModel& sensors) {
 
 CLI::App* addRun(CLI::App& app, Options& options) {
   RunOptions& run = options.run;
-  CLI::App* command = app.add_subcommand("run", "drive one navigation trial and print its score");
+  CLI::App* command =
+      app.add_subcommand("run", "drive one robot through a navigation trial and print its score");
   command->footer(
       "Examples:\n"
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
@@ -61,55 +62,55 @@ CLI::App* addRun(CLI::App& app, Options& options) {
       "  fulbito run --layout my-layout.toml --trace trace.csv --json\n"
       "  fulbito run --layout corner:17 --record way.fbr       then: fulbito replay verify way.fbr\n"
       "Names: fulbito list navigators, fulbito list suites, fulbito list cases.");
-  command->add_option("--navigator", run.navigator, "method, e.g. bezier:clearance=0.03")
+  command->add_option("--navigator", run.navigator, "navigation method, e.g. bezier:clearance=0.03")
       ->capture_default_str();
-  command->add_option("--layout", run.layout, "TOML file, named case, or suite:number")
-      ->capture_default_str();
-  command->add_option("--speed", run.speed, "top speed of the wheels [m/s], 0.05 ... 10")
+  command->add_option("--layout", run.layout, "TOML file, named case or SUITE:NUMBER")->capture_default_str();
+  command->add_option("--speed", run.speed, "top speed of the wheels over the ground [m/s], 0.05 ... 10")
       ->capture_default_str();
   command->add_option("--robot", run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", run.physics, "physics profile or TOML file")->capture_default_str();
-  wholeNumber(command->add_option("--seed", run.seed, "seed of layouts and noise"))->capture_default_str();
+  wholeNumber(command->add_option("--seed", run.seed, "random seed (layout, sensor noise)"))
+      ->capture_default_str();
   addSensors(*command, run.sensors);
-  command
-      ->add_option("--png", options.run_png, "write a picture (named after the layout if no FILE is given)")
+  command->add_option("--png", options.run_png, "write a PNG picture (without FILE: named after the layout)")
       ->expected(0, 1)
       ->type_name("[FILE]");
   CLI::Option* record = command->add_option("--record", run.record, "write a recording")->type_name("FILE");
   command
-      ->add_flag(
-          "--drawings", run.drawings,
-          "of --record: also the path or field that the robot follows, ten times a second, for pictures")
+      ->add_flag("--drawings", run.drawings,
+                 "with --record: also record the planned path or field, 10 times per second")
       ->needs(record);
-  command->add_option("--trace", run.trace, "write one line a control tick; - for stdout")->type_name("FILE");
-  command->add_flag("--force", run.force, "replace files that exist");
+  command->add_option("--trace", run.trace, "write CSV, one line per control tick; - for stdout")
+      ->type_name("FILE");
+  command->add_flag("--force", run.force, "replace existing files");
   command->add_flag("--json", run.json, "print the score as JSON");
   return command;
 }
 
-/// What `--map` needs; other flags than its own and the general ones say nothing to it and are refused.
+/// Adds `--map` and its options. Options that `--map` would ignore exclude it.
 void addMap(CLI::App& command, CompareOptions& compare) {
   MapConfig& config = compare.map;
   CLI::Option* map = command.add_flag(
-      "--map", compare.mapped,
-      "map the gap between the Bezier method and rings of many sizes, instead of comparing methods");
+      "--map", compare.mapped, "compare the Bezier method with limit-cycle rings of many sizes instead");
   for (const char* other :
        {"--navigators", "--only", "--pictures", "--record", "--tune", "--tune-evaluations", "--html"}) {
     map->excludes(command.get_option(other));
   }
-  command.add_option("--radii", config.radii, "of --map: the rings' radii [m]")->delimiter(',')->needs(map);
-  command.add_option("--widths", config.widths, "of --map: the rings' widths [m]")
+  command.add_option("--radii", config.radii, "with --map: radii of the rings [m]")
       ->delimiter(',')
       ->needs(map);
-  command.add_option("--laws", config.laws, "of --map: preview, classic (default: both)")
+  command.add_option("--widths", config.widths, "with --map: widths of the rings [m]")
+      ->delimiter(',')
+      ->needs(map);
+  command.add_option("--laws", config.laws, "with --map: follower laws: preview, classic (default: both)")
       ->delimiter(',')
       ->needs(map);
   command
       .add_option("--headings", config.headings,
-                  "of --map: where robots look at the start: goal, random, away (default: all)")
+                  "with --map: start headings: goal, random, away (default: all)")
       ->delimiter(',')
       ->needs(map);
-  command.add_option("--seeds", config.seeds, "of --map: seeds of layouts, --seed and the numbers after it")
+  command.add_option("--seeds", config.seeds, "with --map: number of layout seeds, counted up from --seed")
       ->needs(map)
       ->capture_default_str();
 }
@@ -123,77 +124,81 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       "  fulbito compare                                        the comparison of Jung & Lee (2015)\n"
       "  fulbito compare --suite corner --navigators bezier bspline-time --speeds 1.0 2.6 --out out\n"
       "  fulbito compare --suite moving --trials 300 --json > moving.json\n"
-      "  fulbito compare --suite corner --only 17 --out one     one layout again, with its picture\n"
-      "  fulbito compare --suite moving --trials 8 --html races.html   a page to watch them race\n"
-      "  fulbito compare --tune tangent-field --speeds 1.0      tune a method, then judge it\n"
-      "  fulbito compare --map                                  where the paper's figures can come from\n"
+      "  fulbito compare --suite corner --only 17 --out one     one layout, with its picture\n"
+      "  fulbito compare --suite moving --trials 8 --html races.html   an HTML page that shows the races\n"
+      "  fulbito compare --tune tangent-field --speeds 1.0      tune a method, then compare it\n"
+      "  fulbito compare --map                                  search for the paper's ring settings\n"
       "  fulbito compare --map --laws classic --speeds 1.0 --trials 100 --out map\n"
-      "Exit code 0 also when a figure is outside its band. Names: fulbito list suites, fulbito list "
-      "navigators.");
+      "The exit code is 0 even if a result is outside its expected band.\n"
+      "Names: fulbito list suites, fulbito list navigators.");
   command->add_option("--suite", config.suite, "suite of layouts")->capture_default_str();
   command->add_option("--navigators", config.navigators,
                       "methods, e.g. bezier limit-cycle:mu=3 (default: the suite's)");
   command->add_option("--speeds", config.speeds, "top speeds [m/s] (default: the suite's)")->delimiter(',');
-  wholeNumber(command->add_option("--trials", config.trials,
-                                  "layouts of each suite and speed (default: the suite's)"),
-              1, kMostTrials);
-  wholeNumber(command->add_option("--seed", config.seed, "seed of layouts and noise"))->capture_default_str();
-  addJobs(*command, config.jobs, "worker threads");
-  wholeNumber(command->add_option("--only", options.only, "run this layout of the suite alone"))
-      ->type_name("NUMBER");
-  command->add_option("--pictures", config.pictures, "layouts of each suite and speed that are drawn")
+  wholeNumber(
+      command->add_option("--trials", config.trials, "layouts per suite and speed (default: the suite's)"), 1,
+      kMostTrials);
+  wholeNumber(command->add_option("--seed", config.seed, "random seed (layouts, sensor noise)"))
       ->capture_default_str();
-  command->add_option("--record", config.record, "folder for recordings of the layouts that are drawn")
+  addJobs(*command, config.jobs, "worker threads");
+  wholeNumber(command->add_option("--only", options.only, "run only this layout of the suite"))
+      ->type_name("NUMBER");
+  command->add_option("--pictures", config.pictures, "layouts to draw per suite and speed")
+      ->capture_default_str();
+  command->add_option("--record", config.record, "write recordings of the drawn layouts to this folder")
       ->type_name("FOLDER");
   command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
   addSensors(*command, config.sensors);
-  CLI::Option* tune = command->add_option("--tune", compare.tune, "tune this method on other layouts first")
-                          ->type_name("NAVIGATOR");
-  command->add_option("--tune-evaluations", compare.tune_evaluations, "parameter sets that the tuner tries")
+  CLI::Option* tune =
+      command->add_option("--tune", compare.tune, "first tune this method on separate training layouts")
+          ->type_name("NAVIGATOR");
+  command
+      ->add_option("--tune-evaluations", compare.tune_evaluations,
+                   "with --tune: number of parameter sets to try")
       ->needs(tune)
       ->capture_default_str();
-  command->add_option("--out", compare.out, "folder for results.json, trials.csv and pictures")
+  command->add_option("--out", compare.out, "folder for results.json, trials.csv and the pictures")
       ->capture_default_str();
   command
       ->add_option("--html", compare.html,
-                   "write a page in which all methods race through the layouts that are drawn")
+                   "write an HTML page in which the methods race on the drawn layouts")
       ->type_name("FILE");
-  command->add_flag("--force", compare.force, "replace the page of --html if it exists");
+  command->add_flag("--force", compare.force, "with --html: replace an existing file");
   addMap(*command, compare);
-  command->add_flag("--json", compare.json, "print results.json instead of tables");
+  command->add_flag("--json", compare.json, "print the results as JSON instead of tables");
   return command;
 }
 
 void addRest(CLI::App& app, Options& options) {
-  CLI::App* list =
-      app.add_subcommand("list", "list teams, navigators, suites, cases, robots, physics, fields or rules");
+  CLI::App* list = app.add_subcommand("list", "list the available teams, navigators, suites, presets ...");
   list->footer("Examples:\n  fulbito list teams\n  fulbito list navigators\n  fulbito list suites --json");
   list->add_option("kind", options.list.kind,
                    "teams, navigators, suites, cases, robots, physics, fields or rules")
       ->required();
   list->add_flag("--json", options.list.json, "print JSON");
 
-  CLI::App* show = app.add_subcommand("show", "print a preset as the TOML file that it is");
+  CLI::App* show = app.add_subcommand("show", "print a preset as a TOML file");
   show->footer(
       "Examples:\n  fulbito show robot vsss > my-robot.toml\n  fulbito show case fig1-abrupt-turns > "
       "layout.toml");
   show->add_option("kind", options.show.kind, "robot, physics, field, rules or case")->required();
-  show->add_option("name", options.show.name, "its name")->required();
+  show->add_option("name", options.show.name, "name of the preset (fulbito list)")->required();
 
-  CLI::App* bench =
-      app.add_subcommand("bench", "measure the engine against a bare Box2D loop in the same run");
+  CLI::App* bench = app.add_subcommand("bench", "measure the engine's speed against a bare Box2D loop");
   bench->footer(
       "Examples:\n  fulbito bench\n  fulbito bench --signature\n  fulbito bench --json > bench.json");
-  bench->add_option("--repetitions", options.bench.repetitions, "of each row; medians are printed")
+  bench
+      ->add_option("--repetitions", options.bench.repetitions,
+                   "repetitions per row (median is printed), 1 ... 1000")
       ->capture_default_str();
-  bench->add_option("--episodes", options.bench.episodes, "of 10 simulated seconds in a repetition")
+  bench->add_option("--episodes", options.bench.episodes, "10-second episodes per repetition, 1 ... 100000")
       ->capture_default_str();
   bench->add_flag("--signature", options.bench.signature_only,
-                  "print only the signature of the fixed scenes");
+                  "print only the signature (hash) of the fixed scenes");
   bench->add_flag("--json", options.bench.json, "print JSON");
 
-  CLI::App* version = app.add_subcommand("version", "print version and build");
+  CLI::App* version = app.add_subcommand("version", "print version and build settings");
   version->footer("Example:\n  fulbito version --json");
   version->add_flag("--json", options.version_json, "print JSON");
 }
@@ -204,7 +209,7 @@ std::vector<std::string> commandNames(const CLI::App& app) {
   return names;
 }
 
-/// A wrong word at the place of a command or of its part: CLI11 would only say that one is missing.
+/// An error for an unknown command or subcommand. CLI11 would only say that one is missing.
 std::optional<Error> wrongCommand(const CLI::App& app, std::span<char*> words) {
   const std::vector<std::string> names = commandNames(app);
   if (words.empty() || words.front()[0] == '-' || names.empty()) return std::nullopt;
@@ -213,23 +218,24 @@ std::optional<Error> wrongCommand(const CLI::App& app, std::span<char*> words) {
   }
   const bool part = app.get_parent() != nullptr;
   const std::string whole = part ? "fulbito " + app.get_name() : "fulbito";
-  return Error{ErrorCode::kUsage, fmt::format("{}there is no {} '{}'.{} See {} --help.",
-                                              part ? app.get_name() + ": " : "", part ? "part" : "command",
-                                              words.front(), suggestion(words.front(), names), whole)};
+  return Error{
+      ErrorCode::kUsage,
+      fmt::format("{}there is no {} '{}'.{} See {} --help.", part ? app.get_name() + ": " : "",
+                  part ? "subcommand" : "command", words.front(), suggestion(words.front(), names), whole)};
 }
 
-/// What to do instead of an option that is not there.
+/// Advice for an unknown option.
 std::string remedyFor(const std::string& word, const std::vector<std::string>& flags) {
   const bool takes_rules = std::find(flags.begin(), flags.end(), "--rules") != flags.end();
   if (word == "--field" && takes_rules) {
     return " The field belongs to the rules: set rules.field in a profile (fulbito rules show vsss-5v5 > "
            "mine.toml) "
-           "and give it with --rules.";
+           "and pass it with --rules.";
   }
   return suggestion(word, flags);
 }
 
-/// CLI11's message, or for an option that does not exist one with a suggestion.
+/// CLI11's message; for an unknown option, one with a suggestion.
 Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words) {
   const CLI::App* last = &app;
   std::string name;
@@ -283,12 +289,12 @@ int mainWithoutCatch(int argc, char** argv) {
       "fulbito");
   app.footer(
       "Examples:\n"
-      "  fulbito match libero classic --seed 7                  a whole match and its summary\n"
+      "  fulbito match libero classic --seed 7                  play a match and print its summary\n"
       "  fulbito compare                                        the comparison of Jung & Lee (2015)\n"
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
       "  fulbito list teams\n"
-      "Exit codes: 0 ran, 1 the thing tested failed, 2 usage, 3 bad input file, 5 cannot read or write, 7 a "
-      "recording differs, 70 internal error, 129, 130, 143 ended by a signal.");
+      "Exit codes: 0 success, 1 a check failed, 2 wrong usage, 3 bad input file, 5 cannot read or write,\n"
+      "7 a recording differs, 70 internal error, 129, 130, 143 ended by a signal.");
   app.set_version_flag("--version", buildInfo().version);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
@@ -315,12 +321,12 @@ int mainWithoutCatch(int argc, char** argv) {
   return dispatch(app, *run_command, *compare_command, options);
 }
 
-/// What the system refuses is no bug of this program.
+/// Runs the program. Running out of memory is not an internal error.
 int codeOf(int argc, char** argv) {
   try {
     return mainWithoutCatch(argc, argv);
   } catch (const std::bad_alloc&) {
-    return report({ErrorCode::kIo, "there is not enough memory; fewer --jobs or a smaller --size need less"});
+    return report({ErrorCode::kIo, "not enough memory; try fewer --jobs or a smaller --size"});
   } catch (const std::exception& error) {
     note("fulbito: internal error: {}\n", error.what());
     return kInternal;

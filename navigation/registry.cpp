@@ -48,7 +48,7 @@ const std::vector<ParameterSpec>& common() {
        1.0,
        {},
        "",
-       "whether a robot that has no room to turn at a wall gets away from it first"},
+       "a robot without room to turn at a wall first drives away from it"},
   };
   return specs;
 }

@@ -12,19 +12,18 @@
 
 namespace fulbito {
 
-/// How strict a reader is.
+/// Options of a reader.
 struct RecordingReadOptions {
-  bool salvage = false;  ///< of a damaged file, what precedes the damage is read as if it were cut there
+  bool salvage = false;  ///< read a damaged file up to the damage, as if it were cut off there
 };
 
-/// How many bytes of a file one kind of content takes, as stored.
+/// The stored bytes of one kind of content.
 struct RecordingPart {
   std::string name;
   std::size_t bytes = 0;
 };
 
-/// Reads a recording. All checksums and the order of chunks are checked when it is opened; a chunk is
-/// unpacked when it is asked for.
+/// Reads a recording. Opening checks all checksums and the order of chunks. Chunks are unpacked on request.
 class RecordingReader {
  public:
   /// Errors: kIo; kBadInput naming the file, the block and its place, for what is no recording, of another
@@ -38,9 +37,9 @@ class RecordingReader {
   ~RecordingReader();
 
   const RecordingHeader& header() const;
-  /// Whether the recording was finished; false: it was cut, and its last seconds may be missing.
+  /// Whether the recording was finished; false: it is cut off, and its last seconds may be missing.
   bool finished() const;
-  /// Of a finished recording.
+  /// The result, if the recording was finished.
   const std::optional<RecordingResult>& result() const;
   /// Ticks in all chunks.
   Tick ticks() const;
@@ -48,9 +47,9 @@ class RecordingReader {
   /// A chunk, `index` below `chunkCount`. Errors: kBadInput.
   Result<RecordedChunk> chunk(std::size_t index) const;
   std::size_t sizeInBytes() const;
-  /// Where the bytes go: every kind of content that is there, and "frame" for all that holds them together.
+  /// Bytes per kind of content, and "frame" for the remaining structure.
   std::vector<RecordingPart> sizeByPart() const;
-  /// The file's name, or what stands for it in errors.
+  /// The file's name, or its substitute in errors.
   const std::string& origin() const;
   /// The whole file.
   std::string_view bytes() const;

@@ -30,9 +30,9 @@ struct RunOptions {
   std::optional<std::string> png;  ///< empty: named after the layout
   std::string trace;
   std::string record;     ///< file; empty: none
-  bool drawings = false;  ///< the recording also holds what the navigator wants
+  bool drawings = false;  ///< also record the path or field of the navigator
   bool json = false;
-  bool force = false;  ///< files that exist are replaced
+  bool force = false;  ///< replace existing files
 };
 
 struct CompareOptions {
@@ -41,10 +41,10 @@ struct CompareOptions {
   std::string html;  ///< page of races; empty: none
   std::string tune;  ///< empty: no tuning
   int tune_evaluations = 150;
-  bool mapped = false;  ///< the map of the ring field instead
+  bool mapped = false;  ///< run the ring map instead
   MapConfig map;        ///< its base is `config`
   bool json = false;
-  bool force = false;  ///< `html` is replaced if it exists
+  bool force = false;  ///< replace an existing `html`
 };
 
 struct ListOptions {
@@ -60,8 +60,8 @@ struct ShowOptions {
 struct BenchCommand {
   bool json = false;
   bool signature_only = false;
-  int repetitions = 5;  ///< of each row
-  int episodes = 48;    ///< of ten simulated seconds each in a repetition
+  int repetitions = 5;  ///< per row of the table
+  int episodes = 48;    ///< per repetition, of ten simulated seconds each
 };
 
 /// @{ Each runs one command and returns its exit code; results go to stdout, all else to stderr.
@@ -73,16 +73,16 @@ int version(bool json);
 int bench(const BenchCommand& command);
 /// @}
 
-/// Prints the error on stderr, cut where it is very long, and returns its exit code.
+/// Prints the error on stderr, truncated if very long, and returns its exit code.
 int report(const Error& error);
 
-/// Monotonic time [ns], handed to the libraries, which read no clock of their own.
+/// Monotonic time [ns]. The libraries get this function because they read no clock themselves.
 std::int64_t now();
 
-/// From the first SIGINT, SIGTERM or SIGHUP on. Work that does not end then is ended after a few seconds, and
-/// by a second signal at once; nothing half-made is left.
+/// True from the first SIGINT, SIGTERM or SIGHUP on. The process exits after a few seconds, or at a second
+/// signal; unfinished files are removed.
 bool interrupted();
-/// The exit code of what a signal ended.
+/// The exit code after a signal.
 int interruptedCode();
 void catchSignals();
 

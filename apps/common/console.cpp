@@ -16,7 +16,7 @@
 namespace fulbito::app {
 namespace {
 
-/// Why stdout could not be written first; none: it could.
+/// errno of the first failed write to stdout; empty if none failed.
 std::optional<int> lost;
 
 void look(bool written) {
@@ -28,7 +28,7 @@ void look(bool written) {
 void openStandardDescriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The lowest free number is this one. Writing to a descriptor for reading fails, as it should.
+    // This is the lowest free number. Writing to a read-only descriptor fails, as it should.
     const int opened = ::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
     if (opened != descriptor) return;
   }
@@ -51,7 +51,7 @@ bool drawsLines() {
 
 int finishOutput(int code) {
   flushOut();
-  if (!lost && std::ferror(stdout) != 0) lost = 0;  // written by somebody else, as --help is
+  if (!lost && std::ferror(stdout) != 0) lost = 0;  // written by CLI11, as --help is
   if (!lost || code > kInterruptedBase) return code;
   if (*lost == EPIPE) return kIo;
   const std::string why = *lost != 0 ? ": " + std::generic_category().message(*lost) : "";

@@ -8,15 +8,13 @@
 
 namespace fulbito::app {
 
-/// Makes all three standard descriptors open ones, so that no file gets the number of one that was closed.
-/// What is written to a closed stdout counts as not written; words for a closed stderr are lost.
+/// Opens closed standard descriptors on /dev/null, so that no other file gets their numbers. Writing to a
+/// closed stdout counts as a failed write; text for a closed stderr is lost.
 void openStandardDescriptors();
 
-/// Writes to stdout, byte by byte as it is: for JSON, tables and files. What cannot be written is remembered
-/// until `finishOutput`.
+/// Writes to stdout unchanged: for JSON, tables and files. `finishOutput` reports failures.
 void writeOut(std::string_view text);
-/// @{ Writes to stdout or stderr for people: control characters stand as \x1b, since names come from
-/// anywhere.
+/// @{ Writes to stdout or stderr for people: control characters appear as \x1b, since names may contain any.
 void printOut(std::string_view text);
 void printNote(std::string_view text);
 template <typename... Args>
@@ -28,14 +26,14 @@ void note(fmt::format_string<Args...> format, Args&&... args) {
   printNote(fmt::format(format, std::forward<Args>(args)...));
 }
 /// @}
-/// Hands all that was written to whoever reads it.
+/// Flushes stdout.
 void flushOut();
 
-/// Whether stderr is a terminal on which a line can be drawn anew.
+/// Whether stderr is a terminal that can redraw a line.
 bool drawsLines();
 
-/// Flushes stdout and gives the program's exit code: `code`, or kIo and a message where a part of the results
-/// was lost. A reader that has gone, as with `| head`, is no news: then without a message.
+/// Flushes stdout and returns the program's exit code: `code`, or kIo with a message if output was lost. A
+/// closed pipe, as with `| head`, gives kIo without a message.
 int finishOutput(int code);
 
 }  // namespace fulbito::app

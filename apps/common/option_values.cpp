@@ -21,33 +21,33 @@ bool isWhole(std::string_view text) {
   return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Without zeros in front, which CLI11 takes for the sign of an octal number.
+/// Without leading zeros, which CLI11 reads as an octal prefix.
 std::string decimal(std::string_view text) {
   std::string_view digits = digitsOf(text);
   while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
   return (text.front() == '-' ? "-" : "") + std::string(digits);
 }
 
-std::string wholeFlaw(std::string& text) {
+std::string wholeNumberError(std::string& text) {
   if (!isWhole(text)) return fmt::format("'{}' is not a whole number", text);
   text = decimal(text);
   return {};
 }
 
-std::string limitedFlaw(std::string& text, std::uint64_t least, std::uint64_t most) {
+std::string limitedNumberError(std::string& text, std::uint64_t least, std::uint64_t most) {
   std::uint64_t value = 0;
   const bool whole = isWhole(text) && text.front() != '-';
   const std::string digits = whole ? decimal(text) : text;
   const char* const end = digits.data() + digits.size();
   const auto read = std::from_chars(digits.data(), end, value);
   if (!whole || read.ec != std::errc() || read.ptr != end || value < least || value > most) {
-    return fmt::format("'{}' is not a whole number, {} ... {}", text, least, most);
+    return fmt::format("'{}' is not a whole number in {} ... {}", text, least, most);
   }
   text = digits;
   return {};
 }
 
-std::string numberFlaw(std::string& text) {
+std::string numberError(std::string& text) {
   const char* const end = text.data() + text.size();
   double value = 0.0;
   const auto read = std::from_chars(text.data() + (text.starts_with('+') ? 1 : 0), end, value);
@@ -57,8 +57,8 @@ std::string numberFlaw(std::string& text) {
 
 constexpr const char* kValidator = "number";
 
-CLI::Option* read(CLI::Option* option, std::function<std::string(std::string&)> flaw) {
-  return option->transform(CLI::Validator(std::move(flaw), "", kValidator));
+CLI::Option* read(CLI::Option* option, std::function<std::string(std::string&)> validate) {
+  return option->transform(CLI::Validator(std::move(validate), "", kValidator));
 }
 
 bool isRead(CLI::Option& option) {
@@ -72,16 +72,16 @@ bool isRead(CLI::Option& option) {
 }  // namespace
 
 CLI::Option* wholeNumber(CLI::Option* option, std::uint64_t least, std::uint64_t most) {
-  return read(option, [least, most](std::string& text) { return limitedFlaw(text, least, most); });
+  return read(option, [least, most](std::string& text) { return limitedNumberError(text, least, most); });
 }
 
-CLI::Option* number(CLI::Option* option) { return read(option, numberFlaw); }
+CLI::Option* number(CLI::Option* option) { return read(option, numberError); }
 
 void readNumbers(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     const std::string type = option->get_type_name();
     if (isRead(*option)) continue;
-    if (type.starts_with("INT") || type.starts_with("UINT")) read(option, wholeFlaw);
+    if (type.starts_with("INT") || type.starts_with("UINT")) read(option, wholeNumberError);
     if (type.starts_with("FLOAT")) number(option);
   }
   for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) readNumbers(*command);
@@ -97,7 +97,7 @@ std::optional<Error> emptyWord(std::span<char*> words) {
     const bool cut = word.starts_with("--") && word.ends_with('=');
     if (word.empty() || cut) {
       const std::string_view flag = cut ? word.substr(0, word.size() - 1) : before;
-      return Error{ErrorCode::kUsage, flag.starts_with('-') ? fmt::format("{}: its value is empty", flag)
+      return Error{ErrorCode::kUsage, flag.starts_with('-') ? fmt::format("{}: the value is empty", flag)
                                                             : std::string("an argument is empty")};
     }
     before = word;

@@ -15,24 +15,22 @@ class Option;
 
 namespace fulbito::app {
 
-/// @{ The one way in which numbers of the command line are read: decimal, also with zeros in front, finite;
-/// whole ones from the least to the most.
+/// @{ How all numbers on the command line are read: decimal, with or without leading zeros, and finite. Whole
+/// numbers must be between `least` and `most`.
 CLI::Option* wholeNumber(CLI::Option* option, std::uint64_t least = 0,
                          std::uint64_t most = ~std::uint64_t{0});
 CLI::Option* number(CLI::Option* option);
 /// @}
 
-/// Reads all numbers of the commands so that no `wholeNumber` or `number` has been told of before: by the
-/// types of their variables.
+/// Applies `wholeNumber` or `number` to all numeric options that have neither yet, by their variables' types.
 void readNumbers(CLI::App& app);
 
-/// Worker threads that may be asked for.
+/// The largest number of worker threads.
 inline constexpr int kMostJobs = 1024;
 /// Adds `--jobs`, 0 ... kMostJobs.
 CLI::Option* addJobs(CLI::App& command, int& jobs, const std::string& whose);
 
-/// An empty word is nobody's name or number: it comes of a variable that is not set. Gives the error of the
-/// first one.
+/// The error for the first empty argument; such a word usually comes from a shell variable that is not set.
 std::optional<Error> emptyWord(std::span<char*> words);
 
 }  // namespace fulbito::app

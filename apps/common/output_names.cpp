@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDash = "-";
 
-/// Whether writing to it takes nothing away.
+/// Whether `file` is a device, pipe or socket: writing to it replaces nothing.
 bool isStream(const std::string& file) {
   std::error_code error;
   const fs::file_type kind = fs::status(file, error).type();
@@ -21,7 +21,7 @@ bool isStream(const std::string& file) {
          kind == fs::file_type::socket;
 }
 
-/// The folder without links, and the name.
+/// The path with all links of its folder resolved.
 fs::path wholeName(const std::string& file) {
   std::error_code error;
   const fs::path path = fs::absolute(file, error);
@@ -33,11 +33,12 @@ tl::unexpected<Error> usage(std::string message) { return fail(ErrorCode::kUsage
 Result<void> apart(const NamedFile& output, const NamedFile& other, const char* use) {
   if (output.file.empty() || other.file.empty()) return {};
   if (output.file == kDash && other.file == kDash) {
-    return usage(fmt::format("{} and {} both want stdout; give one of them a file", output.flag, other.flag));
+    return usage(
+        fmt::format("{} and {} both write to stdout; give one of them a file", output.flag, other.flag));
   }
   if (!sameFile(output.file, other.file)) return {};
   return usage(
-      fmt::format("{}: '{}' is {} {}; give it another name", output.flag, output.file, use, other.flag));
+      fmt::format("{}: '{}' is {} {}; choose another name", output.flag, output.file, use, other.flag));
 }
 
 }  // namespace
@@ -52,13 +53,13 @@ Result<void> mayWrite(const NamedFile& output, bool force) {
   if (output.file.empty()) return {};
   if (output.file == kDash) {
     if (output.dash == Dash::kStdout) return {};
-    return usage(fmt::format("{}: '-': it goes to a file, not to stdout", output.flag));
+    return usage(fmt::format("{}: '-': the output must go to a file, not to stdout", output.flag));
   }
   if (isStream(output.file)) return {};
-  if (auto there = checkPlaceOf(output.file); !there) return there;
+  if (auto there = checkOutputPath(output.file); !there) return there;
   std::error_code error;
   if (force || !fs::exists(output.file, error)) return {};
-  return usage(fmt::format("{}: '{}' exists; give --force to replace it", output.flag, output.file));
+  return usage(fmt::format("{}: '{}' exists; use --force to replace it", output.flag, output.file));
 }
 
 Result<void> mayWriteAll(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs,

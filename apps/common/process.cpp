@@ -13,9 +13,9 @@
 namespace fulbito::app {
 namespace {
 
-constexpr std::size_t kMostWords = 2000;  // [bytes] of an error: an argument may be of any length
-/// Seconds that work has to end by itself. Each second an alarm also ends a wait that began just after the
-/// signal.
+constexpr std::size_t kMostWords = 2000;  // [bytes] longest error message: arguments may be of any length
+/// Seconds until the process exits after a signal. An alarm each second also ends a wait that began just
+/// after the signal.
 constexpr int kGrace = 4;
 
 std::atomic<int> first_signal{0};

@@ -13,7 +13,7 @@ class ProgressBar {
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
-  /// Shows the state and says whether to go on (false after a signal).
+  /// Shows the progress. Returns whether to continue (false after a signal).
   bool update(std::size_t done, std::size_t total);
 
  private:

@@ -72,7 +72,7 @@ int bench(const BenchCommand& command) {
   if (command.json) {
     printJson(*benchmark, *crowd);
   } else {
-    say("six robots navigated by {}: {:.2f} us a robot and tick on average, p99 {:.1f}, max {:.0f} "
+    say("six robots navigated by {}: {:.2f} us per robot and tick on average, p99 {:.1f}, max {:.0f} "
         "({} goals reached in a minute, {} contacts)\n{}",
         kDefaultNavigator, crowd->compute_us_mean, crowd->compute_us_p99, crowd->compute_us_max,
         crowd->arrivals, crowd->contacts, toTable(*benchmark));

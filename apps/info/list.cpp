@@ -41,7 +41,7 @@ std::string valueText(const ParameterSpec& spec) {
   return fmt::format("{}", spec.default_value);
 }
 
-/// In the type of the values that the parameter takes.
+/// The default in the parameter's own JSON type.
 Json defaultJson(const ParameterSpec& spec) {
   switch (spec.type) {
     case ParameterSpec::Type::kNumber:
@@ -103,9 +103,9 @@ void printNavigators() {
         info.plans_speed ? " *" : "", info.summary, info.source);
     for (const ParameterSpec& spec : info.parameters) printParameter(spec);
   }
-  say("every method also takes\n");
+  say("Parameters of all methods:\n");
   for (const ParameterSpec& spec : commonParameters()) printParameter(spec);
-  say("* plans its own speeds. Set parameters like this: --navigator "
+  say("* plans its own speeds. Example with parameters: --navigator "
       "bezier:clearance=0.03,follower=classic\n");
 }
 
@@ -117,10 +117,10 @@ void printTeams() {
       say("    {:<16} {}; any of fulbito list navigators\n", "navigator", info.default_navigator);
     }
   }
-  say("Set parameters like this: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
+  say("Example with parameters: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
 }
 
-/// The first sentence of the comment that a preset file begins with.
+/// The first sentence of the comment at the top of a preset file.
 std::string firstSentence(const std::string& text) {
   std::string sentence;
   for (std::size_t begin = 0; text.compare(begin, 2, "# ") == 0;) {
@@ -134,7 +134,7 @@ std::string firstSentence(const std::string& text) {
   return sentence;
 }
 
-/// Name and one line of everything of a kind but navigators.
+/// Names and one-line summaries of one kind, except teams and navigators.
 std::vector<std::pair<std::string, std::string>> entries(const std::string& kind) {
   std::vector<std::pair<std::string, std::string>> list;
   if (kind == "suites") {
@@ -175,7 +175,7 @@ void printJson(const std::string& kind) {
 int list(const ListOptions& options) {
   if (std::find(kKinds.begin(), kKinds.end(), options.kind) == kKinds.end()) {
     return report(
-        {ErrorCode::kUsage, fmt::format("list: there is no kind '{}'; it is one of {}.{}", options.kind,
+        {ErrorCode::kUsage, fmt::format("list: there is no kind '{}'; it must be one of {}.{}", options.kind,
                                         fmt::join(kKinds, ", "), suggestion(options.kind, kKinds))});
   }
   if (options.json) {

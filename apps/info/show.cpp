@@ -45,7 +45,7 @@ int show(const ShowOptions& options) {
   }
   if (options.kind == "case") return showCase(options.name);
   return report(
-      {ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it is one of {}.{}", options.kind,
+      {ErrorCode::kUsage, fmt::format("show: there is no kind '{}'; it must be one of {}.{}", options.kind,
                                       fmt::join(kinds, ", "), suggestion(options.kind, kinds))});
 }
 

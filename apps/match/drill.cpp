@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kMostTrials = 1'000'000;
 
-/// Numbers of the drills that a word names: a number or a name.
+/// The number of the drill that `word` names by number or name.
 Result<int> drillNumber(const std::vector<Drill>& drills, const std::string& word) {
   int number = 0;
   const auto parsed = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -40,38 +40,43 @@ int listDrills(const std::vector<Drill>& drills) {
 }  // namespace
 
 CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
-  CLI::App* command = app.add_subcommand("drill", "put a team through drills and print what it reaches");
+  CLI::App* command = app.add_subcommand("drill", "run standard drills with a team and print its results");
   command->footer(
       "Examples:\n"
       "  fulbito drill classic --drill 3,10 --trials 40\n"
       "  fulbito drill libero --json > drills.json\n"
       "  fulbito drill chaser classic --drill 3,10,13 --trials 80\n"
       "  fulbito drill --list\n"
-      "All drills take some five minutes of one core, most of it drills 18 and 21, which are whole matches;\n"
-      "stderr shows how far they are. --drill and --trials make it shorter.\n"
-      "Exit codes: 0 ran, 1 a drill was not passed (with --check only).");
-  command->add_option("team", options.teams, "team, e.g. classic; several: side by side");
-  command->add_option("--drill", options.drills, "numbers or names (default: all)")->delimiter(',');
+      "All drills take about five minutes on one core; drills 18 and 21, which are whole matches, take most "
+      "of\n"
+      "it. stderr shows the progress. --drill and --trials shorten the run.\n"
+      "Exit codes: 0 success, 1 with --check: a drill failed.");
+  command->add_option("team", options.teams, "team, e.g. classic; several teams print one table");
+  command
+      ->add_option("--drill", options.drills, "drills by number or name, separated by commas (default: all)")
+      ->delimiter(',');
   wholeNumber(
-      command->add_option("--trials", options.run.trials, "of each drill (default: as the drill says)"), 1,
-      kMostTrials);
-  wholeNumber(command->add_option("--seed", options.run.seed, "seed of starts and matches"))
+      command->add_option("--trials", options.run.trials, "trials per drill (default: from the drill file)"),
+      1, kMostTrials);
+  wholeNumber(command->add_option("--seed", options.run.seed, "random seed (start positions, matches)"))
       ->capture_default_str();
   addJobs(*command, options.run.jobs, "worker threads");
   command->add_option("--robot", options.run.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", options.run.physics, "physics profile or TOML file")
       ->capture_default_str();
-  command->add_option("--drills", options.folder, "take the *.toml files of this folder instead")
+  command
+      ->add_option("--drills", options.folder,
+                   "use the *.toml files in this folder instead of the built-in drills")
       ->type_name("FOLDER");
   command->add_flag("--json", options.json, "print JSON");
-  command->add_flag("--check", options.check, "exit code 1 when a drill is not passed");
-  command->add_flag("--list", options.list, "list the drills");
+  command->add_flag("--check", options.check, "return exit code 1 if a drill fails");
+  command->add_flag("--list", options.list, "list the drills and exit");
   return command;
 }
 
 namespace {
 
-/// The drills to choose from.
+/// The built-in drills, or those of --drills.
 Result<std::vector<Drill>> chosenDrills(const DrillCommand& options) {
   if (options.folder.empty()) return builtInDrills();
   return loadDrills(options.folder);
@@ -86,9 +91,9 @@ Result<std::vector<DrillReport>> runTeam(const std::vector<Drill>& drills, const
 
 /// Teams by name. Errors: kUsage.
 Result<std::vector<TeamChoice>> chosenTeams(const DrillCommand& options) {
-  if (options.teams.empty()) return fail(ErrorCode::kUsage, "drill: which team? See fulbito drill --help.");
+  if (options.teams.empty()) return fail(ErrorCode::kUsage, "drill: name a team. See fulbito drill --help.");
   if (options.json && options.teams.size() > 1) {
-    return fail(ErrorCode::kUsage, "--json takes one team");
+    return fail(ErrorCode::kUsage, "--json: works with one team only");
   }
   std::vector<TeamChoice> teams;
   for (const std::string& name : options.teams) {

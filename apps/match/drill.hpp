@@ -13,7 +13,7 @@ namespace fulbito::app {
 
 /// The command line of `fulbito drill`.
 struct DrillCommand {
-  std::vector<std::string> teams;   ///< more than one: side by side
+  std::vector<std::string> teams;   ///< more than one: one table for all
   std::vector<std::string> drills;  ///< numbers or names
   DrillOptions run;
   std::string folder;  ///< empty: the built-in drills

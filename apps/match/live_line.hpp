@@ -6,14 +6,14 @@
 
 namespace fulbito::app {
 
-/// One line on stderr that follows a match: score, clock, speed. Silent where stderr is no terminal.
+/// A live status line on stderr: score, clock, speed. Silent if stderr is not a terminal.
 class LiveLine {
  public:
   explicit LiveLine(const MatchConfig& config);
   ~LiveLine();
   LiveLine(const LiveLine&) = delete;
   LiveLine& operator=(const LiveLine&) = delete;
-  /// Redraws when it is time to.
+  /// Redraws at most every 0.1 s.
   void update(const Match& match);
 
  private:

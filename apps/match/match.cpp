@@ -20,7 +20,7 @@
 namespace fulbito::app {
 namespace {
 
-constexpr Tick kTicksBetweenLooks = 64;  // of the match, at the clock and for signals
+constexpr Tick kTicksBetweenChecks = 64;  // match ticks between looks at the clock and for signals
 constexpr std::uint64_t kMostPairs = 100'000;
 constexpr const char* kStdout = "-";
 
@@ -48,7 +48,7 @@ class LineFile {
 
  private:
   explicit LineFile(std::optional<OutputFile> file) : file_(std::move(file)) {}
-  std::optional<OutputFile> file_;  ///< none: stdout, whose failures the end of the program tells
+  std::optional<OutputFile> file_;  ///< none: stdout; `finishOutput` reports its failures
 };
 
 Result<void> checkFiles(const MatchCommand& options) {
@@ -62,17 +62,18 @@ Result<void> checkFiles(const MatchCommand& options) {
                      options.force);
 }
 
-/// The flags that speak of one match only.
+/// Checks flags that apply to a single match only.
 Result<void> checkFlags(const MatchCommand& options) {
   if (options.json && options.events == kStdout) {
-    return fail(ErrorCode::kUsage, "--events: '-' and --json both want stdout; give --events a file");
+    return fail(ErrorCode::kUsage, "--events - and --json both write to stdout; give --events a file");
   }
   if (!options.pairs) return {};
   for (const auto& [flag, given] :
        {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
         std::pair{"--profile", options.profile}, std::pair{"--view", options.view}}) {
     if (given) {
-      return fail(ErrorCode::kUsage, fmt::format("{}: is of one match, and cannot go with -n/--pairs", flag));
+      return fail(ErrorCode::kUsage,
+                  fmt::format("{} records a single match and cannot be used with -n/--pairs", flag));
     }
   }
   return {};
@@ -124,7 +125,7 @@ Result<MatchConfig> configOf(const MatchCommand& options) {
   return config;
 }
 
-/// All that watches the match that the user sees.
+/// Everything that observes the match for the user.
 struct Watchers {
   StatisticsObserver statistics;
   EventLog log;
@@ -133,7 +134,7 @@ struct Watchers {
   std::optional<MatchRecorder> recorder;
 
   Result<void> attach(const MatchCommand& options, Match& match);
-  /// Ends all files. Errors of whatever was written.
+  /// Ends all files. Errors: the first failed write.
   Result<void> finish();
 };
 
@@ -171,7 +172,7 @@ Result<void> Watchers::finish() {
 void play(Match& match) {
   LiveLine live(match.config());
   while (match.step()) {
-    if (match.tick() % kTicksBetweenLooks != 0) continue;
+    if (match.tick() % kTicksBetweenChecks != 0) continue;
     if (interrupted()) break;
     live.update(match);
   }
@@ -202,11 +203,11 @@ Result<void> play(Match& match, std::optional<ViewWindow>& window, const MatchCo
   return {};
 }
 
-/// Who closes a window has seen enough, which is no failure.
+/// Closing the window early is not a failure.
 int exitCode(const MatchReport& report, bool closed) {
   if (report.faults.abandoned) {
     return app::report(
-        {ErrorCode::kBadInput, "the match could not go on: " + report.faults.abandoned->message});
+        {ErrorCode::kBadInput, "the match was abandoned: " + report.faults.abandoned->message});
   }
   return report.complete || (closed && !interrupted()) ? kOk : interruptedCode();
 }
@@ -253,14 +254,15 @@ int playPairs(const MatchCommand& options, const MatchConfig& config) {
 }
 
 void addConditions(CLI::App& command, MatchCommand& options) {
-  command.add_option("--rules", options.rules, "profile of rules, or TOML file")->capture_default_str();
+  command.add_option("--rules", options.rules, "rules profile or TOML file")->capture_default_str();
   command.add_option("--physics", options.physics, "physics profile or TOML file")->capture_default_str();
-  command.add_option("--robot", options.robot, "robot of both teams: preset or TOML file")
+  command.add_option("--robot", options.robot, "robot preset or TOML file, for both teams")
       ->capture_default_str();
-  wholeNumber(
-      command.add_option("--seed", options.seed, "of tosses, placements, noise and the teams' own choices"))
+  wholeNumber(command.add_option("--seed", options.seed,
+                                 "random seed (coin tosses, placement error, sensor noise, teams)"))
       ->capture_default_str();
-  command.add_option("--half-seconds", options.half_seconds, "length of a half [s] (default: the rules')");
+  command.add_option("--half-seconds", options.half_seconds,
+                     "length of a half [s] (default: from the rules)");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
   command.add_option("--latency", options.vision.latency_ticks, "age of what teams see in ticks, 0 ... 60")
       ->capture_default_str();
@@ -281,38 +283,41 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       "Examples:\n"
       "  fulbito match                                  libero against classic, two halves of five minutes\n"
       "  fulbito match libero chaser --seed 7 --record game.fbr\n"
-      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20   pairs, 2 matches each\n"
+      "  fulbito match classic:navigator=bezier classic:navigator=limit-cycle -n 20   20 pairs, 2 matches "
+      "each\n"
       "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
       "  fulbito match libero idle --start corner.toml --events -\n"
-      "  fulbito match libero classic --view --record game.fbr   watch it, drag ball and robots\n"
+      "  fulbito match libero classic --view --record game.fbr   watch it, drag the ball and robots\n"
       "Names: fulbito list teams, fulbito list rules. More: docs/matches.md.");
   command->add_option("blue", options.blue, "team that defends the left goal, e.g. classic:navigator=bezier")
       ->capture_default_str();
-  command->add_option("yellow", options.yellow, "the other team")->capture_default_str();
+  command->add_option("yellow", options.yellow, "team that defends the right goal")->capture_default_str();
   addConditions(*command, options);
   CLI::Option* record =
       command->add_option("--record", options.record, "write a recording")->type_name("FILE");
   CLI::Option* recipe =
       command
           ->add_flag("--recipe", options.record_recipe,
-                     "of --record: without sampled states, which a reader computes again; a third smaller")
+                     "with --record: omit sampled states (recomputed when read); about a third smaller")
           ->needs(record);
   command
       ->add_flag("--drawings", options.drawings,
-                 "of --record: also what the teams mean to do, ten times a second, for pictures")
+                 "with --record: also record what the teams plan, 10 times per second, for pictures")
       ->needs(record)
       ->excludes(recipe);
-  command->add_option("--events", options.events, "stream events as JSON lines; - for stdout")
+  command
+      ->add_option("--events", options.events,
+                   "write events as JSON lines while the match runs; - for stdout")
       ->type_name("FILE");
-  wholeNumber(
-      command->add_option("-n,--pairs", options.pairs, "play this many swapped pairs instead of one match"),
-      1, kMostPairs)
+  wholeNumber(command->add_option("-n,--pairs", options.pairs,
+                                  "play a series of this many swapped pairs (teams change colours)"),
+              1, kMostPairs)
       ->type_name("PAIRS");
-  addJobs(*command, options.jobs, "worker threads of a series");
-  command->add_flag("--force", options.force, "replace files that exist");
-  CLI::Option* view = command->add_flag("--view", options.view, "watch it in a window while it is played");
+  addJobs(*command, options.jobs, "worker threads for a series");
+  command->add_flag("--force", options.force, "replace existing files");
+  CLI::Option* view = command->add_flag("--view", options.view, "show the match in a window");
   addViewOptions(*command, options.window, view);
-  command->add_flag("--profile", options.profile, "say where the time went");
+  command->add_flag("--profile", options.profile, "print how the computing time is spent");
   command->add_flag("--json", options.json, "print JSON");
   return command;
 }

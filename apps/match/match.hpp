@@ -14,7 +14,7 @@ class App;
 
 namespace fulbito::app {
 
-/// What `fulbito match` was asked.
+/// Options of `fulbito match`.
 struct MatchCommand {
   std::string blue = "libero";
   std::string yellow = "classic";
@@ -35,13 +35,13 @@ struct MatchCommand {
   ViewOptions window;
   bool profile = false;
   bool json = false;
-  bool force = false;  ///< files that exist are replaced
+  bool force = false;  ///< replace existing files
 };
 
 /// Adds `match`.
 CLI::App* addMatch(CLI::App& app, MatchCommand& options);
 
-/// Plays what was asked and returns the exit code.
+/// Runs the command and returns its exit code.
 int match(const MatchCommand& options);
 
 }  // namespace fulbito::app

@@ -21,7 +21,7 @@ namespace {
 int showRules(const std::string& name_or_file) {
   const auto loaded = loadRules(name_or_file);
   if (!loaded) return report(loaded.error());
-  // A preset's own text has its remarks; a file is shown whole, with the keys that it leaves to the defaults.
+  // A preset keeps its comments. A file is printed with the keys that it leaves to the defaults.
   const std::vector<std::string> presets = rulesPresetNames();
   const bool preset = std::find(presets.begin(), presets.end(), name_or_file) != presets.end();
   const std::string text = preset ? rulesPresetText(name_or_file).value_or("") : toToml(*loaded);
@@ -34,17 +34,17 @@ int checkRules(const std::string& file) {
   if (!loaded) return report(loaded.error());
   const auto field = loadField(loaded->field);
   if (!field) return report(field.error());
-  // The ball of a match unless it says otherwise.
+  // The ball of a match by default.
   const auto robot = loadRobot(MatchCommand().robot);
   if (!robot) return report(robot.error());
   if (auto playable = checkField(*loaded, *field, robot->ball); !playable) {
     return report(inFile(file, playable.error()).value());
   }
-  say("{}: a good profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
+  say("{}: valid profile: {}, {} against {} on {}\n", file, loaded->name, loaded->team_size,
       loaded->team_size, loaded->field);
   if (const auto foreign = findForeignPlaces(*loaded, *field, robot->robot)) say("note: {}\n", *foreign);
   for (const std::string& place : findBadPlaces(*loaded, *field, robot->robot)) {
-    say("note: {}; the referee will move it\n", place);
+    say("note: {}; the referee moves it\n", place);
   }
   return kOk;
 }
@@ -52,17 +52,17 @@ int checkRules(const std::string& file) {
 }  // namespace
 
 CLI::App* addRules(CLI::App& app, RulesOptions& options) {
-  CLI::App* command = app.add_subcommand("rules", "print, check or compare profiles of rules");
+  CLI::App* command = app.add_subcommand("rules", "print, check or compare rules profiles");
   command->footer(
       "Examples:\n"
-      "  fulbito rules show vsss-3v3                 every number, with its source\n"
-      "  fulbito rules show training > mine.toml     a profile to change\n"
+      "  fulbito rules show vsss-3v3                 every value with its source\n"
+      "  fulbito rules show training > mine.toml     a profile to edit\n"
       "  fulbito rules check mine.toml\n"
       "  fulbito rules compare vsss-3v3 league-program-2021 game.fbr");
-  command->add_subcommand("show", "print every number of a profile with its source")
+  command->add_subcommand("show", "print every value of a profile with its source")
       ->add_option("name", options.show, "profile or TOML file")
       ->required();
-  command->add_subcommand("check", "say what is wrong with a profile: file, line, key and range")
+  command->add_subcommand("check", "check a profile; errors name file, line, key and range")
       ->add_option("file", options.check, "TOML file or profile")
       ->required();
   addRulesCompare(*command, options.compare);
@@ -73,9 +73,8 @@ int rules(const RulesOptions& options) {
   if (!options.show.empty()) return showRules(options.show);
   if (!options.check.empty()) return checkRules(options.check);
   if (!options.compare.files.empty()) return compareRules(options.compare);
-  return report(
-      {ErrorCode::kUsage,
-       "rules: say what: show NAME, check FILE or compare A B RECORDING. See fulbito rules --help."});
+  return report({ErrorCode::kUsage,
+                 "rules: needs show NAME, check FILE or compare A B RECORDING. See fulbito rules --help."});
 }
 
 }  // namespace fulbito::app

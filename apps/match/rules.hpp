@@ -10,17 +10,17 @@ class App;
 
 namespace fulbito::app {
 
-/// What `fulbito rules` was asked.
+/// Options of `fulbito rules`.
 struct RulesOptions {
-  std::string show;   ///< preset or file whose numbers are printed
-  std::string check;  ///< file that is checked
+  std::string show;   ///< preset or file to print
+  std::string check;  ///< file to check
   RulesCompareOptions compare;
 };
 
-/// Adds `rules` with its parts `show`, `check` and `compare`.
+/// Adds `rules` with its subcommands `show`, `check` and `compare`.
 CLI::App* addRules(CLI::App& app, RulesOptions& options);
 
-/// Runs the part that was given and returns its exit code.
+/// Runs the given subcommand and returns its exit code.
 int rules(const RulesOptions& options);
 
 }  // namespace fulbito::app

@@ -38,7 +38,7 @@ Json verdictJson(const std::optional<ShadowVerdict>& verdict, Tick begin, double
   return json;
 }
 
-/// A recording of the comparison and its tick.
+/// A compared recording and the length of its tick [s].
 struct Source {
   std::string file;
   double dt = 0.0;
@@ -95,7 +95,7 @@ std::string leadText(std::int64_t count, double lead) {
 void printTable(const RulesComparison& comparison) {
   say("A = {}, B = {}: {} plays of {} recordings, {:.0f} s\n", comparison.a, comparison.b,
       comparison.plays.size(), comparison.files, comparison.seconds);
-  say("as recorded: A {}, B {} plays\n\n", comparison.recorded_a, comparison.recorded_b);
+  say("plays decided as recorded: A {}, B {}\n\n", comparison.recorded_a, comparison.recorded_b);
   say("{:<26}{:>7}{:>7}{:>7}{:>16}{:>16}{:>8}{:>8}{:>11}\n", "rule", "A", "B", "same", "A earlier",
       "B earlier", "only A", "only B", "different");
   for (const RuleAgreement& rule : byRule(comparison)) {
@@ -104,7 +104,7 @@ void printTable(const RulesComparison& comparison) {
         rule.only_b, rule.different);
   }
   const std::vector<VerdictPair> pairs = differentPairs(comparison);
-  if (!pairs.empty()) say("\nwhere they called different things (A: B):\n");
+  if (!pairs.empty()) say("\nplays with different calls (A: B):\n");
   for (const VerdictPair& pair : pairs) say("  {:>5}  {}: {}\n", pair.count, pair.a, pair.b);
 }
 
@@ -116,7 +116,7 @@ std::string verdictText(const std::optional<ShadowVerdict>& verdict, Tick begin,
 }
 
 void printList(const RulesComparison& comparison, const std::vector<Source>& sources) {
-  say("\nplays on which they differ:\n");
+  say("\nplays with different verdicts:\n");
   for (const PlayVerdicts& play : comparison.plays) {
     if (!differs(play)) continue;
     const Source& source = sources[play.file];
@@ -141,17 +141,17 @@ Result<void> addFile(const std::string& file, const Rules& a, const Rules& b, Ru
 
 CLI::App* addRulesCompare(CLI::App& rules, RulesCompareOptions& options) {
   CLI::App* command =
-      rules.add_subcommand("compare", "let two profiles judge recorded matches: where do they differ?");
+      rules.add_subcommand("compare", "judge recorded matches by two profiles and compare the calls");
   command->footer(
-      "Both referees judge every recorded play from its start to where the recording's own referee stopped "
+      "Both referees judge every recorded play from its start to the tick at which the recorded one stopped "
       "it.\n"
       "Example:\n"
       "  fulbito rules compare vsss-3v3 league-program-2021 game.fbr");
-  command->add_option("a", options.a, "profile or TOML file")->required();
-  command->add_option("b", options.b, "profile or TOML file")->required();
+  command->add_option("a", options.a, "first rules profile or TOML file")->required();
+  command->add_option("b", options.b, "second rules profile or TOML file")->required();
   command->add_option("files", options.files, "recordings (.fbr)")->required();
-  command->add_flag("--list", options.list, "also every play on which the two differ");
-  command->add_flag("--json", options.json, "one object on stdout instead of the table");
+  command->add_flag("--list", options.list, "also list every play on which the profiles differ");
+  command->add_flag("--json", options.json, "print JSON");
   return command;
 }
 

@@ -36,13 +36,14 @@ Result<void> readSize(const std::string& text, WindowOptions& window) {
       window.height >= kLeastHeight && window.height <= kLargestWindow) {
     return {};
   }
-  return fail(ErrorCode::kUsage, fmt::format("--size: '{}' is no WIDTHxHEIGHT from {}x{} to {}x{}", text,
+  return fail(ErrorCode::kUsage, fmt::format("--size: '{}' is not a WIDTHxHEIGHT from {}x{} to {}x{}", text,
                                              kLeastWidth, kLeastHeight, kLargestWindow, kLargestWindow));
 }
 
 Result<void> checkSpeed(double speed) {
   if (std::find(std::begin(kViewSpeeds), std::end(kViewSpeeds), speed) != std::end(kViewSpeeds)) return {};
-  return fail(ErrorCode::kUsage, fmt::format("--speed: {:g} is none of 0.25, 0.5, 1, 2, 4, 8, 16", speed));
+  return fail(ErrorCode::kUsage,
+              fmt::format("--speed: {:g} must be one of 0.25, 0.5, 1, 2, 4, 8, 16", speed));
 }
 
 ViewSettings settingsOf(const ViewOptions& options) {
@@ -55,7 +56,7 @@ ViewSettings settingsOf(const ViewOptions& options) {
   return settings;
 }
 
-/// The file's recording, played again where it has no samples.
+/// The file's recording, simulated again if it has no samples.
 Result<ReplayTimeline> timelineOf(const std::string& file) {
   auto recording = RecordingReader::open(file);
   if (!recording) return tl::unexpected<Error>(recording.error());
@@ -75,7 +76,7 @@ Result<std::unique_ptr<ViewStage>> stageOf(const std::string& file, double from)
   }
   if (!(from >= 0.0 && from <= timeline->seconds())) {
     return fail(ErrorCode::kUsage,
-                fmt::format("--from {}: the recording goes from 0 to {:.2f} s", from, timeline->seconds()));
+                fmt::format("--from {}: the recording lasts from 0 to {:.2f} s", from, timeline->seconds()));
   }
   auto stage = ReplayStage::create(std::move(*timeline), file);
   if (!stage) return inFile(file, stage.error());
@@ -111,41 +112,41 @@ void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed
     if (needed != nullptr) option->needs(needed);
     return option;
   };
-  add(command.add_option("--speed", options.speed, "times real time: 0.25, 0.5, 1, 2, 4, 8, 16"))
+  add(command.add_option("--speed", options.speed,
+                         "playback speed, 1 = real time: 0.25, 0.5, 1, 2, 4, 8, 16"))
       ->capture_default_str();
-  add(command.add_option("--theme", options.theme, "dark or light"))
+  add(command.add_option("--theme", options.theme, "colour theme: dark or light"))
       ->check(CLI::IsMember({"dark", "light"}).description(""))
       ->capture_default_str();
-  add(command.add_option("--size", options.size, "of the window in pixels (default: 900 wide, or what fits)"))
+  add(command.add_option("--size", options.size, "window size [px] (default: 900 wide, or what fits)"))
       ->type_name("WxH");
-  add(command.add_flag("--paused", options.paused, "begin with a still picture"));
+  add(command.add_flag("--paused", options.paused, "start paused"));
   add(command.add_flag("--full-screen", options.full_screen, "fill the screen"));
-  add(command.add_flag("--keys", options.help, "begin with the list of keys"));
-  wholeNumber(add(command.add_option("--frames", options.frames,
-                                     "end after so many pictures, or once nothing moves")))
+  add(command.add_flag("--keys", options.help, "show the list of keys at the start"));
+  wholeNumber(
+      add(command.add_option("--frames", options.frames, "exit after N frames, or when nothing moves")))
       ->type_name("N");
-  add(command.add_option("--screenshot", options.screenshot, "write the last picture as PNG"))
+  add(command.add_option("--screenshot", options.screenshot, "write the last frame as PNG"))
       ->type_name("FILE");
 }
 
 CLI::App* addView(CLI::App& app, ViewCommand& options) {
   CLI::App* command = app.add_subcommand("view", "play recordings in a window");
   command->footer(
-      "Keys are shown in the window by H: space plays and pauses, arrows go by seconds, + and - change the "
-      "speed.\n"
+      "Press H in the window for the keys: space plays or pauses, arrows seek, + and - change the speed.\n"
       "Examples:\n"
-      "  fulbito match libero classic --record game.fbr   makes a recording\n"
+      "  fulbito match libero classic --record game.fbr   make a recording\n"
       "  fulbito view game.fbr\n"
       "  fulbito view game.fbr --from 83 --speed 0.25     a goal in slow motion\n"
       "  fulbito view monday.fbr tuesday.fbr              one after the other\n"
-      "  fulbito match libero classic --view              a match while it is played\n"
+      "  fulbito match libero classic --view              watch a live match\n"
       "More: docs/view.md.");
   command->add_option("files", options.files, "recordings (.fbr)")->required()->type_name("FILE ...");
-  command->add_option("--from", options.from, "begin at this time of the first recording [s]")
+  command->add_option("--from", options.from, "start at this time of the first recording [s]")
       ->capture_default_str();
   addViewOptions(*command, options.window);
-  command->add_flag("--force", options.force, "replace the screenshot if it exists");
-  command->add_flag("--json", options.json, "when the window is closed, print how it stood");
+  command->add_flag("--force", options.force, "with --screenshot: replace an existing file");
+  command->add_flag("--json", options.json, "print the viewer's state as JSON on exit");
   return command;
 }
 

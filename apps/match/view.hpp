@@ -15,7 +15,7 @@ class Option;
 
 namespace fulbito::app {
 
-/// How a window is to look.
+/// Options of a window.
 struct ViewOptions {
   double speed = 1.0;
   std::string theme = "dark";
@@ -27,24 +27,24 @@ struct ViewOptions {
   std::string screenshot;
 };
 
-/// What `fulbito view` was asked.
+/// Options of `fulbito view`.
 struct ViewCommand {
   std::vector<std::string> files;
   double from = 0.0;  ///< [s]
   bool json = false;
-  bool force = false;  ///< the screenshot is replaced if it exists
+  bool force = false;  ///< replace an existing screenshot
   ViewOptions window;
 };
 
 /// Adds `view`.
 CLI::App* addView(CLI::App& app, ViewCommand& options);
-/// Adds the options of a window, which another option may have to be given for.
+/// Adds the window options; with `needed`, each requires that option.
 void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed = nullptr);
 
 /// Shows recordings and returns the exit code.
 int view(const ViewCommand& options);
 
-/// Proves that there is a display. Errors: kUsage for the options; as ViewWindow::create.
+/// Opens the window. Errors: kUsage for the options; as ViewWindow::create.
 Result<ViewWindow> openWindow(const ViewOptions& options);
 /// Plays a match in the window until the user closes it, and ends the match as it stands then. Errors: as
 /// ViewWindow::run.

@@ -19,7 +19,7 @@ namespace {
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
 
-/// Tunes the method at each speed and puts the results among the navigators to be judged.
+/// Tunes the method at each speed and adds the results to the compared navigators.
 Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) {
   if (config.suite == kPaperSuite) config.suite = "corner";
   const auto suite = findSuite(config.suite);
@@ -31,8 +31,10 @@ Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) 
     const auto result =
         tune(config, tuning, [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
     if (!result) return tl::unexpected<Error>(result.error());
-    note("tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, defaults {:.3f}, {} tries)\n",
-         speed, result->navigator, result->layouts, result->objective, result->initial, result->evaluations);
+    note(
+        "tuned for {:.1f} m/s: {} (mean T/T* on {} training layouts {:.3f}, with defaults {:.3f}, {} "
+        "evaluations)\n",
+        speed, result->navigator, result->layouts, result->objective, result->initial, result->evaluations);
     config.navigators.push_back(result->navigator);
   }
   return {};
@@ -51,7 +53,7 @@ Result<std::vector<std::string>> writeAll(const CompareOptions& options, const C
   return pictures;
 }
 
-/// The page of races, where one is wanted.
+/// Writes the page of races if --html was given.
 Result<void> writeRaces(const CompareOptions& options, const Comparison& comparison) {
   if (options.html.empty()) return {};
   const auto page = racePage(comparison);
@@ -63,7 +65,7 @@ Result<void> writeRaces(const CompareOptions& options, const Comparison& compari
   return {};
 }
 
-/// The page's name: in the folders it must be no file that is written there.
+/// Checks that --html does not name a file that the command itself writes.
 Result<void> checkPage(const CompareOptions& options) {
   namespace fs = std::filesystem;
   if (options.html.empty()) return {};
@@ -75,7 +77,7 @@ Result<void> checkPage(const CompareOptions& options) {
   if ((lies_in(options.out) && page.extension() == ".png") ||
       (lies_in(options.config.record) && page.extension() == ".fbr")) {
     return fail(ErrorCode::kUsage,
-                fmt::format("--html: '{}' would be the name of another output", options.html));
+                fmt::format("--html: '{}' is also the name of another output", options.html));
   }
   return mayWriteAll({{"--html", options.html}},
                      {{"--out", options.out + "/results.json"},
@@ -91,13 +93,13 @@ int compare(const CompareOptions& options) {
   if (options.mapped) return compareMap(options);
   const std::int64_t begin = now();
   ComparisonConfig config = options.config;
-  // Everything that can be wrong with the question is found before work begins.
+  // Check all options before the work starts.
   if (auto planned = planComparison(config); !planned) return report(planned.error());
   if (auto folder = prepareFolder(options.out); !folder) return report(folder.error());
   if (!config.record.empty()) {
     if (auto folder = prepareFolder(config.record); !folder) return report(folder.error());
   }
-  // The page may lie in one of these two, so it comes after them.
+  // The page may be in one of these two folders, so it is checked after them.
   if (auto checked = checkPage(options); !checked) return report(checked.error());
   if (!options.tune.empty()) {
     if (auto tuned = tuneFirst(options, config); !tuned) return report(tuned.error());

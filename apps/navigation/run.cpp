@@ -11,7 +11,7 @@
 namespace fulbito::app {
 namespace {
 
-/// A layout with the rules of the suite that it comes from.
+/// A layout with the rules of its suite.
 struct Problem {
   Layout layout;
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;
@@ -25,7 +25,7 @@ Result<Problem> suiteProblem(const std::string& text, std::size_t colon, std::ui
   const std::string number = text.substr(colon + 1);
   if (number.empty() || number.size() > 9 || number.find_first_not_of("0123456789") != std::string::npos) {
     return fail(ErrorCode::kUsage,
-                fmt::format("--layout: '{}' in '{}' is not the number of a layout", number, text));
+                fmt::format("--layout: '{}' in '{}' is not a layout number", number, text));
   }
   const std::uint64_t index = std::stoull(number);
   return Problem{(*suite)->layout(seed, index), (*suite)->forbidden, (*suite)->limit_clearance, index};
@@ -78,7 +78,7 @@ void printScore(const TrialConfig& config, const TrialResult& result) {
       "  contacts   {} with obstacles ({} by own motion), {} with walls, impulse {:.4f} N s\n"
       "  clearance  {:.1f} mm least, {:.1f} mm mean\n"
       "  turning    {:.2f} rad, {} curvature jumps, wheel jerk {:.0f} m/s^3\n"
-      "  compute    {:.1f} us a tick median, {:.1f} p99, {:.1f} max\n"
+      "  compute    {:.1f} us per tick median, {:.1f} p99, {:.1f} max\n"
       "  hash       {:016x}\n",
       config.navigator.text, config.layout.name, config.robot.robot.maxSpeed(), config.seed,
       nameOf(s.outcome), s.time, s.time_limit, s.timeRatio(), s.length, s.length_limit, s.lengthRatio(),
@@ -87,7 +87,7 @@ void printScore(const TrialConfig& config, const TrialResult& result) {
       quantile(compute, 0.99), quantile(compute, 1.0), result.final_hash);
 }
 
-/// The picture's file, named after the layout unless it was given.
+/// The picture's file: the given one, or one named after the layout.
 std::string pictureOf(const RunOptions& options, const TrialConfig& config) {
   if (!options.png) return {};
   return options.png->empty() ? config.layout.name + ".png" : *options.png;
@@ -106,7 +106,7 @@ Result<void> checkFiles(const RunOptions& options, const TrialConfig& config) {
 
 int run(const RunOptions& options) {
   if (options.json && options.trace == "-") {
-    return report({ErrorCode::kUsage, "--trace: '-' and --json both want stdout; give --trace a file"});
+    return report({ErrorCode::kUsage, "--trace - and --json both write to stdout; give --trace a file"});
   }
   const auto config = configOf(options);
   if (!config) return report(config.error());

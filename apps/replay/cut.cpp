@@ -32,7 +32,7 @@ Result<PlayRange> parsePlays(const std::string& text) {
   }
   if (!good || range.first < 1 || range.last < range.first) {
     return fail(ErrorCode::kUsage,
-                fmt::format("--plays: '{}' is no range of plays such as 3-5, counted from 1", text));
+                fmt::format("--plays: '{}' is not a range of plays such as 3-5, counted from 1", text));
   }
   return PlayRange{range.first - 1, range.last - 1};
 }
@@ -40,7 +40,7 @@ Result<PlayRange> parsePlays(const std::string& text) {
 Result<PlayRange> rangeOf(const ReplayCutCommand& options, const RecordingReader& recording) {
   const bool timed = options.from || options.to;
   if (timed == !options.plays.empty()) {
-    return fail(ErrorCode::kUsage, "replay cut: say either --plays A-B or --from and --to in seconds");
+    return fail(ErrorCode::kUsage, "replay cut: needs either --plays A-B, or --from and --to in seconds");
   }
   if (!timed) return parsePlays(options.plays);
   if (options.from && options.to && *options.from > *options.to) {
@@ -65,21 +65,20 @@ void print(const ReplayCutCommand& options, const PlayRange& plays, const Record
 }  // namespace
 
 CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
-  CLI::App* command =
-      replay.add_subcommand("cut", "keep some plays of a recording, whole from restart to restart");
+  CLI::App* command = replay.add_subcommand("cut", "copy some plays of a recording to a new one");
   command->footer(
-      "Each play is a world of its own, so that a cut verifies like any recording.\n"
+      "Plays are kept whole, from restart to restart, so the copy verifies like any recording.\n"
       "Examples:\n"
-      "  fulbito replay cut game.fbr goal.fbr --from 40 --to 50    all plays with a part in these seconds\n"
+      "  fulbito replay cut game.fbr goal.fbr --from 40 --to 50    all plays that overlap these seconds\n"
       "  fulbito replay cut game.fbr some.fbr --plays 3-5");
   command->add_option("file", options.file, "recording (.fbr)")->required();
-  command->add_option("out", options.out, "recording that is made")->required();
-  number(command->add_option("--from", options.from, "seconds of the recording (default: its start)"))
+  command->add_option("out", options.out, "recording to write")->required();
+  number(command->add_option("--from", options.from, "keep plays from this time on [s] (default: the start)"))
       ->type_name("S");
-  number(command->add_option("--to", options.to, "seconds of the recording (default: its end)"))
+  number(command->add_option("--to", options.to, "keep plays up to this time [s] (default: the end)"))
       ->type_name("S");
-  command->add_option("--plays", options.plays, "plays A to B, counted from 1")->type_name("A-B");
-  command->add_flag("--force", options.force, "replace a file that exists");
+  command->add_option("--plays", options.plays, "keep plays A to B, counted from 1")->type_name("A-B");
+  command->add_flag("--force", options.force, "replace an existing file");
   command->add_flag("--json", options.json, "print JSON");
   return command;
 }

@@ -39,20 +39,21 @@ Json toJson(const ReplayDiffCommand& options, const RecordingDifference& found, 
 
 void printTicks(const RecordingDifference& found, double dt) {
   if (!found.comparable) {
-    say("other bodies or another control rate: ticks cannot be compared\n");
+    say("different bodies or control rates: the ticks cannot be compared\n");
     return;
   }
   if (!found.tick) {
     const Tick both = std::min(found.ticks_a, found.ticks_b);
-    say("all {} ticks ({:.3f} s) are the same, bit for bit\n", both, static_cast<double>(both) * dt);
+    say("all {} ticks ({:.3f} s) are identical, bit for bit\n", both, static_cast<double>(both) * dt);
     if (found.ticks_a != found.ticks_b) {
-      say("{} goes on for {} more\n", found.ticks_a > found.ticks_b ? "A" : "B",
+      say("{} continues for {} more ticks\n", found.ticks_a > found.ticks_b ? "A" : "B",
           std::max(found.ticks_a, found.ticks_b) - both);
     }
     return;
   }
-  say("they part at tick {} ({:.3f} s), in play {}{}\n", *found.tick, static_cast<double>(*found.tick) * dt,
-      found.play + 1, found.start ? ", which does not begin the same" : "");
+  say("first difference at tick {} ({:.3f} s), in play {}{}\n", *found.tick,
+      static_cast<double>(*found.tick) * dt, found.play + 1,
+      found.start ? ", whose start already differs" : "");
   std::size_t shown = 0;
   for (const BodyDifference& d : found.bodies) {
     if (shown++ == kShownBodies) {
@@ -61,20 +62,20 @@ void printTicks(const RecordingDifference& found, double dt) {
     }
     say("  {} of {}: {:.9g} in A, {:.9g} in B\n", d.field, d.body_name, d.a, d.b);
   }
-  if (found.bodies.empty()) say("  played again they are the same there: see fulbito replay verify\n");
+  if (found.bodies.empty()) say("  simulated again, both are identical there: see fulbito replay verify\n");
 }
 
 }  // namespace
 
 CLI::App* addReplayDiff(CLI::App& replay, ReplayDiffCommand& options) {
-  CLI::App* command = replay.add_subcommand("diff", "say where two recordings part, and in what");
+  CLI::App* command = replay.add_subcommand("diff", "show the first difference between two recordings");
   command->footer(
       "Examples:\n"
       "  fulbito replay diff game.fbr other.fbr\n"
       "  fulbito replay diff game.fbr other.fbr --json\n"
-      "Exit codes: 0 they are the same, 1 they differ.");
-  command->add_option("a", options.a, "recording (.fbr)")->required();
-  command->add_option("b", options.b, "the other one")->required();
+      "Exit codes: 0 identical, 1 different.");
+  command->add_option("a", options.a, "first recording (.fbr)")->required();
+  command->add_option("b", options.b, "second recording (.fbr)")->required();
   command->add_flag("--json", options.json, "print JSON");
   return command;
 }

@@ -19,7 +19,7 @@ std::string whoText(const RecordedEvent& call) {
   return call.robot ? fmt::format("{} {}", nameOf(*call.team), *call.robot) : nameOf(*call.team);
 }
 
-/// The columns; so wide that the longest clause fits.
+/// One row of the table. The longest clause fits into its column.
 std::string rowOf(const std::string& time, const std::string& period, const std::string& clock,
                   const std::string& score, const std::string& what, const std::string& who,
                   const std::string& place, const std::string& law, const std::string& measured) {
@@ -42,7 +42,7 @@ std::string lineOf(const ReplayEvent& event, double dt) {
                event.restart ? "" : measuredText(call));
 }
 
-/// Whether the call says no more than the restart before it: that a kick-off was taken.
+/// Whether the call only repeats the restart before it: a kick-off.
 bool repeatsRestart(const ReplayEvent& event, const std::optional<RestartKind>& last) {
   return !event.restart && event.call.clause == "kick-off" && last == RestartKind::kKickOff;
 }
@@ -63,17 +63,17 @@ Result<void> printLines(const RecordingReader& recording) {
 }  // namespace
 
 CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options) {
-  CLI::App* command = replay.add_subcommand("events", "list what the referee called, with what was measured");
+  CLI::App* command = replay.add_subcommand("events", "list the referee's calls with their measured values");
   command->footer(
-      "Columns: time in the recording; period and its clock (minutes, seconds, tenths, cut); score after it; "
-      "call or (-) restart;\nteam and robot: of a goal who scored, of a restart who takes it, else against "
-      "whom "
-      "it is called; the ball's place;\nlaw; what was measured and the limit.\n"
+      "Columns: time in the recording; period and its clock (minutes:seconds, truncated); score after the "
+      "event;\n"
+      "call, or restart (-); team and robot that scored, take the restart, or committed the foul;\n"
+      "ball position; law; measured value and its limit.\n"
       "Examples:\n"
       "  fulbito replay events game.fbr\n"
-      "  fulbito replay events game.fbr --json     the lines of fulbito match --events");
+      "  fulbito replay events game.fbr --json     the same lines as fulbito match --events");
   command->add_option("file", options.file, "recording (.fbr)")->required();
-  command->add_flag("--json", options.json, "one JSON object a line");
+  command->add_flag("--json", options.json, "print one JSON object per line");
   return command;
 }
 

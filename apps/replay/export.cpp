@@ -11,10 +11,10 @@
 namespace fulbito::app {
 namespace {
 
-/// A product and whether it was asked for.
+/// A product and whether the user wants it.
 struct Product {
   bool wanted;
-  const std::string* file;  ///< null: has more than a file
+  const std::string* file;  ///< null: not given
   Result<void> (*make)(const ExportRequest&);
 };
 
@@ -34,7 +34,7 @@ std::vector<Product> productsOf(const ReplayExportCommand& options) {
           {options.jsonl.has_value(), nameIn(options.jsonl), exportJsonLines}};
 }
 
-/// An option that may stand alone: the product is then named after the recording.
+/// An option whose file name may be omitted: the product is then named after the recording.
 void addProduct(CLI::App& command, const char* flag, std::optional<std::string>& file, const char* what) {
   command
       .add_option_function<std::vector<std::string>>(
@@ -42,60 +42,61 @@ void addProduct(CLI::App& command, const char* flag, std::optional<std::string>&
           what)
       ->expected(0, 1)
       ->type_name("[OUT]")
-      ->group("What to make (OUT: a file, - for stdout; default: named after the recording)");
+      ->group("Products (OUT: a file, - for stdout; default: named after the recording)");
 }
 
 void addProducts(CLI::App& command, ReplayExportCommand& options) {
   addProduct(command, "--png", options.png,
-             "stills at the times --at, at the events --around, or every 1/--fps s from --from to --to; "
-             "otherwise the last frame");
+             "stills at --at or --around, at --fps from --from to --to, or of the last frame");
   addProduct(command, "--contact-sheet", options.contact_sheet,
-             "twelve small pictures in one, or one an event");
-  addProduct(command, "--trails", options.trails, "the ways of all over the field");
-  command.add_option("--heatmap", options.heatmap, "heat map of ball, blue, yellow or one robot (blue:1)")
+             "twelve small pictures in one, or one per event");
+  addProduct(command, "--trails", options.trails, "paths of all bodies over the field");
+  command
+      .add_option("--heatmap", options.heatmap, "heat map of the ball, blue, yellow or one robot (blue:1)")
       ->expected(1, 2)
       ->type_name("WHO [OUT]")
-      ->group("What to make (OUT: a file, - for stdout; default: named after the recording)");
-  addProduct(command, "--svg", options.svg, "one moment as a drawing of any size");
-  addProduct(command, "--gif", options.gif, "an animation (480 wide, 12.5 frames a second)");
-  addProduct(command, "--mp4", options.mp4, "a video, by ffmpeg (900 wide, 30 frames a second)");
-  addProduct(command, "--webm", options.webm, "the same for the web");
-  addProduct(command, "--csv", options.csv, "a line a sample: clock, score, every pose");
-  addProduct(command, "--jsonl", options.jsonl, "the same and all events as JSON, an object a line");
+      ->group("Products (OUT: a file, - for stdout; default: named after the recording)");
+  addProduct(command, "--svg", options.svg, "one moment as a scalable drawing");
+  addProduct(command, "--gif", options.gif, "an animation (480 px wide, 12.5 frames per second)");
+  addProduct(command, "--mp4", options.mp4, "a video (900 px wide, 30 frames per second; needs ffmpeg)");
+  addProduct(command, "--webm", options.webm, "the same video for web pages");
+  addProduct(command, "--csv", options.csv, "a table with one line per sample: clock, score, all poses");
+  addProduct(command, "--jsonl", options.jsonl, "the same and all events, one JSON object per line");
 }
 
 void addWhen(CLI::App& command, ReplayExportCommand& options) {
-  command.add_option("--at", options.at, "seconds of the recording")->group("When");
+  command.add_option("--at", options.at, "times of stills [s], one or more")->group("When");
   command
-      .add_option(
-          "--around", options.around,
-          "events: goals, penalty, free-ball, half ..., or one of them: goals:1; films show 5 s around each")
+      .add_option("--around", options.around,
+                  "events: goals, penalty, half ..., or one of them: goals:1; films show 5 s around each")
       ->group("When");
   command.add_flag("--highlights", options.highlights, "the same as --around goals")->group("When");
-  command.add_option("--from", options.from, "seconds (default: the beginning)")->group("When");
-  command.add_option("--to", options.to, "seconds (default: the end)")->group("When");
-  command.add_option("--fps", options.fps, "frames a second, 0.01 ... 240")->group("When");
+  command.add_option("--from", options.from, "start [s] (default: the beginning)")->group("When");
+  command.add_option("--to", options.to, "end [s] (default: the end)")->group("When");
+  command.add_option("--fps", options.fps, "frames per second, 0.01 ... 240")->group("When");
   command
-      .add_option(
-          "--speed", options.speed,
-          "playback speed of films: 1 = real time (default: 1 with --around or --highlights and up to "
-          "30 s, else 4)")
+      .add_option("--speed", options.speed,
+                  "speed of films, 1 = real time (default: 1 for events and up to 30 s, else 4)")
       ->group("When");
 }
 
 void addLook(CLI::App& command, ReplayExportCommand& options) {
-  command.add_option("--size", options.size, "W or WxH, pixels")->type_name("SIZE")->group("How");
-  command.add_option("--theme", options.theme, "dark or light")->capture_default_str()->group("How");
-  command.add_option("--trail", options.trail_seconds, "seconds of trails, 0 ... 60")
+  command.add_option("--size", options.size, "width, or width x height [px]")
+      ->type_name("SIZE")
+      ->group("How");
+  command.add_option("--theme", options.theme, "colour theme: dark or light")
       ->capture_default_str()
       ->group("How");
-  command.add_flag("--no-banner", options.no_banner, "without the referee's calls")->group("How");
-  command.add_flag("--no-drawings", options.no_drawings, "without what the teams drew")->group("How");
-  command.add_option("--quality", options.quality, "of videos, 0 (best) ... 51")
+  command.add_option("--trail", options.trail_seconds, "length of the trails [s], 0 ... 60")
       ->capture_default_str()
       ->group("How");
-  addJobs(command, options.jobs, "threads that draw")->group("How");
-  command.add_flag("--force", options.force, "replace files that exist")->group("How");
+  command.add_flag("--no-banner", options.no_banner, "do not show the referee's calls")->group("How");
+  command.add_flag("--no-drawings", options.no_drawings, "do not show what the teams drew")->group("How");
+  command.add_option("--quality", options.quality, "quality of videos, 0 (best) ... 51 (smallest)")
+      ->capture_default_str()
+      ->group("How");
+  addJobs(command, options.jobs, "drawing threads")->group("How");
+  command.add_flag("--force", options.force, "replace existing files")->group("How");
 }
 
 Result<void> checkProducts(const std::vector<Product>& products, const HtmlExport& html) {
@@ -107,7 +108,7 @@ Result<void> checkProducts(const std::vector<Product>& products, const HtmlExpor
   if (wanted == 0) {
     return fail(
         ErrorCode::kUsage,
-        "export: say what to make: --png, --gif, --mp4, --html, --csv ... See fulbito replay export --help.");
+        "export: needs a product: --png, --gif, --mp4, --html, --csv ... See fulbito replay export --help.");
   }
   if (to_stdout > 1) return fail(ErrorCode::kUsage, "export: only one product can go to stdout");
   return {};
@@ -116,16 +117,16 @@ Result<void> checkProducts(const std::vector<Product>& products, const HtmlExpor
 }  // namespace
 
 CLI::App* addReplayExport(CLI::App& replay, ReplayExportCommand& options) {
-  CLI::App* command = replay.add_subcommand("export", "make pictures, films and tables of a recording");
+  CLI::App* command = replay.add_subcommand("export", "make pictures, films and tables from a recording");
   command->footer(
       "Examples:\n"
       "  fulbito replay export game.fbr --png shot.png --at 83.2\n"
       "  fulbito replay export game.fbr --png goal.png --around goals     goal-0001.png ...\n"
-      "  fulbito replay export game.fbr --gif goal.gif --around goals:1   the first goal, as fast as it was\n"
+      "  fulbito replay export game.fbr --gif goal.gif --around goals:1   the first goal in real time\n"
       "  fulbito replay export game.fbr --gif goals.gif --highlights\n"
-      "  fulbito replay export game.fbr --html game.html                  a page to look at it\n"
+      "  fulbito replay export game.fbr --html game.html                  an HTML page with a viewer\n"
       "  fulbito replay export game.fbr --html both.html --ghost other.fbr\n"
-      "  fulbito replay export game.fbr --mp4 game.mp4                    the whole match, 4 times as fast\n"
+      "  fulbito replay export game.fbr --mp4 game.mp4                    the whole match, 4 x real time\n"
       "  fulbito replay export game.fbr --heatmap ball --theme light --size 1920\n"
       "  fulbito replay export game.fbr --csv - --from 60 --to 90 | head\n"
       "More: docs/pictures.md.");

@@ -17,12 +17,12 @@ namespace {
 constexpr int kVideoWidth = 900, kGifWidth = 480;  // [px]
 constexpr double kVideoFps = 30.0, kGifFps = 12.5;
 constexpr double kHurried = 4.0;    // times real time
-constexpr double kPatience = 30.0;  // [s] up to which a film shows everything as fast as it was
+constexpr double kPatience = 30.0;  // [s] films up to this length are shown in real time
 constexpr std::size_t kPaletteSamples = 12;
 
 bool quiet() { return ::isatty(STDERR_FILENO) == 0; }
 
-/// Scenes are shown as they were; what lasts long is hurried through.
+/// Real time for events and short ranges; otherwise four times as fast.
 double speedOf(const ExportRequest& request) {
   const bool scene = !request.events.empty() || request.whole.to - request.whole.from <= kPatience;
   return request.options->speed.value_or(scene ? 1.0 : kHurried);
@@ -37,7 +37,7 @@ std::string lengthText(std::size_t frames, double fps) {
   return fmt::format("{} frames, {:.1f} s", frames, static_cast<double>(frames) / fps);
 }
 
-/// Draws and hands on all frames while a bar shows how far it has come.
+/// Draws all frames and passes them to `sink`; shows a progress bar.
 Result<void> film(const FrameJob& job, const char* what, const std::function<FramePacker()>& packer,
                   const FrameSink& sink) {
   ProgressBar progress(what, quiet());
@@ -55,8 +55,8 @@ Result<void> exportVideo(const ExportRequest& request, VideoFormat format, const
   if (!picture) return tl::unexpected<Error>(picture.error());
   const MatchPictureSpec& spec = picture->spec();
   if (spec.width % 2 != 0 || spec.height % 2 != 0) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("--size {}x{}: a video's sides must be even", spec.width, spec.height));
+    return fail(ErrorCode::kUsage, fmt::format("--size {}x{}: width and height of a video must be even",
+                                               spec.width, spec.height));
   }
   const double fps = request.options->fps.value_or(kVideoFps);
   auto video = VideoPipe::open(*file, {format, spec.width, spec.height, fps, request.options->quality});
@@ -72,7 +72,7 @@ Result<void> exportVideo(const ExportRequest& request, VideoFormat format, const
   return {};
 }
 
-/// Colours of some frames that are spread over the film.
+/// The palette of a few frames spread over the film.
 Result<GifPalette> paletteOf(const FrameJob& job) {
   FrameJob samples = job;
   samples.times.clear();
@@ -86,7 +86,7 @@ Result<GifPalette> paletteOf(const FrameJob& job) {
     const ReplayMoment moment = job.timeline->at(seconds);
     MatchOverlays overlays;
     director.direct(moment, overlays);
-    // The banner is not in every sample, but its colours shall be there.
+    // Not every sample shows the banner, but its colours must be in the palette.
     if (overlays.banner.title.empty()) overlays.banner = {"Goal!", "Penalty", TeamId::kBlue};
     job.picture->drawFrame(*canvas, moment, overlays);
     canvases.push_back(std::move(*canvas));
@@ -110,7 +110,7 @@ Result<void> exportWebm(const ExportRequest& request) {
 Result<void> exportGif(const ExportRequest& request) {
   const auto file = outputFile(request, *request.options->gif, ".gif");
   if (!file) return tl::unexpected<Error>(file.error());
-  // A GIF counts in hundredths of a second.
+  // GIF delays are in hundredths of a second.
   const int delay =
       std::max(2, static_cast<int>(std::floor(100.0 / request.options->fps.value_or(kGifFps) + 0.5)));
   const double fps = 100.0 / delay;

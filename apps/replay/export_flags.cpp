@@ -12,7 +12,7 @@
 namespace fulbito::app {
 namespace {
 
-/// A flag and the products that heed it.
+/// A flag and the products that use it.
 struct Use {
   const char* flag;
   std::vector<std::string_view> products;
@@ -45,7 +45,7 @@ Result<void> checkUses(const CLI::App& command) {
   const auto given = [&](std::string_view flag) { return command.count(std::string(flag)) > 0; };
   for (const Use& use : uses()) {
     if (!given(use.flag) || std::any_of(use.products.begin(), use.products.end(), given)) continue;
-    return fail(ErrorCode::kUsage, fmt::format("{}: none of the products heeds it; it is for {}", use.flag,
+    return fail(ErrorCode::kUsage, fmt::format("{}: no requested product uses it; it applies to {}", use.flag,
                                                fmt::join(use.products, ", ")));
   }
   return {};

@@ -6,8 +6,8 @@
 
 namespace fulbito::app {
 
-/// What is wrong with the flags of `replay export` taken together: one that none of the products heeds, two
-/// products in one file, a product in place of the recording. Errors: kUsage naming the flags.
+/// Checks the combination of the flags of `replay export`: every flag applies to a requested product, and no
+/// two files are the same. Errors: kUsage naming the flags.
 Result<void> checkExportFlags(const ReplayExportCommand& options);
 
 }  // namespace fulbito::app

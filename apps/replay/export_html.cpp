@@ -53,14 +53,14 @@ Result<std::string> pageOf(const std::string& file, const std::string& ghost_fil
 
 Result<void> writePage(const std::string& file, const std::string& html) {
   if (file != kStdout) return writeFile(file, html);
-  writeOut(html);  // what is lost is told at the end
+  writeOut(html);  // `finishOutput` reports failures
   return {};
 }
 
 }  // namespace
 
 void addHtmlOptions(CLI::App& command, HtmlExport& options) {
-  command.add_option("--html", options.html, "the viewer with the replay in it, one file; - for stdout")
+  command.add_option("--html", options.html, "an HTML page with viewer and replay in one file; - for stdout")
       ->type_name("OUT");
   command.add_option("--ghost", options.ghost, "with --html: a second recording, drawn over the first")
       ->type_name("FILE");

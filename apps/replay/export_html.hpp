@@ -10,7 +10,7 @@ namespace fulbito::app {
 
 /// `fulbito replay export FILE --html`: a page with the viewer in it.
 struct HtmlExport {
-  std::string html;   ///< to be written; - for stdout; empty: not asked for
+  std::string html;   ///< output file; - for stdout; empty: none
   std::string ghost;  ///< second recording, drawn over the first; empty: none
 };
 

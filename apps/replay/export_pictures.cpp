@@ -17,7 +17,7 @@ constexpr int kPictureWidth = 900, kSheetWidth = 1600;  // [px]
 constexpr int kSheetCells = 12;
 constexpr double kStillFps = 10.0;
 
-/// A still: where everyone was, and what is shown over it.
+/// A still: the state of all bodies, and what is drawn over it.
 struct Still {
   ReplayMoment moment;
   MatchOverlays overlays;
@@ -29,7 +29,7 @@ Still stillAt(const ExportRequest& request, double seconds) {
   return still;
 }
 
-/// The last instant before the restart, with the call that was made of it and the score that it led to.
+/// The last tick before the restart, with the call that was made and the score after it.
 Still stillOf(const ExportRequest& request, const RecordedEvent& event) {
   const ReplayTimeline& timeline = request.timeline;
   Still still = stillAt(request, timeline.secondsAt(std::max<Tick>(0, event.tick - 1)));
@@ -53,7 +53,8 @@ std::string numbered(const std::string& file, std::size_t index) {
 Result<std::vector<std::string>> pictureFiles(const ExportRequest& request, const std::string& given,
                                               const std::string& ending, std::size_t count) {
   if (count > 1 && given == "-") {
-    return fail(ErrorCode::kUsage, fmt::format("{} pictures cannot go to stdout; name a file", count));
+    return fail(ErrorCode::kUsage,
+                fmt::format("{} pictures cannot be written to stdout; name a file", count));
   }
   std::vector<std::string> files;
   for (std::size_t i = 1; i <= count; ++i) {
@@ -104,11 +105,11 @@ Result<void> writeSequence(const ExportRequest& request) {
     return (*files)[index] == "-" ? deliver("-", bytes) : writeFile((*files)[index], bytes, false);
   });
   if (!drawn) return drawn;
-  announce(files->front(), fmt::format("the first of {} pictures", files->size()));
+  announce(files->front(), fmt::format("first of {} pictures", files->size()));
   return {};
 }
 
-/// The times and calls that were asked for; none: empty.
+/// Stills at --at and of the events; empty if neither was given.
 std::vector<Still> stillsOf(const ExportRequest& request) {
   std::vector<Still> stills;
   stills.reserve(request.options->at.size() + request.events.size());
@@ -154,7 +155,7 @@ Result<void> exportTrails(const ExportRequest& request) {
   auto canvas = picture->canvas();
   if (!canvas) return tl::unexpected<Error>(canvas.error());
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    // Of an event the way to it is shown, not what came after the restart.
+    // For an event, show the paths up to it, not those after the restart.
     const bool event = !request.events.empty();
     Still still = event ? stillOf(request, request.events[i]) : stillAt(request, ranges[i].to);
     still.overlays.trails = pathsBetween(request.timeline, ranges[i].from, still.moment.seconds);
@@ -179,7 +180,7 @@ Result<void> exportSvg(const ExportRequest& request) {
 
 namespace {
 
-/// The bodies that a word names: ball, blue, yellow, blue:1; of a trial also robot.
+/// The bodies that a word names: ball, blue, yellow, blue:1; in a trial also robot.
 Result<HeatMapChoice> heatChoice(const ExportRequest& request, const std::string& word) {
   HeatMapChoice choice;
   choice.from = request.whole.from;
@@ -197,9 +198,7 @@ Result<HeatMapChoice> heatChoice(const ExportRequest& request, const std::string
   if (choice.bodies.empty()) {
     return fail(
         ErrorCode::kUsage,
-        fmt::format(
-            "--heatmap '{}': must be ball, blue, yellow or a robot as blue:0 that is in the recording",
-            word));
+        fmt::format("--heatmap '{}': must be ball, blue, yellow or a recorded robot such as blue:0", word));
   }
   choice.label = word == "ball" ? "the ball" : word == "robot" ? "the robot" : word;
   const std::size_t index = team == "yellow" ? 1 : 0;

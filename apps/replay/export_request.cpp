@@ -41,7 +41,7 @@ Result<ReplayTimeline> readTimeline(const std::string& file) {
 Result<void> checkTime(const char* flag, double seconds, const ReplayTimeline& timeline) {
   if (seconds >= 0.0 && seconds <= timeline.seconds() + 1e-9) return {};
   return usage(
-      fmt::format("{} {}: the recording goes from 0 to {:.2f} s", flag, seconds, timeline.seconds()));
+      fmt::format("{} {}: the recording lasts from 0 to {:.2f} s", flag, seconds, timeline.seconds()));
 }
 
 Result<void> setRange(const ReplayExportCommand& options, ExportRequest& request) {
@@ -56,7 +56,7 @@ Result<void> setRange(const ReplayExportCommand& options, ExportRequest& request
   return usage(fmt::format("--from {} is after --to {}", request.whole.from, request.whole.to));
 }
 
-/// Whether `name` means events of that clause: "penalty" all kinds of penalties, "goals" is "goal".
+/// Whether `name` covers that clause: "penalty" covers all penalties, "goals" means "goal".
 bool means(std::string name, const std::string& clause) {
   if (name == clause || clause.starts_with(name + ".")) return true;
   if (!name.ends_with('s')) return false;
@@ -64,7 +64,7 @@ bool means(std::string name, const std::string& clause) {
   return name == clause || clause.starts_with(name + ".");
 }
 
-/// What --around names: events of a name, or the one of a number among them, as in "goals:2".
+/// The events that --around names: all of a name, or only one of them, as in "goals:2".
 struct EventChoice {
   std::string name;
   std::optional<std::size_t> number;  ///< from 1
@@ -77,7 +77,7 @@ Result<EventChoice> eventChoice(const std::string& text) {
   const char *begin = text.data() + colon + 1, *end = text.data() + text.size();
   const auto [stop, wrong] = std::from_chars(begin, end, number);
   if (wrong == std::errc() && stop == end && number > 0) return EventChoice{text.substr(0, colon), number};
-  return usage(fmt::format("--around {}: after the colon stands which one, 1 or more: goals:1", text));
+  return usage(fmt::format("--around {}: the number after the colon must be 1 or more, as in goals:1", text));
 }
 
 Result<void> findEvents(const EventChoice& choice, const char* flag, ExportRequest& request) {
@@ -102,9 +102,9 @@ Result<void> findEvents(const EventChoice& choice, const char* flag, ExportReque
     shown.resize(kShownCalls);
     shown.push_back(fmt::format("{} more", known.size() - kShownCalls));
   }
-  return usage(fmt::format("{}: there is no '{}' from {:.2f} to {:.2f} s. What there is: {}", flag, name,
+  return usage(fmt::format("{}: there is no '{}' from {:.2f} to {:.2f} s. Recorded events: {}", flag, name,
                            request.whole.from, request.whole.to,
-                           shown.empty() ? "nothing" : fmt::format("{}", fmt::join(shown, ", "))));
+                           shown.empty() ? "none" : fmt::format("{}", fmt::join(shown, ", "))));
 }
 
 std::optional<int> sideOf(std::string_view text) {
@@ -202,7 +202,7 @@ void announce(const std::string& file, const std::string& what) {
 
 Result<void> deliver(const std::string& file, const std::string& content) {
   if (file == "-") {
-    writeOut(content);  // what is lost is told at the end
+    writeOut(content);  // `finishOutput` reports failures
     return {};
   }
   if (auto written = writeFile(file, content); !written) return written;

@@ -11,24 +11,24 @@
 
 namespace fulbito::app {
 
-/// The recording and what was asked of it, checked: what every product needs.
+/// The recording and the checked options that every product needs.
 struct ExportRequest {
   const ReplayExportCommand* options = nullptr;
   ReplayTimeline timeline;
-  MatchPictureSpec spec;  ///< theme and, where it was given, size
+  MatchPictureSpec spec;  ///< theme and, if given, size
   bool sized = false;     ///< --size was given
   OverlayChoice overlays;
   ReplayRange whole;                  ///< --from ... --to
-  std::vector<RecordedEvent> events;  ///< that --around or --highlights named, within `whole`
+  std::vector<RecordedEvent> events;  ///< named by --around or --highlights, within `whole`
   int jobs = 1;
 
-  /// The spec for a product whose width is `width` unless --size says another.
+  /// The spec for a product; `width` [px] applies unless --size was given.
   MatchPictureSpec specOf(int width) const;
-  /// `whole`, or 5 s around each of the events.
+  /// `whole`, or 5 s around each event.
   std::vector<ReplayRange> ranges() const;
 };
 
-/// Opens the recording, plays it again where it has no samples, and checks all flags against it.
+/// Opens the recording, simulates it again if it has no samples, and checks all flags against it.
 /// Errors: as RecordingReader::open and `expanded`; kUsage naming the flag and its range.
 Result<ExportRequest> readRequest(const ReplayExportCommand& options);
 
@@ -37,11 +37,11 @@ Result<ExportRequest> readRequest(const ReplayExportCommand& options);
 Result<std::string> outputFile(const ExportRequest& request, const std::string& given,
                                const std::string& ending);
 
-/// Writes the whole file or nothing; "-" is stdout. Says on stderr what was written. Errors: kIo.
+/// Writes the whole file or nothing; "-" is stdout. Names the file on stderr. Errors: kIo.
 Result<void> deliver(const std::string& file, const std::string& content);
 /// E.g. "71.2 kB".
 std::string sizeText(std::size_t bytes);
-/// Says on stderr what was written, unless it went to stdout.
+/// Names the written file on stderr, unless it went to stdout.
 void announce(const std::string& file, const std::string& what);
 
 /// @{ The products. Errors: kUsage, kIo, kInterrupted.

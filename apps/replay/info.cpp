@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is counted by going through the whole recording.
+/// Counts over the whole recording.
 struct Tally {
   std::int64_t plays = 0;
   std::map<std::string, int> calls, restarts;
@@ -38,7 +38,7 @@ Result<Tally> tallyOf(const RecordingReader& recording) {
   return tally;
 }
 
-/// Names of what the recipe's texts describe; a text that cannot be understood has none.
+/// The names inside the recipe's texts; empty for a text that cannot be parsed.
 struct RecipeNames {
   std::string rules, physics, robot, field;
 };
@@ -62,7 +62,7 @@ const char* kindOf(const RecordingHeader& header) {
 const char* levelOf(const RecordingHeader& header) {
   return header.level == RecordingLevel::kFull ? "full" : "recipe";
 }
-/// How the recording ends: at its own end, where someone stopped it, or nowhere.
+/// How the recording ends: completed, stopped early, or cut off.
 const char* endOf(const RecordingReader& recording) {
   if (!recording.finished()) return "cut";
   return recording.result()->complete ? "finished" : "stopped";
@@ -167,7 +167,7 @@ std::string recipeText(const RecordingHeader& header) {
   text += fmt::format("physics {}, robot {}, field {}, seed {}\n", names.physics, names.robot, names.field,
                       recipe.seed);
   if (recipe.latency_ticks > 0 || recipe.position_noise > 0.0 || recipe.dropout > 0.0) {
-    text += fmt::format("  vision     {} ticks late, noise {:g} m, drop-out {:g}\n", recipe.latency_ticks,
+    text += fmt::format("  vision     latency {} ticks, noise {:g} m, drop-out {:g}\n", recipe.latency_ticks,
                         recipe.position_noise, recipe.dropout);
   }
   for (const auto& [name, value] : recipe.more) {
@@ -200,7 +200,8 @@ void print(const std::string& file, const RecordingReader& recording, const Tall
 }  // namespace
 
 CLI::App* addReplayInfo(CLI::App& replay, ReplayInfoCommand& options) {
-  CLI::App* command = replay.add_subcommand("info", "say what was recorded, and where the bytes go");
+  CLI::App* command =
+      replay.add_subcommand("info", "show what a recording contains and what takes its space");
   command->footer("Examples:\n  fulbito replay info game.fbr\n  fulbito replay info game.fbr --json");
   command->add_option("file", options.file, "recording (.fbr)")->required();
   command->add_flag("--json", options.json, "print JSON");

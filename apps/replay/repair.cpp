@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of a file that nothing is wrong with, `repaired` is empty.
+/// `repaired` is empty for an undamaged file.
 Json toJson(const ReplayRepairCommand& options, const Salvage& found, const std::optional<Repair>& repaired) {
   Json json{{"schema_version", 1}, {"file", options.file}, {"whole", found.whole}};
   json["out"] = repaired ? Json(options.out) : Json(nullptr);
@@ -43,28 +43,27 @@ void print(const ReplayRepairCommand& options, const Salvage& found, const std::
     return;
   }
   if (!repaired) {
-    say("{}: nothing is wrong with it; nothing was written\n", options.file);
+    say("{}: not damaged; nothing was written\n", options.file);
     return;
   }
   const double dt = 1.0 / found.header.control_rate;
   say("{}: {} plays, {:.3f} s kept\n", options.out, repaired->plays,
       static_cast<double>(repaired->ticks) * dt);
-  say("lost: {} bytes, {} gaps, {:.3f} s of what is known{}\n", found.lost_bytes, repaired->gaps,
+  say("lost: {} bytes in {} gaps, at least {:.3f} s{}\n", found.lost_bytes, repaired->gaps,
       static_cast<double>(repaired->lost_ticks) * dt, repaired->end_lost ? ", and the end" : "");
 }
 
 }  // namespace
 
 CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options) {
-  CLI::App* command =
-      replay.add_subcommand("repair", "make a whole recording of what can still be read of one");
+  CLI::App* command = replay.add_subcommand("repair", "recover a valid recording from a damaged one");
   command->footer(
-      "Keeps what precedes the damage and every play that begins after it.\n"
+      "Keeps everything before the damage and every play that starts after it.\n"
       "Example:\n"
       "  fulbito replay repair broken.fbr mended.fbr");
-  command->add_option("file", options.file, "recording (.fbr)")->required();
-  command->add_option("out", options.out, "recording that is made")->required();
-  command->add_flag("--force", options.force, "replace a file that exists");
+  command->add_option("file", options.file, "damaged recording (.fbr)")->required();
+  command->add_option("out", options.out, "recording to write")->required();
+  command->add_flag("--force", options.force, "replace an existing file");
   command->add_flag("--json", options.json, "print JSON");
   return command;
 }

@@ -5,16 +5,16 @@
 namespace fulbito::app {
 
 CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
-  CLI::App* command = app.add_subcommand("replay", "look into recordings, prove, compare and cut them");
+  CLI::App* command = app.add_subcommand("replay", "inspect, verify, compare, edit and export recordings");
   command->footer(
       "Examples:\n"
-      "  fulbito match libero classic --record game.fbr   makes one\n"
-      "  fulbito replay info game.fbr                     what was played, and where the bytes go\n"
+      "  fulbito match libero classic --record game.fbr   make a recording\n"
+      "  fulbito replay info game.fbr                     teams, result, settings, size\n"
       "  fulbito replay events game.fbr\n"
-      "  fulbito replay verify game.fbr                   plays it again: is it the same, bit for bit?\n"
-      "  fulbito replay diff game.fbr other.fbr           where two part\n"
+      "  fulbito replay verify game.fbr                   simulate it again and compare, bit for bit\n"
+      "  fulbito replay diff game.fbr other.fbr           the first difference\n"
       "  fulbito replay cut game.fbr goal.fbr --from 40 --to 50\n"
-      "  fulbito replay export game.fbr --html game.html  a page to look at it\n"
+      "  fulbito replay export game.fbr --html game.html  an HTML page with a viewer\n"
       "  fulbito replay export game.fbr --png --at 83.2   pictures, films, tables\n"
       "More: docs/recordings.md, docs/pictures.md.");
   command->require_subcommand(1);

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How many of each kind there are.
+/// The number of files per verdict.
 struct Counts {
   std::size_t same = 0, different = 0, cut = 0, bad = 0;
   double simulated = 0.0;  ///< [s]
@@ -49,11 +49,11 @@ std::string verdictOf(const VerifiedFile& file) {
   }
   const std::string what =
       fmt::format("{} ticks, {} plays, {:.1f} s, hash {:016x}", v.ticks, v.plays, v.seconds, v.final_hash);
-  return v.finished ? "the same, bit for bit: " + what : "cut; what is there is the same: " + what;
+  return v.finished ? "identical, bit for bit: " + what : "cut off; identical up to there: " + what;
 }
 
 void printOne(const VerifiedFile& file) {
-  // Errors of a file begin with its name already.
+  // Errors already begin with the file's name.
   if (!file.result) {
     report(file.result.error());
   } else {
@@ -68,7 +68,7 @@ void printTable(const std::vector<VerifiedFile>& files, double wall) {
   };
   for (const VerifiedFile& file : files) width = std::max(width, name_of(file).size());
   say("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", "file", width, "verdict", "seconds", "plays", "hash",
-      "what");
+      "first difference or error");
   for (const VerifiedFile& file : files) {
     if (!file.result) {
       say("{:<{}}  {:>9}  {:>9}  {:>5}  {:<16}  {}\n", name_of(file), width, "bad", "", "", "",
@@ -83,8 +83,8 @@ void printTable(const std::vector<VerifiedFile>& files, double wall) {
         v.seconds, v.plays, v.final_hash, v.same() ? std::string() : v.divergence->text);
   }
   const Counts counts = countsOf(files);
-  say("\n{} recordings: {} the same, {} different, {} cut, {} bad\n", files.size(), counts.same,
-      counts.different, counts.cut, counts.bad);
+  say("\n{} recordings: {} same, {} different, {} cut, {} bad\n", files.size(), counts.same, counts.different,
+      counts.cut, counts.bad);
   say("{:.1f} s simulated in {:.2f} s: {:.0f} x real time\n", counts.simulated, wall,
       counts.simulated / wall);
 }
@@ -142,7 +142,7 @@ Json toJson(const std::vector<VerifiedFile>& files, double wall) {
   return json;
 }
 
-/// A difference outweighs damage; a file that cannot be read at all is another thing than one that is broken.
+/// A difference counts more than damage. Files that cannot be opened give kIo, damaged ones kBadInput.
 int exitCodeOf(const std::vector<VerifiedFile>& files) {
   const Counts counts = countsOf(files);
   if (counts.different > 0) return kDifferent;
@@ -158,14 +158,15 @@ int exitCodeOf(const std::vector<VerifiedFile>& files) {
 
 CLI::App* addReplayVerify(CLI::App& replay, ReplayVerifyCommand& options) {
   CLI::App* command =
-      replay.add_subcommand("verify", "play recordings again and compare every tick, bit for bit");
+      replay.add_subcommand("verify", "simulate recordings again and compare every tick, bit for bit");
   command->footer(
       "Examples:\n"
       "  fulbito replay verify game.fbr\n"
       "  fulbito replay verify recordings/ --jobs 2 --json > verified.json\n"
-      "Exit codes: 0 all the same, 7 one differs (the first tick, body and coordinate are named), 3 one is "
-      "damaged or cut.");
-  command->add_option("files", options.files, "recordings (.fbr), or folders of them")->required();
+      "Exit codes: 0 all identical, 7 one differs (its first differing tick, body and coordinate are "
+      "printed),\n"
+      "3 one is damaged or cut off.");
+  command->add_option("files", options.files, "recordings (.fbr) or folders that contain them")->required();
   addJobs(*command, options.jobs, "worker threads");
   command->add_flag("--json", options.json, "print JSON");
   return command;
@@ -174,7 +175,7 @@ CLI::App* addReplayVerify(CLI::App& replay, ReplayVerifyCommand& options) {
 int replayVerify(const ReplayVerifyCommand& options) {
   const auto names = recordingFiles(options.files);
   if (!names) return report(names.error());
-  if (names->empty()) return report({ErrorCode::kUsage, "there are no recordings (.fbr) in these folders"});
+  if (names->empty()) return report({ErrorCode::kUsage, "no recordings (.fbr) in these folders"});
   const std::int64_t begin = now();
   Result<std::vector<VerifiedFile>> files;
   {

@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kText = 17.0, kBadgeText = 12.0;   // [px] at 900 x 780
 constexpr double kSmallest = 7.0, kLargest = 30.0;  // [px]
-constexpr double kLine = 1.62;                      // of the letters' size
+constexpr double kLine = 1.62;                      // line height, in font sizes
 constexpr double kHintText = 12.0;                  // [px] at 900 x 780
 constexpr double kEdge = 22.0;                      // [px] from the board's ends to its texts at 900 x 780
 constexpr double kNoteText = 13.0;                  // [px] at 900 x 780
 constexpr double kFoot = 36.0;                      // [px] height of the bar of time at 900 x 780
 constexpr double kBoard = 84.0;                     // [px] height of the score board at 900 x 780
-constexpr double kShare = 0.94;                     // of the picture that the plate may take
+constexpr double kShare = 0.94;                     // largest share of the picture for the plate
 
 struct HelpColours {
   Colour plate, edge, keys, text;
@@ -43,9 +43,9 @@ std::vector<KeyHelp> rowsOf(bool live) {
   return rows;
 }
 
-/// A rectangle with round corners.
+/// A rectangle with rounded corners.
 void drawPlate(Canvas& canvas, Vec2 corner, Vec2 size, double radius, Colour colour) {
-  constexpr int kArc = 3;  // sixteen corners are what Canvas takes
+  constexpr int kArc = 3;  // Canvas fills at most sixteen corners
   std::vector<Vec2> points;
   const std::array<Vec2, 4> centres{corner + Vec2{radius, radius}, corner + Vec2{size.x - radius, radius},
                                     corner + size - Vec2{radius, radius},
@@ -59,9 +59,9 @@ void drawPlate(Canvas& canvas, Vec2 corner, Vec2 size, double radius, Colour col
   canvas.fillConvex(points, colour);
 }
 
-/// Where the columns of the help stand.
+/// Layout of the list of keys.
 struct HelpPlan {
-  double size = 0.0, keys = 0.0, words = 0.0;  ///< [px] of letters, widths of the columns
+  double size = 0.0, keys = 0.0, words = 0.0;  ///< [px] font size, widths of the two columns
 
   double gap() const { return 1.4 * size; }
   double width() const { return keys + words + 3 * gap(); }

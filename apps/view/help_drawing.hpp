@@ -8,16 +8,16 @@
 
 namespace fulbito {
 
-/// The keys on a plate in the middle of the picture: those of a live match or of a recording.
+/// Draws the list of keys in the middle of the picture, for a live match or a recording.
 void drawHelp(Canvas& canvas, PictureTheme theme, bool live);
 
-/// A word on a plate under the score, for what must not be overlooked.
+/// Draws a conspicuous word under the score.
 void drawBadge(Canvas& canvas, const std::string& word);
 
-/// A small line at the right end of the score board's foot.
+/// Draws a small line at the lower right of the score board.
 void drawHint(Canvas& canvas, PictureTheme theme, const std::string& hint);
 
-/// A line on a plate at the foot of the field: how play stands, or what was done. Nothing for an empty one.
+/// Draws a status line at the bottom of the field. An empty note draws nothing.
 void drawNote(Canvas& canvas, PictureTheme theme, const std::string& note);
 
 }  // namespace fulbito

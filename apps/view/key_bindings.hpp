@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-/// A key of the window's keyboard that means something to the viewer.
+/// A key that the viewer uses.
 enum class ViewKey : std::uint8_t {
   kSpace,
   kComma,
@@ -42,7 +42,7 @@ struct KeyPress {
   bool shift = false;
 };
 
-/// What a user may ask for.
+/// An action of the viewer.
 enum class ViewAction : std::uint8_t {
   kPlay,
   kFrameBack,
@@ -72,12 +72,12 @@ enum class ViewAction : std::uint8_t {
 /// Empty for a key that does nothing.
 std::optional<ViewAction> actionOf(KeyPress press);
 
-/// A line of the help that the window shows.
+/// A line of the viewer's list of keys.
 struct KeyHelp {
   std::string_view keys;
   std::string_view text;
-  bool replay = true;  ///< it is of use with a recording
-  bool live = true;    ///< ... with a match that is being played
+  bool replay = true;  ///< shown for a recording
+  bool live = true;    ///< shown for a live match
 };
 
 std::span<const KeyHelp> keyHelp();

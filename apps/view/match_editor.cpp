@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kReach = 0.015;  // [m] a pointer may miss a body by
+constexpr double kReach = 0.015;  // [m] tolerance of the pointer
 
 }  // namespace
 
@@ -46,7 +46,7 @@ bool MatchEditor::grab(Vec2 place, bool turn) {
 
 bool MatchEditor::tryOut(const Placement& wanted) {
   const auto flaw = flawOfEdit(match_->config(), match_->placement(), wanted);
-  complaint_ = flaw.value_or("");
+  flaw_ = flaw.value_or("");
   if (flaw) return false;
   placement_ = wanted;
   return true;
@@ -70,7 +70,7 @@ void MatchEditor::drag(Vec2 place) {
 
 bool MatchEditor::apply() {
   const auto replaced = match_->replace(placement_);
-  if (!replaced) complaint_ = replaced.error().message;
+  if (!replaced) flaw_ = replaced.error().message;
   return replaced.has_value();
 }
 

@@ -8,31 +8,30 @@
 
 namespace fulbito {
 
-/// Moves ball and robots of a match that is being played, by hand: take hold, drag, let go. The match goes on
-/// from there in a play of its own (`Match::replace`). Nothing can be put where it has no room: it stays at
-/// the last place that was free.
+/// Lets the user drag the ball and robots of a live match: grab, drag, drop. The match then continues in a
+/// new play (`Match::replace`). A body dragged onto an occupied place stays at the last free one.
 class MatchEditor {
  public:
   /// Refers to `match`.
   explicit MatchEditor(Match& match) : match_(&match) {}
 
-  /// Takes hold of what is at a place [m]: of the ball or a robot to move it, of a robot to turn it. False:
-  /// nothing is there, or the match is over.
+  /// Grabs the body at a place [m]: the ball or a robot to move it, or a robot to turn it. False: there is
+  /// none, or the match is over.
   bool grab(Vec2 place, bool turn);
   bool holding() const { return held_.has_value(); }
-  /// Moves what is held, or turns its front, to the place.
+  /// Moves the grabbed body to the place, or turns its front toward it.
   void drag(Vec2 place);
-  /// Lets go. True: the match was changed.
+  /// Drops the body. True: the match has changed.
   bool drop();
-  /// Lets go and changes nothing.
+  /// Drops the body without changing the match.
   void release() { held_.reset(); }
-  /// Turns the robot at a place by an angle [rad]. True: the match was changed.
+  /// Turns the robot at a place by an angle [rad]. True: the match has changed.
   bool turn(Vec2 place, double angle);
 
-  /// Where all stand while something is held.
+  /// The placement during a drag.
   const Placement& placement() const { return placement_; }
-  /// Why the last drag did not do as asked; empty: it did.
-  const std::string& complaint() const { return complaint_; }
+  /// Why the last drag was not possible; empty if it was.
+  const std::string& flaw() const { return flaw_; }
 
  private:
   struct Held {
@@ -49,7 +48,7 @@ class MatchEditor {
   Match* match_;
   Placement placement_;
   std::optional<Held> held_;
-  std::string complaint_;
+  std::string flaw_;
 };
 
 }  // namespace fulbito

@@ -95,7 +95,7 @@ void MatchStage::ticked(const MatchTick& tick) {
   }
   for (const GameEvent& event : tick.events) {
     describe(event, event_);
-    // Of several calls at one tick a goal is the news.
+    // If one tick has several calls, show the goal.
     const bool goal_stays = called_ && call_.tick == event.tick && call_.clause == "goal";
     if (goal_stays || bannerOf(event_, header_.recipe).title.empty()) continue;
     call_ = event_;

@@ -10,11 +10,11 @@
 
 namespace fulbito {
 
-/// A match in a viewer, played as it is looked at. Pictures between two ticks are interpolated, so that what
-/// is shown is up to a tick old.
+/// A live match in a viewer, played while it is watched. Pictures between two ticks are interpolated, so they
+/// lag by up to one tick.
 class MatchStage final : public ViewStage, private MatchObserver {
  public:
-  /// Refers to `match` and watches it; to be made before its first step.
+  /// Observes `match`, which must outlive the stage. Create it before the first step.
   explicit MatchStage(Match& match);
 
   const MatchPictureSpec& look() const override { return look_; }
@@ -47,11 +47,11 @@ class MatchStage final : public ViewStage, private MatchObserver {
   std::string name_;
   MatchEditor editor_;
   Poses before_, now_;  ///< at the last two ticks, of the header's bodies
-  double share_ = 1.0;  ///< of the way from `before_` to `now_`
+  double share_ = 1.0;  ///< interpolation from `before_` (0) to `now_` (1)
   std::vector<std::vector<Vec2>> paths_;
   std::vector<RecordedDrawing> drawings_;
   RecordedPlay play_;    ///< without its starts
-  RecordedEvent call_;   ///< the last that is worth a banner
+  RecordedEvent call_;   ///< the last call with a banner
   bool called_ = false;  ///< whether there was one
   RecordedEvent event_;  ///< reused
   bool edited_ = false;

@@ -13,7 +13,7 @@ bool ViewWindow::available() { return false; }
 
 Result<ViewWindow> ViewWindow::create(const WindowOptions&) {
   return fail(ErrorCode::kIo,
-              "this fulbito was built without its window (FULBITO_VIEW=OFF); fulbito replay export makes "
+              "this build of fulbito has no window (FULBITO_VIEW=OFF); fulbito replay export makes "
               "pictures and films of recordings");
 }
 

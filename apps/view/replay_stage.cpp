@@ -10,7 +10,7 @@ constexpr double kSameTime = 1e-6;  // [s]
 std::vector<double> eventsOf(const ReplayTimeline& timeline) {
   std::vector<double> times;
   for (const RecordedEvent& event : timeline.events()) {
-    // What has no banner, such as a repaired placement, is no news.
+    // Skip events without a banner, such as a repaired placement.
     if (bannerOf(event, timeline.header().recipe).title.empty()) continue;
     times.push_back(std::max(0.0, timeline.secondsAt(event.tick) - ReplayStage::kLead));
   }
@@ -19,7 +19,7 @@ std::vector<double> eventsOf(const ReplayTimeline& timeline) {
   return times;
 }
 
-/// A user's placement is a play of its own in the middle of a match; a result that was written counts them.
+/// Whether a user edited the match. An edit begins a play of its own, and the result counts the edits.
 bool wasEdited(const ReplayTimeline& timeline) {
   if (timeline.header().kind != RecordingKind::kMatch) return false;
   if (const auto& result = timeline.result()) {

@@ -11,7 +11,7 @@ namespace fulbito {
 /// A recording in a viewer.
 class ReplayStage final : public ViewStage {
  public:
-  /// An event is looked at from so long before it, as what led to it is of interest.
+  /// Seeking to an event goes this long before it, to show what led to it.
   static constexpr double kLead = 1.0;  // [s]
 
   /// Errors: as `pictureSpecOf`.
@@ -35,7 +35,7 @@ class ReplayStage final : public ViewStage {
   ReplayTimeline timeline_;
   std::string name_;
   MatchPictureSpec look_;
-  std::vector<double> events_;  ///< [s] where each is looked at from, ascending
+  std::vector<double> events_;  ///< [s] where seeking to each event goes, ascending
   bool edited_ = false;
   double seconds_ = 0.0;
 };

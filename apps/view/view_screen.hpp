@@ -12,14 +12,14 @@ namespace fulbito {
 /// The pictures of a viewer at one size, in memory.
 class ViewScreen {
  public:
-  /// Draws what the viewer shows. The picture is planned anew when size, theme or stage are others than last.
+  /// Draws the viewer's picture. Lays it out again if size, theme or stage have changed.
   /// Errors: as MatchPicture::create.
   Result<void> draw(Viewer& viewer, int width, int height);
-  /// What was drawn last; null before.
+  /// The last picture; null before the first.
   const Canvas* canvas() const { return canvas_ ? &*canvas_ : nullptr; }
-  /// Writes what was drawn last as PNG, without help and notes. Errors: kIo.
+  /// Writes the last picture as PNG, without help and notes. Errors: kIo.
   Result<void> save(const Viewer& viewer, const std::string& file) const;
-  /// Completes a pointer's event by what it points at in the last picture.
+  /// Adds to a pointer event what it points at in the last picture.
   void aim(PointerEvent& event, Vec2 pixel) const;
 
  private:

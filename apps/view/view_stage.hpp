@@ -11,7 +11,7 @@ namespace fulbito {
 
 class MatchEditor;
 
-/// What a viewer shows: a recording, or a match while it is played. It stands at one moment.
+/// The content of a viewer, a recording or a live match, at one moment.
 class ViewStage {
  public:
   ViewStage() = default;
@@ -19,35 +19,35 @@ class ViewStage {
   ViewStage& operator=(const ViewStage&) = delete;
   virtual ~ViewStage() = default;
 
-  /// What its pictures need; size and theme are left at their defaults.
+  /// The specification of its pictures, with default size and theme.
   virtual const MatchPictureSpec& look() const = 0;
   /// For the window's title, e.g. the file's name.
   virtual const std::string& name() const = 0;
   virtual bool live() const { return false; }
-  /// Whether a user changed the course of the match.
+  /// Whether a user has edited the match.
   virtual bool edited() const = 0;
-  /// Whether nothing follows.
+  /// Whether this is the end.
   virtual bool over() const = 0;
   virtual double seconds() const = 0;
-  /// [s] of one frame, or tick.
+  /// Length of a frame or tick [s].
   virtual double frameSeconds() const = 0;
 
-  /// Goes on by a time of play [s], at most to the end.
+  /// Advances by a time of play [s], at most to the end.
   virtual void forward(double seconds) = 0;
-  /// Goes on by one frame or tick, and shows that exactly.
+  /// Advances by one frame or tick, without interpolation.
   virtual void stepOn() { forward(frameSeconds()); }
-  /// Goes to a time of a recording; out of range: to the nearest end. A live match stays where it is.
+  /// Goes to a time [s] of a recording, clamped to its range. A live match ignores it.
   virtual void seek(double) {}
-  /// @{ Where the neighbouring event is looked at from; empty: there is none.
+  /// @{ Time [s] to seek to for the next or previous event; empty: there is none.
   virtual std::optional<double> eventAfter(double) const { return std::nullopt; }
   virtual std::optional<double> eventBefore(double) const { return std::nullopt; }
   /// @}
-  /// For moving what stands on the field; null: nobody may.
+  /// The editor for moving bodies; null: not editable.
   virtual MatchEditor* editor() { return nullptr; }
-  /// Looks at all anew, after an edit.
+  /// Updates the stage after an edit.
   virtual void refresh() {}
 
-  /// Fills in the present moment and what is shown over it.
+  /// Fills in the present moment and its overlays.
   virtual void show(const OverlayChoice& choice, ReplayMoment& moment, MatchOverlays& overlays) = 0;
 };
 

@@ -17,8 +17,8 @@ namespace {
 constexpr int kWidth = 900;                           // [px]
 constexpr int kLeastWidth = 320, kLeastHeight = 240;  // [px]
 constexpr std::int64_t kFrame = 1'000'000'000 / 60;   // [ns]
-constexpr std::int64_t kLook = 100'000'000;           // [ns] between looks at what no event tells of
-constexpr double kRoom = 0.9;                         // of the display that a new window may take
+constexpr std::int64_t kLook = 100'000'000;           // [ns] between checks of what sends no event
+constexpr double kRoom = 0.9;                         // largest share of the display for a new window
 
 struct WindowFree {
   void operator()(SDL_Window* window) const { SDL_DestroyWindow(window); }
@@ -37,7 +37,7 @@ bool isSet(const char* name) {
   return value != nullptr && *value != '\0';
 }
 
-/// Whether SDL fell back to a window that nobody sees, without having been told to.
+/// Whether SDL fell back to an invisible window although none was requested.
 bool invisible() {
   if (isSet("SDL_VIDEODRIVER")) return false;
   const char* driver = SDL_GetCurrentVideoDriver();
@@ -103,7 +103,7 @@ std::optional<KeyPress> keyOf(const SDL_Keysym& symbol) {
   return KeyPress{found->key, shift};
 }
 
-/// A name that no file has yet: "libero-classic-12.3s.png", then with "-2" and so on.
+/// A file name that does not exist yet: "libero-classic-12.3s.png", then with "-2" and so on.
 std::string freeName(const Viewer& viewer) {
   std::string stem = std::filesystem::path(viewer.stage().name()).stem().string();
   const std::string base =
@@ -151,10 +151,10 @@ ViewWindow::~ViewWindow() = default;
 bool ViewWindow::available() { return true; }
 
 Result<ViewWindow> ViewWindow::create(const WindowOptions& options) {
-  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // Ctrl-C is the program's
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // the program handles Ctrl-C itself
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-  // SDL would try its other drivers, and tell of each. A console's own screen has to be asked for.
+  // Otherwise SDL tries its other drivers and prints an error for each. A console screen must be requested.
   if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("SDL_VIDEODRIVER")) {
     return tl::unexpected<Error>(noDisplay());
   }
@@ -190,7 +190,7 @@ Result<void> ViewWindow::Impl::present() {
   SDL_Surface* target = SDL_GetWindowSurface(window.get());
   if (target == nullptr) return tl::unexpected<Error>(sdlError("cannot draw in the window"));
   const Canvas& canvas = *screen.canvas();
-  // SDL does not write to it, but its types do not say so.
+  // SDL only reads it, although its type is not const.
   auto* pixels = const_cast<std::uint32_t*>(canvas.row(0).data());
   const std::ptrdiff_t pitch = canvas.height() > 1 ? 4 * (canvas.row(1).data() - canvas.row(0).data())
                                                    : 4 * static_cast<std::ptrdiff_t>(canvas.width());
@@ -233,7 +233,7 @@ void ViewWindow::Impl::takePointer(const SDL_Event& event, Viewer& viewer) const
     x = event.button.x, y = event.button.y;
     SDL_CaptureMouse(down ? SDL_TRUE : SDL_FALSE);
   }
-  // The mouse counts in the desktop's points, of which a fine display has fewer than pixels.
+  // The mouse reports desktop points; a high-resolution display has several pixels per point.
   int width = 0, height = 0;
   SDL_GetWindowSize(window.get(), &width, &height);
   const Canvas* canvas = screen.canvas();
@@ -265,11 +265,11 @@ void ViewWindow::Impl::take(const SDL_Event& event, Viewer& viewer) {
   }
 }
 
-/// Takes all events there are; waits for the first one at most so long [ns]. SDL_WaitEvent is left out: on
-/// X11 it sends the window a message by a second connection, and where the window is gone before that arrives
-/// the program ends with BadWindow.
+/// Handles all pending events; waits for the first one for at most this long [ns]. Does not use
+/// SDL_WaitEvent: on X11 it messages the window over a second connection, which ends the program with
+/// BadWindow if the window is already gone.
 void ViewWindow::Impl::takeAll(Viewer& viewer, std::int64_t wait) {
-  constexpr std::int64_t kLook = 4;  // [ms] from one look to the next
+  constexpr std::int64_t kLook = 4;  // [ms] between checks
   SDL_Event event;
   bool there = SDL_PollEvent(&event) == 1;
   for (std::int64_t left = (wait + 999'999) / 1'000'000; !there && left > 0; left -= kLook) {
@@ -279,7 +279,7 @@ void ViewWindow::Impl::takeAll(Viewer& viewer, std::int64_t wait) {
   for (; there && !closed; there = SDL_PollEvent(&event) == 1) take(event, viewer);
 }
 
-/// Does what the viewer wishes of its window.
+/// Carries out the viewer's requests to its window.
 void ViewWindow::Impl::follow(Viewer& viewer) {
   if (viewer.settings().full_screen != full_screen) {
     full_screen = viewer.settings().full_screen;
@@ -313,7 +313,7 @@ Result<void> ViewWindow::run(Viewer& viewer) {
     if (then < due) continue;
     viewer.advance(then);
     if (!viewer.stale()) continue;
-    // A late picture does not make the next ones come faster.
+    // After a late frame, do not catch up.
     due = std::max(due + kFrame, then);
     if (auto drawn = w.draw(viewer); !drawn) return drawn;
   }

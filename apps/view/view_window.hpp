@@ -12,32 +12,32 @@ namespace fulbito {
 
 /// How a window is opened and used.
 struct WindowOptions {
-  int width = 0;            ///< [px] 0: 900, or what the display has room for
-  int height = 0;           ///< [px] 0: as high as the field needs at that width
-  std::int64_t frames = 0;  ///< ends after so many pictures, or when nothing moves; 0: when the user quits
-  std::string screenshot;   ///< PNG of the last picture; empty: none
+  int width = 0;            ///< [px] 0: 900, or what fits on the display
+  int height = 0;           ///< [px] 0: the field's height at that width
+  std::int64_t frames = 0;  ///< exit after this many frames, or when nothing moves; 0: when the user quits
+  std::string screenshot;   ///< PNG of the last frame; empty: none
   std::function<std::int64_t()> now;  ///< monotonic time [ns]
-  std::function<bool()> interrupted;  ///< whether to end; asked about ten times a second
+  std::function<bool()> interrupted;  ///< whether to exit; called about ten times per second
 };
 
 /// The largest side of a window [px].
 inline constexpr int kLargestWindow = 8192;
 
-/// A window of the desktop, by way of SDL2.
+/// A desktop window (SDL2).
 class ViewWindow {
  public:
-  /// Whether this program was built with it.
+  /// Whether this build has a window.
   static bool available();
-  /// Proves that there is a display, before anything else is begun. Errors: kIo naming what is missing.
+  /// Opens the window. Errors: kIo naming what is missing, such as a display.
   static Result<ViewWindow> create(const WindowOptions& options);
   ViewWindow(ViewWindow&&) noexcept;
   ViewWindow& operator=(ViewWindow&&) noexcept;
   ~ViewWindow();
 
-  /// Shows the viewer until the user quits, the frames are drawn or `interrupted` says so. A picture is drawn
-  /// only when it changes, at most 60 times a second. Errors: kIo; as MatchPicture::create.
+  /// Shows the viewer until the user quits, the frames are drawn or `interrupted` returns true. Draws only
+  /// when the picture changes, at most 60 times per second. Errors: kIo; as MatchPicture::create.
   Result<void> run(Viewer& viewer);
-  /// Pictures drawn so far.
+  /// Frames drawn so far.
   std::int64_t frames() const;
 
  private:

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kLongestGap = 0.1;              // [s]
 constexpr std::int64_t kNotice = 2'500'000'000;  // [ns]
-constexpr double kBackSlack = 0.5;         // [s] that play may have gone on since an event that was gone to
-constexpr double kNotch = math::kPi / 12;  // [rad] a notch of the wheel
+constexpr double kBackSlack = 0.5;  // [s] after seeking to an event, going back within this time skips it
+constexpr double kNotch = math::kPi / 12;  // [rad] per notch of the wheel
 
 std::string speedText(double speed) {
   if (speed == 0.25) return "1/4x";
@@ -170,7 +170,7 @@ void Viewer::act(ViewAction action) {
 
 void Viewer::edited() {
   stage().refresh();
-  notify("edited: play goes on from here");
+  notify("edited: play continues from here");
 }
 
 void Viewer::press(const PointerEvent& event, Vec2 place) {
@@ -201,7 +201,7 @@ void Viewer::point(const PointerEvent& event) {
         stage().seek(event.bar_seconds);
       } else if (editor != nullptr && editor->holding()) {
         editor->drag(place);
-        if (!editor->complaint().empty()) notify(editor->complaint());
+        if (!editor->flaw().empty()) notify(editor->flaw());
       } else {
         return;
       }

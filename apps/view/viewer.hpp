@@ -12,58 +12,57 @@
 
 namespace fulbito {
 
-/// Speeds that - and + go through, in real time's.
+/// Speeds that the keys - and + select; 1 is real time.
 inline constexpr double kViewSpeeds[] = {0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
 
-/// What a user can set.
+/// Settings of the viewer.
 struct ViewSettings {
   double speed = 1.0;  ///< one of `kViewSpeeds`
   bool paused = false;
   PictureTheme theme = PictureTheme::kDark;
   bool trails = true;
   bool drawings = false;
-  bool flipped = false;  ///< the field is shown from its other side
+  bool flipped = false;  ///< the field is shown rotated by 180 degrees
   bool help = false;
   bool full_screen = false;
 };
 
-/// What a mouse does, in terms of the picture that it points at.
+/// A mouse event, with the position in the picture.
 struct PointerEvent {
   enum class Kind : std::uint8_t { kDown, kMove, kUp, kWheel };
   Kind kind = Kind::kMove;
   bool right = false;        ///< button; else the left one
-  Vec2 place;                ///< [m] as the picture shows the field
-  bool on_bar = false;       ///< on the bar of time
-  double bar_seconds = 0.0;  ///< that its column stands for
+  Vec2 place;                ///< [m] on the field as shown
+  bool on_bar = false;       ///< on the time bar
+  double bar_seconds = 0.0;  ///< [s] time at that position of the bar
   double wheel = 0.0;        ///< notches, away from the user
 };
 
-/// The player behind a window: what it shows, how fast, and what keys and mouse do. Knows no toolkit and
-/// reads no clock.
+/// The player behind a window: what it shows, its speed, and the effects of keys and mouse. Uses no toolkit
+/// and reads no clock.
 class Viewer {
  public:
-  /// Shows the first of at least one stage; each is left where it stands when another is shown.
+  /// Takes at least one stage and shows the first. A hidden stage keeps its time.
   Viewer(std::vector<std::unique_ptr<ViewStage>> stages, const ViewSettings& settings);
 
   void press(KeyPress press);
   void act(ViewAction action);
   void point(const PointerEvent& event);
-  /// Goes on to a wall time [ns]. A gap of more than a tenth of a second, as when the machine slept, counts
-  /// as one.
+  /// Advances to a wall time [ns]. A longer gap, as when the machine slept, counts as a tenth of a second.
   void advance(std::int64_t now);
 
-  /// Whether the picture changes by itself: play goes on, or a notice will go.
+  /// Whether the picture will change by itself: play is running, or a notice will disappear.
   bool moving() const;
-  /// Whether the picture is not what was drawn last.
+  /// Whether the picture must be redrawn.
   bool stale() const { return stale_; }
-  /// The picture is to be drawn anew, as after a change of the window's size.
+  /// Requests a redraw, as after a change of the window's size.
   void spoil() { stale_ = true; }
-  /// Fills in what is to be drawn, flipped if so wished, and takes it as drawn.
+  /// Fills in what to draw, flipped if set, and marks it as drawn.
   void show(ReplayMoment& moment, MatchOverlays& overlays);
 
-  /// Tells the user something for a few seconds.
+  /// Shows a notice for a few seconds.
   void notify(std::string text);
-  /// Once after each wish to save a picture.
+  /// True once per request to save a picture.
   bool takeSave();
   bool quits() const { return quits_; }
 
@@ -73,9 +72,9 @@ class Viewer {
   std::size_t count() const { return stages_.size(); }
   /// E.g. "libero 2 : 1 classic - game.fbr".
   std::string title() const;
-  /// How play stands and what was done last, e.g. "saved a.png - paused".
+  /// The state of play and the last notice, e.g. "saved a.png - paused".
   std::string note() const;
-  /// What is always to be seen: the speed of play, and where help is.
+  /// The line that is always visible: speed and the key for help.
   std::string hint() const;
 
  private:

@@ -8,7 +8,8 @@
 namespace fulbito {
 namespace {
 
-constexpr float kFarTurn = 0.25f;  // [rad] by which a corner may pass through another body and out again
+constexpr float kFarTurn =
+    0.25f;  // [rad] larger turns could move a corner through another body and out again
 
 b2Vec2 across(b2Vec2 ahead) { return {-ahead.y, ahead.x}; }
 
@@ -30,7 +31,7 @@ void Approach::addWall(b2Vec2 from, b2Vec2 to) {
   faces_.push_back({0.5f * (from + to), {along.y, -along.x}, length / 2});
 }
 
-// Where it would be after a share of the step, for turns of up to kFarTurn.
+// The place after a share of the step, for turns of up to kFarTurn.
 Approach::Place Approach::placeAfter(const Mover& mover, float share) {
   const float angle = share * mover.angle, half = angle * angle / 2.0f;
   const b2Vec2 ahead =
@@ -43,7 +44,7 @@ bool Approach::inReach(const Mover& a, const Mover& b) {
   return (b.now.middle - a.now.middle).LengthSquared() <= reach * reach;
 }
 
-// By separating axes; below 0 they overlap. Beyond a corner it is less than the distance.
+// The gap along separating axes; negative if they overlap. Near a corner it is less than the distance.
 float Approach::gap(const Mover& box, const Place& at_box, const Mover& other, const Place& at_other) {
   const b2Vec2 apart = at_other.middle - at_box.middle;
   const float along = std::abs(b2Dot(at_box.ahead, apart)), beside = std::abs(b2Cross(at_box.ahead, apart));
@@ -63,7 +64,7 @@ float Approach::gap(const Mover& box, const Place& at_box, const Mover& other, c
   return std::max(by_box, by_other);
 }
 
-// Where all are and whither they go.
+// Updates place and motion of all bodies.
 void Approach::look(float dt) {
   for (Mover& mover : movers_) {
     const b2Rot& turn = mover.body->GetTransform().q;
@@ -76,7 +77,7 @@ void Approach::look(float dt) {
   }
 }
 
-// Whether they can meet in the step where something stops one of them on the way.
+// Whether they can meet in the step even if another body stops one of them on the way.
 bool Approach::meet(const Mover& box, const Mover& other, Meeting& meeting) const {
   if (!inReach(box, other)) return false;
   meeting.before = gap(box, box.now, other, other.now);
@@ -86,14 +87,14 @@ bool Approach::meet(const Mover& box, const Mover& other, Meeting& meeting) cons
   return true;
 }
 
-// How much deeper two may come. The engine knows those that touch already and stops them: they are split only
-// where they move fast all the same, and sooner where it has not kept them out of each other before.
+// How much deeper two bodies may overlap. The engine already stops touching bodies, so their steps are split
+// only if they still move fast, and sooner if the engine has let them overlap before.
 float Approach::allowed(float before) const {
   if (before > 0.0f) return depth_;
   return before > -depth_ ? 2.0f * depth_ : depth_ / 2.0f;
 }
 
-// For two that are `before` apart and would be `after` apart: until they are deeper by what is allowed.
+// The share of the step after which two bodies, `before` apart now and `after` apart later, reach the limit.
 float Approach::shareOf(float before, float after) const {
   const float gap = std::max(before, 0.0f), deeper = std::min(before, 0.0f) - after;
   const float most = allowed(before);
@@ -140,8 +141,8 @@ void Approach::planBoxes(Plan& plan) {
   }
 }
 
-// A disc that one body pushes or that rolls slowly is solved right in a whole step. One between two bodies,
-// or a fast one, is not.
+// The engine solves a disc correctly in a whole step if it rolls slowly or one body pushes it, but not if it
+// is fast or between two bodies.
 void Approach::planDisc(Mover& disc, Plan& plan) {
   int near = isByWall(disc) ? 1 : 0;
   Meeting meeting;

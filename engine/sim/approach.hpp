@@ -10,34 +10,34 @@ class b2Body;
 
 namespace fulbito {
 
-/// Plans a physics step so that bodies that meet in it come into each other no deeper than allowed. Box2D
-/// notices most contacts only after they have begun, at the end of a step, so a step in which a pair would
-/// meet too deep is split. Walls, and a ball that is a bullet, it notices in time ("continuous"): that costs
-/// as much as solving the step, and is left out where nothing can come deep. It is not enough in a crowd:
-/// such a contact stops a body in the middle of the step, and those who follow close behind drive on.
+/// Plans a physics step so that bodies that meet in it overlap no deeper than allowed. Box2D notices most
+/// contacts only at the end of a step, so this class splits a step in which a pair would overlap too deep.
+/// Box2D notices contacts of walls and of a bullet ball in time ("continuous"). That costs as much as solving
+/// the step, so it is skipped if no pair can overlap deeply. In a crowd it is not enough: such a contact
+/// stops a body in the middle of the step, and the bodies close behind drive on.
 class Approach {
  public:
-  /// What to ask of the engine.
+  /// Settings for the engine's next step.
   struct Plan {
-    float share = 1.0f;      ///< of the time asked about: (0, 1]
-    bool continuous = true;  ///< whether the engine looks for contacts within the step
+    float share = 1.0f;      ///< part of the requested time to step: (0, 1]
+    bool continuous = true;  ///< whether the engine searches for contacts within the step
   };
 
-  /// @param depth  [Box2D units] allowed; <= 0: steps are never split
-  /// @param bullets  the engine notices the discs' contacts in time
+  /// @param depth  [Box2D units] allowed overlap; <= 0: never split steps
+  /// @param bullets  the engine notices contacts of discs in time
   Approach(float depth, bool bullets) : depth_(depth), bullets_(bullets), always_continuous_(!bullets) {}
 
-  /// A box that moves. All boxes are added before the first disc.
+  /// Adds a moving box. Add all boxes before the first disc.
   void addBox(const b2Body* body, float half_length, float half_width);
   void addDisc(const b2Body* body, float radius);
-  /// The inner face of a wall, from one corner of the field to the next, counter-clockwise [Box2D units].
+  /// Adds the inner face of a wall between two corners of the field, counter-clockwise [Box2D units].
   void addWall(b2Vec2 from, b2Vec2 to);
-  /// Half of a rectangle about the middle in which there is no wall [Box2D units].
+  /// Sets the half sizes of a centred rectangle without walls [Box2D units].
   void setOpen(float half_length, float half_width) { open_ = {half_length, half_width}; }
-  /// There are bodies that are not added here: every step looks for contacts within it.
+  /// For worlds with bodies that are not added here: every step searches for contacts within it.
   void setAlwaysContinuous() { always_continuous_ = true; }
 
-  /// How to do a step of `dt` [s], or the first part of it, as all move now.
+  /// Plans a step of `dt` [s], or its first part, from the present motion of all bodies.
   Plan plan(float dt);
 
  private:
@@ -49,23 +49,23 @@ class Approach {
     const b2Body* body;
     float half_length;
     float half_width;
-    float radius;  // around that: a disc is a point with a radius
-    float reach;   // of its outline from its middle
+    float radius;  // added around the box: a disc is a point with a radius
+    float reach;   // largest distance of its outline from its centre
     Place now{};
-    b2Vec2 change{};       // of its middle in the step, where nothing stops it
-    float angle = 0.0f;    // that it turns meanwhile
-    float travel = 0.0f;   // length of the change
-    float turn = 0.0f;     // way of its outline's farthest point about its middle
+    b2Vec2 change{};       // displacement of its centre in the step, if nothing stops it
+    float angle = 0.0f;    // [rad] turned in the step
+    float travel = 0.0f;   // length of `change`
+    float turn = 0.0f;     // arc of its outline's farthest point about its centre
     bool crowded = false;  // another box is near
   };
   struct Face {
     b2Vec2 middle;
     b2Vec2 out;  // unit, into the wall
-    float half;  // of its length
+    float half;  // half of its length
   };
   struct Meeting {
     float before;  // gap now; negative: depth
-    float moved;   // the most by which it can change in the step
+    float moved;   // largest possible change of the gap in the step
   };
   static Place placeAfter(const Mover& mover, float share);
   static bool inReach(const Mover& a, const Mover& b);

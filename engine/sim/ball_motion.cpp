@@ -18,7 +18,7 @@ BallMotion afterFloor(const BallModel& ball, BallMotion motion, double dt) {
   const Vec2 slip = motion.velocity - motion.spin;
   const double slip_speed = norm(slip);
   const double loss = ball.slide_deceleration * dt;
-  // The slip shrinks by loss / (1 - keep) in a step; where that would turn it round, the two have met.
+  // The slip shrinks by loss / (1 - keep) per step; if that would reverse it, the ball rolls.
   if (slip_speed * (1.0 - keep) <= loss) {
     return rolling(ball, keep * motion.velocity + (1.0 - keep) * motion.spin, dt);
   }

@@ -6,19 +6,19 @@
 
 namespace fulbito {
 
-/// Motion of a ball on the floor: where its centre goes and how it spins, see BallState.
+/// Motion of a ball on the floor: velocity of its centre and spin, as in BallState.
 struct BallMotion {
   Vec2 velocity;  ///< [m/s]
   Vec2 spin;      ///< [m/s]
 };
 
-/// What the floor makes of a ball's motion in `dt` [s]. Sliding friction acts on the centre and on the spin
-/// in the fixed proportion that leaves `roll_keep` of a kick's speed when the two have met; from then on the
-/// ball rolls, loses speed evenly and rests below `stop_speed`.
+/// The ball's motion after floor friction for `dt` [s]. Sliding friction changes velocity and spin in a fixed
+/// proportion, such that `roll_keep` of a kick's speed is left when both are equal. Then the ball rolls,
+/// loses speed at a constant rate and stops below `stop_speed`.
 BallMotion afterFloor(const BallModel& ball, BallMotion motion, double dt);
 
-/// The spin after an impact with a wall of unit normal `normal`: of the part along it only `wall_spin_keep`
-/// is left.
+/// The spin after an impact with a wall. Its component along the unit normal is multiplied by
+/// `wall_spin_keep`.
 Vec2 spinAfterWall(const BallModel& ball, Vec2 spin, Vec2 normal);
 
 }  // namespace fulbito

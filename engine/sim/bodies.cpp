@@ -26,7 +26,7 @@ b2BodyDef definition(b2BodyType type, const Pose2& pose, std::size_t number) {
   return def;
 }
 
-// Friction and restitution belong to pairs: ContactLog sets them when two bodies meet.
+// Friction and restitution depend on the pair: ContactLog sets them at contact.
 void addShape(b2Body& body, const b2Shape& shape, const WorldConfig& config, std::size_t part = 0) {
   b2FixtureDef def;
   def.userData.pointer = part;
@@ -92,7 +92,7 @@ b2Body* addBall(b2World& world, const WorldConfig& config, const BallPlacement& 
   b2BodyDef def = definition(b2_dynamicBody, {ball.position, 0.0}, number);
   def.linearVelocity = units::vector(ball.velocity);
   def.bullet = config.physics.bullet_ball;
-  def.fixedRotation = true;  // the spin that matters is about a level axis: BallState::spin
+  def.fixedRotation = true;  // the relevant spin is about a horizontal axis: BallState::spin
   b2Body* body = world.CreateBody(&def);
   addDisc(*body, ball.model.radius, config);
   setMass(*body, ball.model.mass, 0.0);

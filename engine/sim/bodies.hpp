@@ -10,8 +10,8 @@ class b2World;
 
 namespace fulbito {
 
-/// @{ Each puts one body into the engine's world and gives it its number, by which contacts know it. The
-/// walls' fixtures are numbered too, as `wallOutlines` lists them.
+/// @{ Each adds one body to the engine's world, with the number that identifies it in contacts. Wall fixtures
+/// are numbered in the order of `wallOutlines`.
 b2Body* addWalls(b2World& world, const WorldConfig& config, std::size_t number);
 b2Body* addRobot(b2World& world, const WorldConfig& config, const RobotPlacement& robot, std::size_t number);
 b2Body* addBall(b2World& world, const WorldConfig& config, const BallPlacement& ball, std::size_t number);

@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-// Collects the first thing that is wrong with one part of a configuration.
+// Keeps the first flaw of one part of a configuration.
 class Check {
  public:
   explicit Check(std::string part) : part_(std::move(part)) {}

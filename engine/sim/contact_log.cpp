@@ -19,11 +19,11 @@ b2Vec2 normalToward(const b2Body& body, b2Contact& contact) {
   return contact.GetFixtureB()->GetBody() == &body ? manifold.normal : -manifold.normal;
 }
 
-// A ball that a robot presses on a wall bounces to and fro between the two, ever slower, and both come to
-// rest: no speed comes back where the ball is the lighter one (docs/models.md). Solved as one impact, the
-// wall would throw ball and robot back together.
+// A ball that a robot presses on a wall bounces between the two, ever slower, until both rest: if the ball is
+// the lighter body, no speed comes back (docs/models.md). As a single impact, the wall would throw both back.
 bool isPinned(b2Body& ball, b2Vec2 from_wall) {
-  constexpr float kOpposed = -0.05f;  // cosine of the two normals; along a wall nothing is pressed on it
+  constexpr float kOpposed =
+      -0.05f;  // cosine between the two normals; motion along a wall does not press on it
   for (b2ContactEdge* edge = ball.GetContactList(); edge != nullptr; edge = edge->next) {
     if (edge->other->GetType() != b2_dynamicBody || !edge->contact->IsTouching()) continue;
     if (b2Dot(from_wall, normalToward(ball, *edge->contact)) < kOpposed) return true;
@@ -44,7 +44,7 @@ ContactLog::ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces
       surfaces_(std::move(surfaces)),
       walls_(std::move(walls)),
       pairs_(bodies_.size() * bodies_.size()) {
-  // A body in the plane touches about six others.
+  // A body touches at most about six others.
   events_.reserve(8 * bodies_.size());
   wall_hits_.reserve(4 * bodies_.size());
 }
@@ -90,7 +90,7 @@ void ContactLog::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) 
 
   double sum = 0.0;
   for (int i = 0; i < impulse->count; ++i) sum += static_cast<double>(impulse->normalImpulses[i]);
-  if (!(sum > 0.0)) {  // near enough for the engine, but without force: at most the end of an earlier touch
+  if (!(sum > 0.0)) {  // close, but without force: at most the end of an earlier contact
     if (pair.touched >= tick_ - 1) pair.touched = tick_;
     return;
   }

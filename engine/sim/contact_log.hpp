@@ -11,8 +11,8 @@
 
 namespace fulbito {
 
-/// Listens to Box2D's contacts: gives each pair its friction and restitution, and sums what happened in a
-/// tick into values. Bodies are known by their number in the world: the wall, robots, balls, obstacles.
+/// Listens to Box2D's contacts: sets friction and restitution of each pair, and sums the impulses of a tick.
+/// Bodies are numbered: walls, robots, balls, obstacles.
 class ContactLog final : public b2ContactListener {
  public:
   /// A ball that hit a wall in the last physics step.
@@ -21,13 +21,13 @@ class ContactLog final : public b2ContactListener {
     Vec2 normal;       // unit
   };
 
-  /// @param bodies  identity of each body, by its number
+  /// @param bodies  identity of each body, by number
   /// @param walls  unit vectors into the field, by number of the walls' fixtures
   ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces, std::vector<Vec2> walls);
 
   void startTick(Tick tick);
   void startStep() { wall_hits_.clear(); }
-  /// Brings the tick's events into their order.
+  /// Sorts the tick's events.
   void finishTick();
 
   std::span<const ContactEvent> events() const { return events_; }
@@ -39,7 +39,7 @@ class ContactLog final : public b2ContactListener {
 
  private:
   struct Pair {
-    Tick touched = -2;     // last tick in which they still touched after an event
+    Tick touched = -2;     // last tick of contact after an event
     Tick event_tick = -2;  // last tick with an event
     std::size_t event = 0;
   };

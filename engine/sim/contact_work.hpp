@@ -9,16 +9,16 @@ class b2Body;
 
 namespace fulbito {
 
-/// Contacts do no work. A solver that stops after some iterations can leave bodies that press on each other
-/// faster than they came; this takes back as much of the contacts' impulses as would add energy. The impulses
-/// keep their proportions, so that momentum is kept too.
+/// Ensures that contacts do no work. A solver with few iterations can add energy to bodies that press on each
+/// other. This class takes back the excess part of the contact impulses. All impulses shrink by the same
+/// factor, so momentum is conserved.
 class ContactWork {
  public:
   void add(b2Body* body) { bodies_.push_back({body, {}, 0.0f}); }
-  /// Before the engine's step.
+  /// Call before the engine's step.
   void remember();
-  /// After it: gives the bodies a mean of their velocities before and after, with the energy before, where
-  /// the energy grew.
+  /// Call after the step. If the energy has grown, sets all velocities to the mix of before and after that
+  /// has the energy of before.
   void takeBack();
 
  private:

@@ -30,7 +30,7 @@ double Drive::rimTarget(double wheel_speed) const {
   if (std::isnan(wheel_speed)) return 0.0;
   const double limited = std::clamp(wheel_speed, -max_wheel_speed_, max_wheel_speed_);
   if (command_step_ == 0.0) return limited * radius_;
-  // Through an integer: without SSE 4.1, std::round is a call that costs more than the rest.
+  // Round through an integer: without SSE 4.1, std::round is a function call that costs more than the rest.
   const auto steps = static_cast<std::int64_t>(limited * per_command_step_ + std::copysign(0.5, limited));
   return static_cast<double>(steps) * command_step_ * radius_;
 }
@@ -38,14 +38,14 @@ double Drive::rimTarget(double wheel_speed) const {
 void Drive::setCommand(WheelSpeeds command) {
   const double left = rimTarget(command.left), right = rimTarget(command.right);
   const double common = (left + right) / 2, half_difference = (right - left) / 2;
-  const double in_place = std::abs(half_difference) - std::abs(common);  // 0 where one wheel stands
+  const double in_place = std::abs(half_difference) - std::abs(common);  // 0 if one wheel stands still
   double turn = half_difference;
   if (in_place > 0.0)
     turn += (spin_ratio_.at(std::abs(half_difference)) - 1.0) * std::copysign(in_place, turn);
   target_ = {common - turn, common + turn};
 }
 
-// The most that the floor passes on to a wheel. A motor that pulls more turns the rim by itself.
+// The largest force from the floor to a wheel. If the motor pulls more, the rim spins.
 double Drive::slippingLimit(double pull, double target, double ground, double& rim, bool& slips) const {
   if (std::abs(pull) <= max_grip_) {
     slips = false;

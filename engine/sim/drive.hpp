@@ -15,9 +15,9 @@ struct BodyMotion {
   double yaw = 0.0;       ///< [rad/s] counter-clockwise
 };
 
-/// Yaw rate that a robot reaches spinning in place, over that of ideal wheels: linear in the rim speed
-/// between the model's two measured points, constant outside; 1 where the model has none. Wheels that roll
-/// the same way scrub less: the ratio fades from spinning in place to turning about a wheel.
+/// Yaw rate of a robot that spins in place, relative to ideal wheels. It is linear in the rim speed between
+/// the model's two measured points and constant outside; 1 if the model has no such points. Wheels that roll
+/// the same way scrub less: the ratio fades to 1 between spinning in place and turning about a wheel.
 class SpinRatio {
  public:
   explicit SpinRatio(const RobotModel& robot);
@@ -31,23 +31,23 @@ class SpinRatio {
   double slope_ = 0.0;  // [s/m]
 };
 
-/// Motors, wheels and tyres of one robot. The motors pull the rims toward the command by the `DriveLaw`; the
-/// floor passes on no more than the tyre's grip, beyond which the wheel slips; across the wheels the tyres
-/// resist up to their own limit (Coulomb).
+/// Motors, wheels and tyres of one robot. The motors drive the rims toward the command by the `DriveLaw`. The
+/// floor transmits at most the tyre's grip; beyond it the wheel slips. Across the wheels, the tyres resist up
+/// to a limit of their own (Coulomb).
 class Drive {
  public:
   /// @param step_period   [s] one physics step
   /// @param command_step  [rad/s] commands are rounded to multiples of it; <= 0: not rounded
   Drive(const RobotModel& robot, double step_period, double command_step);
 
-  /// Sets the wheel speeds to reach; NaN becomes 0, then saturated, then rounded.
+  /// Sets the commanded wheel speeds: NaN becomes 0, then they are clamped and rounded.
   void setCommand(WheelSpeeds command);
 
-  /// What motors and floor change in the body's motion during one physics step.
+  /// The change of the body's motion by motors and floor in one physics step.
   BodyMotion step(const BodyMotion& motion);
 
-  /// What the encoders read when the body then moves at `forward` [m/s] and `yaw` [rad/s]: the ground's
-  /// speed, or the wheel's own while it slips [rad/s].
+  /// Encoder readings [rad/s] of a body that moves at `forward` [m/s] and `yaw` [rad/s]: the ground speed, or
+  /// the wheel's own speed while it slips.
   WheelSpeeds encoders(double forward, double yaw) const;
 
  private:
@@ -65,7 +65,7 @@ class Drive {
   double max_grip_;          // [m/s] in one step, along the wheels
   double max_lateral_;       // [m/s] in one step, across
   RimSpeeds target_;
-  RimSpeeds rim_;  // its own only while the wheel slips
+  RimSpeeds rim_;  // valid only while the wheel slips
   bool left_slips_ = false;
   bool right_slips_ = false;
 };

@@ -1,6 +1,6 @@
 #include "engine/sim/engine_clock.hpp"
 
-// The shared library finds these only if they are visible, also in a program built with -fvisibility=hidden.
+// The shared library finds these only if they are visible, even in a program built with -fvisibility=hidden.
 #pragma GCC visibility push(default)
 #include <box2d/b2_timer.h>
 #pragma GCC visibility pop

@@ -3,9 +3,9 @@
 
 namespace fulbito {
 
-/// Box2D reads the clock several times a step to profile itself, which costs more than many a step's work.
-/// The library's own b2Timer, which reads no clock, replaces it. Calling this makes every program that links
-/// the library take that one.
+/// Replaces Box2D's b2Timer by one that reads no clock. Box2D reads the clock several times per step to
+/// profile itself, which can cost more than the step. Calling this makes the linker of every program use the
+/// replacement.
 void keepEngineClockOut();
 
 }  // namespace fulbito

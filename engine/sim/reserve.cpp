@@ -9,7 +9,7 @@
 namespace fulbito {
 
 void reserveContacts(b2World& world, std::size_t bodies) {
-  // In a crowd the enlarged boxes of a body and its neighbours overlap about this often.
+  // In a crowd, a body's enlarged box overlaps about this many others.
   constexpr std::size_t kPairsPerBody = 48;
   std::size_t discs = 2;
   while (discs * (discs - 1) / 2 < kPairsPerBody * bodies) ++discs;
@@ -23,7 +23,7 @@ void reserveContacts(b2World& world, std::size_t bodies) {
     body = world.CreateBody(&def);
     body->CreateFixture(&disc, 1.0f);
   }
-  world.Step(0.0f, 1, 1);  // finds the pairs and moves nothing
+  world.Step(0.0f, 1, 1);  // finds the pairs without moving anything
   for (b2Body* body : crowd) world.DestroyBody(body);
 }
 

@@ -7,8 +7,8 @@ class b2World;
 
 namespace fulbito {
 
-/// Makes an empty world's pools large enough for `bodies` moving bodies that crowd together, so that stepping
-/// them allocates nothing. Box2D has no call for it: some discs meet in one place and are taken out again.
+/// Enlarges an empty world's memory pools for `bodies` crowded bodies, so that stepping allocates nothing.
+/// Box2D has no function for it, so this adds overlapping discs and removes them again.
 void reserveContacts(b2World& world, std::size_t bodies);
 
 }  // namespace fulbito

@@ -6,14 +6,14 @@
 
 namespace fulbito {
 
-/// What a body is made of, as far as contacts care.
+/// Contact properties of a body.
 struct Surface {
-  /// In the order of precedence: of two unlike bodies the later one's figures hold.
+  /// In order of precedence: for two different kinds, the values of the later one apply.
   enum class Kind { kWall, kObstacle, kRobot, kBall };
   Kind kind = Kind::kWall;
   double friction = 0.2;
   double restitution = 0.1;
-  double hard_restitution = 0.1;  ///< against walls and its own kind
+  double hard_restitution = 0.1;  ///< restitution against walls and its own kind
 };
 
 /// Friction coefficient and restitution of a pair.

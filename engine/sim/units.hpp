@@ -5,18 +5,18 @@
 
 #include "engine/core/base/vec2.hpp"
 
-/// The only place where the project's SI units and Box2D's meet. Box2D's tolerances are absolute and meant
-/// for bodies of 0.1 ... 10 units, so the world is scaled up: at 10 units a metre its slop is 0.5 mm. Masses
-/// stay in kg, times in s, angles in rad; lengths, speeds and linear impulses scale by 10, angular impulses
-/// by 100.
+/// Conversion between SI units and Box2D's units, only here. Box2D's tolerances are absolute and meant for
+/// bodies of 0.1 ... 10 units, so the world is scaled up: at 10 units per metre, its slop is 0.5 mm. Masses
+/// stay in kg, times in s and angles in rad. Lengths, speeds and linear impulses scale by 10, angular
+/// impulses by 100.
 namespace fulbito::units {
 
 inline constexpr double kPerMetre = 10.0;
-inline constexpr double kMetres = 0.1;  // a unit's length; multiplying is cheaper than dividing
+inline constexpr double kMetres = 0.1;  // [m] length of a unit; multiplying is cheaper than dividing
 
-/// Box2D keeps polygons apart by a skin of 1 mm each, less 0.5 mm of allowed overlap, and lets circles
-/// overlap by 0.5 mm in a pair. Taken off the half sizes (and the walls moved out by as much), or put on the
-/// radii, these make the outlines that touch the outlines that are meant.
+/// Box2D gives polygons a skin of 1 mm each, minus 0.5 mm of allowed overlap, and lets two circles overlap by
+/// 0.5 mm. To make the intended outlines touch, the inset is subtracted from half sizes (walls move out by
+/// the same amount) and the outset is added to radii.
 inline constexpr double kPolygonInset = 0.00075;  // [m]
 inline constexpr double kCircleOutset = 0.00025;  // [m]
 

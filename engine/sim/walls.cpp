@@ -3,7 +3,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kShortestWall = 1e-3;  // [m] shorter ones are merged: they cannot be told from a point
+constexpr double kShortestWall = 1e-3;  // [m] shorter walls are merged
 
 std::vector<Vec2> distinctPoints(const std::vector<Vec2>& contour) {
   std::vector<Vec2> points;
@@ -20,8 +20,8 @@ struct Corner {
   Vec2 before;
   Vec2 after;
 
-  bool opensInward() const { return cross(before, after) >= 0.0; }  // a goal post does not
-  // The corner of the contour that lies `offset` further out.
+  bool opensInward() const { return cross(before, after) >= 0.0; }  // false at a goal post
+  // The corner of the contour that is moved out by `offset`.
   Vec2 movedOut(double offset) const {
     return point + (before + after) * (offset / (1.0 + dot(before, after)));
   }
@@ -58,7 +58,7 @@ std::vector<WallOutline> wallOutlines(const FieldGeometry& field, double shift) 
 Vec2 inward(const WallOutline& wall) { return perp(unitOr(wall[3] - wall[0], {})); }
 
 bool pushesInward(Vec2 inward, Vec2 normal) {
-  constexpr double kAlong = -0.1;  // a goal post pushes along the wall's face too
+  constexpr double kAlong = -0.1;  // a goal post also pushes along the wall's face
   return dot(inward, normal) >= kAlong;
 }
 

@@ -9,17 +9,16 @@
 
 namespace fulbito {
 
-/// A wall's outline, counter-clockwise and convex; its last edge, from the last point to the first, faces the
-/// field.
+/// A wall's convex outline, counter-clockwise. The edge from the last point to the first faces the field.
 using WallOutline = std::array<Vec2, 4>;
 
 /// Solid walls around the field's inner contour, goals and corner triangles included, each
-/// `field.wall_thickness` thick. Where two meet in a corner of the field they are mitred, so that nothing can
-/// leave between them; at the goal posts they overlap.
+/// `field.wall_thickness` thick. In the field's corners they are mitred, so that no body can leave between
+/// them; at the goal posts they overlap.
 ///
-/// Where they overlap, the outer corner of the goal's wall lies in the face of the end wall: contacts there
-/// that push out of the field must not count (`pushesInward`), or bodies that slide along would catch on it.
-/// @param shift  [m] all inner faces are moved out of the field by this
+/// Where they overlap, the outer corner of the goal's wall lies in the face of the end wall. Contacts there
+/// that push out of the field must be ignored (`pushesInward`), or sliding bodies would catch on that corner.
+/// @param shift  [m] distance by which all inner faces move out of the field
 std::vector<WallOutline> wallOutlines(const FieldGeometry& field, double shift);
 
 /// Unit vector from a wall's inner face into the field.

@@ -26,7 +26,7 @@
 namespace fulbito {
 namespace {
 
-constexpr int kMostParts = 64;  // of a physics step
+constexpr int kMostParts = 64;  // largest number of parts of a physics step
 
 Vec2 direction(const b2Body& body) {
   const b2Rot& q = body.GetTransform().q;
@@ -37,9 +37,9 @@ Pose2 poseOf(const b2Body& body) {
   return {units::metres(body.GetPosition()), math::wrapAngle(static_cast<double>(body.GetAngle()))};
 }
 
-// Box2D's angle is a float that counts turns. Left alone, a robot that spins for minutes would lose its
-// heading's last digits; and from about 17 rad on the C library's sinf and cosf, which Box2D calls, give a
-// few arguments another last bit on processors with fused multiply-add.
+// Box2D's angle is a float that accumulates turns. Without wrapping, a robot that spins for minutes would
+// lose precision of its heading. Also, from about 17 rad on, the C library's sinf and cosf, which Box2D
+// calls, differ in the last bit for a few arguments on processors with fused multiply-add.
 void unwindAngle(b2Body& body) {
   constexpr float kLargestAngle = 8.0f;
   if (std::abs(body.GetAngle()) < kLargestAngle) return;
@@ -76,7 +76,7 @@ struct World::Impl {
   Approach approach;
   ContactWork contact_work;
   bool contacts_do_no_work = true;
-  float last_part = 0.0f;  // [s] of the engine's step before
+  float last_part = 0.0f;  // [s] length of the engine's last step
   WorldState state;
 
  private:
@@ -147,7 +147,7 @@ void World::Impl::watchMovers() {
   if (!obstacles.empty()) approach.setAlwaysContinuous();
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     if (config.obstacles[i].motion == ObstacleMotion::kPath)
-      contacts_do_no_work = false;  // such a one pushes
+      contacts_do_no_work = false;  // a moving obstacle does work
     if (config.obstacles[i].motion == ObstacleMotion::kPushable) contact_work.add(obstacles[i]);
   }
 }
@@ -185,12 +185,12 @@ void World::Impl::moveObstacles(double time) {
 
 void World::Impl::collide() {
   const float least = static_cast<float>(dt / kMostParts);
-  // What met in a part moves otherwise in the next.
+  // Bodies that met in one part move differently in the next.
   for (float left = static_cast<float>(dt); left > 0.0f;) {
     const Approach::Plan plan = approach.plan(left);
-    // The engine begins with the impulses of the step before, scaled up where this one is longer: right for
-    // forces that last, far too much for impacts. Bodies that jam need them to stay out of each other, so
-    // a step's parts are alike.
+    // The engine starts from the impulses of the last step, scaled up if this one is longer. That is right
+    // for lasting forces but far too much for impacts. Jammed bodies need these impulses to stay apart, so
+    // all parts of a step have equal length.
     float part = std::max(left / std::ceil(1.0f / plan.share), least);
     if (left - part < least) part = left;
     engine.SetWarmStarting(part <= last_part);

@@ -16,7 +16,7 @@
 
 namespace fulbito {
 
-/// A robot to be placed in a world. Robots of both teams share one list; their index is their identity.
+/// A robot at the start of a world. Robots of both teams share one list; the index identifies a robot.
 struct RobotPlacement {
   RobotModel model;
   Pose2 pose;
@@ -24,16 +24,16 @@ struct RobotPlacement {
   double angular_velocity = 0.0;  ///< [rad/s]
 };
 
-/// A ball to be placed in a world.
+/// A ball at the start of a world.
 struct BallPlacement {
   BallModel model;
   Vec2 position;
   Vec2 velocity;  ///< [m/s]
-  Vec2 spin;      ///< [m/s] see BallState; equal to the velocity when it rolls
+  Vec2 spin;      ///< [m/s] as in BallState; equal to the velocity when the ball rolls
 };
 
-/// Everything a world is made from. Two worlds made from equal configurations and given equal commands stay
-/// equal bit for bit.
+/// The complete configuration of a world. Two worlds with equal configurations and equal commands stay equal,
+/// bit for bit.
 struct WorldConfig {
   FieldGeometry field;
   PhysicsProfile physics;
@@ -43,7 +43,7 @@ struct WorldConfig {
 };
 
 /// A fixed-step rigid-body world: walls, goals, corner triangles, robots, balls and obstacles.
-/// Reset means: make a new one. Single-threaded; separate worlds may run on separate threads.
+/// To reset it, create a new one. Single-threaded; separate worlds may run on separate threads.
 class World {
  public:
   /// Errors: kBadInput naming the robot, ball or obstacle (counted from 0), the value and its range;
@@ -53,8 +53,8 @@ class World {
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// Runs one control tick. NaN becomes 0, then commands are saturated and rounded to the profile's step;
-  /// robots beyond the span's end get 0: their wheels brake. Allocates nothing once warm.
+  /// Runs one control tick. In commands NaN becomes 0, then they are clamped and rounded to the profile's
+  /// step. Robots beyond the end of `commands` get 0: their wheels brake. Allocates nothing once warm.
   void step(std::span<const WheelSpeeds> commands);
 
   /// State after the last tick.
@@ -63,8 +63,7 @@ class World {
   std::span<const ContactEvent> contacts() const;
   const WorldConfig& config() const;
 
-  /// Box2D's own reading of the last step's duration [ms]: 0 proves that its profiling clock is out of the
-  /// program.
+  /// Box2D's measurement of the last step's duration [ms]: 0 proves that its profiling clock is replaced.
   float engineProfileMilliseconds() const;
   /// Number of touching contact pairs after the last tick (for comparing loads).
   int touchingPairs() const;

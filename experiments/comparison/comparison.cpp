@@ -90,7 +90,7 @@ std::vector<Task> tasksOf(const Comparison& comparison) {
   return tasks;
 }
 
-/// Named after layout, speed and navigator; what no file name should hold becomes an underscore.
+/// File name from layout, speed and navigator; unsuitable characters become underscores.
 std::string recordingFile(const std::string& folder, const TrialConfig& config) {
   std::string name =
       fmt::format("{}-{:.1f}-{}", config.layout.name, config.robot.robot.maxSpeed(), config.navigator.text);

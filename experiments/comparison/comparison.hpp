@@ -12,31 +12,31 @@
 
 namespace fulbito {
 
-/// What `fulbito compare` is asked for.
+/// The configuration of `fulbito compare`.
 struct ComparisonConfig {
   std::string suite = "jung-lee-2015";
-  std::vector<std::string> navigators;  ///< specifications; empty = the suite's own choice
+  std::vector<std::string> navigators;  ///< specifications; empty = the suite's
   std::vector<double> speeds;           ///< [m/s]; empty = the suite's
-  int trials = 0;                       ///< layouts of each block; 0 = the suite's
+  int trials = 0;                       ///< layouts per block; 0 = the suite's
   std::uint64_t seed = 2015;
   int jobs = 0;                         ///< worker threads; 0 = all cores
   std::string robot = "jung-lee-2015";  ///< preset or file
   std::string physics = "standard";     ///< preset or file
   SensorModel sensors;
   std::optional<std::uint64_t> only;  ///< this layout of each block alone
-  int pictures = 8;                   ///< layouts of each block whose traces are kept for pictures
+  int pictures = 8;                   ///< layouts per block whose traces are kept for pictures
   std::string record;                 ///< folder for recordings of these layouts; empty: none
 };
 
-/// Where robots look at the start of a block's trials.
+/// Start headings of a block's trials.
 enum class StartHeading {
-  kLayout,  ///< as the layout says; in most suites at the goal
-  kRandom,  ///< anywhere, by a draw of its own for each layout
-  kAway,    ///< 171 degrees off the goal
+  kLayout,  ///< the layout's; in most suites toward the goal
+  kRandom,  ///< random, drawn per layout
+  kAway,    ///< 171 degrees from the goal
 };
 std::string_view nameOf(StartHeading heading);
 
-/// One suite at one speed with the navigators that are compared on it.
+/// One suite at one speed with the compared navigators.
 struct ComparisonBlock {
   const Suite* suite = nullptr;
   double speed = 1.0;  ///< [m/s]
@@ -46,19 +46,19 @@ struct ComparisonBlock {
   StartHeading heading = StartHeading::kLayout;
 };
 
-/// One trial's place and figures.
+/// One trial: its indices and results.
 struct TrialRecord {
   std::size_t block = 0;
   std::size_t navigator = 0;  ///< in its block
   std::uint64_t index = 0;
   TrialScore score;
   std::uint64_t final_hash = 0;
-  std::vector<float> compute_us;  ///< each tick
-  std::vector<TraceRow> trace;    ///< @{ kept where a picture is wanted
+  std::vector<float> compute_us;  ///< [us] per tick
+  std::vector<TraceRow> trace;    ///< @{ kept only for pictures
   std::vector<Touch> touches;     ///< @}
 };
 
-/// One line of the table: a navigator on a block.
+/// One row of the table: a navigator on a block.
 struct SummaryRow {
   std::string suite;
   double speed = 0.0;
@@ -66,13 +66,13 @@ struct SummaryRow {
   bool plans_speed = false;
   int trials = 0;
   Interval success;                 ///< rate with its Wilson interval
-  int contacts = 0;                 ///< with obstacles and walls, over all trials
+  int contacts = 0;                 ///< contacts with obstacles and walls in all trials
   int own_contacts = 0;             ///< trials with a contact by own motion
   int stuck_over_2s = 0;            ///< trials with more than 2 s without moving
   int safe_pairs = 0;               ///< layouts that this navigator and the block's reference both solved
   double length_ratio = 0.0;        ///< sum of lengths over sum of L*, successes
   double time_ratio = 0.0;          ///< sum of times over sum of T*, successes
-  double time_ratio_all = 0.0;      ///< mean of T/T* over all trials, failures counted as 8
+  double time_ratio_all = 0.0;      ///< mean of T/T* over all trials; a failure counts as 8
   double path_length = 0.0;         ///< [m] mean over successes
   double time = 0.0;                ///< [s] mean over successes
   double min_clearance = 0.0;       ///< [m] least over all trials
@@ -83,15 +83,15 @@ struct SummaryRow {
   double compute_us_p50 = 0.0, compute_us_p99 = 0.0, compute_us_max = 0.0;
 };
 
-/// One claim of the paper beside what was measured here.
+/// One claim of the paper and the result measured here.
 struct ReproductionRow {
   std::string id;  ///< e.g. distance-untuned-univector
   std::string claim;
   std::string paper;  ///< the paper's figure as printed
   std::string ours;   ///< with its interval
-  std::string band;   ///< what an honest reproduction is expected to give
+  std::string band;   ///< expected range for an honest reproduction
   bool inside_band = false;
-  std::string reason;  ///< why it differs from the paper, and from the band where it does
+  std::string reason;  ///< why it differs from the paper, or from the band
 };
 
 struct Comparison {
@@ -99,23 +99,23 @@ struct Comparison {
   RobotPreset robot;
   PhysicsProfile physics;
   std::vector<ComparisonBlock> blocks;
-  std::vector<TrialRecord> records;  ///< block by block, navigator by navigator, in the order of the layouts
+  std::vector<TrialRecord> records;  ///< by block, then navigator, then layout
   std::vector<SummaryRow> summary;
-  std::vector<ReproductionRow> reproduction;  ///< of `jung-lee-2015` only
+  std::vector<ReproductionRow> reproduction;  ///< for `jung-lee-2015` only
 };
 
-/// Called from time to time with the number of finished trials; returning false stops the run.
+/// Called repeatedly with the number of finished trials. Returning false stops the run.
 using Progress = std::function<bool(std::size_t done, std::size_t total)>;
 
-/// Robot, physics and ranges of a comparison, without blocks. Errors: kUsage, kIo, kBadInput.
+/// Loads robot and physics and checks ranges, without blocks. Errors: kUsage, kIo, kBadInput.
 Result<Comparison> prepareComparison(const ComparisonConfig& config);
 
-/// Checks names, files and ranges and lays out the blocks without running anything. Errors: kUsage, kIo,
+/// Checks names, files and ranges and plans the blocks without running a trial. Errors: kUsage, kIo,
 /// kBadInput.
 Result<Comparison> planComparison(const ComparisonConfig& config);
 
-/// Runs all trials of a plan on its worker threads and fills in records, summary and reproduction. The result
-/// does not depend on the number of threads. Errors: of the trials; kInterrupted when `progress` returned
+/// Runs all trials of a plan on worker threads and fills in records, summary and reproduction. The result
+/// does not depend on the number of threads. Errors: of the trials; kInterrupted if `progress` returned
 /// false.
 Result<void> runComparison(Comparison& comparison, const Clock& clock, const Progress& progress);
 
@@ -123,7 +123,7 @@ Result<void> runComparison(Comparison& comparison, const Clock& clock, const Pro
 std::span<const TrialRecord> recordsOf(const Comparison& comparison, std::size_t block,
                                        std::size_t navigator);
 
-/// Index of the navigator that others are paired with: `bezier` where it takes part, else the first.
+/// Index of the navigator with which the others are paired: `bezier` if present, else the first.
 std::size_t referenceOf(const ComparisonBlock& block);
 
 /// The robot of a block: the comparison's with its top speed set to the block's.

@@ -30,17 +30,16 @@ std::string times(std::size_t count) { return count == 1 ? "once" : fmt::format(
 
 FigureVerdict abruptTurns(const TrialRecord& run, std::size_t wanted) {
   const std::size_t turns = turnsOf(run.trace, kAbrupt).size();
-  return {turns >= wanted,
-          fmt::format("turns one way or the other by more than 20 degrees {}", times(turns))};
+  return {turns >= wanted, fmt::format("turns by more than 20 degrees {}", times(turns))};
 }
 
 FigureVerdict fourTurns(const Layout&, const TrialRecord& run) { return abruptTurns(run, 4); }
 FigureVerdict twoTurns(const Layout&, const TrialRecord& run) { return abruptTurns(run, 2); }
 
 FigureVerdict staysAway(const Layout&, const TrialRecord& run) {
-  if (!run.score.arrived) return {true, "never comes to the ball"};
+  if (!run.score.arrived) return {true, "never reaches the ball"};
   return {run.score.timeRatio() > kSlow,
-          fmt::format("comes to the ball after {:.2f} s, {:.2f} times the least", run.score.time,
+          fmt::format("reaches the ball after {:.2f} s, {:.2f} times the least time", run.score.time,
                       run.score.timeRatio())};
 }
 
@@ -52,19 +51,19 @@ FigureVerdict bentAfterPassing(const Layout& layout, const TrialRecord& run) {
   }
   const double off = detourOf(layout, run.trace, passed, 1e9, true);
   return {off >= kBent,
-          fmt::format("is {:.1f} cm above the straight way behind the last obstacle", 100 * off)};
+          fmt::format("is {:.1f} cm above the straight line behind the last obstacle", 100 * off)};
 }
 
 FigureVerdict loopsAtStart(const Layout& layout, const TrialRecord& run) {
   const double off = detourOf(layout, run.trace, -1e9, kLoopReach, false);
-  return {off >= kLoop, fmt::format("leaves the straight way by {:.1f} cm while it turns", 100 * off)};
+  return {off >= kLoop, fmt::format("leaves the straight line by {:.1f} cm while it turns", 100 * off)};
 }
 
 FigureVerdict touchesWall(const Layout&, const TrialRecord& run) {
   const int touches = run.score.wall_contacts;
   return {touches > 0, touches > 0
                            ? fmt::format("touches the wall {}", times(static_cast<std::size_t>(touches)))
-                           : std::string("gets away without touching the wall")};
+                           : std::string("leaves without touching the wall")};
 }
 
 FigureVerdict swingsInCorner(const Layout& layout, const TrialRecord& run) {
@@ -75,7 +74,7 @@ FigureVerdict swingsInCorner(const Layout& layout, const TrialRecord& run) {
   }
   const auto turns = turnsOf(std::span(run.trace).first(near), kSwing);
   if (turns.size() >= 2)
-    return {true, fmt::format("turns to and fro in the corner, {}", times(turns.size()))};
+    return {true, fmt::format("turns back and forth in the corner, {}", times(turns.size()))};
   return {false, "leaves the corner in one turn"};
 }
 
@@ -92,41 +91,41 @@ const std::vector<PaperFigure>& paperFigures() {
   static const std::vector<PaperFigure> figures = {
       {"fig1-abrupt-turns",
        "Fig. 1: abrupt turns at the obstacles' rings",
-       "in a vector field the way past two obstacles changes its direction abruptly four times",
+       "in a vector field, the path past two obstacles changes its direction abruptly four times",
        kRing,
        {kRingPreview, kBezierMethod},
        std::nullopt,
        fourTurns},
       {"fig2a-ball-in-offset",
-       "Fig. 2a: the ball lies within an obstacle's ring",
-       "there the vectors point away from the obstacle, and the robot cannot come to the ball",
+       "Fig. 2a: the ball is inside an obstacle's ring",
+       "there the vectors point away from the obstacle, and the robot cannot reach the ball",
        kRingPreview,
        {kRing, kBezierMethod},
        std::pair{Vec2{-0.12, -0.20}, Vec2{0.48, 0.26}},
        staysAway},
       {"fig2b-repulsion-after-passing",
        "Fig. 2b: an obstacle repels the robot that has passed it",
-       "the robot goes upward, where it does not want to go, although the obstacle lies behind it",
+       "the robot goes upward, away from its goal, although the obstacle is already behind it",
        kRing,
        {kRingPreview, kBezierMethod},
        std::pair{Vec2{-0.42, -0.20}, Vec2{0.26, 0.18}},
        bentAfterPassing},
       {"fig3-needless-motion",
-       "Fig. 3: needless motion of a robot that looks away",
-       "a robot that looks away from its unit vector drives a needless loop until the two agree",
+       "Fig. 3: needless motion of a robot that faces away",
+       "a robot that faces away from its unit vector drives a needless loop until the two agree",
        kRing,
        {kRingPreview, kBezierMethod},
        std::pair{Vec2{-0.60, -0.36}, Vec2{-0.08, 0.04}},
        loopsAtStart},
       {"fig4-wall",
-       "Fig. 4: getting away from a wall",
-       "a robot at the wall turns out of it with unequal wheels whatever way it faces, which is difficult",
+       "Fig. 4: leaving a wall",
+       "a robot at a wall must turn away with unequal wheel speeds for any heading, which is difficult",
        kRingNoEscape,
        {kRing, kBezierMethod},
        std::pair{Vec2{-0.79, 0.16}, Vec2{-0.37, 0.48}},
        touchesWall},
       {"fig5-corner",
-       "Fig. 5: getting out of a corner",
+       "Fig. 5: leaving a corner",
        "in a corner the zones of two walls overlap: the robot turns clockwise, then counterclockwise",
        kRingNoEscape,
        {kRing, kBezierMethod},
@@ -134,7 +133,7 @@ const std::vector<PaperFigure>& paperFigures() {
        swingsInCorner},
       {"fig6-two-turns",
        "Fig. 6: two turns on the way to the limit cycle",
-       "a robot that comes to the path of the limit cycle changes its direction twice",
+       "a robot that reaches the path of the limit cycle changes its direction twice",
        kCycle,
        {kCyclePreview, kBezierMethod},
        std::nullopt,

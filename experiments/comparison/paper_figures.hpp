@@ -9,20 +9,20 @@
 
 namespace fulbito {
 
-/// Whether a run shows what a figure of the paper shows, with the figure that says so.
+/// Whether a run confirms a figure of the paper, with the measured value.
 struct FigureVerdict {
   bool shown = false;
-  std::string measured;  ///< half a sentence, e.g. "turns abruptly 4 times"
+  std::string measured;  ///< a phrase, e.g. "turns abruptly 4 times"
 };
 
 /// One of Jung & Lee's Figs 1-8 as a named case (docs/reproduction.md).
 struct PaperFigure {
   std::string layout;               ///< name of the case
-  std::string title;                ///< a sentence's beginning: "Fig. 1: ..."
-  std::string sentence;             ///< what the paper's figure shows
-  std::string method;               ///< the run that is to show it, as a navigator specification
-  std::vector<std::string> beside;  ///< other runs drawn with it
-  /// Lower left and upper right corner [m] of what is drawn, where the effect is small; else the whole field.
+  std::string title;                ///< a heading: "Fig. 1: ..."
+  std::string sentence;             ///< statement of the paper's figure
+  std::string method;               ///< navigator specification of the run that should confirm it
+  std::vector<std::string> others;  ///< other runs in the same picture
+  /// Lower left and upper right corner [m] of the picture, if the effect is small; else the whole field.
   std::optional<std::pair<Vec2, Vec2>> window;
   FigureVerdict (*judge)(const Layout& layout, const TrialRecord& run) = nullptr;
 };
@@ -33,24 +33,24 @@ const std::vector<PaperFigure>& paperFigures();
 /// The figure of a named case; null for any other layout.
 const PaperFigure* figureOf(const std::string& layout);
 
-/// The methods of the figures' block: those that the figures are about, under both followers, and for
-/// comparison others.
+/// The methods of the figures' block: the figures' own methods with both followers, and others for
+/// comparison.
 std::vector<std::string> figureMethods();
 
-/// What one figure shows here.
+/// The verdict on one figure.
 struct FigureRow {
   const PaperFigure* figure = nullptr;
   FigureVerdict verdict;
 };
 
-/// The verdicts of all figures whose method took part in a comparison and whose traces were kept.
+/// The verdicts on all figures whose method took part in the comparison and whose traces were kept.
 std::vector<FigureRow> judgeFigures(const Comparison& comparison);
 
 /// @{ Measures of a run for the verdicts, over its trace.
-/// Turns [rad] one way and the other in turn, each of more than `least`; what wobbles less is none.
+/// Alternating left and right turns [rad] of more than `least` each; smaller wobbles do not count.
 std::vector<double> turnsOf(std::span<const TraceRow> trace, double least);
-/// Farthest distance [m] of the robot's centre from the line start - goal, over the part of its way that is
-/// between `from` and `to` [m] along that line; `left_only`: to the left of it.
+/// Largest distance [m] of the robot's centre from the line start - goal, over the part of its path between
+/// `from` and `to` [m] along that line. `left_only`: only to the left of the line.
 double detourOf(const Layout& layout, std::span<const TraceRow> trace, double from, double to,
                 bool left_only);
 /// @}

@@ -6,13 +6,13 @@
 
 namespace fulbito {
 
-/// Fills in `comparison.summary` from its records, one row a block and navigator.
+/// Fills in `comparison.summary` from its records, one row per block and navigator.
 void summarise(Comparison& comparison);
 
-/// A run that needs more than this times T* has hung: a mean with it would be of the hanging.
+/// A run longer than this multiple of T* has hung and would dominate any mean.
 inline constexpr double kHung = 4.0;
 inline constexpr double kNeverHung = 1e9;
-/// What a failed run counts as, in T/T*, where all runs count.
+/// The T/T* of a failed run in means over all runs.
 inline constexpr double kFailureTimeRatio = 8.0;
 
 /// Relative difference "a against b" of length and time over the layouts that both solved within `hung` times
@@ -24,7 +24,7 @@ struct PairedDifference {
 };
 PairedDifference compareSafePairs(const Comparison& comparison, std::size_t block, std::size_t a,
                                   std::size_t b, double hung = kNeverHung);
-/// The same over the layouts of several blocks with the same navigators.
+/// The same over the layouts of several blocks with equal navigators.
 PairedDifference compareSafePairs(const Comparison& comparison, std::span<const std::size_t> blocks,
                                   std::size_t a, std::size_t b, double hung, std::size_t resamples);
 

@@ -15,9 +15,9 @@ namespace {
 constexpr std::uint64_t kTrainingSeedOffset =
     1000003;  // training layouts are not those that the method is judged on
 constexpr int kMostEvaluations = 100000;
-constexpr double kFirstSpread = 0.1, kLastSpread = 0.002;  // near the best, as below
+constexpr double kFirstSpread = 0.1, kLastSpread = 0.002;  // of tries near the best, see tuningSpread
 constexpr double kOwnSize = 10.0, kZeroSize = 0.1;
-constexpr double kAnywhere = 1.0 / 3.0;  // share of the tries over the whole ranges
+constexpr double kAnywhere = 1.0 / 3.0;  // share of tries over the whole ranges
 constexpr double kMoved = 0.3;           // share of the parameters that a try near the best changes
 constexpr std::size_t kFinalists = 5;
 constexpr int kLastRound = 3;  // times as many layouts
@@ -66,8 +66,8 @@ Point drawAnywhere(const Space& space, Rng& rng) {
   return point;
 }
 
-/// Some parameters of `best` moved by `spread` of ten times their value, or of their range where that is
-/// less; at least one.
+/// `best` with at least one parameter changed, by `spread` times the smaller of its range and ten times its
+/// value.
 Point drawNear(const Space& space, Rng& rng, const Point& best, double spread) {
   Point point = best;
   const std::size_t always = rng.below(static_cast<std::uint32_t>(point.size()));
@@ -88,7 +88,7 @@ struct Candidate {
   double value = 0.0;
 };
 
-/// The candidates in the order of their values, the first few of them.
+/// The first few candidates by value.
 void keepBest(std::vector<Candidate>& best, Candidate candidate) {
   const auto place = std::upper_bound(best.begin(), best.end(), candidate.value,
                                       [](double value, const Candidate& c) { return value < c.value; });

@@ -6,32 +6,31 @@
 
 namespace fulbito {
 
-/// How a method is tuned before it is judged.
+/// Settings of a tuning run.
 struct TuneConfig {
-  std::string navigator;  ///< name of the method, with settings to hold fixed if any
+  std::string navigator;  ///< name of the method, optionally with fixed settings
   double speed = 1.0;     ///< [m/s]
-  int evaluations = 150;  ///< parameter sets tried
-  int layouts = 100;  ///< of the suite, with a seed of their own: never those that the method is judged on
+  int evaluations = 150;  ///< number of parameter sets to try
+  int layouts = 100;      ///< training layouts of the suite, with a seed of their own
 };
 
 struct TuneResult {
   std::string navigator;   ///< specification of the best set found
   double objective = 0.0;  ///< its mean T/T* on the layouts of the last round, failures as 8
-  double initial = 0.0;    ///< the same of the defaults
+  double initial = 0.0;    ///< the same for the defaults
   int layouts = 0;         ///< of the last round
   int evaluations = 0;
 };
 
-/// How far tries near the best go (one standard deviation), as a share of a parameter's range or of ten times
-/// its value, whichever is less: `progress` from 0 to 1 through the last two thirds of the tries.
+/// Standard deviation of tries near the best, as a share of the smaller of a parameter's range and ten times
+/// its value. `progress` goes from 0 to 1 during the last two thirds of the tries.
 double tuningSpread(double progress);
 
-/// Seeded random search over the method's numeric parameters: a third of the tries over their whole range,
-/// the rest near the best, at first by as much as a value itself and at last by a fiftieth of it, some
-/// parameters at a time. Minimises the mean T/T* with failures counted as 8, so that a failure in a hundred
-/// weighs as much as 7 % of time. As the best of many tries is partly lucky, the five best and the defaults
-/// meet in a last round on three times as many fresh layouts, which decides. Errors: kUsage when the method
-/// has nothing to tune.
+/// Seeded random search over the method's numeric parameters. A third of the tries cover the whole range. The
+/// rest change some parameters of the best set, at first by up to their value and finally by a fiftieth of
+/// it. Minimises the mean T/T*, where a failure counts as 8: one failure in a hundred weighs as much as 7 %
+/// of time. The best of many tries is partly luck, so the five best and the defaults compete in a last round
+/// on three times as many fresh layouts. Errors: kUsage if the method has no numeric parameter.
 Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, const Progress& progress);
 
 }  // namespace fulbito

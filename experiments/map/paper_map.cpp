@@ -16,9 +16,9 @@ namespace fulbito {
 namespace {
 
 constexpr int kMostSeeds = 100;
-constexpr std::size_t kMostValues = 40;      // of one list
-constexpr std::size_t kMapResamples = 1000;  // for each of thousands of intervals
-constexpr double kMostRing = 1.0;            // [m] as the method's own parameters
+constexpr std::size_t kMostValues = 40;      // most values of one list
+constexpr std::size_t kMapResamples = 1000;  // few, since there are thousands of intervals
+constexpr double kMostRing = 1.0;            // [m] the limit of the method's own parameters
 
 struct Axes {
   std::vector<double> radii, widths, speeds;
@@ -38,13 +38,13 @@ Result<void> checkLengths(const std::vector<double>& values, const char* flag) {
   return {};
 }
 
-/// The place of `name` among `names`, or an error that suggests one.
+/// The index of `name` in `names`, or an error with a suggestion.
 Result<std::size_t> placeOf(const std::string& name, const std::vector<std::string>& names,
                             const char* flag) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  return fail(ErrorCode::kUsage, fmt::format("{}: '{}' is none of {}.{}", flag, name, fmt::join(names, ", "),
-                                             suggestion(name, names)));
+  return fail(ErrorCode::kUsage, fmt::format("{}: '{}' must be one of {}.{}", flag, name,
+                                             fmt::join(names, ", "), suggestion(name, names)));
 }
 
 Result<MapConfig> resolved(MapConfig config) {
@@ -85,7 +85,7 @@ Result<Axes> axesOf(const MapConfig& config) {
   return axes;
 }
 
-/// The Bezier method and every ring, all under one law.
+/// The Bezier method and every ring, all with one law.
 Result<std::vector<NavigatorChoice>> methodsOf(const Axes& axes, bool classic) {
   const char* law = classic ? "classic" : "preview";
   std::vector<std::string> texts{fmt::format("bezier:follower={}", law)};
@@ -104,7 +104,7 @@ Result<std::vector<NavigatorChoice>> methodsOf(const Axes& axes, bool classic) {
   return choices;
 }
 
-/// The blocks of one law, heading and speed: one a seed, side by side in the comparison.
+/// The blocks of one law, heading and speed: one per seed, consecutive in the comparison.
 std::vector<std::size_t> blocksFrom(std::size_t first, int seeds) {
   std::vector<std::size_t> blocks(static_cast<std::size_t>(seeds));
   std::iota(blocks.begin(), blocks.end(), first);

@@ -50,10 +50,9 @@ std::vector<std::pair<std::string, std::string>> badgesOf(const PaperMap& map, c
   std::vector<std::pair<std::string, std::string>> badges;
   for (const MapFinding& finding : map.findings) {
     if (finding.with_hung || finding.suite != suite) continue;
-    const std::string where =
-        std::isnan(finding.off)
-            ? "no cell counts"
-            : fmt::format("the cell that comes nearest, {:.1f} points off", 100 * finding.off);
+    const std::string where = std::isnan(finding.off)
+                                  ? "no cell has enough pairs"
+                                  : fmt::format("the nearest cell, {:.1f} points off", 100 * finding.off);
     badges.emplace_back(
         std::string(1, kLetters[badges.size()]),
         fmt::format("the paper's {}, {:+.1f} % distance and {:+.1f} % time: {}", finding.target.name,
@@ -65,12 +64,12 @@ std::vector<std::pair<std::string, std::string>> badgesOf(const PaperMap& map, c
 TileMap tileMapOf(const PaperMap& map, const std::string& suite, bool classic) {
   const MapConfig& config = map.config;
   TileMap picture;
-  picture.title = fmt::format("How much less the Bezier method needs than a ring field: {} runs, {} law",
-                              suite, classic ? "classic" : "preview");
+  picture.title = fmt::format("Savings of the Bezier method over a ring field: {} runs, {} law", suite,
+                              classic ? "classic" : "preview");
   picture.caption = fmt::format(
-      "Suite {}, {} layouts of each of {} seeds, robot {}. Each tile is one ring; both methods drive under "
-      "the "
-      "{} law on the same layouts, and pairs count that both solved.",
+      "Suite {}, {} layouts per seed, {} seeds, robot {}. Each tile is one ring. Both methods use the {} law "
+      "on "
+      "the same layouts; only layouts that both solved count.",
       suite, config.base.trials, config.seeds, map.comparison.robot.robot.name,
       classic ? "classic" : "preview");
   for (double radius : config.radii) picture.columns.push_back(centimetres(radius));
@@ -88,12 +87,11 @@ TileMap tileMapOf(const PaperMap& map, const std::string& suite, bool classic) {
   picture.key = {
       "distance",
       "time",
-      "small figures, where they differ: with the pairs in which a run hung (over 4 T*)",
-      "bar: share of the ring's runs that arrive and touch nothing; the tick is at half",
+      "small figures, if different: including pairs with a hung run (over 4 T*)",
+      "bar: share of the ring's runs that arrive without contact; the tick marks half",
       fmt::format("without colour: fewer than {} pairs", kLeastMapPairs),
       fmt::format(
-          "frame: both of the paper's figures hold together within {:.0f} points, without hung runs or "
-          "with them",
+          "frame: matches both of the paper's figures within {:.0f} points, with or without hung runs",
           100 * kTargetTolerance),
       badgesOf(map, suite)};
   return picture;

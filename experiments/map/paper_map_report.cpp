@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSchemaVersion = 1;
-constexpr std::size_t kMostListed = 8;  // cells of a region in the text; map.csv has all
+constexpr std::size_t kMostListed = 8;  // most cells of a region in the text; map.csv has all
 
 const char* lawOf(const MapCell& cell) { return cell.classic ? "classic" : "preview"; }
 
@@ -39,13 +39,13 @@ std::string cellText(const MapCell& cell, bool with_hung) {
 void appendFinding(std::string& out, const PaperMap& map, const MapFinding& finding) {
   out += fmt::format("- **{}: {}, {:+.1f} % distance and {:+.1f} % time, {}**: ", finding.suite,
                      finding.target.name, 100 * finding.target.length, 100 * finding.target.time,
-                     finding.with_hung ? "hung runs too" : "without hung runs");
+                     finding.with_hung ? "with hung runs" : "without hung runs");
   if (std::isnan(finding.off)) {
     out += fmt::format("no cell has {} safe pairs.\n", kLeastMapPairs);
     return;
   }
   if (finding.region.empty()) {
-    out += fmt::format("in no cell within {:.0f} points. The nearest is {:.1f} points off: {}.\n",
+    out += fmt::format("no cell within {:.0f} points. The nearest is {:.1f} points off: {}.\n",
                        100 * kTargetTolerance, 100 * finding.off,
                        cellText(map.cells[finding.nearest], finding.with_hung));
     return;
@@ -103,13 +103,14 @@ std::string mapReport(const PaperMap& map) {
   std::string out = fmt::format(
       "## Map of the ring field, {} (seeds {} ... {}, {} layouts each, robot {}, physics {})\n\n"
       "{} cells; each compares the Bezier method with one ring under the same law, on the layouts that both "
-      "solved. A run over 4 T* has hung.\n\n### Where the paper's two figures hold together\n\n",
+      "solved. A run longer than 4 T* counts as hung.\n\n### Cells that match both of the paper's "
+      "figures\n\n",
       fmt::join(config.suites, " and "), config.base.seed,
       config.base.seed + static_cast<std::uint64_t>(config.seeds - 1), config.base.trials,
       map.comparison.robot.robot.name, map.comparison.physics.name, map.cells.size());
   for (const MapFinding& finding : map.findings) appendFinding(out, map, finding);
   out +=
-      "\n### The safest ring of each suite, law, start and speed (chosen by its own safety, then its "
+      "\n### The safest ring per suite, law, start and speed (chosen by its own safety, then its "
       "time)\n\n"
       "| suite | law | start heading | m/s | radius cm | width cm | safe (95 %) | T/T* all | distance, time "
       "without "

@@ -6,11 +6,12 @@
 
 namespace fulbito {
 
-/// Distance [m] between the arrows of a picture that shows the rectangle from `low` to `high` [m].
+/// Distance [m] between arrows in a picture of the rectangle from `low` to `high` [m].
 double arrowSpacing(Vec2 low, Vec2 high);
 
-/// What the trial's method wants at the start, on a grid over that rectangle as far as it is on the field and
-/// outside of obstacles; nothing for a method that is no heading field. Errors: of the method's parameters.
+/// The headings that the trial's method wants at the start, on a grid over that rectangle, where it is on the
+/// field and outside obstacles. Empty if the method is not a heading field. Errors: of the method's
+/// parameters.
 Result<std::vector<Pose2>> fieldArrows(const TrialConfig& config, Vec2 low, Vec2 high);
 
 }  // namespace fulbito

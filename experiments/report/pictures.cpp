@@ -15,7 +15,7 @@ namespace fulbito {
 namespace {
 
 constexpr Vec2 kShown{1050, 810};         // [px] that a window fills
-constexpr double kFootprintEvery = 0.15;  // [m] of way between outlined bodies
+constexpr double kFootprintEvery = 0.15;  // [m] path length between outlined bodies
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 std::string remarkOf(const TrialScore& score) {
@@ -34,7 +34,7 @@ std::size_t colourOf(const NavigatorChoice& navigator) {
   return index;
 }
 
-/// Of paths of one colour all but the first are hollow.
+/// Among paths of one colour, all but the first are hollow.
 void markVariants(std::vector<DrawnPath>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     paths[i].hollow = std::any_of(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i),
@@ -64,7 +64,7 @@ DrawnPath drawnPath(const NavigatorChoice& navigator, const TrialScore& score,
   return path;
 }
 
-/// The way of a moving obstacle in the first `seconds`: all of a long trial's would fill the field.
+/// The path of a moving obstacle in the first `seconds`; that of a whole long trial would fill the field.
 void shorten(ObstacleSpec& obstacle, double seconds) {
   if (obstacle.motion != ObstacleMotion::kPath || obstacle.path_end != PathEnd::kStop) return;
   double left = obstacle.speed * seconds;
@@ -77,7 +77,7 @@ void shorten(ObstacleSpec& obstacle, double seconds) {
   }
 }
 
-/// With the title and window of one of the paper's figures where the layout is one.
+/// Uses the title and window of the paper's figure if the layout belongs to one.
 FieldPicture pictureOf(const TrialConfig& config) {
   FieldPicture picture;
   const PaperFigure* figure = figureOf(config.layout.name);
@@ -96,7 +96,7 @@ FieldPicture pictureOf(const TrialConfig& config) {
   return picture;
 }
 
-/// Draws the obstacles' ways for as long as the longest of the paths took.
+/// Draws the obstacles' paths for the duration of the longest run.
 void limitMotion(FieldPicture& picture, double dt) {
   std::size_t ticks = 1;
   for (const DrawnPath& path : picture.paths) ticks = std::max(ticks, path.points.size());
@@ -108,7 +108,7 @@ Result<void> save(Result<Canvas> canvas, const std::string& file) {
   return canvas->writePng(file);
 }
 
-/// What the paper's figure shows and whether the run named does; empty for other layouts.
+/// The statement of the paper's figure and the verdict on the run; empty for other layouts.
 std::string captionOf(const Layout& layout, const std::string& method, const TrialRecord& run) {
   const PaperFigure* figure = figureOf(layout.name);
   if (figure == nullptr) return {};
@@ -121,7 +121,7 @@ std::string captionOf(const Layout& layout, const std::string& method, const Tri
                      *conclusion != 0 ? conclusion : ".");
 }
 
-/// Arrows of a method that is a field, over what the picture shows.
+/// Arrows of a field method over the shown part of the field.
 Result<void> addArrows(FieldPicture& picture, const TrialConfig& config) {
   FieldWindow shown{{-config.field.length / 2, -config.field.width / 2},
                     {config.field.length / 2, config.field.width / 2}};
@@ -133,8 +133,8 @@ Result<void> addArrows(FieldPicture& picture, const TrialConfig& config) {
   return {};
 }
 
-/// Which of a block's runs a picture shows: of a figure's case its own method and those beside it, where the
-/// block has the method; else all.
+/// The runs of a block that a picture shows: for a figure's case, its method and the others named with it;
+/// all if the block lacks that method.
 std::vector<std::size_t> drawnNavigators(const ComparisonBlock& block, const PaperFigure* figure) {
   std::vector<std::size_t> all, chosen;
   bool own = false;
@@ -143,13 +143,13 @@ std::vector<std::size_t> drawnNavigators(const ComparisonBlock& block, const Pap
     all.push_back(n);
     if (figure == nullptr) continue;
     own = own || text == figure->method;
-    const bool beside = std::find(figure->beside.begin(), figure->beside.end(), text) != figure->beside.end();
-    if (text == figure->method || beside) chosen.push_back(n);
+    const bool other = std::find(figure->others.begin(), figure->others.end(), text) != figure->others.end();
+    if (text == figure->method || other) chosen.push_back(n);
   }
   return own ? chosen : all;
 }
 
-/// A bar for each navigator that solved anything; the others say so.
+/// A bar per navigator with at least one success; a text for the others.
 BarChart chartOf(const Comparison& comparison, const std::string& title, const std::string& axis,
                  double SummaryRow::* ratio) {
   BarChart chart;

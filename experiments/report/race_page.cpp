@@ -37,7 +37,7 @@ PageRow rowAt(const TrialConfig& config, std::span<const TrialRecord* const> rec
   return row;
 }
 
-/// Who has ended stays where it was until the last one has.
+/// A finished robot stays at its last place until the last one has finished.
 void addRows(const TrialConfig& config, std::span<const TrialRecord* const> records, PageScene& scene) {
   for (const TrialRecord* record : records) {
     scene.ticks = std::max(scene.ticks, static_cast<Tick>(record->trace.size()) - 1);

@@ -5,8 +5,8 @@
 
 namespace fulbito {
 
-/// Every layout of a comparison whose traces were kept as a race: all navigators of its block at once, in the
-/// HTML viewer. Errors: kUsage when no trace was kept; as `trialConfig`.
+/// A page for the HTML viewer with one race per layout with kept traces: all navigators of its block at once.
+/// Errors: kUsage if no trace was kept; as `trialConfig`.
 Result<Page> racePage(const Comparison& comparison);
 
 }  // namespace fulbito

@@ -22,7 +22,7 @@ Json buildJson() {
       {"version", build.version}, {"compiler", build.compiler}, {"type", build.type}, {"box2d", build.box2d}};
 }
 
-/// NaN has no place in JSON: null stands for "no value".
+/// JSON has no NaN: null means "no value".
 Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json summaryJson(const SummaryRow& row) {

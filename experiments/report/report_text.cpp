@@ -31,14 +31,14 @@ void appendBlock(std::string& out, const Comparison& comparison, const Compariso
   out +=
       "| navigator | success (95 %) | contacts | safe pairs | L/L* | T/T* | T/T* all | length m | time s | "
       "least gap mm | "
-      "us a tick p50 / p99 / max |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "us per tick p50 / p99 / max |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (std::size_t n = 0; n < block.navigators.size(); ++n) appendRow(out, comparison.summary[next++]);
 }
 
 void appendFigures(std::string& out, const std::vector<FigureRow>& rows) {
   if (rows.empty()) return;
   out +=
-      "\n### The paper's figures\n\n| case | the paper's figure | run | here | shows "
+      "\n### The paper's figures\n\n| case | statement of the paper's figure | run | result here | confirmed "
       "|\n|---|---|---|---|---|\n";
   for (const FigureRow& row : rows) {
     out += fmt::format("| {} | {} | `{}` | {} | {} |\n", row.figure->layout, row.figure->sentence,
@@ -58,12 +58,13 @@ std::string markdownReport(const Comparison& comparison) {
   std::size_t next = 0;
   for (const ComparisonBlock& block : comparison.blocks) appendBlock(out, comparison, block, next);
   out +=
-      "\n\\* plans its own speeds. L*, T*: shortest way and least time. T/T* all counts a failure as 8. Safe "
-      "pairs: layouts that "
-      "the method and the block's reference (bezier, or the first) both solved.\n";
+      "\n\\* plans its own speeds. L*, T*: shortest path and least time. T/T* all: a failure counts as 8. "
+      "Safe "
+      "pairs: layouts that both the method and the block's reference (bezier, or the first method) solved.\n";
   if (!comparison.reproduction.empty()) {
     out +=
-        "\n### Jung & Lee (2015): the paper beside this run\n\n| id | claim | paper | ours (95 %) | band | "
+        "\n### Jung & Lee (2015): the paper's claims and this run\n\n| id | claim | paper | ours (95 %) | "
+        "band | "
         "inside | why |\n"
         "|---|---|---|---|---|---|---|\n";
     for (const ReproductionRow& row : comparison.reproduction) {

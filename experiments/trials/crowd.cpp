@@ -11,10 +11,10 @@ namespace fulbito {
 namespace {
 
 constexpr std::size_t kRobots = 6;
-constexpr double kPatience = 6.0;     // [s] after which a robot is given another goal
+constexpr double kPatience = 6.0;     // [s] after this time a robot gets another goal
 constexpr double kWallMargin = 0.12;  // [m] between goals and walls
 
-/// One robot's errand.
+/// One robot and its present goal.
 struct Errand {
   std::unique_ptr<Pilot> pilot;
   Vec2 goal;
@@ -49,7 +49,7 @@ void seeOthers(const WorldState& world, std::size_t self, double radius, std::ve
   }
 }
 
-/// The robots' errands, driven tick by tick.
+/// All robots with their goals, simulated tick by tick.
 class Crowd {
  public:
   Crowd(const RobotPreset& robot, const FieldGeometry& field, const PhysicsProfile& physics,

@@ -6,8 +6,8 @@
 
 namespace fulbito {
 
-/// Six robots that drive from goal to goal on one field, each the others' moving obstacle: what navigation
-/// costs in play.
+/// Six robots that drive from goal to goal on one field, as moving obstacles to each other. Measures the cost
+/// of navigation in play.
 struct CrowdConfig {
   std::string navigator = kDefaultNavigator;  ///< specification
   std::string robot = "vsss";                 ///< preset or file
@@ -17,13 +17,13 @@ struct CrowdConfig {
 
 struct CrowdResult {
   int arrivals = 0;              ///< goals reached by all robots together
-  int contacts = 0;              ///< between robots, or robots and walls, that began
-  double compute_us_mean = 0.0;  ///< navigator and follower, a robot and tick
+  int contacts = 0;              ///< begun contacts between robots, or of robots with walls
+  double compute_us_mean = 0.0;  ///< navigator and follower, per robot and tick
   double compute_us_p99 = 0.0;
   double compute_us_max = 0.0;
 };
 
-/// Runs it. Errors: kUsage, kIo, kBadInput of the names.
+/// Runs the crowd. Errors: kUsage, kIo, kBadInput of the names.
 Result<CrowdResult> runCrowd(const CrowdConfig& config, const Clock& clock);
 
 }  // namespace fulbito

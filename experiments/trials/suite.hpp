@@ -10,7 +10,7 @@
 
 namespace fulbito {
 
-/// A family of seeded layouts with the rules by which its trials are judged.
+/// A family of seeded layouts with the rules for judging their trials.
 struct Suite {
   std::string name;
   std::string summary;  ///< one line
@@ -18,7 +18,7 @@ struct Suite {
   std::vector<double> speeds;  ///< [m/s] default top speeds
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;
   double limit_clearance = 0.058;  ///< [m] see TrialConfig
-  bool always_drawn = false;       ///< a picture of every layout, whatever the number asked for
+  bool always_drawn = false;       ///< draw every layout, regardless of the configured number
   /// Layout number `index` of a seed: a pure function of the two.
   Layout (*layout)(std::uint64_t seed, std::uint64_t index) = nullptr;
 };

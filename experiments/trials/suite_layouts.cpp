@@ -98,7 +98,7 @@ Layout barrierLayout(Rng& rng, const char* suite, std::uint64_t index, double ga
   double y = -field().width / 2;
   for (int i = 0; i < count; ++i) {
     y += (i == open ? gap : narrow) + kRobotHalf;
-    // The two at the gap stand square to it, so that its width is exact; the others are out of line a little.
+    // The two at the gap are square to it, so that its width is exact; the others are slightly out of line.
     const double x = i == open || i + 1 == open ? x0 : x0 + rng.uniform(-0.01, 0.01);
     layout.obstacles.push_back(disc({x, y}, kRobotHalf));
     y += kRobotHalf;
@@ -145,8 +145,7 @@ Pose2 facingWall(Rng& rng, Vec2 toward) {
   return {position, math::wrapAngle(math::angleOf(-normal) + off)};
 }
 
-/// The way of a disc that goes straight on and is mirrored by the walls, as waypoints, at least `length`
-/// long.
+/// The waypoints of a disc that moves straight and is reflected by the walls, over at least `length`.
 std::vector<Vec2> bouncingPath(Vec2 from, Vec2 direction, double radius, double length) {
   const Vec2 room{field().length / 2 - radius, field().width / 2 - radius};
   std::vector<Vec2> path = {from};
@@ -187,7 +186,7 @@ Layout shortLayout(std::uint64_t seed, std::uint64_t index) {
   for (;;) {
     layout.obstacles = fourBalls(rng);
     layout.start.position = anywhere(rng, 0.08);
-    // Drawn one after the other: in one expression the order would be the compiler's choice.
+    // In separate statements, since the compiler may reorder draws in one expression.
     const double way = rng.uniform(0.55, 0.75);
     layout.goal = layout.start.position + math::unit(rng.uniform(-math::kPi, math::kPi)) * way;
     const bool on_field = wallClearance(field(), layout.goal) >= 0.08;
@@ -227,7 +226,7 @@ Layout headingLayout(std::uint64_t seed, std::uint64_t index) {
   layout.start.heading = rng.uniform(-math::kPi, math::kPi);
   for (;;) {
     layout.goal_heading = rng.uniform(-math::kPi, math::kPi);
-    // There must be room to come from: 20 cm behind the goal along the wanted heading.
+    // The approach needs room: 20 cm behind the goal along the wanted heading.
     const Vec2 behind = layout.goal - math::unit(*layout.goal_heading) * 0.20;
     bool free = wallClearance(field(), behind) >= 0.08;
     for (const ObstacleSpec& o : layout.obstacles) {
@@ -319,7 +318,7 @@ Layout movingLayout(std::uint64_t seed, std::uint64_t index) {
     o.motion = ObstacleMotion::kPath;
     o.path_end = PathEnd::kStop;
     o.speed = rng.uniform(0.3, 1.5);
-    // Across the way, at least 30 degrees off it, up or down.
+    // Across the path, at least 30 degrees from it, up or down.
     const double side = rng.below(2) == 0 ? 1.0 : -1.0;
     o.path = bouncingPath(from, math::unit(side * rng.uniform(math::kPi / 6, math::kPi * 5 / 6)), o.radius,
                           30.0 * o.speed);

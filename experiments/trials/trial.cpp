@@ -23,8 +23,8 @@ struct LimitPath {
   std::vector<Vec2> points;
 };
 
-/// L*: the shortest way of the robot's centre among the obstacles as they stand at the start. Without one (or
-/// where only moving obstacles are in the way, whose gaps open) it is the straight line.
+/// L*: the shortest path of the robot's centre among the obstacles at the start. It is the straight line if
+/// there is no such path, or if only moving obstacles block it.
 LimitPath limitPath(const TrialConfig& config) {
   const Layout& layout = config.layout;
   std::vector<DiscObstacle> discs;
@@ -71,7 +71,7 @@ TrialRules rulesOf(const TrialConfig& config, double length_limit) {
   return rules;
 }
 
-/// Ranges of what a caller may ask for; layouts, robots and profiles were checked when they were read.
+/// Checks the ranges of the options. Layouts, robots and profiles are checked when read.
 Result<void> check(const TrialConfig& config) {
   const double speed = config.robot.robot.maxSpeed();
   if (!(speed >= 0.05 && speed <= 10.0)) {
@@ -80,7 +80,7 @@ Result<void> check(const TrialConfig& config) {
   return validate(config.sensors);
 }
 
-/// What `work` gives; how long it took [us] is appended to `durations` where there is a clock.
+/// Returns the result of `work` and, with a clock, appends its duration [us] to `durations`.
 template <typename Work>
 auto timed(const Clock& now, std::vector<double>& durations, const Work& work) {
   if (!now) return work();

@@ -12,8 +12,8 @@
 
 namespace fulbito {
 
-/// Reads a monotonic clock [ns]. Libraries read no clock of their own: the program hands one in, and measured
-/// times go only into the fields named compute_ or wall_.
+/// A monotonic clock [ns]. Libraries read no clock themselves: the program passes one in. Measured times only
+/// go into fields named compute_ or wall_.
 using Clock = std::function<std::int64_t()>;
 
 /// One trial: a robot, a layout, a navigator.
@@ -38,31 +38,31 @@ struct TraceRow {
   WheelSpeeds command;
 };
 
-/// Where and when the robot began to touch an obstacle or a wall.
+/// The start of a contact with an obstacle or wall.
 struct Touch {
   double time = 0.0;  ///< [s]
   Vec2 point;         ///< [m] of contact
 };
 
-/// What came of it.
+/// The result of a trial.
 struct TrialResult {
   TrialScore score;
-  std::vector<TraceRow> trace;     ///< from the start, one row a tick
-  std::vector<Touch> touches;      ///< in the order in which they began
+  std::vector<TraceRow> trace;     ///< from the start, one row per tick
+  std::vector<Touch> touches;      ///< in chronological order
   std::vector<Vec2> limit_path;    ///< the L* path
-  std::vector<double> compute_us;  ///< navigator and follower, each tick; empty without a clock
+  std::vector<double> compute_us;  ///< navigator and follower per tick; empty without a clock
   std::uint64_t final_hash = 0;    ///< of all states of the trial
 };
 
 class TrialRecorder;
 
-/// Runs it, and records it where a recorder is given. Errors: kUsage or kBadInput when the layout does not
-/// fit the field or robot; the recorder's.
+/// Runs a trial and records it if a recorder is given. Errors: kUsage or kBadInput if the layout does not fit
+/// the field or robot; those of the recorder.
 Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock,
                              TrialRecorder* recorder = nullptr);
 
-/// Obstacles as discs for navigators: boxes are covered by one disc a square, side by side along the longer
-/// side.
+/// Appends an obstacle as discs for navigators. A box is divided along its longer side into squares, with one
+/// disc per square.
 void appendDiscs(const ObstacleSpec& spec, const ObstacleState& state, std::vector<DiscObstacle>& discs);
 
 }  // namespace fulbito

@@ -9,25 +9,25 @@
 
 namespace fulbito {
 
-/// Records a trial (docs/recordings.md): one play of a robot and its obstacles.
+/// Records a trial as one play of a robot and its obstacles (docs/recordings.md).
 class TrialRecorder {
  public:
-  /// Begins the file. Errors: as RecordingWriter::create.
+  /// Starts the file. Errors: as RecordingWriter::create.
   static Result<TrialRecorder> create(const std::string& file, const TrialConfig& config,
                                       bool replace = true);
   /// The same into a sink.
   static Result<TrialRecorder> create(RecordingWriter::Sink sink, const TrialConfig& config);
 
-  /// Also keeps what the navigator wants, ten times a second: off unless called.
+  /// Also records the navigator's path or field, ten times per second.
   void keepGuidance();
 
   /// The world before its first step.
   void begins(const WorldState& world);
-  /// Before a step: what the navigator wants for it.
+  /// Call before a step, with the navigator's guidance for it.
   void planned(const Guidance& guidance, Vec2 position, Vec2 goal);
-  /// After a step; `hash` is of all states so far.
+  /// Call after a step; `hash` is the hash of all states so far.
   void ticked(const WorldState& world, WheelSpeeds command, std::uint64_t hash);
-  /// Errors: the first of any write.
+  /// Completes the file. Errors: the first failed write.
   Result<void> ends(const TrialResult& result);
 
  private:

@@ -28,8 +28,9 @@ Result<void> checkStart(const MatchConfig& config) {
       if (i >= static_cast<std::size_t>(config.rules.team_size)) {
         return fail(
             ErrorCode::kUsage,
-            fmt::format("start state: {} has a robot {}, but the rules '{}' have {} a team, counted from 0",
-                        nameOf(team), i, config.rules.name, config.rules.team_size));
+            fmt::format(
+                "start state: {} has a robot {}, but the rules '{}' have {} robots per team, counted from 0",
+                nameOf(team), i, config.rules.name, config.rules.team_size));
       }
     }
   }
@@ -43,7 +44,7 @@ Result<void> checkScoreboard(const MatchConfig& config) {
     if (auto r = range("score at the start", board.score[indexOf(team)], 0, kMaxScore, ""); !r) return r;
   }
   if (auto r = range("period at the start", board.period, 1, kLastPeriod, ""); !r) return r;
-  return range("play time gone at the start", board.play_seconds, 0.0, config.rules.half_seconds, " s");
+  return range("elapsed play time at the start", board.play_seconds, 0.0, config.rules.half_seconds, " s");
 }
 
 }  // namespace

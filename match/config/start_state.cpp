@@ -37,10 +37,11 @@ Schema robotSchema(StartRobot& robot) {
 }
 
 Schema boardSchema(Scoreboard& board) {
-  return {{"blue", &board.score[0], 0, 1000, "", "goals so far", false},
-          {"yellow", &board.score[1], 0, 1000, "", "goals so far", false},
-          {"period", &board.period, 1, 3, "", "1, 2: halves; 3: overtime", false},
-          {"play_seconds", &board.play_seconds, 0.0, kMaxPlay, "s", "of play gone in the period", false}};
+  return {
+      {"blue", &board.score[0], 0, 1000, "", "goals so far", false},
+      {"yellow", &board.score[1], 0, 1000, "", "goals so far", false},
+      {"period", &board.period, 1, 3, "", "1, 2: halves; 3: overtime", false},
+      {"play_seconds", &board.play_seconds, 0.0, kMaxPlay, "s", "elapsed play time in the period", false}};
 }
 
 Result<void> readRobots(const ConfigDocument& document, Placement& placement) {
@@ -52,7 +53,7 @@ Result<void> readRobots(const ConfigDocument& document, Placement& placement) {
     auto& place = placement.robots[indexOf(robot.team)][static_cast<std::size_t>(robot.number)];
     if (place) {
       return document.locate({"robot", i, "number",
-                              fmt::format("= {} of {} is there already", robot.number, nameOf(robot.team))});
+                              fmt::format("= {} of {} is listed twice", robot.number, nameOf(robot.team))});
     }
     place = robot.pose;
   }
@@ -89,12 +90,12 @@ std::string flawOf(const StartBody& body, const std::vector<StartBody>& others, 
   }
   for (const StartBody& other : others) {
     if (distance(body.position, other.position) >= body.radius + other.radius) continue;
-    return fmt::format("{} is in {}, at [{}, {}]", place, other.name, other.position.x, other.position.y);
+    return fmt::format("{} overlaps {} at [{}, {}]", place, other.name, other.position.x, other.position.y);
   }
   return {};
 }
 
-/// What the match that shall begin from the start cannot take.
+/// The first flaw of a start state for this match.
 std::optional<Flaw> findFlaw(const ConfigDocument& document, const StartState& start,
                              const MatchConfig& match) {
   const RobotModel& robot = match.robot.robot;
@@ -108,7 +109,7 @@ std::optional<Flaw> findFlaw(const ConfigDocument& document, const StartState& s
     if (!document.readElement("robot", i, robotSchema(listed))) continue;  // it could be read before
     if (listed.number >= match.rules.team_size) {
       return Flaw{"robot", i, "number",
-                  fmt::format("= {}: the rules '{}' have {} a team, counted from 0", listed.number,
+                  fmt::format("= {}: the rules '{}' have {} robots per team, counted from 0", listed.number,
                               match.rules.name, match.rules.team_size)};
     }
     StartBody body{fmt::format("robot {} of {}", listed.number, nameOf(listed.team)), listed.pose.position,
@@ -120,7 +121,7 @@ std::optional<Flaw> findFlaw(const ConfigDocument& document, const StartState& s
   }
   if (!(start.scoreboard.play_seconds <= match.rules.half_seconds)) {
     return Flaw{"match", -1, "play_seconds",
-                fmt::format("= {} is more than a half has, {} s", start.scoreboard.play_seconds,
+                fmt::format("= {} is longer than a half, {} s", start.scoreboard.play_seconds,
                             match.rules.half_seconds)};
   }
   return std::nullopt;

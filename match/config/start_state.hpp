@@ -10,7 +10,7 @@
 
 namespace fulbito {
 
-/// A placed state that a match begins from, and how the match stands there.
+/// A placement from which a match starts, with score and time.
 struct StartState {
   Placement placement;
   Scoreboard scoreboard;
@@ -22,8 +22,8 @@ struct StartState {
 /// Robots that are not listed are not on the field. Errors: kIo; kBadInput as `file:line: table.key ...`.
 Result<StartState> loadStartState(const std::string& file);
 
-/// The same, checked against the match that shall begin from it: robots that its rules have, nobody outside
-/// its field or in somebody else, no more play gone than a half has. `match.start` is not looked at.
+/// The same, checked against a match: its rules have all robots, all bodies are inside the field without
+/// overlap, and the elapsed play time fits into a half. Ignores `match.start`.
 Result<StartState> loadStartState(const std::string& file, const MatchConfig& match);
 
 /// The same from text; `origin` stands for the file name in errors.

@@ -12,14 +12,14 @@
 #include "match/config/match_config.hpp"
 #include "strategies/interface/strategy.hpp"
 
-/// Drills: seeded situations that ask a team for one thing, each with a bar. A drill is a TOML file
+/// Drills: seeded situations that test one skill of a team, each with a bar. A drill is a TOML file
 /// (docs/drills.md); everything in it is written in the frame of the team under test, whose goal is at -x.
 namespace fulbito {
 
-/// What the tested team is asked for instead of a game.
+/// A task for the tested team instead of a game.
 enum class DrillTask : std::uint8_t { kPlay, kReachPose, kTurn, kReachBall, kPush, kPredictBall };
 
-/// What a robot that follows no team does.
+/// Behaviour of a robot in a drill.
 enum class DrillRole : std::uint8_t {
   kTeam,   ///< it belongs to a team and does what that decides
   kStand,  ///< nothing
@@ -45,7 +45,7 @@ struct DrillStart {
   double distance_max = 0.0;
   double savable = 0.0;     ///< that many times the least savable distance is added to the distance
   double angle = 0.0;       ///< [rad] largest angle between the ball's way and the goal's normal
-  bool enters = false;      ///< the ball goes into the own goal if nobody touches it
+  bool enters = false;      ///< the untouched ball goes into the own goal
   int bounces = -1;         ///< of the ball against walls until it is in or the prediction is due; -1: any
   bool decided = false;     ///< only trials count that came to a success or a failure in time
   double target_min = 0.0;  ///< [m] distance of the task's target
@@ -56,7 +56,7 @@ struct DrillStart {
   double horizon = 0.0;     ///< [s] of a prediction
 };
 
-/// Where one robot stands at the start.
+/// The start of one robot.
 struct DrillRobot {
   TeamId team = TeamId::kBlue;  ///< blue stands for the team under test
   int number = -1;              ///< in its team; -1: the next one
@@ -72,7 +72,7 @@ struct DrillRobot {
   double heading_spread = 0.0;  ///< [rad] uniformly to either side
 };
 
-/// Something that may happen to the ball.
+/// A condition on the ball.
 enum class DrillCondition : std::uint8_t {
   kGoal,       ///< in the opponents' goal
   kConceded,   ///< in the own goal
@@ -91,7 +91,7 @@ struct DrillEnd {
   DrillCondition what = DrillCondition::kGoal;
   std::string start;    ///< only in the start of that name; empty: in all
   double value = 0.0;   ///< see DrillCondition
-  double within = 1e9;  ///< [s] no more after that
+  double within = 1e9;  ///< [s] only up to this time
 };
 
 /// What is measured in a trial or a match.
@@ -128,7 +128,7 @@ struct DrillBar {
   bool by_value = false;  ///< a rate is judged by itself, not by its interval
 };
 
-/// A drill as its file says.
+/// A drill as read from its file.
 struct Drill {
   std::string file;  ///< where it comes from, for messages
   int number = 0;
@@ -163,7 +163,7 @@ Result<std::vector<Drill>> loadDrills(const std::string& folder);
 const std::vector<Drill>& builtInDrills();
 /// @}
 
-/// What came of one trial.
+/// The result of one trial.
 struct DrillTrial {
   int start = 0;        ///< index of the drill's start
   bool counted = true;  ///< false: it was not the situation that was asked for
@@ -179,7 +179,7 @@ struct DrillTrial {
   std::string_view stopped_by;  ///< rule by which the referee ended it, static lifetime
 };
 
-/// One bar with what was measured.
+/// One bar with the measured value.
 struct DrillVerdict {
   DrillBar bar;
   int count = 0;   ///< of trials or matches
@@ -187,7 +187,7 @@ struct DrillVerdict {
   bool passed = false;
 };
 
-/// What came of one drill.
+/// The result of one drill.
 struct DrillReport {
   Drill drill;
   bool offered = true;
@@ -196,14 +196,14 @@ struct DrillReport {
   bool passed() const;
 };
 
-/// Called from time to time with the number of finished trials; returning false stops the run.
+/// Called repeatedly with the number of finished trials. Returning false stops the run.
 using DrillProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
 struct DrillOptions {
   TeamChoice team;
   int trials = 0;  ///< 0: as each drill says
   std::uint64_t seed = kDefaultMatchSeed;
-  int jobs = 0;  ///< threads, 0: one a core
+  int jobs = 0;  ///< threads; 0: one per core
   std::string robot = "vsss";
   std::string physics = "standard";
 };
@@ -216,7 +216,7 @@ Result<std::vector<DrillReport>> runDrills(const std::vector<Drill>& drills, con
 
 /// @{ The reports as tables to read and as JSON.
 std::string drillTable(const std::vector<DrillReport>& reports, const DrillOptions& options);
-/// Several teams side by side: one row a drill, one column a team.
+/// Several teams: one row per drill, one column per team.
 std::string drillOverview(const std::vector<std::string>& teams,
                           const std::vector<std::vector<DrillReport>>& reports);
 std::string drillJson(const std::vector<DrillReport>& reports, const DrillOptions& options);

@@ -26,8 +26,8 @@ constexpr double kLongText = 300;
 
 Schema schemaOf(Drill& d, std::string& repeats) {
   return {
-      {"number", &d.number, 1, 9999, "", "by which it is asked for", true},
-      {"name", Label{&d.name}, 1, kLongName, "", "the same in words"},
+      {"number", &d.number, 1, 9999, "", "number for selecting the drill", true},
+      {"name", Label{&d.name}, 1, kLongName, "", "name for selecting the drill"},
       {"what", &d.what, 1, kLongText, "", "one line", true},
       {"source", &d.source, 0, kLongText, "", "where the bar comes from"},
       {"rules", &d.rules, 1, kLongText, "", "profile of the rules"},
@@ -49,7 +49,7 @@ Schema schemaOf(DrillStart& s) {
   return {
       {"name", Label{&s.name}, 1, kLongName, "", ""},
       {"task", choice(s.task, {"play", "reach-pose", "turn", "reach-ball", "push", "predict-ball"}), 0, 0, "",
-       "what the team is asked for"},
+       "the team's task"},
       {"restart",
        Choice{{"none", "kick-off", "free-ball", "free-kick", "penalty", "goal-kick"},
               [&s] { return s.restart + 1; },
@@ -67,7 +67,7 @@ Schema schemaOf(DrillStart& s) {
       {"distance_max", &s.distance_max, 0.0, kFar, "m", "of the ball from that point"},
       {"savable", &s.savable, 0.0, 10.0, "", "least savable distances added to it"},
       {"angle", Angle{&s.angle}, 0.0, 89.0, "", "largest one between the ball's way and the goal's normal"},
-      {"enters", &s.enters, 0, 1, "", "the ball goes into the own goal if nobody touches it"},
+      {"enters", &s.enters, 0, 1, "", "the untouched ball goes into the own goal"},
       {"bounces", &s.bounces, -1, 100, "", "of the ball against walls; -1: any"},
       {"decided", &s.decided, 0, 1, "", "trials without success and failure do not count"},
       {"target_min", &s.target_min, 0.0, kFar, "m", "distance of the task's target"},

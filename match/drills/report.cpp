@@ -19,7 +19,7 @@ constexpr const char* kStatistics[] = {"rate", "count", "mean", "median", "p95"}
 const char* nameOf(DrillMeasure measure) { return kMeasures[static_cast<std::size_t>(measure)]; }
 const char* nameOf(DrillStatistic statistic) { return kStatistics[static_cast<std::size_t>(statistic)]; }
 
-/// A length in cm, a rate in percent, anything else as it is.
+/// Lengths in cm, rates in percent, other values unchanged.
 std::string shown(const DrillBar& bar, double value) {
   if (!std::isfinite(value)) return value > 0.0 ? "never" : "-";
   if (bar.statistic == DrillStatistic::kRate) return fmt::format("{:.1f} %", 100.0 * value);
@@ -37,7 +37,7 @@ std::string shown(const DrillBar& bar, double value) {
 
 std::string measured(const DrillVerdict& verdict) {
   const DrillBar& bar = verdict.bar;
-  if (verdict.count == 0) return "no trial";
+  if (verdict.count == 0) return "no trials";
   const Interval& v = verdict.value;
   if (v.low == v.high) return shown(bar, v.value);
   return fmt::format("{} ({} - {})", shown(bar, v.value), shown(bar, v.low), shown(bar, v.high));
@@ -96,9 +96,9 @@ nlohmann::ordered_json jsonOf(const DrillVerdict& verdict) {
 }  // namespace
 
 std::string drillTable(const std::vector<DrillReport>& reports, const DrillOptions& options) {
-  std::string out = fmt::format("## drills of {} (seed {}, robot {}, physics {})\n\n", options.team.text,
+  std::string out = fmt::format("## Drills of {} (seed {}, robot {}, physics {})\n\n", options.team.text,
                                 options.seed, options.robot, options.physics);
-  out += "| drill | measured | trials | value (95 %) | bar | |\n|---|---|---|---|---|---|\n";
+  out += "| drill | measure | trials | value (95 %) | bar | verdict |\n|---|---|---|---|---|---|\n";
   for (const DrillReport& report : reports) {
     const std::string title = fmt::format("{} {}", report.drill.number, report.drill.name);
     if (!report.offered) {
@@ -139,7 +139,7 @@ std::string drillOverview(const std::vector<std::string>& teams,
         std::count_if(team.begin(), team.end(), [](const DrillReport& r) { return r.passed(); });
     out += fmt::format(" {} of {} |", passed, team.size());
   }
-  return out + "\n\nA failed drill tells how many of its bars were reached.\n";
+  return out + "\n\nm / n: the team failed the drill but reached m of its n bars.\n";
 }
 
 std::string drillJson(const std::vector<DrillReport>& reports, const DrillOptions& options) {

@@ -46,7 +46,7 @@ class Editor {
   }
 
   std::optional<std::string> flaw() const {
-    if (!same_robots_) return "no robot may be added or left out";
+    if (!same_robots_) return "no robot may be added or removed";
     if (const char* wrong = ballFlaw()) return fmt::format("the ball {}", wrong);
     for (const Standing& robot : robots_) {
       if (const char* wrong = robotFlaw(robot)) {

@@ -20,7 +20,7 @@ ReplayEvent restartOf(const RecordedPlay& play, double dt) {
   return event;
 }
 
-/// Everything of a recording that is not a state.
+/// The parts of a recording other than states.
 struct Course {
   std::vector<RecordedPlay> plays;
   std::vector<RecordedEvent> calls;
@@ -43,7 +43,7 @@ std::vector<ReplayEvent> merged(Course course, const RecordingReader& recording)
   PerTeam<int> score{};
   auto call = course.calls.begin();
   for (const RecordedPlay& play : course.plays) {
-    // What stopped the last play already counts in the score that the next one begins with.
+    // The next play begins with a score that includes the call that stopped the last play.
     for (; call != course.calls.end() && call->tick <= play.tick; ++call) {
       events.push_back({std::move(*call), {}, call->tick == play.tick ? play.score : score});
     }

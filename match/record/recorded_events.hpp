@@ -8,18 +8,18 @@
 
 namespace fulbito {
 
-/// One line of a recording's record: a call of the referee, or a restart.
+/// One entry of a recording's event log: a call of the referee, or a restart.
 struct ReplayEvent {
-  RecordedEvent call;  ///< of a restart: tick, time, period, team that takes it, and the ball's place
+  RecordedEvent call;                  ///< for a restart: tick, time, period, taking team and ball position
   std::optional<RestartKind> restart;  ///< empty: a call
   PerTeam<int> score{};                ///< after it
 };
 
-/// All calls and restarts of a recording in the order in which they happened. Errors: kBadInput.
+/// All calls and restarts of a recording, in chronological order. Errors: kBadInput.
 Result<std::vector<ReplayEvent>> eventsOf(const RecordingReader& recording);
 
-/// The lines that `EventLines` wrote while the match was played; of a trial, its first and last line.
-/// Errors: kBadInput, also for a recipe that cannot be understood.
+/// Writes the same lines as `EventLines` during the match; for a trial, the first and last line. Errors:
+/// kBadInput, also for a recipe that cannot be parsed.
 Result<void> writeEventLines(const RecordingReader& recording, const EventLines::Sink& sink);
 
 }  // namespace fulbito

@@ -8,13 +8,13 @@
 
 namespace fulbito {
 
-/// @{ What happens in a match as a recording keeps it. The target's memory is used again.
+/// @{ Converts values of a match to recorded ones. Reuses the target's memory.
 void describe(const GameEvent& event, RecordedEvent& recorded);
-/// `side` is the team's.
+/// `side` is the team's side.
 void describe(const DebugDrawing& drawing, Tick tick, TeamId team, Side side, RecordedDrawing& recorded);
 /// @}
 
-/// Calls `each(drawing, team)` with all that teams and their navigators want to show of a tick.
+/// Calls `each(drawing, team)` for all drawings of the teams and their navigators in a tick.
 template <typename Each>
 void forEachDrawing(const MatchTick& tick, const Each& each) {
   for (const TeamId team : kTeams) {

@@ -8,14 +8,14 @@
 
 namespace fulbito {
 
-/// What a recording of the match says at its head.
+/// The header of a recording of the match.
 RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level);
 
-/// Records the match that it watches (docs/recordings.md). However the match ends, `Match::finish` leaves a
-/// whole file; a program that dies leaves one that can be read up to its last few seconds.
+/// Records the observed match (docs/recordings.md). `Match::finish` completes the file however the match
+/// ends. If the program dies, the file can be read up to its last few seconds.
 class MatchRecorder final : public MatchObserver {
  public:
-  /// Begins the file at once, so that a folder that cannot be written is known before the match.
+  /// Opens the file at once, so that errors appear before the match.
   /// Errors: as RecordingWriter::create.
   static Result<MatchRecorder> create(const std::string& file, const MatchConfig& config,
                                       RecordingLevel level = RecordingLevel::kFull, bool replace = true);
@@ -23,8 +23,8 @@ class MatchRecorder final : public MatchObserver {
   static Result<MatchRecorder> create(RecordingWriter::Sink sink, const MatchConfig& config,
                                       RecordingLevel level = RecordingLevel::kFull);
 
-  /// Also keeps what the teams and their navigators draw, `per_second` times a second as far as the level and
-  /// the control rate allow: off unless called. To be called before the first step.
+  /// Also records drawings of the teams and their navigators, `per_second` times per second at most, if level
+  /// and control rate allow it. Call before the first step.
   void keepDrawings(int per_second = 10);
 
   void playBegins(const PlayStart& start) override;
@@ -32,7 +32,7 @@ class MatchRecorder final : public MatchObserver {
   void matchEnds(const RefereeState& referee, Tick tick) override;
   bool wantsDrawings(Tick tick) const override { return drawn_every_ > 0 && tick % drawn_every_ == 0; }
 
-  /// Once the match has ended: whether all of it could be written. Errors: the first of any write.
+  /// After the match: whether everything was written. Errors: the first failed write.
   const Result<void>& written() const { return written_; }
 
  private:
@@ -41,7 +41,7 @@ class MatchRecorder final : public MatchObserver {
   void addDrawings(const MatchTick& tick);
 
   RecordingWriter writer_;
-  RecordedEvent event_;      ///< reused, so that texts need no new memory
+  RecordedEvent event_;      ///< reused, to avoid allocations
   RecordedDrawing drawing_;  ///< the same
   std::uint64_t hash_ = 0;   ///< running, of the match
   int edits_ = 0;            ///< plays from a user's placement

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kManyEvents = 1024;
 
-/// The restart as an event of its own.
+/// The restart as a logged event.
 LoggedEvent restartEvent(const PlayStart& start, double dt) {
   const RefereeState& referee = *start.referee;
   LoggedEvent event;

@@ -9,19 +9,19 @@
 
 namespace fulbito {
 
-/// One line of a match's record: a call of the referee, or a restart.
+/// One entry of a match's event log: a call of the referee, or a restart.
 struct LoggedEvent {
-  GameEvent call;  ///< of a restart: tick, time, period, team that takes it, and the ball's place
+  GameEvent call;                      ///< for a restart: tick, time, period, taking team and ball position
   std::optional<RestartKind> restart;  ///< empty: a call
   PerTeam<int> score{};                ///< after it
 };
 
-/// Keeps the events of the match that it watches, up to a limit.
+/// Stores the events of the observed match, up to a limit.
 class EventLog : public MatchObserver {
  public:
   explicit EventLog(std::size_t limit = 20000) : limit_(limit) {}
   const std::vector<LoggedEvent>& events() const { return events_; }
-  /// Events beyond the limit, which are only counted.
+  /// Number of events beyond the limit.
   std::size_t leftOut() const { return left_out_; }
 
   void matchBegins(const MatchConfig& config) override;
@@ -37,11 +37,11 @@ class EventLog : public MatchObserver {
   double dt_ = 0.0;
 };
 
-/// Streams the events of the match that it watches as JSON objects, one a line (docs/results-format.md). The
-/// first line says what is played, the last one how it ended.
+/// Writes the events of the observed match as JSON objects, one per line (docs/results-format.md). The first
+/// line describes the match, the last one its result.
 class EventLines : public MatchObserver {
  public:
-  /// Takes a line with its line end.
+  /// Called with each line, including its line end.
   using Sink = std::function<void(std::string_view)>;
   explicit EventLines(Sink sink) : sink_(std::move(sink)) {}
 

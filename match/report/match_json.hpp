@@ -7,7 +7,7 @@
 #include "match/config/match_config.hpp"
 #include "match/report/event_lines.hpp"
 
-/// JSON of what summaries and event lines share.
+/// JSON parts that summaries and event lines share.
 namespace fulbito {
 
 using Json = nlohmann::ordered_json;
@@ -15,9 +15,9 @@ using Json = nlohmann::ordered_json;
 /// Version of the objects that `--json` and `--events` print.
 inline constexpr int kMatchSchemaVersion = 1;
 
-/// One event; `dt` [s] a tick.
+/// One event; `dt` [s] is the length of a tick.
 Json eventJson(const LoggedEvent& event, double dt);
-/// What a match is made from, but for its teams and its seed.
+/// The configuration of a match, except its teams and its seed.
 Json matchConfigJson(const MatchConfig& config);
 Json buildJson(const BuildInfo& build = buildInfo());
 /// Score by the teams' colours.

@@ -19,7 +19,7 @@ const std::string& nameOf(const MatchReport& report, TeamId team) {
 }
 
 std::string goalLine(const MatchReport& report, const GoalRecord& goal) {
-  std::string who = "nobody touched the ball";
+  std::string who = "no robot touched the ball";
   if (goal.scorer) {
     who = fmt::format("{} robot {}{}", fulbito::nameOf(goal.scorer->team), goal.scorer->number,
                       goal.own_goal ? ", own goal" : "");
@@ -29,14 +29,14 @@ std::string goalLine(const MatchReport& report, const GoalRecord& goal) {
                      nameOf(report, goal.team), who);
 }
 
-/// Head of a team's column: its name, or its colour where names would not tell.
+/// Heading of a team's column: its name, or its colour if the names are equal or too long.
 std::string columnText(const MatchReport& report, TeamId team) {
   const std::string& name = report.config.teams[indexOf(team)].info->name;
   const bool same = name == report.config.teams[indexOf(other(team))].info->name;
   return same || name.size() > kColumnWidth - 2 ? fulbito::nameOf(team) : name;
 }
 
-/// Calls that are against nobody, or that stand elsewhere in the summary.
+/// Whether a call belongs in the table of fouls: it is against a team and not listed elsewhere.
 bool isFault(std::string_view clause) {
   return clause != "goal" && clause != "kick-off" && clause != "full-time" && clause != "half";
 }
@@ -46,7 +46,7 @@ std::string pluralOf(RestartKind kind) {
   return kind == RestartKind::kGiven ? "given starts" : std::string(fulbito::nameOf(kind)) + "s";
 }
 
-/// A line of the table with one text a team.
+/// A row of the table with one text per team.
 std::string row(const std::string& label, const std::string& blue, const std::string& yellow) {
   return fmt::format("  {:<{}}{:>{}}{:>{}}\n", label, kLabelWidth, blue, kColumnWidth, yellow, kColumnWidth);
 }
@@ -72,15 +72,15 @@ std::string robotRows(const MatchReport& report) {
   const MatchStatistics& s = report.statistics;
   const auto of = [&](TeamId team) -> const TeamStatistics& { return s.teams[indexOf(team)]; };
   std::string text =
-      row("distance run [m]", [&](TeamId t) { return fmt::format("{:.1f}", of(t).distance()); });
+      row("distance driven [m]", [&](TeamId t) { return fmt::format("{:.1f}", of(t).distance()); });
   for (std::size_t i = 0; i < static_cast<std::size_t>(s.team_size); ++i) {
     text += row(fmt::format("  robot {}", i),
                 [&](TeamId t) { return fmt::format("{:.1f}", of(t).robots[i].distance); });
   }
   text += row("wall contacts", [&](TeamId t) { return fmt::format("{}", of(t).wall_contacts); });
-  text += row("contacts of mates", [&](TeamId t) { return fmt::format("{}", of(t).mate_contacts); });
-  // One number: such a contact is of both teams.
-  text += row("contacts of opponents", [&](TeamId) { return fmt::format("{}", s.opponent_contacts); });
+  text += row("contacts with teammates", [&](TeamId t) { return fmt::format("{}", of(t).mate_contacts); });
+  // One number, since each such contact involves both teams.
+  text += row("contacts with opponents", [&](TeamId) { return fmt::format("{}", s.opponent_contacts); });
   text += row("commands rejected",
               [&](TeamId t) { return fmt::format("{}", report.faults.teams[indexOf(t)].rejected()); });
   return text;
@@ -110,7 +110,7 @@ std::string headline(const MatchReport& report) {
   std::string text =
       fmt::format("{} (blue) {} : {} {} (yellow)", nameOf(report, TeamId::kBlue), report.referee.score[0],
                   report.referee.score[1], nameOf(report, TeamId::kYellow));
-  if (!report.complete) text += ", broken off";
+  if (!report.complete) text += ", stopped early";
   if (report.edits > 0) text += ", edited";
   if (report.referee.period == kShootOutPeriod) {
     text += fmt::format(", shoot-out {} : {}", report.referee.shoot_out.goals[0],
@@ -120,19 +120,19 @@ std::string headline(const MatchReport& report) {
                             c.rules.half_seconds, c.physics.name, c.seed);
 }
 
-/// The line of the speed.
+/// The line with the simulation speed.
 std::string speedLine(double simulated, double wall) {
   if (!(wall > 0.0)) return fmt::format("  {:.1f} s simulated\n", simulated);
   return fmt::format("  {:.1f} s simulated in {:.2f} s: {}\n", simulated, wall, paceText(simulated, wall));
 }
 
-/// The series in a sentence.
+/// The verdict on the series in one phrase.
 std::string verdictText(const SeriesReport& report) {
   if (report.result.pairs.empty()) return "no pair was finished";
   if (const auto better = betterTeam(report.result)) {
     return report.config.match.teams[*better].text + " is better (95 %)";
   }
-  return "no difference shown (95 %)";
+  return "no significant difference (95 %)";
 }
 
 std::string counted(int count, const char* one, const char* many) {
@@ -140,8 +140,7 @@ std::string counted(int count, const char* one, const char* many) {
 }
 
 std::string faultLine(const MatchReport& report) {
-  return report.faults.abandoned ? "the match could not go on: " + report.faults.abandoned->message + "\n"
-                                 : "";
+  return report.faults.abandoned ? "the match was abandoned: " + report.faults.abandoned->message + "\n" : "";
 }
 
 }  // namespace
@@ -187,7 +186,7 @@ std::string profileText(const MatchProfile& profile) {
       {"recording", profile.record}};
   const double ticks = profile.ticks > 0 ? static_cast<double>(profile.ticks) : 1.0;
   const double total = profile.total() > 0 ? static_cast<double>(profile.total()) : 1.0;
-  std::string text = fmt::format("  {:<12}{:>8}{:>14}\n", "stage", "share", "us a tick");
+  std::string text = fmt::format("  {:<12}{:>8}{:>14}\n", "stage", "share", "us per tick");
   for (const auto& [name, time] : stages) {
     text += fmt::format("  {:<12}{:>6.1f} %{:>14.2f}\n", name, 100.0 * static_cast<double>(time) / total,
                         1e-3 * static_cast<double>(time) / ticks);
@@ -215,12 +214,12 @@ std::string seriesText(const SeriesReport& report) {
   std::string text = fmt::format(
       "{} against {}: {} swapped pair{}, {} matches{}\n{}, halves of {:g} s, {} physics, seed {}\n\n", a,
       c.teams[1].text, r.pairs.size(), r.pairs.size() == 1 ? "" : "s", 2 * r.pairs.size(),
-      r.interrupted ? " (broken off)" : "", c.rules.name, c.rules.half_seconds, c.physics.name, c.seed);
+      r.interrupted ? " (stopped early)" : "", c.rules.name, c.rules.half_seconds, c.physics.name, c.seed);
   text += fmt::format("  {:<18}{}, {}, {} of {}\n", "matches", counted(r.wins, "win", "wins"),
                       counted(r.draws, "draw", "draws"), counted(r.losses, "loss", "losses"), a);
   text += fmt::format("  {:<18}{:.1f} %  ({:.1f} ... {:.1f} %, 95 %)\n", "points share",
                       100 * r.points_share.value, 100 * r.points_share.low, 100 * r.points_share.high);
-  text += fmt::format("  {:<18}{:+.2f} a match  ", "goal difference", r.goal_difference.value);
+  text += fmt::format("  {:<18}{:+.2f} per match  ", "goal difference", r.goal_difference.value);
   text += std::isfinite(r.goal_difference.low)
               ? fmt::format("({:+.2f} ... {:+.2f}, 95 %)\n", r.goal_difference.low, r.goal_difference.high)
               : "(no interval from one pair)\n";

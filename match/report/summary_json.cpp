@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-/// NaN has no place in JSON: null stands for "no value".
+/// JSON has no NaN: null means "no value".
 Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json teamsJson(const PerTeam<TeamChoice>& teams, const char* first, const char* second) {

@@ -7,14 +7,14 @@
 
 namespace fulbito {
 
-/// [s] of play within which a goal is put down to a foul of the team that scores: the foul paid.
+/// A foul paid if its team scores within this time of play [s].
 inline constexpr double kFoulPaysWithin = 5.0;
 
-/// Finds the goals that follow a foul of the very team that scores them.
+/// Finds goals that a team scores shortly after its own foul.
 class FoulGoalFinder {
  public:
-  /// Takes in an event after `played` ticks of play of `dt` [s]. A value: it is a goal of a team that was
-  /// called for that clause at most `kFoulPaysWithin` of play ago.
+  /// Processes an event after `played` ticks of play of `dt` [s]. Returns the clause if the event is a goal
+  /// of a team that was called for that clause at most `kFoulPaysWithin` ago.
   std::optional<std::string_view> take(const GameEvent& event, Tick played, double dt);
 
  private:
@@ -25,7 +25,7 @@ class FoulGoalFinder {
   PerTeam<std::optional<Foul>> last_;
 };
 
-/// Counts these goals of a match that it watches, by the team that scores.
+/// Counts these goals of the observed match by scoring team.
 class FoulGoalCounter final : public MatchObserver {
  public:
   const PerTeam<int>& goals() const { return goals_; }

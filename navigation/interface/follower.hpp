@@ -9,7 +9,7 @@
 
 namespace fulbito {
 
-/// Turns guidance into the twist that the robot shall have; `limitTwist` and the kinematics come after it.
+/// Turns guidance into the robot's wanted twist; `limitTwist` and the kinematics come after it.
 class Follower {
  public:
   virtual ~Follower() = default;

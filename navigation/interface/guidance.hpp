@@ -12,7 +12,7 @@ namespace fulbito {
 class HeadingField {
  public:
   virtual ~HeadingField() = default;
-  /// Direction [rad] in which a robot at `p` shall drive. Finite for every finite `p`.
+  /// Direction [rad] of travel for a robot at `p`. Finite for every finite `p`.
   virtual double heading(Vec2 p) const = 0;
 };
 
@@ -23,7 +23,7 @@ enum class GuidanceKind {
   kWheels,     ///< `wheels` is set: the method controls the robot itself
 };
 
-/// What a navigator wants. Views point into the navigator and stay valid until its next call.
+/// A navigator's output. Views point into the navigator and stay valid until its next call.
 struct Guidance {
   GuidanceKind kind = GuidanceKind::kField;
   const HeadingField* field = nullptr;
@@ -31,10 +31,10 @@ struct Guidance {
   std::span<const double> speeds;  ///< [m/s] at each path point
   std::uint64_t revision = 0;      ///< changes whenever `path` or `speeds` do, so that followers can cache
   WheelSpeeds wheels;              ///< [rad/s]
-  double speed_cap = std::numeric_limits<double>::infinity();  ///< [m/s] the robot shall not be faster now
+  double speed_cap = std::numeric_limits<double>::infinity();  ///< [m/s] present speed limit
 };
 
-/// Guidance by `field`, which must stay valid as long.
+/// Guidance by `field`, which must outlive it.
 inline Guidance guidanceBy(const HeadingField& field) {
   Guidance guidance;
   guidance.kind = GuidanceKind::kField;

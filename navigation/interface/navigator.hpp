@@ -5,15 +5,14 @@
 
 namespace fulbito {
 
-/// One navigation method. A value of this class belongs to one robot and keeps what it must remember between
-/// ticks. Contract: `plan` gives finite numbers for any finite scene, allocates nothing once warm, reads no
-/// clock.
+/// One navigation method. An instance belongs to one robot and keeps its memory between ticks. Contract:
+/// `plan` returns finite numbers for any finite scene, allocates nothing once warm, and reads no clock.
 class Navigator {
  public:
   virtual ~Navigator() = default;
   /// Forgets everything: the next call starts a new trial.
   virtual void reset() = 0;
-  /// Looks at the scene and says where to drive; called once a control tick.
+  /// Plans the motion in the present scene. Called once per control tick.
   virtual Guidance plan(const NavigationScene& scene) = 0;
 };
 

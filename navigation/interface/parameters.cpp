@@ -22,8 +22,7 @@ Result<double> parseParameter(const ParameterSpec& spec, const std::string& text
   if (spec.type == ParameterSpec::Type::kFlag) {
     if (text == "true" || text == "on" || text == "1") return 1.0;
     if (text == "false" || text == "off" || text == "0") return 0.0;
-    return fail(ErrorCode::kUsage,
-                fmt::format("parameter '{}': '{}' is neither true nor false", spec.name, text));
+    return fail(ErrorCode::kUsage, fmt::format("parameter '{}': '{}' is not true or false", spec.name, text));
   }
   double value = 0.0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -24,7 +24,7 @@ struct ParameterSpec {
   std::string doc;
 };
 
-/// A parameter of the struct `P` together with the member that it sets.
+/// A parameter and the member of the struct `P` that it sets.
 template <typename P>
 struct Parameter {
   ParameterSpec spec;
@@ -84,26 +84,25 @@ struct Setting {
   std::string value;
 };
 
-/// The number that `text` stands for under `spec`. Errors: kUsage naming the parameter and the allowed range
-/// or choices.
+/// Parses `text` as a value of `spec`. Errors: kUsage naming the parameter and the allowed range or choices.
 Result<double> parseParameter(const ParameterSpec& spec, const std::string& text);
 
-/// Takes `name=value,name=value` apart. `whole` is quoted in errors (kUsage).
+/// Parses `name=value,name=value`. Errors (kUsage) quote `whole`.
 Result<std::vector<Setting>> parseSettings(const std::string& text, const std::string& whole);
 
-/// What the registry knows of one navigation method.
+/// The registry's entry of one navigation method.
 struct NavigatorInfo {
   std::string name;
   std::string summary;       ///< one line
   std::string source;        ///< paper, section
-  bool plans_speed = false;  ///< returns a speed profile or wheel speeds of its own; tables mark it
+  bool plans_speed = false;  ///< returns its own speed profile or wheel speeds; tables mark it
   std::vector<ParameterSpec> parameters;
-  /// Makes the navigator from settings; errors: kUsage.
+  /// Creates the navigator from settings. Errors: kUsage.
   std::function<Result<std::unique_ptr<Navigator>>(const std::vector<Setting>&)> make;
 };
 
-/// The parameter named `name`, or a kUsage error with a suggestion, for which `others` are candidates too.
-/// `owner` is named in the error.
+/// The index of the parameter `name`. Errors: kUsage naming `owner`, with a suggestion among the parameters
+/// and `others`.
 Result<std::size_t> findParameter(const std::vector<ParameterSpec>& specs, const std::string& name,
                                   const std::string& owner, const std::vector<std::string>& others = {});
 
@@ -116,7 +115,7 @@ std::vector<ParameterSpec> specsOf(const std::vector<Parameter<P>>& parameters) 
   return specs;
 }
 
-/// Sets in `values` what `settings` say. Errors: kUsage, as `findParameter` and `parseParameter`.
+/// Applies `settings` to `values`. Errors: kUsage, as `findParameter` and `parseParameter`.
 template <typename P>
 Result<void> applySettings(const std::vector<Parameter<P>>& parameters, const std::vector<Setting>& settings,
                            const std::string& owner, P& values, const std::vector<std::string>& others = {}) {
@@ -131,7 +130,7 @@ Result<void> applySettings(const std::vector<Parameter<P>>& parameters, const st
   return {};
 }
 
-/// Builds the registry's entry of a navigator class `N` that is made from its parameter struct `P`.
+/// Builds the registry's entry of a navigator class `N` with the parameter struct `P`.
 template <typename P, typename N>
 NavigatorInfo describeNavigator(const std::string& name, std::string summary, std::string source,
                                 std::vector<Parameter<P>> parameters, bool plans_speed = false) {

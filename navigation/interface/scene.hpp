@@ -9,23 +9,23 @@
 
 namespace fulbito {
 
-/// A round obstacle as a navigator sees it (boxes are covered by discs before they get here).
+/// A round obstacle as a navigator sees it. Boxes are already covered by discs.
 struct DiscObstacle {
   Vec2 position;
   double radius = 0.0;  ///< [m] of the obstacle itself, not inflated by the robot
   Vec2 velocity;        ///< [m/s]
 };
 
-/// Where the robot shall go.
+/// The robot's goal.
 struct NavigationGoal {
   Vec2 position;
   std::optional<double> heading;      ///< [rad] wanted on arrival
   double tolerance = 0.03;            ///< [m]
   double heading_tolerance = 0.1745;  ///< [rad]
-  bool stop = false;                  ///< come to rest there; otherwise the robot may pass at speed
+  bool stop = false;                  ///< stop there; otherwise the robot may pass at speed
 };
 
-/// All that a navigator may know at one control tick. Views stay valid during the call only.
+/// Everything that a navigator knows in one control tick. Views are valid during the call only.
 struct NavigationScene {
   Tick tick = 0;
   double dt = 1.0 / 60.0;  ///< [s] control period

@@ -25,7 +25,7 @@ int cameNoLater(RobotSet counted, std::size_t robot, const RobotTicks& entered) 
 
 }  // namespace
 
-RobotSet touchedOfLate(const DetectorInput& in, RobotSet among, const RobotTicks& touched) {
+RobotSet touchedRecently(const DetectorInput& in, RobotSet among, const RobotTicks& touched) {
   const Tick earliest = in.view.tick - ticksOf(in.setup.rules.areas.part_seconds, in.setup.dt);
   RobotSet of_late = 0;
   for (std::size_t i = 0; i < robotsIn(in.view); ++i) {

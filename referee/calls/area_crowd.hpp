@@ -5,22 +5,22 @@
 
 namespace fulbito {
 
-/// Robots of one team in one area, with what the rules allow.
+/// Robots of one team in one area, and the rules' limit.
 struct AreaCrowd {
   Side side = Side::kLeft;
   bool big = false;
   RobotSet inside = 0;
-  RobotSet taking_part = 0;     ///< touched the ball or hindered an opponent of late
-  bool must_take_part = false;  ///< a foul only if one beyond those allowed takes part
+  RobotSet taking_part = 0;     ///< touched the ball or an opponent recently
+  bool must_take_part = false;  ///< a foul only if a robot beyond the allowed number takes part
   int allowed = 0;
 };
 
-/// The foul of a crowd, if it is one; excused robots do not count. "One beyond those allowed" is a robot
-/// before which, or in the same tick as which, at least that many others came in.
+/// The foul of a crowd, if it is one; excused robots do not count. A robot is beyond the allowed number if at
+/// least that many others entered before it or in the same tick.
 std::optional<AreaFoul> foulOf(const AreaCrowd& crowd, const DetectorInput& input,
                                const PresenceMemory& presence);
 
-/// The robots of `among` whose touch, by `touched`, is recent enough to take part.
-RobotSet touchedOfLate(const DetectorInput& input, RobotSet among, const RobotTicks& touched);
+/// The robots of `among` whose last touch in `touched` is recent enough to take part.
+RobotSet touchedRecently(const DetectorInput& input, RobotSet among, const RobotTicks& touched);
 
 }  // namespace fulbito

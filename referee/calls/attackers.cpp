@@ -13,7 +13,7 @@ std::optional<AreaFoul> foulAt(const DetectorInput& in, Side side, const TouchMe
   AreaCrowd big{side, true, area.big_attackers, 0, rules.attackers_take_part, rules.big_attackers_max};
   if (rules.attackers_take_part) {
     const RobotSet all = area.attackers | area.big_attackers;
-    crowd.taking_part = touchedOfLate(in, all, touches.ball) | touchedOfLate(in, all, touches.keeper);
+    crowd.taking_part = touchedRecently(in, all, touches.ball) | touchedRecently(in, all, touches.keeper);
     big.taking_part = crowd.taking_part;
   }
   if (area.ball || !rules.attackers_need_ball) {

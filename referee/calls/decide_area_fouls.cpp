@@ -38,7 +38,7 @@ bool atOneGoal(const AreaFoulMemory& memory) {
   return memory.attack && memory.defence && memory.attack->foul.side == memory.defence->foul.side;
 }
 
-/// Whether the attackers' foul counts rather than the defenders' at the same goal.
+/// Whether the attackers' foul counts instead of the defenders' at the same goal.
 bool attackCounts(const DetectorInput& in, const AreaFoulMemory& memory) {
   if (!atOneGoal(memory)) return memory.attack.has_value();
   return in.setup.rules.areas.both == BothFouls::kAttackers || memory.attack->ticks >= memory.defence->ticks;

@@ -5,16 +5,17 @@
 
 namespace fulbito {
 
-/// Takes in the tick's fouls of laws 8.2 and 8.3.
+/// Updates `memory` with the tick's fouls of laws 8.2 and 8.3.
 void noteAreaFouls(const DetectorInput& input, const TouchMemory& touches, const PresenceMemory& presence,
                    AreaFoulMemory& memory);
 
-/// What becomes of a goal while area fouls wait: it stands after a foul of the defenders, it is a goal kick
-/// after one of the attackers; after both the one counts that `AreaRules::both` names.
+/// Decides on a goal while area fouls are pending. After a foul of the defenders the goal counts; after one
+/// of the attackers it becomes a goal kick. If both are pending, `AreaRules::both` chooses the foul that
+/// counts.
 Finding decideGoal(const DetectorInput& input, const Finding& goal, const AreaFoulMemory& memory);
 
-/// The call that is due, if one is: when the foul has waited long enough or the ball has left the area. Of
-/// two at the same goal the one that `AreaRules::both` names.
+/// The call that is due, if any: the foul has waited long enough, or the ball has left the area. Of two fouls
+/// at the same goal, `AreaRules::both` chooses.
 std::optional<Finding> decideAreaFouls(const DetectorInput& input, const AreaFoulMemory& memory);
 
 }  // namespace fulbito

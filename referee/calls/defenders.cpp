@@ -14,7 +14,7 @@ std::optional<AreaFoul> detectDefenders(const DetectorInput& in, const TouchMemo
   AreaCrowd big{side, true, area.big_defenders, 0, rules.defenders_take_part, rules.big_defenders_max};
   if (rules.defenders_take_part) {
     const RobotSet all = area.defenders | area.big_defenders;
-    crowd.taking_part = touchedOfLate(in, all, touches.ball) | touchedOfLate(in, all, touches.opponent);
+    crowd.taking_part = touchedRecently(in, all, touches.ball) | touchedRecently(in, all, touches.opponent);
     big.taking_part = crowd.taking_part;
   }
   if (area.ball) {

@@ -9,10 +9,10 @@
 
 namespace fulbito {
 
-/// A tick so long ago that nothing recent is meant.
+/// A tick in the distant past: never.
 inline constexpr Tick kLongAgo = -1000000000;
 
-/// One value for each robot of a view, at first `kLongAgo`.
+/// One tick per robot of a view, initially `kLongAgo`.
 struct RobotTicks {
   constexpr RobotTicks() { at.fill(kLongAgo); }
   constexpr Tick& operator[](std::size_t i) { return at[i]; }
@@ -20,44 +20,44 @@ struct RobotTicks {
   std::array<Tick, kMostRobots> at{};
 };
 
-/// Something that lasts, with short breaks: when it began, when it was seen last, what it came to.
-struct Run {
+/// An interval that tolerates short gaps: start, last tick and accumulated amount.
+struct Spell {
   Tick since = kLongAgo;
   Tick last = kLongAgo;
   double sum = 0.0;
 
-  /// Seen in this tick; it begins anew after a break of more than `release` ticks.
+  /// Extends the spell to this tick, or starts a new one after a gap of more than `release` ticks.
   void add(Tick tick, Tick release, double amount = 0.0) {
     if (tick - last > release + 1) *this = {tick, kLongAgo, 0.0};
     last = tick;
     sum += amount;
   }
-  /// For how many ticks it has lasted when it was seen in `tick`, else 0.
+  /// Its length in ticks if it includes `tick`, else 0.
   Tick ticks(Tick tick) const { return last == tick ? tick - since + 1 : 0; }
 };
 
-/// Who touched what when.
+/// When each robot last touched what.
 struct TouchMemory {
-  RobotTicks ball;                      ///< the robot touched the ball
-  RobotTicks opponent;                  ///< the robot touched a robot of the other team
-  RobotTicks keeper;                    ///< the robot touched the other team's keeper
-  std::array<Run, kMostRobots> pushed;  ///< opponents pressed it toward the goal of its half; sum in kg m/s
+  RobotTicks ball;                        ///< the robot touched the ball
+  RobotTicks opponent;                    ///< the robot touched a robot of the other team
+  RobotTicks keeper;                      ///< the robot touched the other team's keeper
+  std::array<Spell, kMostRobots> pushed;  ///< opponents pressed it toward the goal of its half; sum in kg m/s
 };
 
-/// Of the stuck ball.
+/// Memory of the stuck-ball detector.
 struct StuckMemory {
   bool counting = false;
-  Tick since = 0;        ///< the count began; later by the ticks for which it stood
-  Vec2 anchor;           ///< [m] where the ball was then
-  Tick fast_since = -1;  ///< the ball has been too fast since; -1: it is not
-  Tick in_area = 0;      ///< ticks of the count in which the ball was in a goal area
+  Tick since = 0;        ///< start of the count, moved later by the ticks for which it paused
+  Vec2 anchor;           ///< [m] position of the ball at that time
+  Tick fast_since = -1;  ///< the ball is too fast since this tick; -1: it is not
+  Tick in_area = 0;      ///< ticks of the count with the ball in a goal area
 };
 
-/// Since when robots are in the areas, and who keeps the goal.
+/// When robots entered the areas, and the keepers.
 struct PresenceMemory {
-  RobotTicks goal_area;                        ///< it came in; kLongAgo while outside
+  RobotTicks goal_area;                        ///< tick of entry; kLongAgo while outside
   RobotTicks big_area;                         ///< the same
-  RobotTicks excused_until;                    ///< it was pushed in while disputing
+  RobotTicks excused_until;                    ///< last tick of the excuse for being pushed in
   PerTeam<std::optional<std::size_t>> keeper;  ///< index in the view
 };
 
@@ -65,40 +65,40 @@ struct PresenceMemory {
 struct AreaFoul {
   Side side = Side::kLeft;
   bool big = false;
-  std::size_t robot = 0;  ///< the one that is one too many
+  std::size_t robot = 0;  ///< the robot in excess
   int count = 0;          ///< robots inside
   int allowed = 0;
 };
 
-/// An area foul that waits for its decision.
+/// An area foul with a pending decision.
 struct PendingFoul {
   AreaFoul foul;
   Tick since = 0;
-  Tick ticks = 0;          ///< for how many it was seen
-  bool with_ball = false;  ///< the ball has been in the area meanwhile
+  Tick ticks = 0;          ///< number of ticks with the foul
+  bool with_ball = false;  ///< the ball has been in the area since then
 };
 
-/// Of laws 8.2 and 8.3.
+/// Memory of the detectors of laws 8.2 and 8.3.
 struct AreaFoulMemory {
   std::optional<PendingFoul> attack;
   std::optional<PendingFoul> defence;
 };
 
-/// Of the keepers.
+/// Memory of the keeper detectors.
 struct KeeperMemory {
-  std::array<Run, kMostRobots> charges;  ///< by the charging robot; sum in kg m/s
-  PerTeam<Run> control;                  ///< undisputed, of the ball
+  std::array<Spell, kMostRobots> charges;  ///< by the charging robot; sum in kg m/s
+  PerTeam<Spell> control;                  ///< undisputed control of the ball
 };
 
-/// Of pushing and holding.
+/// Memory of the detectors of pushing and holding.
 struct FoulMemory {
-  std::array<Run, kMostRobots> pushes;  ///< by the pushing robot; sum in kg m/s
-  std::array<Run, kMostRobots> pinned;  ///< by the robot that presses the ball against a wall
+  std::array<Spell, kMostRobots> pushes;  ///< by the pushing robot; sum in kg m/s
+  std::array<Spell, kMostRobots> pinned;  ///< by the robot that pins the ball to a wall
 };
 
-/// What the detectors know between ticks: a plain value, empty at every restart.
+/// All memory of the detectors between ticks: a plain value, empty at every restart.
 struct DetectorMemory {
-  AreaReport areas{};  ///< of the tick before
+  AreaReport areas{};  ///< of the previous tick
   TouchMemory touches;
   PresenceMemory presence;
   AreaFoulMemory area_fouls;

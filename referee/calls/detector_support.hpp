@@ -8,7 +8,7 @@
 #include "referee/state/referee_state.hpp"
 #include "referee/state/ticks.hpp"
 
-/// What several detectors need.
+/// Helpers shared by several detectors.
 namespace fulbito {
 
 inline TeamId defenderOf(const RefereeState& state, Side side) {
@@ -29,10 +29,10 @@ inline bool isRobot(BodyId body, const MatchView& view) {
 /// Whether `tick` is at most `seconds` before now.
 inline bool recent(const DetectorInput& in, Tick tick, double seconds) {
   const Tick age = in.view.tick - tick;
-  // Most are of this tick or of none: no need to divide for those.
+  // Most touches are of this tick or never, which needs no division.
   return age == 0 || (age < -kLongAgo / 2 && age <= ticksOf(seconds, in.setup.dt));
 }
-/// Whether play has run for so long.
+/// Whether play has run for at least this time [s].
 inline bool cooledDown(const DetectorInput& in, double seconds) {
   return in.view.tick - in.state.play_began >= ticksOf(seconds, in.setup.dt);
 }
@@ -50,7 +50,7 @@ inline bool disputes(const DetectorInput& in, TeamId team, double lengths) {
   return disputes(in.view, in.setup.robot, team, lengths);
 }
 
-/// A call of play to be stopped, with what every event has in common.
+/// A finding with the fields that all events share.
 inline Finding makeFinding(const DetectorInput& in, std::string_view clause, std::string_view law,
                            RestartKind restart, TeamId restart_team) {
   Finding call;
@@ -66,7 +66,7 @@ inline Finding makeFinding(const DetectorInput& in, std::string_view clause, std
   return call;
 }
 
-/// Names the robot at fault.
+/// Sets the robot at fault.
 inline void blame(Finding& call, RobotId robot) {
   call.event.team = robot.team;
   call.event.robot = robot.number;

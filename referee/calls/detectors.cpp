@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-/// What may be called besides goals, in order of priority. All of them look at every tick, as they count.
+/// The calls other than goals, in order of priority. All detectors see every tick, because they keep counts.
 std::optional<Finding> detectFouls(const DetectorInput& in, DetectorMemory& memory) {
   const auto area_foul = decideAreaFouls(in, memory.area_fouls);
   const auto charged = detectKeeperCharged(in, memory.touches, memory.presence, memory.keeper);

@@ -14,7 +14,7 @@ namespace fulbito {
 struct RefereeSetup;
 struct RefereeState;
 
-/// What a detector looks at in one tick of play.
+/// The input of a detector in one tick of play.
 struct DetectorInput {
   const MatchView& view;
   const RefereeSetup& setup;
@@ -22,22 +22,22 @@ struct DetectorInput {
   const AreaReport& areas;
 };
 
-/// What stops play.
+/// A reason to stop play.
 struct Finding {
-  GameEvent event;  ///< complete; of a goal (clause::kGoal) `team` is who scored
+  GameEvent event;  ///< complete; for a goal (clause::kGoal), `team` is the scoring team
   RestartKind restart = RestartKind::kKickOff;
-  TeamId restart_team = TeamId::kBlue;  ///< who takes it; of a free ball: who attacks that half
-  Vec2 ball;  ///< [m] of a free ball the mark of its quarter, of all else where the ball was
+  TeamId restart_team = TeamId::kBlue;  ///< the taking team; for a free ball, the team that attacks that half
+  Vec2 ball;  ///< [m] position of the ball; for a free ball, the mark of its quarter
 };
 
-/// Looks at one tick of play with every detector that the rules switch on, in a fixed order of priority:
-/// goal (with the fouls that void it), attackers and defenders, keeper charged, keeper holding, holding,
-/// push, stuck ball. Not for the kicks of a shoot-out. `memory` starts empty at every restart. Pure: no
-/// clock, no randomness, no allocation.
+/// Runs all detectors that the rules enable on one tick of play, in a fixed order of priority: goal (with the
+/// fouls that void it), attackers and defenders, keeper charged, keeper holding, holding, push, stuck ball.
+/// Not for shoot-out kicks. `memory` must be empty at every restart. Pure: no clock, no randomness, no
+/// allocation.
 std::optional<Finding> detect(const MatchView& view, const RefereeSetup& setup, const RefereeState& state,
                               DetectorMemory& memory);
 
-/// The same with the areas counted by the caller (see reportAreas; hysteresis: `memory.areas`).
+/// The same with areas that the caller has counted (reportAreas; hysteresis: `memory.areas`).
 std::optional<Finding> detect(const DetectorInput& input, DetectorMemory& memory);
 
 }  // namespace fulbito

@@ -11,7 +11,7 @@ bool ballAtWall(const MatchView& view) {
   });
 }
 
-/// Whether the ball, which presses on a wall, is at rest between that and the robot, which presses on it.
+/// Whether the robot pins the ball: robot presses ball, ball presses wall, both nearly at rest.
 bool pins(const DetectorInput& in, std::size_t i) {
   const double most = in.setup.rules.fouls.pinned_speed * in.setup.rules.fouls.pinned_speed;
   return squaredNorm(in.view.ball.velocity) <= most && squaredNorm(in.view.robots[i].velocity) <= most &&
@@ -40,9 +40,9 @@ std::optional<Finding> detectHolding(const DetectorInput& in, const PresenceMemo
     if (!isRobot(contact.a, in.view) || contact.b.kind != BodyKind::kBall) continue;
     const std::size_t i = contact.a.index;
     if (keepsGoal(in, i, presence) || !pins(in, i)) continue;
-    Run& run = memory.pinned[i];
-    run.add(in.view.tick, ticksOf(rules.holding_release, in.setup.dt));
-    const Tick ticks = run.ticks(in.view.tick);
+    Spell& spell = memory.pinned[i];
+    spell.add(in.view.tick, ticksOf(rules.holding_release, in.setup.dt));
+    const Tick ticks = spell.ticks(in.view.tick);
     if (ticks > ticksOf(rules.pinned_seconds, in.setup.dt)) return callOf(in, i, ticks);
   }
   return std::nullopt;

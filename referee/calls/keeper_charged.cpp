@@ -5,7 +5,7 @@
 namespace fulbito {
 namespace {
 
-/// The robot that bothers a keeper by this contact.
+/// The robot that charges a keeper in this contact.
 std::optional<std::size_t> chargerIn(const DetectorInput& in, const ContactEvent& contact,
                                      const PresenceMemory& presence) {
   if (!isRobot(contact.a, in.view) || !isRobot(contact.b, in.view)) return std::nullopt;
@@ -29,18 +29,18 @@ std::optional<Finding> detectKeeperCharged(const DetectorInput& in, const TouchM
   for (const ContactEvent& contact : in.view.contacts) {
     const auto charger = chargerIn(in, contact, presence);
     if (!charger) continue;
-    Run& run = memory.charges[*charger];
+    Spell& spell = memory.charges[*charger];
     if (recent(in, touches.ball[*charger], rules.part_seconds)) {
-      run = {};
+      spell = {};
       continue;
     }
-    run.add(in.view.tick, ticksOf(rules.charge_release, in.setup.dt), contact.impulse);
-    if (run.ticks(in.view.tick) < ticksOf(rules.charge_seconds, in.setup.dt)) continue;
-    if (run.sum < rules.charge_impulse) continue;
+    spell.add(in.view.tick, ticksOf(rules.charge_release, in.setup.dt), contact.impulse);
+    if (spell.ticks(in.view.tick) < ticksOf(rules.charge_seconds, in.setup.dt)) continue;
+    if (spell.sum < rules.charge_impulse) continue;
     const RobotId robot = in.view.ids[*charger];
     Finding call = makeFinding(in, clause::kKeeperCharged, "13", RestartKind::kGoalKick, other(robot.team));
     blame(call, robot);
-    measure(call, run.sum, rules.charge_impulse);
+    measure(call, spell.sum, rules.charge_impulse);
     return call;
   }
   return std::nullopt;

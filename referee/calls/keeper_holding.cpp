@@ -11,13 +11,13 @@ std::optional<Finding> detectKeeperHolding(const DetectorInput& in, const Presen
   const Side side = halfOf(in.view.ball.position);
   const TeamId team = defenderOf(in.state, side);
   memory.control[indexOf(other(team))] = {};
-  Run& control = memory.control[indexOf(team)];
+  Spell& control = memory.control[indexOf(team)];
   const auto keeper = keeperOf(in, team, presence);
   if (!rules.holding || !at(in.areas, side).ball || !keeper || !keepsGoal(in, *keeper, presence)) {
     control = {};
     return std::nullopt;
   }
-  // Also while the keeper has lost the ball for a moment, a challenge ends the count.
+  // A challenge ends the count even while the keeper has lost the ball for a moment.
   if (disputes(in, other(team), rules.dispute_lengths)) {
     control = {};
     return std::nullopt;

@@ -5,13 +5,13 @@
 namespace fulbito {
 namespace {
 
-/// Component [kg m/s] toward the goal of the robot's half of an impulse on it.
+/// Component [kg m/s] of an impulse on the robot toward the goal of its half.
 double towardGoal(const DetectorInput& in, Vec2 robot, Vec2 impulse) {
   const double goal = robot.x < 0.0 ? -in.setup.field.length / 2 : in.setup.field.length / 2;
   return dot(unitOr(Vec2{goal, 0.0} - robot, {}), impulse);
 }
 
-/// `impulse` acted on robot `i`, by robot `j` of the other team.
+/// Notes an `impulse` on robot `i` by robot `j` of the other team.
 void noteOpponents(const DetectorInput& in, const PresenceMemory& presence, std::size_t i, std::size_t j,
                    Vec2 impulse, TouchMemory& touches) {
   touches.opponent[i] = in.view.tick;
@@ -22,7 +22,7 @@ void noteOpponents(const DetectorInput& in, const PresenceMemory& presence, std:
   }
 }
 
-/// Keeps the tick at which each robot came into an area.
+/// Updates the tick at which each robot entered an area.
 void noteEntries(RobotSet inside, Tick tick, std::size_t robots, RobotTicks& entered) {
   for (std::size_t i = 0; i < robots; ++i) {
     if (!holds(inside, i)) {
@@ -45,7 +45,7 @@ void excuse(const DetectorInput& in, RobotSet entering, const TouchMemory& touch
   if (entering == 0 || !in.setup.rules.areas.pushed_excused) return;
   for (std::size_t i = 0; i < robotsIn(in.view); ++i) {
     if (!holds(entering, i)) continue;
-    // An excuse is for this time inside: one that left and comes back by itself has none.
+    // An excuse ends when the robot leaves the area.
     const Tick leave = in.view.tick + ticksOf(in.setup.rules.areas.excuse_seconds, in.setup.dt);
     presence.excused_until[i] = pushedIn(in, i, touches) ? leave : kLongAgo;
   }

@@ -4,7 +4,7 @@
 namespace fulbito {
 namespace {
 
-/// Whether the robot has nothing to do with the ball.
+/// Whether the robot is away from the ball.
 bool awayFromBall(const DetectorInput& in, std::size_t i, const TouchMemory& touches) {
   const FoulRules& rules = in.setup.rules.fouls;
   const Vec2 gap = in.view.robots[i].pose.position - in.view.ball.position;
@@ -33,14 +33,14 @@ std::optional<Finding> detectPush(const DetectorInput& in, const TouchMemory& to
   for (const ContactEvent& contact : in.view.contacts) {
     const auto pusher = pusherIn(in, contact, touches);
     if (!pusher) continue;
-    Run& run = memory.pushes[*pusher];
-    run.add(in.view.tick, ticksOf(rules.push_release, in.setup.dt), contact.impulse);
-    if (run.ticks(in.view.tick) < ticksOf(rules.push_seconds, in.setup.dt)) continue;
-    if (run.sum < rules.push_impulse) continue;
+    Spell& spell = memory.pushes[*pusher];
+    spell.add(in.view.tick, ticksOf(rules.push_release, in.setup.dt), contact.impulse);
+    if (spell.ticks(in.view.tick) < ticksOf(rules.push_seconds, in.setup.dt)) continue;
+    if (spell.sum < rules.push_impulse) continue;
     const RobotId robot = in.view.ids[*pusher];
     Finding call = makeFinding(in, clause::kPush, "8.1", RestartKind::kFreeKick, other(robot.team));
     blame(call, robot);
-    measure(call, run.sum, rules.push_impulse);
+    measure(call, spell.sum, rules.push_impulse);
     return call;
   }
   return std::nullopt;

@@ -27,14 +27,14 @@ void countBySpeed(const StuckRules& rules, const MatchView& view, double dt, Stu
   if (view.tick - memory.fast_since + 1 >= ticksOf(rules.release_seconds, dt)) memory.counting = false;
 }
 
-/// The team that attacks the half where the ball lies; on the halfway line the one that did not begin this
-/// play, so that neither side nor colour has an advantage.
+/// The team that attacks the half with the ball; on the half-way line, the team that did not begin this play,
+/// so that neither side nor colour has an advantage.
 TeamId freeBallTeam(const DetectorInput& in) {
   const Vec2 ball = in.view.ball.position;
   return ball.x == 0.0 ? other(in.state.last.team) : other(defenderOf(in.state, halfOf(ball)));
 }
 
-/// The mark of the ball's quarter. On the field's long axis: the one to the attackers' left.
+/// The mark in the ball's quarter. On the field's long axis: the mark on the attackers' left.
 Vec2 freeBallMark(const DetectorInput& in, TeamId attackers) {
   const Vec2 mark = in.setup.field.free_ball_mark;
   const double forward = in.state.sideOf(attackers) == Side::kLeft ? 1.0 : -1.0;
@@ -65,8 +65,8 @@ Finding stuckInArea(const DetectorInput& in, Side side) {
   return call;
 }
 
-/// The stalemate is between robots that dispute the ball: what a keeper has for itself is law 8.1's, which
-/// has a count of its own.
+/// A stalemate needs robots that dispute the ball. If only a keeper has it, law 8.1 applies, with its own
+/// count.
 bool keeperControls(const DetectorInput& in, Side side, const KeeperMemory& keepers) {
   return keepers.control[indexOf(defenderOf(in.state, side))].last == in.view.tick;
 }

@@ -25,7 +25,7 @@ Polygon polygonOf(const AreaBody& body) {
   return polygon;
 }
 
-/// What of the polygon has `dot(normal, p) <= offset`.
+/// The part of the polygon with `dot(normal, p) <= offset`.
 Polygon cut(const Polygon& polygon, Vec2 normal, double offset) {
   Polygon kept;
   for (std::size_t i = 0; i < polygon.size; ++i) {
@@ -47,7 +47,7 @@ double areaOf(const Polygon& polygon) {
   return twice / 2;
 }
 
-/// What of the body lies in the area's straight part, and what lies in front of that.
+/// The part of the body in the area's straight part, and the part in front of it.
 Polygon inStraightPart(const AreaShape& area, const Polygon& body) {
   return cut(cut(cut(body, {1.0, 0.0}, area.depth), {0.0, 1.0}, area.half_width), {0.0, -1.0},
              area.half_width);
@@ -100,7 +100,7 @@ double squaredDistance(const Polygon& polygon, Vec2 p) {
   return inside ? 0.0 : least;
 }
 
-/// What a look at the circle about the body tells already.
+/// What the circle around the body already decides.
 enum class Rough { kOutside, kInside, kNear };
 
 Rough roughly(const AreaShape& area, Vec2 centre, double radius) {
@@ -167,7 +167,7 @@ AreaSetup areaSetup(const FieldGeometry& field, const AreaRules& rules) {
 
 namespace {
 
-/// Counts what is near one goal.
+/// Counts ball and robots at one goal.
 struct GoalCounter {
   const FieldGeometry& field;
   const RobotModel& robot;
@@ -206,7 +206,7 @@ AreaReport reportAreas(const MatchView& view, const FieldGeometry& field, const 
   const AreaSetup areas = areaSetup(field, rules);
   const double nearest = std::max(areas.goal_area_grown.reach(), areas.big_area_grown.depth) +
                          norm({robot.length / 2, robot.width / 2});
-  const double near_x = field.length / 2 - nearest;  // nothing nearer to the centre is in any area
+  const double near_x = field.length / 2 - nearest;  // bodies nearer to the centre are in no area
   AreaReport report;
   const Vec2 ball = view.ball.position;
   if (std::abs(ball.x) >= near_x) {

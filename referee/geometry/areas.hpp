@@ -12,7 +12,7 @@
 
 namespace fulbito {
 
-/// The most robots that are on the field at once.
+/// Largest number of robots on the field.
 inline constexpr std::size_t kMostRobots = 2 * static_cast<std::size_t>(kMaxTeamSize);
 
 /// A set of robots: bit i is robot i of a MatchView.
@@ -31,32 +31,32 @@ AreaBody intoGoalFrame(const FieldGeometry& field, Side side, const RobotModel& 
 
 /// Whether the body and the area share more than a line. Exact, the arc too.
 bool overlaps(const AreaShape& area, const AreaBody& body);
-/// The share of the body that is in the area, 0 ... 1. Exact, the arc too.
+/// The share of the body inside the area, 0 ... 1. Exact, including the arc.
 double shareInside(const AreaShape& area, const AreaBody& body);
-/// Whether the body counts as inside.
+/// Whether the body counts as inside by `part`.
 bool counts(const AreaShape& area, const AreaBody& body, BodyPart part);
 
-/// Who is in the areas at one goal, counted as the rules count.
+/// Ball and robots in the areas at one goal, counted by the rules.
 struct GoalAreaReport {
   bool ball = false;           ///< its centre is in the goal area
   bool ball_in_big = false;    ///< in the big area
-  RobotSet attackers = 0;      ///< of the team that attacks this goal, in the goal area
-  RobotSet defenders = 0;      ///< of the team that defends it
+  RobotSet attackers = 0;      ///< of the team attacking this goal, in the goal area
+  RobotSet defenders = 0;      ///< of the team defending it
   RobotSet big_attackers = 0;  ///< the same in the big area
   RobotSet big_defenders = 0;
 };
 
-/// Who is in which area in one tick, by Side.
+/// The areas' content in one tick, by Side.
 using AreaReport = std::array<GoalAreaReport, 2>;
 
-/// What the areas of a match look like: made once, used every tick.
+/// The shapes of a match's areas: computed once, used every tick.
 struct AreaSetup {
   AreaShape goal_area, goal_area_grown;
   AreaShape big_area, big_area_grown;
 };
 AreaSetup areaSetup(const FieldGeometry& field, const AreaRules& rules);
 
-/// Counts one tick. `before`: the tick before, for the hysteresis; an empty report at a restart.
+/// Counts one tick. `before` is the previous tick's report, for hysteresis; empty at a restart.
 AreaReport reportAreas(const MatchView& view, const FieldGeometry& field, const RobotModel& robot,
                        const AreaRules& rules, Side blue_side, const AreaReport& before);
 

@@ -39,7 +39,7 @@ bool onField(const FieldGeometry& field, const PlacedBody& body) {
     if (!insideField(field, body.centre + corner, -kRounding)) return false;
   }
   if (!field.hasGoals()) return true;
-  // The posts are the contour's only corners that point inward: a body may have one inside and no corner out.
+  // Posts are the contour's only corners that point inward: a body may contain one with no corner outside.
   for (const double x : {-field.length / 2, field.length / 2}) {
     for (const double y : {-field.goal_width / 2, field.goal_width / 2}) {
       if (distanceTo(body, {x, y}) <= 0.0) return false;

@@ -15,18 +15,18 @@ struct PlacedBody {
   double half_length = 0.0;
   double half_width = 0.0;
 
-  double reachX() const;  ///< [m] from the centre to the farthest point along x
+  double reachX() const;  ///< [m] half extent along x
   double reachY() const;
 };
 
-/// Whether two bodies are at least `gap` [m] apart along one of their axes; then they do not overlap.
+/// Whether two bodies are at least `gap` [m] apart along an axis of one of them. Then they do not overlap.
 bool apart(const PlacedBody& a, const PlacedBody& b, double gap);
-/// [m] from the body to a point outside; 0 for a point inside.
+/// Distance [m] from the body to a point; 0 if it is inside.
 double distanceTo(const PlacedBody& body, Vec2 point);
 /// Whether the whole body is on the field or in a goal.
 bool onField(const FieldGeometry& field, const PlacedBody& body);
-/// The point of the field nearest to `p` where a body of that reach may have its centre, roughly: corners and
-/// goals are left to `onField`.
+/// `p` clamped to the centres that a body of that reach may have on the field. Ignores corners and goals,
+/// which `onField` checks.
 Vec2 clampedToField(const FieldGeometry& field, Vec2 p, double reach_x, double reach_y);
 
 }  // namespace fulbito

@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-/// The same restart again, without those who were sent off meanwhile.
+/// The same restart again, without robots sent off meanwhile.
 RestartCall repeated(const RefereeSetup& setup, const RefereeState& state) {
   RestartCall call = state.last;
   for (const TeamId team : kTeams) {
@@ -31,7 +31,7 @@ RestartCall afterKickOff(const RefereeSetup& setup, RefereeState& state, TeamId 
   return again;
 }
 
-/// The keeper, or whoever of the defenders moved: a yellow card, then out.
+/// The keeper or defender that moved gets a yellow card; from the second such false start on, it is sent off.
 RestartCall cardAtPenalty(const RefereeSetup& setup, RefereeState& state, RobotId robot, int beyond) {
   RobotRecord& record = state.robots[indexOf(robot.team)][robot.number];
   ++record.cards;
@@ -56,7 +56,7 @@ std::optional<FalseStart> observeFalseStart(const RefereeSetup& setup, const Mat
     const bool even = moved == farthest.moved && id.team != farthest.robot.team && id.team == toss;
     if (moved > farthest.moved || even) farthest = {id, moved};
   }
-  // Once one is away, it must come clearly back to stop the count.
+  // Once a robot is away, it must come clearly back to stop the count.
   const double limit = away_ticks > 0 ? rules.false_start_release : rules.false_start_distance;
   away_ticks = farthest.moved > limit ? away_ticks + 1 : 0;
   if (away_ticks == 0 || away_ticks < ticksOf(rules.false_start_seconds, setup.dt)) return std::nullopt;
@@ -83,7 +83,7 @@ RestartCall punish(const RefereeSetup& setup, RefereeState& state, const FalseSt
     case RestartKind::kFreeKick:
       return takes ? call(RestartKind::kFreeKick, rival) : call(RestartKind::kPenalty, rival);
     case RestartKind::kFreeBall:
-    case RestartKind::kGoalKick:  // the law says nothing of goal kicks
+    case RestartKind::kGoalKick:  // the law does not mention goal kicks
       return call(RestartKind::kFreeKick, rival);
     case RestartKind::kGiven:
       break;

@@ -12,7 +12,7 @@
 namespace fulbito {
 namespace {
 
-/// What a toss is for: each has its own place in the stream.
+/// Purposes of tosses: each has its own index in the stream.
 enum Toss : std::uint64_t { kFirstKickOff, kOvertimeKickOff, kFirstKick, kEndlessShootOut, kFalseStart };
 
 int lead(const RefereeState& state) { return std::abs(state.score[0] - state.score[1]); }
@@ -30,7 +30,7 @@ MatchReferee::MatchReferee(const RefereeSetup& setup) : setup_(setup) {
   state_.first_kick_off = first == FirstKickOff::kToss   ? toss(kFirstKickOff)
                           : first == FirstKickOff::kBlue ? TeamId::kBlue
                                                          : TeamId::kYellow;
-  // Against an absent team there is nobody to share the kick-offs with.
+  // Against an absent team, the present one takes all kick-offs.
   for (const TeamId team : kTeams) {
     if (!setup.present[indexOf(other(team))] && setup.present[indexOf(team)]) state_.first_kick_off = team;
   }
@@ -131,13 +131,13 @@ std::optional<RestartCall> MatchReferee::waitForSignal(const MatchView& view, Ev
       event.team = fault->robot.team;
       event.robot = fault->robot.number;
       event.value = fault->moved;
-      // Once it counted as away, it does so down to the release distance.
+      // A robot that is away counts as away down to the release distance.
       event.threshold =
           event.value > rules.false_start_distance ? rules.false_start_distance : rules.false_start_release;
       event.margin = event.value - event.threshold;
       events.push_back(event);
       const bool kicker = state_.period == kShootOutPeriod && fault->robot.team == state_.last.team;
-      // What law 9 gives to the other team in play has no meaning here: the kick is lost.
+      // In a shoot-out, law 9 cannot give a restart to the other team: the kick is lost.
       if (kicker && rules.escalation && state_.false_starts[indexOf(state_.last.team)] > rules.warnings) {
         return endKick(false, view, events);
       }
@@ -155,7 +155,7 @@ std::optional<RestartCall> MatchReferee::conclude(const Finding& finding, const 
                                                   Events& events) {
   events.push_back(finding.event);
   if (finding.event.clause == clause::kGoal) return concludeGoal(finding, view, events);
-  // Where time is up the period's end is the only call.
+  // When time is up, the end of the period is the only call.
   if (state_.play_ticks >= state_.period_ticks) return endPeriod(view, events);
   callBack(false);
   return makeCall(setup_, state_,
@@ -188,7 +188,7 @@ std::optional<RestartCall> MatchReferee::concludeGoal(const Finding& finding, co
   return call;
 }
 
-/// Robots that were sent off and may play again; all of them after a goal and between periods.
+/// Brings back robots that were sent off and may play again; all of them after a goal and between periods.
 void MatchReferee::callBack(bool all) {
   for (auto& team : state_.robots) {
     for (RobotRecord& robot : team) {

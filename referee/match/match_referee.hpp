@@ -12,22 +12,22 @@
 
 namespace fulbito {
 
-/// Referee of a whole match: clock, periods, calls and restarts. A plain value: a copy goes on alike. Pure:
-/// the same setup and the same views give the same calls; chance comes from the match's seed alone.
+/// Referee of a whole match: clock, periods, calls and restarts. A plain value: a copy continues identically.
+/// The same setup and the same views give the same calls; randomness comes only from the match's seed.
 class MatchReferee {
  public:
   explicit MatchReferee(const RefereeSetup& setup);
   /// The match's first restart: the kick-off of the team that won the toss.
   RestartCall open();
-  /// Takes in one tick; its events are appended. A value: play is stopped and goes on from there; place
-  /// everyone (`place`) and tell by `restarted` before the next tick. Never a value once `state().ended`.
+  /// Processes one tick and appends its events. If it returns a call, play has stopped: place all robots
+  /// (`place`) and call `restarted` before the next tick. Returns none after `state().ended`.
   std::optional<RestartCall> observe(const MatchView& view, std::vector<GameEvent>& events);
   /// All stand as placed; play begins at once or after the call's delay. `tick` is the match's.
   void restarted(const RestartCall& call, const Placement& placement, Tick tick);
 
   const RefereeState& state() const { return state_; }
   const RefereeSetup& setup() const { return setup_; }
-  /// [s] of play left in the period: of an overtime in its part, of a shoot-out in the kick.
+  /// Play time [s] left in the period (overtime: in its part; shoot-out: in the kick).
   double remaining() const;
 
  private:

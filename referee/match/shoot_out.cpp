@@ -9,16 +9,16 @@
 namespace fulbito {
 namespace {
 
-constexpr double kMoved = 0.005;  // [m] off its mark the ball has been kicked
+constexpr double kMoved = 0.005;  // [m] a ball this far off its mark has been kicked
 
-/// Kicks that the team may still take while the other cannot lengthen the lead for free.
+/// Regular kicks left for the team; in sudden death, the kicks that complete the pair.
 int kicksLeft(const ShootOutRules& rules, const ShootOutState& s, TeamId team) {
   const int taken = s.taken[indexOf(team)];
   if (taken < rules.kicks) return rules.kicks - taken;
   return taken < s.taken[indexOf(other(team))] ? 1 : 0;
 }
 
-/// The keeper's goal area of the kick.
+/// The goal area of the kick's keeper.
 struct KeeperArea {
   AreaShape shape;
   Side side = Side::kLeft;
@@ -32,7 +32,7 @@ struct KeeperArea {
   }
 };
 
-/// Whether the keeper alone has the ball, in its area: law 8.1's undisputed control.
+/// Whether the keeper has undisputed control of the ball in its area, as in law 8.1.
 bool keeperHolds(const RefereeSetup& setup, const RefereeState& state, const MatchView& view,
                  const KeeperArea& area) {
   const KeeperRules& rules = setup.rules.keeper;

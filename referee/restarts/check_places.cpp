@@ -13,9 +13,9 @@
 namespace fulbito {
 namespace {
 
-constexpr double kLeastDepth = 0.15;  // [m] a keeper this near to its goal line keeps its goal on any field
+constexpr double kLeastDepth = 0.15;  // [m] a keeper this close to its goal line is right on any field
 
-/// The restart whose places have the keeper farthest before its goal line.
+/// The restart whose places have the keeper farthest from its goal line.
 struct FarKeeper {
   RestartKind kind = RestartKind::kKickOff;
   double before_line = 0.0;  ///< [m]
@@ -37,7 +37,7 @@ FarKeeper farthestKeeper(const Rules& rules, const FieldGeometry& field) {
   return farthest;
 }
 
-/// The preset of rules whose field is the nearest in size.
+/// The rules preset whose field is closest in size.
 std::string presetFor(const FieldGeometry& field) {
   std::string nearest;
   double least = 1e9;
@@ -46,7 +46,8 @@ std::string presetFor(const FieldGeometry& field) {
     const auto own = rules ? loadField(rules->field) : tl::unexpected<Error>(rules.error());
     if (!own) continue;
     double gap = std::abs(own->length - field.length) + std::abs(own->width - field.width);
-    if (name != own->name) gap += 1e-6;  // of several on one field, the game that the field is named after
+    if (name != own->name)
+      gap += 1e-6;  // among several on one field, prefer the one that has the field's name
     if (gap < least) least = gap, nearest = name;
   }
   return nearest;
@@ -79,8 +80,8 @@ std::optional<std::string> findForeignPlaces(const Rules& rules, const FieldGeom
   const FarKeeper keeper = farthestKeeper(rules, field);
   std::string reason;
   if (keeper.before_line > std::max(field.goal_area_depth, kLeastDepth)) {
-    reason = fmt::format("{}: robot 0 stands {:.2f} m before its goal line", nameOf(keeper.kind),
-                         keeper.before_line);
+    reason =
+        fmt::format("{}: robot 0 is {:.2f} m from its goal line", nameOf(keeper.kind), keeper.before_line);
   } else {
     const std::vector<std::string> bad = findBadPlaces(rules, field, robot);
     const auto off = std::find_if(bad.begin(), bad.end(), [](const std::string& flaw) {
@@ -90,9 +91,9 @@ std::optional<std::string> findForeignPlaces(const Rules& rules, const FieldGeom
   }
   if (reason.empty()) return std::nullopt;
   return fmt::format(
-      "the places of the rules '{}' are metres, and look as if they were written for another field than "
+      "the places (in metres) of the rules '{}' seem to be meant for another field than "
       "'{}', "
-      "{:g} x {:g} m ({}). Begin with: fulbito rules show {}",
+      "{:g} x {:g} m ({}). Start from: fulbito rules show {}",
       rules.name, field.name, field.length, field.width, reason, presetFor(field));
 }
 

@@ -10,9 +10,9 @@ namespace fulbito {
 namespace {
 
 constexpr double kGap = 1e-4;      // [m] between the ball and the goal line
-constexpr double kNoticed = 1e-3;  // [m] shorter repairs are not told
+constexpr double kNoticed = 1e-3;  // [m] shorter repairs are not reported
 
-/// The point of the area nearest to `p` for a ball that is wholly on the field, in the goal's frame.
+/// The point of the area nearest to `p` with the whole ball on the field, in the goal's frame.
 Vec2 intoArea(const AreaShape& area, double radius, Vec2 p) {
   const double least = std::min(radius + kGap, area.depth);
   const Vec2 box{std::clamp(p.x, least, area.depth), std::clamp(p.y, -area.half_width, area.half_width)};

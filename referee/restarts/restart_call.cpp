@@ -26,7 +26,7 @@ const PlaceTable& placesOf(const Rules& rules, RestartKind kind) {
   return rules.kick_off.places;
 }
 
-/// The side of y on which the keeper of the team stands, robot 0 while none is known: +1 or -1.
+/// The sign of y of the team's keeper (robot 0 while none is known): +1 or -1.
 double keeperSide(const Stoppage& stoppage) {
   if (stoppage.view == nullptr) return 1.0;
   const MatchView& view = *stoppage.view;
@@ -37,7 +37,7 @@ double keeperSide(const Stoppage& stoppage) {
   return keeper < view.ids.size() && view.robots[keeper].pose.position.y < 0.0 ? -1.0 : 1.0;
 }
 
-/// The side of y on which the nearest opponent is farther from the ball's spot; of equals the keeper's.
+/// The sign of y whose spot is farther from the nearest opponent; if equal, the keeper's.
 double openSide(const RefereeSetup& setup, const Stoppage& stoppage, double own) {
   const double keeper = keeperSide(stoppage);
   if (stoppage.view == nullptr || setup.rules.goal_kick.side == GoalKickSide::kKeeper) return keeper;
@@ -52,8 +52,7 @@ double openSide(const RefereeSetup& setup, const Stoppage& stoppage, double own)
   return there > here ? -keeper : keeper;
 }
 
-/// Free balls lie on the mark of the ball's quarter; from the field's long axis they go to the attackers'
-/// left.
+/// Free balls are on the mark of the ball's quarter; from the field's long axis, on the attackers' left.
 Vec2 quarterMark(const FieldGeometry& field, Vec2 ball) {
   const double x = ball.x > 0.0 ? 1.0 : -1.0;
   const double y = ball.y > 0.0 ? 1.0 : ball.y < 0.0 ? -1.0 : x;
@@ -90,7 +89,7 @@ Pose2 tablePose(const RefereeSetup& setup, const RestartCall& call, const PlaceT
   }
   const std::vector<Vec2>& list = takes ? places.taker : places.other;
   const auto i = static_cast<std::size_t>(number);
-  // More robots than places: behind each other near the own goal; the placement spreads them.
+  // More robots than places: one behind the other near the own goal; the placement spreads them.
   const Vec2 listed = i < list.size() ? list[i] : Vec2{list.empty() ? 0.5 : list.front().x, 0.0};
   Vec2 place{own * listed.x, listed.y};
   Pose2 pose{place, headingFor(own)};
@@ -98,20 +97,20 @@ Pose2 tablePose(const RefereeSetup& setup, const RestartCall& call, const PlaceT
   return pose;
 }
 
-/// The place beside the ball that law 14 gives to one robot of a team.
+/// The place next to the ball that law 14 gives to one robot per team.
 Vec2 robotMark(const RefereeSetup& setup, Vec2 ball, double own_sign) {
   return {ball.x + own_sign * setup.rules.free_ball.distance, ball.y};
 }
 
-/// Straight back toward the own goal until the ball is `least` away.
+/// Moves straight back toward the own goal until the ball is `least` away.
 Vec2 movedBack(Vec2 p, Vec2 ball, double own_sign, double least) {
   const double dy = p.y - ball.y;
   if (std::abs(dy) >= least || distance(p, ball) >= least) return p;
   return {ball.x + own_sign * std::sqrt(least * least - dy * dy), p.y};
 }
 
-/// Law 14 with robots that stay: those near the mark move back; then, from where they are now, the nearest of
-/// each team takes its mark.
+/// Law 14 with robots that stay: robots near the mark move back; then the nearest robot of each team takes
+/// its mark.
 void stayAtFreeBall(const RefereeSetup& setup, const RefereeState& state, const MatchView& view,
                     RestartCall& call) {
   PerTeam<double> nearest{1e9, 1e9};
@@ -175,7 +174,7 @@ RestartCall makeCall(const RefereeSetup& setup, const RefereeState& state, const
   call.team = stoppage.team;
   call.ball = ballSpot(setup, state, stoppage);
   if (call.kind == RestartKind::kFreeBall) {
-    // The team that attacks the half where the ball lies counts as the one that takes it.
+    // The team that attacks the half with the ball counts as the taking team.
     const Side half = call.ball.x < 0.0 ? Side::kLeft : Side::kRight;
     call.team = state.blue_side == half ? TeamId::kYellow : TeamId::kBlue;
   }
@@ -193,7 +192,7 @@ RestartCall makeShootOutCall(const RefereeSetup& setup, const RefereeState& stat
   RestartCall call = makeCall(setup, state, {RestartKind::kPenalty, kicker, {}, nullptr});
   const int last = setup.rules.team_size - 1;
   for (const TeamId team : kTeams) {
-    // The kicker is robot 1, the keeper robot 0, or who is left of the team.
+    // The kicker is robot 1 and the keeper robot 0, or whichever robots are left.
     int chosen = team == kicker ? std::min(1, last) : 0;
     for (int n = 0; n <= last && !fielded(setup, state, team, chosen); ++n) chosen = n;
     const double own = ownSign(state, team);

@@ -6,7 +6,7 @@
 #include "referee/state/match_view.hpp"
 #include "referee/state/referee_state.hpp"
 
-/// From a stoppage to the rules' own placement: ball spots and default tables.
+/// Makes restarts from stoppages: ball spots and the rules' own placement.
 namespace fulbito {
 
 /// -1 for the team that defends the left goal, +1 for the other: the sign of x of its own goal.
@@ -14,26 +14,26 @@ inline double ownSign(const RefereeState& state, TeamId team) {
   return state.sideOf(team) == Side::kLeft ? -1.0 : 1.0;
 }
 
-/// What decides where a restart is.
+/// The facts that determine a restart.
 struct Stoppage {
   RestartKind kind = RestartKind::kKickOff;
-  TeamId team = TeamId::kBlue;      ///< who takes it; ignored of a free ball
-  Vec2 ball;                        ///< [m] where the ball was
-  const MatchView* view = nullptr;  ///< where the robots were; null at the beginning of a match
-  std::optional<std::size_t> keeper = std::nullopt;  ///< the taking team's, by its place in the view
+  TeamId team = TeamId::kBlue;                       ///< the taking team; ignored for a free ball
+  Vec2 ball;                                         ///< [m] position of the ball
+  const MatchView* view = nullptr;                   ///< the robots; null at the start of a match
+  std::optional<std::size_t> keeper = std::nullopt;  ///< the taking team's keeper, index in the view
 };
 
-/// The restart with its ball spot, the team of a free ball, the delay, and the places of the rules.
+/// The restart with its ball spot, team, delay and the places of the rules.
 RestartCall makeCall(const RefereeSetup& setup, const RefereeState& state, const Stoppage& stoppage);
 
-/// Where the rules put the keeper that takes a goal kick: by the table beside the table's ball, and as far
-/// from any other, on the field and facing it. `own_sign`: of x of its goal.
+/// The pose of the keeper that takes a goal kick: at the table's distance from the ball, on the field and
+/// facing the ball. `own_sign` is the sign of x of its goal.
 Pose2 goalKickKeeper(const RefereeSetup& setup, double own_sign, Vec2 ball);
 
-/// A penalty of the shoot-out: kicker and keeper alone on the field.
+/// A kick of the shoot-out, with only kicker and keeper on the field.
 RestartCall makeShootOutCall(const RefereeSetup& setup, const RefereeState& state, TeamId kicker);
 
-/// Whether the robot takes part at the next restart: it is in the team and not sent off.
+/// Whether the robot takes part in the next restart: it is in the team and not sent off.
 bool fielded(const RefereeSetup& setup, const RefereeState& state, TeamId team, int number);
 
 }  // namespace fulbito

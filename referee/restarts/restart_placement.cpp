@@ -12,15 +12,15 @@
 namespace fulbito {
 namespace {
 
-constexpr double kLeastGap = 1e-4;   // [m] between bodies of a placement that is accepted as it is
+constexpr double kLeastGap = 1e-4;   // [m] least gap between bodies in an accepted placement
 constexpr double kRounding = 1e-9;   // [m]
-constexpr double kFarthest = 100.0;  // [m] from the centre a wish is no wish
-constexpr double kNoticed = 1e-3;    // [m] shorter repairs, as off a wall that is touched, are not told
-constexpr double kSameSpot = 0.01;   // [m] a proposal this near to a place is meant for it
-constexpr double kBackStep = 0.005;  // [m] of the way further back
-constexpr double kFineStep = 0.01;   // [m] of the search around the wanted place
+constexpr double kFarthest = 100.0;  // [m] from the centre: wishes beyond it are ignored
+constexpr double kNoticed = 1e-3;    // [m] shorter repairs, as off a touched wall, are not reported
+constexpr double kSameSpot = 0.01;   // [m] a proposal this close to a place means that place
+constexpr double kBackStep = 0.005;  // [m] step of the search straight back
+constexpr double kFineStep = 0.01;   // [m] step of the search around the wanted place
 constexpr int kFineRings = 25;
-constexpr double kCoarseStep = 0.04;  // [m] of the search over the whole field
+constexpr double kCoarseStep = 0.04;  // [m] step of the search over the whole field
 
 /// A robot of a restart, in the taker's frame.
 struct Standing {
@@ -28,14 +28,14 @@ struct Standing {
   RestartPart part;
   PlacedBody body;
   double heading = 0.0;     ///< [rad] world frame
-  bool rests = false;       ///< law 14 lets it stay
-  bool takes_mark = false;  ///< of law 14
-  bool moved_back = false;  ///< by law 14, as it was too near
-  bool changed = false;     ///< what was wanted is not what the robot gets
-  Vec2 wish;                ///< of its team, or else the rule's; world frame
+  bool rests = false;       ///< it stays by law 14
+  bool takes_mark = false;  ///< it takes the mark of law 14
+  bool moved_back = false;  ///< law 14 moves it back, since it was too near
+  bool changed = false;     ///< its place differs from the wanted one
+  Vec2 wish;                ///< of its team, or else of the rule; world frame
 };
 
-/// One restart while its robots are placed, one after the other.
+/// Places the robots of one restart, one after the other.
 class Placer {
  public:
   Placer(const RefereeSetup& setup, const RefereeState& state, const RestartCall& call)
@@ -43,33 +43,33 @@ class Placer {
     scene_ = {&setup.rules, &setup.field, call.kind, call.defenders_back, mirrored(call.ball)};
   }
 
-  /// x of the world to x of the frame in which the taker defends +x, and back.
+  /// Converts x between the world and the frame in which the taker defends +x.
   Vec2 mirrored(Vec2 v) const { return {mirror_ * v.x, v.y}; }
   PlacedBody bodyAt(const Pose2& pose) const {
     return {mirrored(pose.position), mirrored(math::unit(pose.heading)), setup_.robot.length / 2,
             setup_.robot.width / 2};
   }
 
-  /// The team's robots as they wish to stand.
+  /// The team's robots with their wishes.
   std::vector<Standing> wishes(TeamId team, const std::optional<TeamPoses>& proposal) const;
-  /// Gives each robot its part by where it wishes to stand.
+  /// Assigns roles by the robots' wishes.
   void assignRoles(std::vector<Standing>& robots) const;
-  /// Stands all robots of a team that law 14 lets stay, also the one that takes the mark.
+  /// Places all robots of a team that stay by law 14, and the one that takes the mark.
   void letRest(TeamId team);
-  /// Stands a robot where it wishes to, whatever is there.
+  /// Places a robot at its wish without checking for room.
   void stand(const Standing& robot) { placed_.push_back(robot.body); }
   std::size_t standing() const { return placed_.size(); }
-  /// Takes those that were stood first off the field again.
+  /// Removes the robots that were placed first.
   void removeFirst(std::size_t count) {
     placed_.erase(placed_.begin(), placed_.begin() + static_cast<std::ptrdiff_t>(count));
   }
-  /// What is wrong with a body among those placed so far; empty: nothing.
+  /// The flaw of a body among those placed so far; empty: none.
   std::string_view fault(RestartPart part, const PlacedBody& body, double gap) const;
-  /// Finds the robot's place; false when the field has no room.
+  /// Finds the robot's place; false if the field has no room.
   bool settle(Standing& robot);
-  /// A finished team, to be judged.
+  /// The robots of a finished placement, for checking.
   std::vector<Standing> finished(TeamId team, const TeamPoses& poses) const;
-  /// What is wrong with a robot's place; the robot stays there for those that follow.
+  /// The flaw of a robot's place. The robot stays there for the checks that follow.
   std::string_view judge(const Standing& robot);
 
  private:
@@ -91,7 +91,7 @@ class Placer {
   std::vector<PlacedBody> placed_;
 };
 
-/// Whether a wish is a pose near the field at all.
+/// Whether a wish is finite and near the field.
 bool sensible(const Pose2& pose) {
   return isFinite(pose.position) && squaredNorm(pose.position) < kFarthest * kFarthest &&
          std::isfinite(pose.heading);
@@ -101,7 +101,7 @@ bool Placer::robotsStay() const {
   return call_.kind == RestartKind::kFreeBall && setup_.rules.free_ball.others == FreeBallOthers::kStay;
 }
 
-/// Law 14 lets a team choose who takes its mark, and nothing else: the first robot that wishes to.
+/// The team's choice for its mark, its only choice by law 14: the first robot that wants it.
 std::optional<std::size_t> Placer::markTaker(TeamId team, const TeamPoses& wishes) const {
   const double own = team == call_.team ? 1.0 : -1.0;
   const Vec2 mark = scene_.ball + Vec2{own * setup_.rules.free_ball.distance, 0.0};
@@ -113,7 +113,7 @@ std::optional<std::size_t> Placer::markTaker(TeamId team, const TeamPoses& wishe
   return std::nullopt;
 }
 
-/// Who takes the mark unless the team says otherwise: the one whose place is not where it would stay.
+/// The default robot for the mark: the one whose default place differs from where it would stay.
 std::optional<std::size_t> Placer::defaultTaker(TeamId team) const {
   const TeamPoses& stays = call_.stays[indexOf(team)];
   for (std::size_t n = 0; n < stays.size(); ++n) {
@@ -123,7 +123,7 @@ std::optional<std::size_t> Placer::defaultTaker(TeamId team) const {
   return std::nullopt;
 }
 
-/// What the team wants of a robot, as far as the law leaves it a choice.
+/// The team's wish for a robot, if the law allows a choice.
 void Placer::takeWish(Standing& robot, const Pose2& wish, Pose2& pose) const {
   robot.wish = wish.position;
   const bool allowed =
@@ -171,7 +171,7 @@ void Placer::assignRoles(std::vector<Standing>& robots) const {
   if (robots.empty()) return;
   const bool takes = robots.front().part.takes;
   if (takes && (call_.kind == RestartKind::kPenalty || call_.kind == RestartKind::kFreeKick)) {
-    // Nobody else may stand between the half-way line and the mark, so the foremost one is the kicker.
+    // Only the kicker may stand between the half-way line and the mark, so the foremost robot is the kicker.
     const auto foremost = std::min_element(robots.begin(), robots.end(), [](const auto& a, const auto& b) {
       return a.body.centre.x < b.body.centre.x;
     });
@@ -199,14 +199,14 @@ std::string_view Placer::fault(RestartPart part, const PlacedBody& body, double 
   for (const PlacedBody& other : placed_) {
     if (!apart(body, other, gap - kRounding)) return "overlaps a robot";
   }
-  return zoneFault(scene_, part, body);
+  return zoneFlaw(scene_, part, body);
 }
 
 void Placer::search(const Standing& robot, bool in_zone, double step, int rings, Found& best) const {
   const Vec2 base =
       in_zone ? intoZone(scene_, robot.part, robot.body)
               : clampedToField(setup_.field, robot.body.centre, robot.body.reachX(), robot.body.reachY());
-  // In the open the role asks for nothing: kGiven's zone is the whole field.
+  // Outside the zone the role does not matter: the zone of kGiven is the whole field.
   RestartScene open = scene_;
   if (!in_zone) open.kind = RestartKind::kGiven;
   const double gap = std::max(setup_.rules.restart.robot_gap, kLeastGap);
@@ -217,11 +217,10 @@ void Placer::search(const Standing& robot, bool in_zone, double step, int rings,
     const double d = distance(body.centre, robot.body.centre);
     if (!(d < best.distance)) return;
     const std::string_view reason = fault(robot.part, body, gap);
-    if (reason.empty() || (!in_zone && zoneFault(scene_, robot.part, body) == reason))
-      best = {body.centre, d};
+    if (reason.empty() || (!in_zone && zoneFlaw(scene_, robot.part, body) == reason)) best = {body.centre, d};
   };
   for (int ring = 0; ring <= rings; ++ring) {
-    // A farther ring can only hold farther places, but for what the zone's edges move.
+    // Farther rings hold only farther places, except for shifts at the zone's edges.
     if (best.distance < (ring - 1) * step) return;
     for (int i = -ring; i <= ring; ++i) {
       const int stride = std::abs(i) == ring || ring == 0 ? 1 : 2 * ring;
@@ -230,7 +229,7 @@ void Placer::search(const Standing& robot, bool in_zone, double step, int rings,
   }
 }
 
-/// Law 14 knows one way only, straight back: there the robot looks for room first.
+/// Law 14 moves robots straight back, so search there first.
 bool Placer::furtherBack(Standing& robot) const {
   const double gap = std::max(setup_.rules.restart.robot_gap, kLeastGap);
   const double own = robot.part.takes ? kBackStep : -kBackStep;
@@ -255,7 +254,7 @@ bool Placer::settle(Standing& robot) {
     const int rings = static_cast<int>(std::max(setup_.field.length, setup_.field.width) / kCoarseStep) + 1;
     search(robot, true, kFineStep, kFineRings, best);
     if (best.distance > 1e8) search(robot, true, kCoarseStep, rings, best);
-    // A crowd for which the zone has no room stands elsewhere rather than on top of each other.
+    // If the zone has no room for a crowd, place robots elsewhere rather than overlapping.
     if (best.distance > 1e8) search(robot, false, kCoarseStep, rings, best);
     if (best.distance > 1e8) return false;
     robot.body.centre = best.centre;
@@ -308,7 +307,7 @@ GameEvent repairEvent(const RefereeSetup& setup, const RefereeState& state, cons
   return event;
 }
 
-/// Robots with a part of their own choose before the others; before all, who is not to be moved.
+/// Robots that must not move come first, then robots with a special role, then the others.
 void orderForPlacing(std::vector<Standing>& robots) {
   const auto first = [&](auto wanted) { std::stable_partition(robots.begin(), robots.end(), wanted); };
   first([](const Standing& robot) { return robot.part.role != RestartRole::kOther; });
@@ -324,7 +323,7 @@ Placement place(const RefereeSetup& setup, const RefereeState& state, const Rest
   Placer placer(setup, state, call);
   Placement placement;
   placement.ball = call.ball;
-  // In the way of the first team is whoever may stay of the other, whom that one names to take its mark.
+  // Robots of the other team that stay, except the one for its mark, block the first team.
   placer.letRest(other(call.team));
   const std::size_t waiting = placer.standing();
   for (const TeamId team : {call.team, other(call.team)}) {

@@ -8,14 +8,14 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // [m]
 
-/// What the law asks for.
+/// The law's demand.
 enum class Zone {
   kAnywhere,
   kOwnHalf,
   kOwnHalfOrCircle,
   kOutsideCircle,  ///< in the own half
   kBehindBall,
-  kBeyondHalfWay,  ///< in the half that the ball is not in
+  kBeyondHalfWay,  ///< in the half without the ball
   kGoalLine,
   kAwayFromBall,
   kInOwnArea,
@@ -59,7 +59,7 @@ Zone zoneOf(const RestartScene& scene, RestartPart part) {
 /// Sign of x of the own goal: the taker defends +x.
 double ownSign(RestartPart part) { return part.takes ? 1.0 : -1.0; }
 
-/// [m] how far the area's front line is from the centre.
+/// Distance [m] of the area's front line from the centre.
 double areaFront(const FieldGeometry& field) { return field.length / 2 - field.goal_area_depth; }
 
 /// The rectangle about the arc of the area at +x.
@@ -76,8 +76,8 @@ bool inTakersArea(const FieldGeometry& field, const PlacedBody& body) {
   return arc && !apart(body, arcBox(field), -kRounding);
 }
 
-/// Limits of the centre in a zone that is a box, by the body's reach and in the robot's own frame: `x` counts
-/// toward the own goal.
+/// Limits of the body's centre in a box-shaped zone, given its reach, in the robot's own frame: `x` points to
+/// the own goal.
 struct Box {
   double x_low = -1e9, x_high = 1e9;
   double y_low = 0.0, y_high = 1e9;  ///< of |y|
@@ -92,7 +92,7 @@ Box boxOf(const RestartScene& scene, Zone zone, RestartPart part, const PlacedBo
     case Zone::kOutsideCircle:
       return {x};
     case Zone::kBeyondHalfWay:
-      // The mark lies at -x of the taker's frame: everyone else stays at +x.
+      // The mark is at -x of the taker's frame: all other robots stay at +x.
       return part.takes ? Box{x} : Box{-1e9, -x};
     case Zone::kBehindBall:
       return {scene.ball.x + x};
@@ -113,7 +113,7 @@ Box boxOf(const RestartScene& scene, Zone zone, RestartPart part, const PlacedBo
   }
 }
 
-/// The same beside a side line of the own area, for robots that touch it there.
+/// The same at a side line of the own area, for robots that touch it there.
 Box besideArea(const RestartScene& scene, const PlacedBody& body) {
   const FieldGeometry& field = *scene.field;
   const double y = field.goal_area_width / 2 + body.reachY();
@@ -131,7 +131,7 @@ Vec2 clamped(const Box& box, double own, Vec2 p) {
           (p.y < 0.0 ? -1.0 : 1.0) * std::clamp(std::abs(p.y), box.y_low, std::max(box.y_low, box.y_high))};
 }
 
-/// `p` moved straight away from `from` until it is `least` away; along `fallback` from the point itself.
+/// `p` moved away from `from` to the distance `least`; along `fallback` if both are equal.
 Vec2 pushedFrom(Vec2 from, Vec2 p, double least, Vec2 fallback) {
   if (distance(from, p) >= least) return p;
   return from + unitOr(p - from, fallback) * (least + kRounding);
@@ -148,7 +148,7 @@ std::string_view boxFault(Zone zone) {
     case Zone::kInOwnArea:
       return "is not in its goal area";
     case Zone::kTouchOwnArea:
-      return "does not touch its goal area beside the arc";
+      return "does not touch its goal area next to the arc";
     case Zone::kBehindAreaEdge:
       return "is in front of its goal area's edge";
     default:
@@ -169,14 +169,14 @@ PlacedBody goalAreaBox(const FieldGeometry& field, double sign) {
           field.goal_area_width / 2};
 }
 
-std::string_view zoneFault(const RestartScene& scene, RestartPart part, const PlacedBody& body) {
+std::string_view zoneFlaw(const RestartScene& scene, RestartPart part, const PlacedBody& body) {
   const Zone zone = zoneOf(scene, part);
   const double own = ownSign(part);
   const Vec2 p = body.centre;
   switch (zone) {
     case Zone::kAwayFromBall:
       if (distance(p, scene.ball) < scene.rules->free_ball.distance - kRounding)
-        return "is too near to the ball";
+        return "is too close to the ball";
       return {};
     case Zone::kOutsideTakersArea:
       return inTakersArea(*scene.field, body) ? "is in the kicking team's goal area" : "";

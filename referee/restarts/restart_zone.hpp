@@ -7,14 +7,14 @@
 #include "referee/geometry/placed_body.hpp"
 #include "referee/rules/rules.hpp"
 
-/// Where the laws let a robot stand at a restart. All in the taker's frame: x is mirrored where needed so
-/// that the team which takes the restart defends +x (y is never changed).
+/// The zones in which a robot may stand at a restart. All in the taker's frame: x is mirrored if needed so
+/// that the team that takes the restart defends +x; y is unchanged.
 namespace fulbito {
 
-/// What a robot is at a restart.
+/// A robot's role at a restart.
 enum class RestartRole { kKeeper, kKicker, kOther };
 
-/// What the zones of one restart are made from.
+/// The facts that determine the zones of a restart.
 struct RestartScene {
   const Rules* rules = nullptr;
   const FieldGeometry* field = nullptr;
@@ -32,11 +32,11 @@ struct RestartPart {
 /// The goal area without its arc, at +x or at -x by the sign.
 PlacedBody goalAreaBox(const FieldGeometry& field, double sign);
 
-/// Why the law does not let the body stand there; empty when it does. Static lifetime.
-std::string_view zoneFault(const RestartScene& scene, RestartPart part, const PlacedBody& body);
+/// The reason why the law forbids this place for the body; empty if it is legal. Static lifetime.
+std::string_view zoneFlaw(const RestartScene& scene, RestartPart part, const PlacedBody& body);
 
-/// The body's centre moved to a near place that the law allows, as far as moving along x, along y or away
-/// from the ball or the circle can do; to be checked by `zoneFault`.
+/// The body's centre, moved along x, along y, or away from ball or circle to a near place that the law may
+/// allow; check it with `zoneFlaw`.
 Vec2 intoZone(const RestartScene& scene, RestartPart part, const PlacedBody& body);
 
 }  // namespace fulbito

@@ -14,7 +14,7 @@ Result<void> checkField(const Rules& rules, const FieldGeometry& field, const Ba
     return bad(fmt::format("field.goal_width = {} m is narrower than the ball, {} m", field.goal_width,
                            2 * ball.radius));
   }
-  // The field is symmetric, and so are the places.
+  // Field and places are symmetric.
   const std::pair<const char*, Vec2> spots[] = {{"goal_kick.ball", rules.goal_kick.ball},
                                                 {"free_kick.mark", {rules.free_kick.mark, 0.0}},
                                                 {"field.penalty_mark", {field.penalty_mark, 0.0}},

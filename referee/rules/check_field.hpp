@@ -6,9 +6,8 @@
 
 namespace fulbito {
 
-/// Whether a match by these rules can be played on the field with the ball: there are goals, the ball goes
-/// through them, and every spot on which the rules put it is inside. Errors: kBadInput naming rules, field
-/// and key.
+/// Checks that the rules fit field and ball: the field has goals, the ball fits through them, and all ball
+/// spots of the rules are inside. Errors: kBadInput naming rules, field and key.
 Result<void> checkField(const Rules& rules, const FieldGeometry& field, const BallModel& ball);
 
 }  // namespace fulbito

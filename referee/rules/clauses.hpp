@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-/// What a referee calls: names as they stand in events, recordings and tables, and how each reads.
+/// The referee's calls: their names in events, recordings and tables, and the words for each.
 namespace fulbito::clause {
 
 inline constexpr std::string_view kGoal = "goal";
@@ -19,17 +19,17 @@ inline constexpr std::string_view kPenaltyStuck = "penalty.stuck";
 inline constexpr std::string_view kPush = "free-kick.push";
 inline constexpr std::string_view kFreeKickHolding = "free-kick.holding";
 
-/// Whether it is a foul of the team that it is called against.
+/// Whether the call is a foul of the team that it is against.
 constexpr bool isFoul(std::string_view clause) {
   return clause.starts_with("goal-kick.") || clause.starts_with("penalty.") ||
          clause.starts_with("free-kick.") || clause == "false-start";
 }
 
-/// How the value of a call reads, e.g. "pressed with 0.12 N s".
+/// How a call's measured value is shown, e.g. "pressed with 0.12 N s".
 struct Measure {
   std::string_view before;
   std::string_view unit;
-  double scale = 1.0;  ///< shown units per unit of the value
+  double scale = 1.0;  ///< factor from the value to `unit`
 };
 
 inline constexpr Measure kStood{"for ", "s"};
@@ -38,13 +38,13 @@ inline constexpr Measure kPressed{"pressed with ", "N s"};
 inline constexpr Measure kMoved{"moved by ", "mm", 1e3};
 inline constexpr Measure kLead{"lead of ", "goals"};
 
-/// The team that gains by a call, relative to the team of its event.
+/// The team that a call favours, relative to the team of its event.
 enum class Gain : std::uint8_t { kNobody, kNamed, kOther };
 
-/// How a call reads in pictures, films, pages and tables.
+/// The words for a call in pictures, films, pages and tables.
 struct Clause {
   std::string_view name;    ///< as in events
-  std::string_view title;   ///< empty: no news
+  std::string_view title;   ///< empty: the call needs no banner
   std::string_view detail;  ///< may be empty
   Gain gain = Gain::kNobody;
   Measure measure = {};
@@ -54,7 +54,7 @@ struct Clause {
 inline constexpr std::array kClauses{
     Clause{kGoal, "Goal!", "", Gain::kNamed, {"ball past the line by ", "mm", 1e3}},
     Clause{"kick-off", "", "", Gain::kNamed},
-    Clause{kFreeBall, "Free ball", "nobody gets on", Gain::kNobody, kStood},
+    Clause{kFreeBall, "Free ball", "stuck ball", Gain::kNobody, kStood},
     Clause{kAttackers, "Goal kick", "too many attackers in the area", Gain::kOther, kInside},
     Clause{kKeeperCharged, "Goal kick", "keeper charged", Gain::kOther, kPressed},
     Clause{kGoalKickStuck, "Goal kick", "ball stuck in the area", Gain::kOther, kStood},
@@ -70,12 +70,12 @@ inline constexpr std::array kClauses{
     Clause{"shoot-out", "Shoot-out", "", Gain::kNamed},
     Clause{"false-start", "False start", "", Gain::kNobody, kMoved},
     Clause{"mercy", "Full time", "the lead is too large", Gain::kNamed, kLead},
-    Clause{"walk-over", "Walk-over", "a team did not come", Gain::kOther},
+    Clause{"walk-over", "Walk-over", "a team is absent", Gain::kOther},
     Clause{"match.abandoned", "Match abandoned", ""},
     Clause{"placement", "", "", Gain::kNobody, kMoved},
 };
 
-/// How a call reads; null for a name that no match has.
+/// The words for a call; null for an unknown name.
 constexpr const Clause* find(std::string_view name) {
   for (const Clause& clause : kClauses) {
     if (clause.name == name) return &clause;

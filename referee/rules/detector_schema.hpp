@@ -4,7 +4,7 @@
 #include "engine/core/config/schema.hpp"
 #include "referee/rules/detector_rules.hpp"
 
-/// The keys of the detectors' tables in a profile of rules, with their ranges and where each comes from.
+/// The keys of the detectors' tables in a rules profile, with ranges and sources.
 namespace fulbito {
 
 /// @{ The keys of one table, bound to `value`.
@@ -15,7 +15,7 @@ Schema schemaOf(KeeperRules& value);  ///< [keeper]
 Schema schemaOf(FoulRules& value);    ///< [fouls]
 /// @}
 
-/// @{ The first flaw of a table: out of its limits, or two values at odds.
+/// @{ The first flaw of a table: a value outside its limits, or two values in conflict.
 std::optional<Flaw> findFlaw(const GoalRules& rules);
 std::optional<Flaw> findFlaw(const StuckRules& rules);
 std::optional<Flaw> findFlaw(const AreaRules& rules);

@@ -11,12 +11,12 @@
 
 namespace fulbito {
 
-/// The rules of a match as numbers. Defaults: the rule book's 3v3 game (IEEE VSSS rules).
+/// The rules of a match. Defaults: the rule book's 3v3 game (IEEE VSSS rules).
 struct Rules {
   std::string name = "vsss-3v3";
-  std::string field = "vsss-3v3";  ///< preset of the field that it is played on, or a file
+  std::string field = "vsss-3v3";  ///< field preset or file
   int team_size = 3;
-  double half_seconds = 300.0;  ///< [s] of play; the key of [periods]
+  double half_seconds = 300.0;  ///< [s] play time of a half; a key of [periods]
   PeriodRules periods;
   ShootOutRules shoot_out;
   WalkOverRules walk_over;
@@ -33,10 +33,10 @@ struct Rules {
   FoulRules fouls;
 };
 
-/// Reads a profile: the name of a preset or the path of a TOML file. A key that the file lacks keeps the
-/// default of `Rules`; a missing name becomes the file's. Errors: kUsage for an unknown name (with a
-/// suggestion), kIo for a file that cannot be read, kBadInput as `file:line: table.key ...` with the range.
-/// A field that is a relative path counts from the profile's folder and must load.
+/// Reads a profile: a preset's name or the path of a TOML file. Missing keys keep the defaults of `Rules`; a
+/// missing name becomes the file's. A relative path of a field counts from the profile's folder; the field
+/// must load. Errors: kUsage for an unknown name (with a suggestion), kIo for an unreadable file, kBadInput
+/// as `file:line: table.key ...` with the range.
 Result<Rules> loadRules(const std::string& name_or_file);
 /// The same from text; `origin` stands for the file name in errors. Opens no field.
 Result<Rules> parseRules(std::string_view text, const std::string& origin);
@@ -46,8 +46,7 @@ Result<void> validate(const Rules& rules);
 std::string toToml(const Rules& rules);
 /// The embedded profiles.
 std::vector<std::string> rulesPresetNames();
-/// The whole text of one, with the keys that its file leaves to the defaults. Errors: kUsage, with a
-/// suggestion.
+/// The text of an embedded profile with all keys, defaults included. Errors: kUsage, with a suggestion.
 Result<std::string> rulesPresetText(const std::string& name);
 
 }  // namespace fulbito

@@ -4,7 +4,7 @@
 #include "engine/core/config/schema.hpp"
 #include "referee/rules/rules.hpp"
 
-/// The keys of a profile of rules by table, with their ranges and sources.
+/// The keys of a rules profile by table, with ranges and sources.
 namespace fulbito {
 
 /// One table of a profile, bound to the rules.
@@ -14,10 +14,10 @@ struct RulesTable {
   Schema schema;
 };
 
-/// All tables in the order in which they are printed. Valid while `rules` lives.
+/// All tables in the order of printing. Valid while `rules` lives.
 std::vector<RulesTable> tablesOf(Rules& rules);
 
-/// The first flaw of a profile: out of its limits, or two values at odds.
+/// The first flaw of a profile: a value outside its limits, or two values in conflict.
 std::optional<Flaw> findFlaw(const Rules& rules);
 
 }  // namespace fulbito

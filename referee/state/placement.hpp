@@ -8,10 +8,10 @@
 
 namespace fulbito {
 
-/// Poses of one team's robots by their number. A robot without a pose is not on the field.
+/// Poses of one team's robots by number. A robot without a pose is not on the field.
 using TeamPoses = std::array<std::optional<Pose2>, kMaxTeamSize>;
 
-/// Where ball and robots stand, in the world's frame. A robot without a pose is not on the field.
+/// Positions of ball and robots in the world frame. A robot without a pose is not on the field.
 struct Placement {
   Vec2 ball;
   Vec2 ball_velocity;  ///< [m/s] 0 at every restart of the rules

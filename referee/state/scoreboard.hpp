@@ -4,11 +4,11 @@
 
 namespace fulbito {
 
-/// How a match stands when it begins: not at 0-0 in the first half where the user says so.
+/// Score and time at the start of a match.
 struct Scoreboard {
   PerTeam<int> score{};
   int period = 1;             ///< 1, 2: halves; 3: overtime
-  double play_seconds = 0.0;  ///< [s] of play gone in that period
+  double play_seconds = 0.0;  ///< [s] elapsed play time in that period
 };
 
 }  // namespace fulbito

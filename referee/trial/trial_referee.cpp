@@ -10,16 +10,15 @@ namespace fulbito {
 namespace {
 
 constexpr double kOwnMotionSpeed = 0.02;    // [m/s] toward the contact point
-constexpr double kPushedFor = 0.5;          // [s] after a push a robot's motion is not its own
+constexpr double kPushedFor = 0.5;          // [s] a push explains a robot's motion for this long
 constexpr double kCurvatureJump = 10.0;     // [1/m] in one tick
-constexpr double kCurvatureMinSpeed = 0.1;  // [m/s] below it a curvature means nothing
+constexpr double kCurvatureMinSpeed = 0.1;  // [m/s] slower curvatures are meaningless
 constexpr double kRestDistance = 0.01;      // [m]
 constexpr double kRestTurn = 0.35;          // [rad] 20 degrees
-constexpr double kOutside = -0.01;  // [m] beyond the contour at which a robot's centre has left the field
+constexpr double kOutside = -0.01;  // [m] a robot's centre this far outside the contour has left the field
 
-/// Share of the step from `a` to `b` after which the circle about `centre` is entered; 1 when only `b` is
-/// inside, and where `a` is too: the robot has been there, what was missing came right at the end of the
-/// step.
+/// Share of the step from `a` to `b` at which the circle around `centre` is entered. 1 if `a` is already
+/// inside: then another condition of arrival became true at the end of the step.
 double entry(Vec2 a, Vec2 b, Vec2 centre, double radius) {
   const Vec2 d = b - a, f = a - centre;
   const double qa = dot(d, d), qb = dot(f, d), qc = dot(f, f) - radius * radius;
@@ -130,7 +129,7 @@ void TrialReferee::watchProgress(const RobotState& robot) {
 
 bool TrialReferee::arrived(const RobotState& robot) {
   const Vec2 from = last_.pose.position, to = robot.pose.position;
-  // A fast robot may cross the circle within a tick: the segment counts, not only its end.
+  // A fast robot may cross the circle within a tick, so check the whole segment.
   const double along =
       std::clamp(dot(layout_.goal - from, to - from) / std::max(squaredNorm(to - from), 1e-18), 0.0, 1.0);
   if (distance(from + (to - from) * along, layout_.goal) > layout_.goal_tolerance) return false;

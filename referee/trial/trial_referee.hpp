@@ -13,23 +13,22 @@
 
 namespace fulbito {
 
-/// What one trial is judged by.
+/// Limits and rules of one trial.
 struct TrialRules {
   double length_limit = 1.0;  ///< [m] L*
   double time_limit = 1.0;    ///< [s] T*
-  double give_up = 8.0;       ///< the trial is over at this multiple of T*
-  double stuck_after = 3.0;   ///< [s]
+  double give_up = 8.0;       ///< multiple of T* at which the trial ends
+  double stuck_after = 3.0;   ///< [s] time without motion that ends the trial
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;
 };
 
-/// Watches one navigation trial, tick by tick, and scores it. Pure: sees values only, reads no clock, draws
-/// no numbers.
+/// Judges one navigation trial tick by tick. Deterministic: uses no clock and no random numbers.
 class TrialReferee {
  public:
   TrialReferee(const Layout& layout, const FieldGeometry& field, const RobotModel& robot,
                const TrialRules& rules, double dt);
 
-  /// Looks at the world after a tick. The robot is the world's robot 0; `command` is what drove it in this
+  /// Processes the world after a tick. The robot is the world's robot 0; `command` is its command in this
   /// tick.
   /// @return true when the trial is over
   bool observe(const WorldState& world, std::span<const ContactEvent> contacts, WheelSpeeds command);

@@ -6,17 +6,17 @@ namespace fulbito {
 
 /// How a navigation trial ended.
 enum class TrialOutcome {
-  kReached,   ///< arrived (with the heading, where one is wanted) without a contact that the rules forbid
-  kCollided,  ///< touched what the rules forbid; the run went on, so that the rest of the score is known
+  kReached,   ///< arrived (with the wanted heading, if any) without a forbidden contact
+  kCollided,  ///< made a forbidden contact; the run continues, so that the rest of the score is known
   kStuck,     ///< did not move or turn for `TrialRules::stuck_after`
   kTimedOut,
   kLeftField,
 };
 
-/// Name of an outcome as it stands in tables and files: reached, collided, stuck, timed-out, left-field.
+/// Name of an outcome in tables and files: reached, collided, stuck, timed-out, left-field.
 std::string_view nameOf(TrialOutcome outcome);
 
-/// Which contacts spoil a trial.
+/// The contacts that a trial forbids.
 enum class ForbiddenContacts {
   kAll,        ///< any touch of an obstacle or wall
   kObstacles,  ///< walls may be touched (suites that start at a wall)
@@ -26,18 +26,18 @@ enum class ForbiddenContacts {
 /// The figures of one navigation trial.
 struct TrialScore {
   TrialOutcome outcome = TrialOutcome::kTimedOut;
-  bool arrived = false;  ///< was at the goal in the end, also after a contact
+  bool arrived = false;  ///< reached the goal, even after a contact
   double time = 0.0;  ///< [s] until arrival, interpolated within the last tick, or until the end of the trial
   double length = 0.0;        ///< [m] driven
   double length_limit = 0.0;  ///< [m] L*, shortest possible
   double time_limit = 0.0;    ///< [s] T*, see timeBound
-  int obstacle_contacts = 0;  ///< contacts that began
+  int obstacle_contacts = 0;  ///< begun contacts
   int wall_contacts = 0;
   int own_contacts = 0;  ///< of the obstacle contacts: the robot moved faster than 2 cm/s toward the contact
                          ///< point, and no obstacle had pushed it in the half second before
   double contact_impulse = 0.0;  ///< [kg m/s] summed
-  double min_clearance = 0.0;    ///< [m] of the true body to obstacles and walls
-  double mean_clearance = 0.0;   ///< [m] over time
+  double min_clearance = 0.0;    ///< [m] least distance of the body to obstacles and walls
+  double mean_clearance = 0.0;   ///< [m] mean over time
   double turning = 0.0;          ///< [rad] sum of |change of heading|
   int curvature_jumps =
       0;  ///< ticks at which the driven curvature changed by more than 10 /m at over 0.1 m/s

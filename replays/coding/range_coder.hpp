@@ -7,19 +7,19 @@
 
 #include "replays/coding/byte_io.hpp"
 
-/// An adaptive binary range coder (Martin, 1979; the carry is held back as in LZMA): every bit costs what it
-/// surprises. Writing and reading walk through the same code, which a `Coder` template stands for: `bit` and
-/// `bits` take the value when writing and give it when reading.
+/// An adaptive binary range coder (Martin, 1979; with LZMA's delayed carry): a bit of probability p costs
+/// -log2 p bits. Writing and reading share their code through a `Coder` template parameter: `bit` and `bits`
+/// take the value when writing and return it when reading.
 namespace fulbito {
 
-/// How often a bit of one kind was 1; learns fast at first.
+/// Adaptive probability of a bit of one kind; adapts fast at first.
 class BitModel {
  public:
-  /// Chance of a 1 in 1/65536, never certain.
+  /// Probability of a 1 in units of 1/65536, never 0 or 1.
   std::uint32_t chance() const { return chance_; }
   void learn(unsigned bit) {
     const std::uint32_t rate = kRates[seen_];
-    // Without branches, which nobody can foretell where bits carry news.
+    // Branch-free: the branch would mispredict on high-entropy bits.
     const std::uint32_t up = (kMost - chance_) * rate >> 16, down = (chance_ - kLeast) * rate >> 16;
     chance_ = static_cast<std::uint16_t>(bit != 0 ? chance_ + up : chance_ - down);
     seen_ = static_cast<std::uint8_t>(seen_ + (seen_ + 1u < kRates.size() ? 1 : 0));
@@ -51,7 +51,7 @@ class RangeEncoder {
     while (range_ < kLeastRange) shift();
     return value;
   }
-  /// The lowest `count` bits of a value, each as likely to be 0 as 1.
+  /// The lowest `count` bits of a value, with equal probabilities of 0 and 1.
   std::uint64_t bits(std::uint64_t value, int count) {
     for (int left = count; left > 0;) {
       const int part = left < 16 ? left : 16;
@@ -62,7 +62,7 @@ class RangeEncoder {
     }
     return value;
   }
-  /// Writes what is left.
+  /// Writes the remaining bytes.
   void finish() {
     for (int i = 0; i < 5; ++i) shift();
   }
@@ -86,17 +86,17 @@ class RangeEncoder {
   Bytes& out_;
   std::uint64_t low_ = 0;
   std::uint32_t range_ = 0xffffffffu;
-  std::uint8_t held_ = 0;      ///< the last byte that a carry may still change
+  std::uint8_t held_ = 0;      ///< the last byte that a carry can still change
   std::uint64_t waiting_ = 1;  ///< that byte and the 0xff after it
 };
 
-/// Past the end of its bytes it reads 0; `good` tells.
+/// Reads 0 past the end of its bytes; `good` detects it.
 class RangeDecoder {
  public:
   explicit RangeDecoder(BytesView bytes) : bytes_(bytes) {
     for (int i = 0; i < 5; ++i) shift();
   }
-  /// Whether exactly the bytes that were written have been read.
+  /// Whether exactly the written bytes have been read.
   bool good() const { return next_ == bytes_.size(); }
 
   unsigned bit(BitModel& model, unsigned) {
@@ -144,7 +144,7 @@ class RangeDecoder {
   std::uint32_t range_ = 0xffffffffu;
 };
 
-/// A choice of 2^`kBits`, each with a chance of its own, coded from its highest bit on.
+/// A symbol of `kBits` bits with adaptive probabilities, coded from its highest bit.
 template <int kBits>
 class ChoiceModel {
  public:
@@ -159,13 +159,13 @@ class ChoiceModel {
   std::array<BitModel, std::size_t{1} << kBits> models_;
 };
 
-/// How far a number was from its prediction, folded as a signed varint's value. Its size in bits is learned;
-/// the bits below the highest one, the sign among them, are noise and kept as they are.
+/// A prediction error, folded like a signed varint. Its size in bits is coded adaptively; the bits below the
+/// highest one, including the sign, are noise and stored directly.
 class ResidualModel {
  public:
   static constexpr int kContexts = 13;
 
-  /// `context`: what the size goes with, below kContexts. `size` becomes the number of bits.
+  /// `context` (below kContexts) selects the size's model. `size` becomes the number of bits.
   template <typename Coder>
   std::int64_t code(Coder& coder, std::int64_t value, int context, int& size) {
     const std::uint64_t folded =
@@ -182,7 +182,7 @@ class ResidualModel {
   }
 
  private:
-  static constexpr int kLongest = 15;  ///< stands for all sizes from here on, five more bits say which
+  static constexpr int kLongest = 15;  ///< means this size or more; five more bits give it
   std::array<ChoiceModel<4>, kContexts> sizes_;
 };
 

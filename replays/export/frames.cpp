@@ -111,7 +111,7 @@ void drawFrames(const FrameJob& job, const std::function<FramePacker()>& make_pa
       queue.drawn(*index);
     }
   } catch (...) {
-    queue.fail({ErrorCode::kIo, "a picture could not be drawn"});
+    queue.fail({ErrorCode::kIo, "cannot draw a picture"});
     throw;
   }
 }

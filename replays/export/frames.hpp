@@ -9,21 +9,21 @@
 
 namespace fulbito {
 
-/// A stretch of a recording [s].
+/// A time range of a recording [s].
 struct ReplayRange {
   double from = 0.0;
   double to = 0.0;
 };
 
-/// The times [s] of a film's frames: `fps` a second of film, `speed` seconds of the recording a second of
-/// film. Ranges that touch or overlap are played as one; each has at least one frame.
+/// The recording times [s] of a film's frames: `fps` frames per second of film, `speed` seconds of the
+/// recording per second of film. Ranges that touch or overlap are joined; each has at least one frame.
 std::vector<double> filmTimes(std::vector<ReplayRange> ranges, double fps, double speed);
 
-/// The stretches around each of some ticks, within the recording.
+/// The ranges around some ticks, clamped to the recording.
 std::vector<ReplayRange> rangesAround(const ReplayTimeline& timeline, const std::vector<Tick>& ticks,
                                       double before, double after);
 
-/// Pictures of one recording, to be drawn in some threads.
+/// Pictures of one recording, drawn by several threads.
 struct FrameJob {
   const ReplayTimeline* timeline = nullptr;
   const MatchPicture* picture = nullptr;
@@ -32,12 +32,12 @@ struct FrameJob {
   int jobs = 1;               ///< threads that draw
 };
 
-/// Makes bytes of a picture, in the thread that drew it; the string's memory is used again.
+/// Encodes a picture in the thread that drew it, reusing the string's memory.
 using FramePacker = std::function<void(Canvas&, std::string&)>;
-/// Takes each picture's bytes in the order of the times, in the caller's thread. An error ends all.
+/// Receives each picture's bytes in order of time, in the caller's thread. An error stops all.
 using FrameSink = std::function<Result<void>(std::size_t, std::string&)>;
 
-/// Draws all. A thread's packer is made by `make_packer`, so that it may keep memory of its own.
+/// Draws all pictures. Each thread gets its own packer from `make_packer`, which may keep memory.
 /// Errors: as Canvas::create; the sink's.
 Result<void> forEachFrame(const FrameJob& job, const std::function<FramePacker()>& make_packer,
                           const FrameSink& sink);

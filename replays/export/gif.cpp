@@ -109,7 +109,7 @@ GifWriter::~GifWriter() = default;
 Result<GifWriter> GifWriter::create(int width, int height, const GifPalette& palette, int centiseconds) {
   constexpr int kLongest = std::numeric_limits<std::uint16_t>::max();
   if (width > kLongest || height > kLongest) {
-    return fail(ErrorCode::kUsage, "a GIF's sides are at most 65535 pixels");
+    return fail(ErrorCode::kUsage, "width and height of a GIF must be at most 65535 pixels");
   }
   auto impl = std::make_unique<Impl>();
   impl->palette = palette.colours();
@@ -124,7 +124,7 @@ Result<GifWriter> GifWriter::create(int width, int height, const GifPalette& pal
   config.pWriteFn = append;
   config.pContext = &impl->bytes;
   impl->gif = cgif_newgif(&config);
-  if (impl->gif == nullptr) return fail(ErrorCode::kIo, "cannot begin the GIF");
+  if (impl->gif == nullptr) return fail(ErrorCode::kIo, "cannot start the GIF");
   return GifWriter(std::move(impl));
 }
 

@@ -11,13 +11,13 @@
 
 namespace fulbito {
 
-/// The at most 255 colours of a GIF: the most frequent ones of some of its pictures, none too near to another
-/// while there is room for both.
+/// The palette of a GIF, at most 255 colours: the most frequent ones of some pictures. Similar colours are
+/// skipped while others are available.
 class GifPalette {
  public:
   explicit GifPalette(const std::vector<const Canvas*>& samples);
 
-  /// 3 bytes a colour.
+  /// 3 bytes per colour.
   const std::vector<std::uint8_t>& colours() const { return colours_; }
   std::uint8_t nearest(std::uint32_t argb) const;
 
@@ -29,11 +29,11 @@ class GifPalette {
   std::vector<std::uint8_t> colours_;
 };
 
-/// Turns pictures into indices of a palette; each thread needs its own.
+/// Converts pictures to palette indices. Each thread needs its own.
 class GifIndexer {
  public:
   explicit GifIndexer(const GifPalette& palette);
-  /// One byte a pixel, row by row.
+  /// One byte per pixel, row by row.
   void index(const Canvas& canvas, std::string& out);
 
  private:
@@ -48,17 +48,17 @@ class GifIndexer {
   std::vector<Known> known_;  ///< by a hash of the colour
 };
 
-/// An endless GIF in memory, written frame by frame.
+/// A looping GIF in memory, written frame by frame.
 class GifWriter {
  public:
-  /// `centiseconds`: how long each frame is shown, at least 2 (browsers show shorter ones slowly).
+  /// `centiseconds`: duration of each frame, at least 2 (browsers slow down shorter ones).
   /// Errors: kUsage for sides above 65535.
   static Result<GifWriter> create(int width, int height, const GifPalette& palette, int centiseconds);
   GifWriter(GifWriter&&) noexcept;
   GifWriter& operator=(GifWriter&&) noexcept;
   ~GifWriter();
 
-  /// As GifIndexer made it. Errors: kIo.
+  /// Adds a frame from GifIndexer. Errors: kIo.
   Result<void> add(std::string& indices);
   /// The whole file. Errors: kIo.
   Result<std::string> finish();

@@ -147,8 +147,9 @@ Result<void> VideoPipe::Impl::start(const VideoSettings& settings) {
   }
   child = -1;
   if (wrong == ENOENT) {
-    return fail(ErrorCode::kIo,
-                "videos need ffmpeg, which is not installed (apt-get install ffmpeg); --gif needs nothing");
+    return fail(
+        ErrorCode::kIo,
+        "videos need ffmpeg, which is not installed (apt-get install ffmpeg); --gif works without it");
   }
   return fail(ErrorCode::kIo, fmt::format("cannot start ffmpeg: {}", std::strerror(wrong)));
 }
@@ -190,7 +191,7 @@ Result<void> VideoPipe::write(const std::string& frame) {
       if (impl_->child > 0) {
         if (const auto ended = impl_->wait(); !ended) return tl::unexpected<Error>(ended.error());
       }
-      return tl::unexpected<Error>(impl_->complaint("ffmpeg ended too early"));
+      return tl::unexpected<Error>(impl_->complaint("ffmpeg exited early"));
     }
     written += static_cast<std::size_t>(n);
   }

@@ -17,20 +17,20 @@ struct VideoSettings {
   int quality = 22;  ///< as x264's: 0 (best) ... 51
 };
 
-/// A video that ffmpeg, as a child of its own process group, makes of frames on a pipe. The file appears
-/// under its name when it is complete; whatever ends this object before removes what there was of it.
+/// A video that ffmpeg, as a child in its own process group, makes from frames on a pipe. The file appears
+/// under its name when it is complete. An unfinished file is removed.
 class VideoPipe {
  public:
-  /// `file` "-" is stdout. Errors: kIo: there is no ffmpeg, or it cannot be started; as OutputFile::create.
+  /// `file` "-" is stdout. Errors: kIo if ffmpeg is missing or cannot be started; as OutputFile::create.
   static Result<VideoPipe> open(const std::string& file, const VideoSettings& settings);
   VideoPipe(VideoPipe&&) noexcept;
   VideoPipe& operator=(VideoPipe&&) noexcept;
   ~VideoPipe();
 
-  /// A frame as `toYuv420` gives it. Errors: kIo with what ffmpeg said last; kInterrupted where ffmpeg is
-  /// waited for when all work shall end.
+  /// Writes a frame from `toYuv420`. Errors: kIo with ffmpeg's last message; kInterrupted if the process is
+  /// asked to stop while waiting for ffmpeg.
   Result<void> write(const std::string& frame);
-  /// Waits for ffmpeg and gives the file its name. Errors: as `write`.
+  /// Waits for ffmpeg and completes the file. Errors: as `write`.
   Result<void> finish();
 
  private:

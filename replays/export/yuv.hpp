@@ -7,8 +7,8 @@
 
 namespace fulbito {
 
-/// A picture of even sides as planes Y, U, V, these at half the size: BT.709, limited range, as videos want
-/// it. Half as many bytes for the pipe, and no work for ffmpeg.
+/// A picture with even sides as planes Y, U and V (U and V at half size): BT.709, limited range, as videos
+/// need it. This halves the bytes on the pipe and saves ffmpeg the conversion.
 void toYuv420(const Canvas& canvas, std::string& out);
 
 }  // namespace fulbito

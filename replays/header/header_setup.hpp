@@ -6,9 +6,9 @@
 
 namespace fulbito {
 
-/// A header with all that follows from the world: rates, the step of commands (0 where the profile has none,
-/// or one too fine to be counted in whole numbers), what is known of commands (robots gain what their motors
-/// allow in a tick, and spin as their model says), and this build. Bodies and recipe are left to the caller.
+/// A header with everything that follows from the world: rates, the step of commands (0 if the profile has
+/// none or one too fine for whole numbers), the model of commands (from the robot's motors and spin), and
+/// this build. The caller fills in bodies and recipe.
 RecordingHeader headerFor(RecordingKind kind, const RobotModel& robot, const PhysicsProfile& physics);
 
 }  // namespace fulbito

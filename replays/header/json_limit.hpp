@@ -6,11 +6,11 @@
 
 namespace fulbito {
 
-/// The most keys and values that a JSON text of a recording may have: a hundred times what is written. An
-/// ordered object looks through all its keys for each new one.
+/// Largest number of keys and values in a JSON text of a recording: a hundred times what is written. Without
+/// a limit, an ordered object would take quadratic time, since it searches all its keys for each new one.
 inline constexpr std::size_t kMaxJsonItems = 8192;
 
-/// Whether a text is JSON of at most `kMaxJsonItems` keys and values. Reads no further than that.
+/// Whether a text is JSON with at most `kMaxJsonItems` keys and values. Stops reading beyond that.
 bool isSmallJson(std::string_view text);
 
 }  // namespace fulbito

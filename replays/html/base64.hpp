@@ -9,7 +9,7 @@ namespace fulbito {
 /// RFC 4648, with padding.
 std::string base64Of(std::string_view bytes);
 
-/// The bytes that pairs of hexadecimal digits name; stops at anything else.
+/// The bytes of pairs of hexadecimal digits; stops at any other character.
 std::string bytesOfHex(std::string_view digits);
 
 }  // namespace fulbito

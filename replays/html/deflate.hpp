@@ -7,8 +7,8 @@
 
 namespace fulbito {
 
-/// Raw deflate (RFC 1951, no header or checksum), which browsers unpack by themselves. Same bytes for the
-/// same version of libdeflate.
+/// Raw deflate (RFC 1951, without header or checksum), which browsers can unpack. The same version of
+/// libdeflate gives the same bytes.
 std::string deflated(std::string_view bytes);
 
 /// CRC-32 as in PNG and gzip.

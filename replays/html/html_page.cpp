@@ -26,7 +26,7 @@ std::string sourceOf(std::string_view digest) {
   return fmt::format("'sha256-{}'", base64Of(bytesOfHex(digest)));
 }
 
-/// Puts each text in the place of its mark `{{name}}`; what is put in is not looked at again.
+/// Replaces each mark `{{name}}` by its text; marks inside the texts are not replaced.
 std::string filled(std::string_view form,
                    const std::vector<std::pair<std::string_view, std::string>>& texts) {
   std::string out;
@@ -49,7 +49,7 @@ bool sameBodies(const PageScene& a, const PageScene& b) {
 }
 
 Result<void> check(const Page& page) {
-  if (page.scenes.empty()) return fail(ErrorCode::kUsage, "a page needs something to show");
+  if (page.scenes.empty()) return fail(ErrorCode::kUsage, "a page needs at least one scene");
   if (page.kind == PageKind::kGhost &&
       (page.scenes.size() != 2 || !sameBodies(page.scenes[0], page.scenes[1]))) {
     return fail(ErrorCode::kUsage, "--ghost: the two recordings do not have the same robots and balls");

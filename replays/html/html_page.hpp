@@ -8,10 +8,10 @@
 
 namespace fulbito {
 
-/// How the scenes of a page belong together.
+/// The relation of a page's scenes.
 enum class PageKind : std::uint8_t {
   kReplay,  ///< one scene
-  kGhost,   ///< two of the same bodies: the second is drawn over the first, faintly
+  kGhost,   ///< two scenes with the same bodies: the second is drawn faintly over the first
   kRaces    ///< any number of races to choose from
 };
 
@@ -21,9 +21,8 @@ struct Page {
   std::vector<PageScene> scenes;
 };
 
-/// The viewer with these scenes as one HTML file that needs no network, no server and nothing else. The same
-/// page gives the same bytes. Errors: kUsage for a page without a scene or a ghost that is not of the same
-/// bodies.
+/// The viewer with these scenes as one self-contained HTML file. The same page gives the same bytes. Errors:
+/// kUsage for a page without a scene, or a ghost with different bodies.
 Result<std::string> htmlPage(const Page& page);
 
 }  // namespace fulbito

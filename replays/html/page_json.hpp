@@ -9,16 +9,16 @@
 
 namespace fulbito {
 
-/// Where the page's numbers are.
+/// Sizes and checksum of the page's binary data.
 struct PagePayload {
   std::vector<std::size_t> sizes;  ///< bytes of each scene's columns, one after the other
-  std::size_t raw = 0;             ///< of all
-  std::size_t packed = 0;          ///< after deflate
-  std::uint32_t crc = 0;           ///< of all, before deflate
+  std::size_t raw = 0;             ///< total bytes
+  std::size_t packed = 0;          ///< bytes after deflate
+  std::uint32_t crc = 0;           ///< of all bytes before deflate
 };
 
-/// All but the numbers of every tick, as JSON that may stand in a script element: whatever is in the texts,
-/// there is no '<', '>', '&' or character beyond ASCII in it.
+/// Everything except the values per tick, as JSON that is safe inside a script element: it contains no '<',
+/// '>', '&' or non-ASCII character, whatever the texts are.
 std::string pageJson(const Page& page, const PagePayload& payload);
 
 }  // namespace fulbito

@@ -12,8 +12,8 @@
 #include "engine/core/models/field_geometry.hpp"
 #include "replays/recording/recording.hpp"
 
-/// What the HTML viewer (docs/viewer.md) shows, as plain values: recordings and races of navigators are both
-/// brought into this form.
+/// The content of the HTML viewer (docs/viewer.md) as plain values, for both recordings and races of
+/// navigators.
 namespace fulbito {
 
 /// A body as the viewer draws it.
@@ -26,34 +26,34 @@ struct PageBody {
   double radius = 0.0;               ///< [m] of a disc
 };
 
-/// Where all bodies are at one tick.
+/// The poses of all bodies at one tick.
 struct PageRow {
   Tick tick = 0;
-  std::vector<Pose2> poses;  ///< one a body; of an absent one anything finite
+  std::vector<Pose2> poses;  ///< one per body; any finite value if it is absent
 };
 
-/// A stretch without jumps: bodies are interpolated between its rows.
+/// A play without jumps: bodies are interpolated between its rows.
 struct PagePlay {
   std::size_t row = 0;  ///< its first one
   Tick tick = 0;        ///< of that row
-  Tick signal = 0;      ///< from here on the clock runs; beyond the play's end: it never does
+  Tick signal = 0;      ///< the clock runs from here on; beyond the play's end: never
   double clock = 0.0;   ///< [s] of the period at the beginning
   int period = 1;
-  std::string kind;               ///< how it begins, e.g. kick-off; empty for a trial
-  std::optional<TeamId> team;     ///< who takes the restart
-  std::optional<TeamId> favours;  ///< whose colour the restart has, see `CallWords`
+  std::string kind;               ///< kind of restart, e.g. kick-off; empty for a trial
+  std::optional<TeamId> team;     ///< the team that takes the restart
+  std::optional<TeamId> favours;  ///< team whose colour the restart has, see `CallWords`
   PerTeam<int> score{};
   Side blue_side = Side::kLeft;
-  std::vector<std::uint8_t> present;  ///< one a body: on the field
+  std::vector<std::uint8_t> present;  ///< per body: whether it is on the field
 };
 
 /// Wheel commands of the robots at every `every`-th tick.
 struct PageCommands {
   int every = 6;
-  std::vector<WheelSpeeds> values;  ///< for each of these ticks, from 0 on, one a robot
+  std::vector<WheelSpeeds> values;  ///< for each of these ticks, from 0 on, one per robot
 };
 
-/// How one navigator's run ended, of a race.
+/// The result of one navigator in a race.
 struct PageRun {
   std::string label;    ///< specification of the navigator
   std::string outcome;  ///< a TrialOutcome's name
@@ -64,7 +64,7 @@ struct PageRun {
   double length_ratio = 0.0;  ///< over L*
 };
 
-/// What a trial is about.
+/// The task of a trial.
 struct PageTask {
   Pose2 start;
   Vec2 goal;
@@ -77,24 +77,24 @@ struct PageScene {
   std::string title;
   std::vector<std::string> teams;  ///< of a match: blue's and yellow's specification
   FieldGeometry field;
-  double rate = 60.0;  ///< [Hz] ticks a second
+  double rate = 60.0;  ///< [Hz] ticks per second
   Tick ticks = 0;
   std::vector<PageBody> bodies;  ///< robots, then balls, then obstacles
   std::vector<PageRow> rows;
   std::vector<PagePlay> plays;
   std::vector<RecordedEvent> events;
   std::vector<RecordedDrawing> drawings;
-  Tick drawing_ticks = 12;  ///< for which a drawing is shown unless there are newer ones
+  Tick drawing_ticks = 12;  ///< time for which a drawing is shown unless a newer one replaces it
   PageCommands commands;
   std::optional<RecordingResult> result;  ///< of a finished recording
   std::optional<PageTask> task;
-  std::vector<PageRun> runs;  ///< of a race: one a robot
+  std::vector<PageRun> runs;  ///< of a race: one per robot
   std::uint64_t seed = 0;
-  /// What else there is to know, by name, in the order in which it is shown.
+  /// Further facts as pairs of name and text, in the order of display.
   std::vector<std::pair<std::string, std::string>> facts;
 };
 
-/// Steps to which the page rounds what it shows.
+/// Rounding steps of the page's values.
 inline constexpr double kPagePlaceStep = 5e-4;    ///< [m]
 inline constexpr double kPageHeadingStep = 5e-3;  ///< [rad]
 inline constexpr double kPageCommandStep = 1.0;   ///< [rad/s]

@@ -138,10 +138,11 @@ void addFacts(const RecordingReader& recording, const RobotPreset& robot, PageSc
   if (const auto& result = recording.result()) {
     if (header.kind == RecordingKind::kTrial) fact("Outcome", result->outcome);
     for (const auto& [name, value] : result->figures) {
-      if (name == "edits") fact("Edited", fmt::format("{:.0f} times by hand: no result", value));
+      if (name == "edits")
+        fact("Edited", fmt::format("{:.0f} times by hand, so the score is no result", value));
     }
   }
-  if (!recording.finished()) fact("File", "cut: the last seconds are missing");
+  if (!recording.finished()) fact("File", "cut off: the last seconds are missing");
   fact("Made by", fmt::format("Fulbito {}", header.build.version));
   fact("Compiler", header.build.compiler);
   fact("Box2D", header.build.box2d);

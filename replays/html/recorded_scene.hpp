@@ -7,9 +7,9 @@
 
 namespace fulbito {
 
-/// A recording of level full for the HTML viewer: a row about 30 times a second, commands ten times a second.
-/// `timeline` is of `recording`. Errors: kBadInput for a recipe whose field, robot or layout cannot be read;
-/// as RecordingReader::chunk.
+/// A recording of level full for the HTML viewer: about 30 rows and ten commands per second. `timeline`
+/// belongs to `recording`. Errors: kBadInput for an unreadable field, robot or layout in the recipe; as
+/// RecordingReader::chunk.
 Result<PageScene> recordedScene(const RecordingReader& recording, const ReplayTimeline& timeline);
 
 }  // namespace fulbito

@@ -7,12 +7,12 @@
 
 namespace fulbito {
 
-/// The numbers of a scene as signed varints, column by column: tick of each row; x, y and (of what is not
-/// round) heading of each body; left and right command of each robot; then the drawings, field by field.
-/// Kept are differences from where the last two values point, which jumps of a play's start interrupt.
+/// The values of a scene as signed varints, column by column: tick of each row; x, y and (if not round)
+/// heading of each body; left and right command of each robot; then the drawings, field by field. Each value
+/// is stored as the difference from the linear extrapolation of the last two, which restarts at each play.
 std::string packedColumns(const PageScene& scene);
 
-/// Whether the page keeps a heading of the body.
+/// Whether the page stores the body's heading.
 bool hasHeading(const PageBody& body);
 
 }  // namespace fulbito

@@ -36,7 +36,7 @@ std::string_view titleOf(RestartKind kind) {
   return "";
 }
 
-/// Details that the table cannot hold.
+/// Details that depend on the event.
 std::string detailOf(const RecordedEvent& event, const Clause& clause,
                      const std::vector<std::string>& teams) {
   if (clause.name == "full-time" && !event.team) return "draw";
@@ -64,7 +64,7 @@ CallWords wordsOf(const RecordedEvent& event, const std::vector<std::string>& te
 
 CallWords wordsOf(RestartKind kind, TeamId team, const std::vector<std::string>& teams) {
   CallWords words{std::string(titleOf(kind)), "", {}};
-  // At a free ball both teams stand equally far.
+  // A free ball favours neither team.
   if (kind == RestartKind::kFreeBall || words.title.empty()) return words;
   words.detail = teamName(team, teams);
   words.favours = team;
@@ -73,7 +73,7 @@ CallWords wordsOf(RestartKind kind, TeamId team, const std::vector<std::string>&
 
 std::string measuredText(const RecordedEvent& event) {
   const Clause* clause = clause::find(event.clause);
-  // What a rule does not know counts how often: a command that was rejected, for the first, tenth ... time.
+  // Other events are counts: a command was rejected for the first, tenth ... time.
   const Measure measure = clause != nullptr ? clause->measure : Measure{"count ", ""};
   const bool nothing = event.value == 0.0 && event.threshold == 0.0;
   if (measure.before.empty() || nothing) return {};

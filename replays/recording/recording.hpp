@@ -14,30 +14,30 @@
 #include "engine/core/base/team.hpp"
 #include "engine/core/base/values.hpp"
 
-/// What a recording (`.fbr`, docs/recordings.md) holds, as plain values. It says how everything began and
-/// what drove every robot, so that a reader can play all of it again and prove that it gets the same states;
-/// and, at the full level, where everything was, so that a viewer needs no physics.
+/// The content of a recording (`.fbr`, docs/recordings.md) as plain values. It holds the start of every play
+/// and all commands, so that a reader can simulate it again and verify the states. At level full it also
+/// holds sampled states, so that a viewer needs no physics.
 namespace fulbito {
 
 /// The file format that this library writes and reads.
 inline constexpr std::uint32_t kRecordingVersion = 1;
 
-/// What was recorded. The names stand in files: match, trial.
+/// The kind of a recording. Names in files: match, trial.
 enum class RecordingKind : std::uint8_t { kMatch, kTrial };
-/// How much is kept. The names stand in files: recipe, full.
+/// The amount of stored data. Names in files: recipe, full.
 enum class RecordingLevel : std::uint8_t {
-  kRecipe,  ///< starts, commands, hashes and events: enough to play it again
-  kFull     ///< also sampled states and debug drawings: enough to look at it
+  kRecipe,  ///< starts, commands, hashes and events: enough to simulate it again
+  kFull     ///< also sampled states and debug drawings: enough to show it
 };
 
-/// A body that may be on the field at any time of the recording.
+/// A body that is on the field at some time of the recording.
 struct RecordedBody {
   BodyKind kind = BodyKind::kRobot;  ///< never kWall
   std::optional<RobotId> id;         ///< of a match's robot
 };
 
-/// All that the recorded match or trial was made from, as resolved values: no preset needs to exist any more
-/// when the file is read. Texts are TOML files unless said otherwise.
+/// The complete configuration of the recorded match or trial as resolved values: reading the file needs no
+/// presets. Texts are TOML files unless stated otherwise.
 struct RecordingRecipe {
   std::string rules;    ///< of a match
   std::string physics;  ///< profile
@@ -49,31 +49,31 @@ struct RecordingRecipe {
   int latency_ticks = 0;           ///< age of observations
   double position_noise = 0.0;     ///< [m]
   double heading_noise = 0.0;      ///< [rad]
-  double dropout = 0.0;            ///< chance that a body is not seen in a tick
+  double dropout = 0.0;            ///< probability per tick that a body is not seen
   std::uint64_t seed = 0;
-  std::uint64_t index = 0;  ///< of a trial in its suite
-  /// Whatever else the result depends on, by name.
+  std::uint64_t index = 0;  ///< index of a trial in its suite
+  /// Everything else that affects the result, by name.
   std::vector<std::pair<std::string, std::string>> more;
 };
 
-/// What is known of how teams command wheels, in steps of a command: robots speed up by so much a tick, and
-/// spin by a share of what the wheels ask for. It only makes recordings smaller; commands that know nothing
-/// of it are recorded as exactly.
+/// A prediction model of wheel commands, in steps of a command: robots accelerate by a limited amount per
+/// tick and spin slower than ideal wheels. It only makes recordings smaller: commands that do not follow it
+/// are recorded exactly, too.
 struct CommandModel {
-  int most_change = 0;    ///< of right less left in a tick, twice what one wheel can gain; 0: unknown
-  int spin_from = 0;      ///< right less left up to which a robot turns by the slow ratio
-  int spin_to = 0;        ///< right less left from which on it turns by the fast ratio; linear between
-  int spin_slow = 65536;  ///< ratio of the turn reached to the turn commanded, in 1/65536
+  int most_change = 0;    ///< largest change of right - left per tick, twice that of one wheel; 0: unknown
+  int spin_from = 0;      ///< right - left up to which a robot turns by the slow ratio
+  int spin_to = 0;        ///< right - left from which it turns by the fast ratio; linear between
+  int spin_slow = 65536;  ///< actual over commanded turn, in 1/65536
   int spin_fast = 65536;
   friend bool operator==(const CommandModel&, const CommandModel&) = default;
 };
 
-/// What stands at the head of a recording.
+/// The header of a recording.
 struct RecordingHeader {
   RecordingKind kind = RecordingKind::kMatch;
   RecordingLevel level = RecordingLevel::kFull;
-  int control_rate = 60;       ///< [Hz] ticks a second, 1 ... 1000
-  double command_step = 0.01;  ///< [rad/s] commands are multiples of it; 0: any number
+  int control_rate = 60;       ///< [Hz] ticks per second, 1 ... 1000
+  double command_step = 0.01;  ///< [rad/s] commands are multiples of it; 0: any value
   CommandModel command_model;
   int sample_every = 2;              ///< ticks between sampled states
   double sample_step = 5e-4;         ///< [m] sampled places are multiples of it
@@ -84,10 +84,10 @@ struct RecordingHeader {
   BuildInfo build;
 };
 
-/// How many of the bodies are of one kind.
+/// The number of bodies of one kind.
 int countOf(const RecordingHeader& header, BodyKind kind);
 
-/// Where a body is when a play begins, to the last bit.
+/// The exact state of a body at the start of a play.
 struct RecordedStart {
   bool present = false;  ///< false: not on the field in this play
   Pose2 pose;            ///< a ball has no heading
@@ -96,20 +96,20 @@ struct RecordedStart {
   Vec2 spin;                      ///< of a ball
 };
 
-/// The beginning of a play: a new world. A trial is one play.
+/// The start of a play, with a new world. A trial is one play.
 struct RecordedPlay {
-  Tick tick = 0;  ///< of the recording; the play's first step leads to the next one
+  Tick tick = 0;  ///< of the recording, before the play's first step
   RestartKind kind = RestartKind::kGiven;
-  TeamId team = TeamId::kBlue;  ///< who takes the restart
-  Vec2 ball;                    ///< [m] where the restart puts the ball
+  TeamId team = TeamId::kBlue;  ///< the team that takes the restart
+  Vec2 ball;                    ///< [m] position of the ball at the restart
   Tick delay = 0;               ///< ticks from the placement to the signal
   bool defenders_back = false;  ///< see RestartCall
   int period = 1;
-  Tick play_ticks = 0;  ///< of play so far in this period
+  Tick play_ticks = 0;  ///< play time so far in this period
   PerTeam<int> score{};
   Side blue_side = Side::kLeft;
   std::uint64_t hash = 0;             ///< running hash before the play's first tick
-  std::vector<RecordedStart> starts;  ///< one a body of the header
+  std::vector<RecordedStart> starts;  ///< one per body of the header
 };
 
 /// A referee's call, see GameEvent.
@@ -125,8 +125,8 @@ struct RecordedEvent {
   double value = 0.0, threshold = 0.0, margin = 0.0;
 };
 
-/// Something that a team, or a trial's navigator, wanted to show, in the world's frame, rounded to 0.1 mm.
-/// A text stands around its place.
+/// A drawing of a team or of a trial's navigator, in the world frame, rounded to 0.1 mm. A text is centred at
+/// its position.
 struct RecordedDrawing {
   enum class Kind : std::uint8_t { kLine, kCircle, kText };
   Tick tick = 0;
@@ -138,23 +138,23 @@ struct RecordedDrawing {
   std::string text;
 };
 
-/// Hash bits of where a body is and of how it moves.
+/// Hashes of a body's pose and of its motion.
 struct BodyHash {
   std::uint32_t place = 0;
   std::uint32_t motion = 0;
   friend bool operator==(BodyHash, BodyHash) = default;
 };
 
-/// Hashes of one state, body by body, kept once a second.
+/// Hashes of the bodies in one state, stored once per second.
 struct RecordedCheck {
   Tick tick = 0;
   std::vector<BodyHash> bodies;  ///< one per body of the header; 0 of an absent one
 };
 
-/// Where the bodies were, rounded to the header's steps.
+/// The poses of the bodies, rounded to the header's steps.
 struct RecordedSample {
   Tick tick = 0;
-  std::vector<Pose2> poses;  ///< one a body of the header; of an absent one at the origin
+  std::vector<Pose2> poses;  ///< one per body of the header; at the origin if absent
 };
 
 /// A few seconds of a recording: the ticks first_tick + 1 ... first_tick + ticks.
@@ -162,37 +162,37 @@ struct RecordedChunk {
   Tick first_tick = 0;
   int ticks = 0;
   std::int64_t plays_before = 0;      ///< plays that began in earlier chunks
-  std::vector<std::uint8_t> present;  ///< one a body: on the field in the play that goes on from before
+  std::vector<std::uint8_t> present;  ///< per body: whether it is on the field in the continued play
   std::vector<RecordedPlay> plays;
-  std::vector<std::uint16_t> tick_hashes;  ///< low bits of the running hash, one a tick
-  std::vector<std::uint8_t> playing;       ///< one a tick: 0 while a restart waited for its signal
-  std::vector<WheelSpeeds> commands;       ///< as applied: for each tick one a robot of the header
+  std::vector<std::uint16_t> tick_hashes;  ///< low bits of the running hash, one per tick
+  std::vector<std::uint8_t> playing;       ///< per tick: 0 while a restart waits for its signal
+  std::vector<WheelSpeeds> commands;       ///< as applied: per tick, one per robot of the header
   std::vector<RecordedCheck> checks;
   std::vector<RecordedEvent> events;
   std::vector<RecordedDrawing> drawings;
   std::vector<RecordedSample> samples;
 };
 
-/// What stands at the end of a finished recording.
+/// The result at the end of a finished recording.
 struct RecordingResult {
   Tick ticks = 0;
   bool complete = true;  ///< false: stopped before its own end
   PerTeam<int> score{};
   std::uint64_t final_hash = 0;  ///< running hash after the last tick
-  std::string outcome;           ///< of a trial: a TrialOutcome's name; of a match: blue, yellow or draw
+  std::string outcome;           ///< trial: a TrialOutcome's name; match: blue, yellow or draw
   std::vector<std::pair<std::string, double>> figures;  ///< by name
 };
 
-/// [rad] What sampled headings are multiples of.
+/// Step of sampled headings [rad].
 double sampleHeadingStep(const RecordingHeader& header);
-/// [m] What places in drawings are multiples of.
+/// Step of positions in drawings [m].
 inline constexpr double kDrawingStep = 1e-4;
 
-/// Ticks for which a drawing is shown unless the same play has newer ones: a fifth of a second.
+/// Ticks for which a drawing is shown unless a newer one of the same play replaces it: 0.2 s.
 Tick drawingTicks(const RecordingHeader& header);
 
-/// Of one body of a world, counted through its robots, balls and obstacles. Equal states give equal hashes,
-/// -0 counts as +0.
+/// The hashes of one body of a world, counted through its robots, balls and obstacles. Equal states give
+/// equal hashes; -0 counts as +0.
 BodyHash bodyHash(const WorldState& world, std::size_t body);
 
 }  // namespace fulbito

@@ -12,8 +12,8 @@
 
 namespace fulbito {
 
-/// Writes the plays that it is shown into a recording of their own, one after the other, while it compares
-/// them with what was recorded. Stops at a difference.
+/// Writes the visited plays to a new recording and compares them with the recorded ones. Stops at a
+/// difference.
 class PlayCopier final : public ReplayVisitor {
  public:
   explicit PlayCopier(RecordingWriter writer) : writer_(std::move(writer)) {}
@@ -24,13 +24,13 @@ class PlayCopier final : public ReplayVisitor {
 
   std::int64_t plays() const { return plays_; }
   Tick ticks() const { return writer_.tick(); }
-  /// Tick of the recording whose state is not the recorded one, if any.
+  /// First tick of the recording whose state differs from the recorded one, if any.
   const std::optional<Tick>& differs() const { return differs_; }
-  /// Writes what is left and the end; ticks and hash of `result` are set here.
+  /// Writes the remaining data and the result, whose ticks and hash are set here.
   Result<void> finish(RecordingResult result);
 
  private:
-  /// Writes what was called and drawn up to this tick of the original.
+  /// Writes the events and drawings up to this tick of the original.
   void pass(Tick until);
 
   RecordingWriter writer_;
@@ -38,7 +38,7 @@ class PlayCopier final : public ReplayVisitor {
   std::deque<RecordedDrawing> drawings_;
   StateHash hash_;
   std::int64_t plays_ = 0;
-  Tick shift_ = 0;  ///< from ticks of the original to those of the copy
+  Tick shift_ = 0;  ///< difference between ticks of the copy and the original
   std::optional<Tick> differs_;
 };
 

@@ -66,7 +66,7 @@ Result<PlayRange> playsBetween(const RecordingReader& recording, double from, do
   }
   if (range.first < 0) {
     return fail(ErrorCode::kUsage,
-                fmt::format("no play has a part in {:g} ... {:g} s; the recording has {:.3f} s", from, to,
+                fmt::format("no play overlaps {:g} ... {:g} s; the recording lasts {:.3f} s", from, to,
                             static_cast<double>(recording.ticks()) / rate));
   }
   return range;
@@ -93,7 +93,7 @@ Result<std::string> cutPlays(const RecordingReader& recording, const PlayRange& 
     return tl::unexpected<Error>(played.error());
   if (copier.differs()) {
     return fail(ErrorCode::kBadInput,
-                fmt::format("{}: played again, it differs from tick {} on: see fulbito replay verify",
+                fmt::format("{}: simulated again, it differs from tick {} on: see fulbito replay verify",
                             recording.origin(), *copier.differs()));
   }
   if (auto finished = copier.finish(endOf(recording, *plays, range)); !finished) {

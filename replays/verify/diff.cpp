@@ -34,7 +34,8 @@ class RecipeDiff {
   /// Whole files: the lines that differ, where they have the same lines otherwise.
   void text(const std::string& name, const std::string& a, const std::string& b) {
     const auto lines_a = linesOf(a), lines_b = linesOf(b);
-    if (lines_a.size() != lines_b.size()) return value(name, "another text", a == b ? "another text" : "");
+    if (lines_a.size() != lines_b.size())
+      return value(name, "different text", a == b ? "different text" : "");
     for (std::size_t i = 0; i < lines_a.size(); ++i) {
       if (lines_a[i] != lines_b[i]) value(name, std::string(lines_a[i]), std::string(lines_b[i]));
     }

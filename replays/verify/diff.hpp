@@ -8,35 +8,35 @@
 
 namespace fulbito {
 
-/// One thing of the recipes that is not the same.
+/// One difference between the recipes.
 struct RecipeDifference {
   std::string name;  ///< e.g. seed, teams.blue, physics: substeps
   std::string a, b;
 };
 
-/// One number of one body that is not the same in both.
+/// One differing value of a body.
 struct BodyDifference {
-  std::size_t body = 0;  ///< of the header
+  std::size_t body = 0;  ///< index in the header
   std::string body_name;
   std::string field;  ///< command left, command right, x, y, heading, velocity x ...
   double a = 0.0, b = 0.0;
 };
 
-/// Where two recordings part.
+/// The first difference between two recordings.
 struct RecordingDifference {
   std::vector<RecipeDifference> recipe;
-  bool comparable = true;  ///< false: other bodies or another tick, so that ticks cannot be compared
+  bool comparable = true;  ///< false: different bodies or control rates, so the ticks cannot be compared
   Tick ticks_a = 0, ticks_b = 0;
-  /// The first tick that differs; empty: one is the beginning of the other, or they are the same.
+  /// The first differing tick; empty: both are identical, or one is a prefix of the other.
   std::optional<Tick> tick;
   std::int64_t play = 0;               ///< from 0
-  bool start = false;                  ///< it is a play's start that differs, not a step
+  bool start = false;                  ///< the start of the play differs, not a step
   std::vector<BodyDifference> bodies;  ///< at that tick, commands first, then states after the step
 
   bool same() const { return recipe.empty() && comparable && !tick && ticks_a == ticks_b; }
 };
 
-/// Compares two recordings tick by tick, then plays both again up to where they part, to the last bit.
+/// Compares two recordings tick by tick, then simulates both up to the first difference to compare all bits.
 /// Errors: kBadInput.
 Result<RecordingDifference> diff(const RecordingReader& a, const RecordingReader& b);
 

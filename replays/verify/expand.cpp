@@ -86,7 +86,7 @@ Result<RecordingReader> expanded(const RecordingReader& recipe) {
   if (auto played = resimulate(recipe, expander); !played) return tl::unexpected<Error>(played.error());
   if (expander.differs()) {
     return fail(ErrorCode::kBadInput,
-                fmt::format("{}: played again, it differs from tick {} on: see fulbito replay verify",
+                fmt::format("{}: simulated again, it differs from tick {} on: see fulbito replay verify",
                             recipe.origin(), *expander.differs()));
   }
   if (auto finished = expander.finish(recipe.result()); !finished) {

@@ -51,7 +51,7 @@ Result<Repair> repair(const Salvage& salvage) {
   }
   if (copier.differs()) {
     return fail(ErrorCode::kBadInput,
-                fmt::format("played again, it differs from tick {} on", *copier.differs()));
+                fmt::format("simulated again, it differs from tick {} on", *copier.differs()));
   }
   repaired.plays = copier.plays();
   repaired.ticks = copier.ticks();

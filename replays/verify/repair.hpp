@@ -6,20 +6,20 @@
 
 namespace fulbito {
 
-/// What a repair kept and what it could not.
+/// The result of a repair.
 struct Repair {
   std::string bytes;  ///< of the repaired recording
   std::int64_t plays = 0;
   Tick ticks = 0;
-  Tick lost_ticks = 0;  ///< of the original, where its length is known
-  int gaps = 0;         ///< places where something between is missing
+  Tick lost_ticks = 0;  ///< lost ticks of known number
+  int gaps = 0;         ///< number of gaps
   bool end_lost = false;
 };
 
-/// A whole recording of all plays that can be read: each is a world of its own, so that those after the
-/// damage are kept too. What remains of a play whose middle was lost is its beginning. It is played again
-/// meanwhile; after a gap the running hash is another than the original's. Errors: kBadInput when nothing can
-/// be read, or what is left does not come out the same.
+/// A valid recording of all readable plays. Each play has its own world, so plays after the damage are kept
+/// too. Of a damaged play, the part before the damage remains. All plays are simulated again; after a gap the
+/// running hash differs from the original's. Errors: kBadInput if no play is readable, or the simulation
+/// differs.
 Result<Repair> repair(const Salvage& salvage);
 
 }  // namespace fulbito

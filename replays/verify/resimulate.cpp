@@ -97,8 +97,8 @@ class Replay {
     }
     auto world = World::create(config);
     if (!world) {
-      return fail(ErrorCode::kBadInput,
-                  fmt::format("the play at tick {} makes no world: {}", play.tick, world.error().message));
+      return fail(ErrorCode::kBadInput, fmt::format("the play at tick {} gives no valid world: {}", play.tick,
+                                                    world.error().message));
     }
     world_.emplace(std::move(*world));
     commands_.assign(ids_.size(), {});

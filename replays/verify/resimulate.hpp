@@ -13,67 +13,65 @@
 
 namespace fulbito {
 
-/// The beginning of a play while a recording is played again.
+/// The start of a play in a resimulation.
 struct ReplayedPlay {
   const RecordedPlay* recorded = nullptr;
   std::int64_t number = 0;       ///< from 0
   const World* world = nullptr;  ///< new, from the recorded start
-  std::span<const RobotId> ids;  ///< of the world's robots; of a trial, blue 0
+  std::span<const RobotId> ids;  ///< of the world's robots; blue 0 in a trial
   std::span<const std::size_t>
-      bodies;              ///< of the header: robots, balls and obstacles of the world, in this order
-  std::uint64_t hash = 0;  ///< running hash as it was computed again up to here
+      bodies;              ///< header indices of the world's robots, balls and obstacles, in this order
+  std::uint64_t hash = 0;  ///< running hash of the resimulation
 };
 
-/// One tick of a recording, played again.
+/// One resimulated tick of a recording.
 struct ReplayedTick {
   Tick tick = 0;  ///< of the recording, after the step
   const World* world = nullptr;
   std::span<const RobotId> ids;
   std::span<const std::size_t> bodies;    ///< see ReplayedPlay
-  std::span<const WheelSpeeds> commands;  ///< as recorded, one a robot of the world
-  std::uint64_t hash = 0;                 ///< running, computed again from the play's recorded one
-  const RecordedChunk* chunk = nullptr;   ///< what was recorded around this tick
-  std::size_t row = 0;                    ///< of the tick in it
+  std::span<const WheelSpeeds> commands;  ///< as recorded, one per robot of the world
+  std::uint64_t hash = 0;                 ///< running hash, continued from the play's recorded one
+  const RecordedChunk* chunk = nullptr;   ///< chunk of this tick
+  std::size_t row = 0;                    ///< row of the tick in it
 };
 
-/// The bodies' hashes that were recorded of this tick; null but once a second.
+/// The recorded hashes of the bodies at this tick; null except once per second.
 const RecordedCheck* checkAt(const ReplayedTick& tick);
-/// Whether the tick came out as it was recorded, by all hashes there are of it.
+/// Whether the tick matches all its recorded hashes.
 bool asRecorded(const ReplayedTick& tick);
 
-/// Someone who is shown a recording as it is played again.
+/// Visits the plays and ticks of a resimulation.
 class ReplayVisitor {
  public:
   virtual ~ReplayVisitor() = default;
-  /// A part of the recording was unpacked; its plays and ticks follow.
+  /// A chunk has been unpacked; its plays and ticks follow.
   virtual void chunkBegins(const RecordedChunk&) {}
-  /// @{ False ends the replay there.
+  /// @{ Returning false ends the resimulation.
   virtual bool playBegins(const ReplayedPlay&) { return true; }
   virtual bool ticked(const ReplayedTick&) { return true; }
   /// @}
 };
 
-/// Plays a recording again: builds every play's world from its recorded start and applies the recorded
-/// commands. No team and no referee takes part. Errors: kBadInput naming the file, for a recipe that makes no
-/// world.
+/// Simulates a recording again: creates each play's world from its recorded start and applies the recorded
+/// commands, without teams or referee. Errors: kBadInput naming the file, if the recipe gives no valid world.
 Result<void> resimulate(const RecordingReader& recording, ReplayVisitor& visitor);
 
-/// Plays of a recording, counted from 0, both included.
+/// Plays of a recording, counted from 0; both ends are included.
 struct PlayRange {
   std::int64_t first = 0;
   std::int64_t last = std::numeric_limits<std::int64_t>::max();
 };
-/// Only these plays of it, each a world of its own.
+/// The same for only these plays.
 Result<void> resimulate(const RecordingReader& recording, const PlayRange& plays, ReplayVisitor& visitor);
 
-/// Gives the chunks of a recording one after the other; nothing after the last one.
+/// Returns the chunks of a recording one after the other, then an empty value.
 using ChunkSource = std::function<Result<std::optional<RecordedChunk>>()>;
-/// The same of chunks from anywhere. Some may be missing: what belongs to plays that began in them is left
-/// out.
+/// The same for chunks from any source. Chunks may be missing: data of plays that began in them are skipped.
 Result<void> resimulate(const RecordingHeader& header, const ChunkSource& chunks, const PlayRange& plays,
                         ReplayVisitor& visitor);
 
-/// Name of a body: "blue 0", "robot 0" of a trial, "ball", "obstacle 3".
+/// Name of a body: "blue 0", "robot 0" (in a trial), "ball", "obstacle 3".
 std::string bodyName(const RecordingHeader& header, std::size_t body);
 
 }  // namespace fulbito

@@ -229,7 +229,7 @@ Result<void> compareRules(const RecordingReader& recording, const Rules& a, cons
                           RulesComparison& comparison) {
   const RecordingHeader& header = recording.header();
   if (header.kind != RecordingKind::kMatch || countOf(header, BodyKind::kBall) != 1) {
-    return fail(ErrorCode::kBadInput, "the recording is no match");
+    return fail(ErrorCode::kBadInput, "the recording is not a match");
   }
   const auto setup_a = setupOf(header.recipe, a, header.control_rate);
   if (!setup_a) return fail(ErrorCode::kBadInput, setup_a.error().message);

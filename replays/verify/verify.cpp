@@ -27,7 +27,7 @@ class Verifier final : public ReplayVisitor {
     // What was cut out of a longer recording begins with the hash that had been reached there.
     const bool first = result_.plays == 1;
     if (!first && play.hash != play.recorded->hash) {
-      diverge(began_, "the play does not follow the one before it");
+      diverge(began_, "the play does not continue the previous one");
     }
     return !found_;
   }
@@ -50,7 +50,7 @@ class Verifier final : public ReplayVisitor {
                          made.type == own.type && made.box2d == own.box2d;
     const auto& end = recording_.result();
     if (!found_ && end && end->final_hash != result_.final_hash) {
-      diverge(result_.ticks, "the final hash is another");
+      diverge(result_.ticks, "the final hash differs");
     }
     if (found_) describe();
     result_.divergence = found_;
@@ -130,9 +130,8 @@ class Verifier final : public ReplayVisitor {
     if (!d.text.empty()) text += ": " + d.text;
     if (d.body) {
       text += fmt::format("; at tick {} {} of {}", d.body_tick, d.field, d.body_name);
-      text += d.recorded == d.replayed
-                  ? std::string(" differs")
-                  : fmt::format(" is {:.6f} where {:.6f} was recorded", d.replayed, d.recorded);
+      text += d.recorded == d.replayed ? std::string(" differs")
+                                       : fmt::format(" is {:.6f}, recorded {:.6f}", d.replayed, d.recorded);
       if (d.bodies > 1) text += fmt::format(" ({} bodies differ there)", d.bodies);
     }
     d.text = text;

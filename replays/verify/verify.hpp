@@ -8,39 +8,39 @@
 
 namespace fulbito {
 
-/// Where a recording and its second playing part.
+/// The first difference between a recording and its resimulation.
 struct Divergence {
   Tick tick = 0;          ///< of the recording: the first whose hash differs
   std::int64_t play = 0;  ///< in which play, from 0
   Tick play_tick = 0;     ///< ticks since the play began
-  /// The first body that could be named, which may have been a moment later: bodies are hashed once a second
-  /// and sampled 30 times a second.
+  /// The first body that differs, possibly at a later tick: bodies are hashed once per second and sampled 30
+  /// times per second.
   std::optional<std::size_t> body;
   std::string body_name;
-  int bodies = 0;  ///< that differ at `body_tick`
+  int bodies = 0;  ///< number of bodies that differ at `body_tick`
   Tick body_tick = 0;
   std::string field;      ///< x, y or heading of a sample; else "place" or "motion"
   double recorded = 0.0;  ///< of a sample [m], [rad]
   double replayed = 0.0;
-  std::string text;  ///< all that in one sentence
+  std::string text;  ///< description in one sentence
 };
 
-/// What came of playing a recording again.
+/// The result of verifying a recording.
 struct Verification {
   Tick ticks = 0;
   std::int64_t plays = 0;
   double seconds = 0.0;    ///< simulated
-  bool finished = false;   ///< false: the recording was cut; what is there was verified
+  bool finished = false;   ///< false: the recording is cut off; its remaining part was verified
   bool same_build = true;  ///< made by the same compiler, build type and libraries as this program
   std::uint64_t final_hash = 0;
-  std::optional<Divergence> divergence;  ///< empty: the same, bit for bit
+  std::optional<Divergence> divergence;  ///< empty: identical, bit for bit
 
   bool same() const { return !divergence.has_value(); }
 };
 
-/// Plays a recording again and compares every hash in it. Errors: as `resimulate`.
+/// Simulates a recording again and compares every hash in it. Errors: as `resimulate`.
 Result<Verification> verify(const RecordingReader& recording);
-/// The same of a file. Errors: also as RecordingReader::open.
+/// The same for a file. Errors: also as RecordingReader::open.
 Result<Verification> verifyRecording(const std::string& file);
 
 }  // namespace fulbito

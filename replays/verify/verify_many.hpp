@@ -8,14 +8,14 @@
 
 namespace fulbito {
 
-/// One recording of many and what came of it.
+/// One recording of many and its result.
 struct VerifiedFile {
   std::string file;
   Result<Verification> result;
 };
 
-/// The recordings among files and folders: files as they are, of a folder every .fbr directly in it by name.
-/// Errors: kIo for what is not there or cannot be listed.
+/// Expands folders to their .fbr files, sorted by name; files stay as they are. Errors: kIo for missing files
+/// and folders that cannot be listed.
 Result<std::vector<std::string>> recordingFiles(const std::vector<std::string>& files_or_folders);
 
 /// Verifies each on `jobs` threads (0: all cores); results come in the order of the files. `watcher` hears

@@ -240,13 +240,13 @@ test('races: layouts, side by side or over each other, chosen runs', async () =>
 
 test('ghosts: where two replays part', async () => {
   const page = await open('ghost');
-  assert.match(await page.textContent('#difference p'), /They part at/);
+  assert.match(await page.textContent('#difference p'), /First difference at/);
   await button(page, 'end').click();
   await button(page, 'part').click();
   near(await time(page), await view(page, 'v.parting'), 1e-9);
   await page.quiet();
   const same = await open('same');
-  assert.match(await same.textContent('#difference p'), /show the same/);
+  assert.match(await same.textContent('#difference p'), /are identical/);
   await same.quiet();
 });
 

@@ -48,7 +48,7 @@ TEST_CASE("wrong words are usage errors with a suggestion, and say nothing on st
   expect("compare --suite corner --tune straight --out o", "has no numeric parameter to tune");
   expect("run --robot vss", "Did you mean 'vsss'?");
   expect("run --physics standrad", "Did you mean 'standard'?");
-  expect("run --layout corner:x", "is not the number of a layout");
+  expect("run --layout corner:x", "is not a layout number");
   expect("run --layout cornr:3", "Did you mean 'corner'?");
   expect("run --speed nan", "speed");
   expect("run --speed 0", "speed: 0 is outside");
@@ -162,7 +162,7 @@ TEST_CASE("compare --map writes the map as text, CSV, JSON and pictures, the sam
   const Output text = box.run(common + "--jobs 1 --out one"),
                json = box.run(common + "--json --jobs 3 --out two");
   REQUIRE(text.code == 0);
-  CHECK(text.out.find("### Where the paper's two figures hold together") != std::string::npos);
+  CHECK(text.out.find("### Cells that match both of the paper's figures") != std::string::npos);
   CHECK(Json::parse(json.out)["cells"].size() == 2);
   CHECK(contentOf(box.path / "two/map.json") == json.out);
   CHECK(contentOf(box.path / "one/map.csv") == contentOf(box.path / "two/map.csv"));

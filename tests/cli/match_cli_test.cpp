@@ -229,10 +229,10 @@ TEST_CASE("a match on another field than its places are written for says so and 
   box.write("mine.toml", "[rules]\nname = \"mine\"\nfield = \"big.toml\"\nteam_size = 5\n");
   const Output output = box.run("match chaser chaser --half-seconds 1 --rules mine.toml");
   CHECK(output.code == 0);
-  CHECK(output.err.find("Begin with: fulbito rules show vsss-5v5") != std::string::npos);
+  CHECK(output.err.find("Start from: fulbito rules show vsss-5v5") != std::string::npos);
   const Output check = box.run("rules check mine.toml");
   CHECK(check.code == 0);
-  CHECK(check.out.find("note: the places of the rules 'mine'") != std::string::npos);
+  CHECK(check.out.find("note: the places (in metres) of the rules 'mine'") != std::string::npos);
   CHECK(box.run("rules check vsss-5v5").out.find("note") == std::string::npos);
 }
 
@@ -248,7 +248,7 @@ TEST_CASE("a series says what it shows, and counts pairs", "[cli]") {
   const Output output = box.run("match chaser chaser --half-seconds 1 -n 2");
   CHECK(output.code == 0);
   CHECK(output.out.find("2 swapped pairs, 4 matches") != std::string::npos);
-  CHECK(output.out.find("  verdict           no difference shown (95 %)\n") != std::string::npos);
+  CHECK(output.out.find("  verdict           no significant difference (95 %)\n") != std::string::npos);
   CHECK(box.run("match --help").out.find("2 matches each") != std::string::npos);
 }
 
@@ -259,7 +259,7 @@ TEST_CASE("Ctrl-C ends a match with its summary, events and a whole recording", 
       {"match", "chaser", "chaser", "--half-seconds", "3600", "--record", "m.fbr", "--events", "e.jsonl"},
       "m.fbr");
   CHECK(code == 130);
-  CHECK(contentOf(box.path / "out.txt").find("broken off") != std::string::npos);
+  CHECK(contentOf(box.path / "out.txt").find("stopped early") != std::string::npos);
   const std::vector<Json> lines = jsonLines(contentOf(box.path / "e.jsonl"));
   CHECK(lines.back()["event"] == "end");
   CHECK(lines.back()["complete"] == false);

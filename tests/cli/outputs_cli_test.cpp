@@ -140,7 +140,7 @@ TEST_CASE("files that exist are replaced with --force only", "[cli]") {
     box.write("x", "old");
     const Output refused = box.run(command);
     CHECK(refused.code == 2);
-    CHECK(contains(refused.err, "exists; give --force"));
+    CHECK(contains(refused.err, "exists; use --force"));
     CHECK(contentOf(box.path / "x") == "old");
     CHECK(box.run(command + " --force").code == 0);
     CHECK(fs::file_size(box.path / "x") > 10);

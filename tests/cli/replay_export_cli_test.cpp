@@ -107,13 +107,13 @@ TEST_CASE("what is not possible names the flag and what is", "[cli]") {
     CHECK(output.out.empty());
     CHECK(contains(output.err, part));
   };
-  refused("", "say what to make");
-  refused("--png --at 31", "--at 31: the recording goes from 0 to ");
+  refused("", "needs a product");
+  refused("--png --at 31", "--at 31: the recording lasts from 0 to ");
   refused("--png --at -1", "--at -1");
   refused("--png --at nan", "'nan' is not a number");
   refused("--gif --from 30", "--from 30");
   refused("--gif --from 5 --to 4", "--from 5 is after --to 4");
-  refused("--png --around shoot-out", "What there is: ");
+  refused("--png --around shoot-out", "Recorded events: ");
   refused("--gif --highlights --to 0.1", "--highlights");
   refused("--png --size 10", "--size '10'");
   refused("--png --size 400x", "160 to 16384");
@@ -122,9 +122,9 @@ TEST_CASE("what is not possible names the flag and what is", "[cli]") {
   refused("--gif --speed -1", "--speed -1");
   refused("--heatmap referee", "--heatmap 'referee'");
   refused("--heatmap blue:9", "--heatmap 'blue:9'");
-  refused("--mp4 --size 401x300", "--size 401x300: a video's sides must be even");
+  refused("--mp4 --size 401x300", "--size 401x300: width and height of a video must be even");
   refused("--png - --csv -", "only one product");
-  refused("--png - --at 1 2", "2 pictures cannot go to stdout");
+  refused("--png - --at 1 2", "2 pictures cannot be written to stdout");
   refused("--quality 99 --mp4", "--quality 99");
   CHECK(box.run("replay export none.fbr --png").code == 5);
   CHECK(box.make("--png /proc/none/x.png").code == 5);

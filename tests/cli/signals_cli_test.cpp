@@ -120,7 +120,7 @@ TEST_CASE("a terminal that closes finishes the recording and tells what a series
   CHECK(match.code == 129);
   const Output verified = box.run("replay verify a.fbr");
   CHECK(verified.code == 0);
-  CHECK(contains(verified.out, "the same, bit for bit"));
+  CHECK(contains(verified.out, "identical, bit for bit"));
   const Ended series =
       signalled(box, "match chaser chaser --half-seconds 2 -n 100000 --json --jobs 1", "HUP", 1.0);
   CHECK(series.code == 129);

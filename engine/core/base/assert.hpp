@@ -1,7 +1,7 @@
 #pragma once
 
 namespace fulbito::detail {
-/// Prints the broken condition and aborts: a bug of this project, never the user's fault.
+/// Prints the broken condition and aborts. A failure is a bug of this project, never the user's mistake.
 [[noreturn]] void demandFailed(const char* condition, const char* file, int line);
 }  // namespace fulbito::detail
 

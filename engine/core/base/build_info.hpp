@@ -4,7 +4,7 @@
 
 namespace fulbito {
 
-/// What this library was built from and with.
+/// Version and build settings of this library.
 struct BuildInfo {
   std::string version;   ///< of the project
   std::string compiler;  ///< name and version

@@ -6,7 +6,7 @@
 
 namespace fulbito {
 
-/// What can touch.
+/// The kinds of bodies that can touch.
 enum class BodyKind : std::uint8_t { kWall, kRobot, kBall, kObstacle };
 
 /// One body of a world: its kind and its index in the world's list of that kind (0 for the walls).
@@ -16,15 +16,15 @@ struct BodyId {
   friend bool operator==(BodyId, BodyId) = default;
 };
 
-/// Two bodies that pressed on each other during a control tick: being near without force is no contact. One
-/// event a pair and tick, in the order of (a, b), never in the engine's own order.
+/// Two bodies that pressed on each other during a control tick; being close without force is not a contact.
+/// One event per pair and tick, sorted by (a, b), independent of the physics engine's order.
 struct ContactEvent {
   BodyId a;  ///< the body that comes first in the order walls, robots, balls, obstacles
   BodyId b;
   Vec2 point;            ///< [m] world frame, at the first impulse of the tick
   Vec2 normal;           ///< unit, from a to b
   double impulse = 0.0;  ///< [kg m/s] along the normal, summed over the tick
-  bool began = false;    ///< the two did not touch in the tick before, with or without force
+  bool began = false;    ///< the two did not touch in the previous tick, with or without force
 };
 
 }  // namespace fulbito

@@ -4,10 +4,9 @@
 
 namespace fulbito {
 
-/// While it lives, floating-point numbers are handled as everything here expects: rounded to nearest, small
-/// ones kept (neither FTZ nor DAZ), no traps. Then the thread gets its own mode back. Programs and plug-ins
-/// that were built with -ffast-math, or audio libraries, leave threads in other modes, which would change
-/// bits.
+/// Sets the floating-point mode that this library expects: round to nearest, subnormals kept (neither FTZ nor
+/// DAZ), no traps. The destructor restores the thread's mode. Programs built with -ffast-math and audio
+/// libraries leave threads in other modes, which would change results.
 class FloatMode {
  public:
   FloatMode() : before_(_mm_getcsr()) {
@@ -21,7 +20,7 @@ class FloatMode {
 
  private:
   static constexpr unsigned kDefault = 0x1f80;  // all exceptions masked
-  static constexpr unsigned kModes = 0xffc0;    // all but the flags of what happened
+  static constexpr unsigned kModes = 0xffc0;    // all but the status flags
   unsigned before_;
 };
 

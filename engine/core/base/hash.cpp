@@ -8,8 +8,8 @@
 namespace fulbito {
 namespace {
 
-/// A running hash in a register: a match adds some sixty numbers a tick, and calls would cost as much as the
-/// hashing.
+/// A running hash in a register: a match adds about sixty numbers per tick, and calls would cost as much as
+/// the hashing.
 class Chain {
  public:
   explicit Chain(std::uint64_t value) : value_(value) {}
@@ -46,7 +46,7 @@ void StateHash::add(std::string_view text) {
 void StateHash::add(const WorldState& state) {
   Chain chain(value_);
   chain.add(static_cast<std::uint64_t>(state.tick));
-  // Without the numbers of items, values could move from one list to another unseen.
+  // Without the lengths of the lists, a value that moves between lists would not change the hash.
   chain.add(std::uint64_t{state.robots.size()});
   chain.add(std::uint64_t{state.balls.size()});
   chain.add(std::uint64_t{state.obstacles.size()});

@@ -12,7 +12,7 @@ namespace fulbito {
 class StateHash {
  public:
   StateHash() = default;
-  /// Goes on from the value that another had.
+  /// Continues from the value of another hash.
   explicit StateHash(std::uint64_t value) : value_(value) {}
   void add(double value);
   void add(std::uint64_t value);

@@ -12,7 +12,7 @@ enum class RestartKind : std::uint8_t {
   kFreeKick,
   kPenalty,
   kGoalKick,
-  kGiven  ///< from a state that the user placed (a drill)
+  kGiven  ///< from a placement by the user or a drill
 };
 
 constexpr const char* nameOf(RestartKind kind) {

@@ -6,11 +6,11 @@
 
 namespace fulbito {
 
-/// What went wrong with something from outside (file, flag, packet). Each maps to one exit code of the
+/// The category of an error in external input (file, flag, packet). Each maps to one exit code of the
 /// program.
 enum class ErrorCode {
-  kUsage,        ///< a name or value that the caller gave is not possible (exit 2)
-  kBadInput,     ///< a file could be read but its content is wrong (exit 3)
+  kUsage,        ///< the caller gave an invalid name or value (exit 2)
+  kBadInput,     ///< a file is readable but its content is wrong (exit 3)
   kIo,           ///< a file or folder cannot be read or written (exit 5)
   kInterrupted,  ///< stopped by a signal before the end (exit 130)
 };
@@ -24,7 +24,7 @@ struct Error {
 template <typename T>
 using Result = tl::expected<T, Error>;
 
-/// Shorthand for returning an error from a function that gives a Result.
+/// Shorthand for returning an error from a function that returns a Result.
 inline tl::unexpected<Error> fail(ErrorCode code, std::string message) {
   return tl::unexpected<Error>(Error{code, std::move(message)});
 }

@@ -6,7 +6,7 @@
 
 namespace fulbito {
 
-/// The most robots that a team may field.
+/// Largest number of robots per team.
 inline constexpr int kMaxTeamSize = 11;
 
 /// The two teams of a match.
@@ -20,14 +20,14 @@ constexpr std::size_t indexOf(TeamId team) { return static_cast<std::size_t>(tea
 inline constexpr std::array<TeamId, 2> kTeams{TeamId::kBlue, TeamId::kYellow};
 constexpr const char* nameOf(TeamId team) { return team == TeamId::kBlue ? "blue" : "yellow"; }
 
-/// One robot of a match: its team and its number there, from 0.
+/// One robot of a match: its team and its number in the team, from 0.
 struct RobotId {
   TeamId team = TeamId::kBlue;
   std::uint8_t number = 0;
   friend bool operator==(RobotId, RobotId) = default;
 };
 
-/// One value a team, indexed by `indexOf(team)`.
+/// One value per team, indexed by `indexOf(team)`.
 template <typename T>
 using PerTeam = std::array<T, 2>;
 

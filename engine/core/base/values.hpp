@@ -7,7 +7,7 @@
 
 namespace fulbito {
 
-/// Control ticks since the world was made; seconds are `tick * dt`, never a running sum.
+/// Control ticks since the world's creation. Seconds are `tick * dt`, never a running sum.
 using Tick = std::int64_t;
 
 /// World frame: field centre, x toward the right goal, y up.
@@ -32,13 +32,13 @@ struct RobotState {
   Pose2 pose;
   Vec2 velocity;                  ///< [m/s] world frame
   double angular_velocity = 0.0;  ///< [rad/s]
-  WheelSpeeds wheels;  ///< [rad/s] as an encoder would read them: differs from the ground while slipping
+  WheelSpeeds wheels;             ///< [rad/s] encoder readings: they differ from the ground speed during slip
 };
 
 struct BallState {
   Vec2 position;
   Vec2 velocity;  ///< [m/s]
-  Vec2 spin;      ///< [m/s] velocity at which the ball would roll without sliding (its spin times its radius)
+  Vec2 spin;      ///< [m/s] spin times radius: the velocity at which the ball would roll without sliding
 };
 
 struct ObstacleState {

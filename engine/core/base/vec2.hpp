@@ -4,7 +4,7 @@
 
 namespace fulbito {
 
-/// Plane vector or point [m unless said otherwise]. A plain value: copies, no invariants.
+/// Plane vector or point, [m] unless stated otherwise.
 struct Vec2 {
   double x = 0.0;
   double y = 0.0;
@@ -43,7 +43,7 @@ inline double distance(Vec2 a, Vec2 b) { return norm(a - b); }
 constexpr Vec2 intoFrame(Vec2 x_axis, Vec2 v) { return {dot(x_axis, v), cross(x_axis, v)}; }
 constexpr Vec2 outOfFrame(Vec2 x_axis, Vec2 v) { return x_axis * v.x + perp(x_axis) * v.y; }
 /// @}
-/// Unit vector of `a`, or `fallback` where `a` is zero or not finite.
+/// Unit vector of `a`, or `fallback` if `a` is zero or not finite.
 inline Vec2 unitOr(Vec2 a, Vec2 fallback) {
   const double length = norm(a);
   return length > 0.0 && length < 1e300 ? a / length : fallback;

@@ -93,7 +93,7 @@ std::string ConfigDocument::fallbackName() const {
   std::erase_if(name, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
   name.erase(0, name.find_first_not_of('.'));
   if (name.empty()) return "unnamed";
-  // A file's name may be any bytes, and backslashes are not for labels.
+  // A file's name may hold any bytes, but labels may not contain backslashes.
   name = terminalText(name);
   std::replace(name.begin(), name.end(), '\\', '_');
   return std::string(firstBytes(name, 100));

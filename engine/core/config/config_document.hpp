@@ -11,28 +11,28 @@
 
 namespace fulbito {
 
-/// A parsed configuration file that knows where each of its values stands.
-/// All errors are kBadInput and read `file:line: table.key what is wrong`.
+/// A parsed configuration file that knows the line of each value.
+/// All errors are kBadInput in the form `file:line: table.key problem`.
 class ConfigDocument {
  public:
-  /// `tables` are the names that the file may have at its top; any other is an error.
+  /// `tables` are the allowed top-level tables; any other is an error.
   static Result<ConfigDocument> parse(std::string_view text, const std::string& origin,
                                       std::span<const std::string> tables);
 
-  /// Reads one table; without it, an error when `required` and nothing otherwise.
+  /// Reads one table. If it is missing: an error if `required`, otherwise no effect.
   Result<void> read(const std::string& table, const Schema& schema, bool required) const;
 
-  /// How many tables an array of tables has: 0 without it. Errors: it is not an array of tables.
+  /// The size of an array of tables; 0 if it is missing. Errors: it is not an array of tables.
   Result<int> count(const std::string& table) const;
   /// Reads one element of an array of tables, `index` below `count`.
   Result<void> readElement(const std::string& table, int index, const Schema& schema) const;
-  /// Whether that element has the key.
+  /// Whether the element has the key.
   bool elementHas(const std::string& table, int index, std::string_view key) const;
 
-  /// The flaw as an error that names the file and the line of its key, or of its table without the key.
+  /// The flaw as an error with the file and the line of its key, or of its table if the key is missing.
   tl::unexpected<Error> locate(const Flaw& flaw) const;
 
-  /// A name for what the file describes when it gives none: the file's own, without folder and ending.
+  /// The default for a missing `name` key: the file's name without folder and extension.
   std::string fallbackName() const;
 
  private:

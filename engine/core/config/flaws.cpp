@@ -7,13 +7,13 @@
 namespace fulbito {
 namespace {
 
-// A schema binds to something that it may write to; checking writes nothing, so a copy serves.
+// A schema binds to a mutable value. Checking writes nothing, so a copy is enough.
 template <typename T>
 std::optional<Flaw> ownRangeFlaw(T value, const char* table, int index = -1) {
   return rangeFlaw(schemaOf(value), table, index);
 }
 
-/// Wheels that the body has no room for: a slip of the decimal point in most cases.
+/// Wheels that do not fit into the body: usually a misplaced decimal point.
 std::optional<Flaw> wheelFlaw(const RobotModel& robot) {
   const double longest_wheel = std::max(robot.length, robot.width) / 2, widest = 2 * robot.circumradius();
   if (robot.wheel_radius > longest_wheel) {
@@ -46,11 +46,11 @@ std::optional<Flaw> pathFlaw(const ObstacleSpec& obstacle, int index) {
   return std::nullopt;
 }
 
-constexpr double kThinnest = 1e-3;       // [m] of what makes a wall: its corners would fall together
+constexpr double kThinnest = 1e-3;       // [m] thinnest part of a wall: its corners must not coincide
 constexpr double kLeastGoal = 0.01;      // [m]
 constexpr double kFinestCommand = 1e-6;  // [rad/s]
 
-/// The key must be 0, which `zero` explains, or at least `least`.
+/// The key must be 0 (`zero` explains the meaning) or at least `least`.
 std::optional<Flaw> tinyFlaw(const char* table, const char* key, double value, double least,
                              const char* zero) {
   if (value == 0.0 || value >= least) return std::nullopt;
@@ -91,7 +91,7 @@ std::optional<Flaw> findFlaw(const FieldGeometry& field) {
   }
   if (field.hasGoals() && !(field.goal_width + 2 * field.corner < field.width)) {
     return Flaw{"field", -1, "goal_width",
-                fmt::format("= {} must be below the width less both corners, {}", field.goal_width,
+                fmt::format("= {} must be below the width minus both corners, {}", field.goal_width,
                             field.width - 2 * field.corner)};
   }
   return std::nullopt;
@@ -104,7 +104,7 @@ std::optional<Flaw> findFlaw(const Layout& layout) {
   if (auto flaw = rangeFlaw(goalSchema(head), "goal")) return flaw;
   if (layout.obstacles.size() > kMaxObstacles) {
     return Flaw{"obstacle", static_cast<int>(kMaxObstacles), "",
-                fmt::format("is one too many: a layout has at most {} obstacles", kMaxObstacles)};
+                fmt::format("is one too many: a layout may have at most {} obstacles", kMaxObstacles)};
   }
   for (std::size_t i = 0; i < layout.obstacles.size(); ++i) {
     const int index = static_cast<int>(i);

@@ -46,7 +46,7 @@ Result<LayoutFile> readLayout(std::string_view text, const std::string& origin) 
   return LayoutFile{std::move(*document), std::move(layout)};
 }
 
-// Whether what an obstacle does depends on the key: the others are written only when they were changed.
+// Whether the key affects the obstacle. Other keys are written only if they differ from the default.
 bool matters(const std::string& key, const ObstacleSpec& o) {
   if (key == "radius") return o.shape == ObstacleShape::kDisc;
   if (key == "length" || key == "width") return o.shape == ObstacleShape::kBox;
@@ -87,7 +87,7 @@ Result<Layout> loadLayout(const std::string& path) {
   }
   const auto field = loadField(layout.field);
   if (!field) {
-    // A wrong name in a file is the file's fault; only an unreadable field file stays an I/O error.
+    // A wrong name in a file is bad input; only an unreadable field file stays an I/O error.
     Error error =
         file->document.locate({"layout", -1, "field", "cannot be used: " + field.error().message}).value();
     if (field.error().code == ErrorCode::kIo) error.code = ErrorCode::kIo;

@@ -53,7 +53,7 @@ Result<T> parseTable(const std::string& table, std::string_view text, const std:
   return value;
 }
 
-/// What `parse` makes of the text of a preset or file.
+/// Parses the text of a preset or file.
 template <typename T>
 Result<T> loadWith(Result<T> (*parse)(std::string_view, const std::string&), std::string_view kind,
                    const std::string& name_or_file) {
@@ -125,10 +125,9 @@ std::vector<std::string> presetNames(std::string_view kind) {
 Result<std::string> presetText(std::string_view kind, const std::string& name) {
   if (const EmbeddedFile* preset = findPreset(kind, name)) return std::string(preset->text);
   const std::vector<std::string> names = presetNames(kind);
-  if (names.empty())
-    return fail(ErrorCode::kUsage, fmt::format("there are no presets of the kind '{}'", kind));
+  if (names.empty()) return fail(ErrorCode::kUsage, fmt::format("there are no presets of kind '{}'", kind));
   return fail(ErrorCode::kUsage,
-              fmt::format("'{}' is neither a file nor one of the presets of {}: {}.{}", printable(name), kind,
+              fmt::format("'{}' is neither a file nor a preset of {}: {}.{}", printable(name), kind,
                           fmt::join(names, ", "), suggestion(name, names)));
 }
 

@@ -14,7 +14,7 @@
 
 namespace fulbito {
 
-/// A preset file that is part of the program.
+/// A preset file embedded in the program.
 struct EmbeddedFile {
   std::string_view kind;  ///< folder: robots, physics, fields
   std::string_view name;
@@ -24,19 +24,19 @@ struct EmbeddedFile {
 /// All presets of this library, in a fixed order.
 std::span<const EmbeddedFile> embeddedPresets();
 
-/// What a robot file describes: the robot and the ball that it plays with.
+/// The content of a robot file: the robot and its ball.
 struct RobotPreset {
   RobotModel robot;
   BallModel ball;
 };
 
-/// Whether `name_or_file` is taken as a file without looking for a preset: it has a '/' or ends in ".toml".
+/// Whether `name_or_file` is always a file, never a preset: it contains a '/' or ends in ".toml".
 bool isFileName(std::string_view name_or_file);
 
 /// @{ Each takes the name of a preset or the path of a TOML file (`isFileName`, or an existing file that is
-/// not also a preset's name). A key that the file lacks keeps the struct's default; a missing `name` becomes
-/// the file's. Errors: kUsage for an unknown name (with a suggestion), kIo for a file that cannot be read,
-/// kBadInput as `file:line: table.key ...` with the allowed range for what is wrong inside.
+/// not also a preset's name). Missing keys keep the struct's defaults; a missing `name` becomes the file's.
+/// Errors: kUsage for an unknown name (with a suggestion), kIo for an unreadable file, kBadInput as
+/// `file:line: table.key ...` with the allowed range.
 Result<RobotPreset> loadRobot(const std::string& name_or_file);       ///< tables [robot] and [ball]
 Result<PhysicsProfile> loadPhysics(const std::string& name_or_file);  ///< table [physics]
 Result<FieldGeometry> loadField(const std::string& name_or_file);     ///< table [field]
@@ -48,16 +48,16 @@ Result<PhysicsProfile> parsePhysics(std::string_view text, const std::string& or
 Result<FieldGeometry> parseField(std::string_view text, const std::string& origin);
 /// @}
 
-/// Reads a layout file (docs: `toToml`). A field that is a relative file path is taken from the layout's
-/// folder and comes back joined with it. The field must load, and start, goal and obstacles must lie inside
-/// it. Errors: as above.
+/// Reads a layout file (format: `parseLayout`). A relative path of a field file counts from the layout's
+/// folder and is returned joined with it. The field must load; start, goal and obstacles must lie inside it.
+/// Errors: as above.
 Result<Layout> loadLayout(const std::string& file);
 
 /// Parses a layout from text; `origin` stands for the file name in errors. Unlike `loadLayout` it opens no
 /// field. Tables: [layout] name, field; [start] position (required), heading; [goal] position (required),
 /// heading, tolerance, heading_tolerance; any number of [[obstacle]] with the members of `ObstacleSpec`.
 /// Angles: `heading = radians` or `heading_deg = degrees`, not both. Headings are brought into [-pi, pi).
-/// The position of an obstacle on a path may be left out; it is the first waypoint.
+/// An obstacle on a path needs no position: it starts at the first waypoint.
 Result<Layout> parseLayout(std::string_view text, const std::string& origin);
 
 /// A valid layout as a TOML file that `parseLayout` reads back to the same bits.

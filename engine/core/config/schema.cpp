@@ -20,11 +20,11 @@ std::string limits(double minimum, double maximum, const std::string& unit) {
   return fmt::format("{:.6g} ... {:.6g}{}{}", minimum, maximum, unit.empty() ? "" : " ", unit);
 }
 
-Complaint checkRadians(double value, const SchemaKey& key) {
+FlawText checkRadians(double value, const SchemaKey& key) {
   return checkNumber(value, key.minimum * kDegree, key.maximum * kDegree, "rad");
 }
 
-Complaint checkPoint(Vec2 point, const SchemaKey& key) {
+FlawText checkPoint(Vec2 point, const SchemaKey& key) {
   if (within(point.x, key.minimum, key.maximum) && within(point.y, key.minimum, key.maximum)) {
     return std::nullopt;
   }
@@ -32,17 +32,17 @@ Complaint checkPoint(Vec2 point, const SchemaKey& key) {
                      limits(key.minimum, key.maximum, key.unit));
 }
 
-Complaint checkPath(const std::vector<Vec2>& path, const SchemaKey& key) {
+FlawText checkPath(const std::vector<Vec2>& path, const SchemaKey& key) {
   if (path.size() > kMaxWaypoints) {
     return fmt::format("has {} waypoints; at most {} are allowed", path.size(), kMaxWaypoints);
   }
   for (std::size_t i = 0; i < path.size(); ++i) {
-    if (const Complaint complaint = checkPoint(path[i], key)) return fmt::format("[{}] {}", i, *complaint);
+    if (const FlawText flaw = checkPoint(path[i], key)) return fmt::format("[{}] {}", i, *flaw);
   }
   return std::nullopt;
 }
 
-Complaint checkText(const std::string& text, const SchemaKey& key) {
+FlawText checkText(const std::string& text, const SchemaKey& key) {
   const bool control = std::any_of(text.begin(), text.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x20 || byte == 0x7f;
@@ -52,23 +52,23 @@ Complaint checkText(const std::string& text, const SchemaKey& key) {
                      limits(key.minimum, key.maximum, ""));
 }
 
-Complaint checkLabel(const std::string& text, const SchemaKey& key) {
+FlawText checkLabel(const std::string& text, const SchemaKey& key) {
   if (text.find_first_of("/\\") == std::string::npos && !text.starts_with('.')) return checkText(text, key);
-  return fmt::format("= \"{}\" must not have slashes or begin with a point", printable(text));
+  return fmt::format("= \"{}\" must not contain slashes or begin with a dot", printable(text));
 }
 
 }  // namespace
 
-Complaint checkNumber(double value, double minimum, double maximum, const std::string& unit) {
+FlawText checkNumber(double value, double minimum, double maximum, const std::string& unit) {
   if (within(value, minimum, maximum)) return std::nullopt;
   return fmt::format("= {} is outside {}", value, limits(minimum, maximum, unit));
 }
 
-Complaint checkValue(const SchemaKey& key) {
+FlawText checkValue(const SchemaKey& key) {
   return std::visit(
       Overloaded{[&](const double* v) { return checkNumber(*v, key.minimum, key.maximum, key.unit); },
                  [&](const int* v) { return checkNumber(*v, key.minimum, key.maximum, key.unit); },
-                 [](const bool*) { return Complaint(); },
+                 [](const bool*) { return FlawText(); },
                  [&](const std::string* v) { return checkText(*v, key); },
                  [&](const Label& v) { return checkLabel(*v.text, key); },
                  [&](const Vec2* v) { return checkPoint(*v, key); },
@@ -76,9 +76,9 @@ Complaint checkValue(const SchemaKey& key) {
                  [&](const Angle& v) { return checkRadians(*v.radians, key); },
                  [&](const Heading& v) { return checkRadians(*v.radians, key); },
                  [&](const OptionalHeading& v) {
-                   return v.radians->has_value() ? checkRadians(**v.radians, key) : Complaint();
+                   return v.radians->has_value() ? checkRadians(**v.radians, key) : FlawText();
                  },
-                 [](const Choice&) { return Complaint(); }},
+                 [](const Choice&) { return FlawText(); }},
       key.target);
 }
 
@@ -91,7 +91,7 @@ std::string Flaw::message() const {
 
 std::optional<Flaw> rangeFlaw(const Schema& schema, const std::string& table, int index) {
   for (const SchemaKey& key : schema) {
-    if (const Complaint complaint = checkValue(key)) return Flaw{table, index, key.key, *complaint};
+    if (const FlawText flaw = checkValue(key)) return Flaw{table, index, key.key, *flaw};
   }
   return std::nullopt;
 }

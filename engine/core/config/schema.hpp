@@ -13,11 +13,11 @@
 #include "engine/core/base/vec2.hpp"
 #include "engine/core/config/toml_reader.hpp"
 
-/// The keys of configuration tables as data: one list a struct drives reading, range checks, errors for
+/// The keys of configuration tables as data: one list per struct drives reading, range checks, errors for
 /// unknown keys, and printing.
 namespace fulbito {
 
-/// A label that may become part of a file name: no slashes, no leading point.
+/// A label that may become part of a file name: no slashes, no leading dot.
 struct Label {
   std::string* text;
 };
@@ -25,7 +25,7 @@ struct Label {
 struct Angle {
   double* radians;
 };
-/// The same, brought into [-pi, pi) when read.
+/// An angle that is wrapped into [-pi, pi) when read.
 struct Heading {
   double* radians;
 };
@@ -46,13 +46,13 @@ Choice choice(E& value, std::vector<std::string> names) {
           [&value](int index) { value = static_cast<E>(index); }};
 }
 
-/// One key of a table, bound to the place where its value lives.
+/// One key of a table, bound to a variable.
 struct SchemaKey {
   std::string key;
   std::variant<double*, int*, bool*, std::string*, Label, Vec2*, std::vector<Vec2>*, Angle, Heading,
                OptionalHeading, Choice>
       target;
-  double minimum = 0.0;  ///< of numbers, of both coordinates of points, of the length of strings
+  double minimum = 0.0;  ///< limits of numbers, of both coordinates of points, of the length of strings
   double maximum = 0.0;
   std::string unit;
   std::string doc;
@@ -62,7 +62,7 @@ struct SchemaKey {
 /// The keys of one table, in the order in which they are printed. Valid while the bound object lives.
 using Schema = std::vector<SchemaKey>;
 
-/// What is wrong with one value of a configuration: `table[index].key text`.
+/// A problem with one value of a configuration: `table[index].key text`.
 struct Flaw {
   std::string table;
   int index = -1;   ///< in an array of tables, from 0; -1 for a plain table
@@ -73,13 +73,13 @@ struct Flaw {
   std::string message() const;
 };
 
-/// What is wrong with a value, to be put after its key: "= -1 is outside 0.001 ... 50 kg".
-using Complaint = std::optional<std::string>;
+/// The text of a flaw, which follows the key: "= -1 is outside 0.001 ... 50 kg". Empty: no flaw.
+using FlawText = std::optional<std::string>;
 /// NaN is outside every range.
-Complaint checkNumber(double value, double minimum, double maximum, const std::string& unit);
+FlawText checkNumber(double value, double minimum, double maximum, const std::string& unit);
 /// Checks the value that the key is bound to.
-Complaint checkValue(const SchemaKey& key);
-/// Whether files may give the key in degrees too.
+FlawText checkValue(const SchemaKey& key);
+/// Whether files may also give the key in degrees.
 bool isAngle(const SchemaKey& key);
 
 /// The first value that is outside its limits.
@@ -88,7 +88,7 @@ std::optional<Flaw> rangeFlaw(const Schema& schema, const std::string& table, in
 /// Success, or the flaw as a kBadInput error.
 Result<void> asResult(const std::optional<Flaw>& flaw);
 
-/// A table of a file: where it stands, for errors.
+/// The place of a table in a file, for errors.
 struct TablePlace {
   std::string origin;  ///< file name
   std::string table;
@@ -96,7 +96,7 @@ struct TablePlace {
   int line = 1;    ///< of the table's heading
 };
 
-/// Sets the bound values from `table`; keys that it lacks leave theirs as they are.
+/// Sets the bound values from `table`. Missing keys leave their values unchanged.
 /// Errors: kBadInput as `origin:line: table.key ...` for unknown and missing keys, wrong types and values
 /// outside their limits.
 Result<void> readTable(const TomlTable& table, const TablePlace& place, const Schema& schema);

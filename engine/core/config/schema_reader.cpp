@@ -12,7 +12,7 @@ namespace {
 
 std::string inDegrees(const std::string& key) { return key + "_deg"; }
 
-Complaint wrongType(std::string_view wanted, const TomlValue& value) {
+FlawText wrongType(std::string_view wanted, const TomlValue& value) {
   return fmt::format("must be {}, not {}", wanted, typeName(value));
 }
 
@@ -29,17 +29,17 @@ std::optional<Vec2> pointOf(const TomlValue& value) {
   return x && y ? std::optional<Vec2>({*x, *y}) : std::nullopt;
 }
 
-Complaint readWhole(int& target, const TomlValue& value, const SchemaKey& key) {
+FlawText readWhole(int& target, const TomlValue& value, const SchemaKey& key) {
   const auto* whole = std::get_if<std::int64_t>(&value.data);
   if (whole == nullptr) return wrongType("a whole number", value);
-  // Before the cast: the file's number need not fit the target.
-  auto complaint = checkNumber(static_cast<double>(*whole), key.minimum, key.maximum, key.unit);
-  if (complaint) return complaint;
+  // Before the cast, since the file's number may not fit the target.
+  auto flaw = checkNumber(static_cast<double>(*whole), key.minimum, key.maximum, key.unit);
+  if (flaw) return flaw;
   target = static_cast<int>(*whole);
   return std::nullopt;
 }
 
-Complaint readPath(std::vector<Vec2>& target, const TomlValue& value, const SchemaKey& key) {
+FlawText readPath(std::vector<Vec2>& target, const TomlValue& value, const SchemaKey& key) {
   const auto* array = std::get_if<TomlArray>(&value.data);
   if (array == nullptr) return wrongType("an array of points [x, y]", value);
   std::vector<Vec2> path;
@@ -52,7 +52,7 @@ Complaint readPath(std::vector<Vec2>& target, const TomlValue& value, const Sche
   return checkValue(key);
 }
 
-Complaint readChoice(const Choice& target, const TomlValue& value) {
+FlawText readChoice(const Choice& target, const TomlValue& value) {
   const auto* text = std::get_if<std::string>(&value.data);
   if (text == nullptr) return wrongType("a string", value);
   const auto found = std::find(target.names.begin(), target.names.end(), *text);
@@ -63,10 +63,10 @@ Complaint readChoice(const Choice& target, const TomlValue& value) {
   return std::nullopt;
 }
 
-/// `Converted` is what the file's value becomes, `store` puts it into the target.
+/// `Converted` is the converted value; `store` assigns it to the target.
 template <typename Converted, typename Store>
-Complaint readAs(const std::optional<Converted>& converted, std::string_view wanted, const TomlValue& value,
-                 const SchemaKey& key, Store store) {
+FlawText readAs(const std::optional<Converted>& converted, std::string_view wanted, const TomlValue& value,
+                const SchemaKey& key, Store store) {
   if (!converted) return wrongType(wanted, value);
   store(*converted);
   return checkValue(key);
@@ -78,13 +78,12 @@ std::optional<T> valueOf(const TomlValue& value) {
   return found == nullptr ? std::nullopt : std::optional<T>(*found);
 }
 
-Complaint readAngle(const SchemaKey& key, const TomlValue& value, bool degrees) {
+FlawText readAngle(const SchemaKey& key, const TomlValue& value, bool degrees) {
   const auto number = numberOf(value);
   if (!number) return wrongType("a number", value);
   const double scale = degrees ? 1.0 : math::kPi / 180.0;
-  auto complaint =
-      checkNumber(*number, key.minimum * scale, key.maximum * scale, degrees ? "degrees" : "rad");
-  if (complaint) return complaint;
+  auto flaw = checkNumber(*number, key.minimum * scale, key.maximum * scale, degrees ? "degrees" : "rad");
+  if (flaw) return flaw;
   const double radians = degrees ? *number * math::kPi / 180.0 : *number;
   if (const auto* angle = std::get_if<Angle>(&key.target)) *angle->radians = radians;
   if (const auto* heading = std::get_if<Heading>(&key.target)) *heading->radians = math::wrapAngle(radians);
@@ -94,7 +93,7 @@ Complaint readAngle(const SchemaKey& key, const TomlValue& value, bool degrees) 
   return std::nullopt;
 }
 
-Complaint readValue(const SchemaKey& key, const TomlValue& value) {
+FlawText readValue(const SchemaKey& key, const TomlValue& value) {
   const auto store = [](auto& target) { return [&target](const auto& v) { target = v; }; };
   return std::visit(
       Overloaded{
@@ -142,7 +141,7 @@ tl::unexpected<Error> unknownKey(const TablePlace& place, const TomlEntry& entry
 }  // namespace
 
 Result<void> readTable(const TomlTable& table, const TablePlace& place, const Schema& schema) {
-  // Unknown keys first: a misspelt key is a better message than the missing one that it was meant to be.
+  // Unknown keys first: for a misspelt key, "unknown" is a better message than "missing".
   for (const TomlEntry& entry : table.entries) {
     if (findKey(schema, entry.key) == nullptr) return unknownKey(place, entry, schema);
   }
@@ -157,9 +156,9 @@ Result<void> readTable(const TomlTable& table, const TablePlace& place, const Sc
       if (key.required) return badKey(place, place.line, key.key, "is missing");
       continue;
     }
-    const Complaint complaint =
+    const FlawText flaw =
         degrees != nullptr ? readAngle(key, entry->value, true) : readValue(key, entry->value);
-    if (complaint) return badKey(place, entry->line, entry->key, *complaint);
+    if (flaw) return badKey(place, entry->line, entry->key, *flaw);
   }
   return {};
 }

@@ -10,10 +10,10 @@
 #include "engine/core/models/physics_profile.hpp"
 #include "engine/core/models/robot_model.hpp"
 
-/// The keys of every configuration struct, and what is checked beyond each key's own limits.
+/// The keys of every configuration struct, and the checks beyond each key's own limits.
 namespace fulbito {
 
-/// The most obstacles that a layout may have.
+/// Largest number of obstacles in a layout.
 inline constexpr std::size_t kMaxObstacles = 500;
 
 /// @{ The keys of one table, bound to `value`.
@@ -27,13 +27,13 @@ Schema goalSchema(Layout& value);    ///< [goal]
 Schema schemaOf(ObstacleSpec& value);
 /// @}
 
-/// @{ The first flaw of a value: out of its limits, or at odds with another value.
+/// @{ The first flaw of a value: outside its limits, or in conflict with another value.
 std::optional<Flaw> findFlaw(const RobotModel& robot);
 std::optional<Flaw> findFlaw(const BallModel& ball);
 std::optional<Flaw> findFlaw(const PhysicsProfile& physics);
 std::optional<Flaw> findFlaw(const FieldGeometry& field);
 std::optional<Flaw> findFlaw(const Layout& layout);
-/// Also against the field: start, goal and obstacle positions must be inside.
+/// Also checks that start, goal and obstacle positions are inside the field.
 std::optional<Flaw> findFlaw(const Layout& layout, const FieldGeometry& field);
 /// @}
 

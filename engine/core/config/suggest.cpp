@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-// Longer words come from no keyboard, and the comparison takes time in proportion.
+// Longer words are not typing errors, and the comparison's time grows with the length.
 constexpr std::size_t kLongestWord = 64;
 
 std::string lowered(std::string_view text) {

@@ -7,8 +7,8 @@
 
 #include "engine/core/base/overloaded.hpp"
 
-// The parser asserts what some wrong files do not keep, "[ ]" for one, and then reports them properly all the
-// same. Its assertions would abort, and clang with NDEBUG would take them for granted.
+// Some invalid files, such as "[ ]", violate the parser's assertions although it then reports them properly.
+// The assertions would abort, and clang with NDEBUG would optimise on them.
 #undef NDEBUG
 #define TOML_ASSERT(condition) static_cast<void>(0)
 #define TOML_HEADER_ONLY 1
@@ -19,8 +19,8 @@ namespace fulbito {
 namespace {
 
 constexpr int kMaxDepth = 16;
-// A dotted key makes one table a dot, and the parser destroys nested tables by recursion: 100,000 levels
-// overflow the stack. No key spans lines, and the longest allowed path on one line has half as many dots.
+// A dotted key makes one table per dot, and the parser destroys nested tables recursively: 100,000 levels
+// overflow the stack. No key spans lines, and the limit per line is half as many dots.
 constexpr std::ptrdiff_t kMaxDotsPerLine = 4000;
 
 int lineOf(const toml::source_region& region) { return std::max(1, static_cast<int>(region.begin.line)); }
@@ -92,7 +92,7 @@ const TomlEntry* TomlTable::find(std::string_view key) const {
 Result<TomlTable> parseToml(std::string_view text, const std::string& origin) {
   if (text.size() > kMaxTomlBytes) {
     return fail(ErrorCode::kBadInput,
-                fmt::format("{}: larger than {} bytes, the most that is read", origin, kMaxTomlBytes));
+                fmt::format("{}: larger than the limit of {} bytes", origin, kMaxTomlBytes));
   }
   if (const auto line = lineWithTooManyDots(text)) {
     return fail(ErrorCode::kBadInput,
@@ -136,7 +136,7 @@ std::string printable(std::string_view text, std::size_t longest) {
 
 std::string tomlNumber(double value) {
   std::string text = fmt::format("{}", value);
-  // Without a point it would be read as an integer, which has no -0.
+  // Without a decimal point it would be an integer, which has no -0.
   if (text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
   return text;
 }

@@ -28,7 +28,7 @@ using TomlArray = std::vector<TomlValue>;
 /// One value of a TOML document. `std::monostate` stands for a date or time, which no file here uses.
 struct TomlValue {
   std::variant<std::monostate, bool, std::int64_t, double, std::string, TomlArray, TomlTable> data;
-  int line = 1;  ///< where it begins, from 1
+  int line = 1;  ///< its first line, from 1
 };
 
 /// A key and its value.
@@ -38,22 +38,22 @@ struct TomlEntry {
   int line = 1;  ///< of the key, from 1
 };
 
-/// The largest configuration text that is read [bytes].
+/// Largest configuration text [bytes].
 inline constexpr std::size_t kMaxTomlBytes = std::size_t{1} << 20;
 
 /// Parses TOML 1.0. `origin` stands for the file name in errors.
-/// Errors: kBadInput as `origin:line: what is wrong` for text that is not TOML, larger than `kMaxTomlBytes`
-/// or nested deeper than any configuration is.
+/// Errors: kBadInput as `origin:line: problem` for text that is not TOML, is larger than `kMaxTomlBytes`
+/// or is nested deeper than any configuration.
 Result<TomlTable> parseToml(std::string_view text, const std::string& origin);
 
-/// What a value is, in words: "a number", "a table".
+/// The type of a value in words: "a number", "a table".
 std::string_view typeName(const TomlValue& value);
 
-/// `text` fit for a message: control and non-ASCII bytes as \xNN, cut after `longest` bytes. Files come from
-/// strangers: without it they could send commands to the terminal.
+/// `text` for a message: control and non-ASCII bytes as \xNN, truncated after `longest` bytes. Otherwise an
+/// untrusted file could send commands to the terminal.
 std::string printable(std::string_view text, std::size_t longest = 60);
 
-/// `value` so that reading it back as a TOML float gives the same bits.
+/// `value` as a TOML float that reads back to the same bits.
 std::string tomlNumber(double value);
 /// `text` as a TOML basic string.
 std::string tomlString(std::string_view text);

@@ -6,10 +6,10 @@
 
 /// Elementary functions whose bits are the same on every CPU, compiler and optimisation level.
 ///
-/// The C library's double sin, cos, tan, atan2, asin, acos, exp, log and pow pick a variant by CPU at run
-/// time and differ in the last bit. These use only IEEE basic operations, square roots and bit casts. State
-/// must not depend on any other; the rounding mode is the default, to nearest. `scripts/check-determinism.sh`
-/// forbids the C library's in library sources.
+/// The C library's double sin, cos, tan, atan2, asin, acos, exp, log and pow choose a variant by CPU at run
+/// time and differ in the last bit. The functions here use only basic IEEE operations, square roots and bit
+/// casts, in rounding mode "to nearest". Simulation state must not depend on any others;
+/// `scripts/check-determinism.sh` forbids the C library's in library sources.
 namespace fulbito::math {
 
 inline constexpr double kPi = std::numbers::pi;
@@ -22,7 +22,7 @@ double cos(double x);
 double tan(double x);
 /// @}
 
-/// Sine and cosine of one angle, the bits of `sin` and `cos`, for the price of little more than one of them.
+/// Sine and cosine of one angle, bit-identical to `sin` and `cos`, at little more than the cost of one.
 struct SinCos {
   double sin;
   double cos;
@@ -50,7 +50,7 @@ inline Vec2 unit(double angle) {
 /// Direction of `v` [rad], in [-pi, pi] (-pi only where v.y is -0); 0 for (0, 0).
 inline double angleOf(Vec2 v) { return atan2(v.y, v.x); }
 
-/// `angle` [rad] modulo 2 pi (the number, not its double), in [-pi, pi), within 1 ulp of pi however large the
+/// `angle` [rad] modulo 2 pi (exact, not the double), in [-pi, pi), within 1 ulp of pi however large the
 /// angle; unchanged when already there. NaN and infinity give NaN.
 double wrapAngle(double angle);
 

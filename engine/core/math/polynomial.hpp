@@ -7,8 +7,8 @@
 
 namespace fulbito::math {
 
-/// The polynomial with coefficients `c`, lowest power first, at z, by Estrin's scheme: pairs are independent
-/// of each other, so the CPU overlaps them. Order of operations is fixed by the number of coefficients.
+/// The polynomial with coefficients `c`, lowest power first, at z, by Estrin's scheme: pairs are independent,
+/// so the CPU overlaps them. The number of coefficients fixes the order of operations.
 template <std::size_t N>
 inline double polynomial(const std::array<double, N>& c, double z) {
   if constexpr (N == 1) {

@@ -7,7 +7,7 @@
 
 namespace fulbito {
 
-/// Every consumer of randomness has a stream of its own, so that a new consumer shifts no other.
+/// Every consumer of randomness has its own stream, so a new consumer does not shift the others.
 /// The numbers are part of the determinism contract: append, never renumber.
 enum class Stream : std::uint32_t {
   kLayout = 1,  ///< placement of obstacles, starts and goals in a suite
@@ -17,18 +17,18 @@ enum class Stream : std::uint32_t {
   kBootstrap = 5,
   kTest = 6,
   kWheelCommands = 7,  ///< random drivers of benchmarks and tests
-  kVision = 8,         ///< what the teams of a match see wrongly, indexed by seat
-  kPlacement = 9,      ///< how exactly robots stand at a match's restarts
+  kVision = 8,         ///< vision noise, one stream per team (seat)
+  kPlacement = 9,      ///< placement errors at a match's restarts
   kSeries = 10,        ///< seeds of a series' pairs
   kRandomTeam = 11,    ///< the team `random`
-  kCoinToss = 12,      ///< a referee's tosses: first kick-offs, ties without end
+  kCoinToss = 12,      ///< a referee's coin tosses: first kick-offs, unbroken ties
   kDrill = 13,         ///< starts of drills
-  kStartHeading = 14,  ///< where robots look at the start of a comparison's trials
+  kStartHeading = 14,  ///< start headings in a comparison's trials
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of
-/// (seed, stream, index, n). Distributions are the project's own, as the standard library's differ between
-/// libraries. A stream repeats after 2^34 32-bit words.
+/// (seed, stream, index, n). Distributions are the project's own, since the standard ones differ between
+/// implementations. A stream repeats after 2^34 32-bit words.
 class Rng {
  public:
   /// @param index  separates consumers of one stream, e.g. the number of a trial

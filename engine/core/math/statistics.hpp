@@ -19,10 +19,10 @@ Interval wilson(int successes, int trials);
 /// Mean of values from a distribution of any spread, with Student's t interval. NaN bounds below 2 values.
 Interval meanInterval(std::span<const double> values);
 
-/// Mean of shares between 0 and 1, such as the points of pairs of matches, with a Wilson score interval for
-/// the effective number of trials: as many as would give a rate with the variance that was measured (Kish's
-/// design effect). Unlike Student's t it keeps within 0 ... 1 and has a width where all values are equal: the
-/// variance counts one more value that varies as much as a rate can. Below 1 value: 0 with 0 ... 1.
+/// Mean of shares between 0 and 1, such as the points of pairs of matches. The interval is Wilson's score
+/// interval for the effective number of trials: the number at which a rate has the measured variance (Kish's
+/// design effect). Unlike Student's t it stays within 0 ... 1. It has a width even if all values are equal,
+/// because the variance includes one more value with the variance of a rate. No values: 0 with 0 ... 1.
 Interval shareInterval(std::span<const double> shares);
 
 /// Ratio of means `sum(a) / sum(b) - 1` over pairs, with a percentile bootstrap over pairs (`resamples` of

@@ -17,7 +17,7 @@ DriveLaw::DriveLaw(const RobotModel& robot, double dt)
       felt_((1.0 - turn_) / 2.0),
       per_pull_(2.0 / (1.0 + turn_)) {}
 
-// Coulomb: against the motion, or against the one that is to begin.
+// Coulomb: against the motion, or against the motion that is about to begin.
 double DriveLaw::drag(double forward, double forward_target) const {
   if (forward != 0.0) return -std::clamp(forward, -drag_, drag_);
   return forward_target == 0.0 ? 0.0 : -std::copysign(drag_, forward_target);
@@ -28,7 +28,7 @@ RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) 
   const RimSpeeds lack{target.left - ground.left - lost, target.right - ground.right - lost};
   RimSpeeds pull{own_ * lack.left + other_ * lack.right, own_ * lack.right + other_ * lack.left};
   if (std::abs(pull.left) <= limits.left && std::abs(pull.right) <= limits.right) return pull;
-  // A motor at its limit leaves the other one to see to its own rim.
+  // If one motor is at its limit, the other one only controls its own rim.
   const auto limited = [&](double rim_lack, double other_pull, double limit) {
     return std::clamp((rim_lack - felt_ * other_pull) * per_pull_, -limit, limit);
   };

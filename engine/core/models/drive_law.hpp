@@ -10,18 +10,18 @@ struct RimSpeeds {
   double right = 0.0;
 };
 
-/// What two limited motors and the drag do to a robot's motion in a time: the drive's law, one for the
-/// world and for predictions. The motors' forces act on one body: a forward one at one wheel turns it and
-/// moves it, which the other wheel feels. Each motor gives what its rim still lacks, up to its limit.
+/// How two motors of limited force and the drag change a robot's motion during a time step. The world and all
+/// predictions use this law. Both forces act on one body: a force at one wheel moves and turns the body,
+/// which also moves the other wheel. Each motor pulls until its rim reaches the target, up to its limit.
 class DriveLaw {
  public:
-  /// @param dt  [s] in which it acts
+  /// @param dt  [s] length of the time step
   DriveLaw(const RobotModel& robot, double dt);
 
   /// Pulls of the two motors, each over half the mass, times `dt` [m/s].
   /// @param ground  the rims' speed over the ground [m/s]
-  /// @param target  what they are to reach [m/s]
-  /// @param limits  the most that each may pull [m/s]
+  /// @param target  their wanted speed [m/s]
+  /// @param limits  largest pull of each motor [m/s]
   RimSpeeds pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const;
   /// Change of the rims' speed over the ground [m/s] that the pulls and the drag make.
   RimSpeeds change(RimSpeeds ground, RimSpeeds target, RimSpeeds pulls) const;
@@ -32,13 +32,13 @@ class DriveLaw {
 
   double limit_;     // [m/s]
   double drag_;      // [m/s]
-  double gain_;      // [m/s] most change forward when speeding up
+  double gain_;      // [m/s] largest forward change when speeding up
   double loss_;      // [m/s] the same when slowing down
   double turn_;      // rims' change in place over the pull that makes it
-  double own_;       // pull that the wheel's own rim needs for a change, where both are free
+  double own_;       // pull for a change of the wheel's own rim, if neither motor is at its limit
   double other_;     // the same for the other rim's change
-  double felt_;      // change of a rim by a pull at the other wheel ...
-  double per_pull_;  // ... and pull for a change of its own
+  double felt_;      // change of a rim by a pull at the other wheel
+  double per_pull_;  // pull for a change of its own rim
 };
 
 }  // namespace fulbito

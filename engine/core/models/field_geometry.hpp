@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-/// A straight stretch of wall; the field lies to its left when walked from `a` to `b`.
+/// A straight piece of wall. The field is on the left when going from `a` to `b`.
 struct WallSegment {
   Vec2 a;
   Vec2 b;
@@ -21,9 +21,9 @@ struct FieldGeometry {
   double length = 1.50;                ///< [m] x extent, 0.3 ... 20
   double width = 1.30;                 ///< [m] y extent, 0.3 ... 20
   double goal_width = 0.40;            ///< [m] y extent of the mouth; 0 = no goals
-  double goal_depth = 0.10;            ///< [m] outside the field
+  double goal_depth = 0.10;            ///< [m] behind the goal line
   double corner = 0.07;                ///< [m] legs of the corner triangles; 0 = square corners
-  double wall_thickness = 0.05;        ///< [m] of the simulated bodies
+  double wall_thickness = 0.05;        ///< [m] of the simulated walls
   double goal_area_width = 0.70;       ///< [m]
   double goal_area_depth = 0.15;       ///< [m]
   double goal_area_arc_width = 0.20;   ///< [m] chord of the arc in front of the goal area; 0 = no arc
@@ -40,17 +40,16 @@ struct FieldGeometry {
 /// The closed inner contour, counter-clockwise, goals included: N points, the last joins the first.
 std::vector<Vec2> innerContour(const FieldGeometry& field);
 
-/// Signed distance [m] from `p` to the nearest wall of the playing rectangle with its corner triangles,
-/// ignoring the goals' inside: positive on the field; negative beyond, where it is how far `p` is past the
-/// wall that it is farthest behind. Minus infinity for a point that is not finite. The usual test of a
-/// planner that stays on the field.
+/// Signed distance [m] from `p` to the nearest wall of the playing rectangle with its corner triangles; the
+/// goals do not count. Positive on the field. Outside, it is minus the distance to the wall that `p` is
+/// farthest behind. Minus infinity if `p` is not finite. The usual test for planners that stay on the field.
 double wallClearance(const FieldGeometry& field, Vec2 p);
 
 /// The wall nearest to `p` in the sense of `wallClearance`: its unit normal pointing into the field.
 Vec2 nearestWallNormal(const FieldGeometry& field, Vec2 p);
 
 /// Whether `p` lies inside the contour, goals included, with a margin [m] (negative margin: a tolerance
-/// outside). Never true for a point that is not finite.
+/// outside). False if `p` is not finite.
 bool insideField(const FieldGeometry& field, Vec2 p, double margin = 0.0);
 
 /// Checks ranges and consistency; the error names the key.

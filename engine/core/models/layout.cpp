@@ -18,7 +18,7 @@ struct PathPosition {
   Vec2 direction;  // unit, in the sense of motion; zero at rest
 };
 
-// The path of one period unrolled: where on it, and which way, `travelled` metres lead.
+// Position and direction on the path after `travelled` metres, by unrolling one period.
 struct Progress {
   double along = 0.0;  // from the first waypoint, within [0, total]
   double sense = 1.0;  // 0 at rest
@@ -49,7 +49,7 @@ PathPosition alongPath(const ObstacleSpec& o, double time) {
     if (!(length > 0.0)) continue;
     const Vec2 direction = (b - a) / length;
     result = {a + direction * std::min(left, length), direction * sense};
-    // A waypoint belongs to the stretch that the motion goes on to.
+    // A waypoint belongs to the next segment.
     if (sense < 0.0 ? left <= length : left < length) break;
     left -= length;
   }

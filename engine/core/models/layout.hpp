@@ -12,14 +12,14 @@ namespace fulbito {
 
 enum class ObstacleShape { kDisc, kBox };
 enum class ObstacleMotion { kFixed, kPath, kPushable };
-/// What a moving obstacle does at the end of its path.
+/// Behaviour of a moving obstacle at the end of its path.
 enum class PathEnd { kBounce, kCycle, kStop };
 
 /// One obstacle of a layout.
 struct ObstacleSpec {
   ObstacleShape shape = ObstacleShape::kDisc;
   ObstacleMotion motion = ObstacleMotion::kFixed;
-  Pose2 pose;                   ///< where it starts; with a path, its first waypoint
+  Pose2 pose;                   ///< start pose; with a path, at its first waypoint
   double radius = 0.0335;       ///< [m] of a disc: a tennis ball
   double length = 0.075;        ///< [m] of a box along its x
   double width = 0.075;         ///< [m] of a box along its y
@@ -30,10 +30,10 @@ struct ObstacleSpec {
   PathEnd path_end = PathEnd::kBounce;
 };
 
-/// Where a moving obstacle is after `time` [s]: `pose.position` for one that does not move on a path. Before
-/// time 0 as at 0 for a path that stops; the others are periodic.
+/// Position of an obstacle after `time` [s]; `pose.position` if it does not follow a path. For negative
+/// times, a path that stops stays at its start; the others are periodic.
 Vec2 positionAt(const ObstacleSpec& obstacle, double time);
-/// Its velocity [m/s] from that time on: at a waypoint that of the stretch that begins there.
+/// Its velocity [m/s] at that time; at a waypoint, that of the segment that begins there.
 Vec2 velocityAt(const ObstacleSpec& obstacle, double time);
 
 /// A navigation problem: one robot from `start` to `goal` among obstacles on a field.

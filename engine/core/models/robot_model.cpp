@@ -44,7 +44,7 @@ WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels) {
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step) {
   if (!(step > 0.0)) return wheels;
   const auto rounded = [step](double w) {
-    const double multiple = std::round(w / step) * step + 0.0;  // no -0, which a whole number cannot say
+    const double multiple = std::round(w / step) * step + 0.0;  // no -0, which integers do not have
     return std::isfinite(multiple) ? multiple : w;  // far beyond any wheel, the quotient overflows
   };
   return {rounded(wheels.left), rounded(wheels.right)};

@@ -7,9 +7,9 @@
 
 namespace fulbito {
 
-/// Differential-drive robot: a rectangular body on two wheels whose rim speed follows the command by a servo
-/// with a limited force, and whose grip on the floor is limited along and across the wheels. The body couples
-/// the wheels: what one pulls, the other feels (docs/models.md). Defaults: a 7.5 cm league robot.
+/// Differential-drive robot: a rectangular body on two wheels. Motors of limited force make the rim speeds
+/// follow the commands, and the grip on the floor is limited along and across the wheels. The body couples
+/// the wheels: a pull at one affects the other (docs/models.md). Defaults: a 7.5 cm league robot.
 struct RobotModel {
   std::string name = "vsss";
   double length = 0.075;            ///< [m] body along x
@@ -17,24 +17,25 @@ struct RobotModel {
   double mass = 0.15;               ///< [kg]
   double wheel_radius = 0.026;      ///< [m]
   double axle_track = 0.0775;       ///< [m] between wheel centres
-  double max_wheel_speed = 46.08;   ///< [rad/s] saturates, does not fail
-  double wheel_acceleration = 7.0;  ///< [m/s^2] straight on, both motors pulling
-  double wheel_braking = 7.0;       ///< [m/s^2] straight on, both motors braking
-  double yaw_acceleration = 0.0;   ///< [rad/s^2] in place, motors against each other; 0 = from mass and shape
-  double rolling_drag = 0.0;       ///< [m/s^2] that the motors overcome beside `wheel_acceleration`
-  double longitudinal_grip = 9.0;  ///< [m/s^2] Coulomb limit along the wheels
-  double lateral_grip = 6.0;       ///< [m/s^2] Coulomb limit across the wheels
+  double max_wheel_speed = 46.08;   ///< [rad/s] faster commands are clamped
+  double wheel_acceleration = 7.0;  ///< [m/s^2] driving straight, both motors accelerating
+  double wheel_braking = 7.0;       ///< [m/s^2] driving straight, both motors braking
+  double yaw_acceleration = 0.0;    ///< [rad/s^2] turning in place; 0 = from mass and shape
+  double rolling_drag = 0.0;        ///< [m/s^2] that the motors overcome in addition to `wheel_acceleration`
+  double longitudinal_grip = 9.0;   ///< [m/s^2] Coulomb limit along the wheels
+  double lateral_grip = 6.0;        ///< [m/s^2] Coulomb limit across the wheels
   double spin_slow_speed = 0.0;  ///< [m/s] rim speed of the first measured spin in place; 0 = ideal spinning
-  double spin_slow_ratio = 1.0;  ///< measured yaw rate over the ideal one at `spin_slow_speed` and below
+  double spin_slow_ratio = 1.0;  ///< measured over ideal yaw rate at `spin_slow_speed` and below
   double spin_fast_speed = 0.0;  ///< [m/s] rim speed of the second measured spin
   double spin_fast_ratio = 1.0;  ///< the same at `spin_fast_speed` and above; linear between
   double friction = 0.2;         ///< of the body against robots, walls and obstacles
   double restitution = 0.1;      ///< of the body against robots, walls and obstacles
 
-  double inertia() const;           ///< [kg m^2] of the body's rectangle about its middle
-  double motorPull() const;         ///< [m/s^2] that both motors together give the mass, drag included
-  double turnShare() const;         ///< rims' acceleration in place over `motorPull`
-  double turnAcceleration() const;  ///< [rad/s^2] in place: `yaw_acceleration`, or what the motors give
+  double inertia() const;    ///< [kg m^2] of the body's rectangle about its centre
+  double motorPull() const;  ///< [m/s^2] largest force of both motors over the mass, drag compensated
+  double turnShare() const;  ///< rim acceleration when turning in place, over `motorPull`
+  double turnAcceleration()
+      const;  ///< [rad/s^2] turning in place: `yaw_acceleration`, or from mass and shape
   double maxSpeed() const { return max_wheel_speed * wheel_radius; }  ///< [m/s]
   double circumradius() const;                                        ///< [m] of the body's rectangle
 };
@@ -42,17 +43,17 @@ struct RobotModel {
 /// Checks ranges and consistency; the error names the key.
 Result<void> validate(const RobotModel& robot);
 
-/// Wheel speeds that give the twist; not limited.
+/// Wheel speeds for the twist, without limits.
 WheelSpeeds inverseKinematics(const RobotModel& robot, Twist twist);
-/// Twist that the wheel speeds give without slip.
+/// Twist for the wheel speeds, without slip.
 Twist forwardKinematics(const RobotModel& robot, WheelSpeeds wheels);
-/// Scales nothing: each wheel is clamped to the model's saturation; NaN becomes 0.
+/// Clamps each wheel to `max_wheel_speed`, without scaling the other; NaN becomes 0.
 WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels);
-/// Rounds both wheels to multiples of `step` [rad/s]; step <= 0 leaves them.
+/// Rounds both wheels to multiples of `step` [rad/s]; step <= 0 changes nothing.
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step);
 
-/// State of `robot` one tick of `dt` [s] later when its wheels follow `command` as fast as its motors allow
-/// (`DriveLaw`) and do not slip.
+/// State of `robot` one tick of `dt` [s] later if its wheels follow `command` by the `DriveLaw`, without
+/// slip.
 RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt);
 
 }  // namespace fulbito

@@ -18,16 +18,16 @@ struct Rectangle {
 /// The robot's body at `pose`.
 Rectangle bodyOf(const RobotModel& robot, const Pose2& pose);
 
-/// @{ Distance [m] between two shapes; negative by the depth of penetration where they overlap.
+/// @{ Distance [m] between two shapes; minus the penetration depth if they overlap.
 double clearance(const Rectangle& body, Vec2 centre, double radius);
 double clearance(const Rectangle& a, const Rectangle& b);
 /// @}
 
-/// Distance [m] from the body to an obstacle that now is at `pose`.
+/// Distance [m] from the body to an obstacle at `pose`.
 double clearance(const Rectangle& body, const ObstacleSpec& obstacle, const Pose2& pose);
 
-/// Distance [m] from the body to the walls along `contour` (see innerContour), goals included; negative by
-/// how far a corner is behind a wall.
+/// Distance [m] from the body to the walls along `contour` (see innerContour), goals included; negative if a
+/// corner is behind a wall.
 double clearance(const Rectangle& body, std::span<const Vec2> contour);
 
 }  // namespace fulbito

@@ -10,7 +10,7 @@ namespace {
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; }
 
-/// A character and how many bytes it takes; none: no UTF-8 begins there.
+/// A character and its length in bytes; empty if the bytes are not UTF-8.
 struct Character {
   std::uint32_t code = 0;
   std::size_t size = 0;
@@ -76,7 +76,7 @@ std::string shortened(std::string_view text, std::size_t most) {
   const std::string_view head = firstBytes(text, most * 2 / 3);
   std::size_t tail = text.size() - most / 4;
   while (tail < text.size() && continues(text[tail])) ++tail;
-  return fmt::format("{} [... {} bytes left out ...] {}", head, tail - head.size(), text.substr(tail));
+  return fmt::format("{} [... {} bytes omitted ...] {}", head, tail - head.size(), text.substr(tail));
 }
 
 }  // namespace fulbito

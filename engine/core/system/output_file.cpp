@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr mode_t kMode = 0666;  // less what the umask takes
+constexpr mode_t kMode = 0666;  // the umask applies
 constexpr int kMostNames = 1000;
 
 tl::unexpected<Error> ioError(const std::string& what, const std::string& file, const std::string& why) {
@@ -32,7 +32,7 @@ tl::unexpected<Error> cannotWrite(const std::string& file, int reason) {
   return ioError("write", file, std::generic_category().message(reason));
 }
 
-/// open(2) that waits on for a pipe's reader unless all work shall end.
+/// open(2) that keeps waiting for a pipe's reader, unless the process is asked to stop.
 int openWaiting(const std::string& file, int flags) {
   for (;;) {
     const int descriptor = ::open(file.c_str(), flags | O_CLOEXEC, kMode);
@@ -40,7 +40,7 @@ int openWaiting(const std::string& file, int flags) {
   }
 }
 
-/// Whether bytes go to it as it is: renaming over a device or pipe would take its place.
+/// Whether to write to it directly: renaming would replace a device or pipe.
 bool isStreamAt(const std::string& file) {
   std::error_code unknown;
   const fs::file_type kind = fs::status(file, unknown).type();
@@ -48,7 +48,7 @@ bool isStreamAt(const std::string& file) {
          kind != fs::file_type::not_found && kind != fs::file_type::none;
 }
 
-/// What a link to a file stands for, so that the link stays one.
+/// The target of a link, so that the link is kept.
 std::string withoutLink(const std::string& file) {
   std::error_code error;
   if (!fs::is_symlink(file, error)) return file;
@@ -69,7 +69,7 @@ struct OutputFile::Impl {
 
   Result<void> openStream();
   Result<void> openTemporary();
-  /// False: there is a file of that name.
+  /// False: a file of that name exists.
   Result<bool> openNew();
   Result<void> append(std::string_view bytes);
   /// The first error is kept.
@@ -82,13 +82,13 @@ struct OutputFile::Impl {
     listed.reset();
   }
 
-  const std::string name;    ///< as the user said it, for messages
-  const std::string target;  ///< its name without links
-  std::string place;         ///< where the bytes are
+  const std::string name;    ///< as given by the user, for messages
+  const std::string target;  ///< its name with links resolved
+  std::string place;         ///< the file that holds the bytes
   int descriptor = -1;
   bool stream = false;
   std::optional<TemporaryName> listed;  ///< of a temporary file
-  off_t good = 0;                       ///< bytes of whole calls of `write`
+  off_t good = 0;                       ///< bytes of complete calls of `write`
   Result<void> state;
 };
 
@@ -101,7 +101,7 @@ Result<void> OutputFile::Impl::openStream() {
 
 Result<void> OutputFile::Impl::openTemporary() {
   static std::atomic<unsigned> next{0};
-  // A file of that name is somebody else's, also where it is a link: it is neither cut nor followed.
+  // An existing file or link of that name belongs to another process: never truncate or follow it.
   for (int tries = 0; descriptor < 0 && tries < kMostNames; ++tries) {
     place = fmt::format("{}.{}-{}.tmp", target, ::getpid(), next++);
     descriptor = openWaiting(place, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
@@ -130,7 +130,7 @@ Result<void> OutputFile::Impl::append(std::string_view bytes) {
     if (n < 0 && errno == EINTR && !(stream && stopRequested())) continue;
     if (n < 0) {
       const int reason = errno;
-      // Half a line or block is worse than none.
+      // A partial line or block is worse than none.
       if (!stream && ::ftruncate(descriptor, good) != 0) good = 0;
       return failWith(reason);
     }
@@ -147,7 +147,7 @@ OutputFile::~OutputFile() = default;
 
 Result<OutputFile> OutputFile::create(const std::string& file) {
   auto impl = std::make_unique<Impl>(file, withoutLink(file));
-  if (auto there = checkPlaceOf(file); !there) return tl::unexpected<Error>(there.error());
+  if (auto there = checkOutputPath(file); !there) return tl::unexpected<Error>(there.error());
   const auto opened = isStreamAt(file) ? impl->openStream() : impl->openTemporary();
   if (!opened) return tl::unexpected<Error>(opened.error());
   return OutputFile(std::move(impl));
@@ -156,12 +156,12 @@ Result<OutputFile> OutputFile::create(const std::string& file) {
 Result<OutputFile> OutputFile::grow(const std::string& file, bool replace) {
   if (isStreamAt(file)) return create(file);
   auto impl = std::make_unique<Impl>(file, withoutLink(file));
-  if (auto there = checkPlaceOf(file); !there) return tl::unexpected<Error>(there.error());
+  if (auto there = checkOutputPath(file); !there) return tl::unexpected<Error>(there.error());
   const auto is_new = impl->openNew();
   if (!is_new) return tl::unexpected<Error>(is_new.error());
   if (*is_new) return OutputFile(std::move(impl));
   if (replace) return create(file);
-  return fail(ErrorCode::kUsage, fmt::format("'{}' exists; give --force to replace it", file));
+  return fail(ErrorCode::kUsage, fmt::format("'{}' exists; use --force to replace it", file));
 }
 
 Result<void> OutputFile::write(std::string_view bytes) { return impl_->append(bytes); }
@@ -195,16 +195,16 @@ bool OutputFile::isStream() const { return impl_->stream; }
 Result<void> prepareFolder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return ioError("make the folder", folder, error.message());
+  if (error) return ioError("create the folder", folder, error.message());
   if (!fs::is_directory(folder, error)) return ioError("write into", folder, "it is not a folder");
-  // Not committed, it is removed again.
+  // It is removed again, because it is not committed.
   if (!OutputFile::create(folder + "/fulbito")) {
     return ioError("write into the folder", folder, "no permission or no space");
   }
   return {};
 }
 
-Result<void> checkPlaceOf(const std::string& file) {
+Result<void> checkOutputPath(const std::string& file) {
   const fs::path folder = fs::path(file).parent_path();
   std::error_code error;
   if (fs::is_directory(file, error)) return ioError("write", file, "it is a folder");

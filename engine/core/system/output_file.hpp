@@ -9,41 +9,40 @@
 
 namespace fulbito {
 
-/// Makes the folder (and its parents) and proves that it can be written. Errors: kIo naming it.
+/// Creates the folder and its parents and checks that it is writable. Errors: kIo naming it.
 Result<void> prepareFolder(const std::string& folder);
 
-/// Whether the folder in which `file` shall be made is there, and `file` itself no folder; nothing is made.
-/// "-" needs none. Errors: kIo naming what is wrong.
-Result<void> checkPlaceOf(const std::string& file);
+/// Checks that the parent folder exists and `file` is not a folder. Creates nothing. "-" always passes.
+/// Errors: kIo naming the problem.
+Result<void> checkOutputPath(const std::string& file);
 
-/// The way on which every output file comes about. What is no plain file (device, pipe) is written to as it
-/// is; a link is followed.
+/// Writes all output files. Devices and pipes are written to directly; links are followed.
 class OutputFile {
  public:
-  /// A file that is there whole or not at all: its bytes go to a new temporary file beside it until `commit`.
-  /// Errors: kIo naming it; kInterrupted while it waits for a pipe's reader.
+  /// Creates a file that appears complete or not at all: until `commit`, bytes go to a temporary file next to
+  /// it. Errors: kIo naming it; kInterrupted while waiting for a pipe's reader.
   static Result<OutputFile> create(const std::string& file);
-  /// A file that can be read while it grows. Where one of that name is there already: with `replace` as
-  /// `create`, so that the old one is kept until the new one is whole; else an error. Errors: as `create`;
-  /// kUsage for a file that is there.
+  /// Creates a file that can be read while it grows. If the file exists: with `replace` the same as `create`,
+  /// so that the old file stays until the new one is complete; otherwise an error. Errors: as `create`;
+  /// kUsage for an existing file.
   static Result<OutputFile> grow(const std::string& file, bool replace);
 
   OutputFile(OutputFile&&) noexcept;
   OutputFile& operator=(OutputFile&&) noexcept;
-  /// Without `commit` the temporary file is removed; a growing one stays as it is.
+  /// Without `commit`, removes the temporary file. A growing file stays as it is.
   ~OutputFile();
 
-  /// Appends all bytes or none; after an error further calls do nothing but give it again. Errors: kIo,
+  /// Appends all bytes or none. After an error, further calls return the same error. Errors: kIo;
   /// kInterrupted while a pipe is full.
   Result<void> write(std::string_view bytes);
-  /// Ends the file under its name. `durable`: once the disk has it. Errors: kIo; what was begun is removed
-  /// then, unless it is a growing file that has bytes.
+  /// Completes the file under its name. `durable`: waits for the disk. Errors: kIo; the unfinished file is
+  /// then removed, unless it is a growing file with content.
   Result<void> commit(bool durable = true);
-  /// Removes what was begun.
+  /// Removes the unfinished file.
   void discard();
-  /// Where the bytes are until `commit`, for a program that writes them itself.
+  /// The file that holds the bytes until `commit`, for an external program that writes them.
   const std::string& place() const;
-  /// Whether `place` is a device or pipe, which cannot be wound back.
+  /// Whether `place` is a device or pipe, which cannot be rewound.
   bool isStream() const;
 
  private:
@@ -52,8 +51,8 @@ class OutputFile {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Writes the whole file or nothing by way of an OutputFile. Not `durable`: without waiting for the disk, for
-/// one of many files. Errors: as there.
+/// Writes the whole file or nothing (OutputFile). `durable = false` does not wait for the disk, for one of
+/// many files. Errors: as OutputFile.
 Result<void> writeFile(const std::string& file, std::string_view content, bool durable = true);
 
 }  // namespace fulbito

@@ -2,9 +2,8 @@
 
 namespace fulbito {
 
-/// @{ The wish to end all work soon, for the whole process: a program sets it on a signal, long work and
-/// waits look at it and return kInterrupted. `requestStop` may be called by a signal handler; nothing takes
-/// the wish back. A program that never sets it is never interrupted.
+/// @{ A process-wide request to stop. A program sets it on a signal; long work and waits check it and return
+/// kInterrupted. `requestStop` is safe in signal handlers. A request cannot be withdrawn.
 void requestStop() noexcept;
 bool stopRequested() noexcept;
 /// @}

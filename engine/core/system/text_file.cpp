@@ -14,7 +14,7 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kStep = std::size_t{1} << 18;  // [bytes] that are read at a time
+constexpr std::size_t kStep = std::size_t{1} << 18;  // [bytes] per read
 
 struct Descriptor {
   int number;
@@ -26,7 +26,7 @@ struct Descriptor {
   }
 };
 
-/// Calls a system call again that a signal broke off, unless all work shall end.
+/// Repeats a system call that a signal interrupted, unless the process is asked to stop.
 template <typename Call>
 auto waiting(const Call& call) {
   for (;;) {
@@ -67,8 +67,7 @@ Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes,
     if (count == 0) break;
   }
   if (text.size() > max_bytes) {
-    return fail(ErrorCode::kBadInput,
-                fmt::format("{}: larger than {} bytes, the most that is read", path, max_bytes));
+    return fail(ErrorCode::kBadInput, fmt::format("{}: larger than the limit of {} bytes", path, max_bytes));
   }
   return text;
 }

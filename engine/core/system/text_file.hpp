@@ -9,9 +9,9 @@
 
 namespace fulbito {
 
-/// The whole content of a file. Reads at most `max_bytes` + 1 bytes whatever the file claims to be.
-/// Of a file that does not begin with `beginning` only as much as shows that. Errors: kIo naming the file and
-/// the reason; kBadInput when it is larger than `max_bytes`; kInterrupted while it waits for a pipe.
+/// The whole content of a file. Reads at most `max_bytes` + 1 bytes, whatever size the file claims. Stops
+/// early if the file does not begin with `beginning`. Errors: kIo naming the file and the reason; kBadInput
+/// when it is larger than `max_bytes`; kInterrupted while it waits for a pipe.
 Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes,
                                  std::string_view beginning = {});
 

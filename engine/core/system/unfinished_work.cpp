@@ -14,7 +14,7 @@ namespace {
 constexpr int kMostFiles = 64;  // at a time: each job writes one
 constexpr int kNone = -1;
 
-/// Fixed memory: a signal handler may not wait for a lock or an allocator.
+/// Fixed memory, since a signal handler must not lock or allocate.
 struct Slot {
   enum State : int { kFree, kFilling, kListed };
   std::atomic<int> state{kFree};
@@ -48,7 +48,7 @@ TemporaryName::~TemporaryName() {
 void setHelperProcess(pid_t process) noexcept { helper = process; }
 
 void abandonUnfinishedWork() noexcept {
-  // First, as it may make its file again.
+  // First, since it could create its file again.
   if (const pid_t process = helper; process > 0) ::kill(process, SIGKILL);
   for (Slot& slot : slots) {
     if (slot.state == Slot::kListed) ::unlink(slot.name.data());

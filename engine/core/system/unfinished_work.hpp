@@ -5,26 +5,25 @@
 
 namespace fulbito {
 
-/// A name on the process's list of files that are not whole yet. Whoever ends the process in the middle of
-/// its work removes what is on the list.
+/// An entry in the process's list of unfinished files. `abandonUnfinishedWork` removes these files when the
+/// process must end early.
 class TemporaryName {
  public:
-  /// Lists the name. Where the list is full or the name too long the file is only not removed early.
+  /// Adds the name. If the list is full or the name too long, the file is not removed early.
   explicit TemporaryName(const std::string& file);
   TemporaryName(const TemporaryName&) = delete;
   TemporaryName& operator=(const TemporaryName&) = delete;
-  /// Takes the name off the list; the file is the owner's.
+  /// Removes the name from the list; the file stays.
   ~TemporaryName();
 
  private:
   int slot_;
 };
 
-/// The one helper process that works for this one at a time and must not outlive it; 0: none.
+/// Sets the one helper process that must not outlive this process; 0: none.
 void setHelperProcess(pid_t process) noexcept;
 
-/// Kills the helper process and removes all files on the list. Calls nothing that a signal handler must not
-/// call.
+/// Kills the helper process and removes all files on the list. Safe in signal handlers.
 void abandonUnfinishedWork() noexcept;
 
 }  // namespace fulbito

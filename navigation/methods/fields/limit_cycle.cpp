@@ -86,8 +86,8 @@ NavigatorInfo limitCycleInfo() {
   return describeNavigator<P, LimitCycle>(
       "limit-cycle", "stable orbits about the obstacles in the way", "Kim & Kim 2003; P.-G. Kim et al. 2006",
       {number("margin", &P::margin, 0.0, 0.5, "m", "what an orbit adds to the bodies' radii"),
-       number("mu", &P::mu, 0.1, 20.0, "", "larger turns onto the orbit later"),
-       number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad", "by which the other side must be better"),
+       number("mu", &P::mu, 0.1, 20.0, "", "convergence to the orbit; larger values turn onto it later"),
+       number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad", "advantage that makes the robot change sides"),
        number("posture_radius", &P::posture_radius, 0.02, 1.0, "m",
               "radius of the orbit that leads to the arrival heading")});
 }

@@ -12,8 +12,8 @@ Guidance Straight::plan(const NavigationScene& scene) {
 double Straight::heading(Vec2 p) const { return math::angleOf(goal_ - p); }
 
 NavigatorInfo straightInfo() {
-  return describeNavigator<Straight::Params, Straight>("straight", "straight at the goal, avoids nothing",
-                                                       "-", {});
+  return describeNavigator<Straight::Params, Straight>(
+      "straight", "drives straight to the goal, avoids nothing", "-", {});
 }
 
 }  // namespace fulbito

@@ -30,13 +30,14 @@ double TangentField::heading(Vec2 p) const {
 NavigatorInfo tangentFieldInfo() {
   using P = TangentField::Params;
   return describeNavigator<P, TangentField>(
-      "tangent-field", "tangents of circles about the obstacles in the way",
+      "tangent-field", "tangents of circles around the obstacles in the way",
       "textbook rule; strong baseline of the fields",
       withGoalFieldParameters<P>(
-          {number("offset", &P::offset, 0.01, 1.0, "m", "radius of the circle about a ball-sized obstacle"),
+          {number("offset", &P::offset, 0.01, 1.0, "m", "radius of the circle around a ball-sized obstacle"),
            number("range", &P::range, 0.0, 10.0, "m",
-                  "obstacles with their centre farther away do not act yet"),
-           number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad", "by which the other side must be better")}));
+                  "obstacles whose centre is farther away have no effect"),
+           number("hysteresis", &P::hysteresis, 0.0, 3.0, "rad",
+                  "advantage that makes the robot change sides")}));
 }
 
 }  // namespace fulbito

@@ -83,11 +83,11 @@ NavigatorInfo univectorInfo() {
           {number("d_min", &P::d_min, 0.0, 1.0, "m",
                   "distance from a ball-sized obstacle's centre up to which the field points straight away"),
            number("delta", &P::delta, 0.001, 1.0, "m",
-                  "width of the Gaussian that weighs the obstacle beyond d_min"),
+                  "width of the Gaussian weight of the obstacle beyond d_min"),
            number("k0", &P::k0, 0.0, 1.0, "s", "shift of the virtual obstacle per relative velocity"),
-           flag("hold_side", &P::hold_side, "in front of an obstacle keep the turning side for 0.3 s"),
+           flag("hold_side", &P::hold_side, "keep the turning side in front of an obstacle for 0.3 s"),
            flag("shrink", &P::shrink, "narrow the Gaussian of obstacles near the goal"),
-           flag("ignore_beyond", &P::ignore_beyond, "obstacles farther than the goal do not act")}));
+           flag("ignore_beyond", &P::ignore_beyond, "ignore obstacles farther away than the goal")}));
 }
 
 }  // namespace fulbito

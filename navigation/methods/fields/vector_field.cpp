@@ -35,7 +35,7 @@ NavigatorInfo vectorFieldInfo() {
       withGoalFieldParameters<P>(
           {number("offset", &P::offset, 0.0, 1.0, "m",
                   "distance from a ball-sized obstacle's centre up to which the field points straight away"),
-           number("width", &P::width, 0.0, 1.0, "m", "over which the field goes over to the goal field")}));
+           number("width", &P::width, 0.0, 1.0, "m", "width of the transition to the goal field")}));
 }
 
 }  // namespace fulbito

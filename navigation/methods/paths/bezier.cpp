@@ -52,11 +52,12 @@ NavigatorInfo bezierInfo() {
       "bezier", "the shortest Bezier curve round the obstacles that is clear of them",
       "Jung & Lee 2015, with a collision test",
       withPathParameters<P>(
-          {number("clearance", &P::clearance, 0.0, 0.2, "m", "kept beside the robot's circumscribed circle"),
+          {number("clearance", &P::clearance, 0.0, 0.2, "m",
+                  "distance kept from the robot's circumscribed circle"),
            number("alpha", &P::alpha, -0.5, 0.5, "m", "added to the length A = 3 r that selects obstacles"),
            flag("all_sides", &P::all_sides, "compare all choices of sides, not only the shortest path's"),
            number("hysteresis", &P::hysteresis, 0.0, 1.0, "",
-                  "share by which other sides must be shorter")}));
+                  "relative gain in length that makes the robot change sides")}));
 }
 
 }  // namespace fulbito

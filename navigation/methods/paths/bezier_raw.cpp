@@ -67,7 +67,8 @@ NavigatorInfo bezierRawInfo() {
       "Jung & Lee 2015, sections 3-4, misprints mended",
       {number("tbp", &P::tbp, 0.0, 1.0, "m", "distance of a control point from its obstacle"),
        number("alpha", &P::alpha, -0.5, 0.5, "m", "added to the length A = 3 r that selects obstacles"),
-       number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "share by which other sides must be shorter"),
+       number("hysteresis", &P::hysteresis, 0.0, 1.0, "",
+              "relative gain in length that makes the robot change sides"),
        replanParameter<P>()});
 }
 

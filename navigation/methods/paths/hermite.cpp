@@ -103,10 +103,11 @@ NavigatorInfo hermiteInfo() {
       "hermite", "cubic Hermite segments through the shortest path's bends",
       "cubic Hermite interpolation, future work of Jung & Lee 2015",
       withPathParameters<P>(
-          {number("clearance", &P::clearance, 0.0, 0.2, "m", "kept beside the robot's circumscribed circle"),
+          {number("clearance", &P::clearance, 0.0, 0.2, "m",
+                  "distance kept from the robot's circumscribed circle"),
            number("tension", &P::tension, 0.1, 2.0, "", "length of the joints' derivatives over the chord"),
            number("hysteresis", &P::hysteresis, 0.0, 1.0, "",
-                  "share of the way that another side must save")}));
+                  "relative gain in length that makes the robot change sides")}));
 }
 
 }  // namespace fulbito

@@ -27,9 +27,11 @@ NavigatorInfo tangentGraphInfo() {
       "tangent-graph", "follows the exact shortest path among the obstacles' discs",
       "textbook: Latombe 1991, chapter 4",
       withPathParameters<P>(
-          {number("margin", &P::margin, 0.0, 0.2, "m", "kept beside the robot's circumscribed circle"),
-           number("hysteresis", &P::hysteresis, 0.0, 1.0, "", "share of the way that another side must save"),
-           number("approach", &P::approach, 0.0, 0.5, "m", "straight before a goal with an arrival heading"),
+          {number("margin", &P::margin, 0.0, 0.2, "m", "distance kept from the robot's circumscribed circle"),
+           number("hysteresis", &P::hysteresis, 0.0, 1.0, "",
+                  "relative gain in length that makes the robot change sides"),
+           number("approach", &P::approach, 0.0, 0.5, "m",
+                  "straight length before a goal with an arrival heading"),
            number("bend", &P::bend, 0.01, 0.5, "m", "radius of the turn onto that straight")}));
 }
 

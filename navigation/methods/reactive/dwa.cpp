@@ -115,20 +115,19 @@ double Dwa::score(const NavigationScene& scene, const Window& window, Twist twis
 NavigatorInfo dwaInfo() {
   using P = DwaParams;
   return describeNavigator<P, Dwa>(
-      "dwa", "dynamic window: best of the speeds and yaw rates that the wheels can reach",
-      "Fox, Burgard & Thrun 1997",
+      "dwa", "dynamic window: best reachable speed and yaw rate", "Fox, Burgard & Thrun 1997",
       {integer("speeds", &P::speeds, 2, 50, "samples of the forward speed"),
        integer("turns", &P::turns, 3, 101, "samples of the yaw rate"),
-       number("window", &P::window, 0.01, 1.0, "s", "wheel acceleration time that the window spans"),
-       number("preview", &P::preview, 0.05, 2.0, "s", "after which heading and progress are judged"),
-       number("margin", &P::margin, -0.02, 0.1, "m", "kept beside the circumscribed circle"),
+       number("window", &P::window, 0.01, 1.0, "s", "length of the window, as time of wheel acceleration"),
+       number("preview", &P::preview, 0.05, 2.0, "s", "time after which heading and progress are evaluated"),
+       number("margin", &P::margin, -0.02, 0.1, "m", "distance kept from the circumscribed circle"),
        number("clear_range", &P::clear_range, 0.01, 5.0, "m", "free arc that counts as fully clear"),
-       number("braking", &P::braking, 0.1, 1.0, "", "share of the wheel acceleration to stop with"),
-       number("grip", &P::grip, 0.1, 1.0, "", "share of the lateral grip that bends may take"),
+       number("braking", &P::braking, 0.1, 1.0, "", "share of the wheel acceleration for stopping"),
+       number("grip", &P::grip, 0.1, 1.0, "", "share of the lateral grip for bends"),
        number("heading", &P::heading, 0.0, 10.0, "", "weight of pointing at the goal"),
        number("clearance", &P::clearance, 0.0, 10.0, "", "weight of a clear arc"),
        number("velocity", &P::velocity, 0.0, 10.0, "", "weight of speed"),
-       number("progress", &P::progress, 0.0, 10.0, "", "weight of getting nearer to the goal")},
+       number("progress", &P::progress, 0.0, 10.0, "", "weight of progress to the goal")},
       true);
 }
 

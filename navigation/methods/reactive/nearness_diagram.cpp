@@ -57,8 +57,8 @@ NavigatorInfo nearnessDiagramInfo() {
        number("security", &P::security, 0.01, 2.0, "m", "d_s: security zone around the hull"),
        number("gap_margin", &P::gap_margin, 0.0, 0.05, "m",
               "added to half the robot's width when a gap is tested"),
-       number("margin", &P::margin, 0.0, 0.1, "m", "room kept by the emergency rules"),
-       number("braking", &P::braking, 0.1, 1.0, "", "share of the wheel acceleration to stop with"),
+       number("margin", &P::margin, 0.0, 0.1, "m", "distance kept by the emergency rules"),
+       number("braking", &P::braking, 0.1, 1.0, "", "share of the wheel acceleration for stopping"),
        choice("wide_region", &P::wide_region, {"corner", "sector"},
               "enter a wide region past its corner obstacle by R + d_s, or 45 degrees inside its border")});
 }

@@ -21,10 +21,10 @@ function readMeta() {
   } catch {
     throw new BadReplay('The file is incomplete or damaged: the part that describes the replay cannot be read.');
   }
-  demand(meta && meta.format === 1, 'The replay is in a format that this page does not know.');
+  demand(meta && meta.format === 1, 'This page does not support the format of the replay.');
   const { payload, scenes } = meta;
   demand(Array.isArray(scenes) && scenes.length > 0 && scenes.length <= kLimits.scenes && payload,
-    'The replay holds nothing to show.');
+    'The replay is empty.');
   demand(isCount(payload.raw, kLimits.bytes) && isCount(payload.packed, kLimits.bytes), 'The replay is too large.');
   for (const scene of scenes) {
     demand(isCount(scene.rows, kLimits.rows) && isCount(scene.ticks, 1e9) && isCount(scene.bytes, payload.raw) &&

@@ -1,12 +1,12 @@
 // Part 12: buttons, keys, links and the beginning.
 
 const kKeys = [
-  ['Space K', 'toggle', 'play or pause'], ['← →', '', 'one second back or forward; with Shift ten'],
+  ['Space K', 'toggle', 'play or pause'], ['← →', '', '1 s back or forward (Shift: 10 s)'],
   [', .', '', 'one frame back or forward'], ['Home End', '', 'to the start or end'], ['− +', '', 'slower or faster'],
   ['P N', '', 'previous or next event'], ['T', 'trails', 'trails'], ['V', 'vectors', 'velocities'], ['I', 'ids', 'marks and numbers'],
-  ['H', 'heat', 'heat map of the ball, a team or the chosen robot'], ['O', 'overlays', 'what teams drew, where they did'],
-  ['G', 'ghost', 'the second replay, where there is one'], ['M', 'split', 'races side by side or over each other'],
-  ['[ ]', '', 'previous or next layout'], ['F', 'flip', 'flip sides'], ['D', 'theme', 'dark or light'], ['X', 'screen', 'full screen'],
+  ['H', 'heat', 'heat map of the ball, a team or the chosen robot'], ['O', 'overlays', 'drawings of the teams, if recorded'],
+  ['G', 'ghost', 'the second replay, if there is one'], ['M', 'split', 'races side by side or overlaid'],
+  ['[ ]', '', 'previous or next layout'], ['F', 'flip', 'flip sides'], ['D', 'theme', 'dark or light theme'], ['X', 'screen', 'full screen'],
   ['C', 'link', 'copy a link to this moment'], ['S', 'save', 'save a picture'], ['? Esc', 'help', 'this help'],
 ];
 
@@ -119,7 +119,7 @@ function savePicture(viewer) {
 function toggleScreen() {
   const done = document.fullscreenElement ? document.exitFullscreen() : $('#watch').requestFullscreen && $('#watch').requestFullscreen();
   if (done) done.catch(() => toast('The browser refuses full screen'));
-  else toast('This browser has no full screen');
+  else toast('This browser does not support full screen');
 }
 
 function toggleHelp(open) {

@@ -105,7 +105,7 @@ function partingOf(scene, ghost) {
 function fillDifference(scene, ghost, parting) {
   $('#difference').hidden = !ghost;
   if (!ghost) return;
-  setText($('#difference p'), parting < 0 ? 'Both replays show the same, to the millimetre.'
-    : `Dashed outlines are the other replay. They part at ${clockText(parting)}.`);
+  setText($('#difference p'), parting < 0 ? 'Both replays are identical, to the millimetre.'
+    : `Dashed outlines are the other replay. First difference at ${clockText(parting)}.`);
   $('#difference button').hidden = parting < 0;
 }

@@ -33,8 +33,8 @@ struct TextStyle {
 /// with the same SDL, SDL_ttf and FreeType. Different canvases may be used in different threads at once.
 class Canvas {
  public:
-  /// The font is DejaVu Sans as found when configured, or the file that the environment's FULBITO_FONT names.
-  /// Errors: kIo when SDL or the font cannot be had; kUsage when a side is not 1...16384 or the whole is more
+  /// The font is DejaVu Sans as found at configuration, or the file in the environment variable FULBITO_FONT.
+  /// Errors: kIo if SDL or the font is unavailable; kUsage if a side is not 1...16384 or the picture has more
   /// than 64 million pixels.
   static Result<Canvas> create(int width, int height, Colour background);
   Canvas(Canvas&&) noexcept;
@@ -81,7 +81,7 @@ class Canvas {
 
   /// The bytes of an 8-bit PNG file; empty when memory runs out.
   std::string png(PngEffort effort) const;
-  /// Writes an 8-bit PNG by way of a temporary file beside it. Errors: kIo naming the file.
+  /// Writes an 8-bit PNG through a temporary file next to it. Errors: kIo naming the file.
   Result<void> writePng(const std::string& file) const;
   /// Colour of a pixel, for tests; transparent black outside of the picture.
   Colour pixel(int x, int y) const;

@@ -11,7 +11,7 @@
 
 namespace fulbito {
 
-/// Width [m] of the walls' tops beside the field.
+/// Width [m] of the walls' tops around the field.
 inline constexpr double kDrawnWall = 0.025;
 
 /// Those of the pictures of trials.
@@ -24,7 +24,7 @@ void drawField(const FieldView& view, const FieldGeometry& field,
 void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field, const FieldColours& colours);
 void drawFieldLines(const FieldView& view, const FieldGeometry& field, const FieldColours& colours);
 /// @}
-/// What an obstacle is painted with.
+/// Colours of an obstacle.
 Colour obstacleColour(const ObstacleSpec& obstacle);
 /// Its shape alone, at its pose.
 void drawObstacleBody(const FieldView& view, const ObstacleSpec& obstacle);

@@ -45,9 +45,9 @@ KeyRow goalRow(const Layout& layout) {
 const char* obstacleLabel(ObstacleMotion motion) {
   switch (motion) {
     case ObstacleMotion::kPath:
-      return "moving obstacle and its way";
+      return "moving obstacle and its path";
     case ObstacleMotion::kPushable:
-      return "obstacle that can be pushed";
+      return "pushable obstacle";
     case ObstacleMotion::kFixed:
       break;
   }
@@ -81,7 +81,7 @@ KeyRow failedRow() {
 }
 
 KeyRow endRow() {
-  return {"where a run ended that did not arrive", [](const FieldView& view, Vec2 centre) {
+  return {"end of a run that did not arrive", [](const FieldView& view, Vec2 centre) {
             drawCross(view, centre, 7 * view.unit, theme::kDimText);
           }};
 }

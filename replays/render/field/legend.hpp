@@ -9,7 +9,7 @@
 
 namespace fulbito {
 
-/// The panel beside the field: a row for each path and a key of the marks that the picture contains.
+/// The panel next to the field: a row per path, and a key of the marks in the picture.
 class Legend {
  public:
   /// `unit` as in FieldView; `measure` is any canvas. Refers to `picture`.
@@ -21,7 +21,7 @@ class Legend {
   void draw(const FieldView& view, Vec2 corner, double height) const;
 
  private:
-  /// The texts of one path: its label, in lines, and its remark beside the last of them or below.
+  /// The texts of one path: its label, in lines, and its remark after the last line or below.
   struct PathRow {
     std::vector<std::string> label;
     std::string remark;

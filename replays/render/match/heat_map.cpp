@@ -159,8 +159,8 @@ std::string legendText(const HeatMapChoice& choice) {
   const auto clock = [](double seconds) {
     return fmt::format("{}:{:02}", static_cast<int>(seconds) / 60, static_cast<int>(seconds) % 60);
   };
-  return fmt::format("where {} was, {}\u2013{}; blue attacks to the right", choice.label, clock(choice.from),
-                     clock(choice.to));
+  return fmt::format("positions of {}, {}\u2013{}; blue attacks to the right", choice.label,
+                     clock(choice.from), clock(choice.to));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 
 namespace fulbito {
 
-/// What stays the same over all pictures of a match or trial.
+/// The constant part of all pictures of a match or trial.
 struct MatchPictureSpec {
   int width = 900;  ///< [px]
   int height = 0;   ///< [px] 0: as high as the field needs at that width
@@ -36,10 +36,10 @@ struct MatchPictureSpec {
 struct MatchBanner {
   std::string title;           ///< empty: no banner
   std::string detail;          ///< may be empty
-  std::optional<TeamId> team;  ///< whose colour it has
+  std::optional<TeamId> team;  ///< team whose colour it has
 };
 
-/// Where a body came from.
+/// The trail of a body.
 struct BodyTrail {
   std::size_t body = 0;      ///< index in `MatchPictureSpec::bodies`
   std::vector<Vec2> points;  ///< [m] oldest first
@@ -47,7 +47,7 @@ struct BodyTrail {
   double strength = 1.0;     ///< 0...1 of such a line's opacity
 };
 
-/// What may be shown besides the bodies.
+/// Optional overlays.
 struct MatchOverlays {
   MatchBanner banner;
   std::vector<BodyTrail> trails;

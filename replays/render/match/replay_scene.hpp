@@ -7,18 +7,18 @@
 
 namespace fulbito {
 
-/// What the pictures of a recording need: its field, robot, ball, names and goals. Size and theme are left
+/// The picture specification of a recording: field, robot, ball, names and goals. Size and theme are left
 /// at their defaults. Errors: kBadInput when the recording's own texts do not parse.
 Result<MatchPictureSpec> pictureSpecOf(const ReplayTimeline& timeline);
 
-/// Which overlays are wanted.
+/// The wanted overlays.
 struct OverlayChoice {
   bool banner = true;
   bool drawings = true;
   double trail_seconds = 1.0;  ///< 0: no trails
 };
 
-/// Finds what belongs over each moment of a recording: the referee's call, trails, drawings.
+/// Finds the overlays for each moment of a recording: the referee's call, trails, drawings.
 class ReplayDirector {
  public:
   /// Refers to `timeline`.
@@ -36,7 +36,7 @@ class ReplayDirector {
   ReplayMoment scratch_;
 };
 
-/// Where robots and balls went between two times [s]: a line for each body and play.
+/// The paths of robots and balls between two times [s]: a line per body and play.
 std::vector<BodyTrail> pathsBetween(const ReplayTimeline& timeline, double from, double to);
 
 /// Small pictures of some times [s] side by side, four in a row, on a canvas of the width of `spec`.
@@ -48,9 +48,9 @@ Result<Canvas> drawContactSheet(const ReplayTimeline& timeline, const MatchPictu
 MatchBanner bannerAt(const ReplayTimeline& timeline, const ReplayMoment& moment);
 
 /// A call in words, e.g. "Penalty" and "ball stuck in the area", in the colour of the team that gains by it
-/// (see `CallWords`); empty where a call is no news.
+/// (see `CallWords`); empty if the call needs no banner.
 MatchBanner bannerOf(const RecordedEvent& event, const RecordingRecipe& recipe);
-/// A restart in words, for those that no call tells of; empty for a placed state.
+/// A restart in words, for restarts without a call; empty for a placed state.
 MatchBanner bannerOf(const RecordedPlay& play, const RecordingRecipe& recipe);
 
 }  // namespace fulbito

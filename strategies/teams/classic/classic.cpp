@@ -202,12 +202,13 @@ RobotCommand Classic::supporter(Role role) const {
 TeamInfo classicInfo() {
   using P = Classic::Params;
   return describeTeam<P, Classic>(
-      "classic", "fixed roles, a keeper on its line and a field that leads to the ball, as in the textbooks",
-      {number("keeper_depth", &P::keeper_depth, 0.03, 0.2, "m", "the keeper's line before the goal line"),
-       number("support", &P::support, 0.1, 1.0, "m", "the supporter's place behind the ball"),
-       number("strike_speed", &P::strike_speed, 0.2, 3.0, "m/s", "through a ball that is lined up"),
-       flag("exchange", &P::exchange, "a field player that is nearer to the ball becomes the attacker"),
-       flag("spin", &P::spin, "spin at balls that lie at a wall")},
+      "classic", "textbook team: fixed roles, a keeper on its line, a vector field to the ball",
+      {number("keeper_depth", &P::keeper_depth, 0.03, 0.2, "m",
+              "distance of the keeper's line from the goal line"),
+       number("support", &P::support, 0.1, 1.0, "m", "distance of the supporter behind the ball"),
+       number("strike_speed", &P::strike_speed, 0.2, 3.0, "m/s", "speed for driving through a lined-up ball"),
+       flag("exchange", &P::exchange, "the field player nearest to the ball becomes the attacker"),
+       flag("spin", &P::spin, "spin to free balls at a wall")},
       "univector:follower=classic");
 }
 

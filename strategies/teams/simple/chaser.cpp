@@ -49,7 +49,7 @@ class Chaser final : public Strategy {
 }  // namespace
 
 TeamInfo chaserInfo() {
-  return describeTeam<Chaser::Params, Chaser>("chaser", "everyone drives straight at the ball", {});
+  return describeTeam<Chaser::Params, Chaser>("chaser", "all robots drive straight at the ball", {});
 }
 
 }  // namespace fulbito

@@ -13,6 +13,6 @@ class Idle final : public Strategy {
 
 }  // namespace
 
-TeamInfo idleInfo() { return describeTeam<Idle::Params, Idle>("idle", "nobody moves", {}); }
+TeamInfo idleInfo() { return describeTeam<Idle::Params, Idle>("idle", "all robots stand still", {}); }
 
 }  // namespace fulbito

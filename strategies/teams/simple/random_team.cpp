@@ -47,10 +47,10 @@ class RandomTeam final : public Strategy {
 TeamInfo randomTeamInfo() {
   using P = RandomTeam::Params;
   return describeTeam<P, RandomTeam>(
-      "random", "everyone drives about at random, smoothly",
-      {number("memory", &P::memory, 0.0, 10.0, "s", "time after which a wheel has forgotten its speed"),
+      "random", "all robots drive at random, smoothly",
+      {number("memory", &P::memory, 0.0, 10.0, "s", "correlation time of the wheel speeds"),
        number("share", &P::share, 0.0, 2.0, "",
-              "standard deviation of the wheel speeds, of the greatest one")});
+              "standard deviation of the wheel speeds over the top speed")});
 }
 
 }  // namespace fulbito

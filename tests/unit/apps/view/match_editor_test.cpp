@@ -53,11 +53,11 @@ TEST_CASE("a robot is moved, and stays at the last free place where there is no 
   const Vec2 from = robotOf(match.placement(), TeamId::kYellow, 1).position;
   REQUIRE(editor.grab(from, false));
   editor.drag({0.3, 0.5});
-  CHECK(editor.complaint().empty());
+  CHECK(editor.flaw().empty());
   editor.drag({0.3, 5.0});
-  CHECK(editor.complaint() == "yellow robot 1 would not be on the field");
+  CHECK(editor.flaw() == "yellow robot 1 would not be on the field");
   editor.drag(robotOf(match.placement(), TeamId::kBlue, 0).position);
-  CHECK(editor.complaint() == "yellow robot 1 would overlap a robot");
+  CHECK(editor.flaw() == "yellow robot 1 would overlap a robot");
   CHECK(robotOf(editor.placement(), TeamId::kYellow, 1).position == Vec2{0.3, 0.5});
   REQUIRE(editor.drop());
   CHECK(distance(robotOf(match.placement(), TeamId::kYellow, 1).position, {0.3, 0.5}) < 1e-6);

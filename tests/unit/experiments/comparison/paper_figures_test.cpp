@@ -59,7 +59,7 @@ TEST_CASE("every named case of the paper has its figure, and every figure a case
     const PaperFigure* figure = figureOf(layout.name);
     REQUIRE(figure != nullptr);
     CHECK(std::find(methods.begin(), methods.end(), figure->method) != methods.end());
-    for (const std::string& other : figure->beside) {
+    for (const std::string& other : figure->others) {
       CHECK(std::find(methods.begin(), methods.end(), other) != methods.end());
     }
   }

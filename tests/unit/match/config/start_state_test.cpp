@@ -80,7 +80,7 @@ TEST_CASE("a bad start state is refused with file, line and key", "[unit]") {
             .rfind("s.toml:5: robot[0].number", 0) == 0);
   const std::string robot = "[[robot]]\nteam = \"blue\"\nnumber = 1\nposition = [0, 0]\n";
   CHECK(refusal("[ball]\nposition = [0, 0]\n" + robot + robot) ==
-        "s.toml:9: robot[1].number = 1 of blue is there already");
+        "s.toml:9: robot[1].number = 1 of blue is listed twice");
   CHECK(refusal("[ball]\nposition = [0, nan]\n").rfind("s.toml:2: ball.position", 0) == 0);
   CHECK(refusal("[ball]\nposition = [0, 0]\n[match]\nperiod = 4\n").rfind("s.toml:4: match.period", 0) == 0);
 }
@@ -102,7 +102,7 @@ TEST_CASE("a start that its match cannot take is named with file, line and key",
   CHECK(flaw(ball + robot(0, "[0.3, 0.1]")) == "none");
   CHECK(flaw("[ball]\nposition = [5, 5]\n").starts_with("s.toml:2: ball.position = [5, 5] is outside"));
   CHECK(flaw(ball + robot(0, "[0.3, 0.1]") + robot(1, "[0.31, 0.1]")).starts_with("s.toml:10: "));
-  CHECK(flaw(ball + robot(0, "[0.1, 0.1]")).find("is in the ball") != std::string::npos);
+  CHECK(flaw(ball + robot(0, "[0.1, 0.1]")).find("overlaps the ball") != std::string::npos);
   CHECK(flaw(ball + robot(0, "[5, 5]")).find("is outside the field") != std::string::npos);
   CHECK(flaw(ball + robot(9, "[0.3, 0.1]")).find("counted from 0") != std::string::npos);
   CHECK(flaw(ball + "[match]\nplay_seconds = 240\n").starts_with("s.toml:4: match.play_seconds = 240"));

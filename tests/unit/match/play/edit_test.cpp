@@ -67,8 +67,8 @@ TEST_CASE("an edit is judged by what it moves", "[unit]") {
         "yellow robot 2 would not be on the field");
   CHECK(flawAfter([](Placement& p) { robot(p, TeamId::kYellow, 2).heading = kNaN; }) ==
         "yellow robot 2 would not be on the field");
-  CHECK(flawAfter([](Placement& p) { p.robots[0][1].reset(); }) == "no robot may be added or left out");
-  CHECK(flawAfter([](Placement& p) { p.robots[1][5] = Pose2{}; }) == "no robot may be added or left out");
+  CHECK(flawAfter([](Placement& p) { p.robots[0][1].reset(); }) == "no robot may be added or removed");
+  CHECK(flawAfter([](Placement& p) { p.robots[1][5] = Pose2{}; }) == "no robot may be added or removed");
 }
 
 TEST_CASE("what was not moved may lean on others", "[unit]") {

@@ -76,10 +76,10 @@ TEST_CASE("statistics agree with the referee", "[unit]") {
   CHECK(counted == static_cast<int>(restarts));
 }
 
-TEST_CASE("a match that is broken off says so", "[unit]") {
+TEST_CASE("a match that is stopped early says so", "[unit]") {
   const Played played(chasers(), 300);
   CHECK(Json::parse(matchJson(played.report))["score"]["complete"] == false);
-  CHECK(matchText(played.report).find("broken off") != std::string::npos);
+  CHECK(matchText(played.report).find("stopped early") != std::string::npos);
   CHECK(test::jsonLines(played.lines).back()["complete"] == false);
 }
 
@@ -87,8 +87,8 @@ TEST_CASE("the summary tells score, table, speed and hash; the profile when it w
   Played played(chasers());
   const std::string text = matchText(played.report);
   for (const char* part :
-       {"chaser (blue) ", "possession", "shots (on goal)", "ball in own third", "distance run",
-        "contacts of opponents", "commands rejected", "goals within 5 s of own foul", "kick-offs",
+       {"chaser (blue) ", "possession", "shots (on goal)", "ball in own third", "distance driven",
+        "contacts with opponents", "commands rejected", "goals within 5 s of own foul", "kick-offs",
         "x real time", "final hash", "seed 1"}) {
     INFO(part);
     CHECK(text.find(part) != std::string::npos);
@@ -151,11 +151,12 @@ TEST_CASE("a series' report: rows of both legs, intervals, null where one pair g
   CHECK(seriesText(report).find("points share") != std::string::npos);
 }
 
-TEST_CASE("contacts of opponents stand in both columns, beside those of mates", "[unit]") {
+TEST_CASE("contacts with opponents are in both columns, next to those with teammates", "[unit]") {
   Played played(chasers(), 10);
   played.report.statistics.opponent_contacts = 83;
   const std::string text = matchText(played.report);
-  const std::size_t mates = text.find("contacts of mates"), opponents = text.find("contacts of opponents");
+  const std::size_t mates = text.find("contacts with teammates"),
+                    opponents = text.find("contacts with opponents");
   const std::string row = text.substr(opponents, text.find('\n', opponents) - opponents);
   CHECK(text.find('\n', mates) + 3 == opponents);
   CHECK(row.find("83") != row.rfind("83"));
@@ -192,8 +193,8 @@ TEST_CASE("a series ends with a verdict by the interval of its points share", "[
   };
   CHECK(verdict(0.51, 0.6) == "libero is better (95 %) \"a\"");
   CHECK(verdict(0.4, 0.49) == "chaser is better (95 %) \"b\"");
-  CHECK(verdict(0.5, 0.7) == "no difference shown (95 %) null");
-  CHECK(verdict(0.3, 0.5) == "no difference shown (95 %) null");
+  CHECK(verdict(0.5, 0.7) == "no significant difference (95 %) null");
+  CHECK(verdict(0.3, 0.5) == "no significant difference (95 %) null");
   report.result.pairs.clear();
   CHECK(verdict(0.0, 1.0) == "no pair was finished null");
 }

@@ -364,10 +364,10 @@ TEST_CASE("each broken rule of a placement is named", "[unit]") {
       {RestartKind::kPenalty, kYellow, 0, {0.68, 0.0}, "is not on its goal line"},
       {RestartKind::kGoalKick, kBlue, 1, {-0.65, -0.3}, "is in the kicking team's goal area"},
       {RestartKind::kGoalKick, kYellow, 1, {-0.04, 0.3}, "is not in its own half"},
-      {RestartKind::kFreeBall, kBlue, 1, {0.2, 0.35}, "is too near to the ball"},
+      {RestartKind::kFreeBall, kBlue, 1, {0.2, 0.35}, "is too close to the ball"},
       {RestartKind::kFreeKick, kBlue, 2, {0.1, 0.4}, "is not in its own half"},
-      {RestartKind::kFreeKick, kYellow, 1, {0.5625, 0.12}, "does not touch its goal area beside the arc"},
-      {RestartKind::kFreeKick, kYellow, 1, {0.50, 0.20}, "does not touch its goal area beside the arc"},
+      {RestartKind::kFreeKick, kYellow, 1, {0.5625, 0.12}, "does not touch its goal area next to the arc"},
+      {RestartKind::kFreeKick, kYellow, 1, {0.50, 0.20}, "does not touch its goal area next to the arc"},
   };
   for (const Row& row : rows) {
     const RestartCall call = makeCall(setup, state, {row.kind, kBlue, {0.3, 0.3}, nullptr});

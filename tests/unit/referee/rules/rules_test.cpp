@@ -171,7 +171,7 @@ TEST_CASE("places of another field are told with the profile to begin with", "[u
   REQUIRE(note);
   CHECK(note->find("'mine'") != std::string::npos);
   CHECK(note->find("'large', 2.2 x 1.8 m") != std::string::npos);
-  CHECK(note->find("robot 0 stands 0.45 m before its goal line") != std::string::npos);
+  CHECK(note->find("robot 0 is 0.45 m from its goal line") != std::string::npos);
   CHECK(note->ends_with("fulbito rules show vsss-5v5"));
   const auto small = findForeignPlaces(*loadRules("vsss-5v5"), FieldGeometry(), RobotModel());
   REQUIRE(small);

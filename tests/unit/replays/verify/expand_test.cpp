@@ -58,7 +58,7 @@ TEST_CASE("a recipe that does not come out the same is not expanded", "[unit]") 
   const auto full = expanded(readerOf(bytes));
   REQUIRE_FALSE(full);
   CHECK(full.error().code == ErrorCode::kBadInput);
-  CHECK(full.error().message.find("game.fbr: played again, it differs from tick ") == 0);
+  CHECK(full.error().message.find("game.fbr: simulated again, it differs from tick ") == 0);
 }
 
 }  // namespace fulbito

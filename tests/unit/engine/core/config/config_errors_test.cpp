@@ -42,7 +42,7 @@ TEST_CASE("an unknown preset is a usage error with a suggestion", "[unit]") {
   CHECK(loadPhysics("quick").error().message ==
         "'quick' is neither a file nor one of the presets of physics: faithful, fast, standard.");
   CHECK(presetText("fields", "vsss-6v6").error().code == ErrorCode::kUsage);
-  CHECK(presetText("teams", "a").error().message == "there are no presets of the kind 'teams'");
+  CHECK(presetText("teams", "a").error().message == "there are no presets of kind 'teams'");
   CHECK(loadRobot("").error().code == ErrorCode::kUsage);
   CHECK(loadRobot(std::string("vsss\0x", 6)).error().code == ErrorCode::kUsage);
 }

@@ -27,7 +27,7 @@ TEST_CASE("a text is cut between characters", "[unit]") {
   const std::string cut = shortened(text, 101);
   CHECK(cut.size() < 150);
   CHECK(terminalText(cut) == cut);
-  CHECK(cut.find("bytes left out") != std::string::npos);
+  CHECK(cut.find("bytes omitted") != std::string::npos);
   CHECK(shortened("short", 100) == "short");
 }
 
