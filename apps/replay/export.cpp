@@ -68,7 +68,7 @@ void addWhen(CLI::App& command, ReplayExportCommand& options) {
   command.add_option("--at", options.at, "times of stills [s], one or more")->group("When");
   command
       .add_option("--around", options.around,
-                  "events: goals, penalty, half ..., or one of them: goals:1; films show 5 s around each")
+                  "events: goals, penalty, half ..., or one of them: goals:1; films show 5 s around it")
       ->group("When");
   command.add_flag("--highlights", options.highlights, "the same as --around goals")->group("When");
   command.add_option("--from", options.from, "start [s] (default: the beginning)")->group("When");
