@@ -201,7 +201,7 @@ TEST_CASE("what is wrong with a match is said before it begins", "[cli]") {
   expect("chaser chaser --half-seconds x", 2, "--half-seconds");
   expect("chaser chaser --latency 61", 2, "latency: 61 is outside 0 ... 60");
   expect("chaser chaser --noise 1", 2, "noise: 1 is outside");
-  expect("chaser chaser --dropout 1", 2, "drop-out: 1 is outside");
+  expect("chaser chaser --dropout 1", 2, "dropout: 1 is outside");
   expect("chaser chaser -n 0", 2, "1 ... 100000");
   expect("chaser chaser -n x", 2, "--pairs");
   expect("chaser chaser -n 2 --jobs -1", 2, "0 ... 1024");

@@ -159,7 +159,7 @@ TEST_CASE("what cannot be played is refused with the reason", "[unit]") {
   CHECK(refusal([](MatchConfig& c) { c.vision.heading_noise = 7.0; }) ==
         "heading noise: 7 is outside 0 ... 6.283 rad");
   CHECK(refusal([](MatchConfig& c) { c.vision.dropout = 1.0; }) ==
-        "vision drop-out: 1 is outside 0 ... 0.99");
+        "dropout: 1 is outside 0 ... 0.99");
   CHECK(refusal([](MatchConfig& c) { c.decision_work = -1; }) == "decision work: -1 is below 0");
   CHECK(
       refusal([](MatchConfig& c) { c.field.goal_width = 0.0; }) ==
