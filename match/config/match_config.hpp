@@ -19,7 +19,7 @@ namespace fulbito {
 /// Seed that is used where none is given.
 inline constexpr std::uint64_t kDefaultMatchSeed = 1;
 
-/// How well the teams see. The defaults are the truth. Every seat (blue, yellow) has random numbers of its
+/// How well a team sees. The defaults are the truth. Every seat (blue, yellow) has random numbers of its
 /// own. How noise makes velocities uncertain, and what a drop-out does: docs/matches.md.
 struct VisionModel {
   int latency_ticks = 0;        ///< age of every picture, 0 ... 60
@@ -27,10 +27,9 @@ struct VisionModel {
   double heading_noise = 0.0;   ///< [rad] standard deviation of headings, 0 ... 1
   double dropout = 0.0;  ///< chance that a body is not seen in a tick, 0 ... 0.99: its last sight stays
 
-  /// Whether the teams see the truth of this tick.
-  bool perfect() const {
-    return latency_ticks == 0 && position_noise == 0.0 && heading_noise == 0.0 && dropout == 0.0;
-  }
+  /// Whether the team sees the truth of this tick.
+  bool perfect() const { return *this == VisionModel{}; }
+  friend bool operator==(const VisionModel&, const VisionModel&) = default;
 };
 
 /// How exactly robots stand at a restart of the rules: uniform errors up to these, drawn from the match's
@@ -40,18 +39,19 @@ struct PlacementError {
   double heading = 0.02;    ///< [rad], 0 ... 0.2
 };
 
-/// Everything a match is made from. Equal configurations give equal matches, bit for bit.
+/// Everything a match is made from. Equal configurations give equal matches, bit for bit, unless decisions
+/// come too late (`decision_time`).
 struct MatchConfig {
   PerTeam<TeamChoice> teams;  ///< blue defends the left goal at first
   Rules rules;
   FieldGeometry field;
   RobotPreset robot;
   PhysicsProfile physics;
-  VisionModel vision;
+  PerTeam<VisionModel> vision;
   PlacementError placement_error;
   std::uint64_t seed = kDefaultMatchSeed;
-  /// The most `TeamCommand::work` that a decision may take; above it, the decision before is held. 0: any.
-  std::int64_t decision_work = 0;
+  /// How long the teams may think by the clock of `Match::create`; empty: as long as they like.
+  std::optional<DecisionTime> decision_time;
   PerTeam<bool> present{true, true};  ///< false: the team did not come (law 7.3)
   std::optional<Placement> start;     ///< instead of the first kick-off; taken exactly, never repaired
   /// The first restart instead of the kick-off. With a `start`, only its kind and team count, and are told.

@@ -25,7 +25,7 @@ Pitch::Pitch(const MatchInfo& info)
       half_track(info.robot.axle_track / 2),
       wheel_radius(info.robot.wheel_radius),
       motors(info.robot, info.physics.controlPeriod()),
-      team_size(info.team_size) {}
+      team_size(info.rules.team_size) {}
 
 Vec2 Pitch::inside(Vec2 p, double margin) const {
   const double x = half_length - margin, y = half_width - margin;
