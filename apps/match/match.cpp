@@ -296,7 +296,7 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
   const auto perTeam = [](CLI::Option* option) {
     // The delimiter alone makes a list: what follows after a space is a team.
-    option->delimiter(',')->allow_extra_args(false)->type_name("N[,N]")->capture_default_str();
+    option->delimiter(',')->allow_extra_args(false)->type_name("N[,N]");
   };
   perTeam(wholeNumber(command.add_option("--latency", options.latency_ticks,
                                          "age of what teams see in ticks, 0 ... 60: of both, or BLUE,YELLOW"),

@@ -129,7 +129,7 @@ TEST_CASE("what a flag says of one team or of both is read as such", "[cli]") {
   CHECK(many.err.find("--noise: takes one or two values") != std::string::npos);
   // The handicap of one team is kept in the recording.
   REQUIRE(box.run("match idle idle --half-seconds 1 --dropout 0,0.25 --record game.fbr").code == 0);
-  const Output events = box.run("replay events game.fbr");
+  const Output events = box.run("replay events game.fbr --json");
   REQUIRE(events.code == 0);
   const Json head = jsonLines(events.out).front();
   CHECK(head["config"]["vision"]["blue"]["dropout"] == 0.0);
