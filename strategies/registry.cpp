@@ -1,26 +1,53 @@
 #include "strategies/registry.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
 #include "strategies/teams/teams.hpp"
 
 namespace fulbito {
-std::span<const TeamInfo> teams() {
-  static const std::vector<TeamInfo> entries = {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(),
-                                                liberoInfo()};
-  return entries;
+
+TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strategy>()> make) {
+  TeamInfo info;
+  info.name = name;
+  info.make = [make = std::move(make)](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
+    return make();
+  };
+  return {std::make_shared<const TeamInfo>(std::move(info)), std::move(name), {}};
 }
 
-Result<TeamChoice> parseTeam(const std::string& specification) {
+TeamCatalogue TeamCatalogue::builtIn() {
+  TeamCatalogue catalogue;
+  for (auto& info : {idleInfo(), randomTeamInfo(), chaserInfo(), classicInfo(), liberoInfo()}) {
+    catalogue.teams_.push_back(std::make_shared<const TeamInfo>(info));
+  }
+  return catalogue;
+}
+
+Result<void> TeamCatalogue::add(TeamInfo info) {
+  if (info.name.empty() || info.name.find_first_of(":,") != std::string::npos) {
+    return fail(ErrorCode::kUsage, fmt::format("'{}' cannot be a team's name", info.name));
+  }
+  if (!info.make) return fail(ErrorCode::kUsage, fmt::format("team '{}': nothing makes it", info.name));
+  for (const auto& team : teams_) {
+    if (team->name != info.name) continue;
+    return fail(ErrorCode::kUsage, fmt::format("there is a team '{}' already", info.name));
+  }
+  teams_.push_back(std::make_shared<const TeamInfo>(std::move(info)));
+  return {};
+}
+
+Result<TeamChoice> TeamCatalogue::parse(const std::string& specification) const {
   const std::size_t colon = specification.find(':');
   const std::string name = specification.substr(0, colon);
   TeamChoice choice;
   choice.text = specification;
   std::vector<std::string> names;
-  for (const TeamInfo& info : teams()) {
-    if (info.name == name) choice.info = &info;
-    names.push_back(info.name);
+  for (const auto& info : teams_) {
+    if (info->name == name) choice.info = info;
+    names.push_back(info->name);
   }
   if (choice.info == nullptr) {
     return fail(ErrorCode::kUsage, fmt::format("there is no team '{}'.{}", name, suggestion(name, names)));
@@ -34,6 +61,10 @@ Result<TeamChoice> parseTeam(const std::string& specification) {
   const auto trial = makeTeam(choice);
   if (!trial) return tl::unexpected<Error>(trial.error());
   return choice;
+}
+
+Result<TeamChoice> parseTeam(const std::string& specification) {
+  return TeamCatalogue::builtIn().parse(specification);
 }
 
 Result<std::unique_ptr<Strategy>> makeTeam(const TeamChoice& choice) {

@@ -52,7 +52,7 @@ Result<TeamPilots> TeamPilots::create(const MatchInfo& info, std::span<const Nav
   team.slowed_ = info.robot;
   team.steady_ = steady(info.robot);
   team.foresight_ = Foresight(info);
-  team.drivers_.resize(static_cast<std::size_t>(info.team_size));
+  team.drivers_.resize(static_cast<std::size_t>(info.rules.team_size));
   for (Driver& driver : team.drivers_) {
     for (const NavigatorChoice& choice : navigators) {
       auto pilot = makePilot(choice);
@@ -70,7 +70,7 @@ Result<TeamPilots> TeamPilots::create(const MatchInfo& info, std::span<const Nav
 void TeamPilots::warmUp() {
   Observation full;
   full.dt = info_.physics.controlPeriod();
-  full.team_size = info_.team_size;
+  full.team_size = info_.rules.team_size;
   for (std::size_t i = 0; i < drivers_.size(); ++i) {
     const double y =
         (static_cast<double>(i + 1) / static_cast<double>(drivers_.size() + 1) - 0.5) * info_.field.width;

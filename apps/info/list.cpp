@@ -110,11 +110,11 @@ void printNavigators() {
 }
 
 void printTeams() {
-  for (const TeamInfo& info : teams()) {
-    say("{}\n  {}\n", info.name, info.summary);
-    for (const ParameterSpec& spec : info.parameters) printParameter(spec);
-    if (info.takes_navigator) {
-      say("    {:<16} {}; any of fulbito list navigators\n", "navigator", info.default_navigator);
+  for (const auto& info : TeamCatalogue::builtIn().teams()) {
+    say("{}\n  {}\n", info->name, info->summary);
+    for (const ParameterSpec& spec : info->parameters) printParameter(spec);
+    if (info->takes_navigator) {
+      say("    {:<16} {}; any of fulbito list navigators\n", "navigator", info->default_navigator);
     }
   }
   say("Example with parameters: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
@@ -160,7 +160,7 @@ std::vector<std::pair<std::string, std::string>> entries(const std::string& kind
 void printJson(const std::string& kind) {
   Json json = {{"schema_version", 1}, {kind, Json::array()}};
   if (kind == "teams") {
-    for (const TeamInfo& info : teams()) json[kind].push_back(teamJson(info));
+    for (const auto& info : TeamCatalogue::builtIn().teams()) json[kind].push_back(teamJson(*info));
   } else if (kind == "navigators") {
     for (const NavigatorInfo& info : navigators()) json[kind].push_back(navigatorJson(info));
   } else {

@@ -97,7 +97,7 @@ Result<std::vector<TeamChoice>> chosenTeams(const DrillCommand& options) {
   }
   std::vector<TeamChoice> teams;
   for (const std::string& name : options.teams) {
-    auto team = parseTeam(name);
+    auto team = options.run.catalogue.parse(name);
     if (!team) return tl::unexpected<Error>(team.error());
     teams.push_back(std::move(*team));
   }

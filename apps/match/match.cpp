@@ -22,6 +22,7 @@ namespace {
 
 constexpr Tick kTicksBetweenChecks = 64;  // match ticks between looks at the clock and for signals
 constexpr std::uint64_t kMostPairs = 100'000;
+constexpr std::uint64_t kManyTicks = 1'000'000;  // what is too many for a picture's age, the match says
 constexpr const char* kStdout = "-";
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
@@ -70,7 +71,8 @@ Result<void> checkFlags(const MatchCommand& options) {
   if (!options.pairs) return {};
   for (const auto& [flag, given] :
        {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
-        std::pair{"--profile", options.profile}, std::pair{"--view", options.view}}) {
+        std::pair{"--profile", options.profile}, std::pair{"--view", options.view},
+        std::pair{"--time", options.decision_ms.has_value()}}) {
     if (given) {
       return fail(ErrorCode::kUsage,
                   fmt::format("{} records a single match and cannot be used with -n/--pairs", flag));
@@ -96,8 +98,34 @@ Result<void> shorten(const MatchCommand& options, Rules& rules) {
   return {};
 }
 
+/// Takes the values of a flag that has one for both teams, or blue's and yellow's.
+template <typename T>
+Result<void> readPerTeam(const char* flag, const std::vector<T>& values, PerTeam<VisionModel>& vision,
+                         T VisionModel::* part) {
+  if (values.size() > 2) return fail(ErrorCode::kUsage, fmt::format("{}: takes one or two values", flag));
+  for (const TeamId team : kTeams) {
+    const bool own = values.size() == 2 && team == TeamId::kYellow;
+    vision[indexOf(team)].*part = own ? values.back() : values.front();
+  }
+  return {};
+}
+
+Result<PerTeam<VisionModel>> visionOf(const MatchCommand& options, const RobotModel& robot) {
+  PerTeam<VisionModel> vision;
+  for (const auto& done :
+       {readPerTeam("--latency", options.latency_ticks, vision, &VisionModel::latency_ticks),
+        readPerTeam("--noise", options.position_noise, vision, &VisionModel::position_noise),
+        readPerTeam("--dropout", options.dropout, vision, &VisionModel::dropout)}) {
+    if (!done) return tl::unexpected<Error>(done.error());
+  }
+  // As in trials: the heading of a body whose front and back are each seen that far off.
+  for (VisionModel& seat : vision) seat.heading_noise = 2.0 * seat.position_noise / robot.length;
+  return vision;
+}
+
 Result<MatchConfig> configOf(const MatchCommand& options) {
-  auto blue = parseTeam(options.blue), yellow = parseTeam(options.yellow);
+  const TeamCatalogue catalogue = TeamCatalogue::builtIn();
+  auto blue = catalogue.parse(options.blue), yellow = catalogue.parse(options.yellow);
   if (!blue) return tl::unexpected<Error>(blue.error());
   if (!yellow) return tl::unexpected<Error>(yellow.error());
   auto rules = loadRules(options.rules);
@@ -117,9 +145,13 @@ Result<MatchConfig> configOf(const MatchCommand& options) {
   config.field = std::move(*field);
   config.robot = std::move(*robot);
   config.physics = std::move(*physics);
-  config.vision = options.vision;
-  // As in trials: the heading of a body whose front and back are each seen that far off.
-  config.vision.heading_noise = 2.0 * config.vision.position_noise / config.robot.robot.length;
+  auto vision = visionOf(options, config.robot.robot);
+  if (!vision) return tl::unexpected<Error>(vision.error());
+  config.vision = *vision;
+  if (options.decision_ms) {
+    config.decision_time.emplace();
+    config.decision_time->decision = *options.decision_ms * 1e-3;
+  }
   config.seed = options.seed;
   if (auto started = addStart(options.start, config); !started) return tl::unexpected<Error>(started.error());
   return config;
@@ -216,7 +248,7 @@ int playOne(const MatchCommand& options, const MatchConfig& config) {
   // Before any file is begun.
   auto window = windowOf(options);
   if (!window) return report(window.error());
-  auto made = Match::create(config);
+  auto made = Match::create(config, now);
   if (!made) return report(made.error());
   Watchers watchers;
   if (auto attached = watchers.attach(options, *made); !attached) return report(attached.error());
@@ -264,15 +296,20 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--half-seconds", options.half_seconds,
                      "length of a half [s] (default: from the rules)");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
-  command.add_option("--latency", options.vision.latency_ticks, "age of what teams see in ticks, 0 ... 60")
-      ->capture_default_str();
-  command
-      .add_option("--noise", options.vision.position_noise,
-                  "standard deviation of positions that teams see [m], 0 ... 0.1")
-      ->capture_default_str();
-  command
-      .add_option("--dropout", options.vision.dropout, "chance that a body is not seen in a tick, 0 ... 0.99")
-      ->capture_default_str();
+  const auto perTeam = [](CLI::Option* option) {
+    // The delimiter alone makes a list: what follows after a space is a team.
+    option->delimiter(',')->allow_extra_args(false)->type_name("N[,N]");
+  };
+  perTeam(wholeNumber(command.add_option("--latency", options.latency_ticks,
+                                         "age of what teams see in ticks, 0 ... 60: of both, or BLUE,YELLOW"),
+                      0, kManyTicks));
+  perTeam(number(command.add_option("--noise", options.position_noise,
+                                    "standard deviation of positions that teams see [m], 0 ... 0.1")));
+  perTeam(number(command.add_option("--dropout", options.dropout,
+                                    "chance that a body is not seen in a tick, 0 ... 0.99")));
+  number(command.add_option("--time", options.decision_ms,
+                            "wall time per decision, in addition to a bank of 2 s per period (default: unlimited)"))
+      ->type_name("MS");
 }
 
 }  // namespace

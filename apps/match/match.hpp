@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/match/view.hpp"
 #include "match/config/match_config.hpp"
@@ -24,12 +25,17 @@ struct MatchCommand {
   std::uint64_t seed = kDefaultMatchSeed;
   std::optional<double> half_seconds;  ///< empty: the profile's
   std::string start;                   ///< start state file; empty: a kick-off
-  VisionModel vision;
-  std::string record;          ///< file; empty: none
-  bool record_recipe = false;  ///< the recording holds only what cannot be computed again
-  bool drawings = false;       ///< the recording also holds what the teams draw
-  std::string events;          ///< file or "-"; empty: none
-  std::optional<int> pairs;    ///< empty: one match
+  /// @{ How teams see: one value for both, or blue's and yellow's.
+  std::vector<int> latency_ticks{0};
+  std::vector<double> position_noise{0.0};  ///< [m]
+  std::vector<double> dropout{0.0};
+  /// @}
+  std::optional<double> decision_ms;  ///< [ms] that a decision may take; empty: as long as it likes
+  std::string record;                 ///< file; empty: none
+  bool record_recipe = false;         ///< the recording holds only what cannot be computed again
+  bool drawings = false;              ///< the recording also holds what the teams draw
+  std::string events;                 ///< file or "-"; empty: none
+  std::optional<int> pairs;           ///< empty: one match
   int jobs = 0;
   bool view = false;  ///< play in a window
   ViewOptions window;

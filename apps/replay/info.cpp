@@ -171,7 +171,8 @@ std::string recipeText(const RecordingHeader& header) {
                         recipe.position_noise, recipe.dropout);
   }
   for (const auto& [name, value] : recipe.more) {
-    if (name.starts_with("cut_")) text += fmt::format("  {:<10} {}\n", name, value);
+    if (name.starts_with("cut_") || name.starts_with("yellow_"))
+      text += fmt::format("  {:<10} {}\n", name, value);
   }
   return text;
 }

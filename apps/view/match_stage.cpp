@@ -32,6 +32,7 @@ MatchStage::MatchStage(Match& match)
   look_.bodies = header_.bodies;
   look_.names = {config.teams[0].text, config.teams[1].text};
   match.watch(*this);
+  match.makeReady();
   MatchStage::refresh();
   edited_ = false;
   play_.kind = match.referee().last.kind;

@@ -9,12 +9,22 @@ namespace {
 
 constexpr double kMaxPlacementError = 0.01;  // [m]
 constexpr double kMaxHeadingError = 0.2;     // [rad]
+constexpr double kMaxDecision = 60.0;        // [s]
+constexpr double kMaxBank = 3600.0;          // [s]
+constexpr int kMaxHeld = 3600;
 constexpr int kMaxScore = 1000;
 constexpr int kLastPeriod = 3;  // a shoot-out cannot be begun in its middle
 
 Result<void> range(const char* name, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) return {};
   return fail(ErrorCode::kUsage, fmt::format("{}: {} is outside {} ... {}{}", name, value, low, high, unit));
+}
+
+Result<void> checkTime(const std::optional<DecisionTime>& time) {
+  if (!time) return {};
+  if (auto r = range("time per decision", time->decision, 0.0, kMaxDecision, " s"); !r) return r;
+  if (auto r = range("bank of time", time->bank, 0.0, kMaxBank, " s"); !r) return r;
+  return range("late decisions in a row", time->held, 0, kMaxHeld, "");
 }
 
 Result<void> checkStart(const MatchConfig& config) {
@@ -61,13 +71,13 @@ Result<void> checkMatch(const MatchConfig& config) {
     if (!checked) return checked;
   }
   if (auto r = checkField(config.rules, config.field, config.robot.ball); !r) return r;
-  if (config.decision_work < 0) {
-    return fail(ErrorCode::kUsage, fmt::format("decision work: {} is below 0", config.decision_work));
-  }
+  if (auto r = checkTime(config.decision_time); !r) return r;
   const PlacementError& error = config.placement_error;
   if (auto r = range("placement error", error.position, 0.0, kMaxPlacementError, " m"); !r) return r;
   if (auto r = range("placement error", error.heading, 0.0, kMaxHeadingError, " rad"); !r) return r;
-  if (auto r = validate(config.vision); !r) return r;
+  for (const VisionModel& vision : config.vision) {
+    if (auto r = validate(vision); !r) return r;
+  }
   if (auto r = checkScoreboard(config); !r) return r;
   return checkStart(config);
 }

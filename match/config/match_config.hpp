@@ -31,18 +31,19 @@ struct PlacementError {
   double heading = 0.02;    ///< [rad], 0 ... 0.2
 };
 
-/// Everything a match is made from. Equal configurations give equal matches, bit for bit.
+/// Everything a match is made from. Equal configurations give equal matches, bit for bit, unless decisions
+/// come too late (`decision_time`).
 struct MatchConfig {
   PerTeam<TeamChoice> teams;  ///< blue defends the left goal at first
   Rules rules;
   FieldGeometry field;
   RobotPreset robot;
   PhysicsProfile physics;
-  VisionModel vision;
+  PerTeam<VisionModel> vision;
   PlacementError placement_error;
   std::uint64_t seed = kDefaultMatchSeed;
-  /// The most `TeamCommand::work` that a decision may take; above it, the decision before is held. 0: any.
-  std::int64_t decision_work = 0;
+  /// How long the teams may think by the clock of `Match::create`; empty: as long as they like.
+  std::optional<DecisionTime> decision_time;
   PerTeam<bool> present{true, true};  ///< false: the team did not come (law 7.3)
   std::optional<Placement> start;     ///< instead of the first kick-off; taken exactly, never repaired
   /// The first restart instead of the kick-off. With a `start`, only its kind and team count, and are told.

@@ -13,11 +13,10 @@ struct TeamFaults {
   std::int64_t not_finite = 0;  ///< robots' commands with a NaN or infinity: that robot stopped for the tick
   std::int64_t no_navigator = 0;  ///< robots' commands by a navigator that the team lacks: stopped as well
   std::int64_t saturated = 0;     ///< robots' commands beyond motors or field, which were cut: no fault
-  std::int64_t overruns = 0;      ///< decisions above the allowance: the one before was held
-  std::int64_t late = 0;          ///< decisions held by the wall-time watchdog; 0 unless it is on
+  std::int64_t late = 0;          ///< decisions beyond `MatchConfig::decision_time`: the one before held
 
   /// All commands and decisions that were not carried out.
-  std::int64_t rejected() const { return not_finite + no_navigator + overruns + late; }
+  std::int64_t rejected() const { return not_finite + no_navigator + late; }
 };
 
 /// The faults of a whole match.

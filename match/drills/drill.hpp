@@ -201,7 +201,8 @@ using DrillProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
 struct DrillOptions {
   TeamChoice team;
-  int trials = 0;  ///< 0: as each drill says
+  TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< of the opponents that drills name
+  int trials = 0;                                      ///< 0: as each drill says
   std::uint64_t seed = kDefaultMatchSeed;
   int jobs = 0;  ///< threads; 0: one per core
   std::string robot = "vsss";

@@ -183,7 +183,7 @@ Result<DrillMatch> playDrillMatch(const DrillRun& run, const Drill& drill, const
   config.teams[indexOf(seat)] = run.options.team;
   config.teams[indexOf(other(seat))] = run.options.team;
   if (drill.match_opponent != "itself") {
-    auto opponent = parseTeam(drill.match_opponent);
+    auto opponent = run.options.catalogue.parse(drill.match_opponent);
     if (!opponent) return tl::unexpected<Error>(opponent.error());
     config.teams[indexOf(other(seat))] = std::move(*opponent);
   }

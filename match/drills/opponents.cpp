@@ -93,6 +93,9 @@ class Exercised final : public Strategy {
       : team_(std::move(team)), exercise_(exercise), log_(&log) {}
   void begin(const MatchInfo& info) override { team_->begin(info); }
   std::span<const NavigatorChoice> navigators() const override { return team_->navigators(); }
+  void stopped(const PlayStop& stop) override { team_->stopped(stop); }
+  void ready(const Observation& observation) override { team_->ready(observation); }
+  void ended(const MatchEnd& end) override { team_->ended(end); }
 
   TeamCommand decide(const Observation& observation) override {
     auto reply = team_->exercise(observation, exercise_);
@@ -115,24 +118,19 @@ class Exercised final : public Strategy {
 
 }  // namespace
 
-TeamInfo scriptedTeam(const std::array<DrillRole, kMaxTeamSize>& roles) {
-  TeamInfo info;
-  info.name = "scripted";
-  info.make = [roles](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
-    return std::unique_ptr<Strategy>(std::make_unique<Scripted>(roles));
-  };
-  return info;
+TeamChoice scriptedTeam(const std::array<DrillRole, kMaxTeamSize>& roles) {
+  return TeamChoice::own("scripted", [roles] { return std::make_unique<Scripted>(roles); });
 }
 
-TeamInfo exercisedTeam(const TeamChoice& team, const Exercise& exercise, ExerciseLog& log) {
+TeamChoice exercisedTeam(const TeamChoice& team, const Exercise& exercise, ExerciseLog& log) {
   TeamInfo info;
   info.name = team.info->name;
-  info.make = [&team, exercise, &log](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
+  info.make = [team, exercise, &log](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
     auto made = makeTeam(team);
     if (!made) return tl::unexpected<Error>(made.error());
     return std::unique_ptr<Strategy>(std::make_unique<Exercised>(std::move(*made), exercise, log));
   };
-  return info;
+  return {std::make_shared<const TeamInfo>(std::move(info)), team.text, {}};
 }
 
 }  // namespace fulbito

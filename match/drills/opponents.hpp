@@ -13,9 +13,9 @@ struct ExerciseLog {
 };
 
 /// A team whose robots play their roles, each for itself.
-TeamInfo scriptedTeam(const std::array<DrillRole, kMaxTeamSize>& roles);
+TeamChoice scriptedTeam(const std::array<DrillRole, kMaxTeamSize>& roles);
 
 /// The tested team, asked for the task at every tick. The log must outlive the teams that this makes.
-TeamInfo exercisedTeam(const TeamChoice& team, const Exercise& exercise, ExerciseLog& log);
+TeamChoice exercisedTeam(const TeamChoice& team, const Exercise& exercise, ExerciseLog& log);
 
 }  // namespace fulbito

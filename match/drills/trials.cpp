@@ -48,7 +48,7 @@ Result<MatchConfig> drillMatch(const DrillRun& run, const Drill& drill) {
   config.physics = run.physics;
   config.rules.team_size = sizeFor(drill, config.rules.team_size);
   config.rules.half_seconds = drill.match_opponent.empty() ? kEndless : drill.half_seconds;
-  config.vision = drill.sight;
+  config.vision.fill(drill.sight);
   if (!drill.referee) callNothing(config.rules);
   return config;
 }
@@ -58,18 +58,17 @@ Result<DrillTrial> playTrial(const DrillRun& run, const Drill& drill, const Matc
   if (!scene) return tl::unexpected<Error>(scene.error());
   const DrillStart& start = drill.starts[static_cast<std::size_t>(scene->start)];
   ExerciseLog log;
-  const TeamInfo exercised = exercisedTeam(run.options.team, scene->exercise, log);
-  const TeamInfo scripted = scriptedTeam(scene->roles[indexOf(TeamId::kYellow)]);
   MatchConfig config = base;
   TeamChoice& own = config.teams[indexOf(scene->seat)];
   TeamChoice& opponents = config.teams[indexOf(other(scene->seat))];
-  own = run.options.team;
-  if (start.task != DrillTask::kPlay) own.info = &exercised;
-  opponents = {&scripted, "scripted", {}};
-  if (start.opponents == "itself") {
+  own = start.task == DrillTask::kPlay ? run.options.team
+                                       : exercisedTeam(run.options.team, scene->exercise, log);
+  if (start.opponents.empty()) {
+    opponents = scriptedTeam(scene->roles[indexOf(TeamId::kYellow)]);
+  } else if (start.opponents == "itself") {
     opponents = run.options.team;
-  } else if (!start.opponents.empty()) {
-    auto choice = parseTeam(start.opponents);
+  } else {
+    auto choice = run.options.catalogue.parse(start.opponents);
     if (!choice) return tl::unexpected<Error>(choice.error());
     opponents = std::move(*choice);
   }
@@ -82,6 +81,7 @@ Result<DrillTrial> playTrial(const DrillRun& run, const Drill& drill, const Matc
   match->watch(watch);
   while (!watch.done() && match->step()) {
   }
+  if (const auto abandoned = match->faults().abandoned) return tl::unexpected<Error>(*abandoned);
   return watch.trial(idealTime(drill, *scene, config));
 }
 

@@ -10,6 +10,7 @@
 #include "match/play/restart.hpp"
 #include "match/play/stage_clock.hpp"
 #include "match/seats/seat.hpp"
+#include "strategies/interface/team_frame.hpp"
 
 namespace fulbito {
 
@@ -40,70 +41,134 @@ RestartCall givenStart(const MatchConfig& config) {
   return call;
 }
 
+/// What ended the match, by the calls of its last tick: the last of them, or what it came of.
+GameEvent endingCall(std::span<const GameEvent> calls) {
+  if (calls.empty()) return {};
+  if (calls.size() > 1) {
+    const GameEvent& before = calls[calls.size() - 2];
+    for (const char* clause : {"mercy", "walk-over", "shoot-out"}) {
+      if (before.clause == clause) return before;
+    }
+  }
+  return calls.back();
+}
+
 }  // namespace
 
 struct Match::Impl {
-  explicit Impl(const MatchConfig& from)
-      : config(from), referee(refereeSetup(from)), misplacing(from.seed, Stream::kPlacement) {
+  Impl(const MatchConfig& from, const MatchClock& with)
+      : config(from), clock(with), referee(refereeSetup(from)), misplacing(from.seed, Stream::kPlacement) {
     events.reserve(kRoomForEvents);
     seats.reserve(kTeams.size());
   }
 
   Result<void> open();
-  void start();
+  void advance();
+
+  void ask();
+  void build();
+  void begin(Play&& from);
   void announce();
+  void playTick();
   void sense();
   void decide();
-  void advance();
+  void move();
   std::optional<RestartCall> judge();
-  void prepare(const RestartCall& call);
   void report();
-  void begin(Play&& play);
+  void stop(const RestartCall& call);
+  void abandon(const Error& error);
+  void end(MatchEnd::Reason reason);
 
-  Result<Play> placed(RestartCall call);
-  Moment moment() const { return {tick, &play->world.state(), play->ids, &referee.state()}; }
+  Seat& seatOf(TeamId team) { return seats[indexOf(team)]; }
+  PlacementRequest request(TeamId team) const;
+  Moment moment() const;
   GameEvent eventNow() const;
+  MatchEnd endOf(TeamId team, MatchEnd::Reason reason) const;
 
   MatchConfig config;
+  MatchClock clock;
+  MatchPace wait;
   MatchReferee referee;
   Rng misplacing;
   std::vector<Seat> seats;
-  std::optional<Play> play;
-  std::optional<Play> next;  ///< the play that follows the tick which is being reported
+  MatchPhase phase = MatchPhase::kPlacing;
+  std::optional<Placing> placing;  ///< in phases kPlacing and kPlaced
+  std::optional<Play> play;        ///< from the first kReady on
   std::vector<WheelSpeeds> commands;
-  std::vector<GameEvent> events;
+  std::vector<GameEvent> events;  ///< of the last tick
   std::vector<MatchObserver*> observers;
   Tick tick = 0;
   StateHash hash;
   std::optional<Error> abandoned;
   StageClock stages;
-  MatchClock watchdog;
-  std::int64_t decision_limit = 0;
   int edits = 0;
   bool edited = false;  ///< the play is a user's, of which nobody was told yet
-  bool started = false;
-  bool ended = false;
+  bool begun = false;   ///< those who watch were told of the match
+  bool played = false;  ///< and of its first play
 };
-
-Result<Play> Match::Impl::placed(RestartCall call) {
-  std::vector<GameEvent> repairs;
-  Placement placement = placementOf(call, referee, {&seats[0].strategy(), &seats[1].strategy()}, repairs);
-  misplace(placement, call, referee, config.placement_error, misplacing);
-  auto made = makePlay(config, call, placement);
-  if (made) made->events = std::move(repairs);
-  return made;
-}
 
 Result<void> Match::Impl::open() {
   const RestartCall kick_off = referee.open();
-  auto first = config.start ? makePlay(config, givenStart(config), *config.start)
-                            : placed(config.opening.value_or(kick_off));
-  if (!first) {
-    return fail(first.error().code,
-                (config.start ? "start state: " : "first restart: ") + first.error().message);
+  if (!config.start) {
+    placing.emplace(config.opening.value_or(kick_off), GameEvent{});
+    return {};
   }
+  auto first = makePlay(config, givenStart(config), *config.start);
+  if (!first) return fail(first.error().code, "start state: " + first.error().message);
   begin(std::move(*first));
   return {};
+}
+
+void Match::Impl::advance() {
+  if (phase == MatchPhase::kPlaying && wait) wait(tick + 1);
+  stages.begin();
+  if (!begun) {
+    begun = true;
+    for (MatchObserver* observer : observers) observer->matchBegins(config);
+  }
+  switch (phase) {
+    case MatchPhase::kPlacing:
+      return ask();
+    case MatchPhase::kPlaced:
+      return build();
+    case MatchPhase::kReady:
+      return announce();
+    case MatchPhase::kPlaying:
+      return playTick();
+    case MatchPhase::kEnded:
+      return;
+  }
+}
+
+Moment Match::Impl::moment() const {
+  if (!play) return {tick, nullptr, {}, &referee.state()};
+  return {tick, &play->world.state(), play->ids, &referee.state()};
+}
+
+PlacementRequest Match::Impl::request(TeamId team) const {
+  PlacementRequest asked = placing->request(referee);
+  asked.now = seats[indexOf(team)].before(placing->call(), asked.delay, moment());
+  return asked;
+}
+
+void Match::Impl::ask() {
+  const auto team = placing->asked();
+  if (team) placing->answer(seatOf(*team).strategy().place(request(*team)), referee);
+  if (!placing->asked()) phase = MatchPhase::kPlaced;
+  stages.lap(&MatchProfile::restart);
+}
+
+void Match::Impl::build() {
+  std::vector<GameEvent> repairs;
+  const RestartCall& call = placing->call();
+  Placement placement = placing->legalised(referee, repairs);
+  misplace(placement, call, referee, config.placement_error, misplacing);
+  auto made = makePlay(config, call, placement);
+  placing.reset();
+  if (!made) return abandon(made.error());
+  made->events = std::move(repairs);
+  begin(std::move(*made));
+  stages.lap(&MatchProfile::restart);
 }
 
 void Match::Impl::begin(Play&& from) {
@@ -111,24 +176,21 @@ void Match::Impl::begin(Play&& from) {
   commands.assign(play->ids.size(), {});
   referee.restarted(play->call, play->placement, tick);
   for (Seat& seat : seats) seat.reset(moment());
+  phase = MatchPhase::kReady;
 }
 
 void Match::Impl::announce() {
+  phase = MatchPhase::kPlaying;
+  played = true;
+  const Moment now = moment();
+  for (Seat& seat : seats) seat.strategy().ready(seat.exactly(now));
+  stages.lap(&MatchProfile::restart);
   const PlayStart start{tick,         play->call,       play->placement, play->ids, &play->world.config(),
                         play->events, &referee.state(), edited};
   for (MatchObserver* observer : observers) observer->playBegins(start);
-  stages.lap(&MatchProfile::record);
-}
-
-void Match::Impl::start() {
-  if (started && !edited) return;
-  if (!started) {
-    for (MatchObserver* observer : observers) observer->matchBegins(config);
-  }
-  started = true;
-  announce();
   if (edited) ++edits;
   edited = false;
+  stages.lap(&MatchProfile::record);
 }
 
 GameEvent Match::Impl::eventNow() const {
@@ -137,8 +199,21 @@ GameEvent Match::Impl::eventNow() const {
   event.tick = tick;
   event.play_time = static_cast<double>(state.play_ticks) * config.physics.controlPeriod();
   event.period = static_cast<std::uint8_t>(state.period);
-  event.place = play->world.state().balls.front().position;
+  if (play) event.place = play->world.state().balls.front().position;
   return event;
+}
+
+void Match::Impl::playTick() {
+  events.clear();
+  sense();
+  decide();
+  move();
+  const auto call = judge();
+  const bool over = referee.state().ended;
+  report();
+  stages.countTick();
+  if (over) return end(MatchEnd::Reason::kPlayed);
+  if (call) stop(*call);
 }
 
 void Match::Impl::sense() {
@@ -154,23 +229,24 @@ void Match::Impl::sense() {
 
 void Match::Impl::decide() {
   const GameEvent now = eventNow();
+  const bool limited = config.decision_time.has_value();
   for (Seat& seat : seats) {
-    const std::int64_t begun = watchdog ? watchdog() : 0;
+    const std::int64_t begun_at = limited ? clock() : 0;
     TeamCommand decision = seat.decide();
-    const bool late = watchdog && watchdog() - begun > decision_limit;
+    const bool late = limited && seat.late(static_cast<double>(clock() - begun_at) / 1e9);
     stages.lap(&MatchProfile::decide);
     seat.policy().take(std::move(decision), late, now, events);
     stages.lap(&MatchProfile::navigate);
   }
 }
 
-void Match::Impl::advance() {
+void Match::Impl::move() {
   PerTeam<std::array<WheelSpeeds, kMaxTeamSize>> wheels;
-  for (const TeamId team : kTeams) wheels[indexOf(team)] = seats[indexOf(team)].drive();
+  for (const TeamId team : kTeams) wheels[indexOf(team)] = seatOf(team).drive();
   const bool held = config.rules.restart.hold_robots && !referee.state().playing;
   for (std::size_t i = 0; i < commands.size(); ++i) {
     const RobotId id = play->ids[i];
-    Seat& seat = seats[indexOf(id.team)];
+    Seat& seat = seatOf(id.team);
     commands[i] = held ? WheelSpeeds{} : seat.policy().actuated(wheels[indexOf(id.team)][id.number]);
     seat.told(id.number, commands[i]);
   }
@@ -189,20 +265,6 @@ std::optional<RestartCall> Match::Impl::judge() {
   return call;
 }
 
-void Match::Impl::prepare(const RestartCall& call) {
-  auto made = placed(call);
-  if (made) {
-    next.emplace(std::move(*made));
-  } else {
-    abandoned = made.error();
-    GameEvent event = eventNow();
-    event.clause = "match.abandoned";
-    event.law = "policy";
-    events.push_back(event);
-  }
-  stages.lap(&MatchProfile::restart);
-}
-
 void Match::Impl::report() {
   const MatchTick done{tick,
                        play->ids,
@@ -218,15 +280,60 @@ void Match::Impl::report() {
   stages.lap(&MatchProfile::record);
 }
 
+void Match::Impl::stop(const RestartCall& call) {
+  // Whatever else was called at this tick, the last call is the one that play stopped for.
+  const GameEvent cause = events.empty() ? eventNow() : events.back();
+  placing.emplace(call, cause);
+  phase = MatchPhase::kPlacing;
+  const double delay = placing->delay(referee);
+  for (const TeamId team : kTeams) {
+    const Side side = referee.state().sideOf(team);
+    seatOf(team).strategy().stopped({inTeamFrame(side, cause), seatOf(team).before(call, delay, moment())});
+  }
+  stages.lap(&MatchProfile::restart);
+}
+
+void Match::Impl::abandon(const Error& error) {
+  abandoned = error;
+  GameEvent event = eventNow();
+  event.clause = "match.abandoned";
+  event.law = "policy";
+  events.assign(1, event);
+  for (MatchObserver* observer : observers) observer->abandoned(event, referee.state());
+  end(MatchEnd::Reason::kAbandoned);
+}
+
+MatchEnd Match::Impl::endOf(TeamId team, MatchEnd::Reason reason) const {
+  const RefereeState& state = referee.state();
+  MatchEnd told;
+  told.reason = reason;
+  if (reason != MatchEnd::Reason::kInterrupted)
+    told.cause = inTeamFrame(state.sideOf(team), endingCall(events));
+  told.tick = tick;
+  told.own_score = state.score[indexOf(team)];
+  told.opponent_score = state.score[indexOf(other(team))];
+  if (state.ended) told.winner = state.winner;
+  return told;
+}
+
+void Match::Impl::end(MatchEnd::Reason reason) {
+  phase = MatchPhase::kEnded;
+  for (const TeamId team : kTeams) seatOf(team).strategy().ended(endOf(team, reason));
+  for (MatchObserver* observer : observers) observer->matchEnds(referee.state(), tick);
+}
+
 Match::Match(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Match::Match(Match&&) noexcept = default;
 Match& Match::operator=(Match&&) noexcept = default;
 Match::~Match() = default;
 
-Result<Match> Match::create(const MatchConfig& config) {
+Result<Match> Match::create(const MatchConfig& config, const MatchClock& clock) {
   const FloatMode floats;
   if (auto checked = checkMatch(config); !checked) return tl::unexpected<Error>(checked.error());
-  auto impl = std::make_unique<Impl>(config);
+  if (config.decision_time && !clock) {
+    return fail(ErrorCode::kUsage, "time per decision: there is no clock to measure it");
+  }
+  auto impl = std::make_unique<Impl>(config, clock);
   for (const TeamId team : kTeams) {
     auto seat = Seat::create(config, team);
     if (!seat) {
@@ -242,52 +349,49 @@ void Match::watch(MatchObserver& observer) { impl_->observers.push_back(&observe
 
 void Match::measure(const MatchClock& now, MatchProfile& profile) { impl_->stages.start(now, profile); }
 
-void Match::limitDecisionTime(const MatchClock& now, std::int64_t limit) {
-  impl_->watchdog = now;
-  impl_->decision_limit = limit;
+void Match::pace(MatchPace wait) { impl_->wait = std::move(wait); }
+
+MatchPhase Match::phase() const { return impl_->phase; }
+
+std::optional<AskedTeam> Match::asked() const {
+  if (impl_->phase != MatchPhase::kPlacing) return std::nullopt;
+  const FloatMode floats;
+  const auto team = impl_->placing->asked();
+  if (!team) return std::nullopt;
+  return AskedTeam{*team, impl_->request(*team)};
+}
+
+MatchPhase Match::advance() {
+  const FloatMode floats;
+  if (impl_->phase != MatchPhase::kEnded) impl_->advance();
+  return impl_->phase;
+}
+
+MatchPhase Match::makeReady() {
+  while (phase() == MatchPhase::kPlacing || phase() == MatchPhase::kPlaced) advance();
+  return phase();
 }
 
 bool Match::step() {
-  const FloatMode floats;
-  Impl& m = *impl_;
-  if (m.ended) return false;
-  m.stages.begin();
-  m.start();
-  m.events.clear();
-  m.sense();
-  m.decide();
-  m.advance();
-  const auto call = m.judge();
-  const bool over = m.referee.state().ended;
-  if (call && !over) m.prepare(*call);
-  m.report();
-  m.stages.countTick();
-  if (over || m.abandoned) {
-    finish();
-    return false;
-  }
-  if (m.next) {
-    m.begin(std::move(*m.next));
-    m.next.reset();
-    m.stages.lap(&MatchProfile::restart);
-    m.announce();
-  }
-  return true;
+  if (makeReady() == MatchPhase::kReady) advance();
+  if (phase() == MatchPhase::kEnded) return false;
+  // The tick, and if it stopped play, all that leads to the next one.
+  if (advance() == MatchPhase::kPlacing && makeReady() == MatchPhase::kReady) advance();
+  return phase() != MatchPhase::kEnded;
 }
 
 void Match::finish() {
-  if (impl_->ended) return;
-  if (!impl_->started) impl_->start();
-  impl_->ended = true;
-  for (MatchObserver* observer : impl_->observers) observer->matchEnds(impl_->referee.state(), impl_->tick);
+  if (!impl_->played && makeReady() == MatchPhase::kReady) advance();
+  if (phase() != MatchPhase::kEnded) impl_->end(MatchEnd::Reason::kInterrupted);
 }
 
-Placement Match::placement() const { return placementOf(world(), ids()); }
+Placement Match::placement() const { return impl_->play ? placementOf(world(), ids()) : Placement{}; }
 
 Result<void> Match::replace(const Placement& placement) {
   const FloatMode floats;
   Impl& m = *impl_;
-  if (m.ended) return fail(ErrorCode::kUsage, "the match is over");
+  if (m.phase == MatchPhase::kEnded) return fail(ErrorCode::kUsage, "the match is over");
+  if (m.placing) return fail(ErrorCode::kUsage, "play is stopped: the teams are asked where they stand");
   if (const auto flaw = flawOfEdit(m.config, this->placement(), placement)) {
     return fail(ErrorCode::kUsage, *flaw);
   }
@@ -302,8 +406,13 @@ int Match::edits() const { return impl_->edits; }
 
 const MatchConfig& Match::config() const { return impl_->config; }
 const RefereeState& Match::referee() const { return impl_->referee.state(); }
-const WorldState& Match::world() const { return impl_->play->world.state(); }
-std::span<const RobotId> Match::ids() const { return impl_->play->ids; }
+const WorldState& Match::world() const {
+  static const WorldState kNobody{};
+  return impl_->play ? impl_->play->world.state() : kNobody;
+}
+std::span<const RobotId> Match::ids() const {
+  return impl_->play ? std::span<const RobotId>(impl_->play->ids) : std::span<const RobotId>();
+}
 Tick Match::tick() const { return impl_->tick; }
 double Match::seconds() const {
   return static_cast<double>(impl_->tick) * impl_->config.physics.controlPeriod();

@@ -2,15 +2,34 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "match/config/match_faults.hpp"
 #include "match/play/match_observer.hpp"
+#include "strategies/interface/strategy.hpp"
 
 namespace fulbito {
 
-/// A source of monotonic time [ns], for measuring only. Libraries read no clock of their own.
+/// A source of monotonic time [ns]. Libraries read no clock of their own.
 using MatchClock = std::function<std::int64_t()>;
+/// Called before a tick that leads to the given one is played; returns when it may be.
+using MatchPace = std::function<void(Tick)>;
+
+/// Where a match stands, by what `Match::advance` does next.
+enum class MatchPhase : std::uint8_t {
+  kPlacing,  ///< play is stopped, or has not begun; next: the team of `Match::asked` says where it stands
+  kPlaced,   ///< both have said it; next: the referee legalises it and the new world is built
+  kReady,    ///< all stand in their new world; next: teams and observers are told
+  kPlaying,  ///< next: one control tick
+  kEnded,    ///< nothing follows
+};
+
+/// A team that is to say where it wants to stand, and what it is told.
+struct AskedTeam {
+  TeamId team = TeamId::kBlue;
+  PlacementRequest request;
+};
 
 /// Where the wall time of a match went [ns].
 struct MatchProfile {
@@ -35,42 +54,63 @@ RefereeSetup refereeSetup(const MatchConfig& config);
 ///     if (!match) return match.error();
 ///     match->watch(recorder);
 ///     while (match->step()) {}
+///
+/// Between plays a match goes through phases. Who must wait for a team outside the process does so between
+/// two of them, with the same results:
+///
+///     while (match->phase() != MatchPhase::kEnded) {
+///       if (const auto asked = match->asked()) wait(*asked);
+///       match->advance();
+///     }
 class Match {
  public:
-  /// Places the first play; the world can be looked at before the first step.
-  /// Errors: kUsage or kBadInput of teams, rules, models, ranges and the start state.
-  static Result<Match> create(const MatchConfig& config);
+  /// Makes both teams and tells them of the match. Asks for no placement: that is the first thing that
+  /// happens, so that whoever watches sees it.
+  /// @param clock  measures decisions where `config.decision_time` limits them; read for nothing else
+  /// Errors: kUsage or kBadInput of teams, rules, models, ranges, the start state, and a limit without a
+  /// clock.
+  static Result<Match> create(const MatchConfig& config, const MatchClock& clock = {});
   Match(Match&&) noexcept;
   Match& operator=(Match&&) noexcept;
   ~Match();
 
-  /// Watches from now on; must outlive the match. To be called before the first `step`.
+  /// Watches from now on; must outlive the match. To be called before the first `step`, `advance` or
+  /// `makeReady`.
   void watch(MatchObserver& observer);
   /// Measures where time goes; costs clock readings. `profile` must outlive the match. To be called before
   /// the first `step`.
   void measure(const MatchClock& now, MatchProfile& profile);
-  /// A watchdog against hanging teams: a decision that takes longer than `limit` [ns] is not carried out, the
-  /// one before is held. Off unless called; what it does depends on the machine's speed, so that such a match
-  /// can be repeated only from its recording.
-  void limitDecisionTime(const MatchClock& now, std::int64_t limit);
+  /// Ties ticks to a clock outside: `wait` returns when the next tick may be played. What it takes counts
+  /// neither as a team's time to think nor in a profile.
+  void pace(MatchPace wait);
 
-  /// Plays one control tick; false when the match is over. Allocates nothing once warm, but at restarts.
+  MatchPhase phase() const;
+  /// In phase kPlacing: who is asked next, and what.
+  std::optional<AskedTeam> asked() const;
+  /// Does the one thing that `phase` names and returns the phase that follows.
+  MatchPhase advance();
+  /// Goes on until nobody need be asked: the next thing is to begin a play, to play a tick, or nothing. For
+  /// who wants to look at the world before the first step.
+  MatchPhase makeReady();
+  /// Plays one control tick and goes on up to the next; false when the match is over. Allocates nothing once
+  /// warm, but at restarts.
   bool step();
-  /// Ends the match as it stands: those who watch are told. Also called by the last `step`.
+  /// Ends the match as it stands: teams and all who watch are told. Also called by the last `step`.
   void finish();
 
-  /// Where all stand now.
+  /// Where all stand now; nobody before the first placement.
   Placement placement() const;
   /// Between ticks: goes on from this placement, the robots at rest, in a play and world of its own (kind
   /// kGiven). Clock and score stay. Those who watch are told with the next tick, so that of several
   /// replacements between two ticks only the last counts. Errors, which change nothing: kUsage when the match
-  /// is over, or as `flawOfEdit` (match/play/edit.hpp) says; as `World::create`.
+  /// is over or placements are asked for, or as `flawOfEdit` (match/play/edit.hpp) says; as `World::create`.
   Result<void> replace(const Placement& placement);
   /// How often play went on from a replacement.
   int edits() const;
 
   const MatchConfig& config() const;
   const RefereeState& referee() const;
+  /// Without bodies before the first placement.
   const WorldState& world() const;
   /// Of the world's robots.
   std::span<const RobotId> ids() const;

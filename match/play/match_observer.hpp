@@ -44,6 +44,8 @@ class MatchObserver {
   virtual void matchBegins(const MatchConfig&) {}
   virtual void playBegins(const PlayStart&) {}
   virtual void ticked(const MatchTick&) {}
+  /// The match cannot go on after this tick: the event says when, `Match::faults` why. `matchEnds` follows.
+  virtual void abandoned(const GameEvent&, const RefereeState&) {}
   virtual void matchEnds(const RefereeState&, Tick) {}
   /// Whether what the teams draw in the step that leads to `tick` will be looked at. Teams are asked to draw
   /// for no other.

@@ -17,29 +17,48 @@ TeamPlacement inTeamFrame(Side side, const TeamPlacement& poses) {
 
 }  // namespace
 
-Placement placementOf(RestartCall& call, const MatchReferee& referee, PerTeam<Strategy*> teams,
-                      std::vector<GameEvent>& events) {
-  Proposals proposals;
-  Placement placement = call.defaults;
-  for (const TeamId team : {call.team, other(call.team)}) {
-    const Side side = referee.state().sideOf(team);
-    PlacementRequest request;
-    request.kind = call.kind;
-    request.ours = team == call.team;
-    request.ball = inTeamFrame(side, call.ball);
-    request.defaults = inTeamFrame(side, defaultPoses(call, team));
-    if (!request.ours) request.opponents = inTeamFrame(side, placement.robots[indexOf(call.team)]);
-    const auto proposal = teams[indexOf(team)]->place(request);
-    if (proposal) proposals[indexOf(team)] = inTeamFrame(side, proposal->robots);
-    if (!request.ours) continue;
-    if (proposal && proposal->ball) {
-      call = withBall(referee.setup(), referee.state(), call, inTeamFrame(side, *proposal->ball), events);
-    }
+std::optional<TeamId> Placing::asked() const {
+  if (answers_ == kTeams.size()) return std::nullopt;
+  return answers_ == 0 ? first_ : other(first_);
+}
+
+PlacementRequest Placing::request(const MatchReferee& referee) const {
+  const TeamId team = asked().value_or(first_);
+  const Side side = referee.state().sideOf(team);
+  PlacementRequest request;
+  request.kind = call_.kind;
+  request.ours = team == call_.team;
+  request.ball = inTeamFrame(side, call_.ball);
+  request.defaults = inTeamFrame(side, defaultPoses(call_, team));
+  if (!request.ours) {
     // The others are shown where the first team will really stand.
     std::vector<GameEvent> told_again_later;
-    placement = place(referee.setup(), referee.state(), call, proposals, told_again_later);
+    const Placement placement = legalised(referee, told_again_later);
+    request.opponents = inTeamFrame(side, placement.robots[indexOf(first_)]);
   }
-  return place(referee.setup(), referee.state(), call, proposals, events);
+  request.cause = inTeamFrame(side, cause_);
+  request.delay = delay(referee);
+  return request;
+}
+
+double Placing::delay(const MatchReferee& referee) const {
+  return static_cast<double>(referee.delayOf(call_)) * referee.setup().dt;
+}
+
+void Placing::answer(const std::optional<TeamProposal>& proposal, const MatchReferee& referee) {
+  const auto team = asked();
+  if (!team) return;
+  ++answers_;
+  if (!proposal) return;
+  const Side side = referee.state().sideOf(*team);
+  proposals_[indexOf(*team)] = inTeamFrame(side, proposal->robots);
+  if (*team != call_.team || !proposal->ball) return;
+  call_ = withBall(referee.setup(), referee.state(), call_, inTeamFrame(side, *proposal->ball), repairs_);
+}
+
+Placement Placing::legalised(const MatchReferee& referee, std::vector<GameEvent>& events) const {
+  events.insert(events.end(), repairs_.begin(), repairs_.end());
+  return place(referee.setup(), referee.state(), call_, proposals_, events);
 }
 
 void misplace(Placement& placement, const RestartCall& call, const MatchReferee& referee,

@@ -29,6 +29,7 @@ class MatchRecorder final : public MatchObserver {
 
   void playBegins(const PlayStart& start) override;
   void ticked(const MatchTick& tick) override;
+  void abandoned(const GameEvent& event, const RefereeState&) override { add(event); }
   void matchEnds(const RefereeState& referee, Tick tick) override;
   bool wantsDrawings(Tick tick) const override { return drawn_every_ > 0 && tick % drawn_every_ == 0; }
 

@@ -45,6 +45,10 @@ void EventLog::ticked(const MatchTick& tick) {
   for (const GameEvent& call : tick.events) keep({call, std::nullopt, tick.referee->score});
 }
 
+void EventLog::abandoned(const GameEvent& event, const RefereeState& referee) {
+  keep({event, std::nullopt, referee.score});
+}
+
 void EventLog::keep(const LoggedEvent& event) {
   if (events_.size() < limit_) {
     events_.push_back(event);
@@ -76,6 +80,10 @@ void EventLines::ticked(const MatchTick& tick) {
   for (const GameEvent& call : tick.events) {
     sink_(lineOf(eventJson({call, std::nullopt, tick.referee->score}, dt_)));
   }
+}
+
+void EventLines::abandoned(const GameEvent& event, const RefereeState& referee) {
+  sink_(lineOf(eventJson({event, std::nullopt, referee.score}, dt_)));
 }
 
 void EventLines::matchEnds(const RefereeState& referee, Tick tick) {

@@ -27,6 +27,7 @@ class EventLog : public MatchObserver {
   void matchBegins(const MatchConfig& config) override;
   void playBegins(const PlayStart& start) override;
   void ticked(const MatchTick& tick) override;
+  void abandoned(const GameEvent& event, const RefereeState& referee) override;
 
  private:
   void keep(const LoggedEvent& event);
@@ -48,6 +49,7 @@ class EventLines : public MatchObserver {
   void matchBegins(const MatchConfig& config) override;
   void playBegins(const PlayStart& start) override;
   void ticked(const MatchTick& tick) override;
+  void abandoned(const GameEvent& event, const RefereeState& referee) override;
   void matchEnds(const RefereeState& referee, Tick tick) override;
 
  private:

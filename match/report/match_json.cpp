@@ -3,6 +3,16 @@
 #include <fmt/format.h>
 
 namespace fulbito {
+namespace {
+
+Json visionJson(const VisionModel& vision) {
+  return {{"latency_ticks", vision.latency_ticks},
+          {"noise_m", vision.position_noise},
+          {"heading_noise_rad", vision.heading_noise},
+          {"dropout", vision.dropout}};
+}
+
+}  // namespace
 
 std::string hashText(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
@@ -42,10 +52,7 @@ Json matchConfigJson(const MatchConfig& config) {
           {"robot", config.robot.robot.name},
           {"team_size", config.rules.team_size},
           {"half_s", config.rules.half_seconds},
-          {"latency_ticks", config.vision.latency_ticks},
-          {"noise_m", config.vision.position_noise},
-          {"heading_noise_rad", config.vision.heading_noise},
-          {"dropout", config.vision.dropout},
+          {"vision", {{"blue", visionJson(config.vision[0])}, {"yellow", visionJson(config.vision[1])}}},
           {"given_start", config.start.has_value()}};
 }
 

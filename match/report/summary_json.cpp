@@ -48,7 +48,6 @@ Json faultsJson(const TeamFaults& faults) {
   return {{"rejected", faults.rejected()},
           {"not_finite", faults.not_finite},
           {"no_navigator", faults.no_navigator},
-          {"overruns", faults.overruns},
           {"late", faults.late},
           {"saturated", faults.saturated}};
 }

@@ -40,11 +40,14 @@ CommandPolicy::CommandPolicy(TeamId team, const MatchInfo& info, std::size_t nav
       reach_{info.field.length / 2 + info.field.goal_depth + kBeyondField,
              info.field.width / 2 + kBeyondField},
       command_step_(info.physics.wheel_command_step),
-      team_size_(static_cast<std::size_t>(info.team_size)),
+      team_size_(static_cast<std::size_t>(info.rules.team_size)),
       navigators_(navigators),
-      allowance_(info.decision_work) {}
+      held_most_(info.decision_time ? info.decision_time->held : 0) {}
 
-void CommandPolicy::reset() { command_ = TeamCommand{}; }
+void CommandPolicy::reset() {
+  command_ = TeamCommand{};
+  held_ = 0;
+}
 
 void CommandPolicy::note(std::int64_t& count, const char* clause, const GameEvent& now,
                          std::vector<GameEvent>& events) {
@@ -59,14 +62,12 @@ void CommandPolicy::note(std::int64_t& count, const char* clause, const GameEven
 
 void CommandPolicy::take(TeamCommand&& decision, bool late, const GameEvent& now,
                          std::vector<GameEvent>& events) {
-  if (allowance_ > 0 && decision.work > allowance_) {
-    note(faults_.overruns, "command.overrun", now, events);
-    return;
-  }
   if (late) {
     note(faults_.late, "command.late", now, events);
+    if (++held_ > held_most_) command_ = TeamCommand{};
     return;
   }
+  held_ = 0;
   command_ = std::move(decision);
   for (std::size_t i = 0; i < team_size_; ++i) clean(i, now, events);
 }

@@ -18,7 +18,8 @@ class CommandPolicy {
 
   /// Play begins anew: there is no decision before.
   void reset();
-  /// Takes a decision, or keeps the one before when this one took too much work or time.
+  /// Takes a decision. One that came too late leaves the one before in force; after too many in a row the
+  /// robots stand.
   void take(TeamCommand&& decision, bool late, const GameEvent& now, std::vector<GameEvent>& events);
   /// Cuts a wheel command to what the motors can do and rounds it as the physics profile says.
   WheelSpeeds actuated(WheelSpeeds wanted);
@@ -38,7 +39,8 @@ class CommandPolicy {
   double command_step_;
   std::size_t team_size_;
   std::size_t navigators_;
-  std::int64_t allowance_;
+  int held_most_;  ///< late decisions in a row for which the last one holds
+  int held_ = 0;   ///< late decisions in a row so far
   TeamCommand command_;
   TeamFaults faults_;
 };

@@ -8,17 +8,20 @@ namespace fulbito {
 namespace {
 
 MatchInfo infoOf(const MatchConfig& config, TeamId team) {
+  const VisionModel& vision = config.vision[indexOf(team)];
   MatchInfo info;
+  info.team = team;
+  info.side = team == TeamId::kBlue ? Side::kLeft : Side::kRight;
   info.field = config.field;
   info.robot = config.robot.robot;
   info.ball = config.robot.ball;
   info.physics = config.physics;
-  info.team_size = config.rules.team_size;
-  info.half_seconds = config.rules.half_seconds;
-  info.observation_age = config.vision.latency_ticks * config.physics.controlPeriod();
-  info.position_noise = config.vision.position_noise;
-  info.heading_noise = config.vision.heading_noise;
-  info.decision_work = config.decision_work;
+  info.rules = config.rules;
+  info.observation_age = vision.latency_ticks * config.physics.controlPeriod();
+  info.position_noise = vision.position_noise;
+  info.heading_noise = vision.heading_noise;
+  info.dropout = vision.dropout;
+  info.decision_time = config.decision_time;
   info.seed = config.seed * 2 + indexOf(team);
   return info;
 }
@@ -28,13 +31,15 @@ MatchInfo infoOf(const MatchConfig& config, TeamId team) {
 Seat::Seat(const MatchConfig& config, TeamId team, std::unique_ptr<Strategy> strategy, TeamPilots pilots,
            CommandPolicy policy)
     : team_(team),
-      latency_ticks_(config.vision.latency_ticks),
+      latency_ticks_(config.vision[indexOf(team)].latency_ticks),
       strategy_(std::move(strategy)),
       pilots_(std::move(pilots)),
       policy_(std::move(policy)) {
   observation_.dt = config.physics.controlPeriod();
   observation_.team_size = config.rules.team_size;
-  if (!config.vision.perfect()) vision_.emplace(config.vision, config.seed, team, observation_.dt);
+  if (config.decision_time) time_.emplace(*config.decision_time);
+  const VisionModel& vision = config.vision[indexOf(team)];
+  if (!vision.perfect()) vision_.emplace(vision, config.seed, team, observation_.dt);
 }
 
 Result<Seat> Seat::create(const MatchConfig& config, TeamId team) {
@@ -57,30 +62,55 @@ void Seat::reset(const Moment& moment) {
   if (vision_) vision_->reset(*moment.world);
 }
 
-void Seat::fillRobots(const Moment& moment, std::span<const RobotState> robots, Side side) {
-  const auto size = static_cast<std::size_t>(observation_.team_size);
-  for (auto* team : {&observation_.own, &observation_.opponents}) {
+void Seat::fillRobots(const Moment& moment, std::span<const RobotState> robots, Side side,
+                      Observation& seen) const {
+  const auto size = static_cast<std::size_t>(seen.team_size);
+  for (auto* team : {&seen.own, &seen.opponents}) {
     for (std::size_t i = 0; i < size; ++i) (*team)[i].present = false;
   }
   for (std::size_t i = 0; i < moment.ids.size(); ++i) {
     const bool own = moment.ids[i].team == team_;
-    ObservedRobot& robot = (own ? observation_.own : observation_.opponents)[moment.ids[i].number];
+    ObservedRobot& robot = (own ? seen.own : seen.opponents)[moment.ids[i].number];
     robot.present = true;
     robot.state = inTeamFrame(side, robots[i]);
     if (!own) robot.state.wheels = {};
   }
 }
 
-void Seat::fillReferee(const Moment& moment) {
+void Seat::fillReferee(const Moment& moment, Observation& seen) const {
   const RefereeState& referee = *moment.referee;
-  observation_.playing = referee.playing;
-  observation_.restart = referee.last.kind;
-  observation_.restart_is_ours = referee.last.team == team_;
-  observation_.since_restart = static_cast<double>(moment.tick - referee.play_began) * observation_.dt;
-  observation_.period = referee.period;
-  observation_.remaining = static_cast<double>(referee.period_ticks - referee.play_ticks) * observation_.dt;
-  observation_.own_score = referee.score[indexOf(team_)];
-  observation_.opponent_score = referee.score[indexOf(other(team_))];
+  seen.playing = referee.playing;
+  seen.restart = referee.last.kind;
+  seen.restart_is_ours = referee.last.team == team_;
+  seen.since_restart = static_cast<double>(moment.tick - referee.play_began) * seen.dt;
+  seen.period = referee.period;
+  seen.remaining = static_cast<double>(referee.period_ticks - referee.play_ticks) * seen.dt;
+  seen.own_score = referee.score[indexOf(team_)];
+  seen.opponent_score = referee.score[indexOf(other(team_))];
+}
+
+Observation Seat::exactly(const Moment& moment) const {
+  const Side side = moment.referee->sideOf(team_);
+  Observation seen;
+  seen.dt = observation_.dt;
+  seen.team_size = observation_.team_size;
+  seen.tick = moment.tick;
+  if (moment.world != nullptr) {
+    fillRobots(moment, moment.world->robots, side, seen);
+    seen.ball = inTeamFrame(side, moment.world->balls.front());
+    seen.ball.spin = {};
+  }
+  fillReferee(moment, seen);
+  return seen;
+}
+
+Observation Seat::before(const RestartCall& call, double delay, const Moment& moment) const {
+  Observation seen = exactly(moment);
+  seen.playing = false;
+  seen.restart = call.kind;
+  seen.restart_is_ours = call.team == team_;
+  seen.since_restart = -delay;
+  return seen;
 }
 
 std::array<WheelSpeeds, kMaxTeamSize> Seat::drive() {
@@ -95,14 +125,14 @@ void Seat::sense(const Moment& moment) {
   observation_.tick = moment.tick - latency_ticks_;
   if (vision_) {
     const Sight& sight = vision_->see(*moment.world);
-    fillRobots(moment, sight.robots, side);
+    fillRobots(moment, sight.robots, side, observation_);
     observation_.ball = inTeamFrame(side, sight.ball);
   } else {
-    fillRobots(moment, moment.world->robots, side);
+    fillRobots(moment, moment.world->robots, side, observation_);
     observation_.ball = inTeamFrame(side, moment.world->balls.front());
   }
   observation_.ball.spin = {};
-  fillReferee(moment);
+  fillReferee(moment, observation_);
 }
 
 }  // namespace fulbito

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "match/seats/policy.hpp"
+#include "match/seats/thinking_time.hpp"
 #include "match/seats/vision.hpp"
 #include "referee/match/match_referee.hpp"
 #include "strategies/interface/strategy.hpp"
@@ -17,7 +18,7 @@ namespace fulbito {
 /// What a seat needs to know of the tick to be sensed.
 struct Moment {
   Tick tick = 0;
-  const WorldState* world = nullptr;
+  const WorldState* world = nullptr;  ///< null before the first placement
   std::span<const RobotId> ids;
   const RefereeState* referee = nullptr;
 };
@@ -32,10 +33,16 @@ class Seat {
   void reset(const Moment& moment);
   /// Looks at the world: fills in what the team may know at this tick.
   void sense(const Moment& moment);
+  /// What everybody can see while play is stopped: the truth, whatever the team's vision.
+  Observation exactly(const Moment& moment) const;
+  /// The same with the restart to come.
+  Observation before(const RestartCall& call, double delay, const Moment& moment) const;
   /// Whether drawings of the decision to come are wanted.
   void wantDrawings(bool wanted) { observation_.wants_drawings = wanted; }
   /// Asks the team for its decision.
   TeamCommand decide() { return strategy_->decide(observation_); }
+  /// Whether a decision that took `seconds` came too late.
+  bool late(double seconds) { return time_ && time_->late(seconds, observation_.period); }
   /// Wheel speeds of the team's robots by the decision that holds, before they are cut and rounded.
   std::array<WheelSpeeds, kMaxTeamSize> drive();
   /// What the navigators wanted in the last `drive`, where drawings were wanted.
@@ -51,15 +58,17 @@ class Seat {
  private:
   Seat(const MatchConfig& config, TeamId team, std::unique_ptr<Strategy> strategy, TeamPilots pilots,
        CommandPolicy policy);
-  void fillRobots(const Moment& moment, std::span<const RobotState> robots, Side side);
-  void fillReferee(const Moment& moment);
+  void fillRobots(const Moment& moment, std::span<const RobotState> robots, Side side,
+                  Observation& seen) const;
+  void fillReferee(const Moment& moment, Observation& seen) const;
 
   TeamId team_;
   int latency_ticks_;
   std::unique_ptr<Strategy> strategy_;
   TeamPilots pilots_;
   CommandPolicy policy_;
-  std::optional<Vision> vision_;  ///< empty: the team sees the truth
+  std::optional<ThinkingTime> time_;  ///< empty: unlimited
+  std::optional<Vision> vision_;      ///< empty: the team sees the truth
   Observation observation_;
   std::vector<DebugDrawing> ways_;
 };

@@ -45,7 +45,10 @@ class Schedule {
 MatchConfig Schedule::configOf(std::size_t leg) const {
   MatchConfig config = config_.match;
   config.seed = pairs_[leg / 2].seed;
-  if (leg % 2 == 1) std::swap(config.teams[0], config.teams[1]);
+  if (leg % 2 == 1) {
+    std::swap(config.teams[0], config.teams[1]);
+    std::swap(config.vision[0], config.vision[1]);  // it belongs to the team
+  }
   return config;
 }
 

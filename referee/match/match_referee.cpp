@@ -50,13 +50,17 @@ RestartCall MatchReferee::kickOff(TeamId team, const MatchView* view) const {
   return makeCall(setup_, state_, {RestartKind::kKickOff, team, {}, view});
 }
 
+Tick MatchReferee::delayOf(const RestartCall& call) const {
+  // Who will not wait is not waited for: nobody may play before the signal for long.
+  const int repeats = state_.false_starts[0] + state_.false_starts[1];
+  return repeats < setup_.rules.restart.max_repeats || repeats == 0 ? call.delay : 0;
+}
+
 void MatchReferee::restarted(const RestartCall& call, const Placement& placement, Tick tick) {
   state_.last = call;
   state_.placed = placement;
   state_.last_tick = tick;
-  // Who will not wait is not waited for: nobody may play before the signal for long.
-  const int repeats = state_.false_starts[0] + state_.false_starts[1];
-  const Tick delay = repeats < setup_.rules.restart.max_repeats || repeats == 0 ? call.delay : 0;
+  const Tick delay = delayOf(call);
   state_.play_began = tick + delay;
   state_.playing = delay == 0;
   state_.announce = call.kind == RestartKind::kKickOff;

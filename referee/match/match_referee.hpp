@@ -22,6 +22,9 @@ class MatchReferee {
   /// Processes one tick and appends its events. If it returns a call, play has stopped: place all robots
   /// (`place`) and call `restarted` before the next tick. Returns none after `state().ended`.
   std::optional<RestartCall> observe(const MatchView& view, std::vector<GameEvent>& events);
+  /// Ticks from the placement to the signal: the call's delay, or 0 when the teams have used up the false
+  /// starts that are waited for.
+  Tick delayOf(const RestartCall& call) const;
   /// All stand as placed; play begins at once or after the call's delay. `tick` is the match's.
   void restarted(const RestartCall& call, const Placement& placement, Tick tick);
 

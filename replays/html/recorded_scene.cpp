@@ -135,6 +135,13 @@ void addFacts(const RecordingReader& recording, const RobotPreset& robot, PageSc
   if (recipe.latency_ticks > 0) fact("Latency", fmt::format("{} ticks", recipe.latency_ticks));
   if (recipe.position_noise > 0.0) fact("Noise", fmt::format("{:g} mm", recipe.position_noise * 1e3));
   if (recipe.dropout > 0.0) fact("Not seen", fmt::format("{:g} %", recipe.dropout * 100));
+  // Where yellow does not see as blue does, whose figures these are.
+  for (const auto& [name, text] : recipe.more) {
+    if (!name.starts_with("yellow_")) continue;
+    std::string label = "Yellow" + name.substr(6);
+    std::replace(label.begin(), label.end(), '_', ' ');
+    fact(label.c_str(), text);
+  }
   if (const auto& result = recording.result()) {
     if (header.kind == RecordingKind::kTrial) fact("Outcome", result->outcome);
     for (const auto& [name, value] : result->figures) {

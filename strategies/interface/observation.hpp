@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "engine/core/base/restart_kind.hpp"
 #include "engine/core/base/team.hpp"
@@ -10,22 +11,29 @@
 #include "engine/core/models/field_geometry.hpp"
 #include "engine/core/models/physics_profile.hpp"
 #include "engine/core/models/robot_model.hpp"
+#include "referee/rules/rules.hpp"
+#include "strategies/interface/decision_time.hpp"
 
 namespace fulbito {
 
 /// What a team knows before the match. Plain values: what a team in another process would be sent.
 struct MatchInfo {
+  TeamId team = TeamId::kBlue;  ///< the colour that it plays in, and so its seat
+  Side side = Side::kLeft;      ///< the goal that it defends when the match begins
   FieldGeometry field;
   RobotModel robot;  ///< of both teams
   BallModel ball;
   PhysicsProfile physics;
-  int team_size = 3;
-  double half_seconds = 300.0;     ///< [s] of play in one half
-  double observation_age = 0.0;    ///< [s] nominal age of every observation
-  double position_noise = 0.0;     ///< [m] standard deviation of observed positions
-  double heading_noise = 0.0;      ///< [rad] standard deviation of observed headings
-  std::int64_t decision_work = 0;  ///< most `TeamCommand::work` of a decision; 0: any
-  std::uint64_t seed = 0;          ///< for the team's own random stream
+  Rules rules;                                ///< team size, length of the periods, and what is called
+  double observation_age = 0.0;               ///< [s] nominal age of every observation
+  double position_noise = 0.0;                ///< [m] standard deviation of observed positions
+  double heading_noise = 0.0;                 ///< [rad] standard deviation of observed headings
+  double dropout = 0.0;                       ///< chance that a body is not seen in a tick
+  std::optional<DecisionTime> decision_time;  ///< how long it may think; empty: as long as it likes
+  std::uint64_t seed = 0;                     ///< for the team's own random stream
+
+  /// [s] Control period: one decision for each.
+  double dt() const { return physics.controlPeriod(); }
 };
 
 /// A robot as the team sees it.

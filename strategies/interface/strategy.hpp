@@ -4,6 +4,7 @@
 #include <span>
 
 #include "navigation/registry.hpp"
+#include "referee/state/game_event.hpp"
 #include "strategies/interface/observation.hpp"
 #include "strategies/interface/team_command.hpp"
 
@@ -30,6 +31,34 @@ struct PlacementRequest {
   TeamPlacement defaults;
   /// Where the other team stands, when the rule lets it place first.
   std::optional<TeamPlacement> opponents;
+  /// The call that stopped play, its place in the team's frame; without a clause at the match's beginning.
+  GameEvent cause{};
+  double delay = 0.0;  ///< [s] from the placement to the signal; 0: play begins at once
+  /// How the match stands: tick, period, score, and where all were when play stopped, in the frame of the
+  /// play to come. At the match's beginning nobody is present. `restart` and `since_restart` are of the
+  /// restart that is asked for.
+  Observation now{};
+};
+
+/// Play was stopped.
+struct PlayStop {
+  GameEvent cause;  ///< the call, its place in the team's frame
+  Observation now;  ///< as `PlacementRequest::now`, with the score after the call
+};
+
+/// The match is over.
+struct MatchEnd {
+  enum class Reason : std::uint8_t {
+    kPlayed,       ///< by the rules
+    kAbandoned,    ///< a restart's state was no possible world
+    kInterrupted,  ///< by whoever ran it
+  };
+  Reason reason = Reason::kPlayed;
+  GameEvent cause;  ///< the call that ended it, its place in the team's frame; no clause when interrupted
+  Tick tick = 0;
+  int own_score = 0;
+  int opponent_score = 0;
+  std::optional<TeamId> winner;  ///< empty after a draw, and of a match that was not played to its end
 };
 
 /// A task of a drill, which asks for one skill of the team's first robot instead of a whole game.
@@ -54,8 +83,9 @@ struct ExerciseReply {
   Vec2 answer;  ///< of kPredictBall
 };
 
-/// A team. Values in, values out: nothing here needs the team to live in this process. `decide` must not keep
-/// references to its argument, reads no clock, and allocates nothing once warm.
+/// A team. Values in, values out: nothing here needs the team to live in this process. The match calls begin,
+/// then for each play: place, ready, decide once a tick, stopped; at last ended. No function keeps references
+/// to its argument. `decide` reads no clock, and allocates nothing once warm.
 class Strategy {
  public:
   virtual ~Strategy() = default;
@@ -67,6 +97,15 @@ class Strategy {
   virtual TeamCommand decide(const Observation& observation) = 0;
   /// Where the robots shall stand at a restart; the referee repairs what is not allowed.
   virtual std::optional<TeamProposal> place(const PlacementRequest&) { return std::nullopt; }
+  /// @{ What happens between the decisions. Nothing in the match depends on what a team does here.
+  /// Play was stopped; before the placements of the restart are asked for.
+  virtual void stopped(const PlayStop&) {}
+  /// All stand at their new places: exactly seen, before the first decision of the play. `since_restart` says
+  /// how long the signal takes, `restart` is kGiven after a user's edit.
+  virtual void ready(const Observation&) {}
+  /// The match is over; nothing follows.
+  virtual void ended(const MatchEnd&) {}
+  /// @}
   /// One tick of an exercise; empty when the team knows no such skill.
   virtual std::optional<ExerciseReply> exercise(const Observation&, const Exercise&) { return std::nullopt; }
 };

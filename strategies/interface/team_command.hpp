@@ -57,9 +57,6 @@ struct DebugDrawing {
 /// A team's decision for one tick: a plain value.
 struct TeamCommand {
   std::array<RobotCommand, kMaxTeamSize> robots;
-  /// Units of work that the decision took, counted by the strategy (0: not counted). The match's allowance is
-  /// in these, so that a slow machine changes no result.
-  std::int64_t work = 0;
   /// Left empty unless `Observation::wants_drawings`; nothing in a match depends on it.
   std::vector<DebugDrawing> drawings;
   /// What each robot plays, as the team numbers its roles from 1; 0: not told. Nothing in a match depends on

@@ -3,6 +3,7 @@
 #include "engine/core/base/team.hpp"
 #include "engine/core/base/values.hpp"
 #include "engine/core/math/math.hpp"
+#include "referee/state/game_event.hpp"
 
 /// A team's frame: its own goal is at -x. For the team that defends the left goal it is the world frame; for
 /// the other it is the world rotated by 180 degrees (never reflected: that would swap the wheels). The
@@ -25,6 +26,11 @@ inline RobotState inTeamFrame(Side own_side, RobotState robot) {
 inline BallState inTeamFrame(Side own_side, const BallState& ball) {
   return {inTeamFrame(own_side, ball.position), inTeamFrame(own_side, ball.velocity),
           inTeamFrame(own_side, ball.spin)};
+}
+
+inline GameEvent inTeamFrame(Side own_side, GameEvent event) {
+  event.place = inTeamFrame(own_side, event.place);
+  return event;
 }
 
 }  // namespace fulbito

@@ -14,7 +14,7 @@ namespace fulbito {
 /// Name of the setting that chooses a team's navigator.
 inline constexpr const char* kNavigatorSetting = "navigator";
 
-/// What the registry knows of one built-in team.
+/// What a catalogue knows of one kind of team, built in or a user's own.
 struct TeamInfo {
   std::string name;
   std::string summary;  ///< one line
@@ -29,7 +29,7 @@ struct TeamInfo {
 /// kUsage.
 Result<NavigatorChoice> takeNavigator(std::vector<Setting>& settings, const std::string& default_navigator);
 
-/// Builds the registry's entry of a team class `S` that is made from its parameter struct `P`.
+/// Builds the catalogue's entry of a team class `S` that is made from its parameter struct `P`.
 template <typename P, typename S>
 TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<Parameter<P>> parameters) {
   TeamInfo info{name, std::move(summary), specsOf(parameters), false, {}, {}};

@@ -99,15 +99,17 @@ TEST_CASE("who watches a match changes nothing in it", "[cli]") {
 TEST_CASE("rules, physics, robot, vision and length of a match can be chosen", "[cli]") {
   const Sandbox box;
   const Output output = box.run(
-      "match chaser chaser --rules vsss-5v5 --physics faithful --robot firasim --half-seconds 2 --latency 3 "
+      "match chaser chaser --rules vsss-5v5 --physics faithful --robot firasim --half-seconds 2 --latency "
+      "3,5 "
       "--noise 0.001 --dropout 0.1 --json");
   REQUIRE(output.code == 0);
   const Json json = Json::parse(output.out);
   CHECK(json["config"]["rules"] == "vsss-5v5");
   CHECK(json["config"]["physics"] == "faithful");
   CHECK(json["config"]["robot"] == "firasim");
-  CHECK(json["config"]["latency_ticks"] == 3);
-  CHECK(json["config"]["dropout"] == 0.1);
+  CHECK(json["config"]["vision"]["blue"]["latency_ticks"] == 3);
+  CHECK(json["config"]["vision"]["yellow"]["latency_ticks"] == 5);
+  CHECK(json["config"]["vision"]["yellow"]["dropout"] == 0.1);
   CHECK(json["config"]["half_s"] == 2.0);
   CHECK(json["stats"]["blue"]["robots"].size() == 5);
   const Output shown = box.run("rules show vsss-3v3");
@@ -115,6 +117,32 @@ TEST_CASE("rules, physics, robot, vision and length of a match can be chosen", "
   const Json preset = Json::parse(box.run(kQuick + "--json").out);
   const Json file = Json::parse(box.run(kQuick + "--rules mine.toml --json").out);
   CHECK(file["final_hash"] == preset["final_hash"]);
+}
+
+TEST_CASE("what a flag says of one team or of both is read as such", "[cli]") {
+  const Sandbox box;
+  const Output output = box.run("match --latency 2 idle idle --half-seconds 1 --json");
+  REQUIRE(output.code == 0);  // the teams after a flag are no values of it
+  CHECK(Json::parse(output.out)["config"]["vision"]["yellow"]["latency_ticks"] == 2);
+  const Output many = box.run("match idle idle --half-seconds 1 --noise 0,0.01,0.02");
+  CHECK(many.code == 2);
+  CHECK(many.err.find("--noise: takes one or two values") != std::string::npos);
+  // The handicap of one team is kept in the recording.
+  REQUIRE(box.run("match idle idle --half-seconds 1 --dropout 0,0.25 --record game.fbr").code == 0);
+  const Output events = box.run("replay events game.fbr --json");
+  REQUIRE(events.code == 0);
+  const Json head = jsonLines(events.out).front();
+  CHECK(head["config"]["vision"]["blue"]["dropout"] == 0.0);
+  CHECK(head["config"]["vision"]["yellow"]["dropout"] == 0.25);
+}
+
+TEST_CASE("match --time limits decisions, of one match only", "[cli]") {
+  const Sandbox box;
+  const Output ample = box.run("match chaser idle --half-seconds 1 --time 60000 --json");
+  REQUIRE(ample.code == 0);
+  CHECK(Json::parse(ample.out)["stats"]["blue"]["commands"]["late"] == 0);
+  CHECK(box.run("match idle idle --time -1").code == 2);
+  CHECK(box.run("match idle idle --time 20 -n 2").code == 2);
 }
 
 TEST_CASE("match --profile prints the share of every stage", "[cli]") {

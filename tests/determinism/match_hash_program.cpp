@@ -51,7 +51,7 @@ void play(const std::string& rules, const std::string& blue, const std::string& 
   config.robot = get(loadRobot("vsss"));
   config.physics = get(loadPhysics("standard"));
   config.teams = {get(parseTeam(blue)), get(parseTeam(yellow))};
-  config.vision = vision;
+  config.vision.fill(vision);
   Match match = get(Match::create(config));
   EventHash events;
   match.watch(events);
@@ -69,10 +69,10 @@ int main() {
   blurred.position_noise = 0.002;
   blurred.heading_noise = 0.02;
   blurred.dropout = 0.02;
-  const std::span<const TeamInfo> all = teams();
+  const auto all = TeamCatalogue::builtIn().teams();
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string& blue = all[i].name;
-    const std::string& yellow = all[(i + 1) % all.size()].name;
+    const std::string& blue = all[i]->name;
+    const std::string& yellow = all[(i + 1) % all.size()]->name;
     play("vsss-3v3", blue, yellow, {});
     play("vsss-3v3", blue, yellow, blurred);
     play("vsss-5v5", blue, yellow, {});

@@ -14,11 +14,11 @@ struct Pairing {
 /// Each with each, and with itself: those of different teams in the order that gives each its turn as blue.
 std::vector<Pairing> pairings() {
   std::vector<Pairing> all;
-  const auto teams = fulbito::teams();
+  const auto teams = TeamCatalogue::builtIn().teams();
   for (std::size_t a = 0; a < teams.size(); ++a) {
     for (std::size_t b = a; b < teams.size(); ++b) {
       const bool swap = (a + b) % 2 == 1;
-      all.push_back({teams[swap ? b : a].name, teams[swap ? a : b].name});
+      all.push_back({teams[swap ? b : a]->name, teams[swap ? a : b]->name});
     }
   }
   return all;

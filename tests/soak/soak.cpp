@@ -48,9 +48,9 @@ class Soak {
       config.field = get(loadField(config.rules.field));
       config.robot = get(loadRobot("vsss"));
       config.physics = get(loadPhysics("standard"));
-      for (const TeamInfo& blue : teams()) {
-        for (const TeamInfo& yellow : teams()) {
-          config.teams = {get(parseTeam(blue.name)), get(parseTeam(yellow.name))};
+      for (const auto& blue : TeamCatalogue::builtIn().teams()) {
+        for (const auto& yellow : TeamCatalogue::builtIn().teams()) {
+          config.teams = {get(parseTeam(blue->name)), get(parseTeam(yellow->name))};
           pairings_.push_back(config);
         }
       }

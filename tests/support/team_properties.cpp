@@ -27,7 +27,7 @@ struct Scene {
   Observation seen;
 };
 
-int sizeOf(const MatchInfo& info) { return info.team_size; }
+int sizeOf(const MatchInfo& info) { return info.rules.team_size; }
 
 std::string gameOf(int team_size) { return team_size == 5 ? "vsss-5v5" : "vsss-3v3"; }
 
@@ -38,7 +38,7 @@ MatchInfo infoOf(int team_size, double age) {
   info.robot = preset.robot;
   info.ball = preset.ball;
   info.physics = *loadPhysics("standard");
-  info.team_size = team_size;
+  info.rules = loadRules(gameOf(team_size)).value();
   info.observation_age = age;
   info.seed = 7;
   return info;
@@ -342,7 +342,7 @@ TeamPlacement turned(fulbito::Side side, const TeamPlacement& poses) {
 
 RefereeSetup refereeOf(const MatchInfo& info) {
   RefereeSetup setup;
-  setup.rules = loadRules(gameOf(sizeOf(info))).value();
+  setup.rules = info.rules;
   setup.field = info.field;
   setup.robot = info.robot;
   setup.ball = info.ball;

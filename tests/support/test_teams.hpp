@@ -32,21 +32,16 @@ class TestTeam final : public Strategy {
   std::vector<NavigatorChoice> navigators_;
 };
 
-/// Registers a test's team for as long as this lives.
+/// A test's team for both seats.
 class TestEntry {
  public:
-  explicit TestEntry(Decide decide, Place place = {}, std::vector<NavigatorChoice> navigators = {}) {
-    info_.name = "test";
-    info_.make = [=](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
-      return std::unique_ptr<Strategy>(std::make_unique<TestTeam>(decide, place, navigators));
-    };
-  }
-  TestEntry(const TestEntry&) = delete;
-  TestEntry& operator=(const TestEntry&) = delete;
-  TeamChoice choice() const { return {&info_, "test", {}}; }
+  explicit TestEntry(Decide decide, Place place = {}, std::vector<NavigatorChoice> navigators = {})
+      : choice_(
+            TeamChoice::own("test", [=] { return std::make_unique<TestTeam>(decide, place, navigators); })) {}
+  const TeamChoice& choice() const { return choice_; }
 
  private:
-  TeamInfo info_;
+  TeamChoice choice_;
 };
 
 /// A short 3v3 match of two teams of the registry.

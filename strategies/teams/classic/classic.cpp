@@ -28,7 +28,7 @@ void Classic::begin(const MatchInfo& info) {
   info_ = info;
   foresight_ = Foresight(info);
   memory_.fill({});
-  attacker_ = std::min<std::size_t>(1, static_cast<std::size_t>(info.team_size) - 1);
+  attacker_ = std::min<std::size_t>(1, static_cast<std::size_t>(info.rules.team_size) - 1);
 }
 
 /// Roles by number: 0 keeps, 1 attacks, 2 supports, 3 defends, 4 ... wait on the other wing. The attacker's

@@ -57,13 +57,13 @@ TEST_CASE("statistics and the event log of a warm match allocate nothing", "[uni
 }
 
 TEST_CASE("a warm match's ticks allocate nothing", "[unit]") {
-  for (const TeamInfo& team : teams()) {
-    CAPTURE(team.name);
-    MatchConfig config = shortMatch(team.name, team.name, 30.0);
+  for (const auto& team : TeamCatalogue::builtIn().teams()) {
+    CAPTURE(team->name);
+    MatchConfig config = shortMatch(team->name, team->name, 30.0);
     CHECK(allocatingTicks(config, 600) == 0);
-    config.vision.latency_ticks = 4;
-    config.vision.position_noise = 0.001;
-    config.vision.dropout = 0.05;
+    for (VisionModel& seat : config.vision) seat.latency_ticks = 4;
+    for (VisionModel& seat : config.vision) seat.position_noise = 0.001;
+    for (VisionModel& seat : config.vision) seat.dropout = 0.05;
     CHECK(allocatingTicks(config, 600) == 0);
   }
 }

@@ -1,5 +1,7 @@
 #include "strategies/registry.hpp"
 
+#include "strategies/teams/libero/libero.hpp"
+#include "strategies/teams/simple/idle.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {
@@ -17,12 +19,14 @@ bool contains(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("every team can be made and says what it takes", "[unit]") {
-  CHECK(teams().size() >= 5);
-  for (const TeamInfo& info : teams()) {
+  const TeamCatalogue catalogue = TeamCatalogue::builtIn();
+  CHECK(catalogue.teams().size() >= 5);
+  for (const auto& entry : catalogue.teams()) {
+    const TeamInfo& info = *entry;
     CAPTURE(info.name);
-    const auto choice = parseTeam(info.name);
+    const auto choice = catalogue.parse(info.name);
     REQUIRE(choice);
-    CHECK(choice->info == &info);
+    CHECK(choice->info == entry);
     CHECK(makeTeam(*choice));
     CHECK_FALSE(info.summary.empty());
     CHECK(info.takes_navigator == !info.default_navigator.empty());
@@ -48,6 +52,49 @@ TEST_CASE("a team's navigator takes parameters of its own", "[unit]") {
   CHECK(navigators[0].classic_follower);
   REQUIRE(navigators[0].settings.size() == 1);
   CHECK(navigators[0].settings[0].value == "0.03");
+}
+
+TEST_CASE("a catalogue takes further teams, and each catalogue has its own", "[unit]") {
+  struct Slow final : Strategy {
+    struct Params {
+      double speed = 0.1;
+    };
+    explicit Slow(Params) {}
+    void begin(const MatchInfo&) override {}
+    TeamCommand decide(const Observation&) override { return {}; }
+  };
+  const TeamInfo slow = describeTeam<Slow::Params, Slow>(
+      "slow", "hardly moves", {number("speed", &Slow::Params::speed, 0.0, 1.0, "m/s", "of every robot")});
+  std::optional<TeamChoice> kept;
+  {
+    TeamCatalogue catalogue = TeamCatalogue::builtIn();
+    REQUIRE(catalogue.add(slow));
+    CHECK(catalogue.teams().back()->name == "slow");
+    const auto choice = catalogue.parse("slow:speed=0.5");
+    REQUIRE(choice);
+    CHECK(choice->text == "slow:speed=0.5");
+    CHECK_FALSE(catalogue.parse("slow:speed=2"));
+    CHECK(contains(catalogue.parse("slwo").error().message, "Did you mean 'slow'?"));
+    CHECK(catalogue.parse("libero"));
+    CHECK(catalogue.add(slow).error().message == "there is a team 'slow' already");
+    CHECK_FALSE(catalogue.add(liberoInfo()));
+    kept = *choice;
+  }
+  CHECK(makeTeam(*kept));  // the entry outlives the catalogue
+  CHECK(contains(errorOf("slow"), "there is no team 'slow'"));
+}
+
+TEST_CASE("what cannot be a catalogue's team is refused", "[unit]") {
+  TeamCatalogue catalogue;
+  TeamInfo info = idleInfo();
+  info.name = "";
+  CHECK(catalogue.add(info).error().code == ErrorCode::kUsage);
+  info.name = "a:b";
+  CHECK(catalogue.add(info).error().message == "'a:b' cannot be a team's name");
+  info.name = "a";
+  info.make = {};
+  CHECK(catalogue.add(info).error().message == "team 'a': nothing makes it");
+  CHECK(catalogue.teams().empty());
 }
 
 TEST_CASE("wrong specifications are explained", "[unit]") {

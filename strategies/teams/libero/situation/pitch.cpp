@@ -20,6 +20,6 @@ Pitch::Pitch(const MatchInfo& info)
       wheel_radius(info.robot.wheel_radius),
       tick(info.physics.controlPeriod()),
       motors(info.robot, tick),
-      team_size(info.team_size) {}
+      team_size(info.rules.team_size) {}
 
 }  // namespace fulbito::libero

@@ -50,19 +50,11 @@ class Flapping final : public Still {
 };
 
 template <typename Team>
-const TeamInfo& stub() {
-  static const TeamInfo info = [] {
-    TeamInfo made;
-    made.name = "stub";
-    made.make = [](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
-      return std::unique_ptr<Strategy>(std::make_unique<Team>());
-    };
-    return made;
-  }();
-  return info;
+TeamChoice stub(const char* name) {
+  return TeamChoice::own(name, [] { return std::make_unique<Team>(); });
 }
 
-TeamChoice still() { return {&stub<Still>(), "still", {}}; }
+TeamChoice still() { return stub<Still>("still"); }
 
 Drill drillOf(const std::string& text) {
   auto drill = parseDrill(text, "test.toml");
@@ -342,7 +334,7 @@ TEST_CASE("whole matches count roles that change hands", "[unit]") {
       "[drill]\nnumber = 903\nwhat = \"roles\"\ntrials = 2\nmatch_opponent = \"chaser\"\nhalf_seconds = 2.0\n"
       "[[pass]]\nvalue = \"switch\"\nstatistic = \"mean\"\nat_most = 0.5\n"
       "[[pass]]\nvalue = \"flap\"\nstatistic = \"count\"\nat_most = 0\n";
-  const DrillReport flapping = runOne(drill, {&stub<Flapping>(), "flapping", {}});
+  const DrillReport flapping = runOne(drill, stub<Flapping>("flapping"));
   CHECK(flapping.offered);
   CHECK(flapping.verdicts[0].value.value == Approx(60.0).margin(3.0));
   CHECK(flapping.verdicts[1].value.value > 200.0);

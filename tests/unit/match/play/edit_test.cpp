@@ -25,6 +25,7 @@ Pose2& robot(Placement& placement, TeamId team, std::size_t number) {
 std::string flawAfter(const std::function<void(Placement&)>& change) {
   auto match = Match::create(shortMatch());
   REQUIRE(match);
+  match->makeReady();
   Placement after = match->placement();
   change(after);
   return flawOfEdit(match->config(), match->placement(), after).value_or("");
@@ -75,6 +76,7 @@ TEST_CASE("what was not moved may lean on others", "[unit]") {
   const MatchConfig config = shortMatch();
   auto match = Match::create(config);
   REQUIRE(match);
+  match->makeReady();
   Placement before = match->placement();
   // Two robots in each other's arms, as physics never leaves them, and a third that is moved.
   robot(before, TeamId::kBlue, 1) = robot(before, TeamId::kYellow, 1);
@@ -141,6 +143,7 @@ TEST_CASE("an edited match verifies and says that it was edited", "[unit]") {
     match->watch(statistics);
     match->watch(log);
     match->watch(*recorder);
+    match->makeReady();
     Placement last;
     for (const Tick edited : {0, 7, 299, 300, 301, 302, 601}) {
       while (match->tick() < edited) REQUIRE(match->step());
@@ -177,6 +180,7 @@ TEST_CASE("a match that ends before its first tick, edited or not, leaves a reco
     REQUIRE(match);
     REQUIRE(recorder);
     match->watch(*recorder);
+    match->makeReady();
     Placement wanted = match->placement();
     wanted.ball = {0.4, 0.4};
     if (edited) REQUIRE(match->replace(wanted));

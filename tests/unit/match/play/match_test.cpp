@@ -152,15 +152,22 @@ TEST_CASE("what cannot be played is refused with the reason", "[unit]") {
   CHECK(refusal([](MatchConfig& c) { c.teams[1].info = nullptr; }) == "the yellow team is not chosen");
   CHECK(refusal([](MatchConfig& c) { c.rules.team_size = 12; }) ==
         "team size of the rules: 12 is outside 1 ... 11");
-  CHECK(refusal([](MatchConfig& c) { c.vision.latency_ticks = 61; }) ==
+  CHECK(refusal([](MatchConfig& c) { c.vision[0].latency_ticks = 61; }) ==
         "latency: 61 is outside 0 ... 60 ticks");
-  CHECK(refusal([](MatchConfig& c) { c.vision.position_noise = -1.0; }) ==
+  CHECK(refusal([](MatchConfig& c) { c.vision[1].position_noise = -1.0; }) ==
         "noise: -1 is outside 0 ... 0.1 m");
-  CHECK(refusal([](MatchConfig& c) { c.vision.heading_noise = 7.0; }) ==
+  CHECK(refusal([](MatchConfig& c) { c.vision[0].heading_noise = 7.0; }) ==
         "heading noise: 7 is outside 0 ... 6.283 rad");
-  CHECK(refusal([](MatchConfig& c) { c.vision.dropout = 1.0; }) ==
+  CHECK(refusal([](MatchConfig& c) { c.vision[1].dropout = 1.0; }) ==
         "dropout: 1 is outside 0 ... 0.99");
-  CHECK(refusal([](MatchConfig& c) { c.decision_work = -1; }) == "decision work: -1 is below 0");
+  CHECK(refusal([](MatchConfig& c) { c.decision_time = DecisionTime{-1.0, 2.0, 30}; }) ==
+        "time per decision: -1 is outside 0 ... 60 s");
+  CHECK(refusal([](MatchConfig& c) { c.decision_time = DecisionTime{0.02, 1e9, 30}; }) ==
+        "bank of time: 1000000000 is outside 0 ... 3600 s");
+  CHECK(refusal([](MatchConfig& c) { c.decision_time = DecisionTime{0.02, 2.0, -1}; }) ==
+        "late decisions in a row: -1 is outside 0 ... 3600");
+  CHECK(refusal([](MatchConfig& c) { c.decision_time = DecisionTime{}; }) ==
+        "time per decision: there is no clock to measure it");
   CHECK(
       refusal([](MatchConfig& c) { c.field.goal_width = 0.0; }) ==
       "the rules 'vsss-3v3' cannot be played on the field 'vsss-3v3': field.goal_width = 0, it has no goals");

@@ -162,6 +162,7 @@ TEST_CASE("robots held before the signal do not move, free ones do", "[unit]") {
   config.rules.restart.hold_robots = GENERATE(true, false);
   auto match = Match::create(config);
   REQUIRE(match);
+  match->makeReady();
   const Vec2 before = match->world().robots[1].pose.position;
   for (int i = 0; i < 5; ++i) {
     REQUIRE(match->step());
@@ -282,6 +283,7 @@ TEST_CASE("a team that did not come has no robots", "[unit]") {
   config.present = {true, false};
   auto match = Match::create(config);
   REQUIRE(match);
+  match->makeReady();
   CHECK(match->ids().size() == 3);
   for (const RobotId id : match->ids()) CHECK(id.team == TeamId::kBlue);
   while (match->step()) {

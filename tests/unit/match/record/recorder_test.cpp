@@ -77,7 +77,7 @@ TEST_CASE("the recipe makes the same match again", "[unit]") {
   config.physics.substeps = 3;
   config.robot.robot.mass = 0.2;
   config.seed = 99;
-  config.vision.position_noise = 0.002;
+  for (VisionModel& seat : config.vision) seat.position_noise = 0.002;
   const auto reader = RecordingReader::parse(recorded(config, RecordingLevel::kRecipe), "match");
   REQUIRE(reader);
   const RecordingRecipe& recipe = reader->header().recipe;
@@ -88,7 +88,7 @@ TEST_CASE("the recipe makes the same match again", "[unit]") {
   again.robot = *parseRobot(recipe.robot, "robot");
   again.field = *parseField(recipe.field, "field");
   again.seed = recipe.seed;
-  again.vision.position_noise = recipe.position_noise;
+  for (VisionModel& seat : again.vision) seat.position_noise = recipe.position_noise;
   CHECK(hashOf(again) == reader->result()->final_hash);
 }
 
@@ -168,7 +168,7 @@ TEST_CASE("drawing changes nothing that is played", "[unit]") {
   for (const char* team : {"libero", "classic", "classic:navigator=bezier", "libero:navigator=univector"}) {
     INFO(team);
     MatchConfig config = shortMatch(team, "chaser", 5.0);
-    config.vision.latency_ticks = 2;
+    for (VisionModel& seat : config.vision) seat.latency_ticks = 2;
     const RecordingReader plain = readerOf(recorded(config)), drawn = recordedWithDrawings(config, 60);
     REQUIRE(plain.result());
     REQUIRE(drawn.result());

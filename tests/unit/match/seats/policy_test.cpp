@@ -29,13 +29,11 @@ struct Log final : MatchObserver {
 
 /// A match of 100 ticks of a team against one that stands still.
 struct Played {
-  explicit Played(const Decide& decide, std::vector<NavigatorChoice> navigators = {},
-                  std::int64_t allowance = 0) {
+  explicit Played(const Decide& decide, std::vector<NavigatorChoice> navigators = {}) {
     const TestEntry entry(decide, {}, std::move(navigators));
     const TestEntry still([](const Observation&) { return TeamCommand{}; });
     MatchConfig config = shortMatch();
     config.teams = {still.choice(), entry.choice()};
-    config.decision_work = allowance;
     config.start = twoColumns();
     auto match = Match::create(config);
     REQUIRE(match);
@@ -121,43 +119,92 @@ TEST_CASE("a place far off the field is taken to its edge, a navigator that is n
   CHECK(eventsOf(stopped.log) == "command.no-navigator 1 command.no-navigator 10 command.no-navigator 100 ");
 }
 
-TEST_CASE("a decision above the allowance leaves the one before in force", "[unit]") {
-  const Decide decide = [](const Observation& observation) {
-    TeamCommand command = first(RobotCommand::byWheels({static_cast<double>(observation.tick), 1.0}));
-    command.work = observation.tick < 50 ? 10 : 11;
-    return command;
-  };
-  const Played held(decide, {}, 10);
-  CHECK(held.faults.overruns == 50);
-  CHECK(held.log.last_yellow.left == Approx(46.08));  // of tick 49, cut
-  CHECK(eventsOf(held.log) == "command.overrun 1 command.overrun 10 ");
-  CHECK(Played(decide).faults.overruns == 0);
+namespace {
+
+/// A clock that only moves while somebody thinks, or is told to.
+struct Thinking {
+  std::int64_t now = 0;                     ///< [ns]
+  std::function<double(Tick)> yellow;       ///< [s] that yellow's decision of the tick takes
+  std::function<void(std::int64_t&)> pace;  ///< what the time between two ticks is
+  DecisionTime limit;
+  int ticks = 100;
+  double half_seconds = 5.0;
+  std::vector<WheelSpeeds> applied;  ///< to yellow's last robot
+  TeamFaults blue_faults, faults;
+  Tick played = 0;
+  std::string events;
+
+  void play() {
+    const TestEntry quick([](const Observation&) { return TeamCommand{}; });
+    const TestEntry slow([this](const Observation& seen) {
+      now += static_cast<std::int64_t>(yellow(seen.tick) * 1e9);
+      return allWheels({static_cast<double>(seen.tick % 40) + 1.0, 0.0});
+    });
+    MatchConfig config = shortMatch("idle", "idle", half_seconds);
+    config.teams = {quick.choice(), slow.choice()};
+    config.start = twoColumns();
+    config.decision_time = limit;
+    auto match = Match::create(config, [this] { return now; });
+    REQUIRE(match);
+    if (pace) match->pace([this](Tick) { pace(now); });
+    Log log;
+    match->watch(log);
+    for (int i = 0; i < ticks && match->step(); ++i) applied.push_back(log.last_yellow);
+    blue_faults = match->faults().teams[0];
+    faults = match->faults().teams[1];
+    played = match->tick();
+    events = eventsOf(log);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a late decision leaves the one before in force, and after too many the robots stand", "[unit]") {
+  Thinking match;
+  match.limit = {0.02, 0.0, 30};
+  match.yellow = [](Tick tick) { return tick < 10 || tick >= 60 ? 0.02 : 0.021; };
+  match.play();
+  CHECK(match.blue_faults.late == 0);
+  CHECK(match.faults.late == 50);
+  CHECK(match.faults.rejected() == 50);
+  CHECK(match.events == "command.late 1 command.late 10 ");
+  CHECK(match.applied[9].left == Approx(10.0));
+  CHECK(match.applied[10].left == Approx(10.0));
+  CHECK(match.applied[39].left == Approx(10.0));  // the thirtieth in a row
+  CHECK(match.applied[40].left == 0.0);
+  CHECK(match.applied[59].left == 0.0);
+  CHECK(match.applied[60].left == Approx(21.0));
 }
 
 TEST_CASE("the first decision has none before: the robots stand", "[unit]") {
-  const Played held(
-      [](const Observation&) {
-        TeamCommand command = allWheels({20.0, 20.0});
-        command.work = 2;
-        return command;
-      },
-      {}, 1);
-  CHECK(held.faults.overruns == 100);
-  CHECK(held.log.last_yellow.left == 0.0);
+  Thinking match;
+  match.limit = {0.0, 0.0, 30};
+  match.yellow = [](Tick) { return 0.001; };
+  match.play();
+  CHECK(match.faults.late == 100);
+  for (const WheelSpeeds& wheels : match.applied) CHECK(wheels.left == 0.0);
 }
 
-TEST_CASE("the watchdog holds what came too late by its clock, and is off by default", "[unit]") {
-  const TestEntry entry([](const Observation&) { return allWheels({5.0, 5.0}); });
-  MatchConfig config = shortMatch();
-  config.teams = {entry.choice(), entry.choice()};
-  auto match = Match::create(config);
-  REQUIRE(match);
-  std::int64_t now = 0, calls = 0;
-  // Blue always takes 100, yellow 101.
-  match->limitDecisionTime([&] { return now += (++calls % 4 == 0 ? 101 : 100); }, 100);
-  for (int i = 0; i < 20; ++i) match->step();
-  CHECK(match->faults().teams[0].late == 0);
-  CHECK(match->faults().teams[1].late == 20);
+TEST_CASE("what a decision takes too long is paid from a bank, which is full again in each period",
+          "[unit]") {
+  Thinking match;
+  match.limit = {0.125, 1.25, 30};
+  match.half_seconds = 1.0;
+  match.ticks = 1000;
+  match.yellow = [](Tick) { return 0.25; };  // ten of them are covered
+  match.play();
+  CHECK(match.played >= 120);
+  CHECK(match.faults.late == match.played - 2 * 10);
+}
+
+TEST_CASE("waiting is not thinking", "[unit]") {
+  Thinking match;
+  match.limit = {0.02, 0.0, 30};
+  match.yellow = [](Tick) { return 0.01; };
+  match.pace = [](std::int64_t& now) { now += 1'000'000'000; };
+  match.play();
+  CHECK(match.faults.late == 0);
+  CHECK(match.now == 101'000'000'000);  // all ticks waited
 }
 
 TEST_CASE("whatever two teams command, the match goes on to its end", "[unit]") {

@@ -137,17 +137,36 @@ TEST_CASE("what is seen is reproducible and belongs to the seat and the seed", "
 TEST_CASE("matches with an imperfect vision are reproducible and differ from those without", "[unit]") {
   MatchConfig config = shortMatch();
   const std::uint64_t perfect = hashOf(config);
-  config.vision.latency_ticks = 3;
+  for (VisionModel& seat : config.vision) seat.latency_ticks = 3;
   const std::uint64_t late = hashOf(config);
-  config.vision.position_noise = 0.002;
-  config.vision.heading_noise = 0.02;
-  config.vision.dropout = 0.05;
+  for (VisionModel& seat : config.vision) seat.position_noise = 0.002;
+  for (VisionModel& seat : config.vision) seat.heading_noise = 0.02;
+  for (VisionModel& seat : config.vision) seat.dropout = 0.05;
   const std::uint64_t blurred = hashOf(config);
   CHECK(late != perfect);
   CHECK(blurred != late);
   CHECK(hashOf(config) == blurred);
   config.seed = 2;
   CHECK(hashOf(config) != blurred);
+}
+
+TEST_CASE("one team may see worse than the other", "[unit]") {
+  PerTeam<Tick> first{};
+  PerTeam<TestEntry> entries{TestEntry([&](const Observation& seen) {
+                               first[0] = std::min(first[0], seen.tick);
+                               return allWheels({20.0, 20.0});
+                             }),
+                             TestEntry([&](const Observation& seen) {
+                               first[1] = std::min(first[1], seen.tick);
+                               return allWheels({20.0, 20.0});
+                             })};
+  MatchConfig config = shortMatch();
+  config.teams = {entries[0].choice(), entries[1].choice()};
+  config.vision[1].latency_ticks = 7;
+  auto match = Match::create(config);
+  REQUIRE(match);
+  for (int i = 0; i < 10; ++i) REQUIRE(match->step());
+  CHECK(first == PerTeam<Tick>{0, -7});
 }
 
 TEST_CASE("teams see the age of their pictures", "[unit]") {
@@ -161,7 +180,7 @@ TEST_CASE("teams see the age of their pictures", "[unit]") {
   MatchConfig config = shortMatch();
   config.teams[0] = entry.choice();
   config.start = twoColumns();
-  config.vision.latency_ticks = 5;
+  for (VisionModel& seat : config.vision) seat.latency_ticks = 5;
   auto match = Match::create(config);
   REQUIRE(match);
   std::vector<Vec2> truth;

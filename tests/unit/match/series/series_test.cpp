@@ -1,5 +1,6 @@
 #include "match/series/series.hpp"
 
+#include <atomic>
 #include <set>
 
 #include "match/report/statistics.hpp"
@@ -23,7 +24,8 @@ SeriesConfig seriesOf(const std::string& a, const std::string& b, int pairs, dou
 
 TEST_CASE("a team against itself gives exactly zero in every pair", "[unit]") {
   SeriesConfig config = seriesOf("chaser", "chaser", 4, 20.0);
-  config.match.vision.position_noise = 0.002;  // random numbers belong to the seats
+  for (VisionModel& seat : config.match.vision)
+    seat.position_noise = 0.002;  // random numbers belong to the seats
   const auto series = playSeries(config);
   REQUIRE(series);
   REQUIRE(series->pairs.size() == 4);
@@ -44,7 +46,7 @@ TEST_CASE("a team against itself gives exactly zero in every pair", "[unit]") {
 
 TEST_CASE("the number of jobs changes no result", "[unit]") {
   SeriesConfig config = seriesOf("chaser", "chaser", 3, 3.0);
-  config.match.vision.latency_ticks = 2;
+  for (VisionModel& seat : config.match.vision) seat.latency_ticks = 2;
   config.jobs = 1;
   const auto alone = playSeries(config);
   config.jobs = 4;
@@ -125,6 +127,24 @@ TEST_CASE("a series that is stopped keeps the pairs that are complete without a 
   CHECK(none->pairs.size() <= 1);
 }
 
+TEST_CASE("how a team sees goes with it from seat to seat", "[unit]") {
+  std::atomic<int> poor{0}, good{0}, wrong{0};
+  const auto looking = [](std::atomic<int>& right, std::atomic<int>& odd, bool late) {
+    return TestEntry([&right, &odd, late](const Observation& seen) {
+      if (seen.tick == (late ? -9 : 0)) ++right;
+      if (seen.tick < (late ? -9 : 0)) ++odd;
+      return allWheels({});
+    });
+  };
+  SeriesConfig config = seriesOf("chaser", "chaser", 2, 2.0);
+  config.match.teams = {looking(poor, wrong, true).choice(), looking(good, wrong, false).choice()};
+  config.match.vision[0].latency_ticks = 9;
+  REQUIRE(playSeries(config));
+  CHECK(poor == 4);
+  CHECK(good == 4);
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("seeds of pairs: the first is the series' own, none twice", "[unit]") {
   CHECK(seedOfPair(77, 0) == 77);
   std::set<std::uint64_t> seeds;
@@ -140,7 +160,7 @@ TEST_CASE("what a series cannot play is refused", "[unit]") {
   config.jobs = -1;
   CHECK(playSeries(config).error().message == "jobs: -1 is outside 0 ... 1024");
   config.jobs = 2;
-  config.match.vision.dropout = 2.0;
+  config.match.vision[1].dropout = 2.0;
   CHECK(playSeries(config).error().message == "dropout: 2 is outside 0 ... 0.99");
 }
 

@@ -23,7 +23,7 @@ struct Errors {
 /// Two robots that drive about and a rolling ball, seen `latency` ticks late.
 Errors errorsAt(int latency, std::uint64_t seed) {
   MatchInfo info = test::matchInfo();
-  info.team_size = 1;
+  info.rules.team_size = 1;
   const double dt = info.physics.controlPeriod();
   info.observation_age = latency * dt;
   Rng rng(seed, Stream::kTest);

@@ -6,12 +6,12 @@
 namespace fulbito {
 
 TEST_CASE("every built-in team keeps what teams promise", "[unit]") {
-  for (const TeamInfo& info : teams()) {
-    DYNAMIC_SECTION(info.name) {
+  for (const auto& info : TeamCatalogue::builtIn().teams()) {
+    DYNAMIC_SECTION(info->name) {
       test::TeamProperties properties;
       // It draws its drives from a stream of its own, which knows no sides.
-      properties.mirrored = info.name != "random";
-      test::checkTeamProperties(info.name, properties);
+      properties.mirrored = info->name != "random";
+      test::checkTeamProperties(info->name, properties);
     }
   }
 }

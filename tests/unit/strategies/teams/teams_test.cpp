@@ -28,7 +28,7 @@ struct Game {
 
   TeamPilots start(int size, std::uint64_t seed) {
     if (size == 5) info.field = *loadField("vsss-5v5");
-    info.team_size = size;
+    info.rules.team_size = size;
     info.seed = seed;
     team->begin(info);
     return std::move(*TeamPilots::create(info, team->navigators()));
@@ -37,9 +37,9 @@ struct Game {
   WorldConfig placed(std::uint64_t seed) const {
     WorldConfig config{info.field, info.physics, {}, {}, {}};
     Rng rng(seed, Stream::kTest);
-    for (int i = 0; i < 2 * info.team_size; ++i) {
-      const double x = (i < info.team_size ? -1.0 : 1.0) * (0.2 + 0.1 * (i % info.team_size));
-      const double y = -0.4 + 0.2 * (i % info.team_size);
+    for (int i = 0; i < 2 * info.rules.team_size; ++i) {
+      const double x = (i < info.rules.team_size ? -1.0 : 1.0) * (0.2 + 0.1 * (i % info.rules.team_size));
+      const double y = -0.4 + 0.2 * (i % info.rules.team_size);
       config.robots.push_back({info.robot, {{x, y}, rng.uniform(-3.0, 3.0)}, {}, 0.0});
     }
     const Vec2 roll{rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5)};
@@ -48,11 +48,11 @@ struct Game {
   }
 
   TeamCommand tick(int number) {
-    const auto size = static_cast<std::size_t>(info.team_size);
+    const auto size = static_cast<std::size_t>(info.rules.team_size);
     const WorldState& now = world.state();
     seen.tick = number;
     seen.dt = info.physics.controlPeriod();
-    seen.team_size = info.team_size;
+    seen.team_size = info.rules.team_size;
     seen.since_restart = number * seen.dt;
     for (std::size_t i = 0; i < size; ++i) {
       seen.own[i] = {true, now.robots[i]};
@@ -145,7 +145,7 @@ TEST_CASE("classic scores against robots that stand", "[unit]") {
 
 TEST_CASE("go-to drives with whichever end is nearer", "[unit]") {
   MatchInfo info = test::matchInfo();
-  info.team_size = 1;
+  info.rules.team_size = 1;
   const std::vector<NavigatorChoice> navigators = {*parseNavigator("univector:follower=classic")};
   for (const bool either : {true, false}) {
     TeamPilots pilots = *TeamPilots::create(info, navigators);
@@ -164,7 +164,7 @@ TEST_CASE("go-to drives with whichever end is nearer", "[unit]") {
 
 TEST_CASE("wheels are commanded in 256 speeds each way, a team's own as they are", "[unit]") {
   MatchInfo info = test::matchInfo();
-  info.team_size = 1;
+  info.rules.team_size = 1;
   Observation seen;
   seen.team_size = 1;
   seen.dt = info.physics.controlPeriod();

@@ -100,7 +100,7 @@ inline MatchInfo infoOf(int team_size) {
   info.field = *loadField(team_size == 3 ? "vsss-3v3" : "vsss-5v5");
   info.robot = loadRobot("vsss")->robot;
   info.ball = loadRobot("vsss")->ball;
-  info.team_size = team_size;
+  info.rules.team_size = team_size;
   return info;
 }
 
@@ -123,14 +123,14 @@ inline ObservedRobot standingAt(const Pose2& pose) {
 inline Observation anything(Rng& rng, const MatchInfo& info) {
   const double x = info.field.length / 2 + 0.09, y = info.field.width / 2;
   Observation seen;
-  seen.team_size = info.team_size;
+  seen.team_size = info.rules.team_size;
   const auto put = [&](ObservedRobot& robot) {
     robot.present = rng.uniform(0.0, 1.0) < 0.8;
     robot.state.pose = {{rng.uniform(-x, x), rng.uniform(-y, y)}, rng.uniform(-3.14, 3.14)};
     robot.state.velocity = {rng.uniform(-1.5, 1.5), rng.uniform(-1.5, 1.5)};
     robot.state.angular_velocity = rng.uniform(-30.0, 30.0);
   };
-  for (std::size_t i = 0; i < static_cast<std::size_t>(info.team_size); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(info.rules.team_size); ++i) {
     put(seen.own[i]);
     put(seen.opponents[i]);
   }

@@ -1,0 +1,32 @@
+// Private header of match: not installed.
+#pragma once
+
+#include <algorithm>
+
+#include "strategies/interface/decision_time.hpp"
+
+namespace fulbito {
+
+/// What is left of one team's time to think.
+class ThinkingTime {
+ public:
+  explicit ThinkingTime(const DecisionTime& limit) : limit_(limit) {}
+
+  /// Charges a decision that took `seconds` of wall time; the bank is full again in each new period.
+  /// @return whether the decision came too late
+  bool late(double seconds, int period) {
+    if (period != period_) bank_ = limit_.bank;
+    period_ = period;
+    const double beyond = std::max(0.0, seconds - limit_.decision);
+    const bool covered = beyond <= bank_;
+    bank_ = std::max(0.0, bank_ - beyond);
+    return !covered;
+  }
+
+ private:
+  DecisionTime limit_;
+  int period_ = 0;
+  double bank_ = 0.0;  ///< [s] left
+};
+
+}  // namespace fulbito
