@@ -16,19 +16,32 @@ function(fulbito_options target)
   endif()
 endfunction()
 
-# fulbito_library(<name> SOURCES <files...> [PUBLIC <libs...>] [PRIVATE <libs...>])
-# makes the static library fulbito_<name> with the alias fulbito::<name>.
+# fulbito_library(<name> [COMPONENT <name> | INTERNAL] SOURCES <files...> [PUBLIC <libs...>] [PRIVATE <libs...>])
+# makes the static library fulbito_<name> with the alias fulbito::<name>. Who links it sees the public headers
+# (sdk/include); within the project, all others too.
+#   COMPONENT  what a user asks find_package for and links as fulbito::<component>: named after its header
+#   INTERNAL   part of the program only: not installed
+# One that is neither is installed because a component needs it.
 function(fulbito_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "INTERNAL" "COMPONENT" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target fulbito_${name})
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(fulbito::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/sdk/include>
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-    $<INSTALL_INTERFACE:include>
-    $<INSTALL_INTERFACE:include/fulbito>)
+    $<INSTALL_INTERFACE:include>)
   target_link_libraries(${target} PUBLIC ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   fulbito_options(${target})
-  set_property(GLOBAL APPEND PROPERTY FULBITO_LIBRARIES ${target})
+  if(ARG_COMPONENT)
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${ARG_COMPONENT})
+    if(NOT ARG_COMPONENT STREQUAL name)
+      add_library(fulbito::${ARG_COMPONENT} ALIAS ${target})
+    endif()
+    set_property(GLOBAL APPEND PROPERTY FULBITO_COMPONENTS ${ARG_COMPONENT})
+  endif()
+  if(NOT ARG_INTERNAL)
+    set_property(GLOBAL APPEND PROPERTY FULBITO_LIBRARIES ${target})
+  endif()
 endfunction()

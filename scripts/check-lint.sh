@@ -28,7 +28,7 @@ for option in "$@"; do
 done
 cd "$(dirname "$0")/.."
 root=$PWD build=build/$preset
-readonly folders='engine|navigation|strategies|referee|replays|match|experiments|bench|apps'
+readonly folders='sdk|engine|navigation|strategies|referee|replays|match|experiments|bench|apps'
 [ -f "$build/compile_commands.json" ] || { echo "check-lint.sh: configure first: cmake --preset $preset" >&2; exit 2; }
 
 changed_files() {
@@ -36,7 +36,7 @@ changed_files() {
   git ls-files --others --exclude-standard
 }
 
-# Those named on standard input, and all files that include them, directly or not.
+# Those named on standard input, and all files that include them, directly or not. Public headers by their name in #include.
 with_users() {
   awk 'NR == FNR { queue[++last] = $0; hit[$0]; next }
     { split($0, part, ":"); split(part[2], quoted, "\""); users[quoted[2]] = users[quoted[2]] " " part[1] }
@@ -46,7 +46,7 @@ with_users() {
         count = split(users[queue[i]], user, " ")
         for (k = 1; k <= count; ++k) if (!(user[k] in hit)) { hit[user[k]]; queue[++last] = user[k] }
       }
-    }' - <(git grep --untracked -E '^#include "' -- '*.cpp' '*.hpp')
+    }' <(sed 's#^sdk/include/##') <(git grep --untracked -E '^#include "' -- '*.cpp' '*.hpp' | sed 's#^sdk/include/##')
 }
 
 # What the build compiles of the folders: files, or groups of them.

@@ -49,6 +49,12 @@ struct MatchConfig {
   /// The first restart instead of the kick-off. With a `start`, only its kind and team count, and are told.
   std::optional<RestartCall> opening;
   Scoreboard scoreboard;  ///< how the match stands at its beginning
+
+  /// A match that can be played as it is: teams by their specifications (`parseTeam`), rules by preset or file
+  /// (`loadRules`), the field that these name, the robot preset `vsss`, the physics preset `standard`. What is
+  /// special about a match is set in the result. Errors: as those functions and `loadField`.
+  static Result<MatchConfig> standard(const std::string& blue, const std::string& yellow,
+                                      const std::string& rules = "vsss-3v3");
 };
 
 }  // namespace fulbito

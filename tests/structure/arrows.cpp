@@ -45,8 +45,9 @@ const std::vector<Library> kLibraries = {
      {"fmt", "libdeflate.h", "nlohmann"}},
     {"fulbito::match",
      "match",
-     "the tick loop, what teams see, series, drills, statistics, summaries, recorder",
+     "the tick loop, what teams see, series, drills, statistics, summaries",
      {"fmt", "nlohmann"}},
+    {"fulbito::recorder", "match/record", "from a match to a recording", {"fmt"}},
     {"fulbito::experiments", "experiments", "suites, trials, comparison, reports", {"fmt", "nlohmann"}},
     {"fulbito::view",
      "apps/view",
@@ -63,6 +64,8 @@ const std::vector<Library> kLibraries = {
     {"fulbito", "apps", "the command line", {"CLI", "fmt", "nlohmann"}},
     {"", "tests/support", "what tests and surveys share", {"fmt", "nlohmann"}},
 };
+
+const std::vector<PublicHeader> kPublicHeaders = {};
 
 const std::vector<Folder> kFolders = {
     {"engine/core/base", "values that all share: vectors, states, teams, results, hash", {}},
@@ -339,6 +342,16 @@ std::string row(const Folder& folder) {
 }
 
 }  // namespace
+
+std::span<const PublicHeader> publicHeaders() { return kPublicHeaders; }
+
+std::string ownerOf(std::string_view path) {
+  if (path.starts_with(kPublicFolder)) path.remove_prefix(kPublicFolder.size());
+  const auto header = std::find_if(kPublicHeaders.begin(), kPublicHeaders.end(),
+                                   [&](const PublicHeader& h) { return h.name == path; });
+  if (header != kPublicHeaders.end()) return std::string(header->folder);
+  return std::string(path.substr(0, path.rfind('/') == std::string_view::npos ? 0 : path.rfind('/')));
+}
 
 std::span<const Library> libraries() { return kLibraries; }
 

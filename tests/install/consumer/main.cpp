@@ -1,8 +1,9 @@
-// An outside project: a world, a navigator, a few ticks. Fails when Box2D still reads its clock.
+// An outside project: a world, a navigator, a match. Fails when Box2D still reads its clock.
 #include <cstdio>
-#include <fulbito/engine/core/base/hash.hpp>
-#include <fulbito/engine/sim/world.hpp>
-#include <fulbito/navigation/registry.hpp>
+#include <fulbito/match.hpp>
+#include <fulbito/navigation.hpp>
+#include <fulbito/statistics.hpp>
+#include <fulbito/world.hpp>
 
 int main() {
   fulbito::WorldConfig config;
@@ -26,5 +27,15 @@ int main() {
   std::printf("state %016llx, Box2D's profile %g ms\n", static_cast<unsigned long long>(hash.value()),
               static_cast<double>(world->engineProfileMilliseconds()));
   const bool moved = fulbito::norm(world->state().robots.front().pose.position) > 0.1;
-  return moved && world->engineProfileMilliseconds() == 0.0f ? 0 : 1;
+
+  const auto match_config = fulbito::MatchConfig::standard("libero", "classic");
+  if (!match_config) return 1;
+  auto match = fulbito::Match::create(*match_config);
+  if (!match) return 1;
+  fulbito::StatisticsObserver statistics;
+  match->watch(statistics);
+  for (int i = 0; i < 600; ++i) match->step();
+  std::printf("match %016llx, %d touches\n", static_cast<unsigned long long>(match->hash()),
+              statistics.statistics().teams[0].touches());
+  return moved && match->tick() == 600 && world->engineProfileMilliseconds() == 0.0f ? 0 : 1;
 }
