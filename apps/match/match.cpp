@@ -119,7 +119,7 @@ Result<PerTeam<VisionModel>> visionOf(const MatchCommand& options, const RobotMo
     if (!done) return tl::unexpected<Error>(done.error());
   }
   // As in trials: the heading of a body whose front and back are each seen that far off.
-  for (VisionModel& seat : vision) seat.heading_noise = 2.0 * seat.position_noise / robot.length;
+  for (VisionModel& seat : vision) seat.heading_noise = headingNoise(seat.position_noise, robot.length);
   return vision;
 }
 

@@ -1,7 +1,6 @@
 #include "strategies/registry.hpp"
 
 #include "strategies/teams/teams.hpp"
-#include "strategies/teams/simple/idle.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {
