@@ -14,9 +14,9 @@
 #include "apps/match/rules.hpp"
 #include "apps/match/view.hpp"
 #include "apps/replay/replay.hpp"
-#include "engine/core/base/build_info.hpp"
 #include "engine/core/base/float_mode.hpp"
 #include "engine/core/config/suggest.hpp"
+#include "fulbito/detail/build_info.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "engine/sim/world.hpp"
+#include "fulbito/world.hpp"
 
 namespace fulbito {
 

@@ -10,8 +10,8 @@
 #include "bench/bare.hpp"
 #include "bench/scenes.hpp"
 #include "engine/core/base/assert.hpp"
-#include "engine/core/math/math.hpp"
 #include "engine/core/system/stop_request.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -1,8 +1,8 @@
 #include "bench/scenes.hpp"
 
 #include "engine/core/base/assert.hpp"
-#include "engine/core/base/hash.hpp"
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/detail/state_hash.hpp"
 
 namespace fulbito {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/core/math/random.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/world.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 # with each file's text, named by its file name without the ending, its kind by its folder.
 # The texts go in as bytes: quoting, semicolons and generator expressions in them cannot go wrong.
 function(fulbito_embed output symbol)
-  set(text "// Generated from the preset files; edit those.\n#include \"engine/core/config/presets.hpp\"\n\nnamespace fulbito {\nnamespace {\n")
+  set(text "// Generated from the preset files; edit those.\n#include \"engine/core/config/embedded_files.hpp\"\n\nnamespace fulbito {\nnamespace {\n")
   set(table "")
   set(index 0)
   foreach(file IN LISTS ARGN)

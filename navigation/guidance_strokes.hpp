@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "navigation/interface/guidance.hpp"
+#include "fulbito/navigation.hpp"
 
 namespace fulbito {
 

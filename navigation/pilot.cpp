@@ -1,26 +1,45 @@
-#include "navigation/pilot.hpp"
-
+#include "fulbito/navigation.hpp"
 #include "navigation/followers/limiter.hpp"
+#include "navigation/followers/preview_follower.hpp"
+#include "navigation/followers/wall_escape.hpp"
 
 namespace fulbito {
 
+struct Pilot::Impl {
+  std::unique_ptr<Navigator> navigator;
+  std::unique_ptr<Follower> follower;
+  bool wall_escape = true;
+  WallEscape escape;
+  Guidance guidance;
+};
+
 Pilot::Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower, bool wall_escape)
-    : navigator_(std::move(navigator)), follower_(std::move(follower)), wall_escape_(wall_escape) {}
+    : impl_(std::make_unique<Impl>()) {
+  impl_->navigator = std::move(navigator);
+  impl_->follower = follower ? std::move(follower) : std::make_unique<PreviewFollower>();
+  impl_->wall_escape = wall_escape;
+}
+
+Pilot::Pilot(Pilot&&) noexcept = default;
+Pilot& Pilot::operator=(Pilot&&) noexcept = default;
+Pilot::~Pilot() = default;
 
 void Pilot::reset() {
-  navigator_->reset();
-  follower_->reset();
-  escape_.reset();
-  guidance_ = {};
+  impl_->navigator->reset();
+  impl_->follower->reset();
+  impl_->escape.reset();
+  impl_->guidance = {};
 }
 
 WheelSpeeds Pilot::drive(const NavigationScene& scene) {
-  guidance_ = navigator_->plan(scene);
-  if (guidance_.kind == GuidanceKind::kWheels) return saturate(*scene.robot, guidance_.wheels);
-  Twist wanted = follower_->follow(guidance_, scene);
-  if (wall_escape_) wanted = escape_.apply(scene, wanted);
+  impl_->guidance = impl_->navigator->plan(scene);
+  if (impl_->guidance.kind == GuidanceKind::kWheels) return saturate(*scene.robot, impl_->guidance.wheels);
+  Twist wanted = impl_->follower->follow(impl_->guidance, scene);
+  if (impl_->wall_escape) wanted = impl_->escape.apply(scene, wanted);
   const Twist limited = limitTwist(*scene.robot, bodyTwist(scene.self), wanted, scene.dt);
   return saturate(*scene.robot, inverseKinematics(*scene.robot, limited));
 }
+
+const Guidance& Pilot::guidance() const { return impl_->guidance; }
 
 }  // namespace fulbito

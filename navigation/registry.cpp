@@ -1,10 +1,10 @@
-#include "navigation/registry.hpp"
-
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
+#include "fulbito/navigation.hpp"
 #include "navigation/followers/classic_follower.hpp"
 #include "navigation/followers/preview_follower.hpp"
+#include "navigation/interface/parameters.hpp"
 #include "navigation/methods/bspline/bspline_time.hpp"
 #include "navigation/methods/fields/limit_cycle.hpp"
 #include "navigation/methods/fields/straight.hpp"

@@ -1,10 +1,9 @@
-#include "replays/recording_reader.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "engine/core/system/text_file.hpp"
+#include "fulbito/recording.hpp"
 #include "replays/chunks/block.hpp"
 #include "replays/chunks/chunk.hpp"
 #include "replays/chunks/decoding_budget.hpp"

@@ -1,8 +1,7 @@
-#include "replays/recording_writer.hpp"
-
 #include <optional>
 
 #include "engine/core/system/output_file.hpp"
+#include "fulbito/recording.hpp"
 #include "replays/chunks/block.hpp"
 #include "replays/chunks/chunk.hpp"
 #include "replays/header/header_json.hpp"

@@ -1,10 +1,9 @@
-#include "replays/timeline.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/recording.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,10 +1,10 @@
-#include "strategies/registry.hpp"
-
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
+#include "fulbito/strategy.hpp"
+#include "navigation/interface/parameters.hpp"
 #include "strategies/teams/teams.hpp"
 
 namespace fulbito {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "navigation/followers/limiter.hpp"
 #include "navigation/guidance_strokes.hpp"
 #include "strategies/interface/drawings.hpp"

@@ -3,10 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "navigation/pilot.hpp"
-#include "navigation/registry.hpp"
-#include "strategies/interface/observation.hpp"
-#include "strategies/interface/team_command.hpp"
+#include "fulbito/navigation.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/prediction/foresight.hpp"
 
 namespace fulbito {

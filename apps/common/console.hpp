@@ -1,4 +1,3 @@
-// Private header of apps: not installed.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,3 @@
-// Private header of apps: not installed.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 
 namespace CLI {
 class App;

@@ -1,10 +1,9 @@
-// Private header of apps: not installed.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito::app {
 

@@ -6,11 +6,11 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
-#include "engine/core/config/presets.hpp"
 #include "engine/core/config/suggest.hpp"
 #include "experiments/comparison/paper_plan.hpp"
-#include "referee/rules/rules.hpp"
-#include "strategies/registry.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/referee.hpp"
+#include "fulbito/strategy.hpp"
 
 namespace fulbito::app {
 namespace {

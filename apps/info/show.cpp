@@ -4,9 +4,9 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
-#include "engine/core/config/presets.hpp"
 #include "engine/core/config/suggest.hpp"
-#include "referee/rules/rules.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/referee.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
-#include "engine/core/base/build_info.hpp"
-#include "experiments/report/report.hpp"
+#include "fulbito/detail/build_info.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito::app {
 

@@ -8,7 +8,7 @@
 #include "apps/common/console.hpp"
 #include "engine/core/base/match_clock.hpp"
 #include "engine/core/system/error_text.hpp"
-#include "match/report/summary.hpp"
+#include "fulbito/statistics.hpp"
 
 namespace fulbito::app {
 namespace {

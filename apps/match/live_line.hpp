@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 
 namespace fulbito::app {
 

@@ -12,9 +12,9 @@
 #include "apps/common/progress.hpp"
 #include "apps/match/live_line.hpp"
 #include "engine/core/system/output_file.hpp"
-#include "match/config/start_state.hpp"
-#include "match/record/recorder.hpp"
-#include "match/report/summary.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/recorder.hpp"
+#include "fulbito/statistics.hpp"
 #include "referee/restarts/check_places.hpp"
 
 namespace fulbito::app {
@@ -307,8 +307,9 @@ void addConditions(CLI::App& command, MatchCommand& options) {
                                     "standard deviation of positions that teams see [m], 0 ... 0.1")));
   perTeam(number(command.add_option("--dropout", options.dropout,
                                     "chance that a body is not seen in a tick, 0 ... 0.99")));
-  number(command.add_option("--time", options.decision_ms,
-                            "wall time per decision, in addition to a bank of 2 s per period (default: unlimited)"))
+  number(command.add_option(
+             "--time", options.decision_ms,
+             "wall time per decision, in addition to a bank of 2 s per period (default: unlimited)"))
       ->type_name("MS");
 }
 

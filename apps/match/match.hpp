@@ -1,4 +1,3 @@
-// Private header of apps: not installed.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +6,7 @@
 #include <vector>
 
 #include "apps/match/view.hpp"
-#include "match/config/match_config.hpp"
+#include "fulbito/match.hpp"
 
 namespace CLI {
 class App;

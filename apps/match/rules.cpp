@@ -9,11 +9,11 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/match/match.hpp"
-#include "engine/core/config/presets.hpp"
 #include "engine/core/system/error_text.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/referee.hpp"
 #include "referee/restarts/check_places.hpp"
 #include "referee/rules/check_field.hpp"
-#include "referee/rules/rules.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -1,4 +1,3 @@
-// Private header of apps: not installed.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +5,7 @@
 #include <vector>
 
 #include "apps/view/view_window.hpp"
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 
 namespace CLI {
 class App;

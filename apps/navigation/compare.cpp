@@ -12,7 +12,7 @@
 #include "experiments/comparison/tuner.hpp"
 #include "experiments/report/pictures.hpp"
 #include "experiments/report/race_page.hpp"
-#include "experiments/report/report.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -4,9 +4,10 @@
 #include "apps/common/console.hpp"
 #include "apps/common/output_names.hpp"
 #include "engine/core/system/output_file.hpp"
+#include "experiments/comparison/comparison_parts.hpp"
 #include "experiments/report/pictures.hpp"
-#include "experiments/report/report.hpp"
 #include "experiments/trials/trial_recorder.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -1,8 +1,7 @@
-// Private header of apps: not installed.
 #pragma once
 
 #include "apps/replay/replay.hpp"
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito::app {
 

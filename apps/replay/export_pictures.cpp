@@ -7,8 +7,7 @@
 #include "apps/common/progress.hpp"
 #include "apps/replay/export_request.hpp"
 #include "engine/core/system/output_file.hpp"
-#include "replays/render/match/heat_map.hpp"
-#include "replays/render/match/match_svg.hpp"
+#include "fulbito/picture.hpp"
 
 namespace fulbito::app {
 namespace {

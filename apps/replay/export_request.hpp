@@ -4,10 +4,9 @@
 #include <vector>
 
 #include "apps/replay/replay.hpp"
+#include "fulbito/picture.hpp"
+#include "fulbito/recording.hpp"
 #include "replays/export/frames.hpp"
-#include "replays/render/match/match_picture.hpp"
-#include "replays/render/match/replay_scene.hpp"
-#include "replays/timeline.hpp"
 
 namespace fulbito::app {
 

@@ -8,9 +8,9 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/replay/replay.hpp"
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/referee.hpp"
 #include "match/record/recorded_events.hpp"
-#include "referee/rules/rules.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/view/key_bindings.hpp"
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,10 +1,9 @@
-// Private header of apps/view: not installed.
 #pragma once
 
 #include <string>
 
-#include "replays/render/canvas/canvas.hpp"
-#include "replays/render/match/match_picture.hpp"
+#include "fulbito/detail/canvas.hpp"
+#include "fulbito/picture.hpp"
 
 namespace fulbito {
 

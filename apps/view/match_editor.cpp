@@ -1,6 +1,6 @@
 #include "apps/view/match_editor.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "match/play/edit.hpp"
 
 namespace fulbito {

@@ -1,10 +1,9 @@
-// Private header of apps/view: not installed.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 
 namespace fulbito {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/recorder.hpp"
 #include "match/record/recorded_values.hpp"
-#include "match/record/recorder.hpp"
 
 namespace fulbito {
 namespace {

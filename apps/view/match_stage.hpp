@@ -1,12 +1,11 @@
-// Private header of apps/view: not installed.
 #pragma once
 
 #include <vector>
 
 #include "apps/view/match_editor.hpp"
 #include "apps/view/view_stage.hpp"
-#include "match/play/match.hpp"
-#include "replays/recording/recording.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/recording.hpp"
 
 namespace fulbito {
 

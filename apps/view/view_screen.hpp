@@ -1,11 +1,10 @@
-// Private header of apps/view: not installed.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "apps/view/viewer.hpp"
-#include "replays/render/match/match_picture.hpp"
+#include "fulbito/picture.hpp"
 
 namespace fulbito {
 

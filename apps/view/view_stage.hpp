@@ -1,11 +1,9 @@
-// Private header of apps/view: not installed.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "replays/render/match/match_picture.hpp"
-#include "replays/render/match/replay_scene.hpp"
+#include "fulbito/picture.hpp"
 
 namespace fulbito {
 

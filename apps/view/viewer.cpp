@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/view/match_editor.hpp"
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

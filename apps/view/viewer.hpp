@@ -1,4 +1,3 @@
-// Private header of apps/view: not installed.
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "navigation/registry.hpp"
+#include "fulbito/navigation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/kinematic_trial.hpp"
 #include "tests/support/suite_layouts.hpp"

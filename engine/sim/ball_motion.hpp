@@ -1,8 +1,7 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
-#include "engine/core/base/vec2.hpp"
-#include "engine/core/models/ball_model.hpp"
+#include "fulbito/detail/vec2.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 

@@ -8,10 +8,10 @@
 #include <box2d/b2_polygon_shape.h>
 #include <box2d/b2_world.h>
 
-#include "engine/core/math/math.hpp"
 #include "engine/sim/obstacle_motion.hpp"
 #include "engine/sim/units.hpp"
 #include "engine/sim/walls.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,9 +1,8 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
 #include <cstddef>
 
-#include "engine/sim/world.hpp"
+#include "fulbito/world.hpp"
 
 class b2Body;
 class b2World;

@@ -1,8 +1,7 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
-#include "engine/core/base/result.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/values.hpp"
+#include "fulbito/world.hpp"
 
 namespace fulbito {
 

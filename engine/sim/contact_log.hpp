@@ -1,4 +1,3 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
 #include <span>
@@ -7,7 +6,7 @@
 #include <box2d/b2_world_callbacks.h>
 
 #include "engine/sim/surface.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/world.hpp"
 
 namespace fulbito {
 

@@ -1,10 +1,9 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
 #include <algorithm>
 
-#include "engine/core/base/values.hpp"
 #include "engine/core/models/drive_law.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

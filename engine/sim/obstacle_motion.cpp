@@ -5,8 +5,8 @@
 
 #include <box2d/b2_body.h>
 
-#include "engine/core/math/math.hpp"
 #include "engine/sim/units.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 

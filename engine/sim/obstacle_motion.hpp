@@ -1,7 +1,6 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
-#include "engine/core/models/layout.hpp"
+#include "fulbito/detail/layout.hpp"
 
 class b2Body;
 

@@ -1,4 +1,3 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
 #include <cstddef>

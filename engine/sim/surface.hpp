@@ -1,8 +1,6 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
-#include "engine/core/models/ball_model.hpp"
-#include "engine/core/models/robot_model.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 

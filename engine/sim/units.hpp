@@ -1,9 +1,8 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
 #include <box2d/b2_math.h>
 
-#include "engine/core/base/vec2.hpp"
+#include "fulbito/detail/vec2.hpp"
 
 /// Conversion between SI units and Box2D's units, only here. Box2D's tolerances are absolute and meant for
 /// bodies of 0.1 ... 10 units, so the world is scaled up: at 10 units per metre, its slop is 0.5 mm. Masses

@@ -1,11 +1,10 @@
-// Private header of engine/sim: not installed.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "engine/core/base/vec2.hpp"
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/detail/vec2.hpp"
 
 namespace fulbito {
 

@@ -1,4 +1,4 @@
-#include "engine/sim/world.hpp"
+#include "fulbito/world.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include <box2d/b2_world.h>
 
 #include "engine/core/base/float_mode.hpp"
-#include "engine/core/math/math.hpp"
 #include "engine/sim/approach.hpp"
 #include "engine/sim/ball_motion.hpp"
 #include "engine/sim/bodies.hpp"
@@ -22,6 +21,7 @@
 #include "engine/sim/reserve.hpp"
 #include "engine/sim/units.hpp"
 #include "engine/sim/walls.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

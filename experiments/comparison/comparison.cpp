@@ -1,15 +1,15 @@
-#include "experiments/comparison/comparison.hpp"
-
 #include <array>
 
 #include <fmt/format.h>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
 #include "engine/core/system/worker_threads.hpp"
+#include "experiments/comparison/comparison_parts.hpp"
 #include "experiments/comparison/paper_plan.hpp"
 #include "experiments/comparison/summary.hpp"
 #include "experiments/trials/trial_recorder.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 namespace {

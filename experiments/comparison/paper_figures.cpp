@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "experiments/comparison/comparison_parts.hpp"
+
 namespace fulbito {
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "experiments/comparison/comparison.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 

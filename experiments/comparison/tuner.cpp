@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
 #include "experiments/comparison/paper_plan.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "experiments/comparison/comparison.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
+#include "experiments/comparison/comparison_parts.hpp"
 #include "experiments/comparison/paper_plan.hpp"
 #include "experiments/comparison/summary.hpp"
 

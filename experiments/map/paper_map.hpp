@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/comparison/comparison.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/base/build_info.hpp"
 #include "experiments/map/paper_map.hpp"
+#include "fulbito/detail/build_info.hpp"
 
 namespace fulbito {
 namespace {

@@ -6,10 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "experiments/comparison/comparison_parts.hpp"
 #include "experiments/comparison/paper_figures.hpp"
 #include "experiments/report/field_arrows.hpp"
+#include "fulbito/picture.hpp"
 #include "replays/render/field/bar_chart.hpp"
-#include "replays/render/field/field_picture.hpp"
 
 namespace fulbito {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/comparison/comparison.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 

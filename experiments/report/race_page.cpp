@@ -5,7 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/base/build_info.hpp"
+#include "experiments/comparison/comparison_parts.hpp"
+#include "fulbito/detail/build_info.hpp"
 
 namespace fulbito {
 namespace {

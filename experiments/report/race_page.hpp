@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/comparison/comparison.hpp"
+#include "fulbito/experiment.hpp"
 #include "replays/html/html_page.hpp"
 
 namespace fulbito {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/base/build_info.hpp"
 #include "experiments/comparison/paper_figures.hpp"
-#include "experiments/report/report.hpp"
+#include "fulbito/detail/build_info.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 namespace {

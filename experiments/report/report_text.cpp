@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "experiments/comparison/paper_figures.hpp"
-#include "experiments/report/report.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
-#include "engine/core/math/statistics.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/detail/interval.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/world.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "experiments/trials/trial.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 

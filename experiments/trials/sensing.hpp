@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/core/models/sensor.hpp"
-#include "experiments/trials/trial.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 

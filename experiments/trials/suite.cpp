@@ -1,11 +1,11 @@
-#include "experiments/trials/suite.hpp"
-
 #include <fmt/format.h>
 
 #include "engine/core/base/assert.hpp"
-#include "engine/core/config/presets.hpp"
+#include "engine/core/config/embedded_files.hpp"
 #include "engine/core/config/suggest.hpp"
 #include "experiments/trials/suite_layouts.hpp"
+#include "fulbito/experiment.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "engine/core/models/layout.hpp"
+#include "fulbito/detail/layout.hpp"
 
 namespace fulbito {
 

@@ -1,17 +1,17 @@
-#include "experiments/trials/trial.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "engine/core/base/float_mode.hpp"
-#include "engine/core/base/hash.hpp"
-#include "engine/core/math/math.hpp"
-#include "engine/sim/world.hpp"
 #include "experiments/trials/sensing.hpp"
 #include "experiments/trials/trial_recorder.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/detail/state_hash.hpp"
+#include "fulbito/experiment.hpp"
+#include "fulbito/world.hpp"
 #include "navigation/methods/paths/tangent_graph_search.hpp"
+#include "referee/trial/trial_referee.hpp"
 
 namespace fulbito {
 namespace {

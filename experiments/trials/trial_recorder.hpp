@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "experiments/trials/trial.hpp"
+#include "fulbito/experiment.hpp"
+#include "fulbito/recording.hpp"
 #include "navigation/guidance_strokes.hpp"
-#include "replays/recording_writer.hpp"
 
 namespace fulbito {
 

@@ -1,8 +1,7 @@
-// Private header of match: not installed.
 #pragma once
 
-#include "engine/core/base/result.hpp"
-#include "match/config/match_config.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -1,4 +1,4 @@
-#include "match/config/match_config.hpp"
+#include "fulbito/match.hpp"
 
 namespace fulbito {
 

@@ -1,5 +1,3 @@
-#include "match/config/start_state.hpp"
-
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -8,6 +6,7 @@
 
 #include "engine/core/config/config_document.hpp"
 #include "engine/core/system/text_file.hpp"
+#include "fulbito/match.hpp"
 
 namespace fulbito {
 namespace {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/core/math/statistics.hpp"
-#include "match/config/match_config.hpp"
-#include "strategies/interface/strategy.hpp"
+#include "fulbito/detail/interval.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/strategy.hpp"
 
 /// Drills: seeded situations that test one skill of a team, each with a bar. A drill is a TOML file
 /// (docs/drills.md); everything in it is written in the frame of the team under test, whose goal is at -x.

@@ -7,7 +7,7 @@
 
 #include "engine/core/base/assert.hpp"
 #include "engine/core/config/config_document.hpp"
-#include "engine/core/config/presets.hpp"
+#include "engine/core/config/embedded_files.hpp"
 #include "engine/core/config/schema.hpp"
 #include "engine/core/config/suggest.hpp"
 #include "engine/core/system/text_file.hpp"

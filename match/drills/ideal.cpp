@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/world.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 
 namespace fulbito {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fulbito/match.hpp"
+#include "fulbito/statistics.hpp"
 #include "match/drills/trials.hpp"
-#include "match/play/match.hpp"
-#include "match/report/statistics.hpp"
 #include "referee/rules/clauses.hpp"
 #include "strategies/interface/team_frame.hpp"
 

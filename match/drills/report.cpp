@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/base/build_info.hpp"
+#include "fulbito/detail/build_info.hpp"
 #include "match/drills/drill.hpp"
 
 namespace fulbito {

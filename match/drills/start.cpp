@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
 #include "engine/core/models/field_places.hpp"
 #include "engine/core/system/stop_request.hpp"
-#include "engine/sim/world.hpp"
-#include "match/play/match.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/world.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "strategies/interface/team_frame.hpp"
 

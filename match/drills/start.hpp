@@ -1,4 +1,3 @@
-// Private header of match: not installed.
 #pragma once
 
 #include "match/drills/drill.hpp"

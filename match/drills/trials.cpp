@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "fulbito/match.hpp"
 #include "match/drills/ideal.hpp"
 #include "match/drills/opponents.hpp"
 #include "match/drills/start.hpp"
 #include "match/drills/watch.hpp"
-#include "match/play/match.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,10 +1,9 @@
-// Private header of match: not installed.
 #pragma once
 
+#include "fulbito/match.hpp"
 #include "match/drills/drill.hpp"
 #include "match/drills/opponents.hpp"
 #include "match/drills/start.hpp"
-#include "match/play/match_observer.hpp"
 
 namespace fulbito {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "engine/sim/world.hpp"
-#include "match/config/match_config.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/world.hpp"
 
 namespace fulbito {
 

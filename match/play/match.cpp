@@ -1,10 +1,10 @@
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "engine/core/base/float_mode.hpp"
-#include "engine/core/base/hash.hpp"
+#include "fulbito/detail/state_hash.hpp"
 #include "match/config/check_match.hpp"
 #include "match/play/edit.hpp"
 #include "match/play/restart.hpp"

@@ -1,6 +1,6 @@
 #include "match/play/restart.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "referee/restarts/goal_kick_ball.hpp"
 #include "strategies/interface/team_frame.hpp"
 

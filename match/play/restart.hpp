@@ -1,14 +1,13 @@
-// Private header of match: not installed.
 #pragma once
 
 #include <vector>
 
 #include "engine/core/math/random.hpp"
-#include "engine/sim/world.hpp"
-#include "match/config/match_config.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/strategy.hpp"
+#include "fulbito/world.hpp"
 #include "referee/match/match_referee.hpp"
 #include "referee/restarts/restart_placement.hpp"
-#include "strategies/interface/strategy.hpp"
 
 namespace fulbito {
 

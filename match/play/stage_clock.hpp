@@ -1,9 +1,8 @@
-// Private header of match: not installed.
 #pragma once
 
 #include <cstdint>
 
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
 #include "match/report/match_json.hpp"
 
 namespace fulbito {

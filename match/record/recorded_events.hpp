@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "match/report/event_lines.hpp"
-#include "replays/recording_reader.hpp"
+#include "fulbito/recording.hpp"
+#include "fulbito/statistics.hpp"
 
 namespace fulbito {
 

@@ -1,10 +1,9 @@
-// Private header of match: not installed.
 #pragma once
 
-#include "match/play/match_observer.hpp"
-#include "referee/state/game_event.hpp"
-#include "replays/recording/recording.hpp"
-#include "strategies/interface/team_command.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/recording.hpp"
+#include "fulbito/referee.hpp"
+#include "fulbito/strategy.hpp"
 
 namespace fulbito {
 

@@ -1,10 +1,10 @@
-#include "match/record/recorder.hpp"
+#include "fulbito/recorder.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
 #include "match/record/recorded_values.hpp"
 #include "replays/header/header_setup.hpp"
 

@@ -1,7 +1,6 @@
-#include "match/report/event_lines.hpp"
-
 #include <algorithm>
 
+#include "fulbito/statistics.hpp"
 #include "match/report/match_json.hpp"
 
 namespace fulbito {

@@ -1,11 +1,10 @@
-// Private header of match: not installed.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
-#include "engine/core/base/build_info.hpp"
-#include "match/config/match_config.hpp"
-#include "match/report/event_lines.hpp"
+#include "fulbito/detail/build_info.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/statistics.hpp"
 
 /// JSON parts that summaries and event lines share.
 namespace fulbito {

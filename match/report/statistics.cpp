@@ -1,8 +1,10 @@
-#include "match/report/statistics.hpp"
+#include "fulbito/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "match/series/foul_goals.hpp"
 
 namespace fulbito {
 namespace {
@@ -47,7 +49,60 @@ int MatchStatistics::restartCount(RestartKind kind) const {
   return counts[0] + counts[1];
 }
 
-void StatisticsObserver::matchBegins(const MatchConfig& config) {
+/// What the observer keeps between the ticks.
+struct StatisticsObserver::Impl {
+  /// A shot in progress.
+  struct Shot {
+    RobotId shooter;
+    bool on_goal = false;
+    Tick last = 0;  ///< tick at which it was last seen
+  };
+  /// The ball heads at a goal, or close to a post.
+  struct Aim {
+    TeamId attacker = TeamId::kBlue;
+    bool on_goal = false;
+  };
+
+  void matchBegins(const MatchConfig& config);
+  void playBegins(const PlayStart& start);
+  void ticked(const MatchTick& tick);
+
+  void countContacts(const MatchTick& tick);
+  void countMoves(const MatchTick& tick);
+  void countBall(const MatchTick& tick);
+  void watchShot(const MatchTick& tick);
+  void countCalls(std::span<const GameEvent> events, const RefereeState& referee);
+  void goal(const GameEvent& event, TeamId team, const RefereeState& referee);
+  void countPaid(const GameEvent& event, Tick played);
+  void countGoalAsShot(const GoalRecord& goal);
+  std::optional<Aim> aimOf(const BallState& ball, const RefereeState& referee) const;
+  void onGoal(Shot& shot);
+  RobotStatistics& of(RobotId id) { return s_.teams[indexOf(id.team)].robots[id.number]; }
+
+  MatchStatistics s_;
+  double half_length_ = 0.0;
+  double post_ = 0.0;  ///< [m] half of the mouth
+  double ball_radius_ = 0.0;
+  Tick shot_pause_ = 0;
+  bool playing_ = false;
+  std::array<Vec2, 2 * kMaxTeamSize> places_{};  ///< of the robots, one tick ago
+  std::optional<TeamId> holder_;
+  std::optional<RobotId> last_touch_;
+  PerTeam<std::optional<RobotId>> team_touch_;  ///< last touch by each team in this play
+  std::optional<Shot> shot_;
+  FoulGoalFinder foul_goals_;
+};
+
+StatisticsObserver::StatisticsObserver() : impl_(std::make_unique<Impl>()) {}
+StatisticsObserver::StatisticsObserver(StatisticsObserver&&) noexcept = default;
+StatisticsObserver::~StatisticsObserver() = default;
+
+const MatchStatistics& StatisticsObserver::statistics() const { return impl_->s_; }
+void StatisticsObserver::matchBegins(const MatchConfig& config) { impl_->matchBegins(config); }
+void StatisticsObserver::playBegins(const PlayStart& start) { impl_->playBegins(start); }
+void StatisticsObserver::ticked(const MatchTick& tick) { impl_->ticked(tick); }
+
+void StatisticsObserver::Impl::matchBegins(const MatchConfig& config) {
   *this = {};
   s_.dt = config.physics.controlPeriod();
   s_.team_size = config.rules.team_size;
@@ -59,7 +114,7 @@ void StatisticsObserver::matchBegins(const MatchConfig& config) {
   shot_pause_ = static_cast<Tick>(std::floor(kShotPause / s_.dt + 0.5));
 }
 
-void StatisticsObserver::playBegins(const PlayStart& start) {
+void StatisticsObserver::Impl::playBegins(const PlayStart& start) {
   ++s_.restarts[static_cast<std::size_t>(start.call.kind)][indexOf(start.call.team)];
   countCalls(start.events, *start.referee);
   for (std::size_t i = 0; i < start.ids.size(); ++i) places_[i] = start.world->robots[i].pose.position;
@@ -70,7 +125,7 @@ void StatisticsObserver::playBegins(const PlayStart& start) {
   shot_.reset();
 }
 
-void StatisticsObserver::ticked(const MatchTick& tick) {
+void StatisticsObserver::Impl::ticked(const MatchTick& tick) {
   if (playing_) {
     ++s_.play_ticks;
     countContacts(tick);
@@ -85,7 +140,7 @@ void StatisticsObserver::ticked(const MatchTick& tick) {
   playing_ = tick.referee->playing;
 }
 
-void StatisticsObserver::countContacts(const MatchTick& tick) {
+void StatisticsObserver::Impl::countContacts(const MatchTick& tick) {
   for (const ContactEvent& contact : tick.contacts) {
     if (contact.b.kind == BodyKind::kBall && contact.a.kind == BodyKind::kRobot) {
       const RobotId id = tick.ids[contact.a.index];
@@ -104,7 +159,7 @@ void StatisticsObserver::countContacts(const MatchTick& tick) {
   }
 }
 
-void StatisticsObserver::countMoves(const MatchTick& tick) {
+void StatisticsObserver::Impl::countMoves(const MatchTick& tick) {
   const Vec2 ball = tick.world->balls.front().position;
   PerTeam<double> nearest{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < tick.ids.size(); ++i) {
@@ -122,7 +177,7 @@ void StatisticsObserver::countMoves(const MatchTick& tick) {
   if (holder_) ++s_.teams[indexOf(*holder_)].possession;
 }
 
-void StatisticsObserver::countBall(const MatchTick& tick) {
+void StatisticsObserver::Impl::countBall(const MatchTick& tick) {
   const double right = tick.world->balls.front().position.x;
   const double x = tick.referee->blue_side == Side::kLeft ? right : -right;  // in blue's frame
   s_.ball_x_sum += x;
@@ -131,8 +186,8 @@ void StatisticsObserver::countBall(const MatchTick& tick) {
   ++s_.teams[1].thirds[2 - third];
 }
 
-std::optional<StatisticsObserver::Aim> StatisticsObserver::aimOf(const BallState& ball,
-                                                                 const RefereeState& referee) const {
+std::optional<StatisticsObserver::Impl::Aim> StatisticsObserver::Impl::aimOf(
+    const BallState& ball, const RefereeState& referee) const {
   if (!(squaredNorm(ball.velocity) > kShotSpeed * kShotSpeed)) return std::nullopt;
   const double ahead = half_length_ - (ball.velocity.x > 0.0 ? ball.position.x : -ball.position.x);
   const double speed = std::abs(ball.velocity.x);
@@ -144,13 +199,13 @@ std::optional<StatisticsObserver::Aim> StatisticsObserver::aimOf(const BallState
   return Aim{other(defender), y < post_ - ball_radius_};
 }
 
-void StatisticsObserver::onGoal(Shot& shot) {
+void StatisticsObserver::Impl::onGoal(Shot& shot) {
   if (shot.on_goal) return;
   shot.on_goal = true;
   ++s_.teams[indexOf(shot.shooter.team)].shots_on_goal;
 }
 
-void StatisticsObserver::watchShot(const MatchTick& tick) {
+void StatisticsObserver::Impl::watchShot(const MatchTick& tick) {
   const std::optional<Aim> aim = aimOf(tick.world->balls.front(), *tick.referee);
   if (aim && shot_ && shot_->shooter.team == aim->attacker) {
     shot_->last = tick.tick;
@@ -164,7 +219,7 @@ void StatisticsObserver::watchShot(const MatchTick& tick) {
   if (shot_ && aim && aim->on_goal && aim->attacker == shot_->shooter.team) onGoal(*shot_);
 }
 
-void StatisticsObserver::countCalls(std::span<const GameEvent> events, const RefereeState& referee) {
+void StatisticsObserver::Impl::countCalls(std::span<const GameEvent> events, const RefereeState& referee) {
   for (const GameEvent& event : events) {
     auto count = std::find_if(s_.calls.begin(), s_.calls.end(),
                               [&](const CallCount& c) { return c.clause == event.clause; });
@@ -175,7 +230,7 @@ void StatisticsObserver::countCalls(std::span<const GameEvent> events, const Ref
   }
 }
 
-void StatisticsObserver::countPaid(const GameEvent& event, Tick played) {
+void StatisticsObserver::Impl::countPaid(const GameEvent& event, Tick played) {
   const auto foul = foul_goals_.take(event, played, s_.dt);
   if (!foul) return;
   ++s_.teams[indexOf(*event.team)].goals_after_foul;
@@ -184,7 +239,7 @@ void StatisticsObserver::countPaid(const GameEvent& event, Tick played) {
   }
 }
 
-void StatisticsObserver::goal(const GameEvent& event, TeamId team, const RefereeState& referee) {
+void StatisticsObserver::Impl::goal(const GameEvent& event, TeamId team, const RefereeState& referee) {
   GoalRecord goal;
   goal.seconds = static_cast<double>(event.tick) * s_.dt;
   goal.period = event.period;
@@ -205,7 +260,7 @@ void StatisticsObserver::goal(const GameEvent& event, TeamId team, const Referee
   shot_.reset();
 }
 
-void StatisticsObserver::countGoalAsShot(const GoalRecord& goal) {
+void StatisticsObserver::Impl::countGoalAsShot(const GoalRecord& goal) {
   if (!shot_ || shot_->shooter.team != goal.team) {
     ++s_.teams[indexOf(goal.team)].shots;
     if (goal.scorer) ++of(*goal.scorer).shots;

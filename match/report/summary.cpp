@@ -1,10 +1,9 @@
-#include "match/report/summary.hpp"
-
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "engine/core/base/match_clock.hpp"
+#include "fulbito/statistics.hpp"
 
 namespace fulbito {
 namespace {

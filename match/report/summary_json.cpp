@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "fulbito/statistics.hpp"
 #include "match/report/match_json.hpp"
-#include "match/report/summary.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,12 +1,10 @@
-// Private header of match: not installed.
 #pragma once
 
 #include <vector>
 
-#include "match/config/match_faults.hpp"
-#include "referee/state/game_event.hpp"
-#include "strategies/interface/observation.hpp"
-#include "strategies/interface/team_command.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/referee.hpp"
+#include "fulbito/strategy.hpp"
 
 namespace fulbito {
 

@@ -1,4 +1,3 @@
-// Private header of match: not installed.
 #pragma once
 
 #include <memory>
@@ -6,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "fulbito/strategy.hpp"
 #include "match/seats/policy.hpp"
 #include "match/seats/thinking_time.hpp"
 #include "match/seats/vision.hpp"
 #include "referee/match/match_referee.hpp"
-#include "strategies/interface/strategy.hpp"
 #include "strategies/team_pilots.hpp"
 
 namespace fulbito {

@@ -1,9 +1,8 @@
-// Private header of match: not installed.
 #pragma once
 
 #include <algorithm>
 
-#include "strategies/interface/decision_time.hpp"
+#include "fulbito/strategy.hpp"
 
 namespace fulbito {
 

@@ -1,6 +1,6 @@
 #include "match/seats/vision.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

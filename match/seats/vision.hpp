@@ -1,11 +1,10 @@
-// Private header of match: not installed.
 #pragma once
 
 #include <array>
 
-#include "engine/core/base/team.hpp"
 #include "engine/core/models/sensor.hpp"
-#include "match/config/match_config.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

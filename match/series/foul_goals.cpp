@@ -1,5 +1,6 @@
 #include "match/series/foul_goals.hpp"
 
+#include "fulbito/statistics.hpp"
 #include "referee/rules/clauses.hpp"
 
 namespace fulbito {

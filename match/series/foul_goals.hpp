@@ -3,12 +3,9 @@
 #include <optional>
 #include <string_view>
 
-#include "match/play/match_observer.hpp"
+#include "fulbito/match.hpp"
 
 namespace fulbito {
-
-/// A foul paid if its team scores within this time of play [s].
-inline constexpr double kFoulPaysWithin = 5.0;
 
 /// Finds goals that a team scores shortly after its own foul.
 class FoulGoalFinder {

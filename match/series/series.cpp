@@ -1,12 +1,11 @@
-#include "match/series/series.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "engine/core/math/random.hpp"
 #include "engine/core/system/worker_threads.hpp"
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/statistics.hpp"
 #include "match/series/foul_goals.hpp"
 
 namespace fulbito {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fulbito/navigation.hpp"
 #include "navigation/followers/path_tracker.hpp"
-#include "navigation/interface/follower.hpp"
 
 namespace fulbito {
 

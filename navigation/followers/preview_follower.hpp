@@ -1,8 +1,8 @@
 #pragma once
 
+#include "fulbito/navigation.hpp"
 #include "navigation/followers/path_tracker.hpp"
 #include "navigation/followers/speed_profile.hpp"
-#include "navigation/interface/follower.hpp"
 
 namespace fulbito {
 

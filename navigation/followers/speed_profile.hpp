@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "engine/core/models/robot_model.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 

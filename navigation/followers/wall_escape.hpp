@@ -1,6 +1,6 @@
 #pragma once
 
-#include "navigation/interface/scene.hpp"
+#include "fulbito/navigation.hpp"
 
 namespace fulbito {
 

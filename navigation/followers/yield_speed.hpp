@@ -1,9 +1,8 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include <span>
 
-#include "navigation/interface/scene.hpp"
+#include "fulbito/navigation.hpp"
 
 namespace fulbito {
 

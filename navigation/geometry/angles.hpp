@@ -1,7 +1,6 @@
-// Private header of navigation: not installed.
 #pragma once
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 

@@ -1,8 +1,7 @@
-// Private header of navigation: not installed.
 #pragma once
 
-#include "engine/core/models/field_geometry.hpp"
-#include "engine/core/models/robot_model.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 

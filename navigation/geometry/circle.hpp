@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/base/vec2.hpp"
+#include "fulbito/detail/vec2.hpp"
 
 namespace fulbito {
 

@@ -1,10 +1,9 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
-#include "engine/core/base/vec2.hpp"
+#include "fulbito/detail/vec2.hpp"
 
 namespace fulbito {
 

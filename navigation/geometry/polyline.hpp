@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "engine/core/base/vec2.hpp"
+#include "fulbito/detail/vec2.hpp"
 
 namespace fulbito {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 

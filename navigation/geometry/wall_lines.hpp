@@ -1,10 +1,9 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include <array>
 
-#include "engine/core/base/values.hpp"
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -6,23 +6,10 @@
 #include <type_traits>
 #include <vector>
 
-#include "engine/core/base/result.hpp"
-#include "navigation/interface/navigator.hpp"
+#include "fulbito/navigation.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
-
-/// One documented, typed parameter of a navigator or follower, as `fulbito list navigators` shows it.
-struct ParameterSpec {
-  enum class Type { kNumber, kInteger, kFlag, kChoice };
-  std::string name;
-  Type type = Type::kNumber;
-  double default_value = 0.0;  ///< flags 0/1; choices the index
-  double minimum = 0.0;
-  double maximum = 0.0;
-  std::vector<std::string> choices;
-  std::string unit;
-  std::string doc;
-};
 
 /// A parameter and the member of the struct `P` that it sets.
 template <typename P>
@@ -78,28 +65,11 @@ Parameter<P> choice(std::string name, E P::* member, std::vector<std::string> ch
           [member](P& p, double v) { p.*member = static_cast<E>(static_cast<int>(v)); }};
 }
 
-/// A `name=value` pair of a specification such as `bezier:clearance=0.02`.
-struct Setting {
-  std::string name;
-  std::string value;
-};
-
 /// Parses `text` as a value of `spec`. Errors: kUsage naming the parameter and the allowed range or choices.
 Result<double> parseParameter(const ParameterSpec& spec, const std::string& text);
 
 /// Parses `name=value,name=value`. Errors (kUsage) quote `whole`.
 Result<std::vector<Setting>> parseSettings(const std::string& text, const std::string& whole);
-
-/// The registry's entry of one navigation method.
-struct NavigatorInfo {
-  std::string name;
-  std::string summary;       ///< one line
-  std::string source;        ///< paper, section
-  bool plans_speed = false;  ///< returns its own speed profile or wheel speeds; tables mark it
-  std::vector<ParameterSpec> parameters;
-  /// Creates the navigator from settings. Errors: kUsage.
-  std::function<Result<std::unique_ptr<Navigator>>(const std::vector<Setting>&)> make;
-};
 
 /// The index of the parameter `name`. Errors: kUsage naming `owner`, with a suggestion among the parameters
 /// and `others`.

@@ -1,9 +1,8 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include <vector>
 
-#include "navigation/interface/scene.hpp"
+#include "fulbito/navigation.hpp"
 
 namespace fulbito {
 

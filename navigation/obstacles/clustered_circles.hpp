@@ -1,12 +1,11 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "fulbito/navigation.hpp"
 #include "navigation/geometry/circle.hpp"
-#include "navigation/interface/scene.hpp"
 
 namespace fulbito {
 

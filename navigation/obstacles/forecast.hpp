@@ -1,12 +1,11 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include <algorithm>
 #include <span>
 #include <vector>
 
+#include "fulbito/navigation.hpp"
 #include "navigation/geometry/body_clearance.hpp"
-#include "navigation/interface/scene.hpp"
 
 namespace fulbito {
 

@@ -1,11 +1,10 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "fulbito/navigation.hpp"
 #include "navigation/geometry/circle.hpp"
-#include "navigation/interface/scene.hpp"
 
 namespace fulbito {
 

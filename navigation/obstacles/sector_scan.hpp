@@ -1,10 +1,9 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "navigation/interface/scene.hpp"
+#include "fulbito/navigation.hpp"
 
 namespace fulbito {
 

@@ -1,4 +1,3 @@
-// Private header of referee: not installed.
 #pragma once
 
 #include "referee/calls/detectors.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/core/base/vec2.hpp"
+#include "fulbito/detail/vec2.hpp"
 #include "referee/geometry/areas.hpp"
 
 namespace fulbito {

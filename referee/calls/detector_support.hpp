@@ -1,11 +1,10 @@
-// Private header of referee: not installed.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
+#include "fulbito/referee.hpp"
 #include "referee/calls/detectors.hpp"
-#include "referee/state/referee_state.hpp"
 #include "referee/state/ticks.hpp"
 
 /// Helpers shared by several detectors.

@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "engine/core/base/restart_kind.hpp"
+#include "fulbito/referee.hpp"
+#include "fulbito/values.hpp"
 #include "referee/calls/detector_memory.hpp"
 #include "referee/geometry/areas.hpp"
 #include "referee/rules/clauses.hpp"
-#include "referee/state/game_event.hpp"
 #include "referee/state/match_view.hpp"
 
 namespace fulbito {

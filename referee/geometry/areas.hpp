@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "engine/core/base/team.hpp"
 #include "engine/core/models/goal_area.hpp"
-#include "engine/core/models/robot_model.hpp"
-#include "referee/rules/detector_rules.hpp"
+#include "fulbito/detail/detector_rules.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/values.hpp"
 #include "referee/state/match_view.hpp"
 
 namespace fulbito {

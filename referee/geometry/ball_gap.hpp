@@ -1,11 +1,9 @@
-// Private header of referee: not installed.
 #pragma once
 
 #include <optional>
 
-#include "engine/core/base/values.hpp"
-#include "engine/core/models/ball_model.hpp"
-#include "engine/core/models/robot_model.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -1,10 +1,9 @@
-// Private header of referee: not installed.
 #pragma once
 
 #include <optional>
 
-#include "engine/core/base/vec2.hpp"
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/detail/vec2.hpp"
 
 namespace fulbito {
 

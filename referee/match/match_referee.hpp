@@ -4,11 +4,10 @@
 #include <string_view>
 #include <vector>
 
+#include "fulbito/referee.hpp"
 #include "referee/calls/detector_memory.hpp"
 #include "referee/calls/detectors.hpp"
-#include "referee/state/game_event.hpp"
 #include "referee/state/match_view.hpp"
-#include "referee/state/referee_state.hpp"
 
 namespace fulbito {
 

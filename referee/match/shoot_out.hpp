@@ -1,10 +1,9 @@
-// Private header of referee: not installed.
 #pragma once
 
 #include <optional>
 
+#include "fulbito/referee.hpp"
 #include "referee/state/match_view.hpp"
-#include "referee/state/referee_state.hpp"
 
 /// The shoot-out of law 7.2: the next kicker, the end of a kick, the end of the shoot-out.
 namespace fulbito {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "referee/restarts/restart_placement.hpp"
 

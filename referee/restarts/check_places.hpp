@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/models/field_geometry.hpp"
-#include "engine/core/models/robot_model.hpp"
-#include "referee/rules/rules.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/referee.hpp"
 
 namespace fulbito {
 

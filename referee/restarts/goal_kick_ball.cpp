@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "referee/geometry/areas.hpp"
 #include "referee/restarts/restart_call.hpp"
 

@@ -2,8 +2,7 @@
 
 #include <vector>
 
-#include "referee/state/game_event.hpp"
-#include "referee/state/referee_state.hpp"
+#include "fulbito/referee.hpp"
 
 namespace fulbito {
 

@@ -1,10 +1,9 @@
-// Private header of referee: not installed.
 #pragma once
 
 #include <optional>
 
+#include "fulbito/referee.hpp"
 #include "referee/state/match_view.hpp"
-#include "referee/state/referee_state.hpp"
 
 /// Makes restarts from stoppages: ball spots and the rules' own placement.
 namespace fulbito {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "referee/restarts/restart_zone.hpp"
 

@@ -4,8 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "referee/state/game_event.hpp"
-#include "referee/state/referee_state.hpp"
+#include "fulbito/referee.hpp"
 
 namespace fulbito {
 

@@ -1,11 +1,10 @@
-// Private header of referee: not installed.
 #pragma once
 
 #include <string_view>
 
-#include "engine/core/base/restart_kind.hpp"
+#include "fulbito/referee.hpp"
+#include "fulbito/values.hpp"
 #include "referee/geometry/placed_body.hpp"
-#include "referee/rules/rules.hpp"
 
 /// The zones in which a robot may stand at a restart. All in the taker's frame: x is mirrored if needed so
 /// that the team that takes the restart defends +x; y is unchanged.

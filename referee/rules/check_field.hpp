@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/core/models/ball_model.hpp"
-#include "engine/core/models/field_geometry.hpp"
-#include "referee/rules/rules.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/referee.hpp"
 
 namespace fulbito {
 

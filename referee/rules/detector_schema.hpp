@@ -1,8 +1,7 @@
-// Private header of referee: not installed.
 #pragma once
 
 #include "engine/core/config/schema.hpp"
-#include "referee/rules/detector_rules.hpp"
+#include "fulbito/detail/detector_rules.hpp"
 
 /// The keys of the detectors' tables in a rules profile, with ranges and sources.
 namespace fulbito {

@@ -1,14 +1,14 @@
-#include "referee/rules/rules.hpp"
-
 #include <filesystem>
 #include <span>
 
 #include <fmt/format.h>
 
 #include "engine/core/config/config_document.hpp"
-#include "engine/core/config/presets.hpp"
+#include "engine/core/config/embedded_files.hpp"
 #include "engine/core/config/suggest.hpp"
 #include "engine/core/system/text_file.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/referee.hpp"
 #include "referee/rules/rules_schema.hpp"
 
 namespace fulbito {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/base/team.hpp"
+#include "fulbito/values.hpp"
 #include "referee/rules/detector_schema.hpp"
 
 namespace fulbito {

@@ -1,8 +1,7 @@
-// Private header of referee: not installed.
 #pragma once
 
 #include "engine/core/config/schema.hpp"
-#include "referee/rules/rules.hpp"
+#include "fulbito/referee.hpp"
 
 /// The keys of a rules profile by table, with ranges and sources.
 namespace fulbito {

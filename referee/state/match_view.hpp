@@ -2,9 +2,7 @@
 
 #include <span>
 
-#include "engine/core/base/contact.hpp"
-#include "engine/core/base/team.hpp"
-#include "engine/core/base/values.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

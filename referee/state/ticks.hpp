@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/core/base/values.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -4,12 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "engine/core/base/contact.hpp"
-#include "engine/core/base/values.hpp"
-#include "engine/core/models/field_geometry.hpp"
-#include "engine/core/models/layout.hpp"
-#include "engine/core/models/robot_model.hpp"
-#include "referee/trial/trial_score.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/detail/layout.hpp"
+#include "fulbito/detail/trial_score.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

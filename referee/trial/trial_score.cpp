@@ -1,4 +1,4 @@
-#include "referee/trial/trial_score.hpp"
+#include "fulbito/detail/trial_score.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,3 @@
-// Private header of replays: not installed.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +8,9 @@
 
 #include <tl/expected.hpp>
 
+#include "fulbito/recording.hpp"
 #include "replays/coding/byte_io.hpp"
 #include "replays/coding/compression.hpp"
-#include "replays/recording/recording.hpp"
 
 /// A file is its magic number and version, then blocks. A block is a checksum (8 bytes), type, codec, size as
 /// stored and size unpacked (4 each), then its bytes; the checksum covers all that follows it in the block.

@@ -1,4 +1,3 @@
-// Private header of replays: not installed.
 #pragma once
 
 #include <span>
@@ -7,10 +6,10 @@
 
 #include <tl/expected.hpp>
 
+#include "fulbito/recording.hpp"
 #include "replays/coding/byte_io.hpp"
 #include "replays/coding/columns.hpp"
 #include "replays/coding/compression.hpp"
-#include "replays/recording/recording.hpp"
 
 namespace fulbito {
 

@@ -1,11 +1,10 @@
-// Private header of replays: not installed.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "fulbito/recording.hpp"
 #include "replays/coding/byte_io.hpp"
-#include "replays/recording/recording.hpp"
 
 /// What the writing and the reading of a chunk share.
 namespace fulbito {

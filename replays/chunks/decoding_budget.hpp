@@ -1,4 +1,3 @@
-// Private header of replays: not installed.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,10 @@
-// Private header of replays: not installed.
 #pragma once
 
 #include <optional>
 
+#include "fulbito/recording.hpp"
 #include "replays/coding/byte_io.hpp"
 #include "replays/coding/columns.hpp"
-#include "replays/recording/recording.hpp"
 
 namespace fulbito {
 

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replays/render/match/match_picture.hpp"
-#include "replays/render/match/replay_scene.hpp"
+#include "fulbito/picture.hpp"
 
 namespace fulbito {
 

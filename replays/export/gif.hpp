@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/base/result.hpp"
-#include "replays/render/canvas/canvas.hpp"
+#include "fulbito/detail/canvas.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "replays/timeline.hpp"
+#include "fulbito/recording.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

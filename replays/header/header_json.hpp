@@ -1,11 +1,10 @@
-// Private header of replays: not installed.
 #pragma once
 
 #include <optional>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/recording.hpp"
+#include "fulbito/values.hpp"
 #include "replays/coding/byte_io.hpp"
-#include "replays/recording/recording.hpp"
 
 namespace fulbito {
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "engine/core/models/physics_profile.hpp"
-#include "engine/core/models/robot_model.hpp"
-#include "replays/recording/recording.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/recording.hpp"
 
 namespace fulbito {
 

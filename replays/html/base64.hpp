@@ -1,4 +1,3 @@
-// Private header of replays/html: not installed.
 #pragma once
 
 #include <string>

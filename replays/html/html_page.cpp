@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/config/presets.hpp"
+#include "engine/core/config/embedded_files.hpp"
 #include "replays/html/base64.hpp"
 #include "replays/html/deflate.hpp"
 #include "replays/html/page_json.hpp"

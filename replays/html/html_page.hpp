@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 #include "replays/html/page_scene.hpp"
 
 namespace fulbito {

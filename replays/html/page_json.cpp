@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/base/build_info.hpp"
+#include "fulbito/detail/build_info.hpp"
 #include "replays/recording/call_words.hpp"
 
 namespace fulbito {

@@ -6,11 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/base/contact.hpp"
-#include "engine/core/base/team.hpp"
-#include "engine/core/base/values.hpp"
-#include "engine/core/models/field_geometry.hpp"
-#include "replays/recording/recording.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/recording.hpp"
+#include "fulbito/values.hpp"
 
 /// The content of the HTML viewer (docs/viewer.md) as plain values, for both recordings and races of
 /// navigators.

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
 #include "replays/recording/call_words.hpp"
 
 namespace fulbito {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/recording.hpp"
+#include "fulbito/values.hpp"
 #include "replays/html/page_scene.hpp"
-#include "replays/recording_reader.hpp"
-#include "replays/timeline.hpp"
 
 namespace fulbito {
 

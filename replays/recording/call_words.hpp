@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replays/recording/recording.hpp"
+#include "fulbito/recording.hpp"
 
 /// Words and colours of calls and restarts, for pictures, films, the window, the HTML page and tables.
 namespace fulbito {

@@ -1,9 +1,9 @@
-#include "replays/recording/recording.hpp"
+#include "fulbito/recording.hpp"
 
 #include <algorithm>
 
-#include "engine/core/base/hash.hpp"
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/detail/state_hash.hpp"
 
 namespace fulbito {
 namespace {

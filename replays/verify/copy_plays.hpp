@@ -1,4 +1,3 @@
-// Private header of replays/verify: not installed.
 #pragma once
 
 #include <deque>
@@ -6,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/base/hash.hpp"
-#include "replays/recording_writer.hpp"
+#include "fulbito/detail/state_hash.hpp"
+#include "fulbito/recording.hpp"
 #include "replays/verify/resimulate.hpp"
 
 namespace fulbito {

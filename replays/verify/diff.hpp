@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replays/recording_reader.hpp"
+#include "fulbito/recording.hpp"
 
 namespace fulbito {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "replays/recording_writer.hpp"
+#include "fulbito/recording.hpp"
 #include "replays/verify/resimulate.hpp"
 
 namespace fulbito {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "replays/recording_reader.hpp"
+#include "fulbito/recording.hpp"
 
 namespace fulbito {
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/base/hash.hpp"
-#include "engine/core/config/presets.hpp"
 #include "engine/core/system/stop_request.hpp"
+#include "fulbito/detail/state_hash.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/sim/world.hpp"
-#include "replays/recording_reader.hpp"
+#include "fulbito/recording.hpp"
+#include "fulbito/world.hpp"
 
 namespace fulbito {
 

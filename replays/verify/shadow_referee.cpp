@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
 #include "referee/match/match_referee.hpp"
 #include "replays/verify/resimulate.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/system/error_text.hpp"
+#include "fulbito/detail/math.hpp"
 #include "replays/verify/resimulate.hpp"
 
 namespace fulbito {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "replays/recording_reader.hpp"
+#include "fulbito/recording.hpp"
 
 namespace fulbito {
 

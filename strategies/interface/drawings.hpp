@@ -1,11 +1,10 @@
-// Private header of strategies: not installed.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
-#include "strategies/interface/team_command.hpp"
+#include "fulbito/strategy.hpp"
 
 namespace fulbito {
 

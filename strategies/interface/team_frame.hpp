@@ -1,9 +1,8 @@
 #pragma once
 
-#include "engine/core/base/team.hpp"
-#include "engine/core/base/values.hpp"
-#include "engine/core/math/math.hpp"
-#include "referee/state/game_event.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/referee.hpp"
+#include "fulbito/values.hpp"
 
 /// A team's frame: its own goal is at -x. For the team that defends the left goal it is the world frame; for
 /// the other it is the world rotated by 180 degrees (never reflected: that would swap the wheels). The

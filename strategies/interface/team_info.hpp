@@ -5,25 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "fulbito/navigation.hpp"
+#include "fulbito/strategy.hpp"
 #include "navigation/interface/parameters.hpp"
-#include "navigation/registry.hpp"
-#include "strategies/interface/strategy.hpp"
 
 namespace fulbito {
 
 /// Name of the setting that chooses a team's navigator.
 inline constexpr const char* kNavigatorSetting = "navigator";
-
-/// What a catalogue knows of one kind of team, built in or a user's own.
-struct TeamInfo {
-  std::string name;
-  std::string summary;  ///< one line
-  std::vector<ParameterSpec> parameters;
-  bool takes_navigator = false;   ///< also takes `navigator=NAME`
-  std::string default_navigator;  ///< where none is named; empty when the team takes none
-  /// Makes the team from settings (`navigator` among them); errors: kUsage.
-  std::function<Result<std::unique_ptr<Strategy>>(const std::vector<Setting>&)> make;
-};
 
 /// Takes the setting `navigator` out of a team's settings: its choice, or `default_navigator`'s. Errors:
 /// kUsage.

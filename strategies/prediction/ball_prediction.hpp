@@ -4,9 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "engine/core/base/values.hpp"
-#include "engine/core/models/ball_model.hpp"
-#include "engine/core/models/physics_profile.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/values.hpp"
 #include "strategies/prediction/ball_walls.hpp"
 
 namespace fulbito {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
 
 namespace fulbito {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "strategies/interface/observation.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/prediction/ball_prediction.hpp"
 #include "strategies/prediction/ball_tracker.hpp"
 #include "strategies/prediction/time_to_reach.hpp"

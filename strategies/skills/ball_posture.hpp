@@ -1,7 +1,6 @@
 #pragma once
 
-#include "strategies/interface/observation.hpp"
-#include "strategies/interface/team_command.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 
 /// Posture at the ball: being behind it with the heading in which it shall go (docs/skills.md, Strike). The

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "strategies/interface/observation.hpp"
-#include "strategies/interface/team_command.hpp"
+#include "fulbito/strategy.hpp"
 
 namespace fulbito {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
 
 namespace fulbito {
 

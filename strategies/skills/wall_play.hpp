@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "engine/core/models/field_geometry.hpp"
-#include "strategies/interface/observation.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/strategy.hpp"
 
 /// Balls at walls: when to spin, and which way (docs/skills.md, Spins).
 namespace fulbito {

@@ -11,11 +11,11 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/picture.hpp"
+#include "fulbito/recording.hpp"
 #include "replays/html/html_page.hpp"
-#include "replays/render/match/replay_scene.hpp"
-#include "replays/timeline.hpp"
 
 namespace fulbito {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/core/base/hash.hpp"
-#include "match/play/match.hpp"
+#include "fulbito/detail/state_hash.hpp"
+#include "fulbito/match.hpp"
 
 namespace {
 

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/base/hash.hpp"
-#include "replays/render/field/field_picture.hpp"
-#include "replays/render/match/heat_map.hpp"
-#include "replays/render/match/replay_scene.hpp"
+#include "fulbito/detail/state_hash.hpp"
+#include "fulbito/picture.hpp"
 
 namespace {
 

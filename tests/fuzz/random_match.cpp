@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/math/random.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/world.hpp"
 #include "referee/restarts/goal_kick_ball.hpp"
 #include "referee/restarts/restart_placement.hpp"
 #include "referee/rules/clauses.hpp"

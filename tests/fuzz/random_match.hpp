@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "engine/core/models/physics_profile.hpp"
+#include "fulbito/models.hpp"
 #include "referee/match/match_referee.hpp"
 
 namespace fulbito::test {

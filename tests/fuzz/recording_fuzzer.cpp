@@ -1,9 +1,9 @@
 #include <cstdlib>
 
+#include "fulbito/recording.hpp"
 #include "replays/chunks/block.hpp"
 #include "replays/chunks/chunk.hpp"
 #include "replays/header/header_json.hpp"
-#include "replays/recording_reader.hpp"
 #include "replays/recording_salvage.hpp"
 
 /// Feeds anything to the reader of recordings. The first byte says to which part, as checksums would keep

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
 #include "tests/fuzz/random_match.hpp"
 #include "tests/support/catch.hpp"
 

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/config/presets.hpp"
-#include "engine/core/math/math.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/world.hpp"
 #include "referee/match/match_referee.hpp"
 #include "referee/restarts/restart_placement.hpp"
 #include "referee/state/ticks.hpp"

@@ -4,12 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/base/restart_kind.hpp"
-#include "engine/core/base/result.hpp"
-#include "engine/core/base/team.hpp"
-#include "engine/core/base/values.hpp"
-#include "referee/rules/rules.hpp"
-#include "referee/state/game_event.hpp"
+#include "fulbito/referee.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito::test {
 

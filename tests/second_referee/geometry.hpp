@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "engine/core/base/values.hpp"
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/values.hpp"
 
 /// The second referee's own geometry. Nothing of `referee/` is used: areas are integrated slice by slice
 /// instead of cut, so that a mistake of one is not a mistake of the other.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 #include "tests/second_referee/second_referee.hpp"
 
 namespace fulbito::second {

@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/base/contact.hpp"
-#include "engine/core/base/restart_kind.hpp"
-#include "engine/core/base/team.hpp"
-#include "engine/core/models/robot_model.hpp"
-#include "match/config/match_config.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/values.hpp"
 #include "tests/second_referee/geometry.hpp"
 
 /// What the second referee looks at: all that happened since the play began, tick by tick.

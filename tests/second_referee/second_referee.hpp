@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "match/play/match_observer.hpp"
+#include "fulbito/match.hpp"
 #include "tests/second_referee/moment.hpp"
 
 namespace fulbito::second {

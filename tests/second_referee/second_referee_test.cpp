@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/second_referee/judge_matches.hpp"
 #include "tests/support/catch.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 #include "tests/support/outlines.hpp"
 
 namespace {

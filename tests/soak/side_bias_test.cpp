@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/math/statistics.hpp"
+#include "fulbito/detail/interval.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_teams.hpp"
 

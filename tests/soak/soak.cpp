@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "engine/core/system/worker_threads.hpp"
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 
 namespace {
 

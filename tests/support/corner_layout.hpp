@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/core/math/random.hpp"
-#include "navigation/interface/scene.hpp"
+#include "fulbito/navigation.hpp"
 
 namespace fulbito::test {
 

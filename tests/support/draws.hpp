@@ -1,8 +1,8 @@
 #pragma once
 
-#include "engine/core/base/vec2.hpp"
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/detail/vec2.hpp"
 
 namespace fulbito::test {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/models/drive_law.hpp"
 #include "engine/core/models/shapes.hpp"
-#include "navigation/pilot.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/navigation.hpp"
 
 namespace fulbito::test {
 

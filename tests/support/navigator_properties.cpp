@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
-#include "navigation/registry.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/navigation.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/world.hpp"
 
 namespace fulbito::test {
 

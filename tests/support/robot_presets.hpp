@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito::test {
 

@@ -3,10 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "engine/core/config/presets.hpp"
-#include "engine/core/math/math.hpp"
-#include "replays/recording_writer.hpp"
-#include "replays/timeline.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/recording.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito::test {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/corner_layout.hpp"
 #include "tests/support/draws.hpp"
 

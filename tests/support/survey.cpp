@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "fulbito/navigation.hpp"
 #include "navigation/methods/paths/tangent_graph_search.hpp"
-#include "navigation/registry.hpp"
 #include "tests/support/kinematic_trial.hpp"
 
 namespace fulbito::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "navigation/pilot.hpp"
+#include "fulbito/navigation.hpp"
 #include "tests/support/corner_layout.hpp"
 
 namespace fulbito::test {

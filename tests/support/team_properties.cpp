@@ -5,13 +5,13 @@
 #include <memory>
 #include <vector>
 
-#include "engine/core/config/presets.hpp"
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/strategy.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "referee/restarts/restart_placement.hpp"
 #include "strategies/interface/team_frame.hpp"
-#include "strategies/registry.hpp"
 #include "strategies/team_pilots.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"

@@ -3,8 +3,8 @@
 #include <functional>
 #include <string>
 
-#include "match/record/recorder.hpp"
-#include "replays/recording_reader.hpp"
+#include "fulbito/recorder.hpp"
+#include "fulbito/recording.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_teams.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "engine/core/math/math.hpp"
-#include "match/play/match.hpp"
-#include "strategies/registry.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/strategy.hpp"
 
 namespace fulbito::test {
 

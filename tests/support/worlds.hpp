@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/math/math.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/world.hpp"
 #include "tests/support/robot_presets.hpp"
 
 namespace fulbito::test {

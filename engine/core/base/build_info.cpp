@@ -1,4 +1,4 @@
-#include "engine/core/base/build_info.hpp"
+#include "fulbito/detail/build_info.hpp"
 
 namespace fulbito {
 

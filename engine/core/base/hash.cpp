@@ -1,6 +1,6 @@
-#include "engine/core/base/hash.hpp"
-
 #include <bit>
+
+#include "fulbito/detail/state_hash.hpp"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

@@ -1,4 +1,3 @@
-// Private header of engine/core: not installed.
 #pragma once
 
 namespace fulbito {

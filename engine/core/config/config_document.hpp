@@ -1,13 +1,12 @@
-// Private header of engine/core: not installed.
 #pragma once
 
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "engine/core/base/result.hpp"
 #include "engine/core/config/schema.hpp"
 #include "engine/core/config/toml_reader.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

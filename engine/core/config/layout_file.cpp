@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include "engine/core/config/config_document.hpp"
-#include "engine/core/config/presets.hpp"
+#include "engine/core/config/embedded_files.hpp"
 #include "engine/core/config/schemas.hpp"
 #include "engine/core/system/text_file.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/base/overloaded.hpp"
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

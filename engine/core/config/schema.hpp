@@ -1,4 +1,3 @@
-// Private header of engine/core: not installed.
 #pragma once
 
 #include <functional>
@@ -9,9 +8,9 @@
 #include <variant>
 #include <vector>
 
-#include "engine/core/base/result.hpp"
-#include "engine/core/base/vec2.hpp"
 #include "engine/core/config/toml_reader.hpp"
+#include "fulbito/detail/vec2.hpp"
+#include "fulbito/values.hpp"
 
 /// The keys of configuration tables as data: one list per struct drives reading, range checks, errors for
 /// unknown keys, and printing.

@@ -5,7 +5,7 @@
 #include "engine/core/base/overloaded.hpp"
 #include "engine/core/config/schema.hpp"
 #include "engine/core/config/suggest.hpp"
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,14 +1,11 @@
-// Private header of engine/core: not installed.
 #pragma once
 
 #include <optional>
 
 #include "engine/core/config/schema.hpp"
-#include "engine/core/models/ball_model.hpp"
-#include "engine/core/models/field_geometry.hpp"
-#include "engine/core/models/layout.hpp"
-#include "engine/core/models/physics_profile.hpp"
-#include "engine/core/models/robot_model.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/detail/layout.hpp"
+#include "fulbito/models.hpp"
 
 /// The keys of every configuration struct, and the checks beyond each key's own limits.
 namespace fulbito {

@@ -1,4 +1,3 @@
-// Private header of engine/core: not installed.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -1,4 +1,3 @@
-// Private header of engine/core: not installed.
 #pragma once
 
 /// Exact sums and products as unevaluated sums of two doubles (Dekker, Numerische Mathematik 18, 1971).

@@ -4,7 +4,7 @@
 
 #include <Random123/philox.h>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 

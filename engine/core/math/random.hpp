@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "engine/core/base/vec2.hpp"
+#include "fulbito/detail/vec2.hpp"
 
 namespace fulbito {
 

@@ -1,11 +1,10 @@
-#include "engine/core/math/statistics.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/interval.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "engine/core/math/angle_reduction.hpp"
 #include "engine/core/math/constants.hpp"
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/polynomial.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito::math {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/models/robot_model.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
 
 namespace fulbito {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/core/base/team.hpp"
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -1,4 +1,4 @@
-#include "engine/core/models/layout.hpp"
+#include "fulbito/detail/layout.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,9 @@
-#include "engine/core/models/robot_model.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/models/drive_law.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 

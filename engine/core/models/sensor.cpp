@@ -1,6 +1,6 @@
 #include "engine/core/models/sensor.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 

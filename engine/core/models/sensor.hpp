@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/core/base/vec2.hpp"
 #include "engine/core/math/random.hpp"
-#include "engine/core/models/sensor_model.hpp"
+#include "fulbito/detail/vec2.hpp"
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 

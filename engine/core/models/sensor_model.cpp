@@ -1,8 +1,8 @@
-#include "engine/core/models/sensor_model.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
+
+#include "fulbito/models.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <span>
 
-#include "engine/core/base/values.hpp"
-#include "engine/core/models/layout.hpp"
-#include "engine/core/models/robot_model.hpp"
+#include "fulbito/detail/layout.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -1,11 +1,10 @@
-// Private header of engine/core: not installed.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <mutex>
 
-#include "engine/core/base/result.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

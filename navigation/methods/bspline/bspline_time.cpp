@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "navigation/followers/limiter.hpp"
 
 namespace fulbito {

@@ -1,12 +1,10 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "navigation/interface/guidance.hpp"
+#include "fulbito/navigation.hpp"
 #include "navigation/interface/parameters.hpp"
-#include "navigation/interface/scene.hpp"
 
 namespace fulbito {
 

@@ -1,6 +1,6 @@
 #include "navigation/methods/fields/straight.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 

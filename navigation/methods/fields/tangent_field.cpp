@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "navigation/interface/parameters.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "navigation/interface/parameters.hpp"
 
 namespace fulbito {
 namespace {

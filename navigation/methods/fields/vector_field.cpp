@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "navigation/geometry/angles.hpp"
+#include "navigation/interface/parameters.hpp"
 
 namespace fulbito {
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <limits>
 
+#include "navigation/interface/parameters.hpp"
+
 namespace fulbito {
 namespace {
 

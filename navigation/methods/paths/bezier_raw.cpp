@@ -1,6 +1,7 @@
 #include "navigation/methods/paths/bezier_raw.hpp"
 
 #include "navigation/geometry/polyline.hpp"
+#include "navigation/interface/parameters.hpp"
 
 namespace fulbito {
 namespace {

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "navigation/interface/parameters.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,5 +1,7 @@
 #include "navigation/methods/paths/tangent_graph.hpp"
 
+#include "navigation/interface/parameters.hpp"
+
 namespace fulbito {
 
 TangentGraphNavigator::TangentGraphNavigator(Params params)

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
 #include "navigation/geometry/circle.hpp"
 
 namespace fulbito {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/core/math/braking.hpp"
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 

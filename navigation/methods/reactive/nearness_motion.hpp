@@ -1,4 +1,3 @@
-// Private header of navigation: not installed.
 #pragma once
 
 #include "navigation/methods/reactive/nearness_area.hpp"

@@ -1,11 +1,10 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "engine/core/base/vec2.hpp"
+#include "fulbito/detail/vec2.hpp"
 
 namespace fulbito {
 

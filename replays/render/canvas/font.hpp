@@ -1,4 +1,3 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +8,8 @@
 
 #include <SDL_ttf.h>
 
-#include "engine/core/base/result.hpp"
-#include "replays/render/canvas/canvas.hpp"
+#include "fulbito/detail/canvas.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -1,4 +1,3 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/base/result.hpp"
-#include "replays/render/canvas/canvas.hpp"
+#include "fulbito/detail/canvas.hpp"
+#include "fulbito/values.hpp"
 
 struct libdeflate_compressor;
 

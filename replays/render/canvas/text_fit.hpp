@@ -1,9 +1,8 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <string>
 
-#include "replays/render/canvas/canvas.hpp"
+#include "fulbito/detail/canvas.hpp"
 
 namespace fulbito {
 

@@ -1,10 +1,9 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "replays/render/canvas/canvas.hpp"
+#include "fulbito/detail/canvas.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,10 +1,8 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <array>
 
-#include "replays/render/canvas/canvas.hpp"
-#include "replays/render/colours/picture_theme.hpp"
+#include "fulbito/detail/canvas.hpp"
 
 namespace fulbito {
 

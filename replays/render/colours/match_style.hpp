@@ -1,10 +1,8 @@
-// Private header of replays/render: not installed.
 #pragma once
 
-#include "engine/core/base/team.hpp"
-#include "replays/render/canvas/canvas.hpp"
+#include "fulbito/detail/canvas.hpp"
+#include "fulbito/values.hpp"
 #include "replays/render/colours/palette.hpp"
-#include "replays/render/colours/picture_theme.hpp"
 
 namespace fulbito {
 

@@ -1,7 +1,6 @@
-// Private header of replays/render: not installed.
 #pragma once
 
-#include "replays/render/canvas/canvas.hpp"
+#include "fulbito/detail/canvas.hpp"
 
 namespace fulbito {
 

@@ -1,10 +1,8 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <array>
 
-#include "replays/render/canvas/canvas.hpp"
-#include "replays/render/colours/picture_theme.hpp"
+#include "fulbito/detail/canvas.hpp"
 
 namespace fulbito {
 
@@ -26,7 +24,6 @@ struct SharedColours {
 inline constexpr SharedColours kSharedLight{
 #define SHARED_COLOUR(name, light, dark) .name = opaque(light),
 #define SERIES_COLOUR(number, colour)
-#include "replays/render/colours/shared_colours.def"
 #undef SHARED_COLOUR
 #undef SERIES_COLOUR
 };
@@ -34,7 +31,6 @@ inline constexpr SharedColours kSharedLight{
 inline constexpr SharedColours kSharedDark{
 #define SHARED_COLOUR(name, light, dark) .name = opaque(dark),
 #define SERIES_COLOUR(number, colour)
-#include "replays/render/colours/shared_colours.def"
 #undef SHARED_COLOUR
 #undef SERIES_COLOUR
 };
@@ -43,7 +39,6 @@ inline constexpr SharedColours kSharedDark{
 inline constexpr auto kSeries = std::to_array<Colour>({
 #define SHARED_COLOUR(name, light, dark)
 #define SERIES_COLOUR(number, colour) opaque(colour),
-#include "replays/render/colours/shared_colours.def"
 #undef SHARED_COLOUR
 #undef SERIES_COLOUR
 });

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "fulbito/picture.hpp"
 #include "replays/render/canvas/axis.hpp"
 #include "replays/render/canvas/text_fit.hpp"
 #include "replays/render/canvas/text_wrap.hpp"
 #include "replays/render/colours/palette.hpp"
-#include "replays/render/field/field_picture.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,11 +1,10 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <array>
 
-#include "engine/core/models/field_geometry.hpp"
-#include "engine/core/models/layout.hpp"
-#include "engine/core/models/robot_model.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/detail/layout.hpp"
+#include "fulbito/models.hpp"
 #include "replays/render/colours/palette.hpp"
 #include "replays/render/field/field_view.hpp"
 

@@ -1,9 +1,8 @@
-#include "replays/render/field/field_picture.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
+#include "fulbito/picture.hpp"
 #include "replays/render/canvas/text_fit.hpp"
 #include "replays/render/canvas/text_wrap.hpp"
 #include "replays/render/colours/palette.hpp"

@@ -1,10 +1,9 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "replays/render/field/field_picture.hpp"
+#include "fulbito/picture.hpp"
 #include "replays/render/field/field_view.hpp"
 
 namespace fulbito {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "replays/render/colours/palette.hpp"
 
 namespace fulbito {

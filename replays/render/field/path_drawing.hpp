@@ -1,10 +1,9 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <span>
 
+#include "fulbito/picture.hpp"
 #include "replays/render/field/field_drawing.hpp"
-#include "replays/render/field/field_picture.hpp"
 #include "replays/render/field/field_view.hpp"
 
 namespace fulbito {

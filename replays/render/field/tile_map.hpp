@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replays/render/canvas/canvas.hpp"
+#include "fulbito/detail/canvas.hpp"
 
 namespace fulbito {
 

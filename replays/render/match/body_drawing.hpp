@@ -1,11 +1,10 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
 
-#include "engine/core/models/robot_model.hpp"
+#include "fulbito/models.hpp"
 #include "replays/render/colours/match_style.hpp"
 #include "replays/render/field/field_view.hpp"
 

@@ -1,5 +1,5 @@
+#include "fulbito/picture.hpp"
 #include "replays/render/colours/match_style.hpp"
-#include "replays/render/match/replay_scene.hpp"
 
 namespace fulbito {
 namespace {

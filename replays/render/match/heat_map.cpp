@@ -1,11 +1,10 @@
-#include "replays/render/match/heat_map.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/picture.hpp"
 #include "replays/render/canvas/axis.hpp"
 #include "replays/render/canvas/text_fit.hpp"
 #include "replays/render/colours/heat_colours.hpp"

@@ -1,7 +1,6 @@
-#include "replays/render/match/match_picture.hpp"
-
 #include <algorithm>
 
+#include "fulbito/picture.hpp"
 #include "replays/render/field/field_drawing.hpp"
 #include "replays/render/match/body_drawing.hpp"
 #include "replays/render/match/match_plan.hpp"

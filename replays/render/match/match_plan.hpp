@@ -1,9 +1,8 @@
-// Private header of replays/render: not installed.
 #pragma once
 
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/picture.hpp"
 #include "replays/render/field/field_view.hpp"
-#include "replays/render/match/match_picture.hpp"
 
 namespace fulbito {
 

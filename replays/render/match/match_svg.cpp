@@ -1,10 +1,9 @@
-#include "replays/render/match/match_svg.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "engine/core/base/match_clock.hpp"
+#include "fulbito/picture.hpp"
 #include "replays/render/canvas/text_fit.hpp"
 #include "replays/render/colours/match_style.hpp"
 #include "replays/render/colours/palette.hpp"

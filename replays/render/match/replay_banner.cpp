@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "fulbito/picture.hpp"
 #include "replays/recording/call_words.hpp"
-#include "replays/render/match/replay_scene.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,9 +1,8 @@
-#include "replays/render/match/replay_scene.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/picture.hpp"
 
 namespace fulbito {
 namespace {

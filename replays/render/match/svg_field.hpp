@@ -1,4 +1,3 @@
-// Private header of replays/render: not installed.
 #pragma once
 
 #include <span>

@@ -1,7 +1,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/skills/ball_posture.hpp"

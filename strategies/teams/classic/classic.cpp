@@ -1,7 +1,8 @@
 #include <algorithm>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "strategies/interface/drawings.hpp"
+#include "strategies/interface/team_info.hpp"
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/skills/ball_posture.hpp"
 #include "strategies/skills/interception.hpp"

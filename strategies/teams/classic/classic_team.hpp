@@ -1,4 +1,3 @@
-// Private header of strategies: not installed.
 #pragma once
 
 #include <array>
@@ -8,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "strategies/interface/strategy.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/prediction/foresight.hpp"
 #include "strategies/skills/unsticking.hpp"
 #include "strategies/skills/wall_play.hpp"

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/skills/ball_posture.hpp"

@@ -1,10 +1,9 @@
-// Private header of strategies: not installed.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "strategies/interface/team_command.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/teams/libero/situation/move.hpp"
 #include "strategies/teams/libero/situation/picture.hpp"
 

@@ -1,7 +1,6 @@
-// Private header of strategies: not installed.
 #pragma once
 
-#include "strategies/interface/strategy.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/teams/libero/motion/approach.hpp"
 
 namespace fulbito::libero {

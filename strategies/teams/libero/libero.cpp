@@ -2,6 +2,8 @@
 #include <cmath>
 #include <utility>
 
+#include "navigation/interface/parameters.hpp"
+#include "strategies/interface/team_info.hpp"
 #include "strategies/prediction/foresight.hpp"
 #include "strategies/skills/area_projection.hpp"
 #include "strategies/teams/libero/attack/meet.hpp"

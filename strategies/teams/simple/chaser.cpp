@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "strategies/interface/team_info.hpp"
 #include "strategies/skills/unsticking.hpp"
 #include "strategies/teams/teams.hpp"
 

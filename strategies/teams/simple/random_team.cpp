@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "engine/core/math/random.hpp"
+#include "strategies/interface/team_info.hpp"
 #include "strategies/teams/teams.hpp"
 
 namespace fulbito {

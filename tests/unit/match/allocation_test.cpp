@@ -1,6 +1,5 @@
-#include "match/record/recorder.hpp"
-#include "match/report/event_lines.hpp"
-#include "match/report/statistics.hpp"
+#include "fulbito/recorder.hpp"
+#include "fulbito/statistics.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/support/test_teams.hpp"

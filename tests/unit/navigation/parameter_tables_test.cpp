@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "navigation/registry.hpp"
+#include "fulbito/navigation.hpp"
 #include "tests/support/catch.hpp"
 
 // The tables of docs/navigators.md name every parameter of every method, with its default.

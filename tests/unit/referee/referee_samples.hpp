@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
 #include "referee/match/match_referee.hpp"
 #include "referee/restarts/restart_placement.hpp"
 

@@ -1,6 +1,6 @@
 #include <fstream>
 
-#include "replays/recording_reader.hpp"
+#include "fulbito/recording.hpp"
 #include "replays/recording_salvage.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/sample_recording.hpp"

@@ -1,4 +1,4 @@
-#include "replays/recording_reader.hpp"
+#include "fulbito/recording.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

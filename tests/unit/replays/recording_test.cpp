@@ -1,4 +1,4 @@
-#include "replays/recording/recording.hpp"
+#include "fulbito/recording.hpp"
 
 #include <cmath>
 

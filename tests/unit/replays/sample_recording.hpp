@@ -3,11 +3,10 @@
 #include <array>
 #include <string>
 
-#include "engine/core/base/hash.hpp"
 #include "engine/core/math/random.hpp"
-#include "engine/core/models/robot_model.hpp"
-#include "replays/recording_reader.hpp"
-#include "replays/recording_writer.hpp"
+#include "fulbito/detail/state_hash.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/recording.hpp"
 
 namespace fulbito::test {
 

@@ -1,9 +1,8 @@
-#include "replays/timeline.hpp"
-
 #include <cmath>
 #include <limits>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/recording.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/sample_recording.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "engine/core/config/presets.hpp"
-#include "strategies/interface/observation.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/strategy.hpp"
 
 namespace fulbito::test {
 

@@ -1,5 +1,5 @@
-#include "strategies/registry.hpp"
-
+#include "fulbito/strategy.hpp"
+#include "strategies/interface/team_info.hpp"
 #include "strategies/teams/teams.hpp"
 #include "tests/support/catch.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/models/field_places.hpp"
+#include "fulbito/detail/math.hpp"
 
 namespace fulbito::libero {
 namespace {

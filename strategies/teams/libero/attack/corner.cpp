@@ -1,6 +1,6 @@
 #include "strategies/teams/libero/attack/corner.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"
 
 namespace fulbito::libero {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/models/field_places.hpp"
+#include "fulbito/detail/math.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 #include "strategies/teams/libero/attack/blow.hpp"
 #include "strategies/teams/libero/attack/caught.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engine/core/math/braking.hpp"
-#include "engine/core/math/math.hpp"
 #include "engine/core/models/field_places.hpp"
+#include "fulbito/detail/math.hpp"
 #include "strategies/skills/area_projection.hpp"
 
 namespace fulbito::libero {

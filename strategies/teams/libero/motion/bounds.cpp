@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/models/goal_area.hpp"
+#include "fulbito/detail/math.hpp"
 #include "strategies/interface/team_frame.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 #include "strategies/teams/libero/motion/motion.hpp"

@@ -1,7 +1,6 @@
-// Private header of strategies: not installed.
 #pragma once
 
-#include "strategies/interface/team_command.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/teams/libero/situation/picture.hpp"
 
 namespace fulbito::libero {

@@ -1,10 +1,9 @@
-// Private header of strategies: not installed.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "strategies/teams/libero/situation/pitch.hpp"
 
 namespace fulbito::libero {

@@ -1,9 +1,8 @@
-// Private header of strategies: not installed.
 #pragma once
 
 #include <optional>
 
-#include "strategies/interface/team_command.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/teams/libero/situation/picture.hpp"
 
 /// Law 13: a robot that presses on the opponents' keeper in its area without disputing the ball charges it,

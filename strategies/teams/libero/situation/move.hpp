@@ -1,10 +1,9 @@
-// Private header of strategies: not installed.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
-#include "engine/core/base/values.hpp"
+#include "fulbito/values.hpp"
 
 namespace fulbito::libero {
 

@@ -1,8 +1,7 @@
-// Private header of strategies: not installed.
 #pragma once
 
 #include "engine/core/models/drive_law.hpp"
-#include "strategies/interface/observation.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 
 namespace fulbito::libero {

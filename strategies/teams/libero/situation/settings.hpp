@@ -1,4 +1,3 @@
-// Private header of strategies: not installed.
 #pragma once
 
 namespace fulbito::libero {

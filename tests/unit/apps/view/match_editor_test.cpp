@@ -1,6 +1,6 @@
 #include "apps/view/match_editor.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_teams.hpp"
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "apps/view/replay_stage.hpp"
-#include "match/play/match.hpp"
-#include "match/record/recorder.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/recorder.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_recordings.hpp"
 

@@ -1,7 +1,7 @@
 // A module as a binding generator would build it: everything hidden but one function.
 #include <algorithm>
 
-#include "engine/sim/world.hpp"
+#include "fulbito/world.hpp"
 
 /// What Box2D says a step of a small world took [ms].
 extern "C" __attribute__((visibility("default"))) float moduleStepMilliseconds() {

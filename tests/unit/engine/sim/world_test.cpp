@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/base/hash.hpp"
+#include "fulbito/detail/state_hash.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/worlds.hpp"
 

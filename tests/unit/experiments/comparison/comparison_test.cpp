@@ -1,11 +1,10 @@
-#include "experiments/comparison/comparison.hpp"
-
 #include <nlohmann/json.hpp>
 
-#include "engine/core/math/math.hpp"
+#include "experiments/comparison/comparison_parts.hpp"
 #include "experiments/comparison/paper_plan.hpp"
 #include "experiments/comparison/summary.hpp"
-#include "experiments/report/report.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/experiment.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

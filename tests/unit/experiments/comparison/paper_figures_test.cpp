@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "engine/core/math/math.hpp"
 #include "experiments/comparison/paper_plan.hpp"
-#include "experiments/report/report.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/experiment.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,7 +1,8 @@
 #include "experiments/report/field_arrows.hpp"
 
-#include "engine/core/math/math.hpp"
-#include "experiments/comparison/comparison.hpp"
+#include "experiments/comparison/comparison_parts.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/experiment.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,10 +1,9 @@
-#include "experiments/trials/suite.hpp"
-
 #include <set>
 
-#include "engine/core/config/presets.hpp"
 #include "engine/core/models/shapes.hpp"
 #include "experiments/trials/suite_layouts.hpp"
+#include "fulbito/experiment.hpp"
+#include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,7 +1,7 @@
 #include "experiments/trials/trial_recorder.hpp"
 
-#include "experiments/trials/suite.hpp"
-#include "replays/recording_reader.hpp"
+#include "fulbito/experiment.hpp"
+#include "fulbito/recording.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

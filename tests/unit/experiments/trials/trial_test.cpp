@@ -1,7 +1,6 @@
-#include "experiments/trials/trial.hpp"
-
-#include "experiments/comparison/comparison.hpp"
+#include "experiments/comparison/comparison_parts.hpp"
 #include "experiments/trials/suite_layouts.hpp"
+#include "fulbito/experiment.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,6 +1,4 @@
-#include "match/config/match_config.hpp"
-
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito::test {

@@ -1,9 +1,8 @@
-#include "match/config/start_state.hpp"
-
 #include <string>
 
 #include <fmt/format.h>
 
+#include "fulbito/match.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test_teams.hpp"

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <set>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/statistics.hpp"
 #include "match/drills/ideal.hpp"
 #include "match/drills/start.hpp"
 #include "match/drills/trials.hpp"
-#include "match/play/match.hpp"
-#include "match/report/statistics.hpp"
 #include "strategies/prediction/time_to_reach.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"

@@ -2,10 +2,9 @@
 
 #include <limits>
 
-#include "match/record/recorder.hpp"
-#include "match/report/statistics.hpp"
-#include "match/report/summary.hpp"
-#include "replays/timeline.hpp"
+#include "fulbito/recorder.hpp"
+#include "fulbito/recording.hpp"
+#include "fulbito/statistics.hpp"
 #include "replays/verify/verify.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_recordings.hpp"

@@ -1,4 +1,4 @@
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
 
 #include <string>
 #include <vector>
@@ -158,8 +158,7 @@ TEST_CASE("what cannot be played is refused with the reason", "[unit]") {
         "noise: -1 is outside 0 ... 0.1 m");
   CHECK(refusal([](MatchConfig& c) { c.vision[0].heading_noise = 7.0; }) ==
         "heading noise: 7 is outside 0 ... 6.283 rad");
-  CHECK(refusal([](MatchConfig& c) { c.vision[1].dropout = 1.0; }) ==
-        "dropout: 1 is outside 0 ... 0.99");
+  CHECK(refusal([](MatchConfig& c) { c.vision[1].dropout = 1.0; }) == "dropout: 1 is outside 0 ... 0.99");
   CHECK(refusal([](MatchConfig& c) { c.decision_time = DecisionTime{-1.0, 2.0, 30}; }) ==
         "time per decision: -1 is outside 0 ... 60 s");
   CHECK(refusal([](MatchConfig& c) { c.decision_time = DecisionTime{0.02, 1e9, 30}; }) ==

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "match/play/match.hpp"
-#include "match/report/event_lines.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/statistics.hpp"
 #include "strategies/interface/team_frame.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_teams.hpp"

@@ -1,4 +1,4 @@
-#include "replays/timeline.hpp"
+#include "fulbito/recording.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_recordings.hpp"
 

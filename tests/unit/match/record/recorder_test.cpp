@@ -1,6 +1,6 @@
-#include "match/record/recorder.hpp"
+#include "fulbito/recorder.hpp"
 
-#include "replays/recording_reader.hpp"
+#include "fulbito/recording.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test_recordings.hpp"

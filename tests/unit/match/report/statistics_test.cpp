@@ -1,4 +1,4 @@
-#include "match/report/statistics.hpp"
+#include "fulbito/statistics.hpp"
 
 #include "tests/support/catch.hpp"
 

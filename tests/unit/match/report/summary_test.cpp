@@ -1,9 +1,8 @@
-#include "match/report/summary.hpp"
-
 #include <cmath>
 
 #include <nlohmann/json.hpp>
 
+#include "fulbito/statistics.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/json_lines.hpp"
 

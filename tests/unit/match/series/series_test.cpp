@@ -1,9 +1,7 @@
-#include "match/series/series.hpp"
-
 #include <atomic>
 #include <set>
 
-#include "match/report/statistics.hpp"
+#include "fulbito/statistics.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_teams.hpp"
 

@@ -1,6 +1,6 @@
 #include "navigation/followers/limiter.hpp"
 
-#include "navigation/registry.hpp"
+#include "fulbito/navigation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
 #include "tests/support/kinematic_trial.hpp"

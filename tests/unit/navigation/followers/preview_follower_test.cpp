@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "navigation/followers/path_tracker.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
 

@@ -1,7 +1,7 @@
 #include "navigation/followers/yield_speed.hpp"
 
 #include "engine/core/math/random.hpp"
-#include "navigation/registry.hpp"
+#include "fulbito/navigation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
 #include "tests/support/kinematic_trial.hpp"

@@ -1,8 +1,8 @@
 #include "navigation/geometry/body_clearance.hpp"
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
 #include "engine/core/models/shapes.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/kinematic_trial.hpp"
 

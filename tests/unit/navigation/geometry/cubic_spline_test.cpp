@@ -1,6 +1,6 @@
 #include "navigation/geometry/cubic_spline.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

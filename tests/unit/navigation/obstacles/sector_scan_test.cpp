@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -2,11 +2,11 @@
 
 #include <limits>
 
-#include "engine/core/config/presets.hpp"
 #include "engine/core/math/random.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/referee.hpp"
+#include "fulbito/world.hpp"
 #include "referee/rules/detector_schema.hpp"
-#include "referee/state/referee_state.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/worlds.hpp"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,6 +1,6 @@
 #include "referee/rules/check_field.hpp"
 
-#include "engine/core/config/presets.hpp"
+#include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,10 +1,9 @@
-#include "referee/rules/rules.hpp"
-
 #include <filesystem>
 #include <fstream>
 
-#include "engine/core/config/presets.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/referee.hpp"
 #include "referee/restarts/check_places.hpp"
 #include "referee/rules/detector_schema.hpp"
 #include "referee/rules/rules_schema.hpp"

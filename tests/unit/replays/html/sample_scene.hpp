@@ -1,6 +1,6 @@
 #pragma once
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "replays/html/page_scene.hpp"
 
 namespace fulbito::test {

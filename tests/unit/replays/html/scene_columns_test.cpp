@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "replays/coding/byte_io.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/html/sample_scene.hpp"

@@ -1,7 +1,5 @@
+#include "fulbito/picture.hpp"
 #include "replays/render/colours/heat_colours.hpp"
-#include "replays/render/match/heat_map.hpp"
-#include "replays/render/match/match_svg.hpp"
-#include "replays/render/match/replay_scene.hpp"
 #include "replays/render/match/svg_field.hpp"
 #include "tests/support/sample_replay.hpp"
 #include "tests/unit/replays/render/samples.hpp"

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/picture.hpp"
 #include "replays/render/field/bar_chart.hpp"
-#include "replays/render/field/field_picture.hpp"
 #include "replays/render/match/match_plan.hpp"
 
 namespace fulbito::test {

@@ -1,6 +1,6 @@
 #include "replays/verify/verify.hpp"
 
-#include "engine/core/base/hash.hpp"
+#include "fulbito/detail/state_hash.hpp"
 #include "replays/verify/resimulate.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test_recordings.hpp"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/world.hpp"
 #include "strategies/prediction/ball_tracker.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/draws.hpp"

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/world.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 

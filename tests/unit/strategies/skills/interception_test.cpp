@@ -1,7 +1,7 @@
 #include "strategies/skills/interception.hpp"
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/draws.hpp"
 #include "tests/unit/strategies/match_info.hpp"

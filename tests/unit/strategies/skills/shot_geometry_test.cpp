@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 

@@ -1,8 +1,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "engine/core/math/math.hpp"
-#include "strategies/interface/strategy.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/strategy.hpp"
 #include "strategies/prediction/foresight.hpp"
 #include "strategies/skills/ball_posture.hpp"
 #include "strategies/skills/interception.hpp"

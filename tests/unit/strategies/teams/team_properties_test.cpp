@@ -1,6 +1,6 @@
 #include "tests/support/team_properties.hpp"
 
-#include "strategies/registry.hpp"
+#include "fulbito/strategy.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,10 +1,10 @@
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
-#include "engine/sim/world.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/strategy.hpp"
+#include "fulbito/world.hpp"
 #include "strategies/interface/team_frame.hpp"
-#include "strategies/registry.hpp"
 #include "strategies/team_pilots.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"

@@ -1,11 +1,10 @@
-#include "engine/core/base/hash.hpp"
-
 #include <cstdint>
 #include <functional>
 #include <set>
 #include <string_view>
 #include <vector>
 
+#include "fulbito/detail/state_hash.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

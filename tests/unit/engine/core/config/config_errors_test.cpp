@@ -1,7 +1,7 @@
 #include <filesystem>
 
-#include "engine/core/config/presets.hpp"
 #include "engine/core/config/toml_reader.hpp"
+#include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -1,7 +1,7 @@
 #include <string>
 
-#include "engine/core/config/presets.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,8 +1,8 @@
 #include <cstring>
 
-#include "engine/core/config/presets.hpp"
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -1,9 +1,9 @@
-#include "engine/core/config/presets.hpp"
-
 #include <filesystem>
 #include <fstream>
 
+#include "engine/core/config/embedded_files.hpp"
 #include "engine/core/config/schemas.hpp"
+#include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 

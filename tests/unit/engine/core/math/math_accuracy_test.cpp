@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 
 // Every function against MPFR on a million arguments. `math_test "[accuracy]" -s` prints the largest errors.

@@ -1,11 +1,11 @@
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "engine/core/base/hash.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/state_hash.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

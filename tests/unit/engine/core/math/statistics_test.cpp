@@ -1,10 +1,9 @@
-#include "engine/core/math/statistics.hpp"
-
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/interval.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,4 +1,4 @@
-#include "engine/core/models/field_geometry.hpp"
+#include "fulbito/detail/field_geometry.hpp"
 
 #include <cmath>
 #include <limits>

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/core/config/presets.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

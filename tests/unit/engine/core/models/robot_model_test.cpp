@@ -1,8 +1,7 @@
-#include "engine/core/models/robot_model.hpp"
-
 #include <cmath>
 #include <limits>
 
+#include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

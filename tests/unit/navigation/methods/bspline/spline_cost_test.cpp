@@ -1,6 +1,6 @@
 #include "navigation/methods/bspline/spline_cost.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "navigation/methods/bspline/spline_optimiser.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"

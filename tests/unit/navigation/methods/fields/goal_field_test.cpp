@@ -1,6 +1,6 @@
 #include "navigation/methods/fields/goal_field.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "navigation/geometry/angles.hpp"
 #include "tests/support/catch.hpp"
 

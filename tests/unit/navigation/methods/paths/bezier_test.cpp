@@ -1,8 +1,8 @@
 #include "navigation/methods/paths/bezier.hpp"
 
+#include "fulbito/navigation.hpp"
 #include "navigation/geometry/polyline.hpp"
 #include "navigation/methods/paths/bezier_raw.hpp"
-#include "navigation/registry.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
 #include "tests/support/navigator_properties.hpp"

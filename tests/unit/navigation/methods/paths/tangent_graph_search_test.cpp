@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/core/math/math.hpp"
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/polygon_oracle.hpp"
 

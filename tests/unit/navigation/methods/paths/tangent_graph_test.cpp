@@ -1,8 +1,8 @@
 #include "navigation/methods/paths/tangent_graph.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/navigation.hpp"
 #include "navigation/obstacles/path_problem.hpp"
-#include "navigation/registry.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
 #include "tests/support/kinematic_trial.hpp"

@@ -1,6 +1,6 @@
 #include "navigation/methods/reactive/dwa.hpp"
 
-#include "navigation/registry.hpp"
+#include "fulbito/navigation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/kinematic_trial.hpp"
 #include "tests/support/navigator_properties.hpp"

@@ -1,7 +1,7 @@
 #include "navigation/methods/reactive/nearness_diagram.hpp"
 
-#include "engine/core/math/math.hpp"
-#include "navigation/registry.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/navigation.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/kinematic_trial.hpp"
 #include "tests/support/navigator_properties.hpp"

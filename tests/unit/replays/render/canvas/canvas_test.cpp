@@ -1,4 +1,4 @@
-#include "replays/render/canvas/canvas.hpp"
+#include "fulbito/detail/canvas.hpp"
 
 #include <algorithm>
 #include <array>

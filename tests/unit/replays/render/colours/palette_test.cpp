@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "replays/render/field/field_picture.hpp"
+#include "fulbito/picture.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

@@ -1,5 +1,4 @@
-#include "replays/render/field/field_picture.hpp"
-
+#include "fulbito/picture.hpp"
 #include "replays/render/colours/palette.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/render/samples.hpp"

@@ -1,9 +1,7 @@
-#include "replays/render/match/match_picture.hpp"
-
 #include <cmath>
 
+#include "fulbito/picture.hpp"
 #include "replays/render/colours/match_style.hpp"
-#include "replays/render/match/replay_scene.hpp"
 #include "tests/support/sample_replay.hpp"
 #include "tests/unit/replays/render/samples.hpp"
 

@@ -2,9 +2,8 @@
 
 #include <utility>
 
+#include "fulbito/strategy.hpp"
 #include "navigation/followers/limiter.hpp"
-#include "strategies/interface/observation.hpp"
-#include "strategies/interface/team_command.hpp"
 
 namespace fulbito::test {
 

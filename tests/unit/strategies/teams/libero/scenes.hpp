@@ -4,12 +4,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/config/presets.hpp"
 #include "engine/core/math/random.hpp"
-#include "match/play/match.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/models.hpp"
+#include "fulbito/strategy.hpp"
 #include "referee/restarts/restart_call.hpp"
-#include "strategies/interface/observation.hpp"
-#include "strategies/registry.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito::test {

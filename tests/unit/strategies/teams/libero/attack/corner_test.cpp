@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "engine/core/math/math.hpp"
-#include "match/play/match.hpp"
-#include "strategies/registry.hpp"
+#include "fulbito/detail/math.hpp"
+#include "fulbito/match.hpp"
+#include "fulbito/strategy.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 

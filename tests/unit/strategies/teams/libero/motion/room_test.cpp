@@ -1,6 +1,6 @@
 #include "strategies/teams/libero/motion/room.hpp"
 
-#include "engine/core/math/math.hpp"
+#include "fulbito/detail/math.hpp"
 #include "referee/rules/clauses.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
