@@ -57,7 +57,7 @@ GameEvent endingCall(std::span<const GameEvent> calls) {
 
 struct Match::Impl {
   Impl(const MatchConfig& from, const MatchClock& with)
-      : config(from), clock(with), referee(refereeSetup(from)), misplacing(from.seed, Stream::kPlacement) {
+      : config(from), read_clock(with), referee(refereeSetup(from)), misplacing(from.seed, Stream::kPlacement) {
     events.reserve(kRoomForEvents);
     seats.reserve(kTeams.size());
   }
@@ -86,7 +86,7 @@ struct Match::Impl {
   MatchEnd endOf(TeamId team, MatchEnd::Reason reason) const;
 
   MatchConfig config;
-  MatchClock clock;
+  MatchClock read_clock;
   MatchPace wait;
   MatchReferee referee;
   Rng misplacing;
@@ -231,9 +231,9 @@ void Match::Impl::decide() {
   const GameEvent now = eventNow();
   const bool limited = config.decision_time.has_value();
   for (Seat& seat : seats) {
-    const std::int64_t begun_at = limited ? clock() : 0;
+    const std::int64_t begun_at = limited ? read_clock() : 0;
     TeamCommand decision = seat.decide();
-    const bool late = limited && seat.late(static_cast<double>(clock() - begun_at) / 1e9);
+    const bool late = limited && seat.late(static_cast<double>(read_clock() - begun_at) / 1e9);
     stages.lap(&MatchProfile::decide);
     seat.policy().take(std::move(decision), late, now, events);
     stages.lap(&MatchProfile::navigate);

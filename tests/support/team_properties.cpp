@@ -48,7 +48,7 @@ Observation emptyScene(const MatchInfo& info) {
   Observation seen;
   seen.dt = info.physics.controlPeriod();
   seen.team_size = sizeOf(info);
-  seen.remaining = info.half_seconds;
+  seen.remaining = info.rules.half_seconds;
   return seen;
 }
 

@@ -24,6 +24,7 @@ struct SharedColours {
 inline constexpr SharedColours kSharedLight{
 #define SHARED_COLOUR(name, light, dark) .name = opaque(light),
 #define SERIES_COLOUR(number, colour)
+#include "replays/render/colours/shared_colours.def"
 #undef SHARED_COLOUR
 #undef SERIES_COLOUR
 };
@@ -31,6 +32,7 @@ inline constexpr SharedColours kSharedLight{
 inline constexpr SharedColours kSharedDark{
 #define SHARED_COLOUR(name, light, dark) .name = opaque(dark),
 #define SERIES_COLOUR(number, colour)
+#include "replays/render/colours/shared_colours.def"
 #undef SHARED_COLOUR
 #undef SERIES_COLOUR
 };
@@ -39,6 +41,7 @@ inline constexpr SharedColours kSharedDark{
 inline constexpr auto kSeries = std::to_array<Colour>({
 #define SHARED_COLOUR(name, light, dark)
 #define SERIES_COLOUR(number, colour) opaque(colour),
+#include "replays/render/colours/shared_colours.def"
 #undef SHARED_COLOUR
 #undef SERIES_COLOUR
 });
