@@ -10,24 +10,12 @@
 #include "match/drills/opponents.hpp"
 #include "match/drills/start.hpp"
 #include "match/drills/watch.hpp"
+#include "referee/rules/detector_schema.hpp"
 
 namespace fulbito {
 namespace {
 
-constexpr double kNeverStuck = 600.0;  // [s] the most that rules allow
-constexpr double kEndless = 3600.0;    // [s] halves of trials: their own time ends them
-
-/// Rules without laws but that of the goal.
-void callNothing(Rules& rules) {
-  rules.stuck.seconds = kNeverStuck;
-  rules.stuck.area_seconds = kNeverStuck;
-  rules.areas.attackers = false;
-  rules.areas.defenders = false;
-  rules.keeper.holding = false;
-  rules.keeper.charged = false;
-  rules.fouls.push = false;
-  rules.fouls.holding = false;
-}
+constexpr double kEndless = 3600.0;  // [s] halves of trials: their own time ends them
 
 int sizeFor(const Drill& drill, int size) {
   for (const DrillRobot& robot : drill.robots) size = std::max(size, robot.number + 1);
@@ -49,7 +37,7 @@ Result<MatchConfig> drillMatch(const DrillRun& run, const Drill& drill) {
   config.rules.team_size = sizeFor(drill, config.rules.team_size);
   config.rules.half_seconds = drill.match_opponent.empty() ? kEndless : drill.half_seconds;
   config.vision.fill(drill.sight);
-  if (!drill.referee) callNothing(config.rules);
+  if (!drill.referee) callOnlyGoals(config.rules);
   return config;
 }
 

@@ -1,9 +1,116 @@
 #pragma once
 
-#include "referee/calls/detectors.hpp"
+#include <array>
+#include <optional>
+#include <string_view>
 
-/// What the referee may call, one function per call, each in a file of its own: `detectGoal` in goal.cpp.
+#include "fulbito/detail/vec2.hpp"
+#include "referee/geometry/areas.hpp"
+
+/// What the referee may call: one function per call, each in a file of its own (`detectGoal` in goal.cpp),
+/// and what it remembers between ticks.
 namespace fulbito {
+
+struct DetectorInput;
+struct Finding;
+
+/// A tick in the distant past: never.
+inline constexpr Tick kLongAgo = -1000000000;
+
+/// One tick per robot of a view, initially `kLongAgo`.
+struct RobotTicks {
+  constexpr RobotTicks() { at.fill(kLongAgo); }
+  constexpr Tick& operator[](std::size_t i) { return at[i]; }
+  constexpr Tick operator[](std::size_t i) const { return at[i]; }
+  std::array<Tick, kMostRobots> at{};
+};
+
+/// An interval that tolerates short gaps: start, last tick and accumulated amount.
+struct Spell {
+  Tick since = kLongAgo;
+  Tick last = kLongAgo;
+  double sum = 0.0;
+
+  /// Extends the spell to this tick, or starts a new one after a gap of more than `release` ticks.
+  void add(Tick tick, Tick release, double amount = 0.0) {
+    if (tick - last > release + 1) *this = {tick, kLongAgo, 0.0};
+    last = tick;
+    sum += amount;
+  }
+  /// Its length in ticks if it includes `tick`, else 0.
+  Tick ticks(Tick tick) const { return last == tick ? tick - since + 1 : 0; }
+};
+
+/// When each robot last touched what.
+struct TouchMemory {
+  RobotTicks ball;                        ///< the robot touched the ball
+  RobotTicks opponent;                    ///< the robot touched a robot of the other team
+  RobotTicks keeper;                      ///< the robot touched the other team's keeper
+  std::array<Spell, kMostRobots> pushed;  ///< opponents pressed it toward the goal of its half; sum in kg m/s
+};
+
+/// Memory of the stuck-ball detector.
+struct StuckMemory {
+  bool counting = false;
+  Tick since = 0;        ///< start of the count, moved later by the ticks for which it paused
+  Vec2 anchor;           ///< [m] position of the ball at that time
+  Tick fast_since = -1;  ///< the ball is too fast since this tick; -1: it is not
+  Tick in_area = 0;      ///< ticks of the count with the ball in a goal area
+};
+
+/// When robots entered the areas, and the keepers.
+struct PresenceMemory {
+  RobotTicks goal_area;                        ///< tick of entry; kLongAgo while outside
+  RobotTicks big_area;                         ///< the same
+  RobotTicks excused_until;                    ///< last tick of the excuse for being pushed in
+  PerTeam<std::optional<std::size_t>> keeper;  ///< index in the view
+};
+
+/// More robots in an area than the rules allow.
+struct AreaFoul {
+  Side side = Side::kLeft;
+  bool big = false;
+  std::size_t robot = 0;  ///< the robot in excess
+  int count = 0;          ///< robots inside
+  int allowed = 0;
+};
+
+/// An area foul with a pending decision.
+struct PendingFoul {
+  AreaFoul foul;
+  Tick since = 0;
+  Tick ticks = 0;          ///< number of ticks with the foul
+  bool with_ball = false;  ///< the ball has been in the area since then
+};
+
+/// Memory of the detectors of laws 8.2 and 8.3.
+struct AreaFoulMemory {
+  std::optional<PendingFoul> attack;
+  std::optional<PendingFoul> defence;
+};
+
+/// Memory of the keeper detectors.
+struct KeeperMemory {
+  std::array<Spell, kMostRobots> charges;  ///< by the charging robot; sum in kg m/s
+  PerTeam<Spell> control;                  ///< undisputed control of the ball
+};
+
+/// Memory of the detectors of pushing and holding.
+struct FoulMemory {
+  std::array<Spell, kMostRobots> pushes;  ///< by the pushing robot; sum in kg m/s
+  std::array<Spell, kMostRobots> pinned;  ///< by the robot that pins the ball to a wall
+};
+
+/// All memory of the detectors between ticks: a plain value, empty at every restart.
+struct DetectorMemory {
+  AreaReport areas{};  ///< of the previous tick
+  TouchMemory touches;
+  PresenceMemory presence;
+  AreaFoulMemory area_fouls;
+  KeeperMemory keeper;
+  FoulMemory fouls;
+  StuckMemory stuck;
+};
 
 /// Law 7.1: the whole ball (or its centre) is past the goal line.
 std::optional<Finding> detectGoal(const DetectorInput& input, const TouchMemory& touches);

@@ -4,7 +4,7 @@
 
 #include "fulbito/referee.hpp"
 #include "fulbito/values.hpp"
-#include "referee/calls/detector_memory.hpp"
+#include "referee/calls/calls.hpp"
 #include "referee/geometry/areas.hpp"
 #include "referee/rules/clauses.hpp"
 #include "referee/state/match_view.hpp"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fulbito/referee.hpp"
-#include "referee/calls/detector_memory.hpp"
+#include "referee/calls/calls.hpp"
 #include "referee/calls/detectors.hpp"
 #include "referee/state/match_view.hpp"
 

@@ -105,7 +105,8 @@ Schema schemaOf(KeeperRules& r) {
       {"release_seconds", &r.release_seconds, 0, kLongest, "s",
        "time without control that ends the count; ours"},
       {"dispute_lengths", &r.dispute_lengths, 0, 20, "robot lengths",
-       "an opponent whose centre is this close to the ball restarts the count; as for stuck balls"},
+       "an opponent whose centre is this close to the ball restarts the count; as the league program's stuck "
+       "ball"},
       {"charged", &r.charged, 0, 0, "",
        "the referee calls charging and blocking the keeper; laws 8.1, 13; not in the league program"},
       {"charge_seconds", &r.charge_seconds, 0, kLongest, "s", "least duration of the contact; ours"},
@@ -138,10 +139,17 @@ Schema schemaOf(FoulRules& r) {
        "a ball is pinned if it and the robot are at most this fast; ours"},
       {"holding_release", &r.holding_release, 0, kLongest, "s", "time without pinning that ends it; ours"},
       {"dispute_lengths", &r.dispute_lengths, 0, 20, "robot lengths",
-       "an opponent whose centre is this close to the ball disputes it; as for stuck balls"},
+       "an opponent whose centre is this close to the ball disputes it; as the league program's stuck ball"},
       {"cool_down", &r.cool_down, 0, kLongest, "s",
        "no such call within this time of the start of play; ours"},
   };
+}
+
+void callOnlyGoals(Rules& rules) {
+  rules.stuck.seconds = rules.stuck.area_seconds = kLongest;
+  rules.areas.attackers = rules.areas.defenders = false;
+  rules.keeper.holding = rules.keeper.charged = false;
+  rules.fouls.push = rules.fouls.holding = false;
 }
 
 std::optional<Flaw> findFlaw(const GoalRules& rules) { return flawIn(rules, "goal"); }

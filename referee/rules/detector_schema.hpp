@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/core/config/schema.hpp"
-#include "fulbito/detail/detector_rules.hpp"
+#include "fulbito/referee.hpp"
 
 /// The keys of the detectors' tables in a rules profile, with ranges and sources.
 namespace fulbito {
@@ -13,6 +13,9 @@ Schema schemaOf(AreaRules& value);    ///< [areas]
 Schema schemaOf(KeeperRules& value);  ///< [keeper]
 Schema schemaOf(FoulRules& value);    ///< [fouls]
 /// @}
+
+/// Switches off every call but goals, as far as the ranges allow: a ball is stuck after 600 s.
+void callOnlyGoals(Rules& rules);
 
 /// @{ The first flaw of a table: a value outside its limits, or two values in conflict.
 std::optional<Flaw> findFlaw(const GoalRules& rules);

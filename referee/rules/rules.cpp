@@ -116,7 +116,7 @@ Result<std::string> rulesPresetText(const std::string& name) {
   }
   const std::vector<std::string> names = rulesPresetNames();
   return fail(ErrorCode::kUsage,
-              fmt::format("'{}' is neither a file nor one of the presets of rules: {}.{}", printable(name),
+              fmt::format("'{}' is neither a file nor a preset of rules: {}.{}", printable(name),
                           fmt::join(names, ", "), suggestion(name, names)));
 }
 

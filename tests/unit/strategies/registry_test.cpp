@@ -100,7 +100,7 @@ TEST_CASE("wrong specifications are explained", "[unit]") {
   CHECK(contains(errorOf("clasic"), "Did you mean 'classic'?"));
   CHECK(contains(errorOf("classic:suport=0.4"), "Did you mean 'support'?"));
   CHECK(contains(errorOf("classic:support=5"), "from 0.1 to 1 m"));
-  CHECK(contains(errorOf("classic:spin=maybe"), "neither true nor false"));
+  CHECK(contains(errorOf("classic:spin=maybe"), "is not true or false"));
   CHECK(contains(errorOf("classic:support"), "name=value"));
   CHECK(contains(errorOf("classic:"), "name=value"));
   CHECK(contains(errorOf("classic:navigator=beziers"), "Did you mean 'bezier'?"));

@@ -160,7 +160,7 @@ TEST_CASE("wrong questions about the map are refused before anything runs", "[un
         std::string::npos);
   CHECK(message([](MapConfig& c) {
           c.headings = {"up"};
-        }).find("--headings: 'up' is none of goal, random, away") == 0);
+        }).find("--headings: 'up' must be one of goal, random, away") == 0);
   CHECK(message([](MapConfig& c) { c.seeds = 0; }) == "--seeds: 0 is outside 1 ... 100");
   CHECK(message([](MapConfig& c) { c.base.suite = "cornr"; }).find("Did you mean 'corner'?") !=
         std::string::npos);

@@ -176,7 +176,7 @@ TEST_CASE("what cannot be played is refused with the reason", "[unit]") {
         "period at the start: 4 is outside 1 ... 3");
   CHECK(refusal([](MatchConfig& c) { c.start = Placement{}; }) == "start state: there is no robot");
   CHECK(refusal([](MatchConfig& c) { c.start = twoColumns(4); }) ==
-        "start state: blue has a robot 3, but the rules 'vsss-3v3' have 3 a team, counted from 0");
+        "start state: blue has a robot 3, but the rules 'vsss-3v3' have 3 robots per team, counted from 0");
   CHECK(refusal([](MatchConfig& c) {
           c.start = twoColumns();
           c.start->ball = {3.0, 0.0};

@@ -35,12 +35,11 @@ TEST_CASE("an unknown preset is a usage error with a suggestion", "[unit]") {
   const auto robot = loadRobot("vss");
   REQUIRE_FALSE(robot);
   CHECK(robot.error().code == ErrorCode::kUsage);
-  CHECK(
-      robot.error().message ==
-      "'vss' is neither a file nor one of the presets of robots: firasim, jung-lee-2015, vsss. Did you mean "
-      "'vsss'?");
+  CHECK(robot.error().message ==
+        "'vss' is neither a file nor a preset of robots: firasim, jung-lee-2015, vsss. Did you mean "
+        "'vsss'?");
   CHECK(loadPhysics("quick").error().message ==
-        "'quick' is neither a file nor one of the presets of physics: faithful, fast, standard.");
+        "'quick' is neither a file nor a preset of physics: faithful, fast, standard.");
   CHECK(presetText("fields", "vsss-6v6").error().code == ErrorCode::kUsage);
   CHECK(presetText("teams", "a").error().message == "there are no presets of kind 'teams'");
   CHECK(loadRobot("").error().code == ErrorCode::kUsage);
@@ -63,8 +62,7 @@ TEST_CASE("a file that cannot be read is an I/O error that says why", "[unit]") 
 }
 
 TEST_CASE("a file that never ends is read only as far as the limit", "[unit]") {
-  CHECK(loadRobot("/dev/zero").error().message ==
-        "/dev/zero: larger than 1048576 bytes, the most that is read");
+  CHECK(loadRobot("/dev/zero").error().message == "/dev/zero: larger than the limit of 1048576 bytes");
   CHECK(loadRobot("/dev/zero").error().code == ErrorCode::kBadInput);
 }
 
@@ -145,7 +143,7 @@ TEST_CASE("values at odds with each other are refused", "[unit]") {
   const test::ScratchFolder folder;
   const auto field = loadField(folder.write("f.toml", "[field]\nwidth = 0.5\n"));
   CHECK(field.error().message.ends_with(
-      "f.toml:1: field.goal_width = 0.4 must be below the width less both corners, 0.36"));
+      "f.toml:1: field.goal_width = 0.4 must be below the width minus both corners, 0.36"));
 }
 
 TEST_CASE("every obstacle is checked and named by its index", "[unit]") {
@@ -169,7 +167,7 @@ TEST_CASE("every obstacle is checked and named by its index", "[unit]") {
   std::string many = kHead;
   for (int i = 0; i < 501; ++i) many += "[[obstacle]]\nposition = [0, 0]\n";
   CHECK(layoutError(many) ==
-        "a.toml:1005: obstacle[500] is one too many: a layout has at most 500 obstacles");
+        "a.toml:1005: obstacle[500] is one too many: a layout may have at most 500 obstacles");
   std::string longest = "path = [[0, 0]";
   for (int i = 0; i < 1000; ++i) longest += ", [0.5, 0.5]";
   CHECK(layoutError(one + longest + "]\n") ==
@@ -178,7 +176,7 @@ TEST_CASE("every obstacle is checked and named by its index", "[unit]") {
 
 TEST_CASE("a name that could leave its folder is refused", "[unit]") {
   CHECK(layoutError("[layout]\nname = '../../etc'\n" + kHead) ==
-        "a.toml:2: layout.name = \"../../etc\" must not have slashes or begin with a point");
+        "a.toml:2: layout.name = \"../../etc\" must not contain slashes or begin with a dot");
   CHECK(
       layoutError("[layout]\nname = \"a\\u0007\"\n" + kHead) ==
       "a.toml:2: layout.name = \"a\\x07\" must have 1 ... 100 characters, none of them a control character");
@@ -195,10 +193,9 @@ TEST_CASE("a layout must fit its field", "[unit]") {
   CHECK(error(kHead).message == "a.toml:4: goal.position = [1, 1] is outside the field 'vsss-3v3'");
   const Error unknown = error("[layout]\nfield = 'vsss-3v'\n" + kHead);
   CHECK(unknown.code == ErrorCode::kBadInput);
-  CHECK(
-      unknown.message ==
-      "a.toml:2: layout.field cannot be used: 'vsss-3v' is neither a file nor one of the presets of fields: "
-      "jung-lee-2015, vsss-3v3, vsss-5v5. Did you mean 'vsss-3v3'?");
+  CHECK(unknown.message ==
+        "a.toml:2: layout.field cannot be used: 'vsss-3v' is neither a file nor a preset of fields: "
+        "jung-lee-2015, vsss-3v3, vsss-5v5. Did you mean 'vsss-3v3'?");
   const Error missing = error("[layout]\nfield = 'none.toml'\n" + kHead);
   CHECK(missing.code == ErrorCode::kIo);
   CHECK(missing.message == "a.toml:2: layout.field cannot be used: cannot read '" + folder.path().string() +

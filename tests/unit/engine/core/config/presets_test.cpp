@@ -127,7 +127,7 @@ TEST_CASE("written files say what each key means and in which unit", "[unit]") {
   const std::string text = toToml(PhysicsProfile{});
   CHECK(
       text.starts_with("[physics]\nname = \"standard\"  # shown in tables and results\n"
-                       "control_rate = 60  # [Hz] what navigators and teams see\n"));
+                       "control_rate = 60  # [Hz] ticks per second for navigators and teams\n"));
 }
 
 TEST_CASE("a key that a file lacks keeps its default and a missing name is the file's", "[unit]") {

@@ -112,7 +112,7 @@ TEST_CASE("a field whose parts do not fit is refused", "[unit]") {
         "field.corner = 0.65 must be below half of the shorter side, 0.65");
   field.corner = 0.07, field.goal_width = 1.2;
   CHECK(validate(field).error().message ==
-        "field.goal_width = 1.2 must be below the width less both corners, 1.1600000000000001");
+        "field.goal_width = 1.2 must be below the width minus both corners, 1.1600000000000001");
   field.goal_width = 0.4, field.length = std::numeric_limits<double>::quiet_NaN();
   CHECK(validate(field).error().message == "field.length = nan is outside 0.3 ... 20 m");
 }

@@ -113,7 +113,7 @@ TEST_CASE("validation finds what a layout's obstacles lack", "[unit]") {
   CHECK(validate(layout).error().message == "obstacle[1].path[1] = [0, 13] is outside -12 ... 12 m");
   layout.obstacles.assign(501, ObstacleSpec{});
   CHECK(validate(layout).error().message ==
-        "obstacle[500] is one too many: a layout has at most 500 obstacles");
+        "obstacle[500] is one too many: a layout may have at most 500 obstacles");
 }
 
 TEST_CASE("start, goal and obstacles must lie on the field", "[unit]") {
