@@ -26,7 +26,7 @@ Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) 
   if (!suite) return tl::unexpected<Error>(suite.error());
   if (config.navigators.empty()) config.navigators = {"bezier", options.tune};
   for (double speed : config.speeds.empty() ? (*suite)->speeds : config.speeds) {
-    ProgressBar bar(fmt::format("tuning {} at {:.1f} m/s", options.tune, speed), options.json);
+    ProgressBar bar(fmt::format("tuning {} at {:.1f} m/s", options.tune, speed));
     const TuneConfig tuning{options.tune, speed, options.tune_evaluations};
     const auto result =
         tune(config, tuning, [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
@@ -107,7 +107,7 @@ int compare(const CompareOptions& options) {
   auto comparison = planComparison(config);
   if (!comparison) return report(comparison.error());
   {
-    ProgressBar bar(config.suite, options.json);
+    ProgressBar bar(config.suite);
     const auto progress = [&](std::size_t done, std::size_t total) { return bar.update(done, total); };
     if (auto ran = runComparison(*comparison, now, progress); !ran) return report(ran.error());
   }

@@ -16,7 +16,7 @@ int compareMap(const CompareOptions& options) {
   if (!map) return report(map.error());
   if (auto folder = prepareFolder(options.out); !folder) return report(folder.error());
   {
-    ProgressBar bar("map", options.json);
+    ProgressBar bar("map");
     const auto progress = [&](std::size_t done, std::size_t total) { return bar.update(done, total); };
     if (auto ran = runMap(*map, progress); !ran) return report(ran.error());
   }

@@ -179,7 +179,7 @@ int replayVerify(const ReplayVerifyCommand& options) {
   const std::int64_t begin = now();
   Result<std::vector<VerifiedFile>> files;
   {
-    ProgressBar bar("verify", options.json || names->size() == 1);
+    ProgressBar bar("verify", names->size() == 1);
     files = verifyRecordings(*names, options.jobs,
                              [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
   }
