@@ -57,7 +57,10 @@ GameEvent endingCall(std::span<const GameEvent> calls) {
 
 struct Match::Impl {
   Impl(const MatchConfig& from, const MatchClock& with)
-      : config(from), read_clock(with), referee(refereeSetup(from)), misplacing(from.seed, Stream::kPlacement) {
+      : config(from),
+        read_clock(with),
+        referee(refereeSetup(from)),
+        misplacing(from.seed, Stream::kPlacement) {
     events.reserve(kRoomForEvents);
     seats.reserve(kTeams.size());
   }
