@@ -296,17 +296,18 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   command.add_option("--half-seconds", options.half_seconds,
                      "length of a half [s] (default: from the rules)");
   command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
-  const auto perTeam = [](CLI::Option* option) {
+  const auto per_team = [](CLI::Option* option) {
     // The delimiter alone makes a list: what follows after a space is a team.
     option->delimiter(',')->allow_extra_args(false)->type_name("N[,N]");
   };
-  perTeam(wholeNumber(command.add_option("--latency", options.latency_ticks,
-                                         "age of what teams see in ticks, 0 ... 60: of both, or BLUE,YELLOW"),
-                      0, kManyTicks));
-  perTeam(number(command.add_option("--noise", options.position_noise,
-                                    "standard deviation of positions that teams see [m], 0 ... 0.1")));
-  perTeam(number(command.add_option("--dropout", options.dropout,
-                                    "chance that a body is not seen in a tick, 0 ... 0.99")));
+  per_team(
+      wholeNumber(command.add_option("--latency", options.latency_ticks,
+                                     "age of what teams see in ticks, 0 ... 60: of both, or BLUE,YELLOW"),
+                  0, kManyTicks));
+  per_team(number(command.add_option("--noise", options.position_noise,
+                                     "standard deviation of positions that teams see [m], 0 ... 0.1")));
+  per_team(number(command.add_option("--dropout", options.dropout,
+                                     "chance that a body is not seen in a tick, 0 ... 0.99")));
   number(command.add_option(
              "--time", options.decision_ms,
              "wall time per decision, in addition to a bank of 2 s per period (default: unlimited)"))

@@ -212,7 +212,7 @@ Result<void> runComparison(Comparison& comparison, const Clock& clock, const Pro
   const std::vector<Task> tasks = tasksOf(comparison);
   comparison.records.assign(tasks.size(), {});
   WorkProgress progress(watcher, tasks.size());
-  const auto done =
+  auto done =
       parallelFor(comparison.config.jobs, tasks.size(), progress, [&](std::size_t i) -> Result<void> {
         auto record = runTask(comparison, tasks[i], clock);
         if (!record) return tl::unexpected<Error>(record.error());
