@@ -20,7 +20,7 @@ void forEachDrawing(const MatchTick& tick, const Each& each) {
     if (const TeamCommand* decision = tick.decisions[indexOf(team)]) {
       for (const DebugDrawing& drawing : decision->drawings) each(drawing, team);
     }
-    for (const DebugDrawing& drawing : tick.ways[indexOf(team)]) each(drawing, team);
+    for (const DebugDrawing& drawing : tick.navigator_drawings[indexOf(team)]) each(drawing, team);
   }
 }
 

@@ -63,9 +63,9 @@ struct StatisticsObserver::Impl {
     bool on_goal = false;
   };
 
-  void matchBegins(const MatchConfig& config);
-  void playBegins(const PlayStart& start);
-  void ticked(const MatchTick& tick);
+  void onMatchStart(const MatchConfig& config);
+  void onPlayStart(const PlayStart& start);
+  void onTick(const MatchTick& tick);
 
   void countContacts(const MatchTick& tick);
   void countMoves(const MatchTick& tick);
@@ -98,11 +98,11 @@ StatisticsObserver::StatisticsObserver(StatisticsObserver&&) noexcept = default;
 StatisticsObserver::~StatisticsObserver() = default;
 
 const MatchStatistics& StatisticsObserver::statistics() const { return impl_->s_; }
-void StatisticsObserver::matchBegins(const MatchConfig& config) { impl_->matchBegins(config); }
-void StatisticsObserver::playBegins(const PlayStart& start) { impl_->playBegins(start); }
-void StatisticsObserver::ticked(const MatchTick& tick) { impl_->ticked(tick); }
+void StatisticsObserver::onMatchStart(const MatchConfig& config) { impl_->onMatchStart(config); }
+void StatisticsObserver::onPlayStart(const PlayStart& start) { impl_->onPlayStart(start); }
+void StatisticsObserver::onTick(const MatchTick& tick) { impl_->onTick(tick); }
 
-void StatisticsObserver::Impl::matchBegins(const MatchConfig& config) {
+void StatisticsObserver::Impl::onMatchStart(const MatchConfig& config) {
   *this = {};
   s_.dt = config.physics.controlPeriod();
   s_.team_size = config.rules.team_size;
@@ -114,7 +114,7 @@ void StatisticsObserver::Impl::matchBegins(const MatchConfig& config) {
   shot_pause_ = static_cast<Tick>(std::floor(kShotPause / s_.dt + 0.5));
 }
 
-void StatisticsObserver::Impl::playBegins(const PlayStart& start) {
+void StatisticsObserver::Impl::onPlayStart(const PlayStart& start) {
   ++s_.restarts[static_cast<std::size_t>(start.call.kind)][indexOf(start.call.team)];
   countCalls(start.events, *start.referee);
   for (std::size_t i = 0; i < start.ids.size(); ++i) places_[i] = start.world->robots[i].pose.position;
@@ -125,7 +125,7 @@ void StatisticsObserver::Impl::playBegins(const PlayStart& start) {
   shot_.reset();
 }
 
-void StatisticsObserver::Impl::ticked(const MatchTick& tick) {
+void StatisticsObserver::Impl::onTick(const MatchTick& tick) {
   if (playing_) {
     ++s_.play_ticks;
     countContacts(tick);

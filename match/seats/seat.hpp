@@ -47,8 +47,8 @@ class Seat {
   /// What the navigators wanted in the last `drive`, where drawings were wanted.
   std::span<const DebugDrawing> ways() const { return ways_; }
 
-  /// What a robot was really told: part of the next observation.
-  void told(std::uint8_t number, WheelSpeeds command) { observation_.sent[number] = command; }
+  /// Records the command actually applied to a robot: part of the next observation.
+  void recordSent(std::uint8_t number, WheelSpeeds command) { observation_.sent[number] = command; }
 
   CommandPolicy& policy() { return policy_; }
   const CommandPolicy& policy() const { return policy_; }

@@ -27,8 +27,8 @@ class FoulGoalCounter final : public MatchObserver {
  public:
   const PerTeam<int>& goals() const { return goals_; }
 
-  void matchBegins(const MatchConfig& config) override { dt_ = config.physics.controlPeriod(); }
-  void ticked(const MatchTick& tick) override;
+  void onMatchStart(const MatchConfig& config) override { dt_ = config.physics.controlPeriod(); }
+  void onTick(const MatchTick& tick) override;
 
  private:
   double dt_ = 0.0;

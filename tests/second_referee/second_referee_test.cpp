@@ -82,13 +82,13 @@ TEST_CASE("the second referee sees calls that are missing, wrong, early and late
       Lie{"kicks that go on in the keeper's hold", [](Rules& r) { r.shoot_out.held_seconds = 0.0; }}};
   /// A second referee that goes by other rules than the match.
   struct Misled final : MatchObserver {
-    void matchBegins(const MatchConfig& config) override {
+    void onMatchStart(const MatchConfig& config) override {
       MatchConfig other = config;
       lie->tell(other.rules);
-      second.matchBegins(other);
+      second.onMatchStart(other);
     }
-    void playBegins(const PlayStart& start) override { second.playBegins(start); }
-    void ticked(const MatchTick& tick) override { second.ticked(tick); }
+    void onPlayStart(const PlayStart& start) override { second.onPlayStart(start); }
+    void onTick(const MatchTick& tick) override { second.onTick(tick); }
     const Lie* lie = nullptr;
     SecondReferee second;
   };

@@ -110,7 +110,7 @@ struct MatchTick {
   const RefereeState* referee = nullptr;    ///< what the referee knows after the tick
   PerTeam<const TeamCommand*> decisions{};  ///< that were carried out, each in its team's frame
   /// What the teams' navigators wanted, as their decisions; empty unless somebody `wantsDrawings`.
-  PerTeam<std::span<const DebugDrawing>> ways{};
+  PerTeam<std::span<const DebugDrawing>> navigator_drawings{};
   std::uint64_t hash = 0;  ///< over the states of all ticks so far: `Match::hash`
 };
 
@@ -132,15 +132,15 @@ class MatchObserver {
  public:
   virtual ~MatchObserver() = default;
   /// Called once, before the first play.
-  virtual void matchBegins(const MatchConfig&) {}
+  virtual void onMatchStart(const MatchConfig&) {}
   /// Called when a new world has been made: at the beginning and after every stoppage.
-  virtual void playBegins(const PlayStart&) {}
+  virtual void onPlayStart(const PlayStart&) {}
   /// Called after every tick of the match, waiting for a signal included.
-  virtual void ticked(const MatchTick&) {}
-  /// The match cannot go on after this tick: the event says when, `Match::faults` why. `matchEnds` follows.
-  virtual void abandoned(const GameEvent&, const RefereeState&) {}
+  virtual void onTick(const MatchTick&) {}
+  /// The match cannot go on after this tick: the event says when, `Match::faults` why. `onMatchEnd` follows.
+  virtual void onAbandoned(const GameEvent&, const RefereeState&) {}
   /// Called once, with the ticks played in all.
-  virtual void matchEnds(const RefereeState&, Tick) {}
+  virtual void onMatchEnd(const RefereeState&, Tick) {}
   /// Whether what the teams draw in the step that leads to `tick` will be looked at. Teams are asked to draw
   /// for no other.
   virtual bool wantsDrawings(Tick) const { return false; }

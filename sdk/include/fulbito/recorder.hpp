@@ -29,12 +29,12 @@ class MatchRecorder final : public MatchObserver {
   void keepDrawings(int per_second = 10);
 
   /// Begins a play of the recording.
-  void playBegins(const PlayStart& start) override;
+  void onPlayStart(const PlayStart& start) override;
   /// Adds a tick.
-  void ticked(const MatchTick& tick) override;
-  void abandoned(const GameEvent& event, const RefereeState&) override { add(event); }
+  void onTick(const MatchTick& tick) override;
+  void onAbandoned(const GameEvent& event, const RefereeState&) override { add(event); }
   /// Ends the file.
-  void matchEnds(const RefereeState& referee, Tick tick) override;
+  void onMatchEnd(const RefereeState& referee, Tick tick) override;
   /// Whether drawings of this tick are kept, see `keepDrawings`.
   bool wantsDrawings(Tick tick) const override { return drawn_every_ > 0 && tick % drawn_every_ == 0; }
 

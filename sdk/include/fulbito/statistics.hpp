@@ -173,9 +173,9 @@ class StatisticsObserver final : public MatchObserver {
   /// Of the match so far.
   const MatchStatistics& statistics() const;
 
-  void matchBegins(const MatchConfig& config) override;
-  void playBegins(const PlayStart& start) override;
-  void ticked(const MatchTick& tick) override;
+  void onMatchStart(const MatchConfig& config) override;
+  void onPlayStart(const PlayStart& start) override;
+  void onTick(const MatchTick& tick) override;
 
  private:
   struct Impl;
@@ -199,10 +199,10 @@ class EventLog : public MatchObserver {
   /// Number of events beyond the limit.
   std::size_t leftOut() const { return left_out_; }
 
-  void matchBegins(const MatchConfig& config) override;
-  void playBegins(const PlayStart& start) override;
-  void ticked(const MatchTick& tick) override;
-  void abandoned(const GameEvent& event, const RefereeState& referee) override;
+  void onMatchStart(const MatchConfig& config) override;
+  void onPlayStart(const PlayStart& start) override;
+  void onTick(const MatchTick& tick) override;
+  void onAbandoned(const GameEvent& event, const RefereeState& referee) override;
 
  private:
   void keep(const LoggedEvent& event);
@@ -222,11 +222,11 @@ class EventLines : public MatchObserver {
   /// `sink` is called with every line.
   explicit EventLines(Sink sink) : sink_(std::move(sink)) {}
 
-  void matchBegins(const MatchConfig& config) override;
-  void playBegins(const PlayStart& start) override;
-  void ticked(const MatchTick& tick) override;
-  void abandoned(const GameEvent& event, const RefereeState& referee) override;
-  void matchEnds(const RefereeState& referee, Tick tick) override;
+  void onMatchStart(const MatchConfig& config) override;
+  void onPlayStart(const PlayStart& start) override;
+  void onTick(const MatchTick& tick) override;
+  void onAbandoned(const GameEvent& event, const RefereeState& referee) override;
+  void onMatchEnd(const RefereeState& referee, Tick tick) override;
 
  private:
   Sink sink_;

@@ -18,7 +18,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Log final : MatchObserver {
   std::vector<GameEvent> events;
   WheelSpeeds first_blue, last_yellow;
-  void ticked(const MatchTick& tick) override {
+  void onTick(const MatchTick& tick) override {
     for (const GameEvent& event : tick.events) {
       if (event.law == "policy") events.push_back(event);
     }
