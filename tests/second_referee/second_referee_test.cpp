@@ -5,6 +5,7 @@
 #include "fulbito/detail/math.hpp"
 #include "tests/second_referee/judge_matches.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito::second {
 namespace {
@@ -24,7 +25,7 @@ double countedShare(const Marking& area, const Corners& c, int n) {
 }  // namespace
 
 TEST_CASE("the second referee's areas: by counting points", "[unit]") {
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   for (const bool arc : {true, false}) {
     const Marking area = goalArea(FieldGeometry{}, arc);
     for (int i = 0; i < 400; ++i) {
