@@ -13,7 +13,7 @@ void describe(const GameEvent& event, RecordedEvent& recorded);
 void describe(const DebugDrawing& drawing, Tick tick, TeamId team, Side side, RecordedDrawing& recorded);
 /// @}
 
-/// Calls `each(drawing, team)` for all drawings of the teams and their navigators in a tick.
+/// Calls `each(drawing, team)` for all drawings of the teams and their navigators in one tick.
 template <typename Each>
 void forEachDrawing(const MatchTick& tick, const Each& each) {
   for (const TeamId team : kTeams) {
