@@ -22,12 +22,12 @@ namespace {
 
 constexpr Tick kTicksBetweenChecks = 64;  // match ticks between looks at the clock and for signals
 constexpr std::uint64_t kMostPairs = 100'000;
-constexpr std::uint64_t kManyTicks = 1'000'000;  // what is too many for a picture's age, the match says
+constexpr std::uint64_t kManyTicks = 1'000'000;  // the match itself checks the range of --latency
 constexpr const char* kStdout = "-";
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
 
-/// A file, or stdout, that takes lines at once; the first failure is kept.
+/// A file, or stdout, that writes each line at once and keeps the first failure.
 class LineFile {
  public:
   static Result<LineFile> open(const std::string& name, bool replace) {
@@ -44,7 +44,7 @@ class LineFile {
       flushOut();
     }
   }
-  /// Ends the file. Errors: the first of any line.
+  /// Ends the file. Errors: the first failed write.
   Result<void> finish() { return file_ ? file_->commit() : Result<void>(); }
 
  private:
@@ -98,7 +98,7 @@ Result<void> shorten(const MatchCommand& options, Rules& rules) {
   return {};
 }
 
-/// Takes the values of a flag that has one for both teams, or blue's and yellow's.
+/// Takes the values of a flag: one value for both teams, or those of blue and yellow.
 template <typename T>
 Result<void> readPerTeam(const char* flag, const std::vector<T>& values, PerTeam<VisionModel>& vision,
                          T VisionModel::* part) {
@@ -118,7 +118,7 @@ Result<PerTeam<VisionModel>> visionOf(const MatchCommand& options, const RobotMo
         readPerTeam("--dropout", options.dropout, vision, &VisionModel::dropout)}) {
     if (!done) return tl::unexpected<Error>(done.error());
   }
-  // As in trials: the heading of a body whose front and back are each seen that far off.
+  // As in trials: the heading noise that follows from the position noise.
   for (VisionModel& seat : vision) seat.heading_noise = headingNoise(seat.position_noise, robot.length);
   return vision;
 }
@@ -221,7 +221,7 @@ void print(const MatchCommand& options, const MatchReport& report) {
   flushOut();
 }
 
-/// The window of `--view`, if it was asked for. Errors: as `openWindow`.
+/// The window of `--view`, if the flag is set. Errors: as `openWindow`.
 Result<std::optional<ViewWindow>> windowOf(const MatchCommand& options) {
   if (!options.view) return std::nullopt;
   auto opened = openWindow(options.window);
@@ -245,7 +245,7 @@ int exitCode(const MatchReport& report, bool closed) {
 }
 
 int playOne(const MatchCommand& options, const MatchConfig& config) {
-  // Before any file is begun.
+  // Opens before any output file, so that a failure leaves no file.
   auto window = windowOf(options);
   if (!window) return report(window.error());
   auto made = Match::create(config, now);
@@ -295,19 +295,20 @@ void addConditions(CLI::App& command, MatchCommand& options) {
       ->capture_default_str();
   command.add_option("--half-seconds", options.half_seconds,
                      "length of a half [s] (default: from the rules)");
-  command.add_option("--start", options.start, "begin from the state in this TOML file")->type_name("FILE");
+  command.add_option("--start", options.start, "start state (TOML file) instead of the first kick-off")
+      ->type_name("FILE");
   const auto per_team = [](CLI::Option* option) {
-    // The delimiter alone makes a list: what follows after a space is a team.
+    // Only the delimiter makes a list: a word after a space is a team.
     option->delimiter(',')->allow_extra_args(false)->type_name("N[,N]");
   };
-  per_team(
-      wholeNumber(command.add_option("--latency", options.latency_ticks,
-                                     "age of what teams see in ticks, 0 ... 60: of both, or BLUE,YELLOW"),
-                  0, kManyTicks));
+  per_team(wholeNumber(
+      command.add_option("--latency", options.latency_ticks,
+                         "age of observations in ticks, 0 ... 60: for both teams, or BLUE,YELLOW"),
+      0, kManyTicks));
   per_team(number(command.add_option("--noise", options.position_noise,
-                                     "standard deviation of positions that teams see [m], 0 ... 0.1")));
+                                     "standard deviation of observed positions [m], 0 ... 0.1")));
   per_team(number(command.add_option("--dropout", options.dropout,
-                                     "chance that a body is not seen in a tick, 0 ... 0.99")));
+                                     "probability per tick that a body is not seen, 0 ... 0.99")));
   number(command.add_option(
              "--time", options.decision_ms,
              "wall time per decision, in addition to a bank of 2 s per period (default: unlimited)"))
@@ -341,22 +342,21 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
           ->needs(record);
   command
       ->add_flag("--drawings", options.drawings,
-                 "with --record: also record what the teams plan, 10 times per second, for pictures")
+                 "with --record: also record the teams' drawings, 10 times per second, for pictures")
       ->needs(record)
       ->excludes(recipe);
   command
-      ->add_option("--events", options.events,
-                   "write events as JSON lines while the match runs; - for stdout")
+      ->add_option("--events", options.events, "events as JSON lines, written during the match; - for stdout")
       ->type_name("FILE");
-  wholeNumber(command->add_option("-n,--pairs", options.pairs,
-                                  "play a series of this many swapped pairs (teams change colours)"),
-              1, kMostPairs)
+  wholeNumber(
+      command->add_option("-n,--pairs", options.pairs, "swapped pairs of a series (teams change colours)"), 1,
+      kMostPairs)
       ->type_name("PAIRS");
   addJobs(*command, options.jobs, "worker threads for a series");
   command->add_flag("--force", options.force, "replace existing files");
   CLI::Option* view = command->add_flag("--view", options.view, "show the match in a window");
   addViewOptions(*command, options.window, view);
-  command->add_flag("--profile", options.profile, "print how the computing time is spent");
+  command->add_flag("--profile", options.profile, "print the wall time of each stage");
   command->add_flag("--json", options.json, "print JSON");
   return command;
 }

@@ -77,7 +77,7 @@ void MatchStage::refresh() {
   for (auto& path : paths_) path.clear();
 }
 
-void MatchStage::playBegins(const PlayStart& start) {
+void MatchStage::onPlayStart(const PlayStart& start) {
   fill(start.placement, now_);
   before_ = now_;
   for (auto& path : paths_) path.clear();
@@ -87,7 +87,7 @@ void MatchStage::playBegins(const PlayStart& start) {
   play_.team = start.call.team;
 }
 
-void MatchStage::ticked(const MatchTick& tick) {
+void MatchStage::onTick(const MatchTick& tick) {
   std::swap(before_, now_);
   fill(match_->placement(), now_);
   for (std::size_t i = 0; i < paths_.size(); ++i) {

@@ -32,8 +32,8 @@ class MatchStage final : public ViewStage, private MatchObserver {
  private:
   using Poses = std::vector<std::optional<Pose2>>;
 
-  void playBegins(const PlayStart& start) override;
-  void ticked(const MatchTick& tick) override;
+  void onPlayStart(const PlayStart& start) override;
+  void onTick(const MatchTick& tick) override;
   bool wantsDrawings(Tick) const override { return true; }
   void fill(const Placement& placement, Poses& poses) const;
   void play();

@@ -9,6 +9,7 @@
 #include "tests/support/kinematic_trial.hpp"
 #include "tests/support/suite_layouts.hpp"
 #include "tests/support/survey.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -48,7 +49,7 @@ TEST_CASE("survey six robots", "[survey]") {
   std::vector<std::unique_ptr<Pilot>> pilots;
   std::vector<test::KinematicRobot> bodies(6);
   std::vector<NavigationGoal> goals(6);
-  Rng rng(1, Stream::kTest, 7);
+  Rng rng(1, test::kTestStream, 7);
   const auto place = [&] { return Vec2{rng.uniform(-0.65, 0.65), rng.uniform(-0.55, 0.55)}; };
   for (auto& body : bodies) {
     pilots.push_back(*makePilot(*parseNavigator(specification())));

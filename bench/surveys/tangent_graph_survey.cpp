@@ -8,6 +8,7 @@
 #include "engine/core/math/random.hpp"
 #include "navigation/methods/paths/tangent_graph_search.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -25,7 +26,7 @@ std::vector<Circle> randomCircles(Rng& rng, std::size_t count, double least, dou
 
 TEST_CASE("survey of the tangent graph's planning time", "[survey]") {
   for (std::size_t count : {4U, 9U, 20U, 50U}) {
-    Rng rng(count, Stream::kTest);
+    Rng rng(count, test::kTestStream);
     TangentGraph graph(64);
     std::vector<double> times;
     for (int i = 0; i < 4000; ++i) {

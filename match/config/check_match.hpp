@@ -5,8 +5,8 @@
 
 namespace fulbito {
 
-/// Checks everything of a match's configuration that no other function checks. Errors: kUsage naming the
-/// value and its range.
+/// Checks the parts of a match's configuration that no other function checks. Errors: kUsage naming the value
+/// and its range.
 Result<void> checkMatch(const MatchConfig& config);
 
 }  // namespace fulbito

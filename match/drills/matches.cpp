@@ -19,7 +19,7 @@ class MatchTally final : public MatchObserver {
  public:
   explicit MatchTally(TeamId team) : team_(team) { tally_.as_blue = team == TeamId::kBlue; }
 
-  void playBegins(const PlayStart& start) override {
+  void onPlayStart(const PlayStart& start) override {
     dt_ = start.world->physics.controlPeriod();
     began_ = start.tick + start.call.delay;
     event_ = start.tick;
@@ -29,7 +29,7 @@ class MatchTally final : public MatchObserver {
     }
   }
 
-  void ticked(const MatchTick& tick) override {
+  void onTick(const MatchTick& tick) override {
     side_ = tick.referee->sideOf(team_);
     tally_.seconds = static_cast<double>(tick.referee->match_ticks) * dt_;
     bool touched = false;

@@ -42,7 +42,7 @@ DrillWatch::DrillWatch(const Drill& drill, const DrillScene& scene, const FieldG
   trial_.start = scene.start;
 }
 
-void DrillWatch::playBegins(const PlayStart& start) {
+void DrillWatch::onPlayStart(const PlayStart& start) {
   if (begun_) {  // the referee placed everything anew
     const bool to_last = std::any_of(drill_.successes.begin(), drill_.successes.end(),
                                      [](const DrillEnd& end) { return end.what == DrillCondition::kLasted; });
@@ -90,7 +90,7 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
   return now;
 }
 
-void DrillWatch::ticked(const MatchTick& tick) {
+void DrillWatch::onTick(const MatchTick& tick) {
   if (done_) return;
   const Now now = look(tick);
   if (log_.asked >= 0) bounces_ += now.walls;

@@ -13,8 +13,8 @@ class DrillWatch final : public MatchObserver {
   DrillWatch(const Drill& drill, const DrillScene& scene, const FieldGeometry& field,
              const RobotPreset& robot, const ExerciseLog& log);
 
-  void playBegins(const PlayStart& start) override;
-  void ticked(const MatchTick& tick) override;
+  void onPlayStart(const PlayStart& start) override;
+  void onTick(const MatchTick& tick) override;
 
   /// Nothing more can change.
   bool done() const { return done_; }

@@ -9,17 +9,17 @@
 
 namespace fulbito {
 
-/// Where all of a world stand.
+/// The poses of all robots of a world, and its ball.
 Placement placementOf(const WorldState& world, std::span<const RobotId> ids);
 
-/// What a user's placement in the middle of a match must not be, in words such as "blue robot 1 would overlap
-/// a robot". Only what differs from `before` is judged: who leans on another or stands in a goal may stay. A
-/// body that was moved must be on the field, the ball not in a goal, clear of all others; a moving ball must
-/// have a finite speed of at most 50 m/s; no robot may be added or left out.
+/// The flaw of a user's placement during a match, in words such as "blue robot 1 would overlap a robot";
+/// empty if it has none. Only differences from `before` count: bodies that already touch or stand in a goal
+/// may stay. A moved body must be on the field and clear of all others, and the ball must not be in a goal. A
+/// moving ball must have a finite speed of at most 50 m/s. It may neither add nor remove robots.
 std::optional<std::string> flawOfEdit(const MatchConfig& config, const Placement& before,
                                       const Placement& after);
 
-/// How play goes on from a user's placement: at once, in the name of the team that took the last restart.
+/// The restart for a user's placement: play continues at once, and the team of the last restart takes it.
 RestartCall editCall(const RefereeState& referee, const Placement& placement);
 
 }  // namespace fulbito

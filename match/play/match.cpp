@@ -127,7 +127,7 @@ void Match::Impl::advance() {
   stages.begin();
   if (!begun) {
     begun = true;
-    for (MatchObserver* observer : observers) observer->matchBegins(config);
+    for (MatchObserver* observer : observers) observer->onMatchStart(config);
   }
   switch (phase) {
     case MatchPhase::kPlacing:
@@ -190,7 +190,7 @@ void Match::Impl::announce() {
   stages.lap(&MatchProfile::restart);
   const PlayStart start{tick,         play->call,       play->placement, play->ids, &play->world.config(),
                         play->events, &referee.state(), edited};
-  for (MatchObserver* observer : observers) observer->playBegins(start);
+  for (MatchObserver* observer : observers) observer->onPlayStart(start);
   if (edited) ++edits;
   edited = false;
   stages.lap(&MatchProfile::record);
@@ -251,7 +251,7 @@ void Match::Impl::move() {
     const RobotId id = play->ids[i];
     Seat& seat = seatOf(id.team);
     commands[i] = held ? WheelSpeeds{} : seat.policy().actuated(wheels[indexOf(id.team)][id.number]);
-    seat.told(id.number, commands[i]);
+    seat.recordSent(id.number, commands[i]);
   }
   stages.lap(&MatchProfile::navigate);
   play->world.step(commands);
@@ -279,7 +279,7 @@ void Match::Impl::report() {
                        {&seats[0].policy().command(), &seats[1].policy().command()},
                        {seats[0].ways(), seats[1].ways()},
                        hash.value()};
-  for (MatchObserver* observer : observers) observer->ticked(done);
+  for (MatchObserver* observer : observers) observer->onTick(done);
   stages.lap(&MatchProfile::record);
 }
 
@@ -302,7 +302,7 @@ void Match::Impl::abandon(const Error& error) {
   event.clause = "match.abandoned";
   event.law = "policy";
   events.assign(1, event);
-  for (MatchObserver* observer : observers) observer->abandoned(event, referee.state());
+  for (MatchObserver* observer : observers) observer->onAbandoned(event, referee.state());
   end(MatchEnd::Reason::kAbandoned);
 }
 
@@ -322,7 +322,7 @@ MatchEnd Match::Impl::endOf(TeamId team, MatchEnd::Reason reason) const {
 void Match::Impl::end(MatchEnd::Reason reason) {
   phase = MatchPhase::kEnded;
   for (const TeamId team : kTeams) seatOf(team).strategy().ended(endOf(team, reason));
-  for (MatchObserver* observer : observers) observer->matchEnds(referee.state(), tick);
+  for (MatchObserver* observer : observers) observer->onMatchEnd(referee.state(), tick);
 }
 
 Match::Match(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

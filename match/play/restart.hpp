@@ -11,7 +11,7 @@
 
 namespace fulbito {
 
-/// The world of a new play and whose robots it has.
+/// The world of a new play and its robots.
 struct Play {
   RestartCall call;
   Placement placement;
@@ -20,22 +20,23 @@ struct Play {
   std::vector<GameEvent> events;  ///< of the restart itself, such as repaired placements
 };
 
-/// The placing of one restart, team by team in the order of the rule. A plain value.
+/// The placement of one restart, team by team in the order of the rule. A plain value.
 class Placing {
  public:
-  /// @param cause what stopped play; without a clause: nothing, the match begins
+  /// @param cause the call that stopped play; without a clause at the start of the match
   Placing(const RestartCall& call, const GameEvent& cause) : call_(call), cause_(cause), first_(call.team) {}
 
-  /// The team that is to say where it wants to stand; empty once both have.
+  /// The team that proposes its placement next; empty once both have.
   std::optional<TeamId> asked() const;
-  /// What it is told, all but `now`.
+  /// The request to that team, without `now`.
   PlacementRequest request(const MatchReferee& referee) const;
-  /// Takes what it says; empty: it has no wishes. The ball of the call goes where the taking team wants it,
-  /// if the rule gives it a choice.
+  /// Takes that team's proposal; empty: it has no wishes. The taking team's wish moves the ball of the call,
+  /// if the rule allows it.
   void answer(const std::optional<TeamProposal>& proposal, const MatchReferee& referee);
-  /// Where all stand by the wishes so far, as the referee legalised them; `events` gets what it changed.
+  /// The placement by the proposals so far, after the referee's repairs; appends the repairs to `events`.
   Placement legalised(const MatchReferee& referee, std::vector<GameEvent>& events) const;
 
+  /// The restart, with the ball as proposed.
   const RestartCall& call() const { return call_; }
   /// [s] from the placement to the signal.
   double delay(const MatchReferee& referee) const;
@@ -49,12 +50,12 @@ class Placing {
   std::vector<GameEvent> repairs_;  ///< of the ball
 };
 
-/// Moves and turns every robot a little, as nobody places one exactly; a robot that the rule leaves no room
-/// for it stays as it was, and so does one that nobody has touched.
+/// Adds the placement error to each robot's pose. A robot without room for it within the rule keeps its pose,
+/// and so does a robot that the restart does not move.
 void misplace(Placement& placement, const RestartCall& call, const MatchReferee& referee,
               const PlacementError& error, Rng& random);
 
-/// The world that a placement makes. Errors: as `World::create`.
+/// Creates the world of a placement. Errors: as `World::create`.
 Result<Play> makePlay(const MatchConfig& config, const RestartCall& call, const Placement& placement);
 
 }  // namespace fulbito

@@ -6,9 +6,10 @@
 
 namespace fulbito {
 
-/// Adds up how long each stage of the loop takes; reads no clock unless it was given one.
+/// Adds up the time of each stage of the loop; reads no clock before `start`.
 class StageClock {
  public:
+  /// Measures into `profile` from now on.
   void start(const MatchClock& now, MatchProfile& profile) {
     now_ = now;
     profile_ = &profile;
@@ -17,13 +18,14 @@ class StageClock {
   void begin() {
     if (profile_ != nullptr) last_ = now_();
   }
-  /// What ran since the last call belongs to this stage.
+  /// Adds the time since the last call to this stage.
   void lap(std::int64_t MatchProfile::* stage) {
     if (profile_ == nullptr) return;
     const std::int64_t now = now_();
     profile_->*stage += now - last_;
     last_ = now;
   }
+  /// Counts a measured tick.
   void countTick() {
     if (profile_ != nullptr) ++profile_->ticks;
   }

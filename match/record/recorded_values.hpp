@@ -13,14 +13,14 @@ void describe(const GameEvent& event, RecordedEvent& recorded);
 void describe(const DebugDrawing& drawing, Tick tick, TeamId team, Side side, RecordedDrawing& recorded);
 /// @}
 
-/// Calls `each(drawing, team)` for all drawings of the teams and their navigators in a tick.
+/// Calls `each(drawing, team)` for all drawings of the teams and their navigators in one tick.
 template <typename Each>
 void forEachDrawing(const MatchTick& tick, const Each& each) {
   for (const TeamId team : kTeams) {
     if (const TeamCommand* decision = tick.decisions[indexOf(team)]) {
       for (const DebugDrawing& drawing : decision->drawings) each(drawing, team);
     }
-    for (const DebugDrawing& drawing : tick.ways[indexOf(team)]) each(drawing, team);
+    for (const DebugDrawing& drawing : tick.navigator_drawings[indexOf(team)]) each(drawing, team);
   }
 }
 

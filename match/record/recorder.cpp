@@ -87,7 +87,7 @@ void MatchRecorder::keepDrawings(int per_second) {
   drawn_every_ = std::max(1, writer_.header().control_rate / std::max(1, per_second));
 }
 
-void MatchRecorder::playBegins(const PlayStart& start) {
+void MatchRecorder::onPlayStart(const PlayStart& start) {
   RecordedPlay play;
   play.tick = start.tick;
   play.kind = start.call.kind;
@@ -115,7 +115,7 @@ void MatchRecorder::playBegins(const PlayStart& start) {
   for (const GameEvent& event : start.events) add(event);
 }
 
-void MatchRecorder::ticked(const MatchTick& tick) {
+void MatchRecorder::onTick(const MatchTick& tick) {
   hash_ = tick.hash;
   writer_.add(RecordingTick{tick.world, tick.commands, tick.hash, tick.referee->playing});
   for (const GameEvent& event : tick.events) add(event);
@@ -134,7 +134,7 @@ void MatchRecorder::addDrawings(const MatchTick& tick) {
   });
 }
 
-void MatchRecorder::matchEnds(const RefereeState& referee, Tick) {
+void MatchRecorder::onMatchEnd(const RefereeState& referee, Tick) {
   RecordingResult result;
   result.complete = referee.ended;
   result.score = referee.score;

@@ -28,23 +28,23 @@ std::string lineOf(const Json& json) {
 
 }  // namespace
 
-void EventLog::matchBegins(const MatchConfig& config) {
+void EventLog::onMatchStart(const MatchConfig& config) {
   events_.clear();
   events_.reserve(std::min(limit_, kManyEvents));
   left_out_ = 0;
   dt_ = config.physics.controlPeriod();
 }
 
-void EventLog::playBegins(const PlayStart& start) {
+void EventLog::onPlayStart(const PlayStart& start) {
   for (const GameEvent& call : start.events) keep({call, std::nullopt, start.referee->score});
   keep(restartEvent(start, dt_));
 }
 
-void EventLog::ticked(const MatchTick& tick) {
+void EventLog::onTick(const MatchTick& tick) {
   for (const GameEvent& call : tick.events) keep({call, std::nullopt, tick.referee->score});
 }
 
-void EventLog::abandoned(const GameEvent& event, const RefereeState& referee) {
+void EventLog::onAbandoned(const GameEvent& event, const RefereeState& referee) {
   keep({event, std::nullopt, referee.score});
 }
 
@@ -56,7 +56,7 @@ void EventLog::keep(const LoggedEvent& event) {
   }
 }
 
-void EventLines::matchBegins(const MatchConfig& config) {
+void EventLines::onMatchStart(const MatchConfig& config) {
   dt_ = config.physics.controlPeriod();
   const Json header = {{"schema_version", kMatchSchemaVersion},
                        {"event", "match"},
@@ -68,24 +68,24 @@ void EventLines::matchBegins(const MatchConfig& config) {
   sink_(lineOf(header));
 }
 
-void EventLines::playBegins(const PlayStart& start) {
+void EventLines::onPlayStart(const PlayStart& start) {
   for (const GameEvent& call : start.events) {
     sink_(lineOf(eventJson({call, std::nullopt, start.referee->score}, dt_)));
   }
   sink_(lineOf(eventJson(restartEvent(start, dt_), dt_)));
 }
 
-void EventLines::ticked(const MatchTick& tick) {
+void EventLines::onTick(const MatchTick& tick) {
   for (const GameEvent& call : tick.events) {
     sink_(lineOf(eventJson({call, std::nullopt, tick.referee->score}, dt_)));
   }
 }
 
-void EventLines::abandoned(const GameEvent& event, const RefereeState& referee) {
+void EventLines::onAbandoned(const GameEvent& event, const RefereeState& referee) {
   sink_(lineOf(eventJson({event, std::nullopt, referee.score}, dt_)));
 }
 
-void EventLines::matchEnds(const RefereeState& referee, Tick tick) {
+void EventLines::onMatchEnd(const RefereeState& referee, Tick tick) {
   Json end = {{"tick", tick},
               {"time_s", static_cast<double>(tick) * dt_},
               {"period", referee.period},

@@ -8,22 +8,23 @@
 
 namespace fulbito {
 
-/// What one team may command: never a reason to end a match. Every fault is counted; the first, the tenth,
-/// the hundredth ... of a kind also becomes an event.
+/// The limits of one team's commands. Faults never end a match. The policy counts each fault; the first, the
+/// tenth, the hundredth ... of a kind also becomes an event.
 class CommandPolicy {
  public:
+  /// @param navigators  number of the team's navigators
   CommandPolicy(TeamId team, const MatchInfo& info, std::size_t navigators);
 
-  /// Play begins anew: there is no decision before.
+  /// A new play begins: there is no previous decision.
   void reset();
-  /// Takes a decision. One that came too late leaves the one before in force; after too many in a row the
-  /// robots stand.
+  /// Takes a decision. A late one leaves the previous one in force; after too many in a row the robots stop.
   void take(TeamCommand&& decision, bool late, const GameEvent& now, std::vector<GameEvent>& events);
-  /// Cuts a wheel command to what the motors can do and rounds it as the physics profile says.
+  /// Clamps a wheel command to the limits of the motors and rounds it to the step of the physics profile.
   WheelSpeeds actuated(WheelSpeeds wanted);
 
-  /// The decision to be carried out.
+  /// The decision in force.
   const TeamCommand& command() const { return command_; }
+  /// The team's faults so far.
   const TeamFaults& faults() const { return faults_; }
 
  private:
@@ -33,11 +34,11 @@ class CommandPolicy {
 
   TeamId team_;
   RobotModel robot_;
-  Vec2 reach_;  ///< [m] a place to drive to may be this far from the centre
+  Vec2 reach_;  ///< [m] largest distance of a place to drive to from the field's centre, along x and y
   double command_step_;
   std::size_t team_size_;
   std::size_t navigators_;
-  int held_most_;  ///< late decisions in a row for which the last one holds
+  int held_most_;  ///< late decisions in a row for which the last one stays in force
   int held_ = 0;   ///< late decisions in a row so far
   TeamCommand command_;
   TeamFaults faults_;

@@ -14,41 +14,41 @@
 
 namespace fulbito {
 
-/// What a seat needs to know of the tick to be sensed.
+/// The state of a match at one tick, as the source of observations.
 struct Moment {
-  Tick tick = 0;
-  const WorldState* world = nullptr;  ///< null before the first placement
-  std::span<const RobotId> ids;
-  const RefereeState* referee = nullptr;
+  Tick tick = 0;                          ///< tick of the match
+  const WorldState* world = nullptr;      ///< null before the first placement
+  std::span<const RobotId> ids;           ///< robots of the world
+  const RefereeState* referee = nullptr;  ///< the referee's state
 };
 
-/// One side of a match: a team with its eyes, its navigation stage and the policy for what it commands.
+/// One seat of a match: a team with its vision, its navigation stage and the policy for its commands.
 class Seat {
  public:
   /// Errors: of the team and its navigators.
   static Result<Seat> create(const MatchConfig& config, TeamId team);
 
-  /// Play begins anew in this world.
+  /// A new play begins in this world.
   void reset(const Moment& moment);
-  /// Looks at the world: fills in what the team may know at this tick.
+  /// Fills in the team's observation at this tick.
   void sense(const Moment& moment);
-  /// What everybody can see while play is stopped: the truth, whatever the team's vision.
+  /// The observation while play is stopped: the true state, whatever the team's vision.
   Observation exactly(const Moment& moment) const;
-  /// The same with the restart to come.
+  /// The observation while play is stopped, with the next restart.
   Observation before(const RestartCall& call, double delay, const Moment& moment) const;
-  /// Whether drawings of the decision to come are wanted.
+  /// Sets whether the next decision includes drawings.
   void wantDrawings(bool wanted) { observation_.wants_drawings = wanted; }
   /// Asks the team for its decision.
   TeamCommand decide() { return strategy_->decide(observation_); }
-  /// Whether a decision that took `seconds` came too late.
+  /// Charges the team for a decision of `seconds` and returns whether it is late.
   bool late(double seconds) { return time_ && time_->late(seconds, observation_.period); }
-  /// Wheel speeds of the team's robots by the decision that holds, before they are cut and rounded.
+  /// Wheel speeds of the team's robots by the decision in force, before clamping and rounding.
   std::array<WheelSpeeds, kMaxTeamSize> drive();
-  /// What the navigators wanted in the last `drive`, where drawings were wanted.
+  /// Drawings of the navigators in the last `drive`; empty unless drawings are wanted.
   std::span<const DebugDrawing> ways() const { return ways_; }
 
-  /// What a robot was really told: part of the next observation.
-  void told(std::uint8_t number, WheelSpeeds command) { observation_.sent[number] = command; }
+  /// Records the command actually applied to a robot: part of the next observation.
+  void recordSent(std::uint8_t number, WheelSpeeds command) { observation_.sent[number] = command; }
 
   CommandPolicy& policy() { return policy_; }
   const CommandPolicy& policy() const { return policy_; }

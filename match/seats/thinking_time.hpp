@@ -6,13 +6,13 @@
 
 namespace fulbito {
 
-/// What is left of one team's time to think.
+/// One team's remaining decision time.
 class ThinkingTime {
  public:
   explicit ThinkingTime(const DecisionTime& limit) : limit_(limit) {}
 
-  /// Charges a decision that took `seconds` of wall time; the bank is full again in each new period.
-  /// @return whether the decision came too late
+  /// Charges a decision of `seconds` wall time. The bank is full again in each new period.
+  /// @return whether the decision is late
   bool late(double seconds, int period) {
     if (period != period_) bank_ = limit_.bank;
     period_ = period;

@@ -8,29 +8,29 @@
 
 namespace fulbito {
 
-/// All moving things as one team sees them, in the world's frame.
+/// The moving bodies as one team sees them, in the world frame.
 struct Sight {
-  std::array<RobotState, 2 * kMaxTeamSize> robots;  ///< in the order of the world's
-  BallState ball;
+  std::array<RobotState, 2 * kMaxTeamSize> robots;  ///< in the order of the world's robots
+  BallState ball;                                   ///< the ball
 };
 
-/// What one team sees through an imperfect camera: late, noisy, with gaps. Velocities of what is seen with
-/// noise are not the true ones, but tracked from the noisy positions by a g-h filter, as a team would.
+/// One team's view through an imperfect camera: late, noisy, with gaps. With noise, velocities are not the
+/// true ones: a g-h filter tracks them from the noisy positions, as a team would.
 class Vision {
  public:
   Vision(const VisionModel& model, std::uint64_t seed, TeamId seat, double dt);
 
-  /// A new play begins: during the stoppage the teams have seen where all stand.
+  /// A new play begins: the teams know all poses from the stoppage.
   void reset(const WorldState& world);
-  /// Takes the picture of this tick.
+  /// Takes the camera picture of this tick.
   /// @return the picture that arrives now, `latency_ticks` old
   const Sight& see(const WorldState& world);
 
  private:
-  /// One coordinate that is tracked: where the filter believes it, and how fast it moves.
+  /// The filter's estimate of one coordinate.
   struct Track {
-    double value = 0.0;
-    double rate = 0.0;
+    double value = 0.0;  ///< [m] or [rad]
+    double rate = 0.0;   ///< [m/s] or [rad/s]
   };
   struct BodyTracks {
     Track x, y, heading;
@@ -45,7 +45,7 @@ class Vision {
   double dt_;
   Sensor sensor_;
   std::array<BodyTracks, 2 * kMaxTeamSize + 1> tracks_;
-  Sight last_;  ///< as seen last, each body at its own time
+  Sight last_;  ///< the last sight of each body, at its own time
   DelayedPictures<Sight> pictures_;
 };
 

@@ -10,8 +10,8 @@ namespace fulbito {
 /// Finds goals that a team scores shortly after its own foul.
 class FoulGoalFinder {
  public:
-  /// Processes an event after `played` ticks of play of `dt` [s]. Returns the clause if the event is a goal
-  /// of a team that was called for that clause at most `kFoulPaysWithin` ago.
+  /// Processes an event after `played` ticks of play of `dt` [s]. If the event is a goal at most
+  /// `kFoulPaysWithin` after a foul of the scoring team, returns the clause of the foul.
   std::optional<std::string_view> take(const GameEvent& event, Tick played, double dt);
 
  private:
@@ -25,10 +25,11 @@ class FoulGoalFinder {
 /// Counts these goals of the observed match by scoring team.
 class FoulGoalCounter final : public MatchObserver {
  public:
+  /// Such goals of blue and yellow so far.
   const PerTeam<int>& goals() const { return goals_; }
 
-  void matchBegins(const MatchConfig& config) override { dt_ = config.physics.controlPeriod(); }
-  void ticked(const MatchTick& tick) override;
+  void onMatchStart(const MatchConfig& config) override { dt_ = config.physics.controlPeriod(); }
+  void onTick(const MatchTick& tick) override;
 
  private:
   double dt_ = 0.0;

@@ -18,6 +18,7 @@ struct Parameter {
   std::function<void(P&, double)> set;
 };
 
+/// @{ A parameter of one type that sets `member`; the struct's initial value is its default.
 template <typename P>
 Parameter<P> number(std::string name, double P::* member, double minimum, double maximum, std::string unit,
                     std::string doc) {
@@ -64,6 +65,7 @@ Parameter<P> choice(std::string name, E P::* member, std::vector<std::string> ch
            0.0, last, std::move(choices), "", std::move(doc)},
           [member](P& p, double v) { p.*member = static_cast<E>(static_cast<int>(v)); }};
 }
+/// @}
 
 /// Parses `text` as a value of `spec`. Errors: kUsage naming the parameter and the allowed range or choices.
 Result<double> parseParameter(const ParameterSpec& spec, const std::string& text);

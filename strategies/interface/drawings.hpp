@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-/// @{ What most drawings are made of, all in the team's frame.
+/// @{ Lines, circles and names of drawings, in the team's frame.
 inline void addLine(std::vector<DebugDrawing>& drawings, Vec2 from, Vec2 to) {
   drawings.push_back({DebugDrawing::Kind::kLine, from, to, 0.0, {}});
 }
@@ -17,7 +17,7 @@ inline void addCircle(std::vector<DebugDrawing>& drawings, Vec2 centre, double r
   drawings.push_back({DebugDrawing::Kind::kCircle, centre, {}, radius, {}});
 }
 
-/// A robot's role, beside its body.
+/// A robot's role, next to its body.
 inline void addName(std::vector<DebugDrawing>& drawings, Vec2 robot, const char* name) {
   constexpr double kBeside = 0.075;  // [m] clear of the body, however it is turned
   drawings.push_back({DebugDrawing::Kind::kText, robot + Vec2{0.0, kBeside}, {}, 0.0, name});

@@ -4,9 +4,9 @@
 #include "fulbito/referee.hpp"
 #include "fulbito/values.hpp"
 
-/// A team's frame: its own goal is at -x. For the team that defends the left goal it is the world frame; for
-/// the other it is the world rotated by 180 degrees (never reflected: that would swap the wheels). The
-/// rotation is its own inverse, and exact but for the rounding of the heading.
+/// A team's frame: its own goal is at -x. For the team that defends the left goal it is the world frame. For
+/// the other team it is the world frame rotated by 180 degrees, never reflected, which would swap the wheels.
+/// The rotation is its own inverse, and exact except for the rounding of the heading.
 namespace fulbito {
 
 constexpr Vec2 inTeamFrame(Side own_side, Vec2 v) { return own_side == Side::kLeft ? v : -v; }

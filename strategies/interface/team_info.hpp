@@ -14,11 +14,11 @@ namespace fulbito {
 /// Name of the setting that chooses a team's navigator.
 inline constexpr const char* kNavigatorSetting = "navigator";
 
-/// Takes the setting `navigator` out of a team's settings: its choice, or `default_navigator`'s. Errors:
-/// kUsage.
+/// Removes the setting `navigator` from a team's settings and returns its choice, or that of
+/// `default_navigator`. Errors: kUsage.
 Result<NavigatorChoice> takeNavigator(std::vector<Setting>& settings, const std::string& default_navigator);
 
-/// Builds the catalogue's entry of a team class `S` that is made from its parameter struct `P`.
+/// Builds the catalogue's entry of a team class `S` with the parameter struct `P`.
 template <typename P, typename S>
 TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<Parameter<P>> parameters) {
   TeamInfo info{name, std::move(summary), specsOf(parameters), false, {}, {}};
@@ -33,8 +33,8 @@ TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<
   return info;
 }
 
-/// The same of a team that drives with a navigator of the registry: `S` is made from its parameters and the
-/// navigator's choice.
+/// Builds the entry of a team that drives with a navigator of the registry: the constructor of `S` takes its
+/// parameters and the navigator's choice.
 template <typename P, typename S>
 TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<Parameter<P>> parameters,
                       std::string default_navigator) {

@@ -10,7 +10,7 @@
 
 namespace fulbito {
 
-/// What a ball's way depends on beside its state. Made once a match.
+/// The constants that a ball's path depends on, apart from its state. Made once per match.
 struct BallCourse {
   BallModel ball;
   BallWalls walls;
@@ -21,45 +21,48 @@ struct BallCourse {
       : ball(model), walls(field, model.radius), restitution_threshold(physics.restitution_threshold) {}
 };
 
-/// Where the ball will be, if nobody touches it: a chain of stretches of even acceleration (sliding, rolling,
-/// resting) between events (the spin has caught up, a bounce, rest), each in closed form, so that the ball at
-/// any time costs a handful of multiplications. The model is the engine's own (docs/models.md).
+/// The future motion of the ball if no robot touches it. It is a chain of stretches of constant acceleration
+/// (sliding, rolling, resting) between events (rolling begins, a bounce, rest). Each stretch has a closed
+/// form, so the ball's state at any time takes a few multiplications. The model is the engine's own
+/// (docs/models.md).
 class BallPrediction {
  public:
-  /// Where and when the ball passes a line.
+  /// The time and place at which the ball crosses a line.
   struct Crossing {
     double time = 0.0;  ///< [s] from now
     Vec2 place;         ///< [m] of the ball's centre
     Vec2 velocity;      ///< [m/s]
   };
 
-  /// Predicts `horizon` [s] ahead: beyond, the ball is taken to stay. The spin in `ball` counts (0 means a
-  /// ball that slides): give `BallTracker`'s, or the velocity for a ball that rolls.
+  /// Predicts `horizon` [s] ahead; the ball stays at its place beyond it. The spin in `ball` counts, and 0
+  /// means that the ball slides. Use the spin of `BallTracker`, or the velocity for a rolling ball.
   void predict(const BallCourse& course, const BallState& ball, double horizon = 3.0);
 
   Vec2 positionAt(double t) const;   ///< [m] `t` seconds from now, t >= 0
   Vec2 velocityAt(double t) const;   ///< [m/s]
   BallState ballAt(double t) const;  ///< with its spin
+  /// Number of bounces off walls before `t` [s].
   int bouncesBefore(double t) const;
-  /// When the ball comes to rest [s], or the horizon where it rolls longer.
+  /// Time [s] at which the ball comes to rest, or the horizon if it rolls longer.
   double endOfMotion() const { return stretches_[static_cast<std::size_t>(count_ - 1)].begin; }
+  /// [m] The ball's position at `endOfMotion`.
   Vec2 endOfWay() const { return stretches_[static_cast<std::size_t>(count_ - 1)].motion.position; }
-  /// First passage, at or after `from` [s], of the line through `point` in the direction of its unit
-  /// `normal`.
+  /// The first crossing, at or after `from` [s], of the line through `point` with the unit normal `normal`,
+  /// in the direction of the normal.
   std::optional<Crossing> crossing(Vec2 point, Vec2 normal, double from = 0.0) const;
-  /// Positions at `step`, 2 `step` ... for drawings.
+  /// Positions at `step`, 2 `step` ... [s], for drawings.
   void sample(std::span<Vec2> points, double step) const;
 
  private:
   static constexpr int kMaxStretches = 24;
 
-  /// One stretch; the last one lasts for ever.
+  /// One stretch; the last one has no end.
   struct Stretch {
     double begin = 0.0;  ///< [s] from now
     EvenMotion motion;   ///< time 0 is `begin`
     Vec2 spin;           ///< [m/s] at `begin`
     Vec2 spin_change;    ///< [m/s^2]
-    int bounces = 0;     ///< off walls, so far
+    int bounces = 0;     ///< bounces off walls so far
   };
 
   const Stretch& stretchAt(double t) const;

@@ -4,14 +4,14 @@
 
 namespace fulbito {
 
-/// Estimates the ball's spin, which nobody sees, from the velocities that were seen: robots change the
-/// velocity but not the spin, the floor draws the two together, and a wall takes most of the spin toward it.
-/// So a ball that was just kicked is known to slide, one on its way for long to roll.
+/// Estimates the ball's unobserved spin from its observed velocities. Robots change the velocity but not the
+/// spin, the floor draws the two together, and a wall takes most of the spin toward it. So a ball slides
+/// after a kick and rolls later.
 class BallTracker {
  public:
-  /// Play begins anew: the next ball that is seen is taken to roll.
+  /// A new play begins: the next observed ball counts as rolling.
   void reset() { known_ = false; }
-  /// The ball as seen `dt` [s] after the one before, with its spin.
+  /// The ball with its spin, from the ball as seen `dt` [s] after the previous call.
   BallState update(const BallCourse& course, BallState seen, double dt);
 
  private:

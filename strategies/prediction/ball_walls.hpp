@@ -7,7 +7,7 @@
 
 namespace fulbito {
 
-/// Evenly accelerated motion of a point, straight or along a parabola, from time 0.
+/// Motion of a point with constant acceleration, straight or along a parabola, from time 0.
 struct EvenMotion {
   Vec2 position;      ///< [m]
   Vec2 velocity;      ///< [m/s]
@@ -17,22 +17,23 @@ struct EvenMotion {
   constexpr Vec2 velocityAt(double t) const { return velocity + acceleration * t; }
 };
 
-/// Least t in [0, `duration`] at which `height + speed t + acceleration t^2 / 2` comes down through 0; at
-/// once when it is already below and falls.
+/// Least t in [0, `duration`] at which `height + speed t + acceleration t^2 / 2` falls through 0; 0 if it is
+/// already below and falls.
 std::optional<double> timeOfFall(double height, double speed, double acceleration, double duration);
 
-/// The field's walls as the centre of a ball meets them: the contour with goals, corner cuts and posts,
-/// shrunk by the ball's radius. Made once a match.
+/// The field's walls for the centre of a ball: the contour with goals, corner triangles and posts, shrunk by
+/// the ball's radius. Made once per match.
 class BallWalls {
  public:
   BallWalls() = default;
   BallWalls(const FieldGeometry& field, double radius);
 
+  /// A contact with a wall.
   struct Hit {
-    double time = 0.0;  ///< [s] from the motion's begin
-    Vec2 normal;        ///< unit, into the field
+    double time = 0.0;  ///< [s] from the start of the motion
+    Vec2 normal;        ///< unit vector, into the field
   };
-  /// The first touch within `duration` [s], where one is.
+  /// The first contact within `duration` [s]; empty if there is none.
   std::optional<Hit> firstHit(const EvenMotion& motion, double duration) const;
   /// Whether a ball centre at `p` is on the playing rectangle and more than `margin` [m] from touching a
   /// wall.
@@ -40,7 +41,7 @@ class BallWalls {
 
  private:
   struct Line {
-    Vec2 begin;  ///< of the shrunk wall
+    Vec2 begin;  ///< [m] start of the shrunk wall
     Vec2 normal;
     double length = 0.0;
   };
@@ -48,7 +49,8 @@ class BallWalls {
   void meetPost(Vec2 post, const EvenMotion& motion, std::optional<Hit>& first, double& until) const;
 
   double radius_ = 0.0;
-  double half_length_ = 0.0, half_width_ = 0.0, half_diagonal_ = 0.0;  ///< of where the centre may be
+  double half_length_ = 0.0, half_width_ = 0.0,
+         half_diagonal_ = 0.0;  ///< [m] of the area for the ball's centre
   std::vector<Line> lines_;
   std::vector<Vec2> posts_;  ///< corners that stick out into the field
 };

@@ -9,19 +9,19 @@
 
 namespace fulbito {
 
-/// Makes an observation that is `MatchInfo::observation_age` old current (docs/skills.md): own robots are
-/// rolled forward through the commands that are on their way, opponents go on with a motion that fades over
-/// 0.3 s, the ball follows its prediction. With fresh observations it costs nothing.
+/// Predicts the present from an observation that is `MatchInfo::observation_age` old (docs/skills.md). Own
+/// robots follow the commands since then, opponents continue with a motion that fades over 0.3 s, and the
+/// ball follows its prediction. Fresh observations need no work.
 class Estimator {
  public:
   Estimator() = default;
-  /// Errors: none; memory is taken here.
+  /// Allocates all memory.
   explicit Estimator(const MatchInfo& info);
-  /// Forgets what was sent: play was begun anew.
+  /// Resets the past commands: a new play begins.
   void reset();
-  /// Whether observations are old at all.
+  /// Whether observations have an age.
   bool isNeeded() const { return ticks_ > 0; }
-  /// `seen` as of now, to be called once a tick; `seen` itself when observations are fresh. `ball` is the
+  /// `seen` as of now; `seen` itself if observations are fresh. Call it once per tick. `ball` is the
   /// prediction from the ball as seen. The result is valid until the next call.
   const Observation& update(const Observation& seen, const BallPrediction& ball);
   /// Age of observations [s], in whole ticks.
@@ -32,27 +32,29 @@ class Estimator {
   RobotModel robot_;
   int ticks_ = 0;
   double age_ = 0.0;
-  double fade_ = 0.0;        ///< [s] of full speed that an opponent's fading motion is worth
+  double fade_ = 0.0;        ///< [s] time at full speed with the same distance as an opponent's fading motion
   std::vector<Sent> queue_;  ///< ring of the last `ticks_` ticks' commands
   std::size_t oldest_ = 0;
   Observation now_;
 };
 
-/// What every team wants to know at each tick, worked out once: the observation made current, the ball's spin
-/// and its way. A member of a strategy.
+/// The predictions that each team needs per tick: the present observation, the ball's spin and its path. A
+/// member of a strategy.
 class Foresight {
  public:
   Foresight() = default;
   explicit Foresight(const MatchInfo& info);
-  /// Takes in a tick's observation and gives it as of now. Valid until the next call, or as long as `seen`.
+  /// Takes a tick's observation and returns it as of now. Valid until the next call, or as long as `seen`.
   const Observation& update(const Observation& seen);
-  /// The ball's way from now on.
+  /// The ball's path from now on.
   const BallPrediction& ball() const { return prediction_; }
   /// The ball now, with its estimated spin.
   const BallState& ballNow() const { return ball_; }
+  /// The constants of the ball's motion.
   const BallCourse& course() const { return course_; }
+  /// The speed of the team's robots.
   const RobotPace& pace() const { return pace_; }
-  /// The observation is the first of a new play.
+  /// Whether the observation is the first of a new play.
   bool playBegan() const { return play_began_; }
 
  private:

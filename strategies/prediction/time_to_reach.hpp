@@ -4,7 +4,7 @@
 
 namespace fulbito {
 
-/// How fast a robot is, in the few numbers that estimates need.
+/// The speed and acceleration of a robot, for estimates of time.
 struct RobotPace {
   double speed = 1.2;         ///< [m/s] top speed
   double acceleration = 6.0;  ///< [m/s^2] of the body: the lesser of motors and grip
@@ -21,25 +21,25 @@ double timeAlong(const RobotPace& pace, double distance, double speed);
 /// Time [s] of a turn in place by `angle` [rad] >= 0 from rest to rest.
 double timeToTurn(const RobotPace& pace, double angle);
 
-/// Angle [rad] in [0, pi/2] between two lines from sine and cosine of the angle between them, not both 0:
-/// within 0.004 rad by a polynomial (Rajan et al. 2006, "Efficient approximations for the arctangent
-/// function", eq. 8), for estimates that are made many times a tick.
+/// Angle [rad] in [0, pi/2] between two lines, from sine and cosine of the angle between them, not both 0. It
+/// is a polynomial within 0.004 rad (Rajan et al. 2006, "Efficient approximations for the arctangent
+/// function", eq. 8). Teams estimate many times per tick.
 double foldedAngle(double sine, double cosine);
 
-/// A robot as estimates of time see it; made once when many are made.
+/// The part of a robot's state that estimates of time need; made once for many estimates.
 struct Runner {
   Vec2 position;  ///< [m]
-  Vec2 facing;    ///< unit
+  Vec2 facing;    ///< unit vector of its heading
   Vec2 velocity;  ///< [m/s]
 };
 
-/// @{ Time [s] in which a robot comes to `target` (docs/skills.md): it turns whichever end is nearer toward
-/// it and drives through, the speed that it has counts.
+/// @{ Time [s] of a robot to `target` (docs/skills.md). It turns its nearer end toward the target and drives
+/// through without a stop; its present speed counts.
 double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target);
 double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target);
 /// @}
 
-/// The same over `distance` [m] from rest, after a turn by `angle` [rad] >= 0 of the end that leads.
+/// Time [s] over `distance` [m] from rest, after a turn by `angle` [rad] >= 0 of the leading end.
 double timeToReach(const RobotPace& pace, double distance, double angle);
 
 }  // namespace fulbito

@@ -4,16 +4,16 @@
 
 namespace fulbito {
 
-/// Whether a point is in a goal area (arc included) that is wider by `margin` [m] on every side. `own`: the
-/// area at -x of the team's frame.
+/// Whether a point is in a goal area (arc included) enlarged by `margin` [m] on each side. `own`: the area at
+/// -x of the team's frame.
 bool isInArea(const FieldGeometry& field, Vec2 p, bool own, double margin = 0.0);
 
-/// The nearest place to `p` outside that area: the last step before navigation for robots that have no
-/// business there. A margin of 7 cm keeps every part of a 7.5 cm robot outside: its corners are 5.3 cm from
-/// its centre. Points outside stay as they are.
+/// The nearest point to `p` outside that area; a point outside stays. It is the last step before navigation
+/// for robots that must not enter. A margin of 7 cm keeps all parts of a 7.5 cm robot outside: its corners
+/// are 5.3 cm from its centre.
 Vec2 outsideArea(const FieldGeometry& field, Vec2 p, bool own, double margin);
 
-/// [m] from that area to `p`, the arc as it is; negative inside.
+/// Distance [m] from that area (arc included, without a margin) to `p`; negative inside.
 double distanceToArea(const FieldGeometry& field, Vec2 p, bool own);
 
 }  // namespace fulbito

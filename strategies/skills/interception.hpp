@@ -11,21 +11,21 @@ namespace fulbito {
 /// A meeting of robot and ball.
 struct Interception {
   double time = 0.0;  ///< [s] from now
-  Vec2 ball;          ///< [m] where the ball is then
-  Vec2 robot;         ///< [m] where the robot is then
+  Vec2 ball;          ///< [m] the ball's position then
+  Vec2 robot;         ///< [m] the robot's position then
 };
 
-/// What the robot shall do at the ball.
+/// The goal of an interception.
 struct InterceptionRequest {
-  std::optional<Vec2> aim;  ///< strike toward this: the robot comes to the ball's far side of it
+  std::optional<Vec2> aim;  ///< [m] target of a strike: the robot comes to the opposite side of the ball
   double standoff = 0.06;   ///< [m] robot centre to ball centre at the meeting
-  double horizon = 4.0;     ///< [s]
+  double horizon = 4.0;     ///< [s] latest meeting
 };
 
-/// The earliest time at which the robot can be at the ball's predicted place, or (with `aim`) behind it
-/// (docs/skills.md, Interception). It marches forward by the time that is still missing, which cannot
-/// overshoot the first meeting as long as the robot is the faster, and closes in by a secant. Empty when
-/// there is none within the horizon.
+/// The earliest meeting of the robot with the ball's predicted position, or (with `aim`) with the place
+/// behind it (docs/skills.md, Interception). The search steps forward by the missing time, then closes in by
+/// a secant. It cannot overshoot the first meeting while the robot is the faster. Empty if there is none
+/// within the horizon.
 std::optional<Interception> intercept(const BallPrediction& ball, const RobotPace& pace,
                                       const RobotState& robot, const InterceptionRequest& request = {});
 

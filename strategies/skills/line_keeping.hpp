@@ -4,9 +4,9 @@
 
 namespace fulbito {
 
-/// Slides along a line parallel to the goal line to the height of `place`, body along the line, either end
-/// ahead: what a keeper on its line does. Empty when the robot is too far off the line (`place.x`), which a
-/// navigator has to mend first.
+/// A keeper's motion on its line, a parallel of the goal line, to the y of `place`. The body is along the
+/// line with either end ahead. Empty if the robot is too far off the line (`place.x`); then a navigator
+/// drives it back first.
 std::optional<Twist> keepLine(const RobotState& robot, Vec2 place, double max_speed);
 
 }  // namespace fulbito

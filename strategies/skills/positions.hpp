@@ -5,7 +5,7 @@
 #include "engine/core/models/field_places.hpp"
 #include "strategies/prediction/ball_prediction.hpp"
 
-/// Places on the field that roles stand at, all in the team's frame (own goal at -x); docs/skills.md, Places.
+/// Places of roles on the field, in the team's frame (own goal at -x); docs/skills.md, Places.
 namespace fulbito {
 
 /// The middle of the own goal line.
@@ -13,20 +13,20 @@ constexpr Vec2 ownGoal(const FieldGeometry& field) { return {-field.length / 2, 
 /// The middle of the opponents' goal line.
 constexpr Vec2 opponentGoal(const FieldGeometry& field) { return {field.length / 2, 0.0}; }
 
-/// The keeper's place: where the predicted ball will pass its line when that is toward the goal mouth widened
-/// by `margin` [m], else the equal-gap point; |y| at most `farthest` [m].
+/// The keeper's place: the point where the predicted ball crosses its line toward the goal mouth, widened by
+/// `margin` [m]. Otherwise it is the equal-gap point. |y| is at most `farthest` [m].
 Vec2 keeperPoint(const FieldGeometry& field, const BallPrediction& ball, double depth, double farthest,
                  double margin = 0.03);
 
-/// A second defender's place: on the line from the ball to the own goal, `away` [m] from the ball but not
-/// beyond the own area's front.
+/// A second defender's place: on the line from the ball to the own goal, `away` [m] from the ball. It is
+/// never beyond the own area's front.
 Vec2 shadowPoint(const FieldGeometry& field, Vec2 ball, double away);
 
-/// Where balls come back from the opponents' keeper and end wall: on the far side from the ball.
+/// The place for rebounds from the opponents' keeper and end wall: on the far side from the ball.
 Vec2 reboundSpot(const FieldGeometry& field, Vec2 ball);
 
-/// Where a ball near the own goal is best sent: at the nearer side wall, upfield, at least 30 degrees off the
-/// goal line; of several such points the one with the widest berth from `opponents`.
+/// The best target of a clearance near the own goal: at the nearer side wall, upfield, at least 30 degrees
+/// off the goal line. Of several such points it is the one with the widest gap to `opponents`.
 Vec2 clearanceTarget(const FieldGeometry& field, Vec2 ball, std::span<const Vec2> opponents);
 
 }  // namespace fulbito

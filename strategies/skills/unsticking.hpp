@@ -4,12 +4,12 @@
 
 namespace fulbito {
 
-/// Notices a robot that is meant to move and does not, and backs it off for a moment. One a robot; to be fed
-/// the command that is about to be sent.
+/// Detects a robot that is meant to move but does not, and backs it off for a moment. Each robot needs its
+/// own; call it with the command that follows.
 class Unsticking {
  public:
-  /// `meant`: the robot is meant to move; when it has not for 0.8 s, it backs off for a quarter of a second.
-  /// A value: drive so instead.
+  /// `meant`: the robot is meant to move. After 0.8 s without motion, it backs off for a quarter of a second.
+  /// The result replaces the command; empty: the command stays.
   std::optional<Twist> update(const RobotState& robot, bool meant, double dt);
 
  private:

@@ -16,6 +16,7 @@
 #include "fulbito/picture.hpp"
 #include "fulbito/recording.hpp"
 #include "replays/html/html_page.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -39,7 +40,7 @@ int positions(const char* file) {
     fmt::print(stderr, "{}\n", timeline.error().message);
     return 1;
   }
-  Rng rng(4, Stream::kTest, 0);
+  Rng rng(4, test::kTestStream, 0);
   for (int i = 0; i < kTimes; ++i) {
     const double seconds = rng.uniform(0.0, timeline->seconds());
     const ReplayMoment moment = timeline->at(seconds);

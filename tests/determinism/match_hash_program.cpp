@@ -15,12 +15,12 @@ constexpr double kHalfSeconds = 10.0;
 
 class EventHash final : public MatchObserver {
  public:
-  void playBegins(const PlayStart& start) override {
+  void onPlayStart(const PlayStart& start) override {
     hash_.add(static_cast<std::uint64_t>(start.tick));
     hash_.add(std::string_view(nameOf(start.call.kind)));
     addAll(start.events);
   }
-  void ticked(const MatchTick& tick) override { addAll(tick.events); }
+  void onTick(const MatchTick& tick) override { addAll(tick.events); }
   std::uint64_t value() const { return hash_.value(); }
 
  private:

@@ -11,6 +11,7 @@
 #include "referee/restarts/restart_placement.hpp"
 #include "referee/rules/clauses.hpp"
 #include "referee/state/ticks.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/support/worlds.hpp"
 
 namespace fulbito::test {
@@ -47,7 +48,7 @@ struct StuckMonitor {
 class Game {
  public:
   explicit Game(const RandomMatch& match)
-      : match_(match), referee_(match.setup), rng_(match.setup.seed, Stream::kTest) {}
+      : match_(match), referee_(match.setup), rng_(match.setup.seed, kTestStream) {}
 
   RandomMatchResult play() {
     begin(referee_.open());

@@ -73,14 +73,14 @@ std::string SecondReferee::unfit(const MatchConfig& config) {
   return "";
 }
 
-void SecondReferee::matchBegins(const MatchConfig& config) {
+void SecondReferee::onMatchStart(const MatchConfig& config) {
   config_ = config;
   play_.match = &config_;
   play_.dt = config.physics.controlPeriod();
   if (const std::string why = unfit(config); !why.empty()) disagreements_.push_back("cannot judge: " + why);
 }
 
-void SecondReferee::playBegins(const PlayStart& start) {
+void SecondReferee::onPlayStart(const PlayStart& start) {
   if (start.tick == 0) first_kick_off_ = start.call.team;
   if (restart_ && (restart_->restart != start.call.kind ||
                    restart_->restart_team.value_or(start.call.team) != start.call.team)) {
@@ -208,7 +208,7 @@ void SecondReferee::compare(const std::vector<Call>& calls, std::span<const Game
   }
 }
 
-void SecondReferee::ticked(const MatchTick& tick) {
+void SecondReferee::onTick(const MatchTick& tick) {
   std::vector<Call> calls;
   if (tick.tick > play_.signal) {
     see(tick);

@@ -23,9 +23,9 @@ class SecondReferee final : public MatchObserver {
   /// Empty, or why it cannot judge matches of this configuration.
   static std::string unfit(const MatchConfig& config);
 
-  void matchBegins(const MatchConfig& config) override;
-  void playBegins(const PlayStart& start) override;
-  void ticked(const MatchTick& tick) override;
+  void onMatchStart(const MatchConfig& config) override;
+  void onPlayStart(const PlayStart& start) override;
+  void onTick(const MatchTick& tick) override;
 
   const std::map<std::string, Tally>& tallies() const { return tallies_; }
   int calls() const;

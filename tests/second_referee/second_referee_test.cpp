@@ -5,6 +5,7 @@
 #include "fulbito/detail/math.hpp"
 #include "tests/second_referee/judge_matches.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito::second {
 namespace {
@@ -24,7 +25,7 @@ double countedShare(const Marking& area, const Corners& c, int n) {
 }  // namespace
 
 TEST_CASE("the second referee's areas: by counting points", "[unit]") {
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   for (const bool arc : {true, false}) {
     const Marking area = goalArea(FieldGeometry{}, arc);
     for (int i = 0; i < 400; ++i) {
@@ -82,13 +83,13 @@ TEST_CASE("the second referee sees calls that are missing, wrong, early and late
       Lie{"kicks that go on in the keeper's hold", [](Rules& r) { r.shoot_out.held_seconds = 0.0; }}};
   /// A second referee that goes by other rules than the match.
   struct Misled final : MatchObserver {
-    void matchBegins(const MatchConfig& config) override {
+    void onMatchStart(const MatchConfig& config) override {
       MatchConfig other = config;
       lie->tell(other.rules);
-      second.matchBegins(other);
+      second.onMatchStart(other);
     }
-    void playBegins(const PlayStart& start) override { second.playBegins(start); }
-    void ticked(const MatchTick& tick) override { second.ticked(tick); }
+    void onPlayStart(const PlayStart& start) override { second.onPlayStart(start); }
+    void onTick(const MatchTick& tick) override { second.onTick(tick); }
     const Lie* lie = nullptr;
     SecondReferee second;
   };

@@ -30,7 +30,7 @@ T get(Result<T> result) {
 class DepthWatch : public MatchObserver {
  public:
   explicit DepthWatch(const RobotPreset& preset) : preset_(preset) {}
-  void ticked(const MatchTick& tick) override {
+  void onTick(const MatchTick& tick) override {
     depths.look(preset_.robot, preset_.ball.radius, *tick.world);
   }
   test::Depths depths;

@@ -4,6 +4,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "fulbito/navigation.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito::test {
 
@@ -17,7 +18,7 @@ struct CornerLayout {
 };
 
 inline CornerLayout cornerLayout(std::uint64_t seed) {
-  Rng rng(seed, Stream::kTest);
+  Rng rng(seed, kTestStream);
   const Vec2 origin{0.75, 0.65}, start{0.12, 0.12}, goal{1.38, 1.18};
   const Vec2 along = unitOr(goal - start, {});
   for (;;) {

@@ -10,6 +10,7 @@
 #include "fulbito/navigation.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito::test {
 namespace {
@@ -58,7 +59,7 @@ OwnedScene namedScene(std::string name, Pose2 start, Vec2 goal, std::vector<Disc
 }
 
 OwnedScene randomScene(std::uint64_t seed, int obstacles, double speed) {
-  Rng rng(seed, Stream::kTest, 77);
+  Rng rng(seed, kTestStream, 77);
   const auto place = [&rng] { return Vec2{rng.uniform(-0.68, 0.68), rng.uniform(-0.58, 0.58)}; };
   OwnedScene scene = namedScene("random scene " + std::to_string(seed), {}, place(), {});
   scene.self.pose = {place(), rng.uniform(-3.1, 3.1)};

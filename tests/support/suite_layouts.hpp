@@ -3,6 +3,7 @@
 #include "fulbito/detail/math.hpp"
 #include "tests/support/corner_layout.hpp"
 #include "tests/support/draws.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito::test {
 
@@ -17,7 +18,7 @@ inline bool fits(const CornerLayout& layout, Vec2 centre, double radius, double 
 
 /// A short run of 0.55 to 0.75 m, start and goal anywhere free, past the corner layout's four balls.
 inline CornerLayout shortLayout(std::uint64_t seed) {
-  Rng rng(seed, Stream::kTest, 2);
+  Rng rng(seed, kTestStream, 2);
   CornerLayout layout = cornerLayout(seed + 5000);
   const Vec2 middle = (layout.obstacles[0].position + layout.obstacles[1].position) / 2;
   for (;;) {
@@ -40,7 +41,7 @@ inline CornerLayout shortLayout(std::uint64_t seed) {
 
 /// The corner layout with a start and an arrival heading anywhere on the circle.
 inline CornerLayout headingLayout(std::uint64_t seed) {
-  Rng rng(seed, Stream::kTest, 3);
+  Rng rng(seed, kTestStream, 3);
   CornerLayout layout = cornerLayout(seed + 9000);
   layout.start.heading = rng.uniform(-math::kPi, math::kPi);
   layout.goal.heading = rng.uniform(-math::kPi, math::kPi);
@@ -50,7 +51,7 @@ inline CornerLayout headingLayout(std::uint64_t seed) {
 /// Goals where it is tight: near a wall, in a corner, within 2 cm of a disc inflated by the circumscribed
 /// circle.
 inline CornerLayout wallLayout(std::uint64_t seed) {
-  Rng rng(seed, Stream::kTest, 4);
+  Rng rng(seed, kTestStream, 4);
   CornerLayout layout = cornerLayout(seed + 13000);
   const int kind = static_cast<int>(rng.below(3));
   layout.start.heading = rng.uniform(-math::kPi, math::kPi);
@@ -74,7 +75,7 @@ inline CornerLayout wallLayout(std::uint64_t seed) {
 
 /// A wall of discs across the whole field with one gap of the given width, and up to three loose discs.
 inline CornerLayout gapLayout(std::uint64_t seed, double gap) {
-  Rng rng(seed, Stream::kTest, 5);
+  Rng rng(seed, kTestStream, 5);
   CornerLayout layout;
   const double x = rng.uniform(-0.2, 0.2), y = rng.uniform(-0.35, 0.35), tilt = rng.uniform(-0.5, 0.5);
   const Vec2 along = math::unit(math::kPi / 2 + tilt);
@@ -98,7 +99,7 @@ inline CornerLayout gapLayout(std::uint64_t seed, double gap) {
 
 /// One to five robot-sized discs that cross at 0.3 to 1.5 m/s.
 inline CornerLayout movingLayout(std::uint64_t seed) {
-  Rng rng(seed, Stream::kTest, 6);
+  Rng rng(seed, kTestStream, 6);
   CornerLayout layout = cornerLayout(seed);
   layout.obstacles.clear();
   const int discs = 1 + static_cast<int>(rng.below(5));
@@ -114,7 +115,7 @@ inline CornerLayout movingLayout(std::uint64_t seed) {
 
 /// One to five robot-sized discs that cross a straight run along the field.
 inline CornerLayout crossingLayout(std::uint64_t seed) {
-  Rng rng(seed, Stream::kTest, 9);
+  Rng rng(seed, kTestStream, 9);
   CornerLayout layout;
   layout.start = {{-0.63, 0.0}, 0.0};
   layout.goal.position = {0.63, 0.0};

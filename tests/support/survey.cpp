@@ -8,6 +8,7 @@
 #include "fulbito/navigation.hpp"
 #include "navigation/methods/paths/tangent_graph_search.hpp"
 #include "tests/support/kinematic_trial.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito::test {
 namespace {
@@ -94,7 +95,7 @@ void printPlanningTime(const std::string& specification, std::size_t obstacles) 
   const auto pilot = makePilot(*parseNavigator(specification));
   const RobotModel robot = paperRobot(1.0);
   const FieldGeometry field;
-  Rng rng(obstacles, Stream::kTest, 5);
+  Rng rng(obstacles, kTestStream, 5);
   std::vector<double> micros;
   for (int i = 0; i < 2000; ++i) {
     std::vector<DiscObstacle> balls;

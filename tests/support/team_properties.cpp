@@ -15,6 +15,7 @@
 #include "strategies/team_pilots.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito::test {
 namespace {
@@ -77,7 +78,7 @@ void drawRestart(Observation& seen, Rng& rng) {
 }
 
 Scene randomScene(const MatchInfo& info, std::uint64_t seed) {
-  Rng rng(seed, Stream::kTest, 78);
+  Rng rng(seed, kTestStream, 78);
   Scene scene{"random scene " + std::to_string(seed), emptyScene(info)};
   for (std::size_t i = 0; i < static_cast<std::size_t>(sizeOf(info)); ++i) {
     scene.seen.own[i] = drawRobot(info, rng);

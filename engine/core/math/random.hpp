@@ -8,14 +8,14 @@
 namespace fulbito {
 
 /// Every consumer of randomness has its own stream, so a new consumer does not shift the others.
-/// The numbers are part of the determinism contract: append, never renumber.
+/// The numbers are part of the determinism contract: append, never renumber. Number 6 is reserved for tests
+/// (tests/support/test_stream.hpp).
 enum class Stream : std::uint32_t {
   kLayout = 1,  ///< placement of obstacles, starts and goals in a suite
   kObstacleMotion = 2,
   kSensorNoise = 3,
   kTuner = 4,
   kBootstrap = 5,
-  kTest = 6,
   kWheelCommands = 7,  ///< random drivers of benchmarks and tests
   kVision = 8,         ///< vision noise, one stream per team (seat)
   kPlacement = 9,      ///< placement errors at a match's restarts

@@ -1,4 +1,4 @@
-// Matches between two teams: what one is made from, how it is played, who may watch it. Component `match`.
+// Matches between two teams: the configuration, the match itself, and its observers. Component `match`.
 #pragma once
 
 #include <cstdint>
@@ -18,170 +18,173 @@
 
 namespace fulbito {
 
-/// What one team did that the match's policy had to answer (docs/matches.md). Nothing here ends a match.
+/// Counts of one team's commands and decisions that the match's policy corrects or rejects (docs/matches.md).
+/// None of them ends a match.
 struct TeamFaults {
-  std::int64_t not_finite = 0;  ///< robots' commands with a NaN or infinity: that robot stopped for the tick
-  std::int64_t no_navigator = 0;  ///< robots' commands by a navigator that the team lacks: stopped as well
-  std::int64_t saturated = 0;     ///< robots' commands beyond motors or field, which were cut: no fault
-  std::int64_t late = 0;          ///< decisions beyond `MatchConfig::decision_time`: the one before held
+  std::int64_t not_finite = 0;    ///< robot commands with a NaN or infinity; the robot stops for the tick
+  std::int64_t no_navigator = 0;  ///< robot commands for a navigator that the team lacks; the robot stops too
+  std::int64_t saturated = 0;     ///< robot commands beyond motors or field, which are clamped; no fault
+  std::int64_t late = 0;  ///< decisions beyond `MatchConfig::decision_time`; the previous one stays in force
 
-  /// All commands and decisions that were not carried out.
+  /// All rejected commands and decisions.
   std::int64_t rejected() const { return not_finite + no_navigator + late; }
 };
 
 /// The faults of a whole match.
 struct MatchFaults {
-  PerTeam<TeamFaults> teams;  ///< of blue and yellow
-  /// Why the match could not go on: a restart's state was no possible world. It ended there, unfinished.
+  PerTeam<TeamFaults> teams;  ///< faults of blue and yellow
+  /// The error that ended the match early: the state of a restart was not a valid world. Otherwise empty.
   std::optional<Error> abandoned;
 };
 
-/// Seed that is used where none is given.
+/// The default seed of a match.
 inline constexpr std::uint64_t kDefaultMatchSeed = 1;
 
-/// How well a team sees. Every seat (blue, yellow) has random numbers of its own. How noise makes velocities
-/// uncertain, and what a drop-out does: docs/matches.md.
+/// The quality of a team's vision. Each seat (blue, yellow) has its own random numbers. docs/matches.md
+/// explains noisy velocities and drop-outs.
 using VisionModel = SensorModel;
 
-/// How exactly robots stand at a restart of the rules: uniform errors up to these, drawn from the match's
-/// seed. Without them, teams that draw no numbers would play the same match whatever the seed.
+/// Largest errors of the robots' poses at a restart of the rules. Errors are uniform and come from the
+/// match's seed. Without them, deterministic teams play the same match for every seed.
 struct PlacementError {
   double position = 0.002;  ///< [m] along x and y, 0 ... 0.01
   double heading = 0.02;    ///< [rad], 0 ... 0.2
 };
 
-/// Everything a match is made from. Equal configurations give equal matches, bit for bit, unless decisions
-/// come too late (`decision_time`).
+/// The complete configuration of a match. Equal configurations give equal matches, bit for bit, unless
+/// decisions are late (`decision_time`).
 struct MatchConfig {
   PerTeam<TeamChoice> teams;               ///< blue defends the left goal at first
-  Rules rules;                             ///< by which it is played
-  FieldGeometry field;                     ///< usually the one that the rules name
-  RobotPreset robot;                       ///< of both teams, and the ball
-  PhysicsProfile physics;                  ///< how finely time is stepped
-  PerTeam<VisionModel> vision;             ///< how the teams see
-  PlacementError placement_error;          ///< how exactly robots are placed
-  std::uint64_t seed = kDefaultMatchSeed;  ///< of all random numbers of the match
-  /// How long the teams may think by the clock of `Match::create`; empty: as long as they like.
+  Rules rules;                             ///< rules of the referee
+  FieldGeometry field;                     ///< usually the field that the rules name
+  RobotPreset robot;                       ///< robots of both teams, and the ball
+  PhysicsProfile physics;                  ///< time steps and accuracy of the physics
+  PerTeam<VisionModel> vision;             ///< vision of blue and yellow
+  PlacementError placement_error;          ///< largest errors of placed robots
+  std::uint64_t seed = kDefaultMatchSeed;  ///< seed of all random numbers of the match
+  /// Limit of the teams' decision time by the clock of `Match::create`; empty: unlimited.
   std::optional<DecisionTime> decision_time;
-  PerTeam<bool> present{true, true};  ///< false: the team did not come (law 7.3)
-  std::optional<Placement> start;     ///< instead of the first kick-off; taken exactly, never repaired
-  /// The first restart instead of the kick-off. With a `start`, only its kind and team count, and are told.
+  PerTeam<bool> present{true, true};  ///< false: the team is absent (law 7.3)
+  std::optional<Placement> start;     ///< replaces the first kick-off; applied exactly, never repaired
+  /// The first restart instead of the kick-off. With a `start`, only its kind and team count; the teams
+  /// receive both.
   std::optional<RestartCall> opening;
-  Scoreboard scoreboard;  ///< how the match stands at its beginning
+  Scoreboard scoreboard;  ///< score and time at the start
 
-  /// A match that can be played as it is: teams by their specifications (`parseTeam`), rules by preset or
-  /// file
-  /// (`loadRules`), the field that these name, the robot preset `vsss`, the physics preset `standard`. What
-  /// is special about a match is set in the result. Errors: as those functions and `loadField`.
+  /// A match that is ready to play. Teams come from their specifications (`parseTeam`), rules from a preset
+  /// or file (`loadRules`). The field is the one that the rules name, the robot preset is `vsss`, the physics
+  /// preset is `standard`. Change the result for a special match. Errors: as `parseTeam`, `loadRules` and
+  /// `loadField`.
   static Result<MatchConfig> standard(const std::string& blue, const std::string& yellow,
                                       const std::string& rules = "vsss-3v3");
 };
 
 /// A placement from which a match starts, with score and time.
 struct StartState {
-  Placement placement;    ///< where all stand
+  Placement placement;    ///< poses of all robots, and the ball
   Scoreboard scoreboard;  ///< score and clock
 };
 
-/// Reads a start state. Tables, all positions in the world's frame (blue defends the goal at -x):
+/// Reads a start state. Positions are in the world frame; blue defends the goal at -x. Tables:
 /// [ball] position (required), velocity; any number of [[robot]] team = "blue" | "yellow", number,
 /// position (all required), heading or heading_deg; [match] blue, yellow (score), period, play_seconds.
-/// Robots that are not listed are not on the field. Errors: kIo; kBadInput as `file:line: table.key ...`.
+/// Unlisted robots are not on the field. Errors: kIo; kBadInput as `file:line: table.key ...`.
 Result<StartState> loadStartState(const std::string& file);
 
-/// The same, checked against a match: its rules have all robots, all bodies are inside the field without
-/// overlap, and the elapsed play time fits into a half. Ignores `match.start`.
+/// Reads a start state and checks it against a match. The rules allow all robots, all bodies are inside the
+/// field without overlap, and the elapsed play time fits into a half. Ignores `match.start`.
 Result<StartState> loadStartState(const std::string& file, const MatchConfig& match);
 
-/// The same from text; `origin` stands for the file name in errors.
+/// Parses a start state from text; `origin` stands for the file name in errors.
 Result<StartState> parseStartState(std::string_view text, const std::string& origin);
 
 /// A TOML file that `parseStartState` reads back to the same bits.
 std::string toToml(const StartState& start);
 
-/// One tick of play as it happened. Views stay valid during the call only.
+/// One completed tick of a match, for observers. Views are valid during the call only.
 struct MatchTick {
-  Tick tick = 0;                            ///< of the match, after the step
-  std::span<const RobotId> ids;             ///< of the robots on the field
-  std::span<const WheelSpeeds> commands;    ///< that were applied, rounded, in the order of `ids`
-  const WorldState* world = nullptr;        ///< after the step
-  std::span<const ContactEvent> contacts;   ///< of this tick
-  std::span<const GameEvent> events;        ///< of this tick
-  const RefereeState* referee = nullptr;    ///< what the referee knows after the tick
-  PerTeam<const TeamCommand*> decisions{};  ///< that were carried out, each in its team's frame
-  /// What the teams' navigators wanted, as their decisions; empty unless somebody `wantsDrawings`.
-  PerTeam<std::span<const DebugDrawing>> ways{};
-  std::uint64_t hash = 0;  ///< over the states of all ticks so far: `Match::hash`
+  Tick tick = 0;                            ///< tick of the match, after the step
+  std::span<const RobotId> ids;             ///< robots on the field
+  std::span<const WheelSpeeds> commands;    ///< applied commands, rounded, in the order of `ids`
+  const WorldState* world = nullptr;        ///< state after the step
+  std::span<const ContactEvent> contacts;   ///< contacts of this tick
+  std::span<const GameEvent> events;        ///< calls of this tick
+  const RefereeState* referee = nullptr;    ///< the referee's state after the tick
+  PerTeam<const TeamCommand*> decisions{};  ///< decisions in force, each in its team's frame
+  /// Drawings of the teams' navigators, each in its team's frame; empty unless an observer `wantsDrawings`.
+  PerTeam<std::span<const DebugDrawing>> navigator_drawings{};
+  std::uint64_t hash = 0;  ///< running hash of the states of all ticks: `Match::hash`
 };
 
 /// The beginning of a play: a new world from a placed state.
 struct PlayStart {
-  Tick tick = 0;                          ///< of the match
-  RestartCall call;                       ///< how play begins
-  Placement placement;                    ///< where all stand after repairs
-  std::span<const RobotId> ids;           ///< of the world's robots
-  const WorldConfig* world = nullptr;     ///< what the new world is made from
-  std::span<const GameEvent> events;      ///< of the restart itself, such as repaired placements
-  const RefereeState* referee = nullptr;  ///< what the referee knows now
-  bool edited = false;                    ///< placed by a user in the middle of the match: `Match::replace`
+  Tick tick = 0;                          ///< tick of the match
+  RestartCall call;                       ///< the restart
+  Placement placement;                    ///< the placement after repairs
+  std::span<const RobotId> ids;           ///< robots of the new world
+  const WorldConfig* world = nullptr;     ///< configuration of the new world
+  std::span<const GameEvent> events;      ///< events of the restart itself, such as repaired placements
+  const RefereeState* referee = nullptr;  ///< the referee's state now
+  bool edited = false;                    ///< a user's placement during the match: `Match::replace`
 };
 
-/// Something that watches a match: a recorder, statistics, an event stream. The match's result never depends
-/// on who watches.
+/// An observer of a match: a recorder, statistics, an event stream. Observers never affect the result of a
+/// match.
 class MatchObserver {
  public:
   virtual ~MatchObserver() = default;
   /// Called once, before the first play.
-  virtual void matchBegins(const MatchConfig&) {}
-  /// Called when a new world has been made: at the beginning and after every stoppage.
-  virtual void playBegins(const PlayStart&) {}
-  /// Called after every tick of the match, waiting for a signal included.
-  virtual void ticked(const MatchTick&) {}
-  /// The match cannot go on after this tick: the event says when, `Match::faults` why. `matchEnds` follows.
-  virtual void abandoned(const GameEvent&, const RefereeState&) {}
-  /// Called once, with the ticks played in all.
-  virtual void matchEnds(const RefereeState&, Tick) {}
-  /// Whether what the teams draw in the step that leads to `tick` will be looked at. Teams are asked to draw
-  /// for no other.
+  virtual void onMatchStart(const MatchConfig&) {}
+  /// Called for each new world: at the start of the match and after each stoppage.
+  virtual void onPlayStart(const PlayStart&) {}
+  /// Called after each tick of the match, also while a restart waits for its signal.
+  virtual void onTick(const MatchTick&) {}
+  /// Called when the match cannot continue after this tick. The event has the time, `Match::faults` the
+  /// reason. `onMatchEnd` follows.
+  virtual void onAbandoned(const GameEvent&, const RefereeState&) {}
+  /// Called once, with the total number of ticks.
+  virtual void onMatchEnd(const RefereeState&, Tick) {}
+  /// Whether the observer needs the teams' drawings for the step that leads to `tick`. Teams draw only in
+  /// such steps.
   virtual bool wantsDrawings(Tick) const { return false; }
 };
 
-/// A source of monotonic time [ns]. Libraries read no clock of their own.
+/// A source of monotonic time [ns]. Libraries read no clock themselves.
 using MatchClock = std::function<std::int64_t()>;
-/// Called before a tick that leads to the given one is played; returns when it may be.
+/// Called before the step that leads to the given tick; returns when the step may run.
 using MatchPace = std::function<void(Tick)>;
 
-/// Where a match stands, by what `Match::advance` does next.
+/// The phases of a match. Each names the next action of `Match::advance`.
 enum class MatchPhase : std::uint8_t {
-  kPlacing,  ///< play is stopped, or has not begun; next: the team of `Match::asked` says where it stands
-  kPlaced,   ///< both have said it; next: the referee legalises it and the new world is built
-  kReady,    ///< all stand in their new world; next: teams and observers are told
+  kPlacing,  ///< play is stopped or has not begun; next: the team of `Match::asked` proposes its placement
+  kPlaced,  ///< both teams have proposed; next: the referee repairs the placement, and the new world is built
+  kReady,   ///< the new world exists; next: teams and observers receive the start of the play
   kPlaying,  ///< next: one control tick
-  kEnded,    ///< nothing follows
+  kEnded,    ///< the match is over; no action follows
 };
 
-/// A team that is to say where it wants to stand, and what it is told.
+/// The team that proposes its placement next, and its request.
 struct AskedTeam {
-  TeamId team = TeamId::kBlue;
-  PlacementRequest request;
+  TeamId team = TeamId::kBlue;  ///< the team
+  PlacementRequest request;     ///< as the team receives it, in the team's frame
 };
 
-/// Where the wall time of a match went [ns].
+/// The wall time of a match, by stage [ns].
 struct MatchProfile {
-  std::int64_t sense = 0;     ///< what the teams see
+  std::int64_t sense = 0;     ///< the teams' observations
   std::int64_t decide = 0;    ///< the teams' strategies
-  std::int64_t navigate = 0;  ///< their navigators, and the policy for commands
+  std::int64_t navigate = 0;  ///< the teams' navigators, and the policy for commands
   std::int64_t step = 0;      ///< physics and the hash of its state
   std::int64_t referee = 0;   ///< calls, clock, periods
-  std::int64_t restart = 0;   ///< placing, and building worlds
-  std::int64_t record = 0;    ///< all who watch
-  std::int64_t ticks = 0;     ///< how many were measured
+  std::int64_t restart = 0;   ///< placements, and building worlds
+  std::int64_t record = 0;    ///< the observers
+  std::int64_t ticks = 0;     ///< number of measured ticks
 
-  /// All of these times together.
+  /// Sum of the times of all stages [ns].
   std::int64_t total() const { return sense + decide + navigate + step + referee + restart + record; }
 };
 
-/// What the referee of such a match goes by.
+/// The referee's constants for a match of this configuration.
 RefereeSetup refereeSetup(const MatchConfig& config);
 
 /// One match: sense, decide, navigate, actuate, step, referee, record, tick by tick.
@@ -191,8 +194,8 @@ RefereeSetup refereeSetup(const MatchConfig& config);
 ///     match->watch(recorder);
 ///     while (match->step()) {}
 ///
-/// Between plays a match goes through phases. Who must wait for a team outside the process does so between
-/// two of them, with the same results:
+/// Between plays a match goes through phases. A caller that waits for a team in another process can wait
+/// between two phases. The results are the same:
 ///
 ///     while (match->phase() != MatchPhase::kEnded) {
 ///       if (const auto asked = match->asked()) wait(*asked);
@@ -200,66 +203,67 @@ RefereeSetup refereeSetup(const MatchConfig& config);
 ///     }
 class Match {
  public:
-  /// Makes both teams and tells them of the match. Asks for no placement: that is the first thing that
-  /// happens, so that whoever watches sees it.
-  /// @param clock  measures decisions where `config.decision_time` limits them; read for nothing else
-  /// Errors: kUsage or kBadInput of teams, rules, models, ranges, the start state, and a limit without a
+  /// Creates both teams and sends them the `MatchInfo`. Placements follow with the first `step` or `advance`,
+  /// so that observers see them.
+  /// @param clock  measures decisions if `config.decision_time` limits them; not read otherwise
+  /// Errors: kUsage or kBadInput of teams, rules, models, ranges or the start state, or for a limit without a
   /// clock.
   static Result<Match> create(const MatchConfig& config, const MatchClock& clock = {});
-  /// One that was moved from can only be destroyed or assigned to.
+  /// A moved-from match can only be destroyed or assigned to.
   Match(Match&&) noexcept;
   Match& operator=(Match&&) noexcept;
   ~Match();
 
-  /// Watches from now on; must outlive the match. To be called before the first `step`, `advance` or
-  /// `makeReady`.
+  /// Adds an observer, which must outlive the match. Call before the first `step`, `advance` or `makeReady`.
   void watch(MatchObserver& observer);
-  /// Measures where time goes; costs clock readings. `profile` must outlive the match. To be called before
+  /// Measures the time of each stage with extra clock readings. `profile` must outlive the match. Call before
   /// the first `step`.
   void measure(const MatchClock& now, MatchProfile& profile);
-  /// Ties ticks to a clock outside: `wait` returns when the next tick may be played. What it takes counts
-  /// neither as a team's time to think nor in a profile.
+  /// Ties ticks to an outside clock: `wait` returns when the next tick may be played. The wait counts neither
+  /// as decision time nor in a profile.
   void pace(MatchPace wait);
 
+  /// The present phase: the next action of `advance`.
   MatchPhase phase() const;
-  /// In phase kPlacing: who is asked next, and what.
+  /// In phase kPlacing: the team that is asked next, and its request; otherwise empty.
   std::optional<AskedTeam> asked() const;
-  /// Does the one thing that `phase` names and returns the phase that follows.
+  /// Performs the one action that `phase` names and returns the next phase.
   MatchPhase advance();
-  /// Goes on until nobody need be asked: the next thing is to begin a play, to play a tick, or nothing. For
-  /// who wants to look at the world before the first step.
+  /// Advances past all placements: the next phase is kReady, kPlaying or kEnded. Call it to look at the world
+  /// before the first step.
   MatchPhase makeReady();
-  /// Plays one control tick and goes on up to the next; false when the match is over. Allocates nothing once
-  /// warm, but at restarts.
+  /// Plays one control tick and advances to the next; false when the match is over. Allocates nothing once
+  /// warm, except at restarts.
   bool step();
-  /// Ends the match as it stands: teams and all who watch are told. Also called by the last `step`.
+  /// Ends the match as it stands and informs teams and observers. The last `step` also calls it.
   void finish();
 
-  /// Where all stand now; nobody before the first placement.
+  /// The present poses of all robots, and the ball; no robots before the first placement.
   Placement placement() const;
-  /// Between ticks: goes on from this placement, the robots at rest, in a play and world of its own (kind
-  /// kGiven). Clock and score stay. Those who watch are told with the next tick, so that of several
-  /// replacements between two ticks only the last counts. Errors, which change nothing: kUsage when the match
-  /// is over or placements are asked for, or as `flawOfEdit` (match/play/edit.hpp) says; as `World::create`.
+  /// Between ticks: play continues from this placement in a new world, as a play of kind kGiven. Robots are
+  /// at rest; clock and score stay. Observers receive the new play with the next tick, so only the last of
+  /// several replacements between two ticks counts. Errors, which change nothing: kUsage if the match is
+  /// over, a placement request is open, or `flawOfEdit` (match/play/edit.hpp) names a flaw; as
+  /// `World::create`.
   Result<void> replace(const Placement& placement);
-  /// How often play went on from a replacement.
+  /// Number of plays that began from a replacement.
   int edits() const;
 
-  /// What it was made from.
+  /// The configuration given to `create`.
   const MatchConfig& config() const;
-  /// What the referee knows now: score, clock, who begins.
+  /// The referee's state now: score, clock, the last restart.
   const RefereeState& referee() const;
-  /// Without bodies before the first placement.
+  /// The state of the world now; without bodies before the first placement.
   const WorldState& world() const;
-  /// Of the world's robots.
+  /// The robots of the world, in its order.
   std::span<const RobotId> ids() const;
-  /// Played so far; never reset.
+  /// Ticks played so far; never reset.
   Tick tick() const;
   /// [s] simulated so far.
   double seconds() const;
-  /// Hash over the states of all ticks so far.
+  /// Running hash of the states of all ticks so far.
   std::uint64_t hash() const;
-  /// What the teams did that could not be carried out, so far.
+  /// The teams' faults so far.
   MatchFaults faults() const;
 
  private:

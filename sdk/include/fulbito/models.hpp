@@ -1,6 +1,6 @@
-// What is simulated, as numbers: robots, the ball, fields, obstacles, and how finely time is stepped; and the
-// presets and files that these come from. Every struct is a plain value; `validate` checks one that was
-// filled in by hand.
+// The models of the simulation as numbers: robots, the ball, fields, obstacles, sensors, time steps; and
+// their presets and files. Each struct is a plain value; `validate` checks one that a program fills in
+// itself.
 #pragma once
 
 #include <string>
@@ -33,10 +33,10 @@ struct BallModel {
 Result<void> validate(const BallModel& ball);
 
 /// Differential-drive robot: a rectangular body on two wheels. Motors of limited force make the rim speeds
-/// follow the commands, and the grip on the floor is limited along and across the wheels. The body couples
-/// the wheels: a pull at one affects the other (docs/models.md). Defaults: a 7.5 cm league robot.
+/// follow the commands. The grip on the floor is limited along and across the wheels. The body couples the
+/// wheels: a pull at one affects the other (docs/models.md). Defaults: a 7.5 cm league robot.
 struct RobotModel {
-  std::string name = "vsss";        ///< of the preset
+  std::string name = "vsss";        ///< name of the preset
   double length = 0.075;            ///< [m] body along x
   double width = 0.075;             ///< [m] body along y
   double mass = 0.15;               ///< [kg]
@@ -45,16 +45,16 @@ struct RobotModel {
   double max_wheel_speed = 46.08;   ///< [rad/s] faster commands are clamped
   double wheel_acceleration = 7.0;  ///< [m/s^2] driving straight, both motors accelerating
   double wheel_braking = 7.0;       ///< [m/s^2] driving straight, both motors braking
-  double yaw_acceleration = 0.0;    ///< [rad/s^2] turning in place; 0 = from mass and shape
-  double rolling_drag = 0.0;        ///< [m/s^2] that the motors overcome in addition to `wheel_acceleration`
+  double yaw_acceleration = 0.0;    ///< [rad/s^2] turning in place; 0: from mass and shape
+  double rolling_drag = 0.0;        ///< [m/s^2] drag that the motors overcome beyond `wheel_acceleration`
   double longitudinal_grip = 9.0;   ///< [m/s^2] Coulomb limit along the wheels
   double lateral_grip = 6.0;        ///< [m/s^2] Coulomb limit across the wheels
-  double spin_slow_speed = 0.0;  ///< [m/s] rim speed of the first measured spin in place; 0 = ideal spinning
-  double spin_slow_ratio = 1.0;  ///< measured over ideal yaw rate at `spin_slow_speed` and below
-  double spin_fast_speed = 0.0;  ///< [m/s] rim speed of the second measured spin
-  double spin_fast_ratio = 1.0;  ///< the same at `spin_fast_speed` and above; linear between
-  double friction = 0.2;         ///< of the body against robots, walls and obstacles
-  double restitution = 0.1;      ///< of the body against robots, walls and obstacles
+  double spin_slow_speed = 0.0;     ///< [m/s] rim speed of the first measured spin in place; 0: ideal spins
+  double spin_slow_ratio = 1.0;     ///< measured over ideal yaw rate at `spin_slow_speed` and below
+  double spin_fast_speed = 0.0;     ///< [m/s] rim speed of the second measured spin
+  double spin_fast_ratio = 1.0;     ///< the same at `spin_fast_speed` and above; linear between
+  double friction = 0.2;            ///< of the body against robots, walls and obstacles
+  double restitution = 0.1;         ///< of the body against robots, walls and obstacles
 
   double inertia() const;    ///< [kg m^2] of the body's rectangle about its centre
   double motorPull() const;  ///< [m/s^2] largest force of both motors over the mass, drag compensated
@@ -77,20 +77,20 @@ WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels);
 /// Rounds both wheels to multiples of `step` [rad/s]; step <= 0 changes nothing.
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step);
 
-/// State of `robot` one tick of `dt` [s] later if its wheels follow `command` by the `DriveLaw`, without
+/// State of `robot` after one tick of `dt` [s], if its wheels follow `command` by the `DriveLaw` without
 /// slip.
 RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt);
 
-/// Time steps and accuracy of the physics. Navigators and teams act once per control tick, which may consist
-/// of several physics steps.
+/// Time steps and accuracy of the physics. Navigators and teams act once per control tick, which consists of
+/// one or more physics steps.
 struct PhysicsProfile {
-  std::string name = "standard";       ///< of the preset
+  std::string name = "standard";       ///< name of the preset
   int control_rate = 60;               ///< [Hz] 10 ... 1000
   int substeps = 2;                    ///< physics steps per control tick, 1 ... 64
   int velocity_iterations = 12;        ///< 1 ... 50; with 8, squeezed chains gain energy more often
   int position_iterations = 10;        ///< 1 ... 50; the engine stops early once all errors are small
   bool bullet_ball = true;             ///< continuous collision of the ball against moving bodies too
-  double contact_depth = 0.0007;       ///< [m] steps are split so that bodies overlap no deeper; 0: never
+  double contact_depth = 0.0007;       ///< [m] steps are split so that bodies overlap no deeper; 0: no splits
   double max_ball_speed = 10.0;        ///< [m/s] up to this speed the ball does not tunnel
   double restitution_threshold = 0.1;  ///< [m/s] impacts slower than this do not bounce
   double wheel_command_step = 0.01;    ///< [rad/s] wheel commands are rounded to multiples of this before use
@@ -102,14 +102,14 @@ struct PhysicsProfile {
 /// Checks ranges; the error names the key.
 Result<void> validate(const PhysicsProfile& physics);
 
-/// How well robots and ball are seen: late, with noise, with gaps. The defaults are the truth.
+/// The quality of observations of robots and ball: age, noise, gaps. The defaults give the true state.
 struct SensorModel {
-  int latency_ticks = 0;        ///< age of every picture, 0 ... 60
+  int latency_ticks = 0;        ///< age of observations, 0 ... 60
   double position_noise = 0.0;  ///< [m] standard deviation of each coordinate, 0 ... 0.1
   double heading_noise = 0.0;   ///< [rad] standard deviation of headings, 0 ... 2 pi
-  double dropout = 0.0;  ///< chance that a body is not seen in a tick, 0 ... 0.99: its last sight stays
+  double dropout = 0.0;  ///< probability per tick that a body is not seen, 0 ... 0.99; its last state stays
 
-  /// Whether the truth of this tick is seen.
+  /// Whether observations are the true state of the present tick.
   bool perfect() const { return *this == SensorModel{}; }
   friend bool operator==(const SensorModel&, const SensorModel&) = default;
 };
@@ -117,15 +117,15 @@ struct SensorModel {
 /// @{ Ends of the ranges of a sensor model.
 inline constexpr int kMaxLatencyTicks = 60;
 inline constexpr double kMaxPositionNoise = 0.1;         // [m]
-inline constexpr double kMaxHeadingNoise = 6.283185307;  // [rad] beyond it a heading says nothing
+inline constexpr double kMaxHeadingNoise = 6.283185307;  // [rad] beyond it a heading has no information
 inline constexpr double kMaxDropout = 0.99;
 /// @}
 
-/// The heading noise [rad] of a camera that sees positions with `position_noise` [m]: the heading comes from
-/// a mark half a body [m] before the centre, which is off to the side by that much.
+/// The heading noise [rad] of a camera that sees positions with `position_noise` [m]. The heading comes from
+/// a mark half a `body_length` [m] before the centre, with that noise to the side.
 double headingNoise(double position_noise, double body_length);
 
-/// Errors: kUsage naming what is out of its range.
+/// Checks ranges. Errors: kUsage naming the value that is out of its range.
 Result<void> validate(const SensorModel& sensors);
 
 /// The content of a robot file: the robot and its ball.
@@ -134,36 +134,37 @@ struct RobotPreset {
   BallModel ball;    ///< table [ball]
 };
 
-/// @{ Each takes the name of a preset or the path of a TOML file (what has a '/' or ends in ".toml", or an
-/// existing file that is not also a preset's name). Missing keys keep the struct's defaults; a missing `name`
-/// becomes the file's. Errors: kUsage for an unknown name (with a suggestion), kIo for an unreadable file,
-/// kBadInput as `file:line: table.key ...` with the allowed range.
+/// @{ Loads a preset by name or a TOML file by path. A path contains a '/', ends in ".toml", or names an
+/// existing file but no preset. Missing keys keep the struct's defaults; a missing `name` becomes the file's.
+/// Errors: kUsage for an unknown name (with a suggestion), kIo for an unreadable file, kBadInput as
+/// `file:line: table.key ...` with the allowed range.
 Result<RobotPreset> loadRobot(const std::string& name_or_file);       ///< tables [robot] and [ball]
 Result<PhysicsProfile> loadPhysics(const std::string& name_or_file);  ///< table [physics]
 Result<FieldGeometry> loadField(const std::string& name_or_file);     ///< table [field]
 /// @}
 
-/// @{ The same from text; `origin` stands for the file name in errors.
+/// @{ Parses the same tables from text; `origin` stands for the file name in errors.
 Result<RobotPreset> parseRobot(std::string_view text, const std::string& origin);
 Result<PhysicsProfile> parsePhysics(std::string_view text, const std::string& origin);  ///< table [physics]
 Result<FieldGeometry> parseField(std::string_view text, const std::string& origin);     ///< table [field]
 /// @}
 
-/// Reads a layout file (format: `parseLayout`). A relative path of a field file counts from the layout's
-/// folder and is returned joined with it. The field must load; start, goal and obstacles must lie inside it.
-/// Errors: as above.
+/// Reads a layout file (format: `parseLayout`). A relative path of a field file starts at the layout's
+/// folder; the result has the joined path. The field must load; start, goal and obstacles must lie inside it.
+/// Errors: as `loadField`.
 Result<Layout> loadLayout(const std::string& file);
 
 /// Parses a layout from text; `origin` stands for the file name in errors. Unlike `loadLayout` it opens no
 /// field. Tables: [layout] name, field; [start] position (required), heading; [goal] position (required),
 /// heading, tolerance, heading_tolerance; any number of [[obstacle]] with the members of `ObstacleSpec`.
 /// Angles: `heading = radians` or `heading_deg = degrees`, not both. Headings are brought into [-pi, pi).
-/// An obstacle on a path needs no position: it starts at the first waypoint.
+/// An obstacle on a path starts at its first waypoint, so it needs no position.
 Result<Layout> parseLayout(std::string_view text, const std::string& origin);
 
-/// A valid layout as a TOML file that `parseLayout` reads back to the same bits.
+/// A valid layout as the text of a TOML file that `parseLayout` reads back to the same bits.
 std::string toToml(const Layout& layout);
-/// @{ All keys with units and meanings, as a TOML file that the loader reads back to the same bits.
+/// @{ All keys with units and meanings, as the text of a TOML file that the loader reads back to the same
+/// bits.
 std::string toToml(const RobotPreset& preset);
 std::string toToml(const PhysicsProfile& physics);  ///< table [physics]
 std::string toToml(const FieldGeometry& field);     ///< table [field]

@@ -1,5 +1,5 @@
-// Navigation of one robot: methods that say where to drive, and the pilot that turns their word into wheel
-// speeds. A method of your own implements `Navigator`. Component `navigation`.
+// Navigation of one robot: navigators give guidance, and the pilot turns guidance into wheel speeds. A method
+// of your own implements `Navigator`. Component `navigation`.
 #pragma once
 
 #include <cstdint>
@@ -25,26 +25,26 @@ class HeadingField {
   virtual double heading(Vec2 p) const = 0;
 };
 
-/// In which form a navigator says where to drive.
+/// The forms of guidance.
 enum class GuidanceKind {
   kField,      ///< `field` is set
   kPath,       ///< `path` is set; the follower chooses the speed
   kTimedPath,  ///< `path` and `speeds` are set: the method planned its own speed profile
-  kWheels,     ///< `wheels` is set: the method controls the robot itself
+  kWheels,     ///< `wheels` is set: the method controls the wheels itself
 };
 
 /// A navigator's output. Views point into the navigator and stay valid until its next call.
 struct Guidance {
-  GuidanceKind kind = GuidanceKind::kField;  ///< which of the members below are set
+  GuidanceKind kind = GuidanceKind::kField;  ///< selects the members below
   const HeadingField* field = nullptr;       ///< null unless `kind` is kField
-  std::span<const Vec2> path;                ///< [m] robot's place to goal, at least 2 points, any spacing
-  std::span<const double> speeds;            ///< [m/s] at each path point
+  std::span<const Vec2> path;                ///< [m] from robot to goal, at least 2 points, any spacing
+  std::span<const double> speeds;            ///< [m/s] speed at each path point
   std::uint64_t revision = 0;  ///< changes whenever `path` or `speeds` do, so that followers can cache
-  WheelSpeeds wheels;          ///< [rad/s]
+  WheelSpeeds wheels;          ///< [rad/s] for kWheels
   double speed_cap = std::numeric_limits<double>::infinity();  ///< [m/s] present speed limit
 };
 
-/// Guidance by `field`, which must outlive it.
+/// Guidance by `field`, which must outlive the guidance.
 inline Guidance guidanceBy(const HeadingField& field) {
   Guidance guidance;
   guidance.kind = GuidanceKind::kField;
@@ -52,31 +52,31 @@ inline Guidance guidanceBy(const HeadingField& field) {
   return guidance;
 }
 
-/// A round obstacle as a navigator sees it. Boxes are already covered by discs.
+/// A round obstacle for navigators. Discs also cover the boxes.
 struct DiscObstacle {
-  Vec2 position;        ///< [m] of its middle, now
-  double radius = 0.0;  ///< [m] of the obstacle itself, not inflated by the robot
+  Vec2 position;        ///< [m] its centre now
+  double radius = 0.0;  ///< [m] the obstacle's own radius, not inflated by the robot
   Vec2 velocity;        ///< [m/s]
 };
 
 /// The robot's goal.
 struct NavigationGoal {
-  Vec2 position;                      ///< [m] where the robot's centre shall get to
-  std::optional<double> heading;      ///< [rad] wanted on arrival
-  double tolerance = 0.03;            ///< [m]
-  double heading_tolerance = 0.1745;  ///< [rad]
-  bool stop = false;                  ///< stop there; otherwise the robot may pass at speed
+  Vec2 position;                      ///< [m] target of the robot's centre
+  std::optional<double> heading;      ///< [rad] on arrival; empty: any
+  double tolerance = 0.03;            ///< [m] distance that counts as arrival
+  double heading_tolerance = 0.1745;  ///< [rad] difference that counts as the wanted heading
+  bool stop = false;                  ///< stop at the goal; otherwise the robot may pass it at speed
 };
 
-/// Everything that a navigator knows in one control tick. Views are valid during the call only.
+/// A navigator's knowledge at one control tick. Views are valid during the call only.
 struct NavigationScene {
   Tick tick = 0;                            ///< counts control ticks; never goes back within a trial
   double dt = 1.0 / 60.0;                   ///< [s] control period
-  RobotState self;                          ///< the robot as it is known
-  NavigationGoal goal;                      ///< where it shall go
+  RobotState self;                          ///< the robot's state as far as known
+  NavigationGoal goal;                      ///< the robot's goal
   std::span<const DiscObstacle> obstacles;  ///< the other bodies, in any order
   const FieldGeometry* field = nullptr;     ///< never null
-  const RobotModel* robot = nullptr;  ///< never null; its max_wheel_speed is the speed limit of this run
+  const RobotModel* robot = nullptr;  ///< never null; its max_wheel_speed is the speed limit of this trial
 };
 
 /// One navigation method. An instance belongs to one robot and keeps its memory between ticks. Contract:
@@ -84,7 +84,7 @@ struct NavigationScene {
 class Navigator {
  public:
   virtual ~Navigator() = default;
-  /// Forgets everything: the next call starts a new trial.
+  /// Resets all memory: the next call starts a new trial.
   virtual void reset() = 0;
   /// Plans the motion in the present scene. Called once per control tick.
   virtual Guidance plan(const NavigationScene& scene) = 0;
@@ -94,29 +94,29 @@ class Navigator {
 class Follower {
  public:
   virtual ~Follower() = default;
-  /// Forgets everything: the next call starts a new trial.
+  /// Resets all memory: the next call starts a new trial.
   virtual void reset() = 0;
-  /// Wanted twist, not yet limited. `guidance.kind` is not kWheels (that needs no follower).
+  /// The wanted twist before limits. `guidance.kind` is never kWheels, which needs no follower.
   virtual Twist follow(const Guidance& guidance, const NavigationScene& scene) = 0;
 };
 
-/// One documented, typed parameter of a navigator or follower, as `fulbito list navigators` shows it.
+/// One documented, typed parameter of a navigator, follower or team, as `fulbito list` shows it.
 struct ParameterSpec {
-  /// What values a parameter takes; a specification writes all of them as text.
+  /// The types of values; a specification writes all of them as text.
   enum class Type { kNumber, kInteger, kFlag, kChoice };
   std::string name;                  ///< as in `name=value`
-  Type type = Type::kNumber;         ///< what values it takes
-  double default_value = 0.0;        ///< flags 0/1; choices the index
-  double minimum = 0.0;              ///< least value allowed
-  double maximum = 0.0;              ///< largest value allowed
-  std::vector<std::string> choices;  ///< of kChoice: the names of its values
+  Type type = Type::kNumber;         ///< type of its values
+  double default_value = 0.0;        ///< of a flag: 0 or 1; of a choice: its index
+  double minimum = 0.0;              ///< least allowed value
+  double maximum = 0.0;              ///< largest allowed value
+  std::vector<std::string> choices;  ///< for kChoice: the names of its values
   std::string unit;                  ///< e.g. "m/s"; empty: none
   std::string doc;                   ///< one line for people
 };
 
 /// A `name=value` pair of a specification such as `bezier:clearance=0.02`.
 struct Setting {
-  std::string name;   ///< of the parameter
+  std::string name;   ///< name of the parameter
   std::string value;  ///< as written
 };
 
@@ -125,29 +125,29 @@ struct NavigatorInfo {
   std::string name;                       ///< as in specifications
   std::string summary;                    ///< one line
   std::string source;                     ///< paper, section
-  bool plans_speed = false;               ///< returns its own speed profile or wheel speeds; tables mark it
-  std::vector<ParameterSpec> parameters;  ///< its own; `commonParameters` has those of all
+  bool plans_speed = false;               ///< gives its own speed profile or wheel speeds; tables mark it
+  std::vector<ParameterSpec> parameters;  ///< the method's own; all methods share `commonParameters`
   /// Creates the navigator from settings. Errors: kUsage.
   std::function<Result<std::unique_ptr<Navigator>>(const std::vector<Setting>&)> make;
 };
 
-/// One robot's navigation stage: navigator, follower, escape from walls, limiter and kinematics in one call a
-/// tick. Methods that control the wheels themselves get neither follower nor escape.
+/// One robot's navigation stage: navigator, follower, escape from walls, limiter and kinematics, with one
+/// call per tick. Methods that control the wheels themselves use neither follower nor escape.
 class Pilot {
  public:
-  /// @param follower  null: the follower that all built-in methods share
-  /// @param wall_escape  whether the robot gets away from walls that leave it no room to turn
+  /// @param follower  null: the default follower of all built-in methods
+  /// @param wall_escape  whether the robot escapes from walls that leave it no room to turn
   explicit Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower = nullptr,
                  bool wall_escape = true);
-  Pilot(Pilot&&) noexcept;             ///< The one moved from can only be destroyed or assigned to.
+  Pilot(Pilot&&) noexcept;             ///< A moved-from pilot can only be destroyed or assigned to.
   Pilot& operator=(Pilot&&) noexcept;  ///< As above.
   ~Pilot();
 
-  /// Forgets everything: the next tick starts a new trial.
+  /// Resets all memory: the next tick starts a new trial.
   void reset();
   /// Wheel speeds for this tick, within the robot's limits and always finite. Allocates nothing once warm.
   WheelSpeeds drive(const NavigationScene& scene);
-  /// What the navigator wanted at the last tick. Valid until the next `drive` or `reset`.
+  /// The navigator's guidance at the last tick. Valid until the next `drive` or `reset`.
   const Guidance& guidance() const;
 
  private:
@@ -155,29 +155,29 @@ class Pilot {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Name of the navigator that is used where none is named.
+/// Name of the default navigator.
 inline constexpr const char* kDefaultNavigator = "bspline-time";
 
-/// All navigation methods, in the order in which tables list them.
+/// All navigation methods, in the order of the tables.
 std::span<const NavigatorInfo> navigators();
 
-/// Parameters that every method takes beside its own: `follower=preview|classic` and
+/// Parameters that each method takes in addition to its own: `follower=preview|classic` and
 /// `wall_escape=on|off`.
 std::span<const ParameterSpec> commonParameters();
 
-/// A specification such as `bezier:clearance=0.02,follower=classic`, taken apart and checked by name.
+/// A parsed specification such as `bezier:clearance=0.02,follower=classic`, with checked names.
 struct NavigatorChoice {
   const NavigatorInfo* info = nullptr;  ///< entry of `navigators()`
   std::string text;                     ///< as given
-  std::vector<Setting> settings;        ///< the method's own
+  std::vector<Setting> settings;        ///< settings of the method's own parameters
   bool classic_follower = false;        ///< `follower=classic`
   bool wall_escape = true;              ///< `wall_escape=on`
 };
 
-/// Errors: kUsage naming the unknown method or parameter, with a suggestion.
+/// Parses a specification. Errors: kUsage naming the unknown method or parameter, with a suggestion.
 Result<NavigatorChoice> parseNavigator(const std::string& specification);
 
-/// A fresh pilot for the choice.
+/// Creates a new pilot from a choice. Errors: kUsage.
 Result<std::unique_ptr<Pilot>> makePilot(const NavigatorChoice& choice);
 
 }  // namespace fulbito

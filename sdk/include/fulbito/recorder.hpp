@@ -1,4 +1,4 @@
-// Records a match while it is played. Component `recorder`.
+// Records a match during play. Component `recorder`.
 #pragma once
 
 #include <memory>
@@ -12,33 +12,33 @@ namespace fulbito {
 /// The header of a recording of the match.
 RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level);
 
-/// Records the observed match (docs/recordings.md). `Match::finish` completes the file however the match
-/// ends. If the program dies, the file can be read up to its last few seconds.
+/// Records the observed match (docs/recordings.md). `Match::finish` completes the file, however the match
+/// ends. If the program dies, the file is readable except for its last few seconds.
 class MatchRecorder final : public MatchObserver {
  public:
-  /// Opens the file at once, so that errors appear before the match.
-  /// Errors: as RecordingWriter::create.
+  /// Opens the file at once, so that errors appear before the match. Errors: as RecordingWriter::create.
   static Result<MatchRecorder> create(const std::string& file, const MatchConfig& config,
                                       RecordingLevel level = RecordingLevel::kFull, bool replace = true);
-  /// The same into a sink.
+  /// Records into a sink.
   static Result<MatchRecorder> create(RecordingWriter::Sink sink, const MatchConfig& config,
                                       RecordingLevel level = RecordingLevel::kFull);
 
-  /// Also records drawings of the teams and their navigators, `per_second` times per second at most, if level
-  /// and control rate allow it. Call before the first step.
+  /// Also records drawings of the teams and their navigators, at most `per_second` times per second. Needs
+  /// level full; the control rate limits it too. Call before the first step.
   void keepDrawings(int per_second = 10);
 
   /// Begins a play of the recording.
-  void playBegins(const PlayStart& start) override;
+  void onPlayStart(const PlayStart& start) override;
   /// Adds a tick.
-  void ticked(const MatchTick& tick) override;
-  void abandoned(const GameEvent& event, const RefereeState&) override { add(event); }
+  void onTick(const MatchTick& tick) override;
+  /// Adds the event that ends the match early.
+  void onAbandoned(const GameEvent& event, const RefereeState&) override { add(event); }
   /// Ends the file.
-  void matchEnds(const RefereeState& referee, Tick tick) override;
-  /// Whether drawings of this tick are kept, see `keepDrawings`.
+  void onMatchEnd(const RefereeState& referee, Tick tick) override;
+  /// Whether the recording keeps drawings of this tick, see `keepDrawings`.
   bool wantsDrawings(Tick tick) const override { return drawn_every_ > 0 && tick % drawn_every_ == 0; }
 
-  /// After the match: whether everything was written. Errors: the first failed write.
+  /// After the match: whether all data is in the file. Errors: the first failed write.
   const Result<void>& written() const { return written_; }
 
  private:
@@ -46,13 +46,13 @@ class MatchRecorder final : public MatchObserver {
   void add(const GameEvent& event);
   void addDrawings(const MatchTick& tick);
 
-  RecordingWriter writer_;
+  RecordingWriter writer_;   ///< writes to the file or sink
   RecordedEvent event_;      ///< reused, to avoid allocations
   RecordedDrawing drawing_;  ///< the same
   std::uint64_t hash_ = 0;   ///< running, of the match
   int edits_ = 0;            ///< plays from a user's placement
-  Tick drawn_every_ = 0;     ///< ticks between kept drawings; 0: none are kept
-  Result<void> written_;
+  Tick drawn_every_ = 0;     ///< ticks between recorded drawings; 0: none
+  Result<void> written_;     ///< result of `RecordingWriter::finish`
 };
 
 }  // namespace fulbito

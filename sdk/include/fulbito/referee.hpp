@@ -1,4 +1,4 @@
-// Rules of a match as numbers, and what the referee keeps and says. Component `referee`.
+// Rules of a match as numbers, and the referee's state, calls and restarts. Component `referee`.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ using TeamPoses = std::array<std::optional<Pose2>, kMaxTeamSize>;
 
 /// Positions of ball and robots in the world frame. A robot without a pose is not on the field.
 struct Placement {
-  Vec2 ball;                  ///< [m] of its middle
+  Vec2 ball;                  ///< [m] its centre
   Vec2 ball_velocity;         ///< [m/s] 0 at every restart of the rules
   PerTeam<TeamPoses> robots;  ///< by team and number
 };
@@ -36,7 +36,7 @@ struct Scoreboard {
 
 /// One call of the referee, with its measured value.
 struct GameEvent {
-  Tick tick = 0;                      ///< of the match
+  Tick tick = 0;                      ///< tick of the match
   double play_time = 0.0;             ///< [s] play time in the period
   std::uint8_t period = 1;            ///< 1, 2: halves; 3: overtime; 4: shoot-out
   std::string_view clause;            ///< name of the rule, e.g. "goal-kick.attackers"; static lifetime
@@ -51,64 +51,66 @@ struct GameEvent {
 
 /// The rules of a match. Defaults: the rule book's 3v3 game (IEEE VSSS rules).
 struct Rules {
-  std::string name = "vsss-3v3";   ///< of the preset
+  std::string name = "vsss-3v3";   ///< name of the preset
   std::string field = "vsss-3v3";  ///< field preset or file
-  int team_size = 3;               ///< robots of each team
+  int team_size = 3;               ///< robots per team
   double half_seconds = 300.0;     ///< [s] play time of a half; a key of [periods]
-  PeriodRules periods;             ///< halves, overtime, who begins
-  ShootOutRules shoot_out;         ///< how a tie is decided by kicks
-  WalkOverRules walk_over;         ///< what happens when a team did not come
-  RestartRules restart;            ///< what all restarts share
+  PeriodRules periods;             ///< halves, overtime, first kick-off
+  ShootOutRules shoot_out;         ///< the kicks that decide a tie
+  WalkOverRules walk_over;         ///< an absent team
+  RestartRules restart;            ///< rules of all restarts
   KickOffRules kick_off;           ///< places and distances
   FreeBallRules free_ball;         ///< places and distances
   FreeKickRules free_kick;         ///< places and distances
   PenaltyRules penalty;            ///< places and distances
   GoalKickRules goal_kick;         ///< places and distances
   GoalRules goal;                  ///< when a goal counts
-  StuckRules stuck;                ///< when a ball is stuck, and what follows
-  AreaRules areas;                 ///< how many robots may be in the goal areas
-  KeeperRules keeper;              ///< how long a keeper may hold the ball, and what protects it
+  StuckRules stuck;                ///< when a ball is stuck, and the call
+  AreaRules areas;                 ///< number of robots in the goal areas
+  KeeperRules keeper;              ///< holding the ball, and charging the keeper
   FoulRules fouls;                 ///< pushing and holding
 };
 
 /// Reads a profile: a preset's name or the path of a TOML file. Missing keys keep the defaults of `Rules`; a
-/// missing name becomes the file's. A relative path of a field counts from the profile's folder; the field
-/// must load. Errors: kUsage for an unknown name (with a suggestion), kIo for an unreadable file, kBadInput
-/// as `file:line: table.key ...` with the range.
+/// missing name becomes the file's. A relative path of a field starts at the profile's folder; the field must
+/// load. Errors: kUsage for an unknown name (with a suggestion), kIo for an unreadable file, kBadInput as
+/// `file:line: table.key ...` with the range.
 Result<Rules> loadRules(const std::string& name_or_file);
-/// The same from text; `origin` stands for the file name in errors. Opens no field.
+/// Parses a profile from text; `origin` stands for the file name in errors. Opens no field.
 Result<Rules> parseRules(std::string_view text, const std::string& origin);
 /// Checks ranges and consistency; the error names the key.
 Result<void> validate(const Rules& rules);
-/// All keys with units, meanings and sources, as a TOML file that `parseRules` reads back to the same bits.
+/// All keys with units, meanings and sources, as the text of a TOML file that `parseRules` reads back to the
+/// same bits.
 std::string toToml(const Rules& rules);
-/// The embedded profiles.
+/// Names of the embedded profiles.
 std::vector<std::string> rulesPresetNames();
 /// The text of an embedded profile with all keys, defaults included. Errors: kUsage, with a suggestion.
 Result<std::string> rulesPresetText(const std::string& name);
 
 /// A restart: how play continues after a stoppage.
 struct RestartCall {
-  RestartKind kind = RestartKind::kKickOff;  ///< how play begins
-  TeamId team = TeamId::kBlue;  ///< takes it and places first; for a free ball, attacks that half
-  Vec2 ball;                    ///< [m] ball position
-  Tick delay = 0;               ///< from the placement to the signal, in ticks
+  RestartKind kind = RestartKind::kKickOff;  ///< the kind of restart
+  TeamId team =
+      TeamId::kBlue;  ///< the team that takes it and places first; at a free ball it attacks that half
+  Vec2 ball;          ///< [m] ball position
+  Tick delay = 0;     ///< from the placement to the signal, in ticks
   bool defenders_back = false;  ///< law 9: the other team must stay behind the edge of its own area
   Placement defaults;           ///< placement by the rules
-  PerTeam<TeamPoses> stays;     ///< for a free ball at which robots stay: each one's pose if it takes no mark
-  /// For such a free ball: robots that stay exactly there, since they are far enough from the ball. The robot
-  /// that takes the mark moves anyway.
+  PerTeam<TeamPoses> stays;     ///< for a free ball at which robots stay: pose of each robot without a mark
+  /// For such a free ball: robots far enough from the ball to stay exactly there. The robot that takes the
+  /// mark moves anyway.
   PerTeam<std::array<bool, kMaxTeamSize>> rests{};
 };
 
 /// The referee's constants during a match.
 struct RefereeSetup {
-  Rules rules;                        ///< that the match is played by
-  FieldGeometry field;                ///< that it is played on
-  RobotModel robot;                   ///< of both teams
+  Rules rules;                        ///< rules of the match
+  FieldGeometry field;                ///< field of the match
+  RobotModel robot;                   ///< robots of both teams
   BallModel ball;                     ///< its radius decides on goals
   double dt = 1.0 / 60.0;             ///< [s] control period
-  std::uint64_t seed = 0;             ///< of the match: coin tosses
+  std::uint64_t seed = 0;             ///< seed of the match, for coin tosses
   Side blue_side = Side::kLeft;       ///< the goal that blue defends at first
   PerTeam<bool> present{true, true};  ///< false: the team is absent (law 7.3)
   Scoreboard scoreboard;              ///< score and time at the start
@@ -116,15 +118,15 @@ struct RefereeSetup {
 
 /// Number of a period in `RefereeState::period` and `GameEvent::period`.
 inline constexpr int kOvertimePeriod = 3;
-inline constexpr int kShootOutPeriod = 4;  ///< decides a match that is level
+inline constexpr int kShootOutPeriod = 4;  ///< decides a tied match
 
 /// The state of a shoot-out.
 struct ShootOutState {
-  PerTeam<int> taken{};          ///< kicks
-  PerTeam<int> goals{};          ///< not part of the match's score
-  TeamId first = TeamId::kBlue;  ///< whose kick is the first of each pair
-  Tick still_ticks = 0;          ///< time for which the ball has been at rest
-  Tick held_ticks = 0;           ///< time for which the keeper has held it
+  PerTeam<int> taken{};          ///< kicks of blue and yellow so far
+  PerTeam<int> goals{};          ///< goals in the shoot-out, not part of the match's score
+  TeamId first = TeamId::kBlue;  ///< the team with the first kick of each pair
+  Tick still_ticks = 0;          ///< ticks for which the ball has been at rest
+  Tick held_ticks = 0;           ///< ticks for which the keeper has held the ball
   bool entered_area = false;     ///< the ball has been in the keeper's area
 };
 
@@ -137,26 +139,26 @@ struct RobotRecord {
 
 /// The referee's state between ticks: a plain value.
 struct RefereeState {
-  Tick last_tick = 0;  ///< the match's last tick that the referee saw
+  Tick last_tick = 0;  ///< the last tick that the referee saw
   int period = 1;      ///< 1, 2: halves; 3: overtime; 4: shoot-out
   int part = 1;        ///< period of overtime: 1, 2 ...
   /// Play time in this period (overtime: in its part; shoot-out: in the kick).
   Tick play_ticks = 0;
-  Tick period_ticks = 0;                                    ///< length of the period, counted as `play_ticks`
-  Tick match_ticks = 0;                                     ///< play time in the match
-  bool playing = false;                                     ///< false while a restart waits for its signal
-  bool ended = false;                                       ///< the match is over
-  PerTeam<int> score{};                                     ///< goals of blue and yellow
-  std::optional<TeamId> winner;                             ///< after the end; empty for a draw
-  Side blue_side = Side::kLeft;                             ///< goal that blue defends now
-  TeamId first_kick_off = TeamId::kBlue;                    ///< team that began period 1
-  RestartCall last;                                         ///< the last restart
-  Placement placed;                                         ///< the placement at that restart
-  Tick play_began = 0;                                      ///< match tick of the signal
-  bool announce = false;                                    ///< the next tick of play reports the kick-off
-  PerTeam<int> false_starts{};                              ///< at this restart and its repeats
-  Tick false_start_ticks = 0;                               ///< time for which a robot has been off its place
-  ShootOutState shoot_out;                                  ///< counts from its beginning
+  Tick period_ticks = 0;                  ///< length of the period, counted as `play_ticks`
+  Tick match_ticks = 0;                   ///< play time in the match
+  bool playing = false;                   ///< false while a restart waits for its signal
+  bool ended = false;                     ///< the match is over
+  PerTeam<int> score{};                   ///< goals of blue and yellow
+  std::optional<TeamId> winner;           ///< after the end; empty for a draw
+  Side blue_side = Side::kLeft;           ///< goal that blue defends now
+  TeamId first_kick_off = TeamId::kBlue;  ///< team that began period 1
+  RestartCall last;                       ///< the last restart
+  Placement placed;                       ///< the placement at that restart
+  Tick play_began = 0;                    ///< match tick of the signal
+  bool announce = false;                  ///< the next tick of play reports the kick-off
+  PerTeam<int> false_starts{};            ///< at this restart and its repeats
+  Tick false_start_ticks = 0;             ///< ticks for which a robot has been off its place
+  ShootOutState shoot_out;                ///< state of the shoot-out
   PerTeam<std::array<RobotRecord, kMaxTeamSize>> robots{};  ///< by team and number
 
   /// The goal that a team defends now.

@@ -1,4 +1,5 @@
-// What happened in a match, series of matches with intervals, and both as text or JSON. Component `match`.
+// Statistics and events of a match, series of matches with intervals, and reports of both as text or JSON.
+// Component `match`.
 #pragma once
 
 #include <array>
@@ -15,30 +16,30 @@
 
 namespace fulbito {
 
-/// A series of matches of the same two teams in swapped pairs: the second leg has the same seed with the
-/// seats exchanged. Random numbers belong to seats, so a team against itself gives a goal difference of
-/// exactly zero.
+/// A series of matches between two teams in swapped pairs: the second leg has the same seed with the seats
+/// exchanged. Random numbers belong to seats, so a team against itself gives a goal difference of exactly
+/// zero.
 struct SeriesConfig {
   MatchConfig match;  ///< the first leg: team A is blue; `seed` is the series' seed
   int pairs = 1;      ///< 1 ... 100,000
-  int jobs = 0;       ///< worker threads, 0 ... 1024; 0: all cores. Changes no result.
+  int jobs = 0;       ///< worker threads, 0 ... 1024; 0: all cores. Does not affect the result.
 };
 
-/// A foul paid if its team scores within this time of play [s].
+/// A foul paid off if its team scores within this time of play [s].
 inline constexpr double kFoulPaysWithin = 5.0;
 
 /// One match of a series.
 struct LegRecord {
-  PerTeam<int> score{};             ///< blue, yellow
-  PerTeam<int> goals_after_foul{};  ///< goals of the score within `kFoulPaysWithin` of an own foul
-  Tick ticks = 0;                   ///< of the whole match
+  PerTeam<int> score{};             ///< goals of blue and yellow
+  PerTeam<int> goals_after_foul{};  ///< these goals within `kFoulPaysWithin` of a foul of the scoring team
+  Tick ticks = 0;                   ///< length of the match
   std::uint64_t hash = 0;           ///< `Match::hash`
-  MatchFaults faults;               ///< of both teams
+  MatchFaults faults;               ///< faults of both teams
 };
 
 /// Two matches: the statistical unit.
 struct PairRecord {
-  std::uint64_t seed = 0;         ///< of both matches
+  std::uint64_t seed = 0;         ///< seed of both matches
   std::array<LegRecord, 2> legs;  ///< A plays blue in the first, yellow in the second
 
   /// Goals of A in both matches.
@@ -51,25 +52,25 @@ struct PairRecord {
 
 /// The result of a complete or stopped series.
 struct SeriesResult {
-  std::vector<PairRecord> pairs;  ///< in the order of the schedule, without gaps
-  bool interrupted = false;       ///< fewer pairs than configured
-  int wins = 0;                   ///< matches that A won
-  int draws = 0;                  ///< matches without a winner
-  int losses = 0;                 ///< matches that B won
-  int goals_for = 0;              ///< of A
-  int goals_against = 0;          ///< of B
-  int goals_after_foul_for = 0;   ///< of these, within `kFoulPaysWithin` of an own foul of the scoring team
-  int goals_after_foul_against = 0;  ///< the same of B
+  std::vector<PairRecord> pairs;     ///< in the order of the schedule, without gaps
+  bool interrupted = false;          ///< fewer pairs than configured
+  int wins = 0;                      ///< matches that A won
+  int draws = 0;                     ///< matches without a winner
+  int losses = 0;                    ///< matches that B won
+  int goals_for = 0;                 ///< goals of A
+  int goals_against = 0;             ///< goals of B
+  int goals_after_foul_for = 0;      ///< goals of A within `kFoulPaysWithin` of a foul of A
+  int goals_after_foul_against = 0;  ///< goals of B within `kFoulPaysWithin` of a foul of B
   Interval points_share;             ///< of A, 0 ... 1; interval: `shareInterval` over pairs
   Interval goal_difference;          ///< A's goals minus B's, per match; interval: `meanInterval` over pairs
 };
 
-/// Called after each match with the number of finished matches. Returning false stops the series. Calls do
-/// not overlap.
+/// Called after each match with the number of finished matches. Return false to stop the series. Calls do not
+/// overlap.
 using SeriesProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
-/// Plays the series. The result does not depend on the number of jobs. If stopped early, it holds the
-/// complete pairs before the first gap. Errors: as `Match::create`; kUsage for `pairs` and `jobs`.
+/// Plays the series. The number of jobs does not affect the result. A stopped series has the complete pairs
+/// before the first gap. Errors: as `Match::create`; kUsage for `pairs` and `jobs`.
 Result<SeriesResult> playSeries(const SeriesConfig& config, const SeriesProgress& progress = {});
 
 /// Seed of a pair. The first pair uses the series' seed.
@@ -78,37 +79,37 @@ std::uint64_t seedOfPair(std::uint64_t series_seed, std::uint64_t pair);
 /// One goal of a match.
 struct GoalRecord {
   double seconds = 0.0;         ///< [s] of the match, stoppages included
-  int period = 1;               ///< as in `GameEvent`
-  double play_time = 0.0;       ///< [s] of play in the period
-  TeamId team = TeamId::kBlue;  ///< who scored
+  int period = 1;               ///< as `GameEvent::period`
+  double play_time = 0.0;       ///< [s] play time in the period
+  TeamId team = TeamId::kBlue;  ///< the scoring team
   std::optional<RobotId>
-      scorer;             ///< the last robot to touch the ball: of `team`, or for an own goal of the other
-  bool own_goal = false;  ///< off a robot of the conceding team, and not a shot on goal before
-  PerTeam<int> score{};   ///< after it
+      scorer;             ///< the last robot to touch the ball: of `team`, or of the other for an own goal
+  bool own_goal = false;  ///< off a robot of the conceding team, without a shot on goal before
+  PerTeam<int> score{};   ///< score after the goal
 };
 
 /// Statistics of one robot during play.
 struct RobotStatistics {
-  Tick ticks = 0;         ///< on the field
+  Tick ticks = 0;         ///< ticks on the field
   double distance = 0.0;  ///< [m] path length of its centre
-  int touches = 0;        ///< begun contacts with the ball
+  int touches = 0;        ///< contacts with the ball that began
   int shots = 0;          ///< see `kShotSpeed`
-  int goals = 0;          ///< own goals are not among them
+  int goals = 0;          ///< goals, without own goals
 };
 
 /// Statistics of one team during play.
 struct TeamStatistics {
-  Tick possession = 0;           ///< ticks with the ball, see `kPossessionLead`
+  Tick possession = 0;           ///< ticks with possession, see `kPossessionLead`
   int shots = 0;                 ///< see `kShotSpeed`
-  int shots_on_goal = 0;         ///< between the posts
-  int own_goals = 0;             ///< scored against itself
-  int goals_after_foul = 0;      ///< scored within `kFoulPaysWithin` of play after a foul of its own
-  int wall_contacts = 0;         ///< begun contacts of its robots with walls
-  int mate_contacts = 0;         ///< begun contacts between its own robots
-  std::array<Tick, 3> thirds{};  ///< ticks of the ball in the own, middle and opponents' third
-  std::array<RobotStatistics, kMaxTeamSize> robots{};  ///< by their numbers
+  int shots_on_goal = 0;         ///< shots between the posts
+  int own_goals = 0;             ///< goals against itself
+  int goals_after_foul = 0;      ///< goals within `kFoulPaysWithin` of its own foul
+  int wall_contacts = 0;         ///< contacts of its robots with walls that began
+  int mate_contacts = 0;         ///< contacts between its own robots that began
+  std::array<Tick, 3> thirds{};  ///< ticks with the ball in the own, middle and opponents' third
+  std::array<RobotStatistics, kMaxTeamSize> robots{};  ///< by robot number
 
-  /// [m] way of all its robots together.
+  /// [m] Path length of all its robots together.
   double distance() const;
   /// Contacts of all its robots with the ball that began.
   int touches() const;
@@ -117,20 +118,20 @@ struct TeamStatistics {
 /// The number of calls by one rule.
 struct CallCount {
   std::string_view clause;  ///< static lifetime
-  PerTeam<int> against{};   ///< for a goal: scored by
+  PerTeam<int> against{};   ///< calls against each team; for a goal: goals of each team
   int neither = 0;          ///< calls against no team, such as the end of a half
-  PerTeam<int> paid{};      ///< goals of the fouling team within `kFoulPaysWithin` of this foul, its last
+  PerTeam<int> paid{};      ///< goals within `kFoulPaysWithin` of this foul of the same team, its last one
 };
 
-/// A team gains possession when its nearest robot is this much nearer [m] to the ball than the other team's,
-/// and keeps it until the reverse holds. So possession does not flicker while both press on the ball.
+/// Lead [m] of a team's nearest robot toward the ball that gives it possession. The team keeps possession
+/// until the other team has this lead. So possession does not flicker while both teams press on the ball.
 inline constexpr double kPossessionLead = 0.02;
 
-/// @{ A shot: the ball was last touched by the attacking team and is faster than `kShotSpeed`. At its present
-/// velocity it would cross the goal line within `kShotHorizon`, between the posts or at most `kShotNearMiss`
-/// beside one. The shot is on goal if at any moment the whole ball would pass between the posts; a goal
-/// always is, unless it is an own goal. A shot ends when this has not held for `kShotPause`, or when play
-/// stops.
+/// @{ A shot: the attacking team touched the ball last, and the ball is faster than `kShotSpeed`. At its
+/// present velocity it would cross the goal line within `kShotHorizon`, at most `kShotNearMiss` outside the
+/// posts. The shot is on goal if at any moment the whole ball would pass between the posts. A goal always
+/// counts as one, unless it is an own goal. A shot ends when these conditions fail for `kShotPause`, or when
+/// play stops.
 inline constexpr double kShotSpeed = 0.4;      ///< [m/s]
 inline constexpr double kShotHorizon = 1.0;    ///< [s]
 inline constexpr double kShotNearMiss = 0.10;  ///< [m] next to a post
@@ -142,21 +143,20 @@ struct MatchStatistics {
   double dt = 0.0;                ///< [s] length of a tick
   Tick play_ticks = 0;            ///< ticks of play
   Tick waiting_ticks = 0;         ///< ticks before a restart's signal
-  int team_size = 0;              ///< robots of each team
-  PerTeam<TeamStatistics> teams;  ///< blue and yellow
-  std::vector<GoalRecord> goals;  ///< in the order in which they fell
-  /// Restarts by `RestartKind` and by the team that took them.
+  int team_size = 0;              ///< robots per team
+  PerTeam<TeamStatistics> teams;  ///< statistics of blue and yellow
+  std::vector<GoalRecord> goals;  ///< goals in chronological order
+  /// Number of restarts by `RestartKind` and taking team.
   std::array<PerTeam<int>, 6> restarts{};
-  std::vector<CallCount> calls;  ///< in the order of their first occurrence
-  int opponent_contacts = 0;     ///< begun contacts between robots of the two teams
+  std::vector<CallCount> calls;  ///< number of calls by rule, in the order of their first occurrence
+  int opponent_contacts = 0;     ///< contacts between robots of the two teams that began
   double ball_x_sum = 0.0;       ///< [m] summed over ticks; +: toward yellow's goal
 
-  /// Share of play time, 0 ... 1, with possession. Both teams' shares add up to 1, or are 0 if neither had
-  /// it.
+  /// Share of possession, 0 ... 1. Both teams' shares add up to 1, or are 0 if neither team had possession.
   double possession(TeamId team) const;
-  /// Share of play time of the ball in the team's own (0), the middle (1) and the opponents' third (2).
+  /// Share of play time with the ball in the team's own (0), the middle (1) or the opponents' third (2).
   double third(TeamId team, std::size_t which) const;
-  /// [m] Mean of the ball's x, in the team's frame: positive is the opponents' half.
+  /// [m] Mean x of the ball in the team's frame; positive in the opponents' half.
   double meanBallX(TeamId team) const;
   /// The number of restarts of one kind.
   int restartCount(RestartKind kind) const;
@@ -165,17 +165,19 @@ struct MatchStatistics {
 /// Computes the statistics of the observed match. Allocates only at goals and at the first call of a rule.
 class StatisticsObserver final : public MatchObserver {
  public:
+  /// Starts with empty statistics.
   StatisticsObserver();
-  /// One that was moved from can only be destroyed.
+  /// A moved-from observer can only be destroyed.
   StatisticsObserver(StatisticsObserver&&) noexcept;
   ~StatisticsObserver() override;
 
-  /// Of the match so far.
+  /// Statistics of the match so far.
   const MatchStatistics& statistics() const;
 
-  void matchBegins(const MatchConfig& config) override;
-  void playBegins(const PlayStart& start) override;
-  void ticked(const MatchTick& tick) override;
+  // As in MatchObserver.
+  void onMatchStart(const MatchConfig& config) override;
+  void onPlayStart(const PlayStart& start) override;
+  void onTick(const MatchTick& tick) override;
 
  private:
   struct Impl;
@@ -185,8 +187,8 @@ class StatisticsObserver final : public MatchObserver {
 /// One entry of a match's event log: a call of the referee, or a restart.
 struct LoggedEvent {
   GameEvent call;                      ///< for a restart: tick, time, period, taking team and ball position
-  std::optional<RestartKind> restart;  ///< empty: a call
-  PerTeam<int> score{};                ///< after it
+  std::optional<RestartKind> restart;  ///< the kind of restart; empty for a call
+  PerTeam<int> score{};                ///< score after the event
 };
 
 /// Stores the events of the observed match, up to a limit.
@@ -194,15 +196,16 @@ class EventLog : public MatchObserver {
  public:
   /// Keeps at most `limit` events.
   explicit EventLog(std::size_t limit = 20000) : limit_(limit) {}
-  /// Those kept so far, in order.
+  /// Stored events in chronological order.
   const std::vector<LoggedEvent>& events() const { return events_; }
   /// Number of events beyond the limit.
   std::size_t leftOut() const { return left_out_; }
 
-  void matchBegins(const MatchConfig& config) override;
-  void playBegins(const PlayStart& start) override;
-  void ticked(const MatchTick& tick) override;
-  void abandoned(const GameEvent& event, const RefereeState& referee) override;
+  // As in MatchObserver.
+  void onMatchStart(const MatchConfig& config) override;
+  void onPlayStart(const PlayStart& start) override;
+  void onTick(const MatchTick& tick) override;
+  void onAbandoned(const GameEvent& event, const RefereeState& referee) override;
 
  private:
   void keep(const LoggedEvent& event);
@@ -217,39 +220,40 @@ class EventLog : public MatchObserver {
 /// line describes the match, the last one its result.
 class EventLines : public MatchObserver {
  public:
-  /// Called with each line, including its line end.
+  /// Receives each line, including its line end.
   using Sink = std::function<void(std::string_view)>;
-  /// `sink` is called with every line.
+  /// Writes all lines to `sink`.
   explicit EventLines(Sink sink) : sink_(std::move(sink)) {}
 
-  void matchBegins(const MatchConfig& config) override;
-  void playBegins(const PlayStart& start) override;
-  void ticked(const MatchTick& tick) override;
-  void abandoned(const GameEvent& event, const RefereeState& referee) override;
-  void matchEnds(const RefereeState& referee, Tick tick) override;
+  // As in MatchObserver.
+  void onMatchStart(const MatchConfig& config) override;
+  void onPlayStart(const PlayStart& start) override;
+  void onTick(const MatchTick& tick) override;
+  void onAbandoned(const GameEvent& event, const RefereeState& referee) override;
+  void onMatchEnd(const RefereeState& referee, Tick tick) override;
 
  private:
   Sink sink_;
   double dt_ = 0.0;
 };
 
-/// A finished or stopped match with everything that its summary needs.
+/// The data of a finished or stopped match, for its summary.
 struct MatchReport {
-  MatchConfig config;                   ///< what was played
-  RefereeState referee;                 ///< at the end
+  MatchConfig config;                   ///< configuration of the match
+  RefereeState referee;                 ///< the referee's state at the end
   bool complete = true;                 ///< false: stopped before its end
-  int edits = 0;                        ///< how often a user moved the ball or robots
-  MatchStatistics statistics;           ///< of what was played
-  std::vector<LoggedEvent> events;      ///< calls and restarts, in order
-  std::size_t events_left_out = 0;      ///< beyond the log's limit
-  MatchFaults faults;                   ///< of both teams
+  int edits = 0;                        ///< number of plays from a user's placement
+  MatchStatistics statistics;           ///< statistics of the match
+  std::vector<LoggedEvent> events;      ///< calls and restarts in chronological order
+  std::size_t events_left_out = 0;      ///< number of events beyond the log's limit
+  MatchFaults faults;                   ///< faults of both teams
   std::uint64_t final_hash = 0;         ///< `Match::hash` at the end
-  double simulated = 0.0;               ///< [s]
+  double simulated = 0.0;               ///< [s] simulated time
   double wall = 0.0;                    ///< [s] wall time
   std::optional<MatchProfile> profile;  ///< time per stage, if measured
 };
 
-/// The report on a match as it stands now.
+/// The report of a match in its present state.
 MatchReport reportOf(const Match& match, const StatisticsObserver& statistics, const EventLog& events);
 
 /// A summary for people: score, goals, and a table with one column per team.
@@ -259,23 +263,24 @@ std::string matchText(const MatchReport& report);
 std::string matchJson(const MatchReport& report);
 /// The simulation speed with at least two digits: "0.25 x real time". Empty if `wall` [s] is not positive.
 std::string paceText(double simulated, double wall);
-/// Shares of the wall time, one line per stage.
+/// Shares of the wall time, with one line per stage.
 std::string profileText(const MatchProfile& profile);
 
 /// A finished or stopped series.
 struct SeriesReport {
-  SeriesConfig config;  ///< what was played
-  SeriesResult result;  ///< what came of it
+  SeriesConfig config;  ///< configuration of the series
+  SeriesResult result;  ///< result of the series
   double wall = 0.0;    ///< [s] wall time
 
-  double simulated() const;  ///< [s] of all matches
+  double simulated() const;  ///< [s] simulated time of all matches
 };
 
-/// The team that is significantly better, 0: A, 1: B: the whole 95 % interval of the points share lies on its
-/// side of 50 %. Empty: no significant difference.
+/// The significantly better team (0: A, 1: B): the whole 95 % interval of the points share lies on its side
+/// of 50 %. Empty: no significant difference.
 std::optional<std::size_t> betterTeam(const SeriesResult& result);
 
-/// @{ As for a match. With too few pairs for an interval, the text says so and the JSON has null.
+/// @{ As `matchText` and `matchJson`. With too few pairs for an interval, the text says so and the JSON has
+/// null.
 std::string seriesText(const SeriesReport& report);
 std::string seriesJson(const SeriesReport& report);  ///< with a line end
 /// @}

@@ -1,4 +1,4 @@
-// Values that everything shares: vectors, poses, states, teams, contacts, errors. Units are SI. The world
+// Values that all components share: vectors, poses, states, teams, contacts, errors. Units are SI. The world
 // frame has its origin at the field's centre, x toward the right goal, y up.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace fulbito {
 
-/// The category of an error in external input (file, flag, packet). Each maps to one exit code of the
+/// The category of an error in external input (file, flag, packet). Each has its own exit code of the
 /// program.
 enum class ErrorCode {
   kUsage,        ///< the caller gave an invalid name or value (exit 2)
@@ -23,13 +23,13 @@ enum class ErrorCode {
   kInterrupted,  ///< stopped by a signal before the end (exit 130)
 };
 
-/// An error that a person can act on: the message names the file, line, key or flag and the allowed range.
+/// An error with a message that names the file, line, key or flag, and the allowed range.
 struct Error {
   ErrorCode code = ErrorCode::kUsage;  ///< for programs
   std::string message;                 ///< for people, without a line end
 };
 
-/// A value, or else the error: `if (!result)` use `result.error()`, otherwise `*result`.
+/// A value or an error: `if (!result)` use `result.error()`, otherwise `*result`.
 template <typename T>
 using Result = tl::expected<T, Error>;
 
@@ -59,30 +59,30 @@ struct WheelSpeeds {
   double right = 0.0;  ///< [rad/s]
 };
 
-/// How a robot moves at one tick; in the world frame unless said otherwise.
+/// The motion of a robot at one tick; in the world frame unless stated otherwise.
 struct RobotState {
-  Pose2 pose;                     ///< of its middle
+  Pose2 pose;                     ///< pose of its centre
   Vec2 velocity;                  ///< [m/s] world frame
   double angular_velocity = 0.0;  ///< [rad/s]
   WheelSpeeds wheels;             ///< [rad/s] encoder readings: they differ from the ground speed during slip
 };
 
-/// How a ball moves at one tick; in the world frame unless said otherwise.
+/// The motion of a ball at one tick; in the world frame unless stated otherwise.
 struct BallState {
-  Vec2 position;  ///< [m] of its middle
+  Vec2 position;  ///< [m] its centre
   Vec2 velocity;  ///< [m/s]
   Vec2 spin;      ///< [m/s] spin times radius: the velocity at which the ball would roll without sliding
 };
 
-/// How an obstacle moves at one tick, in the world frame.
+/// The motion of an obstacle at one tick, in the world frame.
 struct ObstacleState {
-  Pose2 pose;     ///< of its middle
+  Pose2 pose;     ///< pose of its centre
   Vec2 velocity;  ///< [m/s]
 };
 
-/// Everything that moves, as a plain value. Robots are in the order of `WorldConfig::robots`.
+/// The state of all moving bodies of a world, as a plain value.
 struct WorldState {
-  Tick tick = 0;                         ///< since the world was made
+  Tick tick = 0;                         ///< ticks since the world's creation
   std::vector<RobotState> robots;        ///< in the order of `WorldConfig::robots`
   std::vector<BallState> balls;          ///< in the order of `WorldConfig::balls`
   std::vector<ObstacleState> obstacles;  ///< in the order of `WorldConfig::obstacles`
@@ -93,13 +93,14 @@ enum class BodyKind : std::uint8_t { kWall, kRobot, kBall, kObstacle };
 
 /// One body of a world: its kind and its index in the world's list of that kind (0 for the walls).
 struct BodyId {
-  BodyKind kind = BodyKind::kWall;  ///< which of the world's lists
-  std::uint16_t index = 0;          ///< place in that list, from 0
+  BodyKind kind = BodyKind::kWall;  ///< selects one of the world's lists
+  std::uint16_t index = 0;          ///< index in that list, from 0
   friend bool operator==(BodyId, BodyId) = default;
 };
 
-/// Two bodies that pressed on each other during a control tick; being close without force is not a contact.
-/// One event per pair and tick, sorted by (a, b), independent of the physics engine's order.
+/// A contact: two bodies that press on each other during a control tick. Bodies close to each other without
+/// force make no contact. There is one event per pair and tick, sorted by (a, b), independent of the physics
+/// engine's order.
 struct ContactEvent {
   BodyId a;              ///< the body that comes first in the order walls, robots, balls, obstacles
   BodyId b;              ///< the other body
@@ -121,7 +122,7 @@ enum class Side : std::uint8_t { kLeft, kRight };
 constexpr TeamId other(TeamId team) { return team == TeamId::kBlue ? TeamId::kYellow : TeamId::kBlue; }
 /// The goal at the other end.
 constexpr Side opposite(Side side) { return side == Side::kLeft ? Side::kRight : Side::kLeft; }
-/// Place of a team in lists of two: blue 0, yellow 1.
+/// Index of a team in lists of two: blue 0, yellow 1.
 constexpr std::size_t indexOf(TeamId team) { return static_cast<std::size_t>(team); }
 inline constexpr std::array<TeamId, 2> kTeams{TeamId::kBlue, TeamId::kYellow};  ///< both teams, to loop over
 /// "blue" or "yellow", as in files and tables.
@@ -129,7 +130,7 @@ constexpr const char* nameOf(TeamId team) { return team == TeamId::kBlue ? "blue
 
 /// One robot of a match: its team and its number in the team, from 0.
 struct RobotId {
-  TeamId team = TeamId::kBlue;  ///< whose robot it is
+  TeamId team = TeamId::kBlue;  ///< the robot's team
   std::uint8_t number = 0;      ///< 0 ... `kMaxTeamSize` - 1
   friend bool operator==(RobotId, RobotId) = default;
 };
@@ -138,12 +139,12 @@ struct RobotId {
 template <typename T>
 using PerTeam = std::array<T, 2>;
 
-/// How play begins. The numbers are part of the recording format: append, never renumber.
+/// The kinds of restarts. The numbers are part of the recording format: append, never renumber.
 enum class RestartKind : std::uint8_t {
-  kKickOff,   ///< from the centre: at the beginning of a half and after a goal
-  kFreeBall,  ///< from one of four marks, a robot of each team beside it: after a stuck ball
+  kKickOff,   ///< from the centre: at the start of a half and after a goal
+  kFreeBall,  ///< from one of four marks, with a robot of each team next to it: after a stuck ball
   kFreeKick,  ///< by one team from its mark, after a foul
-  kPenalty,   ///< by one team from its mark, only the keeper in the way
+  kPenalty,   ///< by one team from its mark, against the keeper alone
   kGoalKick,  ///< by one team from its own goal area
   kGiven      ///< from a placement by the user or a drill
 };

@@ -18,17 +18,17 @@ namespace fulbito {
 /// A robot at the start of a world. Robots of both teams share one list; the index identifies a robot.
 struct RobotPlacement {
   RobotModel model;               ///< its body and motors
-  Pose2 pose;                     ///< of its middle
+  Pose2 pose;                     ///< pose of its centre
   Vec2 velocity;                  ///< [m/s]
   double angular_velocity = 0.0;  ///< [rad/s]
 };
 
 /// A ball at the start of a world.
 struct BallPlacement {
-  BallModel model;  ///< how it rolls and bounces
-  Vec2 position;    ///< [m] of its middle
+  BallModel model;  ///< its rolling and bouncing
+  Vec2 position;    ///< [m] its centre
   Vec2 velocity;    ///< [m/s]
-  Vec2 spin;        ///< [m/s] as in BallState; equal to the velocity when the ball rolls
+  Vec2 spin;        ///< [m/s] as BallState::spin; equal to the velocity of a rolling ball
 };
 
 /// The complete configuration of a world. Two worlds with equal configurations and equal commands stay equal,
@@ -36,24 +36,24 @@ struct BallPlacement {
 struct WorldConfig {
   FieldGeometry field;                  ///< walls and goals
   PhysicsProfile physics;               ///< control rate, sub-steps, solver
-  std::vector<RobotPlacement> robots;   ///< of both teams; commands and states come in this order
+  std::vector<RobotPlacement> robots;   ///< robots of both teams; commands and states have this order
   std::vector<BallPlacement> balls;     ///< any number, usually one
-  std::vector<ObstacleSpec> obstacles;  ///< of navigation trials; none in a match
+  std::vector<ObstacleSpec> obstacles;  ///< obstacles of a navigation trial; none in a match
 };
 
 /// A fixed-step rigid-body world: walls, goals, corner triangles, robots, balls and obstacles.
 /// To reset it, create a new one. Single-threaded; separate worlds may run on separate threads.
 class World {
  public:
-  /// Errors: kBadInput naming the robot, ball or obstacle (counted from 0), the value and its range;
-  /// positions must be inside the field. Bodies may overlap: the engine pushes them apart.
+  /// Creates the world. Positions must be inside the field. Bodies may overlap: the engine pushes them apart.
+  /// Errors: kBadInput naming the robot, ball or obstacle (counted from 0), the value and its range.
   static Result<World> create(const WorldConfig& config);
-  /// One that was moved from can only be destroyed or assigned to.
+  /// A moved-from world can only be destroyed or assigned to.
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// Runs one control tick. In commands NaN becomes 0, then they are clamped and rounded to the profile's
+  /// Runs one control tick. In commands NaN becomes 0; then they are clamped and rounded to the profile's
   /// step. Robots beyond the end of `commands` get 0: their wheels brake. Allocates nothing once warm.
   void step(std::span<const WheelSpeeds> commands);
 
@@ -61,12 +61,12 @@ class World {
   const WorldState& state() const;
   /// Contacts of the last tick.
   std::span<const ContactEvent> contacts() const;
-  /// What it was made from.
+  /// The configuration given to `create`.
   const WorldConfig& config() const;
 
-  /// Box2D's measurement of the last step's duration [ms]: 0 proves that its profiling clock is replaced.
+  /// Box2D's measured duration of the last step [ms]: 0 proves that the library replaces its profiling clock.
   float engineProfileMilliseconds() const;
-  /// Number of touching contact pairs after the last tick (for comparing loads).
+  /// Number of touching contact pairs after the last tick, for comparisons of load.
   int touchingPairs() const;
 
  private:

@@ -3,6 +3,7 @@
 #include "replays/chunks/chunk.hpp"
 #include "replays/header/header_json.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/replays/sample_recording.hpp"
 
 namespace fulbito {
@@ -106,7 +107,7 @@ TEST_CASE("errors name the file and the place", "[unit]") {
 TEST_CASE("a chunk with any content and a right checksum gives values or an error", "[unit]") {
   const Told told = sample();
   const RecordingHeader header = told.header;
-  Rng rng(11, Stream::kTest);
+  Rng rng(11, test::kTestStream);
   int refused = 0;
   for (const Block& block : blocksOf(told.bytes)) {
     if (block.type != BlockType::kChunk) continue;

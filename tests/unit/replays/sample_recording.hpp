@@ -7,6 +7,7 @@
 #include "fulbito/detail/state_hash.hpp"
 #include "fulbito/models.hpp"
 #include "fulbito/recording.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito::test {
 
@@ -147,7 +148,7 @@ class Teller {
 
   Told& told_;
   RecordingWriter writer_;
-  Rng rng_{7, Stream::kTest, 0};
+  Rng rng_{7, kTestStream, 0};
   StateHash hash_;
   std::array<bool, 6> present_{};
 };

@@ -6,13 +6,13 @@ namespace fulbito {
 
 /// Version and build settings of this library.
 struct BuildInfo {
-  std::string version;   ///< of the project
+  std::string version;   ///< version of the project
   std::string compiler;  ///< name and version
   std::string type;      ///< CMake build type
-  std::string box2d;     ///< version of the library in use
+  std::string box2d;     ///< version of Box2D
 };
 
-/// Of the library that this program was linked with.
+/// The build of the linked library.
 const BuildInfo& buildInfo();
 
 }  // namespace fulbito

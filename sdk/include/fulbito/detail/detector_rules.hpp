@@ -11,7 +11,7 @@ enum class BallPart { kWhole, kCentre };
 /// [goal] Law 7.1.
 struct GoalRules {
   BallPart ball = BallPart::kWhole;  ///< part of the ball past the line
-  double scorer_seconds = 5.0;       ///< [s] a scorer is named only if it touched the ball this recently
+  double scorer_seconds = 5.0;       ///< [s] a robot is the scorer only if it touched the ball this recently
   bool attack_foul_voids = true;     ///< a goal after a foul of the attackers (8.2) is a goal kick
 };
 
@@ -22,15 +22,15 @@ enum class StuckMeasure {
 };
 
 /// The call for a ball that is stuck in a goal area without robots of both teams near it. Law 13 gives a goal
-/// kick after ten seconds of stalemate between keeper and attacker; law 14 gives a free ball only outside the
-/// areas; law 8.1 gives a penalty if the keeper holds the ball. No law gives a penalty for an undisputed
+/// kick after ten seconds of stalemate between keeper and attacker. Law 14 gives a free ball only outside the
+/// areas. Law 8.1 gives a penalty if the keeper holds the ball. No law gives a penalty for an undisputed
 /// ball: the default is a goal kick, the only restart for a stalemate in the area.
 enum class UndisputedCall { kPenalty, kGoalKick };
 
-/// The place of a stuck ball that was both inside and outside a goal area during the count.
+/// The place that counts for a stuck ball both inside and outside a goal area during the count.
 enum class StuckPlace {
-  kMost,  ///< where it was for most of the count; in the area if the times are equal
-  kNow    ///< where it is at the end of the count
+  kMost,  ///< its place for most of the count; in the area if the times are equal
+  kNow    ///< its place at the end of the count
 };
 
 /// The foul that counts if both attackers (8.2) and defenders (8.3) commit one at the same goal.
@@ -50,9 +50,9 @@ struct StuckRules {
   double release_speed = 0.15;   ///< [m/s] faster balls end the count: hysteresis
   double release_seconds = 0.1;  ///< [s] uninterrupted time above `release_speed` that ends the count
   double dispute_lengths =
-      1.5;  ///< [robot lengths] a robot whose centre is within this of the ball disputes it
-  UndisputedCall undisputed = UndisputedCall::kGoalKick;  ///< what is called in a goal area without a dispute
-  StuckPlace place = StuckPlace::kMost;  ///< which place counts where it moved between the two
+      1.5;  ///< [robot lengths] a robot with its centre this close to the ball disputes it
+  UndisputedCall undisputed = UndisputedCall::kGoalKick;  ///< the call in a goal area without a dispute
+  StuckPlace place = StuckPlace::kMost;  ///< the place that counts if the ball entered or left an area
 };
 
 /// [areas] Laws 8.2 and 8.3.
@@ -83,12 +83,12 @@ struct AreaRules {
 
 /// [keeper] Laws 2.2.3, 8.1 and 13.
 struct KeeperRules {
-  bool holding = true;           ///< whether holding the ball too long is called
+  bool holding = true;           ///< enables the call for holding the ball too long
   double hold_seconds = 10.0;    ///< [s] longest undisputed control
   double control_gap = 0.01;     ///< [m] largest gap between body and ball for control
   double release_seconds = 0.5;  ///< [s] time without control that ends the count
   double dispute_lengths = 1.5;  ///< [robot lengths] an opponent this close to the ball restarts the count
-  bool charged = true;           ///< whether charging and blocking are called
+  bool charged = true;           ///< enables the calls for charging and blocking
   double charge_seconds = 0.2;   ///< [s] least duration of the contact
   double charge_impulse = 0.02;  ///< [kg m/s] least total impulse of the contact
   double charge_release = 0.05;  ///< [s] time without contact that ends it
@@ -98,14 +98,14 @@ struct KeeperRules {
 
 /// [fouls] Law 8.1.
 struct FoulRules {
-  bool push = false;             ///< whether pushing away from the ball is called
+  bool push = false;             ///< enables the call for pushing away from the ball
   double push_seconds = 0.5;     ///< [s] least duration of the contact
   double push_impulse = 0.04;    ///< [kg m/s] least total impulse of the contact
   double push_speed = 0.10;      ///< [m/s] least speed of the pushed robot
   double push_distance = 0.15;   ///< [m] least distance of both centres from the ball
   double push_release = 0.05;    ///< [s] time without contact that ends it
   double part_seconds = 0.5;     ///< [s] a robot that touched the ball this recently disputes it
-  bool holding = false;          ///< whether pinning the ball to a wall is called; not for the keeper
+  bool holding = false;          ///< enables the call for pinning the ball to a wall; not for the keeper
   double pinned_seconds = 3.0;   ///< [s] longest time for pinning an undisputed ball to a wall
   double pinned_speed = 0.1;     ///< [m/s] largest speed of ball and robot for pinning
   double holding_release = 0.2;  ///< [s] time without pinning that ends it

@@ -5,10 +5,10 @@ namespace fulbito {
 /// The team with the first kick-off.
 enum class FirstKickOff { kToss, kBlue, kYellow };
 
-/// What follows a draw after two halves.
+/// The tie-break after two halves.
 enum class TieBreak {
-  kNone,      ///< it is a draw
-  kOvertime,  ///< overtime; then a draw is possible
+  kNone,      ///< the match ends in a draw
+  kOvertime,  ///< overtime; a draw is possible after it
   kShootOut,  ///< a shoot-out at once
   kBoth       ///< overtime, then a shoot-out
 };
@@ -19,7 +19,7 @@ struct PeriodRules {
   bool swap_kick_off = true;                          ///< the other team kicks off in the second half
   bool swap_sides = false;                            ///< teams change sides at half-time
   int mercy_goals = 0;                                ///< lead that ends the match; 0 = never
-  TieBreak tie_break = TieBreak::kNone;               ///< what follows a match that is level
+  TieBreak tie_break = TieBreak::kNone;               ///< the tie-break after two halves
   int overtime_parts = 1;                             ///< periods of overtime
   double overtime_seconds = 180.0;                    ///< [s] play time of each overtime period
   bool golden_goal = true;                            ///< the first goal in overtime ends the match
@@ -34,7 +34,7 @@ enum class ShootOutOrder {
 /// [shoot_out] Law 7.2.
 struct ShootOutRules {
   int kicks = 3;                                      ///< regular kicks per team; then sudden death in pairs
-  ShootOutOrder order = ShootOutOrder::kAlternating;  ///< who kicks when
+  ShootOutOrder order = ShootOutOrder::kAlternating;  ///< order of the kicks
   int max_kicks = 20;                                 ///< most kicks per team; then a toss decides
   double kick_seconds = 30.0;                         ///< [s] time limit of a kick
   bool ends_at_rest = true;                           ///< a kick ends when the ball is at rest
@@ -45,7 +45,7 @@ struct ShootOutRules {
   bool ends_past_midfield = true;  ///< a kick ends when the ball crosses the half-way line backward
 };
 
-/// What happens if a team is absent.
+/// The consequence of an absent team.
 enum class WalkOver {
   kPlay,    ///< the present team plays against the empty field
   kForfeit  ///< the match ends at once
@@ -53,10 +53,10 @@ enum class WalkOver {
 
 /// [walk_over] Law 7.3.
 struct WalkOverRules {
-  WalkOver mode = WalkOver::kPlay;  ///< what decides the match
+  WalkOver mode = WalkOver::kPlay;  ///< the consequence of an absent team
   double seconds = 180.0;           ///< [s] play time on the empty field
   int absent_score = -1;            ///< score of the absent team, minus the goals of the other
-  int both_absent_score = -3;       ///< of both, when neither came
+  int both_absent_score = -3;       ///< score of both teams if both are absent
 };
 
 }  // namespace fulbito

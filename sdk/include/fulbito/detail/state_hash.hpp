@@ -1,3 +1,4 @@
+// The running hash of simulation states, for golden tests and recordings.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +12,23 @@ namespace fulbito {
 /// never raw struct bytes. Equal hashes mean equal states, bit for bit.
 class StateHash {
  public:
-  /// Of nothing so far.
+  /// The hash of no values.
   StateHash() = default;
   /// Continues from the value of another hash.
   explicit StateHash(std::uint64_t value) : value_(value) {}
-  /// By its bits, -0 as +0.
+  /// Adds the bits of a double, -0 as +0.
   void add(double value);
-  /// By its eight bytes.
+  /// Adds eight bytes.
   void add(std::uint64_t value);
-  /// By its bytes.
+  /// Adds the bytes of a text.
   void add(std::string_view text);
-  /// The tick, how many bodies of each kind there are, and all values of each body.
+  /// Adds the tick, the number of bodies of each kind, and all values of each body.
   void add(const WorldState& state);
-  /// The hash of all that was added so far, in this order.
+  /// The hash of all values so far, in order.
   std::uint64_t value() const { return value_; }
 
  private:
-  std::uint64_t value_ = 0;
+  std::uint64_t value_ = 0;  ///< the hash so far
 };
 
 }  // namespace fulbito

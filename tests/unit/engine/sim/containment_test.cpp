@@ -4,6 +4,7 @@
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/outlines.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/support/worlds.hpp"
 
 using namespace fulbito;
@@ -76,7 +77,7 @@ TEST_CASE("no ball passes through robots up to the profile's ball speed", "[unit
   const auto preset = GENERATE(vsssPreset(), firasimPreset());
   const auto target = GENERATE(Target::kRobot, Target::kTwoRobots, Target::kRobotAtWall);
   CAPTURE(physics.name, preset.robot.name, static_cast<int>(target));
-  Rng rng(5, Stream::kTest);
+  Rng rng(5, kTestStream);
   int passed = 0;
   for (const double share : {0.4, 0.6, 0.8, 1.0}) {
     const double speed = share * physics.max_ball_speed;
@@ -90,7 +91,7 @@ TEST_CASE("no ball passes through robots up to the profile's ball speed", "[unit
 TEST_CASE("no ball passes through a wall up to the profile's ball speed", "[unit]") {
   const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
   CAPTURE(physics.name);
-  Rng rng(7, Stream::kTest);
+  Rng rng(7, kTestStream);
   for (int i = 0; i < 300; ++i) {
     const Vec2 velocity = math::unit(rng.uniform(-math::kPi, math::kPi)) * physics.max_ball_speed;
     WorldConfig config{{}, physics, {}, {}, {}};

@@ -4,6 +4,7 @@
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/outlines.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/support/worlds.hpp"
 
 using namespace fulbito;
@@ -45,7 +46,7 @@ TEST_CASE("robots that all push the ball come into nobody", "[unit]") {
   const auto preset = GENERATE(vsssPreset(), firasimPreset());
   CAPTURE(physics.name, preset.robot.name);
   World world = makeWorld(matchConfig(preset, physics, 3, {}));
-  Rng rng(11, Stream::kTest);
+  Rng rng(11, kTestStream);
   const Depths depths = depthsOf(world, 6'000, [&](const WorldState& state, std::size_t i, int tick) {
     // Now and then away from the ball, or it would end in a corner for good.
     if (tick % 300 > 240) return chase(state.robots[i], {rng.uniform(-0.7, 0.7), rng.uniform(-0.6, 0.6)});

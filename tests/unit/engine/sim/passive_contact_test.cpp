@@ -4,6 +4,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/support/worlds.hpp"
 
 using namespace fulbito;
@@ -18,7 +19,7 @@ enum class Scene { kOpen, kIntoCorner };
 WorldConfig onIce(const RobotPreset& preset, const PhysicsProfile& physics, int per_team, Scene scene,
                   std::uint64_t seed) {
   WorldConfig config = matchConfig(preset, readEachStep(physics), per_team, largeField());
-  Rng rng(seed, Stream::kTest);
+  Rng rng(seed, kTestStream);
   const auto velocity = [&] { return Vec2{rng.uniform(-1.5, 1.5), rng.uniform(-1.5, 1.5)}; };
   int number = 0;
   for (RobotPlacement& robot : config.robots) {

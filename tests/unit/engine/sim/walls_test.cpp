@@ -5,6 +5,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 using namespace fulbito;
 
@@ -51,7 +52,7 @@ TEST_CASE("wall outlines are convex and counter-clockwise", "[unit]") {
 TEST_CASE("walls leave the field free and close it all around", "[unit]") {
   for (const FieldGeometry& field : fields()) {
     const auto walls = wallOutlines(field, 0.0);
-    Rng rng(3, Stream::kTest);
+    Rng rng(3, test::kTestStream);
     int inside = 0, wrong = 0;
     for (int i = 0; i < 20000; ++i) {
       const Vec2 p{rng.uniform(-1.0, 1.0) * (field.length / 2 + field.goal_depth + 0.02),

@@ -47,7 +47,7 @@ Placement withFreeBall(const Match& match) {
 
 struct Plays final : MatchObserver {
   std::vector<std::pair<Tick, bool>> seen;
-  void playBegins(const PlayStart& start) override { seen.emplace_back(start.tick, start.edited); }
+  void onPlayStart(const PlayStart& start) override { seen.emplace_back(start.tick, start.edited); }
 };
 
 }  // namespace

@@ -19,18 +19,18 @@ struct Diary final : MatchObserver {
   std::vector<std::uint64_t> hashes;
   std::vector<std::string> clauses;
 
-  void matchBegins(const MatchConfig&) override { calls += 'm'; }
-  void playBegins(const PlayStart& start) override {
+  void onMatchStart(const MatchConfig&) override { calls += 'm'; }
+  void onPlayStart(const PlayStart& start) override {
     calls += 'p';
     placements.push_back(start.placement);
     starts.push_back(start.tick);
   }
-  void ticked(const MatchTick& tick) override {
+  void onTick(const MatchTick& tick) override {
     if (calls.back() != 't') calls += 't';
     hashes.push_back(tick.hash);
     for (const GameEvent& event : tick.events) clauses.emplace_back(event.clause);
   }
-  void matchEnds(const RefereeState&, Tick) override { calls += 'e'; }
+  void onMatchEnd(const RefereeState&, Tick) override { calls += 'e'; }
 };
 
 }  // namespace

@@ -125,22 +125,22 @@ struct Plays final : MatchObserver {
   std::vector<RefereeState> referees;
   const Match* match = nullptr;
   Placement last;
-  void matchBegins(const MatchConfig&) override { calls += 'm'; }
-  void playBegins(const PlayStart& start) override {
+  void onMatchStart(const MatchConfig&) override { calls += 'm'; }
+  void onPlayStart(const PlayStart& start) override {
     calls += 'p';
     if (start.tick > 0) before.push_back(last);
     placements.push_back(start.placement);
     referees.push_back(*start.referee);
   }
-  void ticked(const MatchTick& tick) override {
+  void onTick(const MatchTick& tick) override {
     last = match->placement();
     for (const GameEvent& event : tick.events) events.push_back(event);
   }
-  void abandoned(const GameEvent& event, const RefereeState&) override {
+  void onAbandoned(const GameEvent& event, const RefereeState&) override {
     calls += 'a';
     events.push_back(event);
   }
-  void matchEnds(const RefereeState&, Tick) override { calls += 'e'; }
+  void onMatchEnd(const RefereeState&, Tick) override { calls += 'e'; }
 };
 
 }  // namespace

@@ -24,8 +24,8 @@ struct Starts final : MatchObserver {
   const MatchConfig* config = nullptr;
   std::vector<Start> starts;
 
-  void matchBegins(const MatchConfig& from) override { config = &from; }
-  void playBegins(const PlayStart& start) override {
+  void onMatchStart(const MatchConfig& from) override { config = &from; }
+  void onPlayStart(const PlayStart& start) override {
     RefereeSetup setup;
     setup.rules = config->rules;
     setup.field = config->field;
@@ -183,13 +183,13 @@ struct Waiting final : MatchObserver {
   double ball_moved = 0.0, robot_moved = 0.0, robot_speed = 0.0;
   bool clock_ran = false;
 
-  void playBegins(const PlayStart& start) override {
+  void onPlayStart(const PlayStart& start) override {
     placed = start.placement;
     play_ticks = start.referee->play_ticks;
     waiting_ = !start.referee->playing;
     ++plays;
   }
-  void ticked(const MatchTick& tick) override {
+  void onTick(const MatchTick& tick) override {
     if (!waiting_) return;
     ++waited;
     clock_ran = clock_ran || tick.referee->play_ticks != play_ticks;

@@ -11,7 +11,7 @@ using namespace fulbito::test;
 struct Table final : MatchObserver {
   std::vector<RefereeState> states;
   std::vector<WorldState> worlds;
-  void ticked(const MatchTick& tick) override {
+  void onTick(const MatchTick& tick) override {
     states.push_back(*tick.referee);
     worlds.push_back(*tick.world);
   }

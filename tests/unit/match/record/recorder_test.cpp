@@ -17,8 +17,8 @@ struct Witness final : MatchObserver {
   std::vector<Tick> plays;
   std::vector<WheelSpeeds> first_commands;
 
-  void playBegins(const PlayStart& start) override { plays.push_back(start.tick); }
-  void ticked(const MatchTick& tick) override {
+  void onPlayStart(const PlayStart& start) override { plays.push_back(start.tick); }
+  void onTick(const MatchTick& tick) override {
     hashes.push_back(tick.hash);
     first_commands.push_back(tick.commands.front());
     for (const GameEvent& event : tick.events) clauses.emplace_back(event.clause);

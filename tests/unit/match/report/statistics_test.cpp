@@ -19,7 +19,7 @@ struct Scene {
 
   Scene() {
     config.rules.team_size = 1;
-    observer.matchBegins(config);
+    observer.onMatchStart(config);
     begin({-0.3, 0.0}, {0.3, 0.0});
   }
 
@@ -36,7 +36,7 @@ struct Scene {
     start.world = &placed;
     start.events = {};
     start.referee = &referee;
-    observer.playBegins(start);
+    observer.onPlayStart(start);
   }
   void put(Vec2 blue, Vec2 yellow) {
     world.robots[0].pose.position = blue;
@@ -72,7 +72,7 @@ struct Scene {
       now.contacts = contacts;
       now.events = events;
       now.referee = &referee;
-      observer.ticked(now);
+      observer.onTick(now);
       contacts.clear();
       events.clear();
     }

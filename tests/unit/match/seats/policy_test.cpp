@@ -5,6 +5,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/support/test_teams.hpp"
 
 namespace fulbito {
@@ -18,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Log final : MatchObserver {
   std::vector<GameEvent> events;
   WheelSpeeds first_blue, last_yellow;
-  void ticked(const MatchTick& tick) override {
+  void onTick(const MatchTick& tick) override {
     for (const GameEvent& event : tick.events) {
       if (event.law == "policy") events.push_back(event);
     }
@@ -209,7 +210,7 @@ TEST_CASE("waiting is not thinking", "[unit]") {
 
 TEST_CASE("whatever two teams command, the match goes on to its end", "[unit]") {
   const double wild[] = {0.0, -0.0, kNaN, kInfinity, -kInfinity, 1e300, -1e300, 1e-310, 3.0, -20.0, 0.5};
-  Rng random(7, Stream::kTest);
+  Rng random(7, kTestStream);
   const auto any = [&] { return wild[random.below(std::size(wild))]; };
   const Decide decide = [&](const Observation&) {
     TeamCommand command;

@@ -5,6 +5,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/corner_layout.hpp"
 #include "tests/support/kinematic_trial.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -51,7 +52,7 @@ TEST_CASE("yielding keeps the path methods out of most crossing obstacles", "[un
     auto pilot = makePilot(*parseNavigator(name));
     int count = 0;
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
-      Rng rng(seed, Stream::kTest, 9);
+      Rng rng(seed, test::kTestStream, 9);
       const double side = rng.below(2) == 0 ? 1.0 : -1.0;
       const std::vector<DiscObstacle> obstacles{{{rng.uniform(-0.4, 0.5), side * rng.uniform(0.3, 0.6)},
                                                  0.0375,

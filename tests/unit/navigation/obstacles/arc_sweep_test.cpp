@@ -5,6 +5,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -79,7 +80,7 @@ TEST_CASE("from a touch, driving on is not free but driving away is", "[unit]") 
 }
 
 TEST_CASE("free time on random arcs agrees with a finely stepped drive", "[unit]") {
-  Rng rng(5, Stream::kTest);
+  Rng rng(5, test::kTestStream);
   int met = 0;
   for (int round = 0; round < 300; ++round) {
     Floor floor({}, 2.0);

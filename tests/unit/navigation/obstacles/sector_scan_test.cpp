@@ -5,6 +5,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -47,7 +48,7 @@ TEST_CASE("sectors grow clockwise from straight behind", "[unit]") {
 TEST_CASE("a sector's distance is the least over many rays cast in it", "[unit]") {
   const SectorCircle circle(60);
   const FieldGeometry field;
-  Rng rng(11, Stream::kTest);
+  Rng rng(11, test::kTestStream);
   std::vector<SectorHit> hits(60);
   for (int round = 0; round < 15; ++round) {
     std::vector<DiscObstacle> balls;

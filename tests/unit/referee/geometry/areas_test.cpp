@@ -6,6 +6,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -34,7 +35,7 @@ AreaBody randomBody(Rng& rng) {
 }  // namespace
 
 TEST_CASE("share and overlap agree with a count of points", "[unit]") {
-  Rng rng(1, Stream::kTest);
+  Rng rng(1, test::kTestStream);
   for (const bool arc : {true, false}) {
     const AreaShape area = goalAreaOf(FieldGeometry{}, arc);
     for (int i = 0; i < 3000; ++i) {

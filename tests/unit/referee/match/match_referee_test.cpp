@@ -2,6 +2,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/referee/referee_samples.hpp"
 
 namespace fulbito {
@@ -343,7 +344,7 @@ TEST_CASE("whatever happens, play restarts legally, one call a tick, and the mat
     setup.rules.periods.tie_break = TieBreak::kBoth;
     setup.rules.periods.overtime_seconds = 5.0;
     for (setup.seed = 1; setup.seed <= 5; ++setup.seed) {
-      Rng rng(setup.seed, Stream::kTest);
+      Rng rng(setup.seed, test::kTestStream);
       PaperMatch match(setup);
       match.wander = false;
       const double x = setup.field.length / 2, y = setup.field.width / 2;

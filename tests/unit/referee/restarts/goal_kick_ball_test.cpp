@@ -7,6 +7,7 @@
 #include "fulbito/detail/math.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/referee/referee_samples.hpp"
 
 namespace fulbito {
@@ -55,7 +56,7 @@ TEST_CASE("a ball that is wanted elsewhere lies at the area's nearest place, and
     for (const TeamId team : kTeams) {
       const RefereeState state;
       const RestartCall call = goalKick(setup, state, team);
-      Rng rng(5, Stream::kTest);
+      Rng rng(5, test::kTestStream);
       for (int i = 0; i < 500; ++i) {
         const Vec2 wish{rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)};
         std::vector<GameEvent> log;

@@ -7,6 +7,7 @@
 #include "fulbito/detail/math.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/referee/referee_samples.hpp"
 
 namespace fulbito {
@@ -104,7 +105,7 @@ TEST_CASE("whatever teams propose, the result is legal, repeatable, and alike fo
   for (const std::string profile : {"vsss-3v3", "vsss-5v5", "league-program-2021"}) {
     const RefereeSetup setup = setupOf(profile);
     for (std::uint64_t i = 0; i < 1000; ++i) {
-      Rng rng(7, Stream::kTest, i);
+      Rng rng(7, test::kTestStream, i);
       RefereeState state;
       state.blue_side = rng.below(2) == 0 ? Side::kLeft : Side::kRight;
       const Moment moment = randomMoment(setup, rng);
@@ -159,7 +160,7 @@ TEST_CASE("law 14: at a free ball robots stay, but those near the mark and one o
   const RefereeSetup setup = setupOf("vsss-3v3");
   RefereeState state;
   for (std::uint64_t i = 0; i < 500; ++i) {
-    Rng rng(8, Stream::kTest, i);
+    Rng rng(8, test::kTestStream, i);
     const Moment moment = randomMoment(setup, rng);
     const MatchView view = moment.view();
     const RestartCall call =

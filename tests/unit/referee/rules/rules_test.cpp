@@ -9,6 +9,7 @@
 #include "referee/rules/rules_schema.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/field_count.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -110,7 +111,7 @@ TEST_CASE("a bad profile is refused with file, line, key and range", "[unit]") {
 TEST_CASE("a damaged profile is read or refused by line, never worse", "[unit]") {
   int refused = 0;
   for (std::uint64_t i = 0; i < 400; ++i) {
-    Rng rng(9, Stream::kTest, i);
+    Rng rng(9, test::kTestStream, i);
     std::string text = *rulesPresetText(rulesPresetNames()[rng.below(4)]);
     for (std::uint32_t damage = rng.below(4); damage < 4; ++damage) {
       const std::size_t at = rng.below(static_cast<std::uint32_t>(text.size()));

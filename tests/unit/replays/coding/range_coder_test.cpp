@@ -4,6 +4,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -12,7 +13,7 @@ constexpr int kCount = 20000;
 
 /// What is written and read in turn, from a seed.
 struct Script {
-  Rng rng{5, Stream::kTest, 0};
+  Rng rng{5, test::kTestStream, 0};
   unsigned rare() { return rng.uniform() < 0.02 ? 1 : 0; }
   unsigned even() { return rng.bits32() & 1; }
   std::uint64_t many() {
@@ -53,7 +54,7 @@ TEST_CASE("a carry runs through any number of full bytes", "[unit]") {
     Bytes bytes;
     RangeEncoder encoder(bytes);
     BitModel model;
-    Rng rng(seed, Stream::kTest, 1);
+    Rng rng(seed, test::kTestStream, 1);
     std::vector<unsigned> bits;
     for (int i = 0; i < 400; ++i) bits.push_back(rng.uniform() < 0.01 ? 1 : 0);
     for (const unsigned bit : bits) encoder.bit(model, bit);

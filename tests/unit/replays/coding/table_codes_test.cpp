@@ -4,6 +4,7 @@
 #include "replays/chunks/command_code.hpp"
 #include "replays/chunks/sample_code.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/replays/sample_recording.hpp"
 
 namespace fulbito {
@@ -52,7 +53,7 @@ const CommandModel kModel{827, 4000, 8000, 63488, 66662};
 }  // namespace
 
 TEST_CASE("commands come back, whatever they are and whatever the model", "[unit]") {
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   const auto extreme = [&](std::size_t, std::size_t) { return rng.below(2) == 0 ? kLow : kHigh; };
   const auto noise = [&](std::size_t, std::size_t) {
     return static_cast<std::int32_t>(rng.below(9217)) - 4608;
@@ -81,7 +82,7 @@ TEST_CASE("commands cost little where robots stand still or speed up as they can
 }
 
 TEST_CASE("commands in coarse units come back exactly and cost less", "[unit]") {
-  Rng rng(6, Stream::kTest);
+  Rng rng(6, test::kTestStream);
   const auto fine = tableOf(
       4, 300, [&](std::size_t, std::size_t) { return static_cast<std::int32_t>(rng.below(9217)) - 4608; });
   const auto mixed = tableOf(4, 300, [&](std::size_t column, std::size_t row) {
@@ -108,7 +109,7 @@ TEST_CASE("a unit that no robot can have is refused", "[unit]") {
 }
 
 TEST_CASE("cut or longer commands are refused", "[unit]") {
-  Rng rng(4, Stream::kTest);
+  Rng rng(4, test::kTestStream);
   const auto table =
       tableOf(4, 50, [&](std::size_t, std::size_t) { return static_cast<std::int32_t>(rng.below(900)); });
   Bytes bytes;
@@ -122,7 +123,7 @@ TEST_CASE("cut or longer commands are refused", "[unit]") {
 TEST_CASE("samples come back, with headings in the range of a turn", "[unit]") {
   const RecordingHeader header = test::sampleHeader();
   const std::size_t columns = 5 * 3 + 2;
-  Rng rng(5, Stream::kTest);
+  Rng rng(5, test::kTestStream);
   const auto heads = [](std::size_t column) { return column < 12 ? column % 3 == 2 : column == 16; };
   checkSamples(tableOf(columns, 200,
                        [&](std::size_t column, std::size_t) {

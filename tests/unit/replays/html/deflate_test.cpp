@@ -2,12 +2,13 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/replays/html/inflate.hpp"
 
 namespace fulbito {
 
 TEST_CASE("deflated bytes inflate to what they were", "[unit]") {
-  Rng rng(1, Stream::kTest, 0);
+  Rng rng(1, test::kTestStream, 0);
   for (const std::size_t size : {0, 1, 1000, 200000}) {
     std::string bytes;
     for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(rng.uniform(0.0, 20.0));

@@ -4,11 +4,12 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 
 TEST_CASE("the team frame is a rotation by 180 degrees and its own inverse", "[unit]") {
-  Rng rng(1, Stream::kTest);
+  Rng rng(1, test::kTestStream);
   for (int i = 0; i < 1000; ++i) {
     RobotState robot;
     robot.pose = {{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)}, rng.uniform(-math::kPi, math::kPi)};

@@ -9,6 +9,7 @@
 #include "strategies/prediction/ball_tracker.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/draws.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -30,7 +31,7 @@ World worldWith(const MatchInfo& info, const BallState& ball) {
 std::array<std::vector<double>, 3> errorsOneSecondAhead(const MatchInfo& info, double spin_share) {
   const BallCourse course(info.field, info.ball, info.physics);
   std::array<std::vector<double>, 3> errors;
-  Rng rng(4, Stream::kTest);
+  Rng rng(4, test::kTestStream);
   for (int i = 0; i < 600; ++i) {
     BallState ball;
     do {
@@ -72,7 +73,7 @@ TEST_CASE("the tracker knows a kicked ball's spin", "[unit]") {
   // It sees a kick after the tick, in which the floor has begun to turn the ball [m/s].
   const double keep = info.ball.roll_keep;
   const double in_a_tick = info.ball.slide_deceleration * keep / (1.0 - keep) * info.physics.controlPeriod();
-  Rng rng(6, Stream::kTest);
+  Rng rng(6, test::kTestStream);
   for (int i = 0; i < 100; ++i) {
     // A robot drives into a resting ball; sometimes the ball meets a wall after that.
     WorldConfig config{info.field, info.physics, {}, {}, {}};

@@ -7,6 +7,7 @@
 #include "strategies/prediction/ball_prediction.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/draws.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -38,7 +39,7 @@ TEST_CASE("the time of a fall is the first passage through zero", "[unit]") {
 TEST_CASE("a predicted ball stays on the field, corners and posts included", "[unit]") {
   const MatchInfo info = test::matchInfo();
   const BallCourse course(info.field, info.ball, info.physics);
-  Rng rng(8, Stream::kTest);
+  Rng rng(8, test::kTestStream);
   int in_goal = 0;
   for (int i = 0; i < 3000; ++i) {
     BallState ball;

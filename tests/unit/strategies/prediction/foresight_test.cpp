@@ -7,6 +7,7 @@
 #include "fulbito/detail/math.hpp"
 #include "fulbito/world.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -26,7 +27,7 @@ Errors errorsAt(int latency, std::uint64_t seed) {
   info.rules.team_size = 1;
   const double dt = info.physics.controlPeriod();
   info.observation_age = latency * dt;
-  Rng rng(seed, Stream::kTest);
+  Rng rng(seed, test::kTestStream);
   WorldConfig config{info.field, info.physics, {}, {}, {}};
   config.robots.push_back({info.robot, {{0.0, -0.2}, rng.uniform(-3.0, 3.0)}, {}, 0.0});
   config.robots.push_back({info.robot, {{0.4, 0.1}, rng.uniform(-3.0, 3.0)}, {}, 0.0});

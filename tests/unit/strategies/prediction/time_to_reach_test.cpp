@@ -6,6 +6,7 @@
 #include "fulbito/detail/math.hpp"
 #include "fulbito/world.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -37,7 +38,7 @@ TEST_CASE("the folded angle is within 0.004 rad", "[unit]") {
 
 TEST_CASE("either end leads, and farther takes longer", "[unit]") {
   const RobotPace pace(test::matchInfo().robot);
-  Rng rng(2, Stream::kTest);
+  Rng rng(2, test::kTestStream);
   for (int i = 0; i < 500; ++i) {
     RobotState robot;
     robot.pose = {{rng.uniform(-0.5, 0.5), rng.uniform(-0.5, 0.5)}, rng.uniform(-math::kPi, math::kPi)};

@@ -4,6 +4,7 @@
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/draws.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -30,7 +31,7 @@ TEST_CASE("robot and ball are at the meeting together, and not much earlier", "[
   const MatchInfo info = test::matchInfo();
   const BallCourse course(info.field, info.ball, info.physics);
   const RobotPace pace(info.robot);
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   int missed = 0;
   for (int i = 0; i < 1000; ++i) {
     BallPrediction ball;

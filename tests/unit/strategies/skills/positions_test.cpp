@@ -6,6 +6,7 @@
 #include "fulbito/detail/math.hpp"
 #include "strategies/skills/area_projection.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -26,7 +27,7 @@ TEST_CASE("the keeper goes where a ball will pass its line", "[unit]") {
 
 TEST_CASE("places outside an area are outside, near and stay", "[unit]") {
   const FieldGeometry field = test::matchInfo().field;
-  Rng rng(2, Stream::kTest);
+  Rng rng(2, test::kTestStream);
   int moved = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vec2 p{rng.uniform(-0.75, 0.75), rng.uniform(-0.65, 0.65)};
@@ -48,7 +49,7 @@ TEST_CASE("places outside an area are outside, near and stay", "[unit]") {
 
 TEST_CASE("clearances go upfield to a side, clear of opponents", "[unit]") {
   const FieldGeometry field = test::matchInfo().field;
-  Rng rng(4, Stream::kTest);
+  Rng rng(4, test::kTestStream);
   for (int i = 0; i < 300; ++i) {
     const Vec2 ball{rng.uniform(-0.7, -0.3), rng.uniform(-0.6, 0.6)};
     const std::array<Vec2, 2> opponents = {
@@ -62,7 +63,7 @@ TEST_CASE("clearances go upfield to a side, clear of opponents", "[unit]") {
 
 TEST_CASE("the shadow is between ball and goal and out of the own area", "[unit]") {
   const FieldGeometry field = test::matchInfo().field;
-  Rng rng(5, Stream::kTest);
+  Rng rng(5, test::kTestStream);
   for (int i = 0; i < 300; ++i) {
     const Vec2 ball{rng.uniform(-0.5, 0.7), rng.uniform(-0.6, 0.6)};
     const Vec2 place = shadowPoint(field, ball, rng.uniform(0.1, 0.8));

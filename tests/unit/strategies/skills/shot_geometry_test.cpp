@@ -5,6 +5,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -22,7 +23,7 @@ TEST_CASE("free intervals are where a ball passes all blockers", "[unit]") {
   const MatchInfo info = test::matchInfo();
   ShotModel model;
   model.acceleration = 0.0;  // nobody moves
-  Rng rng(7, Stream::kTest);
+  Rng rng(7, test::kTestStream);
   int free = 0, taken = 0;
   for (int i = 0; i < 500; ++i) {
     const Vec2 ball{rng.uniform(-0.6, 0.6), rng.uniform(-0.6, 0.6)};

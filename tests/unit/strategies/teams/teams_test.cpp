@@ -8,6 +8,7 @@
 #include "strategies/team_pilots.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/match_info.hpp"
 
 namespace fulbito {
@@ -36,7 +37,7 @@ struct Game {
 
   WorldConfig placed(std::uint64_t seed) const {
     WorldConfig config{info.field, info.physics, {}, {}, {}};
-    Rng rng(seed, Stream::kTest);
+    Rng rng(seed, test::kTestStream);
     for (int i = 0; i < 2 * info.rules.team_size; ++i) {
       const double x = (i < info.rules.team_size ? -1.0 : 1.0) * (0.2 + 0.1 * (i % info.rules.team_size));
       const double y = -0.4 + 0.2 * (i % info.rules.team_size);

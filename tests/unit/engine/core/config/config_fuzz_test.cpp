@@ -3,6 +3,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -43,7 +44,7 @@ TEST_CASE("a layout file with one wrong byte gives a layout or an error", "[unit
 }
 
 TEST_CASE("a layout file of shuffled pieces gives a layout or an error", "[unit]") {
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   const auto below = [&rng](std::size_t n) {
     return std::min(n - 1, static_cast<std::size_t>(rng.uniform(0.0, static_cast<double>(n))));
   };

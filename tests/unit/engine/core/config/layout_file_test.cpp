@@ -5,6 +5,7 @@
 #include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -116,7 +117,7 @@ TEST_CASE("a layout file says everything about a layout", "[unit]") {
 TEST_CASE("a written layout is read back to the same bits", "[unit]") {
   checkSame(*parseLayout(toToml(Layout{}), "x"), Layout{});
   checkSame(*parseLayout(toToml(*parseLayout(kLayout, "x")), "x"), *parseLayout(kLayout, "x"));
-  Rng rng(7, Stream::kTest);
+  Rng rng(7, test::kTestStream);
   for (int i = 0; i < 50; ++i) {
     const Layout layout = randomLayout(rng);
     REQUIRE(validate(layout));

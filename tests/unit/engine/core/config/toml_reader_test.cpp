@@ -5,6 +5,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 
@@ -70,7 +71,7 @@ TEST_CASE("every finite number is written so that the same bits come back", "[un
   CHECK(tomlNumber(-0.0) == "-0.0");
   CHECK(tomlNumber(0.1) == "0.1");
   CHECK(tomlNumber(1e300) == "1e+300");
-  Rng rng(1, Stream::kTest);
+  Rng rng(1, test::kTestStream);
   for (int i = 0; i < 2000; ++i) {
     const double value = (rng.uniform(-1.0, 1.0)) * (i % 2 == 0 ? 1.0 : 1e-200);
     const auto root = parseToml("v = " + tomlNumber(value), "f");

@@ -9,6 +9,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 // Every function against MPFR on a million arguments. `math_test "[accuracy]" -s` prints the largest errors.
 
@@ -40,7 +41,7 @@ double nudged(Rng& rng, double x, std::uint32_t steps) {
 
 template <typename Draw>
 std::vector<Arguments> draw(std::uint64_t index, Draw one) {
-  Rng rng(20240607, Stream::kTest, index);
+  Rng rng(20240607, test::kTestStream, index);
   std::vector<Arguments> all;
   all.reserve(kArguments);
   for (int i = 0; i < kArguments; ++i) all.push_back(one(rng, i % 4));

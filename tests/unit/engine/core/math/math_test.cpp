@@ -7,6 +7,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/state_hash.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -40,7 +41,7 @@ TEST_CASE("sine and tangent keep the sign of zero and of the smallest numbers", 
 }
 
 TEST_CASE("sine is odd and cosine even, bit for bit", "[unit]") {
-  Rng rng(1, Stream::kTest);
+  Rng rng(1, test::kTestStream);
   for (int i = 0; i < 10000; ++i) {
     const double x = rng.uniform(0.0, i % 2 == 0 ? 10.0 : 1e9);
     REQUIRE(math::sin(-x) == -math::sin(x));
@@ -172,7 +173,7 @@ TEST_CASE("huge angles have their published sines and cosines", "[unit]") {
 }
 
 TEST_CASE("the bits of every function are the same for any compiler, level and CPU", "[unit]") {
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   StateHash hash;
   for (int i = 0; i < 20000; ++i) {
     const double x = rng.uniform(-1.0, 1.0), y = rng.uniform(-1.0, 1.0), size = std::ldexp(1.0, i % 64 - 8);
@@ -185,7 +186,7 @@ TEST_CASE("the bits of every function are the same for any compiler, level and C
 }
 
 TEST_CASE("a wrapped angle lies in [-pi, pi) for every finite angle", "[unit]") {
-  Rng rng(2, Stream::kTest);
+  Rng rng(2, test::kTestStream);
   std::vector<double> angles = {0.0, -0.0, 0x1p-1074, 1e308, -1e308, 1e22, 0x1p53};
   for (int k = -200; k <= 200; ++k) {
     for (double x : {k * kPi, k * kPi / 2})

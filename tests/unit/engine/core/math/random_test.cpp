@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -85,7 +86,7 @@ TEST_CASE("neighbouring streams and indices are not correlated", "[unit]") {
 
 TEST_CASE("uniform numbers fill their interval evenly", "[unit]") {
   constexpr int kDraws = 200000, kBins = 20;
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   std::array<int, kBins> bins{};
   double sum = 0.0, squares = 0.0;
   for (int i = 0; i < kDraws; ++i) {
@@ -105,7 +106,7 @@ TEST_CASE("uniform numbers fill their interval evenly", "[unit]") {
 }
 
 TEST_CASE("a uniform number never reaches the upper end, however narrow the interval", "[unit]") {
-  Rng rng(4, Stream::kTest);
+  Rng rng(4, test::kTestStream);
   const double high = std::nextafter(1.0, 2.0);
   for (int i = 0; i < 1000; ++i) {
     REQUIRE(rng.uniform(1.0, high) == 1.0);
@@ -116,12 +117,12 @@ TEST_CASE("a uniform number never reaches the upper end, however narrow the inte
 }
 
 TEST_CASE("below gives every number equally often, also where 2^32 is no multiple", "[unit]") {
-  CHECK(Rng(5, Stream::kTest).below(0) == 0);
-  CHECK(Rng(5, Stream::kTest).below(1) == 0);
+  CHECK(Rng(5, test::kTestStream).below(0) == 0);
+  CHECK(Rng(5, test::kTestStream).below(1) == 0);
   // Without rejection, a third of this range would come up twice as often as the rest.
   constexpr std::uint32_t kRange = 0xC0000000u;
   constexpr int kDraws = 300000;
-  Rng rng(5, Stream::kTest);
+  Rng rng(5, test::kTestStream);
   std::array<int, 3> thirds{};
   int multiples = 0;
   for (int i = 0; i < kDraws; ++i) {
@@ -137,7 +138,7 @@ TEST_CASE("below gives every number equally often, also where 2^32 is no multipl
 
 TEST_CASE("normal numbers have the moments and tails of the normal distribution", "[unit]") {
   constexpr int kDraws = 200000;
-  Rng rng(6, Stream::kTest);
+  Rng rng(6, test::kTestStream);
   double m1 = 0.0, m2 = 0.0, m3 = 0.0, m4 = 0.0;
   int beyond_two = 0;
   for (int i = 0; i < kDraws; ++i) {
@@ -155,7 +156,7 @@ TEST_CASE("normal numbers have the moments and tails of the normal distribution"
 }
 
 TEST_CASE("mean and sigma shift and scale the same draw", "[unit]") {
-  Rng plain(8, Stream::kTest), shifted(8, Stream::kTest);
+  Rng plain(8, test::kTestStream), shifted(8, test::kTestStream);
   for (int i = 0; i < 100; ++i) REQUIRE(shifted.normal(3.0, 0.25) == 3.0 + 0.25 * plain.normal());
 }
 

@@ -5,6 +5,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/interval.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 
@@ -82,7 +83,7 @@ TEST_CASE("an interval of shares covers the truth about as often as it says", "[
   for (const double win : {0.35, 0.75}) {
     for (const int n : {10, 50, 200}) {
       const double draw = win == 0.35 ? 0.3 : 0.2, truth = win + draw / 2;
-      Rng random(static_cast<std::uint64_t>(n), Stream::kTest);
+      Rng random(static_cast<std::uint64_t>(n), test::kTestStream);
       int covered = 0;
       for (int round = 0; round < 1000; ++round) {
         std::vector<double> pairs;

@@ -2,12 +2,13 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 
 TEST_CASE("places within the walls keep their room", "[unit]") {
   const FieldGeometry field;
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   for (int i = 0; i < 1000; ++i) {
     const Vec2 p{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
     const Vec2 inside = insideWalls(field, p, 0.05);
@@ -18,7 +19,7 @@ TEST_CASE("places within the walls keep their room", "[unit]") {
 
 TEST_CASE("the equal-gap point leaves the same gap on both sides", "[unit]") {
   const FieldGeometry field;
-  Rng rng(1, Stream::kTest);
+  Rng rng(1, test::kTestStream);
   for (int i = 0; i < 200; ++i) {
     const Vec2 ball{rng.uniform(-0.6, 0.7), rng.uniform(-0.6, 0.6)};
     const Vec2 place = equalGapPoint(field, ball, 0.05);

@@ -7,6 +7,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/models.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 
@@ -51,7 +52,7 @@ TEST_CASE("the distance to an area is that to its nearest point", "[unit]") {
       if (contains(area, {x, y})) points.push_back({x, y});
     }
   }
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   for (int i = 0; i < 100; ++i) {
     const Vec2 p{rng.uniform(0.0, 0.6), rng.uniform(-0.6, 0.6)};
     double least = 1e9;

@@ -5,6 +5,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -51,7 +52,7 @@ TEST_CASE("four obstacles on one side bulge the curve by 0.94 of that distance",
 }
 
 TEST_CASE("a Bezier curve stays in the hull of its control points", "[unit]") {
-  Rng rng(3, Stream::kTest);
+  Rng rng(3, test::kTestStream);
   for (int round = 0; round < 100; ++round) {
     std::vector<Vec2> control(2 + rng.below(kBezierDegree));
     for (Vec2& p : control) p = {rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};

@@ -7,6 +7,7 @@
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/polygon_oracle.hpp"
+#include "tests/support/test_stream.hpp"
 
 namespace fulbito {
 namespace {
@@ -169,7 +170,7 @@ TEST_CASE("a preferred side is kept until the other is shorter by the penalty", 
 
 TEST_CASE("the shortest path agrees with a polygon visibility graph on 500 scenes", "[unit]") {
   const FieldGeometry field;
-  Rng rng(20, Stream::kTest);
+  Rng rng(20, test::kTestStream);
   TangentGraph graph;
   std::vector<Vec2> points;
   int solved = 0, closed = 0, bent = 0;
@@ -213,7 +214,7 @@ TEST_CASE("the shortest path agrees with a polygon visibility graph on 500 scene
 }
 
 TEST_CASE("searching any of 64 overlapping discs ends and stays finite", "[unit]") {
-  Rng rng(21, Stream::kTest);
+  Rng rng(21, test::kTestStream);
   TangentGraph graph(64);
   for (int i = 0; i < 30; ++i) {
     const std::vector<Circle> circles = randomCircles(rng, 64, 0.0, 0.12);

@@ -4,6 +4,7 @@
 
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito {
@@ -18,7 +19,7 @@ bool starts(const DebugDrawing& drawing, Vec2 at) {
 TEST_CASE("libero names every robot that it draws, and plays the same without drawings", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const auto seen_team = test::liberoIn(info), unseen_team = test::liberoIn(info);
-  Rng rng(9, Stream::kTest);
+  Rng rng(9, test::kTestStream);
   for (int i = 0; i < 2000; ++i) {
     Observation seen = test::anything(rng, info);
     const TeamCommand unseen = unseen_team->decide(seen);

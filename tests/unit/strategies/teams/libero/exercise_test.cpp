@@ -5,6 +5,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/driven.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -26,7 +27,7 @@ RobotState exercised(const MatchInfo& info, const Exercise& task, Vec2 ball, int
 
 TEST_CASE("libero's first robot reaches poses and headings that a drill asks for", "[unit]") {
   const MatchInfo info = test::infoOf(3);
-  Rng rng(1, Stream::kTest);
+  Rng rng(1, test::kTestStream);
   for (int run = 0; run < 100; ++run) {
     Exercise task;
     task.heading = rng.uniform(-math::kPi, math::kPi);
@@ -44,7 +45,7 @@ TEST_CASE("libero's first robot reaches poses and headings that a drill asks for
 TEST_CASE("libero's first robot comes through the ball at the heading that a drill asks for", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const libero::Pitch pitch(info);
-  Rng rng(2, Stream::kTest);
+  Rng rng(2, test::kTestStream);
   for (int run = 0; run < 50; ++run) {
     Exercise task;
     task.kind = Exercise::Kind::kReachBall;

@@ -6,6 +6,7 @@
 #include "fulbito/detail/math.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito {
@@ -62,7 +63,7 @@ TEST_CASE("libero's decisions are finite whatever it sees", "[unit]") {
   for (const int size : {3, 5}) {
     const MatchInfo info = test::infoOf(size);
     const auto team = test::liberoIn(info);
-    Rng rng{5, Stream::kTest, static_cast<std::uint64_t>(size)};
+    Rng rng{5, test::kTestStream, static_cast<std::uint64_t>(size)};
     for (int i = 0; i < 20'000; ++i) {
       const TeamCommand command = team->decide(test::anything(rng, info));
       for (const RobotCommand& robot : command.robots) {
@@ -76,7 +77,7 @@ TEST_CASE("libero's decisions are finite whatever it sees", "[unit]") {
 TEST_CASE("libero's decisions allocate nothing", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const auto team = test::liberoIn(info);
-  Rng rng{6, Stream::kTest};
+  Rng rng{6, test::kTestStream};
   std::vector<Observation> pictures;
   pictures.reserve(200);
   for (int i = 0; i < 200; ++i) pictures.push_back(test::anything(rng, info));
@@ -91,7 +92,7 @@ TEST_CASE("libero plays to both hands alike", "[unit]") {
   // The rules' places are mirrored between the sides: what has a hand of its own plays one side worse.
   for (const int size : {3, 5}) {
     const MatchInfo info = test::infoOf(size);
-    Rng rng(11, Stream::kTest, 0);
+    Rng rng(11, test::kTestStream, 0);
     int odd = 0;
     for (int round = 0; round < 1000; ++round) {
       Observation seen = test::anything(rng, info);

@@ -3,6 +3,7 @@
 #include "engine/core/math/random.hpp"
 #include "strategies/skills/area_projection.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito {
@@ -12,7 +13,7 @@ TEST_CASE("libero's robots without the ball have places on the field, off the ba
     const MatchInfo info = test::infoOf(size);
     const libero::Pitch pitch(info);
     const libero::Settings settings;
-    Rng rng(7, Stream::kTest, static_cast<std::uint64_t>(size));
+    Rng rng(7, test::kTestStream, static_cast<std::uint64_t>(size));
     for (int run = 0; run < 2000; ++run) {
       Observation seen = test::anything(rng, info);
       seen.ball.velocity = {};

@@ -5,6 +5,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/driven.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -16,7 +17,7 @@ TEST_CASE("libero's keeper knows where a ball crosses its line", "[unit]") {
   const libero::Settings settings;
   const BallCourse course(info.field, info.ball, info.physics);
   const double line = -pitch.half_length + 0.05;
-  Rng rng(1, Stream::kTest);
+  Rng rng(1, test::kTestStream);
   int crossings = 0;
   for (int run = 0; run < 600; ++run) {
     Observation seen;
@@ -53,7 +54,7 @@ TEST_CASE("libero's keeper slides along its line and stops where it should", "[u
   Observation seen;
   seen.ball.position = {0.5, 0.0};
   const libero::Picture picture{seen, pitch, settings, ball};
-  Rng rng(2, Stream::kTest);
+  Rng rng(2, test::kTestStream);
   for (int run = 0; run < 100; ++run) {
     RobotState keeper;
     const double side = run % 2 == 0 ? 1.0 : -1.0;

@@ -4,6 +4,7 @@
 #include "navigation/followers/limiter.hpp"
 #include "strategies/skills/area_projection.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito {
@@ -17,7 +18,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
   const libero::Settings settings;
   const libero::BallForecast ball;
   const double dt = info.physics.controlPeriod();
-  Rng rng{3, Stream::kTest, 0};
+  Rng rng{3, test::kTestStream, 0};
   int near = 0;
   for (int run = 0; run < 400; ++run) {
     const bool own = run % 2 == 0;

@@ -3,6 +3,7 @@
 #include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/driven.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
@@ -20,7 +21,7 @@ RobotState anyRobot(Rng& rng) {
 TEST_CASE("libero's robots come to rest where they should, an end along the heading", "[unit]") {
   const MatchInfo info = test::infoOf(3);
   const libero::Pitch pitch(info);
-  Rng rng(1, Stream::kTest);
+  Rng rng(1, test::kTestStream);
   for (int run = 0; run < 200; ++run) {
     RobotState robot = anyRobot(rng);
     const Vec2 place{rng.uniform(-0.6, 0.6), rng.uniform(-0.5, 0.5)};
@@ -36,7 +37,7 @@ TEST_CASE("libero's robots come to rest where they should, an end along the head
 }
 
 TEST_CASE("libero's robots turn the shorter way, with either end ahead", "[unit]") {
-  Rng rng(2, Stream::kTest);
+  Rng rng(2, test::kTestStream);
   for (int i = 0; i < 1000; ++i) {
     const RobotState robot = anyRobot(rng);
     const double heading = rng.uniform(-math::kPi, math::kPi);

@@ -12,7 +12,7 @@ namespace {
 struct Charges final : MatchObserver {
   int calls = 0, pressed = 0;
 
-  void ticked(const MatchTick& tick) override {
+  void onTick(const MatchTick& tick) override {
     for (const GameEvent& event : tick.events) {
       if (event.clause == clause::kKeeperCharged && event.team == TeamId::kBlue) ++calls;
     }

@@ -3,6 +3,7 @@
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/draws.hpp"
+#include "tests/support/test_stream.hpp"
 #include "tests/unit/strategies/teams/libero/scenes.hpp"
 
 namespace fulbito {
@@ -11,7 +12,7 @@ TEST_CASE("libero's forecast is the prediction, in even steps and held at its en
   using libero::BallForecast;
   const MatchInfo info = test::infoOf(3);
   const BallCourse course(info.field, info.ball, info.physics);
-  Rng rng(4, Stream::kTest);
+  Rng rng(4, test::kTestStream);
   for (int run = 0; run < 200; ++run) {
     BallState ball{{rng.uniform(-0.6, 0.6), rng.uniform(-0.5, 0.5)}, {}, {}};
     ball.velocity = ball.spin = test::drawVector(rng, 0.1, 1.5);
