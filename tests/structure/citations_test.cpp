@@ -19,13 +19,14 @@ using Words = std::vector<std::string>;
 constexpr std::array kExtensions = {".hpp", ".cpp", ".toml", ".md",  ".txt",  ".cmake", ".in",
                                     ".sh",  ".js",  ".mjs",  ".css", ".html", ".c",     ".h"};
 
-/// Files that people read, build trees and other hidden folders left out.
+/// Files that people read; build trees, hidden folders and what npm installs are left out.
 std::vector<fs::path> readableFiles() {
   std::vector<fs::path> files;
   auto entry = fs::recursive_directory_iterator(FULBITO_SOURCE_DIR);
   for (; entry != fs::recursive_directory_iterator(); ++entry) {
     const std::string name = entry->path().filename();
-    if (entry->is_directory() && (name.starts_with('.') || name.starts_with("build")))
+    if (entry->is_directory() &&
+        (name.starts_with('.') || name.starts_with("build") || name == "node_modules"))
       entry.disable_recursion_pending();
     const std::string extension = entry->path().extension();
     if (entry->is_regular_file() && std::count(kExtensions.begin(), kExtensions.end(), extension) > 0)

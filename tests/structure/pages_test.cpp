@@ -148,7 +148,8 @@ std::vector<fs::path> pages() {
   std::vector<fs::path> files = {root / "README.md", root / "CONTRIBUTING.md", root / "CHANGELOG.md"};
   for (const char* folder : {"docs", "tests"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      if (entry.path().extension() == ".md") files.push_back(entry.path());
+      const bool ours = entry.path().string().find("node_modules") == std::string::npos;
+      if (ours && entry.path().extension() == ".md") files.push_back(entry.path());
     }
   }
   std::sort(files.begin(), files.end());
