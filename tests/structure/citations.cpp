@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::string_view, 6> kPages = {"GAME-RULES",       "RULES-VSSS",
                                                     "BOX2D-FACTS",      "NAVIGATION-BENCH",
                                                     "FIRASIM-PROTOCOL", "TOURNAMENT-AND-REPLAY"};
-/// Pages when a section's number follows; alone they may be a command's placeholders.
+/// Pages when a section's number follows; alone they may name the arguments of a command.
 constexpr std::array<std::string_view, 3> kSections = {"STRATEGY ", "NAVIGATION ", "PHYSICS "};
 constexpr std::array<std::string_view, 6> kPhrases = {"reference page", "strategy page", "paper 0",
                                                       "Paper 0",        "papers 0",      "paper-0"};
