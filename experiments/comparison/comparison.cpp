@@ -212,13 +212,12 @@ Result<void> runComparison(Comparison& comparison, const Clock& clock, const Pro
   const std::vector<Task> tasks = tasksOf(comparison);
   comparison.records.assign(tasks.size(), {});
   WorkProgress progress(watcher, tasks.size());
-  auto done =
-      parallelFor(comparison.config.jobs, tasks.size(), progress, [&](std::size_t i) -> Result<void> {
-        auto record = runTask(comparison, tasks[i], clock);
-        if (!record) return tl::unexpected<Error>(record.error());
-        comparison.records[i] = std::move(*record);
-        return {};
-      });
+  auto done = parallelFor(comparison.config.jobs, tasks.size(), progress, [&](std::size_t i) -> Result<void> {
+    auto record = runTask(comparison, tasks[i], clock);
+    if (!record) return tl::unexpected<Error>(record.error());
+    comparison.records[i] = std::move(*record);
+    return {};
+  });
   if (!done) return done;
   summarise(comparison);
   if (comparison.config.suite == kPaperSuite && !comparison.config.only) judgeReproduction(comparison);
