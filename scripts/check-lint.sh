@@ -81,4 +81,4 @@ git ls-files -z 'scripts/*.sh' 'tests/**/*.sh' .ci/run | xargs -0 shellcheck
 files=$(chosen)
 [ -n "$files" ] || { echo "check-lint.sh: no source changed"; exit 0; }
 echo "check-lint.sh: $(wc -l <<<"$files") files or groups of $(compiled | wc -l)"
-xargs -d '\n' -n 1 -P "$(nproc)" clang-tidy-19 -p "$build" --quiet --extra-arg=-Wno-unknown-warning-option <<<"$files"
+xargs -d '\n' -n 1 -P "$(nproc)" clang-tidy-19 -p "$build" --quiet <<<"$files"
