@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fulbito/values.hpp"
+
+namespace fulbito {
+
+/// Limits of a child process. They bind root too.
+struct ChildLimits {
+  std::size_t memory = std::size_t{1} << 30;     ///< [bytes] of all its processes
+  std::size_t file_size = std::size_t{1} << 24;  ///< [bytes] largest file that it may write
+  int open_files = 256;                          ///< descriptors
+  int processes = 64;                            ///< processes and threads
+  bool network = false;                          ///< sockets other than those it is given
+};
+
+/// What to run, and how it is contained.
+struct ChildOptions {
+  std::vector<std::string> command;  ///< program, found by PATH unless it contains '/', and its arguments
+  std::string own_folder;  ///< folder of the team's files: readable, not writable; empty: the program's
+  ChildLimits limits;      ///< limits of the process and its descendants
+  bool sandbox_required = false;  ///< refuse to run if a layer is missing
+};
+
+/// The layers of containment that a child reached.
+struct Containment {
+  std::vector<std::string> layers;   ///< such as "process-group", "rlimits", "cgroup", "seccomp", "landlock"
+  std::vector<std::string> missing;  ///< layers that this system lacks, each with the reason
+};
+
+/// A program in a contained child process with pipes to its standard input and output. Its standard error is
+/// captured. Destruction ends the whole process group and removes everything that the child left.
+class Child {
+ public:
+  /// The result of a wait for output.
+  enum class Received : std::uint8_t { kBytes, kNothing, kClosed };
+
+  /// Errors: kUsage if the program does not exist or is not executable, or if a required layer is missing;
+  /// kIo.
+  static Result<Child> launch(const ChildOptions& options);
+  Child(Child&&) noexcept;
+  Child& operator=(Child&&) noexcept;
+  ~Child();
+
+  /// Sends bytes; what the pipe does not take at once is kept and sent with later calls of `send` and
+  /// `receive`.
+  /// @return false if the child no longer reads, or if more than 16 MiB wait
+  bool send(std::string_view bytes);
+  /// Appends to `into` what the child has written, after waiting at most `seconds` for the first byte.
+  Received receive(std::string& into, double seconds);
+  /// Standard error since the last call. At most 64 KiB are kept between calls; more is counted and said.
+  std::string takeErrors();
+  /// Why the child ended, such as "exit code 3" or "signal 11 (Segmentation fault)". Ends the process group
+  /// if it still runs ("killed").
+  std::string end();
+  /// The containment that was reached.
+  const Containment& containment() const;
+
+ private:
+  struct Impl;
+  explicit Child(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace fulbito
