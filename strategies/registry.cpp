@@ -15,7 +15,7 @@ TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strat
   info.make = [make = std::move(make)](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
     return make();
   };
-  return {std::make_shared<const TeamInfo>(std::move(info)), std::move(name), {}};
+  return {std::make_shared<const TeamInfo>(std::move(info)), std::move(name), {}, {}};
 }
 
 TeamCatalogue TeamCatalogue::builtIn() {
@@ -40,6 +40,9 @@ Result<void> TeamCatalogue::add(TeamInfo info) {
 }
 
 Result<TeamChoice> TeamCatalogue::parse(const std::string& specification) const {
+  for (const Source& source : sources_) {
+    if (auto choice = source(specification)) return std::move(*choice);
+  }
   const std::size_t colon = specification.find(':');
   const std::string name = specification.substr(0, colon);
   TeamChoice choice;
@@ -65,6 +68,11 @@ Result<TeamChoice> TeamCatalogue::parse(const std::string& specification) const 
 
 Result<TeamChoice> parseTeam(const std::string& specification) {
   return TeamCatalogue::builtIn().parse(specification);
+}
+
+const TeamCondition& Strategy::condition() const {
+  static const TeamCondition well;
+  return well;
 }
 
 Result<std::unique_ptr<Strategy>> makeTeam(const TeamChoice& choice) {

@@ -68,6 +68,7 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       ->add_option("--drills", options.folder,
                    "use the *.toml files in this folder instead of the built-in drills")
       ->type_name("FOLDER");
+  addTeamFlags(*command, options.outside);
   command->add_flag("--json", options.json, "print JSON");
   command->add_flag("--check", options.check, "return exit code 1 if a drill fails");
   command->add_flag("--list", options.list, "list the drills and exit");
@@ -110,6 +111,7 @@ int drill(DrillCommand options) {
   const auto drills = chosenDrills(options);
   if (!drills) return report(drills.error());
   if (options.list) return listDrills(*drills);
+  options.run.catalogue = catalogueOf(options.outside);
   const auto teams = chosenTeams(options);
   if (!teams) return report(teams.error());
   std::vector<int> numbers;

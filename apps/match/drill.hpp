@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/match/team_flags.hpp"
 #include "match/drills/drill.hpp"
 
 namespace CLI {
@@ -16,6 +17,7 @@ struct DrillCommand {
   std::vector<std::string> teams;   ///< more than one: one table for all
   std::vector<std::string> drills;  ///< numbers or names
   DrillOptions run;
+  TeamFlags outside;   ///< teams that are files or programs
   std::string folder;  ///< empty: the built-in drills
   bool json = false;
   bool check = false;

@@ -1,5 +1,7 @@
 #include "apps/match/match.hpp"
 
+#include <charconv>
+#include <limits>
 #include <optional>
 
 #include <CLI/CLI.hpp>
@@ -11,6 +13,7 @@
 #include "apps/common/output_names.hpp"
 #include "apps/common/progress.hpp"
 #include "apps/match/live_line.hpp"
+#include "apps/match/team_flags.hpp"
 #include "engine/core/system/output_file.hpp"
 #include "fulbito/match.hpp"
 #include "fulbito/recorder.hpp"
@@ -24,6 +27,7 @@ constexpr Tick kTicksBetweenChecks = 64;  // match ticks between looks at the cl
 constexpr std::uint64_t kMostPairs = 100'000;
 constexpr std::uint64_t kManyTicks = 1'000'000;  // the match itself checks the range of --latency
 constexpr const char* kStdout = "-";
+constexpr const char* kUnlimited = "unlimited";
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
 
@@ -123,8 +127,24 @@ Result<PerTeam<VisionModel>> visionOf(const MatchCommand& options, const RobotMo
   return vision;
 }
 
+/// The limit of both teams: that of the rules with another time per decision.
+Result<DecisionTime> limitOf(const std::string& text, const Rules& rules) {
+  DecisionTime limit = rules.decision_time;
+  if (text == kUnlimited) {
+    limit.decision = std::numeric_limits<double>::infinity();
+    return limit;
+  }
+  double milliseconds = 0.0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), milliseconds);
+  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size()) {
+    return fail(ErrorCode::kUsage, fmt::format("--time: '{}' is neither a number of ms nor '{}'", text, kUnlimited));
+  }
+  limit.decision = milliseconds * 1e-3;
+  return limit;
+}
+
 Result<MatchConfig> configOf(const MatchCommand& options) {
-  const TeamCatalogue catalogue = TeamCatalogue::builtIn();
+  const TeamCatalogue catalogue = catalogueOf(options.outside);
   auto blue = catalogue.parse(options.blue), yellow = catalogue.parse(options.yellow);
   if (!blue) return tl::unexpected<Error>(blue.error());
   if (!yellow) return tl::unexpected<Error>(yellow.error());
@@ -148,9 +168,10 @@ Result<MatchConfig> configOf(const MatchCommand& options) {
   auto vision = visionOf(options, config.robot.robot);
   if (!vision) return tl::unexpected<Error>(vision.error());
   config.vision = *vision;
-  if (options.decision_ms) {
-    config.decision_time.emplace();
-    config.decision_time->decision = *options.decision_ms * 1e-3;
+  if (!options.time.empty()) {
+    auto limit = limitOf(options.time, config.rules);
+    if (!limit) return tl::unexpected<Error>(limit.error());
+    config.decision_time = *limit;
   }
   config.seed = options.seed;
   if (auto started = addStart(options.start, config); !started) return tl::unexpected<Error>(started.error());
@@ -267,7 +288,7 @@ int playOne(const MatchCommand& options, const MatchConfig& config) {
 }
 
 int playPairs(const MatchCommand& options, const MatchConfig& config) {
-  SeriesReport summary{{config, *options.pairs, options.jobs}, {}, 0.0};
+  SeriesReport summary{{config, *options.pairs, options.jobs, now}, {}, 0.0};
   const std::int64_t begin = now();
   {
     ProgressBar bar(fmt::format("{} v {}", options.blue, options.yellow));
@@ -309,9 +330,10 @@ void addConditions(CLI::App& command, MatchCommand& options) {
                                      "standard deviation of observed positions [m], 0 ... 0.1")));
   per_team(number(command.add_option("--dropout", options.dropout,
                                      "probability per tick that a body is not seen, 0 ... 0.99")));
-  number(command.add_option(
-             "--time", options.decision_ms,
-             "wall time per decision, in addition to a bank of 2 s per period (default: unlimited)"))
+  command
+      .add_option("--time", options.time,
+                  "wall time per decision of both teams, in addition to the bank of the rules, or 'unlimited' "
+                  "(default: the rules limit teams that are programs)")
       ->type_name("MS");
 }
 
@@ -333,6 +355,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       ->capture_default_str();
   command->add_option("yellow", options.yellow, "team that defends the right goal")->capture_default_str();
   addConditions(*command, options);
+  addTeamFlags(*command, options.outside);
   CLI::Option* record =
       command->add_option("--record", options.record, "write a recording")->type_name("FILE");
   CLI::Option* recipe =

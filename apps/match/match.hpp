@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/match/team_flags.hpp"
 #include "apps/match/view.hpp"
 #include "fulbito/match.hpp"
 
@@ -29,7 +30,8 @@ struct MatchCommand {
   std::vector<double> position_noise{0.0};  ///< [m]
   std::vector<double> dropout{0.0};
   /// @}
-  std::optional<double> decision_ms;  ///< [ms] that a decision may take; empty: as long as it likes
+  std::string time;                   ///< [ms] that a decision may take, or "unlimited"; empty: by the rules
+  TeamFlags outside;                  ///< teams that are files or programs
   std::string record;                 ///< file; empty: none
   bool record_recipe = false;         ///< the recording holds only what cannot be computed again
   bool drawings = false;              ///< the recording also holds what the teams draw

@@ -7,18 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "fulbito/outside.hpp"
 #include "fulbito/values.hpp"
 
 namespace fulbito {
-
-/// Limits of a child process. They bind root too.
-struct ChildLimits {
-  std::size_t memory = std::size_t{1} << 30;     ///< [bytes] of all its processes
-  std::size_t file_size = std::size_t{1} << 24;  ///< [bytes] largest file that it may write
-  int open_files = 256;                          ///< descriptors
-  int processes = 64;                            ///< processes and threads
-  bool network = false;                          ///< sockets other than those it is given
-};
 
 /// What to run, and how it is contained.
 struct ChildOptions {

@@ -1,5 +1,7 @@
 #include "match/config/check_match.hpp"
 
+#include <limits>
+
 #include <fmt/format.h>
 
 #include "referee/rules/check_field.hpp"
@@ -10,7 +12,9 @@ namespace {
 constexpr double kMaxPlacementError = 0.01;  // [m]
 constexpr double kMaxHeadingError = 0.2;     // [rad]
 constexpr double kMaxDecision = 60.0;        // [s]
-constexpr double kMaxBank = 3600.0;          // [s]
+constexpr double kMaxStart = 600.0;          // [s]
+constexpr int kMaxFailures = 1000;
+constexpr double kMaxBank = 3600.0;  // [s]
 constexpr int kMaxHeld = 3600;
 constexpr int kMaxScore = 1000;
 constexpr int kLastPeriod = 3;  // a shoot-out cannot be begun in its middle
@@ -22,8 +26,12 @@ Result<void> range(const char* name, double value, double low, double high, cons
 
 Result<void> checkTime(const std::optional<DecisionTime>& time) {
   if (!time) return {};
-  if (auto r = range("time per decision", time->decision, 0.0, kMaxDecision, " s"); !r) return r;
+  const bool unlimited = time->decision == std::numeric_limits<double>::infinity();
+  if (auto r = range("time per decision", unlimited ? 0.0 : time->decision, 0.0, kMaxDecision, " s"); !r)
+    return r;
   if (auto r = range("bank of time", time->bank, 0.0, kMaxBank, " s"); !r) return r;
+  if (auto r = range("time of a start", time->start, 0.0, kMaxStart, " s"); !r) return r;
+  if (auto r = range("failures", time->failures, 1, kMaxFailures, ""); !r) return r;
   return range("late decisions in a row", time->held, 0, kMaxHeld, "");
 }
 

@@ -93,6 +93,8 @@ class Exercised final : public Strategy {
       : team_(std::move(team)), exercise_(exercise), log_(&log) {}
   void begin(const MatchInfo& info) override { team_->begin(info); }
   std::span<const NavigatorChoice> navigators() const override { return team_->navigators(); }
+  void allow(double seconds) override { team_->allow(seconds); }
+  const TeamCondition& condition() const override { return team_->condition(); }
   void stopped(const PlayStop& stop) override { team_->stopped(stop); }
   void ready(const Observation& observation) override { team_->ready(observation); }
   void ended(const MatchEnd& end) override { team_->ended(end); }
@@ -125,12 +127,13 @@ TeamChoice scriptedTeam(const std::array<DrillRole, kMaxTeamSize>& roles) {
 TeamChoice exercisedTeam(const TeamChoice& team, const Exercise& exercise, ExerciseLog& log) {
   TeamInfo info;
   info.name = team.info->name;
+  info.outside = team.info->outside;
   info.make = [team, exercise, &log](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
     auto made = makeTeam(team);
     if (!made) return tl::unexpected<Error>(made.error());
     return std::unique_ptr<Strategy>(std::make_unique<Exercised>(std::move(*made), exercise, log));
   };
-  return {std::make_shared<const TeamInfo>(std::move(info)), team.text, {}};
+  return {std::make_shared<const TeamInfo>(std::move(info)), team.text, {}, {}};
 }
 
 }  // namespace fulbito

@@ -75,6 +75,7 @@ struct Match::Impl {
   void playTick();
   void sense();
   void decide();
+  void watchOver(TeamId team, const GameEvent& now);
   void move();
   std::optional<RestartCall> judge();
   void report();
@@ -82,6 +83,11 @@ struct Match::Impl {
   void abandon(const Error& error);
   void end(MatchEnd::Reason reason);
 
+  // Teams without a limit are not timed.
+  std::int64_t timeOf(const Seat& seat) const { return seat.limited() && read_clock ? read_clock() : 0; }
+  double secondsSince(std::int64_t begun_at, const Seat& seat) const {
+    return static_cast<double>(timeOf(seat) - begun_at) / 1e9;
+  }
   Seat& seatOf(TeamId team) { return seats[indexOf(team)]; }
   PlacementRequest request(TeamId team) const;
   Moment moment() const;
@@ -155,8 +161,14 @@ PlacementRequest Match::Impl::request(TeamId team) const {
 }
 
 void Match::Impl::ask() {
-  const auto team = placing->asked();
-  if (team) placing->answer(seatOf(*team).strategy().place(request(*team)), referee);
+  if (const auto team = placing->asked()) {
+    Seat& seat = seatOf(*team);
+    seat.allow();
+    const std::int64_t begun_at = timeOf(seat);
+    auto wishes = seat.strategy().place(request(*team));
+    if (!seat.inTime(secondsSince(begun_at, seat))) wishes.reset();
+    placing->answer(std::move(wishes), referee);
+  }
   if (!placing->asked()) phase = MatchPhase::kPlaced;
   stages.lap(&MatchProfile::restart);
 }
@@ -232,15 +244,24 @@ void Match::Impl::sense() {
 
 void Match::Impl::decide() {
   const GameEvent now = eventNow();
-  const bool limited = config.decision_time.has_value();
+  for (Seat& seat : seats) seat.ask();
   for (Seat& seat : seats) {
-    const std::int64_t begun_at = limited ? read_clock() : 0;
+    const std::int64_t begun_at = timeOf(seat);
     TeamCommand decision = seat.decide();
-    const bool late = limited && seat.late(static_cast<double>(read_clock() - begun_at) / 1e9);
+    const bool late = !seat.inTime(secondsSince(begun_at, seat));
     stages.lap(&MatchProfile::decide);
     seat.policy().take(std::move(decision), late, now, events);
     stages.lap(&MatchProfile::navigate);
   }
+  for (const TeamId team : kTeams) watchOver(team, now);
+}
+
+// A team that fails too often forfeits.
+void Match::Impl::watchOver(TeamId team, const GameEvent& now) {
+  Seat& seat = seatOf(team);
+  const TeamCondition& condition = seat.strategy().condition();
+  seat.policy().count(condition, now, events);
+  if (condition.state == TeamCondition::State::kLost) referee.forfeit(team);
 }
 
 void Match::Impl::move() {
@@ -342,6 +363,8 @@ Result<Match> Match::create(const MatchConfig& config, const MatchClock& clock) 
     if (!seat) {
       return fail(seat.error().code, std::string(nameOf(team)) + " team: " + seat.error().message);
     }
+    auto& origin = impl->config.teams[indexOf(team)].origin;
+    for (Setting& entry : seat->strategy().origin()) origin.push_back(std::move(entry));
     impl->seats.push_back(std::move(*seat));
   }
   if (auto opened = impl->open(); !opened) return tl::unexpected<Error>(opened.error());

@@ -41,6 +41,11 @@ RecordingRecipe recipeOf(const MatchConfig& config) {
     more("decision_bank", config.decision_time->bank);
     more("decision_held", config.decision_time->held);
   }
+  for (const TeamId team : kTeams) {
+    for (const Setting& from : config.teams[indexOf(team)].origin) {
+      more(fmt::format("{}_team_{}", nameOf(team), from.name).c_str(), from.value);
+    }
+  }
   more("start", config.start ? "given" : "kick-off");
   more("scoreboard_blue", config.scoreboard.score[0]);
   more("scoreboard_yellow", config.scoreboard.score[1]);

@@ -138,8 +138,17 @@ std::string counted(int count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-std::string faultLine(const MatchReport& report) {
-  return report.faults.abandoned ? "the match was abandoned: " + report.faults.abandoned->message + "\n" : "";
+std::string faultLines(const MatchReport& report) {
+  std::string text;
+  if (report.faults.abandoned) text += "the match was abandoned: " + report.faults.abandoned->message + "\n";
+  for (const TeamId team : kTeams) {
+    const TeamFaults& faults = report.faults.teams[indexOf(team)];
+    if (faults.failures == 0) continue;
+    text += fmt::format("{} ({}) failed {}, last: {}{}\n", nameOf(report, team), nameOf(team),
+                        counted(static_cast<int>(faults.failures), "time", "times"), faults.failure,
+                        faults.forfeited ? "; it forfeits the match" : "");
+  }
+  return text;
 }
 
 }  // namespace
@@ -161,7 +170,7 @@ MatchReport reportOf(const Match& match, const StatisticsObserver& statistics, c
 
 std::string matchText(const MatchReport& report) {
   const MatchStatistics& s = report.statistics;
-  std::string text = headline(report) + faultLine(report);
+  std::string text = headline(report) + faultLines(report);
   if (!s.goals.empty()) text += "\n";
   for (const GoalRecord& goal : s.goals) text += goalLine(report, goal);
   text += "\n" + row("", [&](TeamId t) { return columnText(report, t); });

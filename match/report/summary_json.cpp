@@ -49,6 +49,10 @@ Json faultsJson(const TeamFaults& faults) {
           {"not_finite", faults.not_finite},
           {"no_navigator", faults.no_navigator},
           {"late", faults.late},
+          {"stale", faults.stale},
+          {"failures", faults.failures},
+          {"failure", faults.failure},
+          {"forfeited", faults.forfeited},
           {"saturated", faults.saturated}};
 }
 

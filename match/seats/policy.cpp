@@ -72,6 +72,21 @@ void CommandPolicy::take(TeamCommand&& decision, bool late, const GameEvent& now
   for (std::size_t i = 0; i < team_size_; ++i) clean(i, now, events);
 }
 
+void CommandPolicy::count(const TeamCondition& condition, const GameEvent& now,
+                          std::vector<GameEvent>& events) {
+  faults_.stale = condition.stale;
+  if (condition.failures == faults_.failures) return;
+  faults_.failures = condition.failures;
+  faults_.failure = condition.reason;
+  faults_.forfeited = condition.state == TeamCondition::State::kLost;
+  GameEvent event = now;
+  event.clause = "team.failed";
+  event.law = "policy";
+  event.team = team_;
+  event.value = condition.failures;
+  events.push_back(event);
+}
+
 void CommandPolicy::clean(std::size_t number, const GameEvent& now, std::vector<GameEvent>& events) {
   RobotCommand& command = command_.robots[number];
   GameEvent event = now;

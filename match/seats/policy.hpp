@@ -19,6 +19,8 @@ class CommandPolicy {
   void reset();
   /// Takes a decision. A late one leaves the previous one in force; after too many in a row the robots stop.
   void take(TeamCommand&& decision, bool late, const GameEvent& now, std::vector<GameEvent>& events);
+  /// Counts the failures of a team outside the program.
+  void count(const TeamCondition& condition, const GameEvent& now, std::vector<GameEvent>& events);
   /// Clamps a wheel command to the limits of the motors and rounds it to the step of the physics profile.
   WheelSpeeds actuated(WheelSpeeds wanted);
 

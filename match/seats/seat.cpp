@@ -7,6 +7,12 @@
 namespace fulbito {
 namespace {
 
+// A team outside the program may hang, so it always has a limit.
+std::optional<DecisionTime> limitOf(const MatchConfig& config, TeamId team) {
+  if (config.decision_time || !config.teams[indexOf(team)].info->outside) return config.decision_time;
+  return config.rules.decision_time;
+}
+
 MatchInfo infoOf(const MatchConfig& config, TeamId team) {
   const VisionModel& vision = config.vision[indexOf(team)];
   MatchInfo info;
@@ -21,7 +27,7 @@ MatchInfo infoOf(const MatchConfig& config, TeamId team) {
   info.position_noise = vision.position_noise;
   info.heading_noise = vision.heading_noise;
   info.dropout = vision.dropout;
-  info.decision_time = config.decision_time;
+  info.decision_time = limitOf(config, team);
   info.seed = config.seed * 2 + indexOf(team);
   return info;
 }
@@ -37,7 +43,7 @@ Seat::Seat(const MatchConfig& config, TeamId team, std::unique_ptr<Strategy> str
       policy_(std::move(policy)) {
   observation_.dt = config.physics.controlPeriod();
   observation_.team_size = config.rules.team_size;
-  if (config.decision_time) time_.emplace(*config.decision_time);
+  if (const auto limit = limitOf(config, team)) time_.emplace(*limit);
   const VisionModel& vision = config.vision[indexOf(team)];
   if (!vision.perfect()) vision_.emplace(vision, config.seed, team, observation_.dt);
 }
@@ -60,6 +66,21 @@ void Seat::reset(const Moment& moment) {
   observation_.sent = {};
   observation_.sent.fill({});
   if (vision_) vision_->reset(*moment.world);
+}
+
+void Seat::allow() {
+  if (time_) strategy_->allow(time_->left(observation_.period));
+}
+
+void Seat::ask() {
+  allow();
+  strategy_->ask(observation_);
+}
+
+bool Seat::inTime(double seconds) {
+  const TeamCondition& condition = strategy_->condition();
+  const bool late = time_ && time_->late(condition.seconds.value_or(seconds), observation_.period);
+  return !late && condition.state == TeamCondition::State::kWell;
 }
 
 void Seat::fillRobots(const Moment& moment, std::span<const RobotState> robots, Side side,

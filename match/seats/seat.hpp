@@ -38,10 +38,17 @@ class Seat {
   Observation before(const RestartCall& call, double delay, const Moment& moment) const;
   /// Sets whether the next decision includes drawings.
   void wantDrawings(bool wanted) { observation_.wants_drawings = wanted; }
+  /// Whether the team's time is limited.
+  bool limited() const { return time_.has_value(); }
+  /// Tells the team how long its next answer may take.
+  void allow();
+  /// Gives the team the observation, so that a team in another process begins to think.
+  void ask();
   /// Asks the team for its decision.
   TeamCommand decide() { return strategy_->decide(observation_); }
-  /// Charges the team for a decision of `seconds` and returns whether it is late.
-  bool late(double seconds) { return time_ && time_->late(seconds, observation_.period); }
+  /// Charges the team for an answer of `seconds`, unless it measured that itself.
+  /// @return whether the answer counts: it came in time, from a team that is well
+  bool inTime(double seconds);
   /// Wheel speeds of the team's robots by the decision in force, before clamping and rounding.
   std::array<WheelSpeeds, kMaxTeamSize> drive();
   /// Drawings of the navigators in the last `drive`; empty unless drawings are wanted.

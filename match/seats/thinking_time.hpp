@@ -11,6 +11,8 @@ class ThinkingTime {
  public:
   explicit ThinkingTime(const DecisionTime& limit) : limit_(limit) {}
 
+  /// [s] Time that a decision in the period may take, the bank included.
+  double left(int period) const { return limit_.decision + (period == period_ ? bank_ : limit_.bank); }
   /// Charges a decision of `seconds` wall time. The bank is full again in each new period.
   /// @return whether the decision is late
   bool late(double seconds, int period) {

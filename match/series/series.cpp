@@ -57,7 +57,7 @@ Result<void> Schedule::play() {
 }
 
 Result<void> Schedule::playLeg(std::size_t leg) {
-  auto match = Match::create(configOf(leg));
+  auto match = Match::create(configOf(leg), config_.clock);
   if (!match) return tl::unexpected<Error>(match.error());
   FoulGoalCounter fouls;
   match->watch(fouls);

@@ -108,6 +108,7 @@ GameEvent MatchReferee::eventOf(const MatchView& view, std::string_view clause, 
 std::optional<RestartCall> MatchReferee::observe(const MatchView& view, Events& events) {
   state_.last_tick = view.tick;
   if (state_.ended) return std::nullopt;
+  if (forfeited_) return walkOver(view, events);
   if (!state_.playing) return waitForSignal(view, events);
   ++state_.play_ticks;
   ++state_.match_ticks;
@@ -199,6 +200,11 @@ void MatchReferee::callBack(bool all) {
       if (robot.out && (all || state_.match_ticks >= robot.back_after)) robot.out = false;
     }
   }
+}
+
+void MatchReferee::forfeit(TeamId team) {
+  setup_.present[indexOf(team)] = false;
+  forfeited_ = true;
 }
 
 std::optional<RestartCall> MatchReferee::walkOver(const MatchView& view, Events& events) {

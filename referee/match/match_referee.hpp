@@ -27,6 +27,9 @@ class MatchReferee {
   /// All stand as placed; play begins at once or after the call's delay. `tick` is the match's.
   void restarted(const RestartCall& call, const Placement& placement, Tick tick);
 
+  /// A present team can no longer play: it counts as absent, and the next tick ends the match (law 7.3).
+  void forfeit(TeamId team);
+
   const RefereeState& state() const { return state_; }
   const RefereeSetup& setup() const { return setup_; }
   /// Play time [s] left in the period (overtime: in its part; shoot-out: in the kick).
@@ -56,6 +59,7 @@ class MatchReferee {
   RefereeSetup setup_;
   RefereeState state_;
   DetectorMemory memory_;
+  bool forfeited_ = false;
 };
 
 }  // namespace fulbito

@@ -70,7 +70,8 @@ inline constexpr std::array kClauses{
     Clause{"shoot-out", "Shoot-out", "", Gain::kNamed},
     Clause{"false-start", "False start", "", Gain::kNobody, kMoved},
     Clause{"mercy", "Full time", "the lead is too large", Gain::kNamed, kLead},
-    Clause{"walk-over", "Walk-over", "a team is absent", Gain::kOther},
+    Clause{"walk-over", "Walk-over", "a team is absent or failed", Gain::kOther},
+    Clause{"team.failed", "Team failed", "it starts again", Gain::kNobody, {"failure ", ""}},
     Clause{"match.abandoned", "Match abandoned", ""},
     Clause{"placement", "", "", Gain::kNobody, kMoved},
 };

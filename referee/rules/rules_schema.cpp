@@ -75,6 +75,17 @@ Schema schemaOf(WalkOverRules& w) {
   };
 }
 
+Schema schemaOf(DecisionTime& d) {
+  return {
+      {"decision", &d.decision, 0, 60, "s", "wall time of each decision and placement"},
+      {"bank", &d.bank, 0, 3600, "s", "wall time beyond that per period"},
+      {"held", &d.held, 0, 3600, "decisions",
+       "late decisions in a row for which the last command stays; after more, the robots stop"},
+      {"start", &d.start, 0, 600, "s", "wall time of the team's start, and of each new start"},
+      {"failures", &d.failures, 1, 1000, "", "failures after which the team forfeits the match"},
+  };
+}
+
 Schema schemaOf(RestartRules& r) {
   return {
       {"delay", &r.delay, 0, kLongestWait, "s",
@@ -191,6 +202,7 @@ std::vector<RulesTable> tablesOf(Rules& r) {
       {"periods", "Laws 5 to 7: time and ties.", periodSchema(r)},
       {"shoot_out", "Law 7.2: kicks from the penalty mark.", schemaOf(r.shoot_out)},
       {"walk_over", "Law 7.3: an absent team.", schemaOf(r.walk_over)},
+      {"decision_time", "Limits of teams that run outside the program.", schemaOf(r.decision_time)},
       {"restart", "All restarts, and law 9: the false start.", schemaOf(r.restart)},
       {"kick_off", "Law 6.", schemaOf(r.kick_off)},
       {"free_ball", "Law 14. The marks are the field's.", schemaOf(r.free_ball)},

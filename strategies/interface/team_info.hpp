@@ -21,7 +21,7 @@ Result<NavigatorChoice> takeNavigator(std::vector<Setting>& settings, const std:
 /// Builds the catalogue's entry of a team class `S` with the parameter struct `P`.
 template <typename P, typename S>
 TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<Parameter<P>> parameters) {
-  TeamInfo info{name, std::move(summary), specsOf(parameters), false, {}, {}};
+  TeamInfo info{name, std::move(summary), specsOf(parameters), false, {}, {}, false};
   info.make = [name, parameters = std::move(parameters)](
                   const std::vector<Setting>& settings) -> Result<std::unique_ptr<Strategy>> {
     P values;
@@ -38,7 +38,7 @@ TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<
 template <typename P, typename S>
 TeamInfo describeTeam(const std::string& name, std::string summary, std::vector<Parameter<P>> parameters,
                       std::string default_navigator) {
-  TeamInfo info{name, std::move(summary), specsOf(parameters), true, default_navigator, {}};
+  TeamInfo info{name, std::move(summary), specsOf(parameters), true, default_navigator, {}, false};
   info.make = [name, parameters = std::move(parameters), default_navigator = std::move(default_navigator)](
                   std::vector<Setting> settings) -> Result<std::unique_ptr<Strategy>> {
     const auto navigator = takeNavigator(settings, default_navigator);

@@ -136,13 +136,15 @@ TEST_CASE("what a flag says of one team or of both is read as such", "[cli]") {
   CHECK(head["config"]["vision"]["yellow"]["dropout"] == 0.25);
 }
 
-TEST_CASE("match --time limits decisions, of one match only", "[cli]") {
+TEST_CASE("match --time limits decisions", "[cli]") {
   const Sandbox box;
   const Output ample = box.run("match chaser idle --half-seconds 1 --time 60000 --json");
   REQUIRE(ample.code == 0);
   CHECK(Json::parse(ample.out)["stats"]["blue"]["commands"]["late"] == 0);
   CHECK(box.run("match idle idle --time -1").code == 2);
-  CHECK(box.run("match idle idle --time 20 -n 2").code == 2);
+  CHECK(box.run("match idle idle --half-seconds 1 --time 60000 -n 2 --json").code == 0);
+  CHECK(box.run("match idle idle --half-seconds 1 --time unlimited").code == 0);
+  CHECK(box.run("match idle idle --time soon").code == 2);
 }
 
 TEST_CASE("match --profile prints the share of every stage", "[cli]") {

@@ -50,7 +50,7 @@ TEST_CASE("whatever stops play is called in a scenario, and has words", "[scenar
     for (const ExpectedEvent& event : scenario->expected) called.insert(event.clause);
   }
   for (const clause::Clause& call : clause::kClauses) {
-    if (call.name == "match.abandoned") continue;  // no rule: a match that its caller ends
+    if (call.name == "match.abandoned" || call.name == "team.failed") continue;  // no rules
     INFO(call.name);
     CHECK(called.contains(call.name));
     if (clause::isFoul(call.name)) CHECK_FALSE(call.title.empty());

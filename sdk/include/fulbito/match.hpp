@@ -24,7 +24,11 @@ struct TeamFaults {
   std::int64_t not_finite = 0;    ///< robot commands with a NaN or infinity; the robot stops for the tick
   std::int64_t no_navigator = 0;  ///< robot commands for a navigator that the team lacks; the robot stops too
   std::int64_t saturated = 0;     ///< robot commands beyond motors or field, which are clamped; no fault
-  std::int64_t late = 0;  ///< decisions beyond `MatchConfig::decision_time`; the previous one stays in force
+  std::int64_t late = 0;          ///< decisions beyond their time; the previous one stays in force
+  std::int64_t stale = 0;         ///< replies of a team outside the program to requests that no longer wait
+  std::int64_t failures = 0;      ///< failures of a team outside the program: see `DecisionTime::failures`
+  std::string failure;            ///< the reason of the last failure
+  bool forfeited = false;         ///< the team failed too often and lost by walk-over
 
   /// All rejected commands and decisions.
   std::int64_t rejected() const { return not_finite + no_navigator + late; }
@@ -62,7 +66,8 @@ struct MatchConfig {
   PerTeam<VisionModel> vision;             ///< vision of blue and yellow
   PlacementError placement_error;          ///< largest errors of placed robots
   std::uint64_t seed = kDefaultMatchSeed;  ///< seed of all random numbers of the match
-  /// Limit of the teams' decision time by the clock of `Match::create`; empty: unlimited.
+  /// Limit of both teams' time, by the clock of `Match::create`. Empty: unlimited, but the rules limit teams
+  /// outside the program (`Rules::decision_time`).
   std::optional<DecisionTime> decision_time;
   PerTeam<bool> present{true, true};  ///< false: the team is absent (law 7.3)
   std::optional<Placement> start;     ///< replaces the first kick-off; applied exactly, never repaired

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "fulbito/detail/decision_time.hpp"
 #include "fulbito/detail/detector_rules.hpp"
 #include "fulbito/detail/field_geometry.hpp"
 #include "fulbito/detail/period_rules.hpp"
@@ -58,6 +59,7 @@ struct Rules {
   PeriodRules periods;             ///< halves, overtime, first kick-off
   ShootOutRules shoot_out;         ///< the kicks that decide a tie
   WalkOverRules walk_over;         ///< an absent team
+  DecisionTime decision_time;      ///< limits of teams that run outside the program
   RestartRules restart;            ///< rules of all restarts
   KickOffRules kick_off;           ///< places and distances
   FreeBallRules free_ball;         ///< places and distances

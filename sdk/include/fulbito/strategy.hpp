@@ -10,8 +10,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "fulbito/detail/decision_time.hpp"
 #include "fulbito/detail/field_geometry.hpp"
 #include "fulbito/models.hpp"
 #include "fulbito/navigation.hpp"
@@ -19,18 +21,6 @@
 #include "fulbito/values.hpp"
 
 namespace fulbito {
-
-/// Limits of a team's decision time, in wall time. Time beyond `decision` comes from the bank. If the bank is
-/// too low, the decision is late: it is rejected, and the previous one stays in force. A match with such a
-/// limit depends on the speed of the machine; only its recording repeats it.
-struct DecisionTime {
-  double decision = 0.02;  ///< [s] limit of each decision, 0 ... 60
-  double bank = 2.0;       ///< [s] total time beyond it per period, 0 ... 3600
-  /// Late decisions in a row for which the last command stays in force, 0 ... 3600; after more, the robots
-  /// stop. The default is half a second at 60 Hz. A real robot stops its motors after about that time without
-  /// radio.
-  int held = 30;
-};
 
 /// A place to drive to, in the team's frame. The navigation stage plans the path among the other robots.
 struct GoTo {
@@ -216,6 +206,22 @@ struct ExerciseReply {
   Vec2 answer;          ///< [m] predicted ball position, for kPredictBall
 };
 
+/// The condition of a team after a call. Teams in this program are always well.
+struct TeamCondition {
+  /// Whether the last call has an answer.
+  enum class State : std::uint8_t {
+    kWell,  ///< it has
+    kLate,  ///< not within the allowed time
+    kDown,  ///< the team failed and starts again
+    kLost,  ///< the team failed too often: it forfeits
+  };
+  State state = State::kWell;     ///< the answer of the last call
+  std::optional<double> seconds;  ///< [s] wall time of that call; empty: the caller measures it
+  int failures = 0;               ///< so far: ends of its program, broken messages, late starts
+  std::int64_t stale = 0;         ///< replies so far to requests that no longer wait; they are ignored
+  std::string reason;             ///< of the last failure, such as "signal 11 (Segmentation fault)"
+};
+
 /// A team. Arguments and results are plain values, so a team may run in another process. The match calls
 /// `begin` first and `ended` last. For each play it calls `place`, `ready`, `decide` once per tick, and
 /// `stopped`. No function keeps references to its argument. `decide` reads no clock and allocates nothing
@@ -229,6 +235,17 @@ class Strategy {
   virtual std::span<const NavigatorChoice> navigators() const { return {}; }
   /// The decision for one control tick; called once per tick.
   virtual TeamCommand decide(const Observation& observation) = 0;
+  /// @{ For a team in another process.
+  /// Wall time that the next `ask` and `decide`, `place` or `exercise` may take [s]; infinite: unlimited.
+  virtual void allow(double) {}
+  /// Both teams are asked before either decides, so that they think at the same time. `decide` follows with
+  /// the same observation.
+  virtual void ask(const Observation&) {}
+  /// The condition after the last call.
+  virtual const TeamCondition& condition() const;
+  /// Where the team comes from, for recordings: `version`, `hash`, `containment` ... Fixed after `begin`.
+  virtual std::vector<Setting> origin() const { return {}; }
+  /// @}
   /// The team's placement at a restart; empty: no wishes. The referee repairs poses that are not allowed.
   virtual std::optional<TeamProposal> place(const PlacementRequest&) { return std::nullopt; }
   /// @{ Notices between decisions. They do not affect the match.
@@ -253,6 +270,7 @@ struct TeamInfo {
   std::string default_navigator;          ///< default of `navigator`; empty if the team takes none
   /// Creates the team from settings, `navigator` included. Errors: kUsage.
   std::function<Result<std::unique_ptr<Strategy>>(const std::vector<Setting>&)> make;
+  bool outside = false;  ///< runs in another process: the rules limit its time unless the match does
 };
 
 /// A team and its settings, for a seat of a match. The entry lives as long as any choice of it.
@@ -260,6 +278,7 @@ struct TeamChoice {
   std::shared_ptr<const TeamInfo> info;  ///< the catalogue's entry
   std::string text;                      ///< the specification: the team's name in recordings and reports
   std::vector<Setting> settings;         ///< the settings of the specification
+  std::vector<Setting> origin;           ///< `Strategy::origin`, in the configuration of a created match
 
   /// A user's own team, without a catalogue. `make` creates a new one for each match, also from several
   /// threads at once.
@@ -280,6 +299,11 @@ class TeamCatalogue {
   /// The entries of a temporary, moved out, so that a loop over `builtIn().teams()` is safe.
   std::vector<std::shared_ptr<const TeamInfo>> teams() && { return std::move(teams_); }
 
+  /// A source of teams that are no entries, such as files. Empty: the specification is not for this source.
+  using Source = std::function<std::optional<Result<TeamChoice>>(const std::string& specification)>;
+  /// Adds a source. `parse` asks the sources in order before it looks for a name.
+  void addSource(Source source) { sources_.push_back(std::move(source)); }
+
   /// Parses and checks a specification such as `libero:navigator=bezier,aggression=0.7`. A navigator's own
   /// parameters follow with `+`: `classic:navigator=bezier:clearance=0.03+follower=classic`. Errors: kUsage
   /// naming the unknown team, parameter or navigator, with a suggestion, or the allowed range.
@@ -287,6 +311,7 @@ class TeamCatalogue {
 
  private:
   std::vector<std::shared_ptr<const TeamInfo>> teams_;
+  std::vector<Source> sources_;
 };
 
 /// `TeamCatalogue::parse` of the built-in teams.

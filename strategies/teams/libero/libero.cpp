@@ -269,7 +269,8 @@ TeamInfo liberoInfo() {
                 specsOf(parameters),
                 true,
                 kOwnNavigation,
-                {}};
+                {},
+                false};
   info.make = [parameters](std::vector<Setting> settings) -> Result<std::unique_ptr<Strategy>> {
     std::optional<NavigatorChoice> navigator;
     std::erase_if(settings,

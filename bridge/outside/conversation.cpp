@@ -1,0 +1,121 @@
+#include "bridge/outside/conversation.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "engine/core/system/stop_request.hpp"
+
+namespace fulbito {
+namespace {
+
+// A wait is cut into slices, so that a user's signal ends it.
+constexpr double kSlice = 0.1;                                   // [s]
+constexpr std::size_t kLongestErrorLine = std::size_t{1} << 12;  // [bytes]
+
+}  // namespace
+
+Conversation::Conversation(const OutsideTeamSetup& setup) : setup_(&setup), codec_(setup.codec()) {
+  auto child = Child::launch(setup.child);
+  if (child) {
+    child_.emplace(std::move(*child));
+  } else {
+    failure_ = child.error().message;
+  }
+}
+
+const Containment& Conversation::containment() const {
+  static const Containment none;
+  return child_ ? child_->containment() : none;
+}
+
+void Conversation::fail(std::string reason) {
+  if (!failure_.empty()) return;
+  // What the program itself ended with says more than that it no longer answers.
+  if (child_) {
+    showErrors();
+    const std::string end = child_->end();
+    if (reason.empty()) reason = end;
+  }
+  showErrors();
+  failure_ = std::move(reason);
+}
+
+void Conversation::flush() {
+  if (!child_->send(out_)) fail("");
+}
+
+void Conversation::receive(double seconds) {
+  // Keeps the capacity: messages are read from the front, and what is left moves there.
+  in_.erase(0, std::exchange(read_, 0));
+  if (child_->receive(in_, seconds) == Child::Received::kClosed && in_.empty()) fail("");
+}
+
+Conversation::Read Conversation::readMessage(std::uint64_t id, TeamReply::Kind kind) {
+  const std::string_view waiting = std::string_view(in_).substr(read_);
+  const auto length = codec_->firstMessage(waiting);
+  if (!length) {
+    fail(length.error().message);
+    return Read::kMore;
+  }
+  if (*length == 0) return Read::kMore;
+  read_ += *length;
+  if (const auto read = codec_->read(waiting.substr(0, *length), reply_); !read) {
+    fail(read.error().message);
+    return Read::kMore;
+  }
+  if (reply_.id > id_ || reply_.id == 0) {
+    fail(fmt::format("a reply to request {}, which was not sent", reply_.id));
+    return Read::kMore;
+  }
+  if (reply_.id == id && reply_.kind == kind) return Read::kAwaited;
+  if (reply_.id == id) {
+    fail(fmt::format("a reply of another kind than request {}", id));
+    return Read::kMore;
+  }
+  ++stale_;
+  return Read::kOther;
+}
+
+TeamReply* Conversation::await(std::uint64_t id, TeamReply::Kind kind, double seconds) {
+  const double end = now() + seconds;
+  while (failure_.empty()) {
+    const Read read = readMessage(id, kind);
+    if (read == Read::kAwaited) return &reply_;
+    if (read == Read::kOther && now() < end) continue;
+    if (!failure_.empty()) break;
+    const double left = end - now();
+    if (left <= 0.0 && read == Read::kOther) break;
+    const std::size_t before = in_.size() - read_;
+    receive(std::clamp(left, 0.0, kSlice));
+    const bool news = in_.size() > before;
+    if (!news && (left <= 0.0 || stopRequested())) break;
+  }
+  return nullptr;
+}
+
+void Conversation::showErrors() {
+  if (!child_) return;
+  errors_ += child_->takeErrors();
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = errors_.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    if (setup_->log) setup_->log(std::string_view(errors_).substr(begin, end - begin));
+  }
+  errors_.erase(0, begin);
+  const bool last = !errors_.empty() && (!failure_.empty() || errors_.size() > kLongestErrorLine);
+  if (last && setup_->log) setup_->log(errors_);
+  if (last) errors_.clear();
+}
+
+void Conversation::waitForEnd(double seconds) {
+  const double end = now() + seconds;
+  while (failure_.empty() && now() < end) {
+    read_ = in_.size();  // whatever it still says
+    receive(std::clamp(end - now(), 0.0, kSlice));
+  }
+  showErrors();
+}
+
+}  // namespace fulbito

@@ -1,0 +1,114 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "bridge/abi/abi_codec.hpp"
+#include "bridge/abi/team_library.hpp"
+#include "bridge/lines/line_codec.hpp"
+#include "bridge/outside/conversation.hpp"
+#include "bridge/outside/outside_team.hpp"
+#include "bridge/outside/team_command.hpp"
+#include "fulbito/outside.hpp"
+
+namespace fulbito {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHost = "fulbito-team-host";
+
+// The program that hosts a library: beside the running program in a build, in ../libexec/fulbito once
+// installed.
+Result<std::string> hostOf(const OutsideOptions& options) {
+  if (!options.host.empty()) return options.host;
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& place : {folder / kHost, folder / "../libexec/fulbito" / kHost}) {
+    if (fs::is_regular_file(place, error)) return place.lexically_normal().string();
+  }
+  return fail(ErrorCode::kUsage,
+              fmt::format("there is no {} in {} or ../libexec/fulbito", kHost, folder.string()));
+}
+
+Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCommandLine& line,
+                                 const OutsideOptions& options) {
+  OutsideTeamSetup setup;
+  setup.child.command = line.command;
+  if (line.library) {
+    auto host = hostOf(options);
+    if (!host) return tl::unexpected<Error>(host.error());
+    setup.child.command.insert(setup.child.command.begin(), std::move(*host));
+  }
+  setup.child.own_folder = line.folder;
+  setup.child.limits = options.limits;
+  setup.child.sandbox_required = options.sandbox_required;
+  if (line.library) {
+    setup.codec = [] { return std::make_unique<AbiCodec>(); };
+  } else {
+    setup.codec = [] { return std::make_unique<LineCodec>(); };
+  }
+  setup.settings = line.settings;
+  setup.clock = options.clock;
+  if (options.log) {
+    setup.log = [log = options.log, specification](std::string_view text) { log(specification, text); };
+  }
+  return setup;
+}
+
+// Starts the team once, so that what keeps it from starting is said before a match begins.
+Result<TeamWelcome> tryStart(const OutsideTeamSetup& setup) {
+  Conversation talk(setup);
+  const std::uint64_t id = talk.next();
+  const TeamHello hello{"fulbito", setup.settings};
+  talk.send([&](TeamCodec& codec, std::string& out) { codec.hello(id, hello, out); });
+  const double limit = DecisionTime{}.start;
+  TeamReply* reply = talk.await(id, TeamReply::Kind::kHello, limit);
+  if (reply != nullptr) return std::move(reply->welcome);
+  talk.fail(fmt::format("no start within {} s", limit));
+  return fail(ErrorCode::kUsage, talk.failure());
+}
+
+Result<TeamInfo> processInfo(const std::string& specification, const TeamCommandLine& line,
+                             const OutsideOptions& options) {
+  auto setup = setupOf(specification, line, options);
+  if (!setup) return tl::unexpected<Error>(setup.error());
+  const auto welcome = tryStart(*setup);
+  if (!welcome) return tl::unexpected<Error>(welcome.error());
+  TeamInfo info;
+  info.name = specification;
+  info.summary = fmt::format("{} {}", welcome->name, welcome->version);
+  info.outside = true;
+  info.make = [setup = std::move(*setup)](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
+    return std::make_unique<OutsideTeam>(setup);
+  };
+  return info;
+}
+
+Result<TeamChoice> choiceOf(const std::string& specification, const OutsideOptions& options) {
+  const auto line = parseTeamCommand(specification);
+  if (!line) return tl::unexpected<Error>(line.error());
+  const bool in_process = line->library && options.isolation == OutsideOptions::Isolation::kNone;
+  auto info =
+      in_process ? loadTeamLibrary(line->command.front()) : processInfo(specification, *line, options);
+  if (!info)
+    return fail(info.error().code, fmt::format("team '{}': {}", specification, info.error().message));
+  TeamChoice choice{std::make_shared<const TeamInfo>(std::move(*info)), specification, line->settings, {{"hash", line->hash}}};
+  if (const auto trial = makeTeam(choice); !trial) return tl::unexpected<Error>(trial.error());
+  return choice;
+}
+
+}  // namespace
+
+TeamCatalogue::Source outsideTeams(OutsideOptions options) {
+  return
+      [options = std::move(options)](const std::string& specification) -> std::optional<Result<TeamChoice>> {
+        if (!isOutside(specification)) return std::nullopt;
+        return choiceOf(specification, options);
+      };
+}
+
+}  // namespace fulbito

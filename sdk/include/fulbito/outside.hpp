@@ -1,0 +1,52 @@
+// Teams outside the program: shared libraries and programs in any language, each in a contained process.
+// Component `outside`.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "fulbito/strategy.hpp"
+
+namespace fulbito {
+
+/// Limits of a team's process with all its descendants. They bind root too.
+struct ChildLimits {
+  std::size_t memory = std::size_t{1} << 30;     ///< [bytes] of all its processes
+  std::size_t file_size = std::size_t{1} << 24;  ///< [bytes] largest file that it may write
+  int open_files = 256;                          ///< descriptors
+  int processes = 64;                            ///< processes and threads
+  bool network = false;                          ///< sockets other than those it is given
+};
+
+/// How teams outside the program run.
+struct OutsideOptions {
+  /// The place of a shared library.
+  enum class Isolation : std::uint8_t {
+    kProcess,  ///< in a contained process of its own
+    kNone,     ///< in this process, at full speed: for code that you trust
+  };
+  Isolation isolation = Isolation::kProcess;  ///< programs (`cmd:`) always have a process of their own
+  bool sandbox_required = false;              ///< refuse a team if a layer of its containment is missing
+  ChildLimits limits;                         ///< limits of each team
+  /// The program `fulbito-team-host`; empty: beside the running program, or in its `../libexec/fulbito`.
+  std::string host;
+  std::function<std::int64_t()> clock;  ///< monotonic time [ns]; required
+  /// Takes the lines that teams write to standard error; may be called from several threads. Empty: they are
+  /// dropped.
+  std::function<void(const std::string& team, std::string_view line)> log;
+};
+
+/// The source of teams whose specification names a file or a program (docs/write-a-team.md):
+///
+///     ./myteam.so              a shared library (fulbito/team.h)
+///     ./myteam.so:speed=0.7    with settings
+///     cmd:python3 myteam.py    a program that speaks the line protocol (docs/team-protocol.md)
+///
+/// Each team is started once when its specification is parsed. Errors: kUsage if the file does not exist, or
+/// if the team does not start.
+TeamCatalogue::Source outsideTeams(OutsideOptions options);
+
+}  // namespace fulbito
