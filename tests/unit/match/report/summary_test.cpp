@@ -128,7 +128,7 @@ TEST_CASE("the event log is bounded and counts what it leaves out", "[unit]") {
 }
 
 TEST_CASE("a series' report: rows of both legs, intervals, null where one pair gives none", "[unit]") {
-  SeriesReport report{{chasers(), 1, 1}, {}, 0.25};
+  SeriesReport report{{chasers(), 1, 1, {}}, {}, 0.25};
   report.config.match.rules.half_seconds = 10.0;
   auto played = playSeries(report.config);
   REQUIRE(played);
@@ -180,7 +180,7 @@ TEST_CASE("goals stand in the summary at the clock's time, cut to tenths", "[uni
 }
 
 TEST_CASE("a series ends with a verdict by the interval of its points share", "[unit]") {
-  SeriesReport report{{chasers(), 1, 1}, {}, 0.5};
+  SeriesReport report{{chasers(), 1, 1, {}}, {}, 0.5};
   report.config.match.teams[0] = *parseTeam("libero");
   report.result.pairs.resize(1);
   const auto verdict = [&](double low, double high) {
@@ -199,7 +199,7 @@ TEST_CASE("a series ends with a verdict by the interval of its points share", "[
 }
 
 TEST_CASE("one win is not many", "[unit]") {
-  SeriesReport report{{chasers(), 1, 1}, {}, 0.5};
+  SeriesReport report{{chasers(), 1, 1, {}}, {}, 0.5};
   report.result.wins = 1;
   report.result.draws = 2;
   report.result.losses = 1;
