@@ -13,29 +13,37 @@ namespace fulbito {
 
 /// Limits of a child process. They bind root too.
 struct ChildLimits {
-  std::size_t memory = std::size_t{1} << 30;     ///< [bytes] of all its processes
-  std::size_t file_size = std::size_t{1} << 24;  ///< [bytes] largest file that it may write
-  int open_files = 256;                          ///< descriptors
-  int processes = 64;                            ///< processes and threads
-  bool network = false;                          ///< sockets other than those it is given
+  std::size_t memory = std::size_t{1}
+                       << 30;  ///< [bytes] of all its processes, without reserved address space
+  std::size_t file_size = std::size_t{1} << 24;    ///< [bytes] largest file that it may write
+  std::size_t folder_size = std::size_t{1} << 26;  ///< [bytes] of all files in its private folder
+  int open_files = 256;                            ///< descriptors of a process
+  int processes = 64;                              ///< processes and threads
+  int cpu_seconds = 24 * 3600;                     ///< [s] processor time of a process
+  bool network = false;                            ///< sockets other than those it is given
 };
 
 /// What to run, and how it is contained.
 struct ChildOptions {
   std::vector<std::string> command;  ///< program, found by PATH unless it contains '/', and its arguments
-  std::string own_folder;  ///< folder of the team's files: readable, not writable; empty: the program's
-  ChildLimits limits;      ///< limits of the process and its descendants
-  bool sandbox_required = false;  ///< refuse to run if a layer is missing
+  /// Folder of the team's files: readable, not writable, and the working directory. Empty: the program's
+  /// folder is readable, and the private folder is the working directory.
+  std::string own_folder;
+  std::vector<std::string> readable;  ///< further files and folders that it may read
+  ChildLimits limits;                 ///< limits of the process and its descendants
+  bool sandbox_required = false;      ///< refuse to run if a layer is missing
 };
 
-/// The layers of containment that a child reached.
+/// The layers of containment that a child reached. docs/sandbox.md says what each contains.
 struct Containment {
   std::vector<std::string> layers;   ///< such as "process-group", "rlimits", "cgroup", "seccomp", "landlock"
   std::vector<std::string> missing;  ///< layers that this system lacks, each with the reason
 };
 
 /// A program in a contained child process with pipes to its standard input and output. Its standard error is
-/// captured. Destruction ends the whole process group and removes everything that the child left.
+/// captured. Its HOME and TMPDIR are a private folder, removed at the end. When its first process ends, so do
+/// all others, and when this process ends, all do. Uses three descriptors. Not for several threads at once;
+/// any thread may launch and any may go on.
 class Child {
  public:
   /// The result of a wait for output.
@@ -52,7 +60,8 @@ class Child {
   /// `receive`.
   /// @return false if the child no longer reads, or if more than 16 MiB wait
   bool send(std::string_view bytes);
-  /// Appends to `into` what the child has written, after waiting at most `seconds` for the first byte.
+  /// Appends to `into` what the child has written, at most 64 KiB, after waiting at most `seconds` for the
+  /// first byte.
   Received receive(std::string& into, double seconds);
   /// Standard error since the last call. At most 64 KiB are kept between calls; more is counted and said.
   std::string takeErrors();
