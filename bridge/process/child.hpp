@@ -15,19 +15,24 @@ namespace fulbito {
 /// What to run, and how it is contained.
 struct ChildOptions {
   std::vector<std::string> command;  ///< program, found by PATH unless it contains '/', and its arguments
-  std::string own_folder;  ///< folder of the team's files: readable, not writable; empty: the program's
-  ChildLimits limits;      ///< limits of the process and its descendants
-  bool sandbox_required = false;  ///< refuse to run if a layer is missing
+  /// Folder of the team's files: readable, not writable, and the working directory. Empty: the program's
+  /// folder is readable, and the private folder is the working directory.
+  std::string own_folder;
+  std::vector<std::string> readable;  ///< further files and folders that it may read
+  ChildLimits limits;                 ///< limits of the process and its descendants
+  bool sandbox_required = false;      ///< refuse to run if a layer is missing
 };
 
-/// The layers of containment that a child reached.
+/// The layers of containment that a child reached. docs/sandbox.md says what each contains.
 struct Containment {
   std::vector<std::string> layers;   ///< such as "process-group", "rlimits", "cgroup", "seccomp", "landlock"
   std::vector<std::string> missing;  ///< layers that this system lacks, each with the reason
 };
 
 /// A program in a contained child process with pipes to its standard input and output. Its standard error is
-/// captured. Destruction ends the whole process group and removes everything that the child left.
+/// captured. Its HOME and TMPDIR are a private folder, removed at the end. When its first process ends, so do
+/// all others, and when this process ends, all do. Uses three descriptors. Not for several threads at once;
+/// any thread may launch and any may go on.
 class Child {
  public:
   /// The result of a wait for output.
@@ -44,7 +49,8 @@ class Child {
   /// `receive`.
   /// @return false if the child no longer reads, or if more than 16 MiB wait
   bool send(std::string_view bytes);
-  /// Appends to `into` what the child has written, after waiting at most `seconds` for the first byte.
+  /// Appends to `into` what the child has written, at most 64 KiB, after waiting at most `seconds` for the
+  /// first byte.
   Received receive(std::string& into, double seconds);
   /// Standard error since the last call. At most 64 KiB are kept between calls; more is counted and said.
   std::string takeErrors();

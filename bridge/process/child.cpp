@@ -1,0 +1,235 @@
+#include "bridge/process/child.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <poll.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "bridge/process/errors_kept.hpp"
+#include "bridge/process/launch.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr std::size_t kMostWaiting = std::size_t{1} << 24;  // [bytes]
+constexpr std::size_t kReadAtOnce = 65536;                  // [bytes] what a pipe holds
+constexpr int kErrorReads = 16;                             // per wait, so that a flood does not hold us
+
+/// Writing into a pipe that nobody reads raises SIGPIPE in this thread. It must not reach the program that
+/// uses the library, and the library must not change how that program takes signals.
+class NoPipeSignal {
+ public:
+  NoPipeSignal() {
+    sigemptyset(&pipe_);
+    sigaddset(&pipe_, SIGPIPE);
+    ::pthread_sigmask(SIG_BLOCK, &pipe_, &before_);
+  }
+  NoPipeSignal(const NoPipeSignal&) = delete;
+  NoPipeSignal& operator=(const NoPipeSignal&) = delete;
+  ~NoPipeSignal() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+  /// Takes away the signal that a write has raised, unless the program itself had blocked it.
+  void swallow() const {
+    if (sigismember(&before_, SIGPIPE) != 0) return;
+    const timespec now{};
+    while (::sigtimedwait(&pipe_, nullptr, &now) < 0 && errno == EINTR) {
+    }
+  }
+
+ private:
+  sigset_t pipe_{};
+  sigset_t before_{};
+};
+
+timespec timeOf(double seconds) {
+  constexpr double kLongest = 1e9;  // [s] 30 years
+  // Of the two bounds also what is not a number gets one: no wait.
+  const double time = seconds > 0.0 ? std::min(seconds, kLongest) : 0.0;
+  const double whole = std::floor(time);
+  return {static_cast<time_t>(whole), static_cast<long>((time - whole) * 1e9)};
+}
+
+/// Takes out of `left` what has passed: the system call does so, the C library's function does not.
+int pollFor(pollfd* waits, nfds_t count, timespec& left) {
+  return static_cast<int>(::syscall(SYS_ppoll, waits, count, &left, nullptr, 0));
+}
+
+std::vector<std::string> linesOf(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
+  }
+  return lines;
+}
+
+}  // namespace
+
+struct Child::Impl {
+  explicit Impl(Launched&& started);
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() { end(); }
+
+  /// Sends what waits, as far as the pipe takes it.
+  bool flush();
+  void drainErrors();
+  Received readOutput(std::string& into);
+  std::string end();
+  std::string howItEnded() const;
+
+  SharedPage page;
+  pid_t keeper;  ///< -1: has ended
+  Descriptor in, out, errors;
+  std::string waiting;   ///< for `in`
+  std::size_t sent = 0;  ///< of `waiting`
+  ErrorsKept errors_kept;
+  std::string buffer;  ///< for reads
+  std::string ended;   ///< why; empty: it runs
+  Containment containment;
+};
+
+Child::Impl::Impl(Launched&& started)
+    : page(std::move(started.page)), keeper(started.keeper), in(std::move(started.in)),
+      out(std::move(started.out)), errors(std::move(started.errors)), buffer(kReadAtOnce, '\0') {
+  containment.layers = linesOf(page->layers.view());
+  containment.missing = linesOf(page->missing.view());
+}
+
+bool Child::Impl::flush() {
+  if (!in.isOpen()) return false;
+  const NoPipeSignal quiet;
+  while (sent < waiting.size()) {
+    const ssize_t wrote = ::write(in.number(), waiting.data() + sent, waiting.size() - sent);
+    if (wrote >= 0) {
+      sent += static_cast<std::size_t>(wrote);
+    } else if (errno == EAGAIN) {
+      return true;
+    } else if (errno != EINTR) {
+      quiet.swallow();
+      in.close();
+      return false;
+    }
+  }
+  waiting.clear();
+  sent = 0;
+  return true;
+}
+
+void Child::Impl::drainErrors() {
+  for (int round = 0; round < kErrorReads && errors.isOpen(); ++round) {
+    const ssize_t got = ::read(errors.number(), buffer.data(), buffer.size());
+    if (got > 0) {
+      errors_kept.add({buffer.data(), static_cast<std::size_t>(got)});
+    } else if (got == 0 || errno != EINTR) {
+      if (got == 0 || errno != EAGAIN) errors.close();
+      return;
+    }
+  }
+}
+
+Child::Received Child::Impl::readOutput(std::string& into) {
+  for (;;) {
+    const ssize_t got = ::read(out.number(), buffer.data(), buffer.size());
+    if (got > 0) {
+      into.append(buffer.data(), static_cast<std::size_t>(got));
+      return Received::kBytes;
+    }
+    if (got < 0 && errno == EAGAIN) return Received::kNothing;
+    if (got == 0 || errno != EINTR) {
+      out.close();
+      return Received::kClosed;
+    }
+  }
+}
+
+std::string Child::Impl::howItEnded() const {
+  const std::string reason(page->reason.view());
+  if (!reason.empty()) return reason;
+  if (!page->ended) return "killed";
+  const int status = page->wait_status;
+  if (WIFEXITED(status)) return fmt::format("exit code {}", WEXITSTATUS(status));
+  const int signal = WTERMSIG(status);
+  const char* name = ::sigdescr_np(signal);
+  return fmt::format("signal {} ({})", signal, name == nullptr ? "unknown" : name);
+}
+
+std::string Child::Impl::end() {
+  if (keeper < 0) return ended;
+  ::kill(keeper, SIGTERM);
+  waitForKeeper(keeper);
+  keeper = -1;
+  drainErrors();
+  in.close();
+  out.close();
+  errors.close();
+  // The keeper has removed it; one that was killed has not.
+  std::error_code ignored;
+  std::filesystem::remove_all(std::string(page->private_folder.view()), ignored);
+  return ended = howItEnded();
+}
+
+Child::Child(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Child::Child(Child&&) noexcept = default;
+Child& Child::operator=(Child&&) noexcept = default;
+Child::~Child() = default;
+
+Result<Child> Child::launch(const ChildOptions& options) {
+  Result<Launched> started = launchTeam(options);
+  if (!started) return tl::unexpected<Error>(started.error());
+  return Child(std::make_unique<Impl>(std::move(*started)));
+}
+
+bool Child::send(std::string_view bytes) {
+  Impl& child = *impl_;
+  if (!child.in.isOpen()) return false;
+  if (child.waiting.size() - child.sent + bytes.size() > kMostWaiting) return false;
+  if (child.sent > child.waiting.size() / 2) {
+    child.waiting.erase(0, child.sent);
+    child.sent = 0;
+  }
+  child.waiting.append(bytes);
+  return child.flush();
+}
+
+Child::Received Child::receive(std::string& into, double seconds) {
+  Impl& child = *impl_;
+  timespec left = timeOf(seconds);
+  for (;;) {
+    if (!child.out.isOpen()) return Received::kClosed;
+    std::array<pollfd, 3> waits{{{child.out.number(), POLLIN, 0},
+                                 {child.errors.number(), POLLIN, 0},
+                                 {child.sent < child.waiting.size() ? child.in.number() : -1, POLLOUT, 0}}};
+    const int ready = pollFor(waits.data(), waits.size(), left);
+    if (ready < 0 && errno != EINTR) return Received::kClosed;
+    if (ready == 0) return Received::kNothing;
+    if (ready < 0) continue;
+    if (waits[1].revents != 0) child.drainErrors();
+    if (waits[2].revents != 0) child.flush();
+    if (waits[0].revents != 0) {
+      if (const Received got = child.readOutput(into); got != Received::kNothing) return got;
+    }
+  }
+}
+
+std::string Child::takeErrors() {
+  impl_->drainErrors();
+  return impl_->errors_kept.take();
+}
+
+std::string Child::end() { return impl_->end(); }
+
+const Containment& Child::containment() const { return impl_->containment; }
+
+}  // namespace fulbito

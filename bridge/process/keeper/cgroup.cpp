@@ -1,0 +1,136 @@
+#include "bridge/process/keeper/cgroup.hpp"
+
+#include <cerrno>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "bridge/process/keeper/files.hpp"
+
+namespace fulbito::keeper {
+namespace {
+
+/// Calls `visit` with the fields of each line, which blanks or `separator` divide.
+template <typename Visit>
+void forLines(const std::string& text, char separator, Visit visit) {
+  std::size_t at = 0;
+  while (at < text.size()) {
+    std::size_t end = text.find('\n', at);
+    if (end == std::string::npos) end = text.size();
+    std::vector<std::string> fields(1);
+    for (std::size_t k = at; k < end; ++k) {
+      if (text[k] == separator) {
+        fields.emplace_back();
+      } else {
+        fields.back() += text[k];
+      }
+    }
+    visit(fields);
+    at = end + 1;
+  }
+}
+
+bool holds(const std::string& list, const std::string& word) {
+  return ("," + list + ",").find("," + word + ",") != std::string::npos;
+}
+
+/// Where a hierarchy is mounted; version 2: `controller` is empty. Fields as in proc(5), mountinfo.
+std::string mountPoint(const std::string& controller) {
+  std::string found;
+  forLines(readSmallFile("/proc/self/mountinfo"), ' ', [&](const std::vector<std::string>& fields) {
+    std::size_t dash = 0;
+    while (dash < fields.size() && fields[dash] != "-") ++dash;
+    if (dash + 3 >= fields.size() || !found.empty()) return;
+    const bool fits = controller.empty() ? fields[dash + 1] == "cgroup2"
+                                         : fields[dash + 1] == "cgroup" && holds(fields[dash + 3], controller);
+    if (fits) found = fields[4];
+  });
+  return found;
+}
+
+/// The group of this process, as a folder; empty if the hierarchy is not mounted or shows another part.
+std::string ownFolder(const std::string& controller) {
+  const std::string root = mountPoint(controller);
+  if (root.empty()) return {};
+  std::string path;
+  forLines(readSmallFile("/proc/self/cgroup"), ':', [&](const std::vector<std::string>& fields) {
+    if (fields.size() < 3) return;
+    const bool fits = controller.empty() ? fields[0] == "0" : holds(fields[1], controller);
+    if (fits) path = fields[2];
+  });
+  const std::string folder = path == "/" ? root : root + path;
+  return ::access((folder + "/cgroup.procs").c_str(), F_OK) == 0 ? folder : root;
+}
+
+std::string groupName() { return "/fulbito-" + std::to_string(::getpid()); }
+
+bool makeFolder(const std::string& folder) { return ::mkdir(folder.c_str(), 0755) == 0; }
+
+}  // namespace
+
+Cgroup::~Cgroup() {
+  for (const std::string& folder : folders_) {
+    // The kernel lets go of dead members a moment after they have been reaped.
+    for (int attempt = 0; ::rmdir(folder.c_str()) != 0 && errno == EBUSY && attempt < 1000; ++attempt) ::usleep(1000);
+  }
+}
+
+bool Cgroup::makeVersion2(const Order& order, const std::string& parent) {
+  const std::string folder = parent + groupName();
+  if (!makeFolder(folder)) return false;
+  folders_ = {folder};
+  const bool made = writeSmallFile(folder + "/memory.max", std::to_string(order.page->memory)) &&
+                    writeSmallFile(folder + "/pids.max", std::to_string(order.page->processes + 1));
+  if (!made) {
+    ::rmdir(folder.c_str());
+    folders_.clear();
+    return false;
+  }
+  // Not every kernel has these two.
+  writeSmallFile(folder + "/memory.swap.max", "0");
+  writeSmallFile(folder + "/memory.oom.group", "1");
+  version2_ = true;
+  return true;
+}
+
+bool Cgroup::makeVersion1(const Order& order, const std::string& memory_parent, const std::string& pids_parent) {
+  const std::string memory = memory_parent + groupName();
+  if (!makeFolder(memory)) return false;
+  folders_ = {memory};
+  bool made = writeSmallFile(memory + "/memory.limit_in_bytes", std::to_string(order.page->memory));
+  // Exists where swap is accounted.
+  writeSmallFile(memory + "/memory.memsw.limit_in_bytes", std::to_string(order.page->memory));
+  const std::string pids = pids_parent + groupName();
+  if (made && !pids_parent.empty() && makeFolder(pids)) {
+    folders_.push_back(pids);
+    made = writeSmallFile(pids + "/pids.max", std::to_string(order.page->processes + 1));
+  }
+  if (made) return true;
+  for (const std::string& folder : folders_) ::rmdir(folder.c_str());
+  folders_.clear();
+  return false;
+}
+
+bool Cgroup::make(const Order& order) {
+  const std::string own = ownFolder("");
+  // A group with processes of its own cannot give controllers to groups below it, so one next to it serves.
+  if (!own.empty() && (makeVersion2(order, own) || makeVersion2(order, own.substr(0, own.rfind('/'))))) return true;
+  const std::string memory = ownFolder("memory");
+  return !memory.empty() && makeVersion1(order, memory, ownFolder("pids"));
+}
+
+bool Cgroup::add(pid_t process) const {
+  for (const std::string& folder : folders_) {
+    if (!writeSmallFile(folder + "/cgroup.procs", std::to_string(process))) return false;
+  }
+  return true;
+}
+
+bool Cgroup::ranOut() const {
+  if (folders_.empty()) return false;
+  const std::string events =
+      readSmallFile(folders_.front() + (version2_ ? "/memory.events" : "/memory.oom_control"));
+  const std::size_t at = events.find("oom_kill ");
+  return at != std::string::npos && events[at + 9] != '0';
+}
+
+}  // namespace fulbito::keeper

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+#include "bridge/process/keeper/order.hpp"
+
+namespace fulbito::keeper {
+
+/// The control group of a child, of version 2 or of version 1. Removed at the end.
+class Cgroup {
+ public:
+  Cgroup() = default;
+  Cgroup(const Cgroup&) = delete;
+  Cgroup& operator=(const Cgroup&) = delete;
+  ~Cgroup();
+
+  /// Makes a group with the order's limits of memory and processes below or next to the one of this process.
+  /// The group limits memory if this succeeds.
+  bool make(const Order& order);
+  /// Puts a process into the group.
+  bool add(pid_t process) const;
+  /// Whether the group ended a process because memory ran out.
+  bool ranOut() const;
+
+ private:
+  bool makeVersion2(const Order& order, const std::string& parent);
+  bool makeVersion1(const Order& order, const std::string& memory_parent, const std::string& pids_parent);
+
+  std::vector<std::string> folders_;
+  bool version2_ = false;
+};
+
+}  // namespace fulbito::keeper

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace fulbito::keeper {
+
+/// The start of a small file, such as those of the kernel; empty if it cannot be read.
+std::string readSmallFile(const std::string& path);
+
+/// Writes into an existing file. @return whether the whole text went in; otherwise errno says why not
+bool writeSmallFile(const std::string& path, const std::string& text);
+
+/// Removes a folder and all below it. Follows no links.
+void removeTree(const std::string& folder);
+
+/// [bytes] that the files below a folder occupy; stops counting at `most`. A file counts at least 512 bytes.
+std::uint64_t treeSize(const std::string& folder, std::uint64_t most);
+
+}  // namespace fulbito::keeper

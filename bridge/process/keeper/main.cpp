@@ -1,0 +1,311 @@
+// The keeper of one team: a small program between a program that plays matches and a team's program. It sets
+// the containment up, waits, and ends and removes whatever the team has left. It is a program of its own, for a
+// process that has just been forked from one with threads may call hardly anything, and would hold its memory.
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/signalfd.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "bridge/process/keeper/cgroup.hpp"
+#include "bridge/process/keeper/descendants.hpp"
+#include "bridge/process/keeper/files.hpp"
+#include "bridge/process/keeper/namespaces.hpp"
+#include "bridge/process/keeper/team.hpp"
+
+namespace fulbito::keeper {
+namespace {
+
+constexpr int kWatchInterval = 50;       // [ms] a bomb takes about 0.1 GiB in this time
+constexpr int kFolderWatchIntervals = 10;  // a walk over a folder costs more than a look at a process
+constexpr int kKillSeconds = 10;         // [s] until processes that even SIGKILL does not end are left behind
+
+/// Whether the user namespace of this process knows the user.
+bool isMapped(uid_t user) {
+  const std::string map = readSmallFile("/proc/self/uid_map");
+  const char* next = map.c_str();
+  while (*next != '\0') {
+    char* after = nullptr;
+    const unsigned long long first = std::strtoull(next, &after, 10);
+    std::strtoull(after, &after, 10);
+    const unsigned long long count = std::strtoull(after, &after, 10);
+    if (user >= first && user - first < count) return true;
+    if (after == next) return false;
+    next = *after == '\n' ? after + 1 : after;
+  }
+  return false;
+}
+
+/// For root: one that nobody has. Each keeper has a process number of its own, and process numbers stay below
+/// 2^22. Containers often know 65536 users only; there it is one of systemd's dynamic users.
+uid_t chooseUser() {
+  if (::geteuid() != 0) return ::geteuid();
+  constexpr uid_t kFirst = 0x70000000, kFirstDynamic = 61184, kDynamic = 4336;
+  const auto number = static_cast<uid_t>(::getpid());
+  return isMapped(kFirst + number) ? kFirst + number : kFirstDynamic + number % kDynamic;
+}
+
+bool makePrivateFolder(Order& order) {
+  order.private_folder = order.base_folder + "/fulbito-team-XXXXXX";
+  if (::mkdtemp(order.private_folder.data()) == nullptr) {
+    failed(order, "make a private folder", errno);
+    return false;
+  }
+  order.page->private_folder.set(order.private_folder);
+  if (::geteuid() != 0 || ::chown(order.private_folder.c_str(), order.user, order.group) == 0) return true;
+  failed(order, "give the private folder to the team", errno);
+  ::rmdir(order.private_folder.c_str());
+  return false;
+}
+
+void detach(int descriptor) {
+  const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  ::dup2(nothing, descriptor);
+  if (nothing > descriptor) ::close(nothing);
+}
+
+/// Leaves the team's pipes to the team, or their ends would go unnoticed.
+void letGo() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) detach(descriptor);
+  ::close(kStartDescriptor);
+}
+
+bool receiveByte(int descriptor) {
+  char byte = 0;
+  ssize_t got = 0;
+  do {
+    got = ::read(descriptor, &byte, 1);
+  } while (got < 0 && errno == EINTR);
+  return got == 1;
+}
+
+/// The first process of a PID namespace: starts the team, reaps what is orphaned, and takes all with it when
+/// it ends. `line` leads to the keeper.
+[[noreturn]] void beFirst(Order& order, int line, pid_t keeper) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+  const int error = receiveByte(line) ? mapUser(order) : ESRCH;
+  if (error != 0) {
+    order.page->error = error;
+    ::_exit(125);
+  }
+  reached(order, "pid-namespace");
+  if (order.own_users) reached(order, "user-namespace");
+  std::string why;
+  const int mount_error = restrictMounts(order, why);
+  if (mount_error == 0) {
+    reached(order, "mount-namespace");
+  } else {
+    lacks(order, "mount-namespace", why, mount_error);
+  }
+  const pid_t team = ::fork();
+  if (team < 0) giveUp(order, "start a process", errno);
+  if (team == 0) becomeTeam(order, ::getppid(), keeper);
+  letGo();
+  static_cast<void>(::write(line, "r", 1));
+  ::close(line);
+  for (;;) {
+    int status = 0;
+    const pid_t ended = ::waitpid(-1, &status, 0);
+    if (ended != team) continue;
+    order.page->wait_status = status;
+    order.page->ended = true;
+    ::_exit(0);
+  }
+}
+
+/// What the keeper has started: the team, or the first process of its namespaces.
+struct Started {
+  pid_t process = -1;
+  bool grouped = false;  ///< in its control group
+};
+
+/// `process` is -1 with errno if it cannot be done, such as with namespaces where the system refuses them.
+Started start(Order& order, const Cgroup& group, bool has_group, bool with_namespaces) {
+  int line[2] = {-1, -1};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, line) != 0) return {};
+  const pid_t keeper = ::getpid();
+  Started started{forkInNamespaces(order, with_namespaces), false};
+  if (started.process == 0) {
+    ::close(line[0]);
+    if (with_namespaces) beFirst(order, line[1], keeper);
+    if (!receiveByte(line[1])) ::_exit(125);
+    becomeTeam(order, keeper, keeper);
+  }
+  int error = errno;
+  ::close(line[1]);
+  if (started.process > 0) {
+    started.grouped = has_group && group.add(started.process);
+    reached(order, started.grouped ? "cgroup" : "memory-watch");
+    static_cast<void>(::send(line[0], "g", 1, MSG_NOSIGNAL));
+    if (with_namespaces && !receiveByte(line[0])) {
+      ::waitpid(started.process, nullptr, 0);
+      error = order.page->error;
+      started.process = -1;
+    }
+  }
+  ::close(line[0]);
+  errno = error;
+  return started;
+}
+
+/// With namespaces, or without where the system refuses them.
+Started startAsContainedAsPossible(Order& order, const Cgroup& group, bool has_group) {
+  Started started = start(order, group, has_group, true);
+  if (started.process > 0) return started;
+  const int error = errno;
+  order.own_pids = order.own_users = order.page->bounded_folder = false;
+  order.page->error = 0;
+  order.page->layers.set("");
+  order.page->missing.set("");
+  for (const char* layer : {"pid-namespace", "mount-namespace"}) lacks(order, layer, "not allowed here", error);
+  if (::geteuid() != 0) lacks(order, "user-namespace", "not allowed here", error);
+  started = start(order, group, has_group, false);
+  if (started.process < 0) failed(order, "start a process", errno);
+  return started;
+}
+
+/// What is left to end the team for, apart from a request.
+class Watch {
+ public:
+  Watch(const Order& order, bool memory) : order_(order), memory_(memory) {}
+
+  /// [ms] until the next look; -1: no need to look
+  int interval() const { return memory_ || !order_.page->bounded_folder ? kWatchInterval : -1; }
+
+  /// Why the team must end; empty: it need not.
+  std::string look() {
+    if (memory_) {
+      const Usage used = usage(descendants(::getpid()));
+      if (used.memory > order_.page->memory) return "out of memory";
+      // One more is the first process of the namespace.
+      if (used.tasks > order_.page->processes + 1) return "too many processes";
+    }
+    if (!order_.page->bounded_folder && ++looks_ % kFolderWatchIntervals == 0) {
+      const std::uint64_t most = order_.page->folder_size;
+      if (treeSize(order_.private_folder, most + 1) > most) return "private folder full";
+    }
+    return {};
+  }
+
+ private:
+  const Order& order_;
+  bool memory_;
+  int looks_ = 0;
+};
+
+/// Descriptors that wake the keeper.
+struct Wakers {
+  int signals = -1;
+  int launcher = -1;  ///< readable when the launcher has ended; -1: kernels before 5.3
+};
+
+Wakers openWakers(const Order& order) {
+  Wakers wakers;
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGTERM);
+  sigaddset(&set, SIGCHLD);
+  ::sigprocmask(SIG_BLOCK, &set, nullptr);
+  wakers.signals = ::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
+  wakers.launcher = static_cast<int>(::syscall(SYS_pidfd_open, order.page->launcher, 0));
+  // Asked after the descriptor is open: a number that another process has by now has another parent.
+  if (::getppid() != order.page->launcher) ::_exit(125);
+  return wakers;
+}
+
+/// Reaps what has ended. @return whether `process` is among it
+bool reap(Order& order, pid_t process) {
+  bool found = false;
+  int status = 0;
+  for (pid_t ended = 0; (ended = ::waitpid(-1, &status, WNOHANG)) > 0;) {
+    if (ended != process) continue;
+    found = true;
+    if (order.own_pids) continue;  // it has said how the team ended
+    order.page->wait_status = status;
+    order.page->ended = true;
+  }
+  return found;
+}
+
+/// Whether the team is about to end by itself: its pipes close a moment before its parent hears of it.
+bool teamIsEnding(const Order& order, pid_t process) {
+  if (!order.own_pids) return isEnding(process);
+  // The first child of the namespace's first process, in the order of their start.
+  const std::vector<pid_t> below = descendants(process);
+  return below.empty() || isEnding(below.front());
+}
+
+/// Gives a team that is about to end the time to do so. @return whether `process` still runs
+bool waitForOwnEnd(Order& order, pid_t process, const Wakers& wakers) {
+  constexpr int kMostRounds = 1000;
+  for (int round = 0; round < kMostRounds && teamIsEnding(order, process); ++round) {
+    pollfd wait{wakers.signals, POLLIN, 0};
+    ::poll(&wait, 1, 1);
+    signalfd_siginfo info{};
+    while (::read(wakers.signals, &info, sizeof info) > 0) {
+    }
+    if (reap(order, process)) return false;
+  }
+  return true;
+}
+
+/// Until the team or the launcher has ended, or the launcher asks for the end.
+/// @return whether `process` still runs
+bool waitForEnd(Order& order, pid_t process, const Wakers& wakers, Watch& watch) {
+  for (;;) {
+    pollfd waits[] = {{wakers.signals, POLLIN, 0}, {wakers.launcher, POLLIN, 0}};
+    const int interval = wakers.launcher < 0 ? kWatchInterval : watch.interval();
+    ::poll(waits, wakers.launcher < 0 ? 1 : 2, interval);
+    bool asked = false;
+    signalfd_siginfo info{};
+    while (::read(wakers.signals, &info, sizeof info) == static_cast<ssize_t>(sizeof info)) {
+      asked = asked || info.ssi_signo == SIGTERM;
+    }
+    if (reap(order, process)) return false;
+    if (asked || ::getppid() != order.page->launcher) return waitForOwnEnd(order, process, wakers);
+    const std::string why = watch.look();
+    if (why.empty()) continue;
+    order.page->reason.set(why);
+    return true;
+  }
+}
+
+void keep(Order& order) {
+  const Wakers wakers = openWakers(order);
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
+  order.user = chooseUser();
+  order.group = ::geteuid() == 0 ? order.user : ::getegid();
+  if (!makePrivateFolder(order)) return;
+  Cgroup group;
+  const Started started = startAsContainedAsPossible(order, group, group.make(order));
+  letGo();
+  // The team, were it of the same user and without a namespace, could reach into a process that is dumpable.
+  ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
+  if (started.process > 0) {
+    Watch watch(order, !started.grouped);
+    const bool runs = waitForEnd(order, started.process, wakers, watch);
+    if (runs && order.own_pids) ::kill(started.process, SIGKILL);
+  }
+  killDescendants(kKillSeconds);
+  if (group.ranOut()) order.page->reason.set("out of memory");
+  removeTree(order.private_folder);
+}
+
+}  // namespace
+}  // namespace fulbito::keeper
+
+int main() {
+  using namespace fulbito::keeper;
+  ::syscall(SYS_close_range, kStartDescriptor + 1, ~0U, 0);
+  for (const int descriptor : {kPageDescriptor, kStartDescriptor}) ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
+  Order order = readOrder();
+  keep(order);
+  return 0;
+}

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+namespace fulbito::keeper {
+
+/// @{ Descriptors that the keeper starts with, beyond the three standard ones, which it passes to the team.
+inline constexpr int kPageDescriptor = 3;
+inline constexpr int kStartDescriptor = 4;  ///< closes when the team's program has begun, or cannot
+/// @}
+
+/// A text of the page. What does not fit is left out.
+template <std::size_t Size>
+struct Text {
+  char bytes[Size] = {};
+
+  void set(std::string_view text) {
+    const std::size_t length = text.size() < Size - 1 ? text.size() : Size - 1;
+    std::memcpy(bytes, text.data(), length);
+    bytes[length] = '\0';
+  }
+  void add(std::string_view text) {
+    const std::size_t used = view().size();
+    const std::size_t length = text.size() < Size - 1 - used ? text.size() : Size - 1 - used;
+    std::memcpy(bytes + used, text.data(), length);
+    bytes[used + length] = '\0';
+  }
+  std::string_view view() const { return {bytes, ::strnlen(bytes, Size)}; }
+};
+
+/// What the launching program and the keeper of a child share: the order, and how it went. Both are the same
+/// build. A word list with `text_size` bytes follows the struct: the program's file, the team's folder, the
+/// folder for temporary files, PATH, LANG, then `readable` folders, then the arguments. Each ends with a zero.
+struct Page {
+  /// @{ The order, see ChildLimits.
+  std::uint64_t memory = 0;       ///< [bytes]
+  std::uint64_t file_size = 0;    ///< [bytes]
+  std::uint64_t folder_size = 0;  ///< [bytes]
+  std::int32_t open_files = 0;
+  std::int32_t processes = 0;
+  std::int32_t cpu_seconds = 0;  ///< [s]
+  std::int32_t launcher = 0;     ///< process that the keeper works for
+  std::uint32_t readable = 0;    ///< number of folders
+  std::uint32_t arguments = 0;
+  std::uint32_t text_size = 0;  ///< [bytes]
+  bool network = false;
+  bool all_layers = false;  ///< give up if one is missing
+  /// @}
+
+  /// @{ The report. Before the start descriptor closes: how the launch went.
+  std::int32_t error = 0;    ///< errno; 0: it runs
+  Text<64> step;             ///< that failed
+  bool lacks_layer = false;  ///< it gave up because a layer is missing
+  Text<512> layers;          ///< each ends with a line end
+  Text<2048> missing;        ///< each ends with a line end
+  Text<512> private_folder;  ///< to be removed should the keeper die
+  bool bounded_folder = false;  ///< the private folder cannot hold more than it may
+  /// @}
+  /// @{ Once the keeper has ended: how the team ended.
+  bool ended = false;            ///< by itself
+  std::int32_t wait_status = 0;  ///< as of waitpid
+  Text<128> reason;              ///< why the keeper ended it; empty: it was asked to
+  /// @}
+};
+
+}  // namespace fulbito::keeper

@@ -1,0 +1,143 @@
+#include "bridge/process/keeper/team.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <fcntl.h>
+#include <grp.h>
+#include <linux/capability.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include "bridge/process/keeper/descendants.hpp"
+#include "bridge/process/keeper/file_rules.hpp"
+#include "bridge/process/keeper/syscall_filter.hpp"
+
+namespace fulbito::keeper {
+namespace {
+
+constexpr int kOnlyReading = CAP_DAC_READ_SEARCH;
+
+/// Of all capabilities keeps the one to read files whatever their owner, for the program and the team's files
+/// may lie in root's folders. Landlock says which ones. Without it root's team reads what root reads.
+bool keepOnlyReading() {
+  __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct data[2] = {};
+  data[0].effective = data[0].permitted = data[0].inheritable = 1U << kOnlyReading;
+  if (::syscall(SYS_capset, &header, data) == 0) {
+    return ::prctl(PR_CAP_AMBIENT, PR_CAP_AMBIENT_RAISE, kOnlyReading, 0, 0) == 0;
+  }
+  data[0] = {};
+  return ::syscall(SYS_capset, &header, data) == 0;
+}
+
+/// Root's team runs as a user that nothing else runs as: limits of processes count for it, and it has no
+/// rights over other processes and files.
+bool becomeOwnUser(Order& order) {
+  const bool done = ::setgroups(0, nullptr) == 0 && ::setresgid(order.group, order.group, order.group) == 0 &&
+                    ::prctl(PR_SET_KEEPCAPS, 1, 0, 0, 0) == 0 &&
+                    ::setresuid(order.user, order.user, order.user) == 0 && keepOnlyReading();
+  if (done) {
+    reached(order, "own-user");
+  } else {
+    lacks(order, "own-user", "cannot change the user", errno);
+  }
+  return done;
+}
+
+/// The user's other processes count where the limit is not for the team alone.
+rlim_t processLimit(const Order& order, bool own_user) {
+  const auto own = static_cast<rlim_t>(order.page->processes);
+  if (own_user) return own;
+  if (order.own_users) return own + 1;  // the first process of the namespace
+  return own + static_cast<rlim_t>(tasksOfUser(order.user));
+}
+
+/// The two limits of a resource become `most`, or stay where they are lower.
+bool limit(int resource, rlim_t most) {
+  rlimit now{};
+  if (::getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return false;
+  const rlim_t lower = now.rlim_max < most ? now.rlim_max : most;
+  now = {lower, lower};
+  return ::setrlimit(static_cast<__rlimit_resource>(resource), &now) == 0;
+}
+
+/// No limit of address space: Go and Java reserve much more than they use.
+void limitResources(Order& order) {
+  const Page& page = *order.page;
+  const bool done = limit(RLIMIT_CORE, 0) && limit(RLIMIT_FSIZE, page.file_size) &&
+                    limit(RLIMIT_NOFILE, static_cast<rlim_t>(page.open_files)) &&
+                    limit(RLIMIT_CPU, static_cast<rlim_t>(page.cpu_seconds)) && limit(RLIMIT_DATA, page.memory) &&
+                    limit(RLIMIT_MSGQUEUE, 0) && limit(RLIMIT_RTPRIO, 0) && limit(RLIMIT_NICE, 0);
+  if (done) {
+    reached(order, "rlimits");
+  } else {
+    lacks(order, "rlimits", "cannot set them", errno);
+  }
+}
+
+void restrictCalls(Order& order, pid_t keeper) {
+  std::string why;
+  const int files_error = restrictFiles(order, why);
+  if (files_error == 0) {
+    reached(order, "landlock");
+  } else {
+    lacks(order, "landlock", why, files_error);
+  }
+  const int filter_error = filterSyscalls(order, keeper);
+  if (filter_error == 0) {
+    reached(order, "seccomp");
+  } else {
+    lacks(order, "seccomp", "the kernel refuses the filter", filter_error);
+  }
+}
+
+void resetSignals() {
+  for (int number = 1; number < NSIG; ++number) ::signal(number, SIG_DFL);
+  sigset_t none;
+  sigemptyset(&none);
+  ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> list;
+  for (std::string& word : words) list.push_back(word.data());
+  list.push_back(nullptr);
+  return list;
+}
+
+}  // namespace
+
+void becomeTeam(Order& order, pid_t parent, pid_t keeper) {
+  resetSignals();
+  ::umask(077);
+  if (::setsid() < 0) giveUp(order, "start a session", errno);
+  reached(order, "process-group");
+  limitResources(order);
+  const bool own_user = ::geteuid() == 0 && becomeOwnUser(order);
+  if (!limit(RLIMIT_NPROC, processLimit(order, own_user))) giveUp(order, "limit the processes", errno);
+  // After the change of user, which clears it.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
+  if (::getppid() != parent) ::_exit(125);
+  reached(order, "parent-death");
+  const std::string& folder = order.own_folder.empty() ? order.private_folder : order.own_folder;
+  if (::chdir(folder.c_str()) != 0) giveUp(order, "enter the team's folder", errno);
+  if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0) {
+    reached(order, "no-new-privs");
+  } else {
+    lacks(order, "no-new-privs", "the kernel refuses", errno);
+  }
+  restrictCalls(order, keeper);
+  if (order.page->all_layers && !order.page->missing.view().empty()) {
+    order.page->lacks_layer = true;
+    giveUp(order, "reach all layers", EPERM);
+  }
+  std::vector<std::string> environment{"PATH=" + order.path, "HOME=" + order.private_folder,
+                                       "TMPDIR=" + order.private_folder, "LANG=" + order.language};
+  ::execve(order.program.c_str(), pointers(order.arguments).data(), pointers(environment).data());
+  giveUp(order, "run the program", errno);
+}
+
+}  // namespace fulbito::keeper

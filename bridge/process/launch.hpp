@@ -1,0 +1,58 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include "bridge/process/child.hpp"
+#include "bridge/process/keeper/page.hpp"
+
+namespace fulbito {
+
+/// A file descriptor, closed at the end.
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  ~Descriptor() { close(); }
+
+  int number() const { return number_; }
+  bool isOpen() const { return number_ >= 0; }
+  void close();
+
+ private:
+  int number_ = -1;
+};
+
+/// Memory that this process shares with a keeper.
+class SharedPage {
+ public:
+  SharedPage() = default;
+  SharedPage(keeper::Page* page, std::size_t size) : page_(page), size_(size) {}
+  SharedPage(SharedPage&& other) noexcept;
+  SharedPage& operator=(SharedPage&&) = delete;
+  ~SharedPage();
+
+  keeper::Page* operator->() const { return page_; }
+
+ private:
+  keeper::Page* page_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/// A keeper that has started a team's program.
+struct Launched {
+  SharedPage page;
+  pid_t keeper = -1;
+  Descriptor in;      ///< to the team's standard input, does not block
+  Descriptor out;     ///< from its standard output, does not block
+  Descriptor errors;  ///< from its standard error, does not block
+};
+
+/// Starts a keeper and waits until it has started the program. Errors: as Child::launch.
+Result<Launched> launchTeam(const ChildOptions& options);
+
+/// Waits for a keeper that ends.
+void waitForKeeper(pid_t keeper);
+
+}  // namespace fulbito
