@@ -1,12 +1,12 @@
 /* The C interface of teams and navigators in shared libraries, for C99 and C++.
  *
- * A library exports one symbol, `fulbito_library_entry`. Its table starts with a version and a size, and grows
- * by extensions: structures that `get_extension` returns by name. Structures of data never change within a
- * version; new data comes by new extensions.
+ * A library exports one symbol, `fulbito_library_entry`. Its table starts with a version and a size, and
+ * grows by extensions: structures that `get_extension` returns by name. Structures of data never change
+ * within a version; new data comes by new extensions.
  *
  * Rules for all members:
- * - Units are SI: m, s, kg, rad, m/s, rad/s. Each team sees its own goal at -x. Headings are counter-clockwise,
- *   0 along +x, in [-pi, pi). The origin is the field's centre.
+ * - Units are SI: m, s, kg, rad, m/s, rad/s. Each team sees its own goal at -x. Headings are
+ * counter-clockwise, 0 along +x, in [-pi, pi). The origin is the field's centre.
  * - Text is UTF-8 and ends with a zero byte.
  * - Arguments belong to the caller and are valid during the call only. What a library returns belongs to the
  *   library and lives as stated.
@@ -136,17 +136,17 @@ FULBITO_SIZE(fulbito_ball_model, 80);
 
 /** Time steps and accuracy of the physics. */
 typedef struct fulbito_physics {
-  char name[FULBITO_NAME_SIZE];  /**< name of the preset */
-  int32_t control_rate;          /**< [Hz] decisions per second */
-  int32_t substeps;              /**< physics steps per decision */
-  int32_t velocity_iterations;   /**< of the engine */
-  int32_t position_iterations;   /**< of the engine */
-  uint32_t bullet_ball;          /**< 1: continuous collision of the ball against moving bodies */
-  uint32_t reserved;             /**< 0 */
-  double contact_depth;          /**< [m] deepest overlap before a step is split; 0: no splits */
-  double max_ball_speed;         /**< [m/s] up to this speed the ball does not tunnel */
-  double restitution_threshold;  /**< [m/s] slower impacts do not bounce */
-  double wheel_command_step;     /**< [rad/s] wheel commands are rounded to multiples of this */
+  char name[FULBITO_NAME_SIZE]; /**< name of the preset */
+  int32_t control_rate;         /**< [Hz] decisions per second */
+  int32_t substeps;             /**< physics steps per decision */
+  int32_t velocity_iterations;  /**< of the engine */
+  int32_t position_iterations;  /**< of the engine */
+  uint32_t bullet_ball;         /**< 1: continuous collision of the ball against moving bodies */
+  uint32_t reserved;            /**< 0 */
+  double contact_depth;         /**< [m] deepest overlap before a step is split; 0: no splits */
+  double max_ball_speed;        /**< [m/s] up to this speed the ball does not tunnel */
+  double restitution_threshold; /**< [m/s] slower impacts do not bounce */
+  double wheel_command_step;    /**< [rad/s] wheel commands are rounded to multiples of this */
 } fulbito_physics;
 FULBITO_SIZE(fulbito_physics, 120);
 
@@ -155,57 +155,57 @@ enum { FULBITO_NO_TIE_BREAK = 0, FULBITO_OVERTIME = 1, FULBITO_SHOOT_OUT = 2, FU
 
 /** The rules as values that teams need. The host's extension FULBITO_EXT_RULES_TEXT has all of them. */
 typedef struct fulbito_rules {
-  char name[FULBITO_NAME_SIZE];  /**< name of the preset */
-  int32_t team_size;             /**< robots per team */
-  int32_t mercy_goals;           /**< lead that ends the match; 0: never */
-  int32_t tie_break;             /**< e.g. FULBITO_OVERTIME */
-  int32_t overtime_parts;        /**< periods of overtime */
-  int32_t attackers_max;         /**< robots allowed in the opponents' goal area; -1: any number */
-  int32_t big_attackers_max;     /**< robots allowed in the opponents' big area; -1: any number */
-  int32_t defenders_max;         /**< robots allowed in the own goal area with the ball; -1: any number */
-  int32_t big_defenders_max;     /**< robots allowed in the own big area with the ball; -1: any number */
-  uint8_t swap_sides;            /**< 1: teams change sides at half-time; observations stay mirrored */
-  uint8_t golden_goal;           /**< 1: the first goal in overtime ends the match */
-  uint8_t hold_robots;           /**< 1: robots cannot move before the signal */
-  uint8_t goal_kick_ball_free;   /**< 1: the taker may place the ball anywhere in its goal area */
-  uint8_t areas_have_arc;        /**< 1: the goal area includes its arc */
-  uint8_t keeper_charging;       /**< 1: charging the keeper is a foul */
-  uint8_t pushing;               /**< 1: pushing away from the ball is a foul */
-  uint8_t pinning;               /**< 1: pinning the ball to a wall is a foul */
-  double half_seconds;           /**< [s] play time of a half */
-  double overtime_seconds;       /**< [s] play time of each period of overtime */
-  double kick_seconds;           /**< [s] time limit of a kick in a shoot-out */
-  double restart_delay;          /**< [s] from the placement to the signal */
-  double goal_delay;             /**< [s] the same after a goal */
-  double false_start_distance;   /**< [m] a robot this far from its place before the signal has moved */
-  double free_ball_distance;     /**< [m] least distance from the ball at a free ball */
-  double stuck_seconds;          /**< [s] a ball that stays this long is stuck, outside the goal areas */
-  double stuck_area_seconds;     /**< [s] the same in a goal area */
-  double stuck_radius;           /**< [m] leaving this circle restarts the count */
-  double keeper_hold_seconds;    /**< [s] longest undisputed control by the keeper; 0: no limit */
-  double pinned_seconds;         /**< [s] longest time for pinning the ball to a wall */
+  char name[FULBITO_NAME_SIZE]; /**< name of the preset */
+  int32_t team_size;            /**< robots per team */
+  int32_t mercy_goals;          /**< lead that ends the match; 0: never */
+  int32_t tie_break;            /**< e.g. FULBITO_OVERTIME */
+  int32_t overtime_parts;       /**< periods of overtime */
+  int32_t attackers_max;        /**< robots allowed in the opponents' goal area; -1: any number */
+  int32_t big_attackers_max;    /**< robots allowed in the opponents' big area; -1: any number */
+  int32_t defenders_max;        /**< robots allowed in the own goal area with the ball; -1: any number */
+  int32_t big_defenders_max;    /**< robots allowed in the own big area with the ball; -1: any number */
+  uint8_t swap_sides;           /**< 1: teams change sides at half-time; observations stay mirrored */
+  uint8_t golden_goal;          /**< 1: the first goal in overtime ends the match */
+  uint8_t hold_robots;          /**< 1: robots cannot move before the signal */
+  uint8_t goal_kick_ball_free;  /**< 1: the taker may place the ball anywhere in its goal area */
+  uint8_t areas_have_arc;       /**< 1: the goal area includes its arc */
+  uint8_t keeper_charging;      /**< 1: charging the keeper is a foul */
+  uint8_t pushing;              /**< 1: pushing away from the ball is a foul */
+  uint8_t pinning;              /**< 1: pinning the ball to a wall is a foul */
+  double half_seconds;          /**< [s] play time of a half */
+  double overtime_seconds;      /**< [s] play time of each period of overtime */
+  double kick_seconds;          /**< [s] time limit of a kick in a shoot-out */
+  double restart_delay;         /**< [s] from the placement to the signal */
+  double goal_delay;            /**< [s] the same after a goal */
+  double false_start_distance;  /**< [m] a robot this far from its place before the signal has moved */
+  double free_ball_distance;    /**< [m] least distance from the ball at a free ball */
+  double stuck_seconds;         /**< [s] a ball that stays this long is stuck, outside the goal areas */
+  double stuck_area_seconds;    /**< [s] the same in a goal area */
+  double stuck_radius;          /**< [m] leaving this circle restarts the count */
+  double keeper_hold_seconds;   /**< [s] longest undisputed control by the keeper; 0: no limit */
+  double pinned_seconds;        /**< [s] longest time for pinning the ball to a wall */
 } fulbito_rules;
 FULBITO_SIZE(fulbito_rules, 200);
 
 /** A team's knowledge before the match. */
 typedef struct fulbito_match_info {
-  uint32_t colour;              /**< FULBITO_BLUE or FULBITO_YELLOW */
-  uint32_t left;                /**< 1: it defends the left goal of pictures at first */
-  uint64_t seed;                /**< of its random stream; the host's `random` draws from it */
-  double dt;                    /**< [s] control period: one decision per period */
-  double observation_age;       /**< [s] nominal age of each observation */
-  double position_noise;        /**< [m] standard deviation of observed positions */
-  double heading_noise;         /**< [rad] standard deviation of observed headings */
-  double dropout;               /**< probability per tick that a body is not seen */
-  double decision_seconds;      /**< [s] limit of each decision, in wall time; infinity: unlimited */
-  double decision_bank;         /**< [s] total time beyond it per period */
-  int32_t decisions_held;       /**< late decisions in a row for which the last command stays in force */
-  uint32_t reserved;            /**< 0 */
-  fulbito_field field;          /**< field of the match */
-  fulbito_robot_model robot;    /**< robots of both teams */
-  fulbito_ball_model ball;      /**< ball of the match */
-  fulbito_physics physics;      /**< time steps */
-  fulbito_rules rules;          /**< rules of the match */
+  uint32_t colour;           /**< FULBITO_BLUE or FULBITO_YELLOW */
+  uint32_t left;             /**< 1: it defends the left goal of pictures at first */
+  uint64_t seed;             /**< of its random stream; the host's `random` draws from it */
+  double dt;                 /**< [s] control period: one decision per period */
+  double observation_age;    /**< [s] nominal age of each observation */
+  double position_noise;     /**< [m] standard deviation of observed positions */
+  double heading_noise;      /**< [rad] standard deviation of observed headings */
+  double dropout;            /**< probability per tick that a body is not seen */
+  double decision_seconds;   /**< [s] limit of each decision, in wall time; infinity: unlimited */
+  double decision_bank;      /**< [s] total time beyond it per period */
+  int32_t decisions_held;    /**< late decisions in a row for which the last command stays in force */
+  uint32_t reserved;         /**< 0 */
+  fulbito_field field;       /**< field of the match */
+  fulbito_robot_model robot; /**< robots of both teams */
+  fulbito_ball_model ball;   /**< ball of the match */
+  fulbito_physics physics;   /**< time steps */
+  fulbito_rules rules;       /**< rules of the match */
 } fulbito_match_info;
 FULBITO_SIZE(fulbito_match_info, 880);
 
@@ -242,23 +242,23 @@ enum {
 
 /** A team's knowledge at one control tick. */
 typedef struct fulbito_observation {
-  int64_t tick;                                 /**< tick of the match that it shows */
-  double dt;                                    /**< [s] control period */
-  fulbito_ball ball;                            /**< the ball */
-  double since_restart;                         /**< [s] of play since the signal; negative before it */
-  double remaining;                             /**< [s] of play left in the period */
-  int32_t team_size;                            /**< robots per team, present or not: 1 ... FULBITO_MAX_ROBOTS */
-  int32_t period;                               /**< 1, 2: halves; 3: overtime; 4: shoot-out */
-  int32_t own_score;                            /**< goals of the team */
-  int32_t opponent_score;                       /**< goals against it */
-  uint32_t restart;                             /**< the restart that began the present play */
-  uint8_t playing;                              /**< 0 while a restart waits for its signal */
-  uint8_t restart_is_ours;                      /**< 1: the team takes it (a free ball: it attacks that half) */
-  uint8_t wants_drawings;                       /**< 1: an observer keeps the drawings of this tick */
-  uint8_t reserved;                             /**< 0 */
-  fulbito_robot own[FULBITO_MAX_ROBOTS];        /**< the team's robots, by number */
-  fulbito_robot opponents[FULBITO_MAX_ROBOTS];  /**< the other team's robots, by number */
-  fulbito_wheels sent[FULBITO_MAX_ROBOTS];      /**< [rad/s] applied to its robots in the previous tick */
+  int64_t tick;                          /**< tick of the match that it shows */
+  double dt;                             /**< [s] control period */
+  fulbito_ball ball;                     /**< the ball */
+  double since_restart;                  /**< [s] of play since the signal; negative before it */
+  double remaining;                      /**< [s] of play left in the period */
+  int32_t team_size;                     /**< robots per team, present or not: 1 ... FULBITO_MAX_ROBOTS */
+  int32_t period;                        /**< 1, 2: halves; 3: overtime; 4: shoot-out */
+  int32_t own_score;                     /**< goals of the team */
+  int32_t opponent_score;                /**< goals against it */
+  uint32_t restart;                      /**< the restart that began the present play */
+  uint8_t playing;                       /**< 0 while a restart waits for its signal */
+  uint8_t restart_is_ours;               /**< 1: the team takes it (a free ball: it attacks that half) */
+  uint8_t wants_drawings;                /**< 1: an observer keeps the drawings of this tick */
+  uint8_t reserved;                      /**< 0 */
+  fulbito_robot own[FULBITO_MAX_ROBOTS]; /**< the team's robots, by number */
+  fulbito_robot opponents[FULBITO_MAX_ROBOTS]; /**< the other team's robots, by number */
+  fulbito_wheels sent[FULBITO_MAX_ROBOTS];     /**< [rad/s] applied to its robots in the previous tick */
 } fulbito_observation;
 FULBITO_SIZE(fulbito_observation, 1848);
 
@@ -286,11 +286,11 @@ enum { FULBITO_BY_WHEELS = 0, FULBITO_BY_TWIST = 1, FULBITO_BY_GO_TO = 2 };
 
 /** One robot's command until the next decision. */
 typedef struct fulbito_robot_command {
-  uint32_t kind;          /**< selects one of the members below; preset to FULBITO_BY_WHEELS */
-  uint32_t role;          /**< a number that the team chooses, 1 ... 255; 0: unknown. For drills and viewers */
-  fulbito_wheels wheels;  /**< as given; preset to 0 */
-  fulbito_twist twist;    /**< limited so that the robot can always steer */
-  fulbito_go_to go_to;    /**< by a navigator */
+  uint32_t kind;         /**< selects one of the members below; preset to FULBITO_BY_WHEELS */
+  uint32_t role;         /**< a number that the team chooses, 1 ... 255; 0: unknown. For drills and viewers */
+  fulbito_wheels wheels; /**< as given; preset to 0 */
+  fulbito_twist twist;   /**< limited so that the robot can always steer */
+  fulbito_go_to go_to;   /**< by a navigator */
 } fulbito_robot_command;
 FULBITO_SIZE(fulbito_robot_command, 88);
 
@@ -311,7 +311,7 @@ FULBITO_SIZE(fulbito_drawing, 112);
 /** A team's decision for one tick. The caller presets all members, so a team sets only what it wants. */
 typedef struct fulbito_team_command {
   fulbito_robot_command robots[FULBITO_MAX_ROBOTS]; /**< by number; those of absent robots are ignored */
-  fulbito_drawing *drawings; /**< the caller's memory for drawings; NULL unless they are wanted */
+  fulbito_drawing* drawings; /**< the caller's memory for drawings; NULL unless they are wanted */
   uint32_t drawing_capacity; /**< room in `drawings` */
   uint32_t drawing_count;    /**< drawings that the team has written; preset to 0 */
 } fulbito_team_command;
@@ -338,23 +338,23 @@ FULBITO_SIZE(fulbito_call, 200);
 
 /** Poses by robot number. */
 typedef struct fulbito_poses {
-  uint8_t present[16];                  /**< by number: 0: no pose; those from FULBITO_MAX_ROBOTS are 0 */
+  uint8_t present[16];                   /**< by number: 0: no pose; those from FULBITO_MAX_ROBOTS are 0 */
   fulbito_pose pose[FULBITO_MAX_ROBOTS]; /**< by number */
 } fulbito_poses;
 FULBITO_SIZE(fulbito_poses, 280);
 
 /** The request for a team's placement at a restart. */
 typedef struct fulbito_placement_request {
-  uint32_t kind;            /**< the kind of restart, e.g. FULBITO_KICK_OFF */
-  uint8_t ours;             /**< 1: the team takes the restart */
-  uint8_t has_opponents;    /**< 1: `opponents` is known, as the rule lets the other team place first */
-  uint8_t reserved[2];      /**< 0 */
-  fulbito_vec2 ball;        /**< [m] ball position; for the other team, after the taker's choice */
-  double delay;             /**< [s] from the placement to the signal; 0: play begins at once */
-  fulbito_poses defaults;   /**< placement by the rules */
-  fulbito_poses opponents;  /**< the other team's placement */
-  fulbito_call cause;       /**< the call that stopped play; no clause at the start of the match */
-  fulbito_observation now;  /**< score, time and all poses when play stopped */
+  uint32_t kind;           /**< the kind of restart, e.g. FULBITO_KICK_OFF */
+  uint8_t ours;            /**< 1: the team takes the restart */
+  uint8_t has_opponents;   /**< 1: `opponents` is known, as the rule lets the other team place first */
+  uint8_t reserved[2];     /**< 0 */
+  fulbito_vec2 ball;       /**< [m] ball position; for the other team, after the taker's choice */
+  double delay;            /**< [s] from the placement to the signal; 0: play begins at once */
+  fulbito_poses defaults;  /**< placement by the rules */
+  fulbito_poses opponents; /**< the other team's placement */
+  fulbito_call cause;      /**< the call that stopped play; no clause at the start of the match */
+  fulbito_observation now; /**< score, time and all poses when play stopped */
 } fulbito_placement_request;
 FULBITO_SIZE(fulbito_placement_request, 2640);
 
@@ -419,10 +419,10 @@ enum { FULBITO_NUMBER = 0, FULBITO_INTEGER = 1, FULBITO_FLAG = 2, FULBITO_CHOICE
 
 /** A documented parameter, which specifications set: `./mine.so:aggression=0.7`. */
 typedef struct fulbito_parameter {
-  const char *name;           /**< as in `name=value` */
-  const char *unit;           /**< e.g. "m/s"; NULL or empty: none */
-  const char *doc;            /**< one line for people */
-  const char *const *choices; /**< for FULBITO_CHOICE: the names of its values; otherwise NULL */
+  const char* name;           /**< as in `name=value` */
+  const char* unit;           /**< e.g. "m/s"; NULL or empty: none */
+  const char* doc;            /**< one line for people */
+  const char* const* choices; /**< for FULBITO_CHOICE: the names of its values; otherwise NULL */
   uint32_t choice_count;      /**< length of `choices` */
   uint32_t type;              /**< e.g. FULBITO_NUMBER */
   double default_value;       /**< of a flag: 0 or 1; of a choice: its index */
@@ -431,19 +431,19 @@ typedef struct fulbito_parameter {
 } fulbito_parameter;
 FULBITO_SIZE(fulbito_parameter, 64);
 
-/** What the simulator offers to one team or navigator, from `create` to `destroy`. Its functions may be called
- * by the thread that runs a call of this team or navigator, during that call. */
+/** What the simulator offers to one team or navigator, from `create` to `destroy`. Its functions may be
+ * called by the thread that runs a call of this team or navigator, during that call. */
 typedef struct fulbito_host {
-  uint32_t abi_version; /**< FULBITO_ABI of the simulator */
-  uint32_t struct_size; /**< sizeof(fulbito_host) of the simulator */
-  void *data;           /**< the simulator's own */
-  const char *simulator; /**< its name and version */
+  uint32_t abi_version;  /**< FULBITO_ABI of the simulator */
+  uint32_t struct_size;  /**< sizeof(fulbito_host) of the simulator */
+  void* data;            /**< the simulator's own */
+  const char* simulator; /**< its name and version */
   /** Shows one line to the user. The text is copied. */
-  void (*log)(const struct fulbito_host *host, const char *line);
+  void (*log)(const struct fulbito_host* host, const char* line);
   /** 64 random bits of the team's own stream. `begin` starts the stream anew from the match's seed. */
-  uint64_t (*random)(const struct fulbito_host *host);
+  uint64_t (*random)(const struct fulbito_host* host);
   /** An extension of the simulator by name; NULL: unknown. It lives as long as the host. */
-  const void *(*get_extension)(const struct fulbito_host *host, const char *name);
+  const void* (*get_extension)(const struct fulbito_host* host, const char* name);
 } fulbito_host;
 FULBITO_SIZE(fulbito_host, 48);
 
@@ -454,34 +454,34 @@ FULBITO_SIZE(fulbito_host, 48);
 /** A library: its description, its team, and its extensions. The table and all that it points at live as long
  * as the library is loaded. */
 typedef struct fulbito_library {
-  uint32_t abi_version; /**< FULBITO_ABI; the first member for ever */
-  uint32_t struct_size; /**< sizeof(fulbito_library); later versions append members */
-  const char *name;     /**< name of the team or of the library; not empty */
-  const char *version;  /**< NULL or empty: none */
-  const char *summary;  /**< one line; NULL or empty: none */
-  const fulbito_parameter *parameters; /**< the team's parameters; NULL if there are none */
+  uint32_t abi_version;                /**< FULBITO_ABI; the first member for ever */
+  uint32_t struct_size;                /**< sizeof(fulbito_library); later versions append members */
+  const char* name;                    /**< name of the team or of the library; not empty */
+  const char* version;                 /**< NULL or empty: none */
+  const char* summary;                 /**< one line; NULL or empty: none */
+  const fulbito_parameter* parameters; /**< the team's parameters; NULL if there are none */
   uint32_t parameter_count;            /**< length of `parameters`, at most 256 */
   uint32_t reserved;                   /**< 0 */
-  const char *default_navigator; /**< default of the setting `navigator`; NULL: the team takes none */
+  const char* default_navigator;       /**< default of the setting `navigator`; NULL: the team takes none */
   /** Creates a team. Called once per match and once to check the settings. All four functions are NULL in a
    * library without a team.
    * @param values     the values of `parameters`, in their order, checked; numbers for all types
    * @param navigator  the setting `navigator` or its default; NULL if the team takes none
    * @return the team; NULL: refused, with the reason by `log` */
-  void *(*create)(const fulbito_host *host, const double *values, const char *navigator);
+  void* (*create)(const fulbito_host* host, const double* values, const char* navigator);
   /** Destroys a team. No call follows. */
-  void (*destroy)(void *team);
+  void (*destroy)(void* team);
   /** A new match begins: reset all memory. Called at least once, before all other functions of the team. */
-  int32_t (*begin)(void *team, const fulbito_match_info *info);
+  int32_t (*begin)(void* team, const fulbito_match_info* info);
   /** The decision for one control tick; called once per tick. It reads no clock and allocates nothing. */
-  int32_t (*decide)(void *team, const fulbito_observation *seen, fulbito_team_command *command);
+  int32_t (*decide)(void* team, const fulbito_observation* seen, fulbito_team_command* command);
   /** An extension of the library by name; NULL: unknown. May itself be NULL. Called by any thread. */
-  const void *(*get_extension)(const char *name);
+  const void* (*get_extension)(const char* name);
 } fulbito_library;
 FULBITO_SIZE(fulbito_library, 96);
 
 /** The one symbol of a library. Called by any thread; returns the same table each time. */
-FULBITO_EXPORT const fulbito_library *fulbito_library_entry(void);
+FULBITO_EXPORT const fulbito_library* fulbito_library_entry(void);
 /** Name of that symbol. */
 #define FULBITO_ENTRY_NAME "fulbito_library_entry"
 
@@ -491,7 +491,7 @@ FULBITO_EXPORT const fulbito_library *fulbito_library_entry(void);
 typedef struct fulbito_navigator_names {
   /** Called after each `begin`, with 0, 1, 2 ... up to 255.
    * @return a specification such as "bezier"; NULL: no more. It lives until the next call */
-  const char *(*name)(void *team, uint32_t index);
+  const char* (*name)(void* team, uint32_t index);
 } fulbito_navigator_names;
 FULBITO_SIZE(fulbito_navigator_names, 8);
 
@@ -500,13 +500,13 @@ FULBITO_SIZE(fulbito_navigator_names, 8);
 /** The team's part in restarts, and notices between decisions. Any function may be NULL. */
 typedef struct fulbito_restarts {
   /** The team's placement at a restart. The caller presets `placement` to no wishes. */
-  int32_t (*place)(void *team, const fulbito_placement_request *request, fulbito_placement *placement);
+  int32_t (*place)(void* team, const fulbito_placement_request* request, fulbito_placement* placement);
   /** Play is stopped. Called before the placement requests of the restart. */
-  int32_t (*stopped)(void *team, const fulbito_stop *stop);
+  int32_t (*stopped)(void* team, const fulbito_stop* stop);
   /** The new play is placed. Called before its first decision, with exact poses. */
-  int32_t (*ready)(void *team, const fulbito_observation *seen);
+  int32_t (*ready)(void* team, const fulbito_observation* seen);
   /** The match is over. */
-  int32_t (*ended)(void *team, const fulbito_end *end);
+  int32_t (*ended)(void* team, const fulbito_end* end);
 } fulbito_restarts;
 FULBITO_SIZE(fulbito_restarts, 32);
 
@@ -519,8 +519,8 @@ typedef struct fulbito_exercises {
   /** One tick of an exercise. `command` is preset as for `decide`; `answer` is the predicted position of the
    * ball [m], for FULBITO_PREDICT_BALL, preset to 0.
    * @return 0, FULBITO_NO_SKILL, or another number after a failure */
-  int32_t (*exercise)(void *team, const fulbito_observation *seen, const fulbito_exercise *task,
-                      fulbito_team_command *command, fulbito_vec2 *answer);
+  int32_t (*exercise)(void* team, const fulbito_observation* seen, const fulbito_exercise* task,
+                      fulbito_team_command* command, fulbito_vec2* answer);
 } fulbito_exercises;
 FULBITO_SIZE(fulbito_exercises, 8);
 
@@ -553,10 +553,10 @@ typedef struct fulbito_scene {
   double heading_tolerance;         /**< [rad] difference that counts as the wanted heading */
   uint32_t has_heading;             /**< 0: any heading */
   uint32_t stop;                    /**< 1: stop at the goal; 0: the robot may pass it at speed */
-  const fulbito_disc *obstacles;    /**< the other bodies, in any order */
+  const fulbito_disc* obstacles;    /**< the other bodies, in any order */
   uint64_t obstacle_count;          /**< length of `obstacles` */
-  const fulbito_field *field;       /**< never NULL */
-  const fulbito_robot_model *robot; /**< never NULL; its max_wheel_speed is the speed limit of this trial */
+  const fulbito_field* field;       /**< never NULL */
+  const fulbito_robot_model* robot; /**< never NULL; its max_wheel_speed is the speed limit of this trial */
 } fulbito_scene;
 FULBITO_SIZE(fulbito_scene, 168);
 
@@ -564,8 +564,8 @@ FULBITO_SIZE(fulbito_scene, 168);
 typedef struct fulbito_guidance {
   uint32_t kind;            /**< e.g. FULBITO_GUIDE_PATH */
   uint32_t point_count;     /**< length of `path`, at least 2 for the two kinds of paths */
-  const fulbito_vec2 *path; /**< [m] from robot to goal, any spacing; the navigator's, until its next call */
-  const double *speeds;     /**< [m/s] speed at each point, for FULBITO_GUIDE_TIMED_PATH; as `path` */
+  const fulbito_vec2* path; /**< [m] from robot to goal, any spacing; the navigator's, until its next call */
+  const double* speeds;     /**< [m/s] speed at each point, for FULBITO_GUIDE_TIMED_PATH; as `path` */
   uint64_t revision;        /**< changes whenever `path` or `speeds` do */
   fulbito_wheels wheels;    /**< for FULBITO_GUIDE_WHEELS */
   double speed_cap;         /**< [m/s] present speed limit; preset to infinity */
@@ -574,24 +574,24 @@ FULBITO_SIZE(fulbito_guidance, 56);
 
 /** One navigation method. An instance belongs to one robot and keeps its memory between ticks. */
 typedef struct fulbito_navigator {
-  const char *name;    /**< as in `./mine.so:name` */
-  const char *summary; /**< one line; NULL or empty: none */
-  const char *source;  /**< paper, section; NULL or empty: none */
-  const fulbito_parameter *parameters; /**< NULL if there are none */
+  const char* name;                    /**< as in `./mine.so:name` */
+  const char* summary;                 /**< one line; NULL or empty: none */
+  const char* source;                  /**< paper, section; NULL or empty: none */
+  const fulbito_parameter* parameters; /**< NULL if there are none */
   uint32_t parameter_count;            /**< length of `parameters`, at most 256 */
   uint32_t plans_speed;                /**< 1: gives its own speed profile or wheel speeds; tables mark it */
   /** Creates a navigator; `values` as for a team. @return NULL: refused, with the reason by `log` */
-  void *(*create)(const fulbito_host *host, const double *values);
+  void* (*create)(const fulbito_host* host, const double* values);
   /** Destroys a navigator. */
-  void (*destroy)(void *navigator);
+  void (*destroy)(void* navigator);
   /** Resets all memory: the next call starts a new trial. */
-  void (*reset)(void *navigator);
+  void (*reset)(void* navigator);
   /** Plans the motion in the present scene; called once per control tick. It reads no clock and allocates
    * nothing once warm. The caller presets `guidance`. After a failure the robot stops. */
-  int32_t (*plan)(void *navigator, const fulbito_scene *scene, fulbito_guidance *guidance);
+  int32_t (*plan)(void* navigator, const fulbito_scene* scene, fulbito_guidance* guidance);
   /** Direction of travel [rad] at a point, after `plan` gave FULBITO_GUIDE_FIELD; otherwise it may be NULL.
    * Called many times per tick. */
-  double (*heading)(void *navigator, fulbito_vec2 point);
+  double (*heading)(void* navigator, fulbito_vec2 point);
 } fulbito_navigator;
 FULBITO_SIZE(fulbito_navigator, 80);
 
@@ -599,7 +599,7 @@ FULBITO_SIZE(fulbito_navigator, 80);
 #define FULBITO_EXT_NAVIGATORS "fulbito.navigators/1"
 /** The navigators that a library adds. */
 typedef struct fulbito_navigators {
-  const fulbito_navigator *navigators; /**< as long as the library is loaded */
+  const fulbito_navigator* navigators; /**< as long as the library is loaded */
   uint32_t count;                      /**< length of `navigators`, at most 256 */
   uint32_t reserved;                   /**< 0 */
 } fulbito_navigators;
