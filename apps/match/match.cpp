@@ -75,8 +75,7 @@ Result<void> checkFlags(const MatchCommand& options) {
   if (!options.pairs) return {};
   for (const auto& [flag, given] :
        {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
-        std::pair{"--profile", options.profile}, std::pair{"--view", options.view},
-        std::pair{"--time", options.decision_ms.has_value()}}) {
+        std::pair{"--profile", options.profile}, std::pair{"--view", options.view}}) {
     if (given) {
       return fail(ErrorCode::kUsage,
                   fmt::format("{} records a single match and cannot be used with -n/--pairs", flag));
@@ -137,7 +136,8 @@ Result<DecisionTime> limitOf(const std::string& text, const Rules& rules) {
   double milliseconds = 0.0;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), milliseconds);
   if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size()) {
-    return fail(ErrorCode::kUsage, fmt::format("--time: '{}' is neither a number of ms nor '{}'", text, kUnlimited));
+    return fail(ErrorCode::kUsage,
+                fmt::format("--time: '{}' is neither a number of ms nor '{}'", text, kUnlimited));
   }
   limit.decision = milliseconds * 1e-3;
   return limit;
@@ -331,9 +331,10 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   per_team(number(command.add_option("--dropout", options.dropout,
                                      "probability per tick that a body is not seen, 0 ... 0.99")));
   command
-      .add_option("--time", options.time,
-                  "wall time per decision of both teams, in addition to the bank of the rules, or 'unlimited' "
-                  "(default: the rules limit teams that are programs)")
+      .add_option(
+          "--time", options.time,
+          "wall time per decision of both teams, in addition to the bank of the rules, or 'unlimited' "
+          "(default: the rules limit teams that are programs)")
       ->type_name("MS");
 }
 

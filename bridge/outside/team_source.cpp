@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "bridge/abi/abi_codec.hpp"
-#include "bridge/abi/team_library.hpp"
+#include "bridge/abi/library_team.hpp"
 #include "bridge/lines/line_codec.hpp"
 #include "bridge/outside/conversation.hpp"
 #include "bridge/outside/outside_team.hpp"

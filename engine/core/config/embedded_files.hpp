@@ -10,6 +10,7 @@ struct EmbeddedFile {
   std::string_view kind;  ///< folder: robots, physics, fields
   std::string_view name;
   std::string_view text;
+  std::string_view file;  ///< name with its ending
 };
 
 /// All presets of this library, in a fixed order.
