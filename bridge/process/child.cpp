@@ -101,8 +101,12 @@ struct Child::Impl {
 };
 
 Child::Impl::Impl(Launched&& started)
-    : page(std::move(started.page)), keeper(started.keeper), in(std::move(started.in)),
-      out(std::move(started.out)), errors(std::move(started.errors)), buffer(kReadAtOnce, '\0') {
+    : page(std::move(started.page)),
+      keeper(started.keeper),
+      in(std::move(started.in)),
+      out(std::move(started.out)),
+      errors(std::move(started.errors)),
+      buffer(kReadAtOnce, '\0') {
   containment.layers = linesOf(page->layers.view());
   containment.missing = linesOf(page->missing.view());
 }

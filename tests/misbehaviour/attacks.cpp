@@ -63,7 +63,8 @@ void traceOthers(const Scene&) {
   forOtherProcesses([](pid_t process) {
     if (::ptrace(PTRACE_SEIZE, process, nullptr, nullptr) == 0) tell("ptrace of another process", true);
     if (opens("/proc/" + std::to_string(process) + "/mem", O_RDWR)) tell("memory of another process", true);
-    if (opens("/proc/" + std::to_string(process) + "/environ", O_RDONLY)) tell("environment of another process", true);
+    if (opens("/proc/" + std::to_string(process) + "/environ", O_RDONLY))
+      tell("environment of another process", true);
   });
 }
 
@@ -77,13 +78,15 @@ void writeOutside(const Scene& scene) {
     tell("changing rights", ::chmod(scene.victim.c_str(), 0777) == 0);
   }
   for (const char* folder : {"/tmp", "/var/tmp", "/dev/shm", "/run", "/etc", "/usr", "/"}) {
-    tell(std::string("a file in ") + folder, opens(std::string(folder) + "/fulbito-attack", O_CREAT | O_WRONLY));
+    tell(std::string("a file in ") + folder,
+         opens(std::string(folder) + "/fulbito-attack", O_CREAT | O_WRONLY));
   }
 }
 
 void readSecrets(const Scene& scene) {
   if (!scene.victim.empty()) tell("reading a file", opens(scene.victim, O_RDONLY));
-  for (const char* path : {"/etc/shadow", "/root", "/home", "/var/log", "/proc/1/mem", "/proc/kcore", "/dev/mem"}) {
+  for (const char* path :
+       {"/etc/shadow", "/root", "/home", "/var/log", "/proc/1/mem", "/proc/kcore", "/dev/mem"}) {
     tell(std::string("reading ") + path, opens(path, O_RDONLY));
   }
 }
@@ -114,7 +117,8 @@ void useNetwork(const Scene&) {
 }
 
 void raiseLimits(const Scene&) {
-  for (const int resource : {RLIMIT_CORE, RLIMIT_FSIZE, RLIMIT_NOFILE, RLIMIT_NPROC, RLIMIT_DATA, RLIMIT_CPU}) {
+  for (const int resource :
+       {RLIMIT_CORE, RLIMIT_FSIZE, RLIMIT_NOFILE, RLIMIT_NPROC, RLIMIT_DATA, RLIMIT_CPU}) {
     const rlimit more{std::size_t{1} << 40, std::size_t{1} << 40};
     tell("raising limit " + std::to_string(resource),
          ::setrlimit(static_cast<__rlimit_resource>(resource), &more) == 0);
@@ -139,7 +143,8 @@ void gainRights(const Scene& scene) {
   tell("another root", ::chroot("/tmp") == 0);
   tell("a kernel key", ::syscall(SYS_add_key, "user", "fulbito", "x", 1, -2) >= 0);
   tell("calls around the filter", ::syscall(SYS_io_uring_setup, 1, nullptr) >= 0 || errno == EFAULT);
-  if (!scene.victim.empty()) tell("a device", ::mknod((scene.victim + "-device").c_str(), S_IFCHR, 0x103) == 0);
+  if (!scene.victim.empty())
+    tell("a device", ::mknod((scene.victim + "-device").c_str(), S_IFCHR, 0x103) == 0);
 }
 
 constexpr Kind kAttacks[] = {

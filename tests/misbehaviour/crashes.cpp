@@ -9,7 +9,8 @@ namespace fulbito::test {
 namespace {
 
 void segfault(const Scene&) {
-  auto* page = static_cast<volatile char*>(::mmap(nullptr, 4096, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+  auto* page =
+      static_cast<volatile char*>(::mmap(nullptr, 4096, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
   *page = 1;
 }
 

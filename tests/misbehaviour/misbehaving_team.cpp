@@ -13,7 +13,8 @@
 namespace fulbito::test {
 
 void tell(std::string_view attempt, bool got_through) {
-  const std::string why = got_through ? std::string("GOT THROUGH") : std::string("refused: ") + std::strerror(errno);
+  const std::string why =
+      got_through ? std::string("GOT THROUGH") : std::string("refused: ") + std::strerror(errno);
   const std::string line = std::string(attempt) + ": " + why + "\n";
   static_cast<void>(!::write(STDERR_FILENO, line.data(), line.size()));
 }
@@ -34,8 +35,7 @@ namespace {
 
 template <typename Visit>
 void forKinds(Visit visit) {
-  for (const auto kinds :
-       {crashes(), silences(), floods(), bombs(), escapes(), attacks(), wrongAnswers()}) {
+  for (const auto kinds : {crashes(), silences(), floods(), bombs(), escapes(), attacks(), wrongAnswers()}) {
     for (const Kind& kind : kinds) visit(kind);
   }
 }

@@ -32,7 +32,8 @@ struct Text {
 
 /// What the launching program and the keeper of a child share: the order, and how it went. Both are the same
 /// build. A word list with `text_size` bytes follows the struct: the program's file, the team's folder, the
-/// folder for temporary files, PATH, LANG, then `readable` folders, then the arguments. Each ends with a zero.
+/// folder for temporary files, PATH, LANG, then `readable` folders, then the arguments. Each ends with a
+/// zero.
 struct Page {
   /// @{ The order, see ChildLimits.
   std::uint64_t memory = 0;       ///< [bytes]
@@ -50,12 +51,13 @@ struct Page {
   /// @}
 
   /// @{ The report. Before the start descriptor closes: how the launch went.
-  std::int32_t error = 0;    ///< errno; 0: it runs
-  Text<64> step;             ///< that failed
-  bool lacks_layer = false;  ///< it gave up because a layer is missing
-  Text<512> layers;          ///< each ends with a line end
-  Text<2048> missing;        ///< each ends with a line end
-  Text<512> private_folder;  ///< to be removed should the keeper die
+  std::int32_t error = 0;       ///< errno; 0: it runs
+  Text<64> step;                ///< that failed
+  bool lacks_layer = false;     ///< it gave up because a layer is missing
+  Text<512> layers;             ///< each ends with a line end
+  Text<2048> missing;           ///< each ends with a line end
+  Text<512> private_folder;     ///< to be removed should the keeper die
+  bool grouped = false;         ///< a control group counts the team's memory
   bool bounded_folder = false;  ///< the private folder cannot hold more than it may
   /// @}
   /// @{ Once the keeper has ended: how the team ended.

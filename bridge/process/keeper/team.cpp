@@ -51,8 +51,8 @@ bool becomeOwnUser(Order& order) {
 rlim_t processLimit(const Order& order, bool own_user) {
   const auto own = static_cast<rlim_t>(order.page->processes);
   if (own_user) return own;
-  if (order.own_users) return own + 1;  // the first process of the namespace
-  return own + static_cast<rlim_t>(tasksOfUser(order.user));
+  if (order.own_users) return own + 1;                            // the first process of the namespace
+  return own + static_cast<rlim_t>(tasksOfUser(order.user)) - 1;  // this one is among them
 }
 
 /// The two limits of a resource become `most`, or stay where they are lower.
@@ -69,8 +69,9 @@ void limitResources(Order& order) {
   const Page& page = *order.page;
   const bool done = limit(RLIMIT_CORE, 0) && limit(RLIMIT_FSIZE, page.file_size) &&
                     limit(RLIMIT_NOFILE, static_cast<rlim_t>(page.open_files)) &&
-                    limit(RLIMIT_CPU, static_cast<rlim_t>(page.cpu_seconds)) && limit(RLIMIT_DATA, page.memory) &&
-                    limit(RLIMIT_MSGQUEUE, 0) && limit(RLIMIT_RTPRIO, 0) && limit(RLIMIT_NICE, 0);
+                    limit(RLIMIT_CPU, static_cast<rlim_t>(page.cpu_seconds)) &&
+                    limit(RLIMIT_DATA, page.memory) && limit(RLIMIT_MSGQUEUE, 0) && limit(RLIMIT_RTPRIO, 0) &&
+                    limit(RLIMIT_NICE, 0);
   if (done) {
     reached(order, "rlimits");
   } else {

@@ -14,7 +14,8 @@ TEST_CASE("a warm conversation with a child allocates nothing", "[unit]") {
   const auto talk = [&] {
     answer.clear();
     bool well = child->send(request);
-    while (well && answer.size() < request.size()) well = child->receive(answer, 20.0) == Child::Received::kBytes;
+    while (well && answer.size() < request.size())
+      well = child->receive(answer, 20.0) == Child::Received::kBytes;
     return well;
   };
   for (int k = 0; k < 10; ++k) REQUIRE(talk());

@@ -91,14 +91,14 @@ TEST_CASE("at most 16 MiB wait for a child that does not read", "[unit]") {
 }
 
 TEST_CASE("a closed pipe is told, and raises no signal", "[unit]") {
-  struct sigaction before {};
+  struct sigaction before{};
   ::sigaction(SIGPIPE, nullptr, &before);
   REQUIRE(before.sa_handler == SIG_DFL);
   Child child = launched(shell("exec 0<&-; echo closed; sleep 60"));
   CHECK(returned(child, 7) == "closed\n");
   CHECK_FALSE(child.send("x"));
   CHECK_FALSE(child.send("y"));
-  struct sigaction after {};
+  struct sigaction after{};
   ::sigaction(SIGPIPE, nullptr, &after);
   CHECK(after.sa_handler == SIG_DFL);
   sigset_t pending;
@@ -178,8 +178,9 @@ TEST_CASE("what cannot be run is refused with the reason", "[unit]") {
 TEST_CASE("a child's surroundings are its own", "[unit]") {
   const ScratchFolder folder;
   ::chmod(folder.path().c_str(), 0755);
-  const std::string program = folder.write("team.sh", "#!/bin/sh\nenv -u PWD -u OLDPWD -u SHLVL -u _ | sort; pwd\n"
-                                                      "echo kept > $HOME/file && cat $HOME/file\n");
+  const std::string program = folder.write("team.sh",
+                                           "#!/bin/sh\nenv -u PWD -u OLDPWD -u SHLVL -u _ | sort; pwd\n"
+                                           "echo kept > $HOME/file && cat $HOME/file\n");
   ::chmod(program.c_str(), 0755);
   ::setenv("FULBITO_SECRET", "secret", 1);
   ChildOptions options;
@@ -187,7 +188,8 @@ TEST_CASE("a child's surroundings are its own", "[unit]") {
   Child at_home = launched(options);
   const std::string text = allOutput(at_home);
   CHECK_THAT(text, Catch::StartsWith("HOME=/"));
-  CHECK_THAT(text, Catch::Contains("\nTMPDIR=/") && Catch::Contains("\nPATH=/") && Catch::Contains("\nLANG="));
+  CHECK_THAT(text,
+             Catch::Contains("\nTMPDIR=/") && Catch::Contains("\nPATH=/") && Catch::Contains("\nLANG="));
   CHECK(text.find("SECRET") == std::string::npos);
   CHECK_THAT(text, Catch::EndsWith("\nkept\n"));
   CHECK(std::count(text.begin(), text.end(), '\n') == 6);

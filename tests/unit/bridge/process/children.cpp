@@ -116,7 +116,8 @@ std::string Leftovers::found() const {
   if (openDescriptors() != descriptors_) left += "descriptors\n";
   if (::waitpid(-1, nullptr, WNOHANG) != -1 || errno != ECHILD) left += "a child of this process\n";
   if (const int count = processesWith(mark_); count != 0) left += std::to_string(count) + " processes\n";
-  for (const auto& entry : fs::directory_iterator(temporaryFolder())) left += "file " + entry.path().string() + "\n";
+  for (const auto& entry : fs::directory_iterator(temporaryFolder()))
+    left += "file " + entry.path().string() + "\n";
   addControlGroups(keepers_, left);
   return left;
 }

@@ -60,7 +60,8 @@ TEST_CASE("the layers that a child reached are told", "[unit][sandbox]") {
   CHECK(has(reached.layers, "mount-namespace") == !isRefused("namespaces"));
   CHECK(has(reached.layers, "landlock") == !isRefused("landlock"));
   CHECK(reached.missing.empty() == !isRefused("namespaces"));
-  if (isRefused("namespaces")) CHECK(reached.missing[0] == "pid-namespace: not allowed here: Operation not permitted");
+  if (isRefused("namespaces"))
+    CHECK(reached.missing[0] == "pid-namespace: not allowed here: Operation not permitted");
 }
 
 TEST_CASE("a required layer that is missing is an error", "[unit][sandbox]") {
@@ -99,9 +100,9 @@ TEST_CASE("a team reads its own files and no others", "[unit][sandbox]") {
     ::chmod(folder->path().c_str(), 0777);
     ::chmod(folder->write("file", "content\n").c_str(), 0666);
   }
-  ChildOptions options = shell("for folder in " + own.path().string() + " " + further.path().string() + " " +
-                               secret.path().string() +
-                               "; do cat $folder/file; touch $folder/new && echo WROTE; rm -f $folder/file; done");
+  ChildOptions options = shell(
+      "for folder in " + own.path().string() + " " + further.path().string() + " " + secret.path().string() +
+      "; do cat $folder/file; touch $folder/new && echo WROTE; rm -f $folder/file; done");
   options.own_folder = own.path().string();
   options.readable = {further.path().string()};
   Child child = launched(options);
@@ -142,14 +143,16 @@ TEST_CASE("the network is for teams that are allowed it", "[unit][sandbox]") {
 TEST_CASE("interpreters and runtimes work inside", "[unit][sandbox]") {
   CHECK(outputOf({"sh", "-c", "echo one | cat; ls / >/dev/null 2>&1; sleep 0.01"}) == "one\n");
   if (runs("python3 -V")) {
-    CHECK(outputOf({"python3", "-c",
-                    "import json, random, subprocess, tempfile, threading\n"
-                    "t = threading.Thread(target=print, args=('thread',)); t.start(); t.join()\n"
-                    "print(subprocess.run(['echo', 'process'], capture_output=True).stdout.decode().strip())\n"
-                    "with tempfile.TemporaryFile() as file: print('file', flush=True)\n"}) ==
-          "thread\nprocess\nfile\n");
+    CHECK(
+        outputOf({"python3", "-c",
+                  "import json, random, subprocess, tempfile, threading\n"
+                  "t = threading.Thread(target=print, args=('thread',)); t.start(); t.join()\n"
+                  "print(subprocess.run(['echo', 'process'], capture_output=True).stdout.decode().strip())\n"
+                  "with tempfile.TemporaryFile() as file: print('file', flush=True)\n"}) ==
+        "thread\nprocess\nfile\n");
   }
-  if (runs("node --version")) CHECK(outputOf({"node", "-e", "setTimeout(() => console.log('later'), 1)"}) == "later\n");
+  if (runs("node --version"))
+    CHECK(outputOf({"node", "-e", "setTimeout(() => console.log('later'), 1)"}) == "later\n");
   if (runs("java -version")) CHECK_THAT(outputOf({"java", "--version"}), Catch::Contains("Runtime"));
 }
 
