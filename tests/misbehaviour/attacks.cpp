@@ -29,6 +29,8 @@ namespace {
 bool opens(const std::string& path, int flags) {
   const int file = ::open(path.c_str(), flags | O_CLOEXEC, 0600);
   if (file >= 0) ::close(file);
+  // Where an attack gets through, the test that sees it fails, and that is enough.
+  if (file >= 0 && (flags & O_CREAT) != 0) ::unlink(path.c_str());
   return file >= 0;
 }
 

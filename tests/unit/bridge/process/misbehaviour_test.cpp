@@ -131,4 +131,29 @@ TEST_CASE("misbehaving children end in time and leave nothing", "[unit][misbehav
   }
 }
 
+TEST_CASE("the misbehaving team plays well until its time comes", "[unit]") {
+  ChildOptions options;
+  options.command = {misbehavingTeam(), "wrong-id", "--at", "2"};
+  Child child = launched(options);
+  const auto answerTo = [&child](const std::string& line) {
+    REQUIRE(child.send(line + "\n"));
+    std::string text;
+    while (!text.ends_with('\n') && child.receive(text, kPatience) == Child::Received::kBytes) {
+    }
+    return text;
+  };
+  CHECK(answerTo(R"({"type":"hello","id":1,"protocol":"fulbito-team/1"})") ==
+        R"({"type":"hello","id":1,"protocol":"fulbito-team/1","name":"misbehaving","version":""})"
+        "\n");
+  CHECK(answerTo(R"({"type":"begin","id":2,"team":"blue"})") == R"({"type":"begin","id":2,"navigators":[]})"
+                                                                "\n");
+  REQUIRE(child.send("{\"type\":\"ready\",\"now\":{}}\n"));
+  CHECK(answerTo(R"({"type":"decide","id":3,"now":{}})") == R"({"type":"decide","id":3,"robots":[]})"
+                                                            "\n");
+  CHECK(answerTo(R"({"type":"decide","id":4,"now":{}})") == R"({"type":"decide","id":1004,"robots":[]})"
+                                                            "\n");
+  CHECK(answerTo(R"({"type":"decide","id":5,"now":{}})") == R"({"type":"decide","id":5,"robots":[]})"
+                                                            "\n");
+}
+
 }  // namespace fulbito

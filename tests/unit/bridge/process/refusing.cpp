@@ -3,7 +3,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <sched.h>
 #include <seccomp.h>
 #include <string>
@@ -27,7 +26,6 @@ int main(int argc, char** argv) {
     std::fputs("refusing: cannot install the filter\n", stderr);
     return 2;
   }
-  ::setenv("FULBITO_REFUSED", refused.c_str(), 1);
   ::execvp(argv[2], argv + 2);
   std::perror(argv[2]);
   return 2;
