@@ -1,4 +1,4 @@
-// A team that misbehaves in one way, at once or in the midst of a conversation as in docs/team-protocol.md.
+// A team that misbehaves in one way, at once or in the midst of a conversation by fulbito-team/1.
 
 #include <cerrno>
 #include <cstdio>
