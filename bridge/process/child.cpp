@@ -159,7 +159,7 @@ Child::Received Child::Impl::readOutput(std::string& into) {
 }
 
 std::string Child::Impl::howItEnded() const {
-  const std::string reason(page->reason.view());
+  std::string reason(page->reason.view());
   if (!reason.empty()) return reason;
   if (!page->ended) return "killed";
   const int status = page->wait_status;

@@ -68,6 +68,10 @@ bool makePrivateFolder(Order& order) {
 
 void detach(int descriptor) {
   const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nothing < 0) {
+    ::close(descriptor);
+    return;
+  }
   ::dup2(nothing, descriptor);
   if (nothing > descriptor) ::close(nothing);
 }

@@ -17,15 +17,11 @@ struct Text {
   char bytes[Size] = {};
 
   void set(std::string_view text) {
-    const std::size_t length = text.size() < Size - 1 ? text.size() : Size - 1;
-    std::memcpy(bytes, text.data(), length);
-    bytes[length] = '\0';
+    bytes[text.copy(bytes, Size - 1)] = '\0';
   }
   void add(std::string_view text) {
     const std::size_t used = view().size();
-    const std::size_t length = text.size() < Size - 1 - used ? text.size() : Size - 1 - used;
-    std::memcpy(bytes + used, text.data(), length);
-    bytes[used + length] = '\0';
+    bytes[used + text.copy(bytes + used, Size - 1 - used)] = '\0';
   }
   std::string_view view() const { return {bytes, ::strnlen(bytes, Size)}; }
 };
