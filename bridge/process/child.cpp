@@ -171,6 +171,7 @@ std::string Child::Impl::howItEnded() const {
 
 std::string Child::Impl::end() {
   if (keeper < 0) return ended;
+  page->output_closed = !out.isOpen();
   ::kill(keeper, SIGTERM);
   waitForKeeper(keeper);
   keeper = -1;

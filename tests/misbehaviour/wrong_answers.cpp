@@ -23,6 +23,11 @@ std::string nested() {
 
 constexpr Kind kWrongAnswers[] = {
     {"not-json", "answers in plain words", [](const Scene&) { say("forward!\n"); }, false, true},
+    {"gives-up", "says that it cannot play",
+     [](const Scene& s) { say(begun(s) + ",\"error\":\"this team gives up\"}\n"); }, false, true},
+    {"unasked-answer", "answers before it is asked",
+     [](const Scene& s) { say(withRobots(s, "null") + begun(s.id + 1, s.type) + ",\"robots\":[]}\n"); },
+     false, true},
     {"not-an-object", "answers with a number", [](const Scene&) { say("42\n"); }, false, true},
     {"no-id", "leaves the request's number out",
      [](const Scene& s) { say("{\"type\":\"" + s.type + "\",\"robots\":[]}\n"); }, false, true},

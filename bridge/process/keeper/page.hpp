@@ -16,9 +16,7 @@ template <std::size_t Size>
 struct Text {
   char bytes[Size] = {};
 
-  void set(std::string_view text) {
-    bytes[text.copy(bytes, Size - 1)] = '\0';
-  }
+  void set(std::string_view text) { bytes[text.copy(bytes, Size - 1)] = '\0'; }
   void add(std::string_view text) {
     const std::size_t used = view().size();
     bytes[used + text.copy(bytes + used, Size - 1 - used)] = '\0';
@@ -44,6 +42,8 @@ struct Page {
   std::uint32_t text_size = 0;  ///< [bytes]
   bool network = false;
   bool all_layers = false;  ///< give up if one is missing
+  /// Later, with the request to end: the team has closed its output, so it may be about to end by itself.
+  bool output_closed = false;
   /// @}
 
   /// @{ The report. Before the start descriptor closes: how the launch went.
