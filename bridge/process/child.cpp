@@ -101,8 +101,12 @@ struct Child::Impl {
 };
 
 Child::Impl::Impl(Launched&& started)
-    : page(std::move(started.page)), keeper(started.keeper), in(std::move(started.in)),
-      out(std::move(started.out)), errors(std::move(started.errors)), buffer(kReadAtOnce, '\0') {
+    : page(std::move(started.page)),
+      keeper(started.keeper),
+      in(std::move(started.in)),
+      out(std::move(started.out)),
+      errors(std::move(started.errors)),
+      buffer(kReadAtOnce, '\0') {
   containment.layers = linesOf(page->layers.view());
   containment.missing = linesOf(page->missing.view());
 }
@@ -155,7 +159,7 @@ Child::Received Child::Impl::readOutput(std::string& into) {
 }
 
 std::string Child::Impl::howItEnded() const {
-  const std::string reason(page->reason.view());
+  std::string reason(page->reason.view());
   if (!reason.empty()) return reason;
   if (!page->ended) return "killed";
   const int status = page->wait_status;
@@ -167,6 +171,7 @@ std::string Child::Impl::howItEnded() const {
 
 std::string Child::Impl::end() {
   if (keeper < 0) return ended;
+  page->output_closed = !out.isOpen();
   ::kill(keeper, SIGTERM);
   waitForKeeper(keeper);
   keeper = -1;

@@ -86,7 +86,8 @@ Result<std::string> findProgram(const std::string& name, const std::string& path
 Result<void> check(const ChildOptions& options) {
   if (options.command.empty()) return cannotRun("", "the command is empty");
   for (const std::string& word : options.command) {
-    if (word.find('\0') != std::string::npos) return cannotRun(options.command[0], "a word contains a zero byte");
+    if (word.find('\0') != std::string::npos)
+      return cannotRun(options.command[0], "a word contains a zero byte");
   }
   std::error_code wrong;
   if (!options.own_folder.empty() && !fs::is_directory(options.own_folder, wrong)) {
@@ -190,7 +191,8 @@ int spawnKeeper(const Descriptor& image, const KeeperDescriptors& descriptors, p
   const std::string file = fmt::format("/proc/self/fd/{}", image.number());
   std::array<char*, 2> argv{name.data(), nullptr};
   std::array<char*, 1> environment{nullptr};
-  const int wrong = ::posix_spawn(&keeper, file.c_str(), &actions, &attributes, argv.data(), environment.data());
+  const int wrong =
+      ::posix_spawn(&keeper, file.c_str(), &actions, &attributes, argv.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   return wrong;
@@ -220,19 +222,26 @@ std::string lines(std::string_view text, std::string_view between) {
 
 Error whyNot(const keeper::Page& page, const std::string& program) {
   if (page.lacks_layer) {
-    return {ErrorCode::kUsage, fmt::format("the sandbox lacks what is required: {}", lines(page.missing.view(), "; "))};
+    return {ErrorCode::kUsage,
+            fmt::format("the sandbox lacks what is required: {}", lines(page.missing.view(), "; "))};
   }
   const std::string step(page.step.view());
   if (step != "run the program") {
-    return {ErrorCode::kIo, fmt::format("cannot run '{}': cannot {}: {}", program, step, std::strerror(page.error))};
+    return {ErrorCode::kIo,
+            fmt::format("cannot run '{}': cannot {}: {}", program, step, std::strerror(page.error))};
   }
   switch (page.error) {
-    case ENOEXEC: return cannotRun(program, "it is neither a program nor a script that begins with #!").value();
-    case ENOENT: return cannotRun(program, "it needs an interpreter that does not exist").value();
+    case ENOEXEC:
+      return cannotRun(program, "it is neither a program nor a script that begins with #!").value();
+    case ENOENT:
+      return cannotRun(program, "it needs an interpreter that does not exist").value();
     case EACCES:
-      return cannotRun(program, "it, or its interpreter, is not executable for other users, or lies in a folder that "
-                                "teams may not read").value();
-    default: return cannotRun(program, std::strerror(page.error)).value();
+      return cannotRun(program,
+                       "it, or its interpreter, is not executable for other users, or lies in a folder that "
+                       "teams may not read")
+          .value();
+    default:
+      return cannotRun(program, std::strerror(page.error)).value();
   }
 }
 
@@ -271,8 +280,8 @@ Result<Launched> launchTeam(const ChildOptions& options) {
   const std::size_t size = sizeof(keeper::Page) + words.text.size();
   const Descriptor page_file = memoryFile("fulbito-page");
   const Descriptor image = memoryFile("fulbito-keeper");
-  if (!page_file.isOpen() || !image.isOpen() || ::ftruncate(page_file.number(), static_cast<off_t>(size)) != 0 ||
-      !writeAll(image, keeperImage())) {
+  if (!page_file.isOpen() || !image.isOpen() ||
+      ::ftruncate(page_file.number(), static_cast<off_t>(size)) != 0 || !writeAll(image, keeperImage())) {
     return cannot("make a file in memory", errno);
   }
   void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, page_file.number(), 0);
@@ -285,10 +294,10 @@ Result<Launched> launchTeam(const ChildOptions& options) {
       !neverBlock(out.read) || !neverBlock(errors.read)) {
     return cannot("open a pipe", errno);
   }
-  const int wrong = spawnKeeper(image,
-                                {in.read.number(), out.write.number(), errors.write.number(), page_file.number(),
-                                 start.write.number()},
-                                launched.keeper);
+  const int wrong = spawnKeeper(
+      image,
+      {in.read.number(), out.write.number(), errors.write.number(), page_file.number(), start.write.number()},
+      launched.keeper);
   if (wrong != 0) return cannot("start the keeper of a team", wrong);
   for (Descriptor* end : {&in.read, &out.write, &errors.write, &start.write}) end->close();
   const bool in_time = waitForClose(start.read);

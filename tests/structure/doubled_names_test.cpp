@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kFolders = {"sdk",   "engine",      "navigation", "strategies", "referee",
-                                 "match", "experiments", "replays",    "apps",       "bench"};
+constexpr std::array kFolders = {"sdk",         "engine",  "navigation", "strategies", "referee", "match",
+                                 "experiments", "replays", "apps",       "bench",      "bridge"};
 
 /// Linked in place of view_window.cpp in a build without a window, never beside it.
 constexpr const char* kInsteadOfAnother = "no_window.cpp";

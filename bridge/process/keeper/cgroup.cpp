@@ -40,8 +40,9 @@ std::string mountPoint(const std::string& controller) {
     std::size_t dash = 0;
     while (dash < fields.size() && fields[dash] != "-") ++dash;
     if (dash + 3 >= fields.size() || !found.empty()) return;
-    const bool fits = controller.empty() ? fields[dash + 1] == "cgroup2"
-                                         : fields[dash + 1] == "cgroup" && holds(fields[dash + 3], controller);
+    const bool fits = controller.empty()
+                          ? fields[dash + 1] == "cgroup2"
+                          : fields[dash + 1] == "cgroup" && holds(fields[dash + 3], controller);
     if (fits) found = fields[4];
   });
   return found;
@@ -70,7 +71,8 @@ bool makeFolder(const std::string& folder) { return ::mkdir(folder.c_str(), 0755
 Cgroup::~Cgroup() {
   for (const std::string& folder : folders_) {
     // The kernel lets go of dead members a moment after they have been reaped.
-    for (int attempt = 0; ::rmdir(folder.c_str()) != 0 && errno == EBUSY && attempt < 1000; ++attempt) ::usleep(1000);
+    for (int attempt = 0; ::rmdir(folder.c_str()) != 0 && errno == EBUSY && attempt < 1000; ++attempt)
+      ::usleep(1000);
   }
 }
 
@@ -92,7 +94,8 @@ bool Cgroup::makeVersion2(const Order& order, const std::string& parent) {
   return true;
 }
 
-bool Cgroup::makeVersion1(const Order& order, const std::string& memory_parent, const std::string& pids_parent) {
+bool Cgroup::makeVersion1(const Order& order, const std::string& memory_parent,
+                          const std::string& pids_parent) {
   const std::string memory = memory_parent + groupName();
   if (!makeFolder(memory)) return false;
   folders_ = {memory};
@@ -113,7 +116,8 @@ bool Cgroup::makeVersion1(const Order& order, const std::string& memory_parent, 
 bool Cgroup::make(const Order& order) {
   const std::string own = ownFolder("");
   // A group with processes of its own cannot give controllers to groups below it, so one next to it serves.
-  if (!own.empty() && (makeVersion2(order, own) || makeVersion2(order, own.substr(0, own.rfind('/'))))) return true;
+  if (!own.empty() && (makeVersion2(order, own) || makeVersion2(order, own.substr(0, own.rfind('/')))))
+    return true;
   const std::string memory = ownFolder("memory");
   return !memory.empty() && makeVersion1(order, memory, ownFolder("pids"));
 }

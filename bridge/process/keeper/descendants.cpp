@@ -87,7 +87,7 @@ int tasksOfUser(uid_t user) {
   int sum = 0;
   forNumbers("/proc", [&](pid_t process) {
     const std::string folder = "/proc/" + std::to_string(process);
-    struct stat status {};
+    struct stat status{};
     if (::stat(folder.c_str(), &status) != 0 || status.st_uid != user) return;
     forNumbers(folder + "/task", [&](pid_t) { ++sum; });
   });

@@ -2,12 +2,13 @@
 
 #include <array>
 #include <cerrno>
-#include <climits>
 #include <cstdlib>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+#include <climits>
 
 #include "bridge/process/keeper/files.hpp"
 
@@ -35,8 +36,8 @@ constexpr std::uint64_t kReadFolder = 1U << 3;
 constexpr std::uint64_t kMakeCharacterDevice = 1U << 6;
 constexpr std::uint64_t kMakeBlockDevice = 1U << 11;
 constexpr std::uint64_t kVersion1 = (1U << 13) - 1;
-constexpr std::uint64_t kRefer = 1U << 13;     // version 2
-constexpr std::uint64_t kTruncate = 1U << 14;  // version 3
+constexpr std::uint64_t kRefer = 1U << 13;        // version 2
+constexpr std::uint64_t kTruncate = 1U << 14;     // version 3
 constexpr std::uint64_t kDeviceCalls = 1U << 15;  // version 5
 constexpr std::uint64_t kTcp = 3;                 // bind and connect, version 4
 constexpr std::uint64_t kScopes = 3;              // abstract sockets and signals, version 6
@@ -45,14 +46,50 @@ constexpr std::uint64_t kOfFiles = kExecute | kWriteFile | kReadFile | kTruncate
 constexpr std::uint64_t kReading = kExecute | kReadFile | kReadFolder;
 
 // Programs, libraries and what they read when they start. Of /etc what holds no secrets.
-constexpr const char* kSystem[] = {"/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32", "/opt", "/nix/store",
-    "/gnu/store", "/proc", "/sys/devices/system", "/sys/fs/cgroup", "/sys/kernel/mm", "/etc/alternatives",
-    "/etc/ca-certificates", "/etc/crypto-policies", "/etc/fonts", "/etc/gai.conf", "/etc/group", "/etc/host.conf",
-    "/etc/hosts", "/etc/inputrc", "/etc/java", "/etc/ld.so.cache", "/etc/ld.so.conf", "/etc/ld.so.conf.d",
-    "/etc/ld.so.preload", "/etc/locale.alias", "/etc/localtime", "/etc/mime.types", "/etc/nsswitch.conf",
-    "/etc/os-release", "/etc/passwd", "/etc/pki/tls/certs", "/etc/profile", "/etc/protocols", "/etc/resolv.conf",
-    "/etc/services", "/etc/ssl/certs", "/etc/ssl/openssl.cnf", "/etc/timezone",
-    "/dev/random", "/dev/urandom"};
+constexpr const char* kSystem[] = {"/usr",
+                                   "/bin",
+                                   "/sbin",
+                                   "/lib",
+                                   "/lib32",
+                                   "/lib64",
+                                   "/libx32",
+                                   "/opt",
+                                   "/nix/store",
+                                   "/gnu/store",
+                                   "/proc",
+                                   "/sys/devices/system",
+                                   "/sys/fs/cgroup",
+                                   "/sys/kernel/mm",
+                                   "/etc/alternatives",
+                                   "/etc/ca-certificates",
+                                   "/etc/crypto-policies",
+                                   "/etc/fonts",
+                                   "/etc/gai.conf",
+                                   "/etc/group",
+                                   "/etc/host.conf",
+                                   "/etc/hosts",
+                                   "/etc/inputrc",
+                                   "/etc/java",
+                                   "/etc/ld.so.cache",
+                                   "/etc/ld.so.conf",
+                                   "/etc/ld.so.conf.d",
+                                   "/etc/ld.so.preload",
+                                   "/etc/locale.alias",
+                                   "/etc/localtime",
+                                   "/etc/mime.types",
+                                   "/etc/nsswitch.conf",
+                                   "/etc/os-release",
+                                   "/etc/passwd",
+                                   "/etc/pki/tls/certs",
+                                   "/etc/profile",
+                                   "/etc/protocols",
+                                   "/etc/resolv.conf",
+                                   "/etc/services",
+                                   "/etc/ssl/certs",
+                                   "/etc/ssl/openssl.cnf",
+                                   "/etc/timezone",
+                                   "/dev/random",
+                                   "/dev/urandom"};
 constexpr const char* kDevices[] = {"/dev/null", "/dev/zero", "/dev/full"};
 // Java's configuration lies in folders with the version in their names.
 constexpr int kOldestJava = 7;
@@ -88,7 +125,7 @@ class Rules {
     PathRule rule;
     rule.folder = ::open(path.c_str(), O_PATH | O_CLOEXEC);
     if (rule.folder < 0) return;
-    struct stat status {};
+    struct stat status{};
     const bool folder = ::fstat(rule.folder, &status) == 0 && S_ISDIR(status.st_mode);
     rule.allowed = rights & handled_ & (folder ? ~std::uint64_t{0} : kOfFiles);
     if (::syscall(SYS_landlock_add_rule, set_, kPathRule, &rule, 0) != 0 && error_ == 0) error_ = errno;
@@ -157,7 +194,8 @@ void allowSurroundings(Rules& rules, const Order& order, const std::string& prog
   if (real.empty()) return;
   const std::string folder = parentOf(real), prefix = parentOf(folder);
   rules.allow(folder, kReading);
-  if ((nameOf(folder) == "bin" || nameOf(folder) == "shims") && !prefix.empty()) rules.allow(prefix, kReading);
+  if ((nameOf(folder) == "bin" || nameOf(folder) == "shims") && !prefix.empty())
+    rules.allow(prefix, kReading);
   const std::string environment = parentOf(parentOf(program));
   if (::access((environment + "/pyvenv.cfg").c_str(), F_OK) == 0) rules.allow(environment, kReading);
   const std::vector<std::string> words = interpreterOf(real);

@@ -2,15 +2,16 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <string_view>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <string_view>
 
 namespace fulbito::keeper {
 namespace {
 
-bool isItselfOrParent(const char* name) { return std::string_view(name) == "." || std::string_view(name) == ".."; }
+bool isItselfOrParent(const char* name) {
+  return std::string_view(name) == "." || std::string_view(name) == "..";
+}
 
 /// Calls `visit(descriptor of the folder, name)` for each entry. Closes `folder`.
 template <typename Visit>
@@ -55,7 +56,7 @@ void removeEntries(int folder, int depth) {
 
 void addSizes(int folder, int depth, std::uint64_t most, std::uint64_t& sum) {
   forEntries(folder, [&, depth](int parent, const char* name) {
-    struct stat status {};
+    struct stat status{};
     if (sum >= most || ::fstatat(parent, name, &status, AT_SYMLINK_NOFOLLOW) != 0) return;
     const std::uint64_t size = static_cast<std::uint64_t>(status.st_blocks) * 512;
     sum += size > 512 ? size : 512;

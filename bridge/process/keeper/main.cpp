@@ -1,6 +1,7 @@
 // The keeper of one team: a small program between a program that plays matches and a team's program. It sets
-// the containment up, waits, and ends and removes whatever the team has left. It is a program of its own, for a
-// process that has just been forked from one with threads may call hardly anything, and would hold its memory.
+// the containment up, waits, and ends and removes whatever the team has left. It is a program of its own, for
+// a process that has just been forked from one with threads may call hardly anything, and would hold its
+// memory.
 
 #include <cerrno>
 #include <csignal>
@@ -23,9 +24,9 @@
 namespace fulbito::keeper {
 namespace {
 
-constexpr int kWatchInterval = 50;       // [ms] a bomb takes about 0.1 GiB in this time
+constexpr int kWatchInterval = 50;         // [ms] a bomb takes about 0.1 GiB in this time
 constexpr int kFolderWatchIntervals = 10;  // a walk over a folder costs more than a look at a process
-constexpr int kKillSeconds = 10;         // [s] until processes that even SIGKILL does not end are left behind
+constexpr int kKillSeconds = 10;  // [s] until processes that even SIGKILL does not end are left behind
 
 /// Whether the user namespace of this process knows the user.
 bool isMapped(uid_t user) {
@@ -67,6 +68,10 @@ bool makePrivateFolder(Order& order) {
 
 void detach(int descriptor) {
   const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nothing < 0) {
+    ::close(descriptor);
+    return;
+  }
   ::dup2(nothing, descriptor);
   if (nothing > descriptor) ::close(nothing);
 }
@@ -141,7 +146,7 @@ Started start(Order& order, const Cgroup& group, bool has_group, bool with_names
   int error = errno;
   ::close(line[1]);
   if (started.process > 0) {
-    started.grouped = has_group && group.add(started.process);
+    started.grouped = order.page->grouped = has_group && group.add(started.process);
     reached(order, started.grouped ? "cgroup" : "memory-watch");
     static_cast<void>(::send(line[0], "g", 1, MSG_NOSIGNAL));
     if (with_namespaces && !receiveByte(line[0])) {
@@ -164,7 +169,8 @@ Started startAsContainedAsPossible(Order& order, const Cgroup& group, bool has_g
   order.page->error = 0;
   order.page->layers.set("");
   order.page->missing.set("");
-  for (const char* layer : {"pid-namespace", "mount-namespace"}) lacks(order, layer, "not allowed here", error);
+  for (const char* layer : {"pid-namespace", "mount-namespace"})
+    lacks(order, layer, "not allowed here", error);
   if (::geteuid() != 0) lacks(order, "user-namespace", "not allowed here", error);
   started = start(order, group, has_group, false);
   if (started.process < 0) failed(order, "start a process", errno);
@@ -245,7 +251,9 @@ bool teamIsEnding(const Order& order, pid_t process) {
 /// Gives a team that is about to end the time to do so. @return whether `process` still runs
 bool waitForOwnEnd(Order& order, pid_t process, const Wakers& wakers) {
   constexpr int kMostRounds = 1000;
-  for (int round = 0; round < kMostRounds && teamIsEnding(order, process); ++round) {
+  // An interpreter closes its files some milliseconds before it ends.
+  const int patience = order.page->output_closed ? 25 : 0;
+  for (int round = 0; round < kMostRounds && (round < patience || teamIsEnding(order, process)); ++round) {
     pollfd wait{wakers.signals, POLLIN, 0};
     ::poll(&wait, 1, 1);
     signalfd_siginfo info{};

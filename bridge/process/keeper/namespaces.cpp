@@ -42,8 +42,9 @@ int restrictMounts(Order& order, std::string& why) {
     return errno;
   }
   // The number of files counts as well: each costs memory of the kernel.
-  const std::string size = "size=" + std::to_string(order.page->folder_size) + ",mode=0700,nr_inodes=16384,uid=" +
-                           std::to_string(order.user) + ",gid=" + std::to_string(order.group);
+  const std::string size = "size=" + std::to_string(order.page->folder_size) +
+                           ",mode=0700,nr_inodes=16384,uid=" + std::to_string(order.user) +
+                           ",gid=" + std::to_string(order.group);
   const char* folder = order.private_folder.c_str();
   if (::mount("fulbito", folder, "tmpfs", MS_NOSUID | MS_NODEV, size.c_str()) != 0) {
     why = "cannot mount the private folder";
@@ -59,6 +60,7 @@ int restrictMounts(Order& order, std::string& why) {
     why = "cannot make files unwritable";
     return errno;
   }
+  order.unwritable = true;
   // Where this is refused, /proc shows other processes too. They stay out of reach all the same.
   ::mount("proc", "/proc", "proc", MS_NOSUID | MS_NODEV | MS_NOEXEC, nullptr);
   return 0;

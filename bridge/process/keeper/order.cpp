@@ -7,8 +7,9 @@
 namespace fulbito::keeper {
 
 Order readOrder() {
-  struct stat status {};
-  if (::fstat(kPageDescriptor, &status) != 0 || status.st_size < static_cast<off_t>(sizeof(Page))) ::_exit(125);
+  struct stat status{};
+  if (::fstat(kPageDescriptor, &status) != 0 || status.st_size < static_cast<off_t>(sizeof(Page)))
+    ::_exit(125);
   const auto size = static_cast<std::size_t>(status.st_size);
   void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, kPageDescriptor, 0);
   if (memory == MAP_FAILED) ::_exit(125);

@@ -24,6 +24,7 @@ struct Order {
   gid_t group = 0;          ///< that the team runs as
   bool own_pids = false;    ///< the team is in a PID namespace
   bool own_users = false;   ///< the team is in a user namespace
+  bool unwritable = false;  ///< the team's mounts are, but for the private folder
 };
 
 /// Maps the page and reads the order. Ends the process if the page makes no sense.

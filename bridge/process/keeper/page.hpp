@@ -16,23 +16,18 @@ template <std::size_t Size>
 struct Text {
   char bytes[Size] = {};
 
-  void set(std::string_view text) {
-    const std::size_t length = text.size() < Size - 1 ? text.size() : Size - 1;
-    std::memcpy(bytes, text.data(), length);
-    bytes[length] = '\0';
-  }
+  void set(std::string_view text) { bytes[text.copy(bytes, Size - 1)] = '\0'; }
   void add(std::string_view text) {
     const std::size_t used = view().size();
-    const std::size_t length = text.size() < Size - 1 - used ? text.size() : Size - 1 - used;
-    std::memcpy(bytes + used, text.data(), length);
-    bytes[used + length] = '\0';
+    bytes[used + text.copy(bytes + used, Size - 1 - used)] = '\0';
   }
   std::string_view view() const { return {bytes, ::strnlen(bytes, Size)}; }
 };
 
 /// What the launching program and the keeper of a child share: the order, and how it went. Both are the same
 /// build. A word list with `text_size` bytes follows the struct: the program's file, the team's folder, the
-/// folder for temporary files, PATH, LANG, then `readable` folders, then the arguments. Each ends with a zero.
+/// folder for temporary files, PATH, LANG, then `readable` folders, then the arguments. Each ends with a
+/// zero.
 struct Page {
   /// @{ The order, see ChildLimits.
   std::uint64_t memory = 0;       ///< [bytes]
@@ -47,15 +42,18 @@ struct Page {
   std::uint32_t text_size = 0;  ///< [bytes]
   bool network = false;
   bool all_layers = false;  ///< give up if one is missing
+  /// Later, with the request to end: the team has closed its output, so it may be about to end by itself.
+  bool output_closed = false;
   /// @}
 
   /// @{ The report. Before the start descriptor closes: how the launch went.
-  std::int32_t error = 0;    ///< errno; 0: it runs
-  Text<64> step;             ///< that failed
-  bool lacks_layer = false;  ///< it gave up because a layer is missing
-  Text<512> layers;          ///< each ends with a line end
-  Text<2048> missing;        ///< each ends with a line end
-  Text<512> private_folder;  ///< to be removed should the keeper die
+  std::int32_t error = 0;       ///< errno; 0: it runs
+  Text<64> step;                ///< that failed
+  bool lacks_layer = false;     ///< it gave up because a layer is missing
+  Text<512> layers;             ///< each ends with a line end
+  Text<2048> missing;           ///< each ends with a line end
+  Text<512> private_folder;     ///< to be removed should the keeper die
+  bool grouped = false;         ///< a control group counts the team's memory
   bool bounded_folder = false;  ///< the private folder cannot hold more than it may
   /// @}
   /// @{ Once the keeper has ended: how the team ended.

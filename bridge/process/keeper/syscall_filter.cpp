@@ -10,18 +10,18 @@
 namespace fulbito::keeper {
 namespace {
 
-// A list of what is refused, not of what is allowed: interpreters and runtimes (Python, Go, Java, Node) differ
-// too much in what they need, and new kernels bring calls that they try. Names that the library or the machine
-// does not know are left out.
+// A list of what is refused, not of what is allowed: interpreters and runtimes (Python, Go, Java, Node)
+// differ too much in what they need, and new kernels bring calls that they try. Names that the library or the
+// machine does not know are left out.
 constexpr const char* kRefused[] = {
     // Other processes
-    "ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "kcmp", "pidfd_getfd", "perf_event_open",
-    "pidfd_open",
+    "ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "kcmp", "pidfd_getfd",
+    "perf_event_open", "pidfd_open",
     // The system
     "acct", "add_key", "bpf", "clock_adjtime", "clock_settime", "adjtimex", "delete_module", "finit_module",
     "init_module", "ioperm", "iopl", "kexec_file_load", "kexec_load", "keyctl", "lookup_dcookie", "quotactl",
-    "quotactl_fd", "reboot", "request_key", "sethostname", "setdomainname", "settimeofday", "swapoff", "swapon",
-    "syslog", "vhangup", "nfsservctl", "_sysctl", "uselib", "ustat", "userfaultfd",
+    "quotactl_fd", "reboot", "request_key", "sethostname", "setdomainname", "settimeofday", "swapoff",
+    "swapon", "syslog", "vhangup", "nfsservctl", "_sysctl", "uselib", "ustat", "userfaultfd",
     // Mounts and namespaces
     "chroot", "fsconfig", "fsmount", "fsopen", "fspick", "mount", "mount_setattr", "move_mount", "open_tree",
     "pivot_root", "setns", "umount", "umount2", "unshare", "name_to_handle_at", "open_by_handle_at",
@@ -31,6 +31,13 @@ constexpr const char* kRefused[] = {
     "mq_open", "msgget", "semget", "shmget",
     // Watches on all files
     "fanotify_init", "fanotify_mark"};
+
+// Changes of files that Landlock lets through, so that only unwritable mounts stop them. An owner can make
+// them.
+constexpr const char* kRefusedOnWritableMounts[] = {
+    "chmod",       "fchmod",       "fchmodat",     "fchmodat2",    "chown",     "fchown",
+    "lchown",      "fchownat",     "setxattr",     "lsetxattr",    "fsetxattr", "setxattrat",
+    "removexattr", "lremovexattr", "fremovexattr", "removexattrat"};
 
 class Filter {
  public:
@@ -106,6 +113,13 @@ void refuseSignals(Filter& filter, pid_t process) {
 int filterSyscalls(const Order& order, pid_t keeper) {
   Filter filter;
   for (const char* name : kRefused) filter.refuse(name, EPERM);
+  if (!order.unwritable) {
+    for (const char* name : kRefusedOnWritableMounts) filter.refuse(name, EPERM);
+  }
+  // Memory that no process maps: the watch, which asks processes, would miss it.
+  if (!order.page->grouped) {
+    for (const char* name : {"memfd_create", "memfd_secret"}) filter.refuse(name, EPERM);
+  }
   refuseNamespaces(filter);
   refuseSockets(filter, order.page->network);
   // Limits of other processes; of its own it can only lower them.

@@ -1,5 +1,6 @@
 #include "bridge/process/keeper/team.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <fcntl.h>
@@ -51,26 +52,28 @@ bool becomeOwnUser(Order& order) {
 rlim_t processLimit(const Order& order, bool own_user) {
   const auto own = static_cast<rlim_t>(order.page->processes);
   if (own_user) return own;
-  if (order.own_users) return own + 1;  // the first process of the namespace
-  return own + static_cast<rlim_t>(tasksOfUser(order.user));
+  if (order.own_users) return own + 1;                            // the first process of the namespace
+  return own + static_cast<rlim_t>(tasksOfUser(order.user)) - 1;  // this one is among them
 }
 
-/// The two limits of a resource become `most`, or stay where they are lower.
-bool limit(int resource, rlim_t most) {
+/// A resource's limit becomes `most`, or stays where it is lower. `beyond`: what the hard limit has more.
+bool limit(int resource, rlim_t most, rlim_t beyond = 0) {
   rlimit now{};
   if (::getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return false;
-  const rlim_t lower = now.rlim_max < most ? now.rlim_max : most;
-  now = {lower, lower};
+  now.rlim_max = std::min(now.rlim_max, most + beyond);
+  now.rlim_cur = std::min(now.rlim_max, most);
   return ::setrlimit(static_cast<__rlimit_resource>(resource), &now) == 0;
 }
 
-/// No limit of address space: Go and Java reserve much more than they use.
+/// No limit of address space: Go and Java reserve much more than they use. The signal at the soft limit of
+/// processor time says what the matter is, the kill at the hard one does not.
 void limitResources(Order& order) {
   const Page& page = *order.page;
   const bool done = limit(RLIMIT_CORE, 0) && limit(RLIMIT_FSIZE, page.file_size) &&
                     limit(RLIMIT_NOFILE, static_cast<rlim_t>(page.open_files)) &&
-                    limit(RLIMIT_CPU, static_cast<rlim_t>(page.cpu_seconds)) && limit(RLIMIT_DATA, page.memory) &&
-                    limit(RLIMIT_MSGQUEUE, 0) && limit(RLIMIT_RTPRIO, 0) && limit(RLIMIT_NICE, 0);
+                    limit(RLIMIT_CPU, static_cast<rlim_t>(page.cpu_seconds), 1) &&
+                    limit(RLIMIT_DATA, page.memory) && limit(RLIMIT_MSGQUEUE, 0) && limit(RLIMIT_RTPRIO, 0) &&
+                    limit(RLIMIT_NICE, 0);
   if (done) {
     reached(order, "rlimits");
   } else {
@@ -103,6 +106,7 @@ void resetSignals() {
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> list;
+  list.reserve(words.size() + 1);
   for (std::string& word : words) list.push_back(word.data());
   list.push_back(nullptr);
   return list;

@@ -1,0 +1,159 @@
+// Every kind of misbehaviour that a process is capable of: the child ends in time, and nothing is left.
+
+#include <chrono>
+#include <cstdlib>
+#include <set>
+#include <unistd.h>
+
+#include "tests/support/catch.hpp"
+#include "tests/unit/bridge/process/children.hpp"
+
+namespace fulbito {
+namespace {
+
+using namespace fulbito::test;
+
+// A deadline as a match has it for decisions. Those that end themselves get more, as bombs need to go off.
+constexpr double kDeadline = 0.1;   // [s]
+constexpr double kPatience = 20.0;  // [s]
+// Ending means killing some dozens of processes at most, on a machine that other tests keep busy.
+constexpr double kMostToEnd = 5.0;  // [s]
+
+struct Expected {
+  std::string kind;
+  std::set<std::string> endings;  ///< any of them
+  bool ends_itself = true;        ///< otherwise the deadline ends it
+};
+
+const std::vector<Expected>& expectations() {
+  static const std::set<std::string> kNoMemory = {"out of memory", "signal 6 (Aborted)", "signal 9 (Killed)",
+                                                  "exit code 1"};
+  static const std::vector<Expected> kExpected = {{"segfault", {"signal 11 (Segmentation fault)"}},
+                                                  {"abort", {"signal 6 (Aborted)"}},
+                                                  {"illegal-instruction", {"signal 4 (Illegal instruction)"}},
+                                                  {"divide-by-zero", {"signal 8 (Floating point exception)"}},
+                                                  {"stack-overflow", {"signal 11 (Segmentation fault)"}},
+                                                  {"exit-zero", {"exit code 0"}},
+                                                  {"exit-code", {"exit code 7"}},
+                                                  {"kill-itself", {"signal 9 (Killed)"}},
+                                                  {"kill-group", {"signal 9 (Killed)"}},
+                                                  {"kill-all", {"signal 9 (Killed)"}},
+                                                  {"endless-loop", {"killed"}, false},
+                                                  {"sleep", {"killed"}, false},
+                                                  {"silence", {"killed"}, false},
+                                                  {"ignore-signals", {"killed"}, false},
+                                                  {"stop-itself", {"killed"}, false},
+                                                  {"close-pipes", {"killed"}},
+                                                  {"close-input", {"killed"}, false},
+                                                  {"close-output", {"killed"}},
+                                                  {"slow-start", {"killed"}, false},
+                                                  {"garbage", {"killed"}, false},
+                                                  {"half-line", {"killed"}, false},
+                                                  {"long-line", {"killed"}, false},
+                                                  {"endless-line", {"killed"}, false},
+                                                  {"stdout-flood", {"killed"}, false},
+                                                  {"empty-lines", {"killed"}, false},
+                                                  {"stderr-flood", {"killed"}, false},
+                                                  {"fork-bomb", {"killed"}, false},
+                                                  {"thread-bomb", {"killed"}, false},
+                                                  {"memory-bomb", kNoMemory},
+                                                  {"shared-memory-bomb", kNoMemory},
+                                                  {"memory-file-bomb", kNoMemory},
+                                                  {"file-bomb", {"signal 25 (File size limit exceeded)"}},
+                                                  {"many-files", {"exit code 1", "private folder full"}},
+                                                  {"deep-folders", {"killed"}, false},
+                                                  {"descriptor-flood", {"killed"}, false},
+                                                  {"zombies", {"killed"}, false},
+                                                  {"daemon", {"exit code 0"}},
+                                                  {"daemon-and-stay", {"killed"}, false},
+                                                  {"new-session", {"exit code 0"}},
+                                                  {"fork-and-leave", {"exit code 0"}},
+                                                  {"signal-others", {"exit code 0"}},
+                                                  {"trace-others", {"exit code 0"}},
+                                                  {"write-outside", {"exit code 0"}},
+                                                  {"read-secrets", {"exit code 0"}},
+                                                  {"network", {"exit code 0"}},
+                                                  {"raise-limits", {"exit code 0"}},
+                                                  {"leave-shared-memory", {"exit code 0"}},
+                                                  {"gain-rights", {"exit code 0"}}};
+  return kExpected;
+}
+
+/// What a match does: listens until the deadline, but not for more than a flood may cost.
+void listen(Child& child, double seconds) {
+  constexpr std::size_t kMost = std::size_t{1} << 22;
+  std::string text;
+  const auto begin = std::chrono::steady_clock::now();
+  while (text.size() < kMost && child.receive(text, seconds) == Child::Received::kBytes) {
+    if (std::chrono::steady_clock::now() - begin > std::chrono::duration<double>(seconds)) return;
+  }
+}
+
+int repetitions() {
+  const char* named = std::getenv("FULBITO_REPETITIONS");
+  return named != nullptr ? std::atoi(named) : 3;
+}
+
+void misbehave(const Expected& expected) {
+  const std::string mark = "fulbito-kind-" + std::to_string(::getpid());
+  Leftovers leftovers(mark);
+  ChildOptions options;
+  options.command = {misbehavingTeam(), expected.kind, "--mark", mark};
+  options.limits.memory = std::size_t{1} << 27;
+  options.limits.processes = 20;
+  double seconds = 0.0;
+  std::string ending;
+  {
+    Child child = launched(options);
+    leftovers.noteKeepers();
+    listen(child, expected.ends_itself ? kPatience : kDeadline);
+    const auto begin = std::chrono::steady_clock::now();
+    ending = child.end();
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    CHECK(child.takeErrors().size() < 70'000);
+  }
+  CHECK(expected.endings.count(ending) == 1);
+  if (expected.endings.count(ending) == 0) WARN("ended by: " << ending);
+  CHECK(seconds < kMostToEnd);
+  CHECK(leftovers.found() == "");
+}
+
+}  // namespace
+
+TEST_CASE("misbehaving children end in time and leave nothing", "[unit][misbehaviour]") {
+  const int count = repetitions();
+  REQUIRE(count > 0);
+  for (const Expected& expected : expectations()) {
+    for (int k = 0; k < count; ++k) {
+      INFO(expected.kind << ", repetition " << k);
+      misbehave(expected);
+    }
+  }
+}
+
+TEST_CASE("the misbehaving team plays well until its time comes", "[unit]") {
+  ChildOptions options;
+  options.command = {misbehavingTeam(), "wrong-id", "--at", "2"};
+  Child child = launched(options);
+  const auto answerTo = [&child](const std::string& line) {
+    REQUIRE(child.send(line + "\n"));
+    std::string text;
+    while (!text.ends_with('\n') && child.receive(text, kPatience) == Child::Received::kBytes) {
+    }
+    return text;
+  };
+  CHECK(answerTo(R"({"type":"hello","id":1,"protocol":"fulbito-team/1"})") ==
+        R"({"type":"hello","id":1,"protocol":"fulbito-team/1","name":"misbehaving","version":""})"
+        "\n");
+  CHECK(answerTo(R"({"type":"begin","id":2,"team":"blue"})") == R"({"type":"begin","id":2,"navigators":[]})"
+                                                                "\n");
+  REQUIRE(child.send("{\"type\":\"ready\",\"now\":{}}\n"));
+  CHECK(answerTo(R"({"type":"decide","id":3,"now":{}})") == R"({"type":"decide","id":3,"robots":[]})"
+                                                            "\n");
+  CHECK(answerTo(R"({"type":"decide","id":4,"now":{}})") == R"({"type":"decide","id":1004,"robots":[]})"
+                                                            "\n");
+  CHECK(answerTo(R"({"type":"decide","id":5,"now":{}})") == R"({"type":"decide","id":5,"robots":[]})"
+                                                            "\n");
+}
+
+}  // namespace fulbito
