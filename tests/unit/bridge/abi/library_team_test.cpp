@@ -139,14 +139,14 @@ TEST_CASE("a team in plain C gets all and gives all", "[unit]") {
                             {"offset", "7"},
                             {"eager", "off"},
                             {"style", "calm"},
-                            {"navigator", "univector:clearance=0.03+follower=classic"}},
+                            {"navigator", "bezier:clearance=0.03+follower=classic"}},
                            lines.log());
   MatchInfo info;
   info.seed = 7;
   team->begin(info);
   CHECK(lines.text == "plain-c: ready\n");
   REQUIRE(team->navigators().size() == 1);
-  CHECK(team->navigators()[0].text == "univector:clearance=0.03,follower=classic");
+  CHECK(team->navigators()[0].text == "bezier:clearance=0.03,follower=classic");
   CHECK(team->navigators()[0].classic_follower);
 
   Observation seen = threeRobots();
@@ -221,7 +221,7 @@ TEST_CASE("a team that asks for an unknown navigator stops the match from starti
   config.teams[0] = choiceOf("plain_c", {{"navigator", "bezir"}});
   const auto match = Match::create(config);
   REQUIRE_FALSE(match);
-  CHECK(match.error().message == "there is no navigator 'bezir'. Did you mean 'bezier'?");
+  CHECK(match.error().message == "blue team: there is no navigator 'bezir'. Did you mean 'bezier'?");
 }
 
 TEST_CASE("exceptions of a team are caught, counted and logged", "[unit]") {
@@ -281,7 +281,7 @@ TEST_CASE("a command of an unknown kind is a fault of the team", "[unit]") {
   REQUIRE(match);
   while (match->step()) {
   }
-  CHECK(match->result().faults[0].not_finite > 0);
+  CHECK(match->faults().teams[0].not_finite > 0);
   const TeamCommand command = teamOf("broken_kind")->decide(threeRobots());
   CHECK(command.roles[1] == 255);
 }
