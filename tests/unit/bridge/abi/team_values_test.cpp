@@ -471,10 +471,10 @@ TEST_CASE("commands come back whole", "[unit]") {
   commands.text({0.8, 0.9}, "here");
   CommandRoom room;
   fulbito_team_command abi = room.open(true);
-  team::detail::give(commands, abi);
+  team::detail::give(commands, kMaxTeamSize, abi);
   room.close(abi);
   TeamCommand got;
-  fromAbi(abi, got);
+  fromAbi(abi, kMaxTeamSize, got);
   CHECK(got.robots[0].kind == RobotCommand::Kind::kWheels);
   CHECK(same(got.robots[0].wheels, {1.5, -2.5}));
   CHECK(got.robots[1].kind == RobotCommand::Kind::kTwist);
@@ -507,7 +507,7 @@ TEST_CASE("commands come back whole", "[unit]") {
 TEST_CASE("a command that a team leaves alone is the simulator's default", "[unit]") {
   CommandRoom room;
   TeamCommand got;
-  fromAbi(room.open(false), got);
+  fromAbi(room.open(false), kMaxTeamSize, got);
   const GoTo by_default;
   for (const RobotCommand& robot : got.robots) {
     CHECK(robot.kind == RobotCommand::Kind::kWheels);
@@ -521,9 +521,9 @@ TEST_CASE("a command that a team leaves alone is the simulator's default", "[uni
   }
   CHECK(got.drawings.empty());
   fulbito_team_command abi = room.open(false);
-  team::detail::give({}, abi);
+  team::detail::give({}, kMaxTeamSize, abi);
   TeamCommand from_class;
-  fromAbi(abi, from_class);
+  fromAbi(abi, kMaxTeamSize, from_class);
   CHECK(from_class.robots[4].go_to.speed_limit == std::numeric_limits<double>::infinity());
   CHECK(from_class.robots[4].go_to.tolerance == by_default.tolerance);
 }
