@@ -196,7 +196,7 @@ class Reader {
       return false;
     }
     if (!frame.first) {
-      if (peek() != ',') return syntaxError("a comma or the end of the list is expected");
+      if (peek() != ',') return syntaxError("a comma or a closing bracket is expected");
       ++at_;
       space();
     }

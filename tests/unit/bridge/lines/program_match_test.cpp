@@ -2,18 +2,12 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/piped_team.hpp"
 #include "tests/support/test_teams.hpp"
+#include "tests/unit/bridge/lines/port_commands.hpp"
 
 namespace fulbito {
 namespace {
 
 using namespace fulbito::test;
-
-/// The ports of `chaser` as programs.
-std::vector<std::vector<std::string>> ports() {
-  return {{FULBITO_CHASER_PROGRAM},
-          {"env", "PYTHONPATH=" FULBITO_SOURCE_DIR "/sdk/python", "PYTHONDONTWRITEBYTECODE=1", FULBITO_PYTHON,
-           FULBITO_SOURCE_DIR "/examples/teams/chaser.py"}};
-}
 
 /// A team in a program, after the handshake.
 TeamChoice programTeam(LineCodec& codec, const std::vector<std::string>& command) {
