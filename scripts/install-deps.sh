@@ -18,6 +18,7 @@ packages=(
   libfmt-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
   librandom123-dev libxxhash-dev libzstd-dev zlib1g-dev
   libxml2-utils catch2 libmpfr-dev libgmp-dev
+  python3 mypy python3-jsonschema
 )
 ci_packages=(
   clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck
