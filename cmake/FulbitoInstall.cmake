@@ -4,8 +4,10 @@ include(CMakePackageConfigHelpers)
 get_property(libraries GLOBAL PROPERTY FULBITO_LIBRARIES)
 install(TARGETS ${libraries} EXPORT fulbitoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS fulbito RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# The program starts it for each team of a shared library; people do not call it.
+install(TARGETS fulbito-team-host RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/fulbito)
 # All that is below sdk/include; every other header is private.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/sdk/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/sdk/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 install(EXPORT fulbitoTargets NAMESPACE fulbito:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/fulbito)
 # Libraries that come without a package of CMake.
 install(FILES cmake/Findlibdeflate.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/fulbito/modules)

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
@@ -5,6 +7,7 @@
 #include "navigation/followers/classic_follower.hpp"
 #include "navigation/followers/preview_follower.hpp"
 #include "navigation/interface/parameters.hpp"
+#include "navigation/library/library_navigator.hpp"
 #include "navigation/methods/bspline/bspline_time.hpp"
 #include "navigation/methods/fields/limit_cycle.hpp"
 #include "navigation/methods/fields/straight.hpp"
@@ -69,28 +72,32 @@ Result<bool> takeShared(const Setting& setting, NavigatorChoice& choice) {
   return false;
 }
 
-}  // namespace
-
-std::span<const NavigatorInfo> navigators() { return registry(); }
-
-std::span<const ParameterSpec> commonParameters() { return common(); }
-
-Result<NavigatorChoice> parseNavigator(const std::string& specification) {
-  const std::size_t colon = specification.find(':');
-  const std::string name = specification.substr(0, colon);
-  NavigatorChoice choice;
-  choice.text = specification;
+/// The entry of a built-in method. The registry lives as long as the program, so nothing owns it.
+Result<std::shared_ptr<const NavigatorInfo>> builtIn(const std::string& name) {
   std::vector<std::string> names;
   for (const NavigatorInfo& info : registry()) {
-    if (info.name == name) choice.info = &info;
+    if (info.name == name) return std::shared_ptr<const NavigatorInfo>(std::shared_ptr<void>(), &info);
     names.push_back(info.name);
   }
-  if (choice.info == nullptr) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("there is no navigator '{}'.{}", name, suggestion(name, names)));
-  }
-  if (colon != std::string::npos) {
-    auto settings = parseSettings(specification.substr(colon + 1), specification);
+  return fail(ErrorCode::kUsage, fmt::format("there is no navigator '{}'.{}", name, suggestion(name, names)));
+}
+
+/// The entry of a navigator of the library at `path`.
+Result<std::shared_ptr<const NavigatorInfo>> loaded(const std::string& path, const std::string& name) {
+  const auto library = PluginLibrary::open(path);
+  if (!library) return tl::unexpected<Error>(library.error());
+  return libraryNavigator(*library, name);
+}
+
+/// The choice of an entry with the settings `text`, such as `clearance=0.02,follower=classic`.
+Result<NavigatorChoice> choose(Result<std::shared_ptr<const NavigatorInfo>> info, const std::string& text,
+                               const std::string& specification) {
+  if (!info) return tl::unexpected<Error>(info.error());
+  NavigatorChoice choice;
+  choice.info = std::move(*info);
+  choice.text = specification;
+  if (!text.empty()) {
+    auto settings = parseSettings(text.substr(1), specification);
     if (!settings) return tl::unexpected<Error>(settings.error());
     for (Setting& setting : *settings) {
       const auto shared = takeShared(setting, choice);
@@ -102,6 +109,26 @@ Result<NavigatorChoice> parseNavigator(const std::string& specification) {
   const auto trial = choice.info->make(choice.settings);
   if (!trial) return tl::unexpected<Error>(trial.error());
   return choice;
+}
+
+}  // namespace
+
+std::span<const NavigatorInfo> navigators() { return registry(); }
+
+std::span<const ParameterSpec> commonParameters() { return common(); }
+
+Result<NavigatorChoice> parseBuiltInNavigator(const std::string& specification) {
+  const std::size_t colon = std::min(specification.find(':'), specification.size());
+  return choose(builtIn(specification.substr(0, colon)), specification.substr(colon), specification);
+}
+
+Result<NavigatorChoice> parseNavigator(const std::string& specification) {
+  if (!namesLibrary(specification)) return parseBuiltInNavigator(specification);
+  const std::size_t colon = std::min(specification.find(':'), specification.size());
+  const std::size_t name = std::min(colon + 1, specification.size());
+  const std::size_t settings = std::min(specification.find(':', name), specification.size());
+  return choose(loaded(specification.substr(0, colon), specification.substr(name, settings - name)),
+                specification.substr(settings), specification);
 }
 
 Result<std::unique_ptr<Pilot>> makePilot(const NavigatorChoice& choice) {

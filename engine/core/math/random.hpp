@@ -24,6 +24,7 @@ enum class Stream : std::uint32_t {
   kCoinToss = 12,      ///< a referee's coin tosses: first kick-offs, unbroken ties
   kDrill = 13,         ///< starts of drills
   kStartHeading = 14,  ///< start headings in a comparison's trials
+  kLibraryTeam = 15,   ///< what a shared library draws from its host
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of

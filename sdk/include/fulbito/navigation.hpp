@@ -165,17 +165,22 @@ std::span<const NavigatorInfo> navigators();
 /// `wall_escape=on|off`.
 std::span<const ParameterSpec> commonParameters();
 
-/// A parsed specification such as `bezier:clearance=0.02,follower=classic`, with checked names.
+/// A parsed specification such as `bezier:clearance=0.02,follower=classic`, with checked names. Copies share
+/// the entry.
 struct NavigatorChoice {
-  const NavigatorInfo* info = nullptr;  ///< entry of `navigators()`
-  std::string text;                     ///< as given
-  std::vector<Setting> settings;        ///< settings of the method's own parameters
-  bool classic_follower = false;        ///< `follower=classic`
-  bool wall_escape = true;              ///< `wall_escape=on`
+  std::shared_ptr<const NavigatorInfo> info;  ///< entry of `navigators()` or of a loaded library
+  std::string text;                           ///< as given
+  std::vector<Setting> settings;              ///< settings of the method's own parameters
+  bool classic_follower = false;              ///< `follower=classic`
+  bool wall_escape = true;                    ///< `wall_escape=on`
 };
 
-/// Parses a specification. Errors: kUsage naming the unknown method or parameter, with a suggestion.
+/// Parses a specification. `./mine.so:mine:gain=2` names a navigator of a shared library, which is loaded
+/// into this process; its interface is `fulbito/team.h`. Errors: kUsage naming the unknown method or
+/// parameter, with a suggestion; kIo and kBadInput naming the library.
 Result<NavigatorChoice> parseNavigator(const std::string& specification);
+/// The same for the methods of `navigators()` only: for specifications from a source that is not trusted.
+Result<NavigatorChoice> parseBuiltInNavigator(const std::string& specification);
 
 /// Creates a new pilot from a choice. Errors: kUsage.
 Result<std::unique_ptr<Pilot>> makePilot(const NavigatorChoice& choice);

@@ -248,6 +248,20 @@ inline void readBallModel(Reader& in, BallModel& b) {
                  {"friction", &b.friction}});
 }
 
+/// The time steps.
+inline void readPhysics(Reader& in, Physics& p) {
+  readTable(in, {{"name", &p.name},
+                 {"control_rate", &p.control_rate},
+                 {"substeps", &p.substeps},
+                 {"velocity_iterations", &p.velocity_iterations},
+                 {"position_iterations", &p.position_iterations},
+                 {"bullet_ball", &p.bullet_ball},
+                 {"contact_depth", &p.contact_depth},
+                 {"max_ball_speed", &p.max_ball_speed},
+                 {"restitution_threshold", &p.restitution_threshold},
+                 {"wheel_command_step", &p.wheel_command_step}});
+}
+
 /// Limits of the decision time; null: none.
 inline void readDecisionTime(Reader& in, std::optional<DecisionTime>& time) {
   if (in.takeNull()) return;
@@ -284,11 +298,7 @@ inline void readInfoMember(Reader& in, std::string_view name, Info& info) {
   } else if (name == "decision_time") {
     readDecisionTime(in, info.decision_time);
   } else if (name == "physics") {
-    readTable(in, {{"name", &info.physics.name},
-                   {"control_rate", &info.physics.control_rate},
-                   {"substeps", &info.physics.substeps},
-                   {"max_ball_speed", &info.physics.max_ball_speed},
-                   {"wheel_command_step", &info.physics.wheel_command_step}});
+    readPhysics(in, info.physics);
   } else if (name == "vision") {
     readTable(in, {{"age", &info.observation_age},
                    {"position_noise", &info.position_noise},

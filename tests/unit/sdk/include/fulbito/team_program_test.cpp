@@ -181,6 +181,8 @@ TEST_CASE("a C++ program's team knows field, robots, ball and rules", "[unit]") 
   CHECK(info.robot.restitution == preset.robot.restitution);
   CHECK(info.ball.roll_keep == preset.ball.roll_keep);
   CHECK(info.physics.substeps == physics.substeps);
+  CHECK(info.physics.bullet_ball == physics.bullet_ball);
+  CHECK(info.physics.velocity_iterations == physics.velocity_iterations);
   CHECK(info.physics.wheel_command_step == physics.wheel_command_step);
   CHECK(info.rules.name == rules.name);
   CHECK(info.rules.half_seconds == rules.half_seconds);

@@ -1,0 +1,116 @@
+// Runs a team of a shared library in a process of its own. Messages of `bridge/abi/frames.hpp` come on
+// standard input, and replies go to standard output. What the team prints goes to standard error.
+
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "bridge/abi/frames.hpp"
+#include "bridge/abi/team_host.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr int kUsage = 2, kBadInput = 3, kIo = 5;  // exit codes, as those of the program `fulbito`
+constexpr std::size_t kReadAtOnce = 1u << 16;      // [bytes]
+
+int say(const Error& error) {
+  std::fprintf(stderr, "fulbito-team-host: %s\n", error.message.c_str());
+  if (error.code == ErrorCode::kUsage) return kUsage;
+  return error.code == ErrorCode::kIo ? kIo : kBadInput;
+}
+
+/// The two ends of the conversation, moved away from the standard descriptors: the team gets an empty input,
+/// and its output goes to standard error.
+struct Ends {
+  int in = -1;
+  int out = -1;
+};
+
+Ends moveEnds() {
+  const int least = STDERR_FILENO + 1;
+  const Ends ends{fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, least), fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, least)};
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  dup2(nothing, STDIN_FILENO);
+  dup2(STDERR_FILENO, STDOUT_FILENO);
+  if (nothing > STDERR_FILENO) close(nothing);
+  return ends;
+}
+
+bool writeAll(int to, const std::string& bytes) {
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t n = write(to, bytes.data() + done, bytes.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    done += static_cast<std::size_t>(n);
+  }
+  return true;
+}
+
+/// Appends what has arrived, after waiting for it. @return false at the end
+bool readSome(int from, std::string& received) {
+  const std::size_t before = received.size();
+  received.resize(before + kReadAtOnce);
+  ssize_t n = 0;
+  do {
+    n = read(from, received.data() + before, kReadAtOnce);
+  } while (n < 0 && errno == EINTR);
+  received.resize(before + static_cast<std::size_t>(n > 0 ? n : 0));
+  return n > 0;
+}
+
+/// Answers all whole messages in `received` and removes them.
+Result<void> answerAll(TeamHost& host, std::string& received, std::string& replies) {
+  std::size_t done = 0;
+  for (;;) {
+    const std::string_view rest = std::string_view(received).substr(done);
+    const auto length = frameLength(rest);
+    if (!length) return tl::unexpected<Error>(length.error());
+    if (*length == 0) break;
+    if (auto answered = host.answer(rest.substr(0, *length), replies); !answered) return answered;
+    done += *length;
+  }
+  received.erase(0, done);
+  return {};
+}
+
+int serve(TeamHost& host, Ends ends) {
+  std::string received, replies;
+  while (readSome(ends.in, received)) {
+    replies.clear();
+    if (const auto done = answerAll(host, received, replies); !done) return say(done.error());
+    if (!writeAll(ends.out, replies)) return 0;  // the simulator has ended the match
+  }
+  return 0;
+}
+
+int run(const std::vector<std::string>& arguments) {
+  if (arguments.empty()) {
+    return say(
+        {ErrorCode::kUsage, "usage: fulbito-team-host LIBRARY [name=value ...], as a child of fulbito"});
+  }
+  std::vector<Setting> settings;
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    const std::size_t equals = arguments[i].find('=');
+    if (equals == std::string::npos || equals == 0) {
+      return say({ErrorCode::kUsage, "'" + arguments[i] + "' is not of the form name=value"});
+    }
+    settings.push_back({arguments[i].substr(0, equals), arguments[i].substr(equals + 1)});
+  }
+  const Ends ends = moveEnds();
+  if (ends.in < 0 || ends.out < 0) return say({ErrorCode::kIo, "standard input or output is closed"});
+  const auto library = TeamLibrary::open(arguments.front());
+  if (!library) return say(library.error());
+  TeamHost host(*library, std::move(settings), {});
+  return serve(host, ends);
+}
+
+}  // namespace
+}  // namespace fulbito
+
+int main(int count, char** arguments) {
+  return fulbito::run(std::vector<std::string>(arguments + 1, arguments + count));
+}

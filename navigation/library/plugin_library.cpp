@@ -1,0 +1,91 @@
+#include "navigation/library/plugin_library.hpp"
+
+#include <cerrno>
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace fulbito {
+namespace {
+
+/// The reason of the last failure of the loader, without the file's name, which it often puts first.
+std::string loaderReason(const std::string& file) {
+  const char* reason = dlerror();
+  const std::string text = reason == nullptr ? "unknown reason" : reason;
+  return text.starts_with(file + ": ") ? text.substr(file.size() + 2) : text;
+}
+
+/// A name without '/' would be looked for in the system's folders.
+std::string fileOf(const std::string& path) {
+  return path.find('/') == std::string::npos ? "./" + path : path;
+}
+
+Result<void> checkReadable(const std::string& file, const std::string& path) {
+  if (access(file.c_str(), R_OK) != 0) {
+    return fail(ErrorCode::kIo, fmt::format("cannot read the library '{}': {}", path,
+                                            std::generic_category().message(errno)));
+  }
+  // The loader would wait for the writer of a pipe.
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(file, code)) {
+    return fail(ErrorCode::kBadInput, fmt::format("the library '{}' is no regular file", path));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const PluginLibrary>> PluginLibrary::open(const std::string& path) {
+  const std::string file = fileOf(path);
+  if (auto readable = checkReadable(file, path); !readable) return tl::unexpected<Error>(readable.error());
+  void* handle = nullptr;
+  {
+    const ForeignCall mode;  // start-up code of -ffast-math changes the mode of the thread that loads
+    handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  }
+  if (handle == nullptr) {
+    return fail(ErrorCode::kBadInput,
+                fmt::format("cannot load the library '{}': {}", path, loaderReason(file)));
+  }
+  const std::shared_ptr<PluginLibrary> library(new PluginLibrary(path, handle));
+  if (auto taken = library->takeTable(); !taken) return tl::unexpected<Error>(taken.error());
+  return library;
+}
+
+PluginLibrary::~PluginLibrary() {
+  const ForeignCall mode;
+  dlclose(handle_);
+}
+
+Result<void> PluginLibrary::takeTable() {
+  const auto bad = [this](const std::string& what) {
+    return fail(ErrorCode::kBadInput, fmt::format("the library '{}' {}", path_, what));
+  };
+  using Entry = const fulbito_library* (*)();
+  const auto entry = reinterpret_cast<Entry>(dlsym(handle_, FULBITO_ENTRY_NAME));
+  if (entry == nullptr) return bad("has no symbol '" FULBITO_ENTRY_NAME "': it is no team of this simulator");
+  table_ = callForeign<const fulbito_library*>(nullptr, entry);
+  if (table_ == nullptr) return bad("gives no table: '" FULBITO_ENTRY_NAME "' returns null or throws");
+  if (table_->abi_version != FULBITO_ABI) {
+    return bad(fmt::format("has version {} of the interface; this simulator takes version {}",
+                           table_->abi_version, FULBITO_ABI));
+  }
+  if (table_->struct_size < sizeof(fulbito_library)) {
+    return bad(
+        fmt::format("has a table of {} bytes instead of {}", table_->struct_size, sizeof(fulbito_library)));
+  }
+  if (table_->name == nullptr || *table_->name == '\0') return bad("has no name in its table");
+  return {};
+}
+
+const void* PluginLibrary::extensionNamed(const char* name) const {
+  if (table_->get_extension == nullptr) return nullptr;
+  return callForeign<const void*>(nullptr, [&] { return table_->get_extension(name); });
+}
+
+}  // namespace fulbito

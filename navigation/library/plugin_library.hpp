@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "engine/core/base/float_mode.hpp"
+#include "fulbito/team.h"
+#include "fulbito/values.hpp"
+
+namespace fulbito {
+
+/// A shared library with the C interface of `fulbito/team.h`. It stays loaded as long as the object lives.
+class PluginLibrary {
+ public:
+  /// Loads a library and checks its table; the thread's floating-point mode stays. Errors, which name the
+  /// file: kIo if it cannot be read, kBadInput if it is no library of this version of the interface.
+  static Result<std::shared_ptr<const PluginLibrary>> open(const std::string& path);
+  PluginLibrary(const PluginLibrary&) = delete;
+  PluginLibrary& operator=(const PluginLibrary&) = delete;
+  ~PluginLibrary();
+
+  /// The file, as given.
+  const std::string& path() const { return path_; }
+  /// The library's table: version, size and name are valid.
+  const fulbito_library& table() const { return *table_; }
+  /// An extension of the library; null if it has none of this name.
+  template <typename T>
+  const T* extension(const char* name) const {
+    return static_cast<const T*>(extensionNamed(name));
+  }
+
+ private:
+  PluginLibrary(std::string path, void* handle) : path_(std::move(path)), handle_(handle) {}
+  Result<void> takeTable();
+  const void* extensionNamed(const char* name) const;
+
+  std::string path_;
+  void* handle_;
+  const fulbito_library* table_ = nullptr;
+};
+
+/// Calls a function of a library in the expected floating-point mode and restores the thread's afterwards.
+/// An exception, which the interface forbids, becomes `otherwise`.
+template <typename R, typename Call>
+R callForeign(R otherwise, const Call& call) {
+  const ForeignCall mode;
+  try {
+    return call();
+  } catch (...) {
+    return otherwise;
+  }
+}
+
+}  // namespace fulbito
