@@ -5,6 +5,7 @@ what it means, chooses its places at restarts, and takes two exercises of drills
     PYTHONPATH=sdk/python fulbito match "cmd:python3 examples/teams/trio.py" chaser
 """
 
+import math
 from typing import List, Optional
 
 from fulbito_team import (
@@ -16,6 +17,11 @@ KEEPER, STRIKER, SUPPORT = 1, 2, 3
 
 def clamp(value: float, least: float, most: float) -> float:
     return max(least, min(most, value))
+
+
+def length(x: float, y: float) -> float:
+    # Products and roots have the same bits on every machine; hypot and powers may not.
+    return math.sqrt(x * x + y * y)
 
 
 class Trio(Team):
@@ -43,7 +49,7 @@ class Trio(Team):
         def distance(number: int) -> float:
             robot = seen.own[number]
             assert robot is not None
-            return (robot.x - seen.ball.x) ** 2 + (robot.y - seen.ball.y) ** 2
+            return length(robot.x - seen.ball.x, robot.y - seen.ball.y)
 
         present: List[int] = [n for n, robot in enumerate(seen.own) if robot is not None and n > 0]
         return min(present, key=distance) if present else 0
@@ -58,19 +64,22 @@ class Trio(Team):
             commands.circle(x, y, 0.04)
 
     def strike(self, commands: Commands, number: int, robot: Robot, seen: Observation) -> None:
-        goal = self.info.field.length / 2
         ball = seen.ball
-        commands.roles[number] = STRIKER
-        if robot.x < ball.x:
-            # Behind the ball: through it, toward the middle of the goal.
-            share = 0.2
-            x, y = ball.x + share * (goal - ball.x), ball.y - share * ball.y
+        # Toward the half of the goal on the ball's side.
+        aim_x, aim_y = self.info.field.length / 2, math.copysign(0.25 * self.info.field.goal_width, ball.y)
+        far = max(0.01, length(aim_x - ball.x, aim_y - ball.y))
+        along_x, along_y = (aim_x - ball.x) / far, (aim_y - ball.y) / far
+        behind = (ball.x - robot.x) * along_x + (ball.y - robot.y) * along_y
+        beside = (ball.x - robot.x) * along_y - (ball.y - robot.y) * along_x
+        if behind > 0.0 and abs(beside) < 0.03:
+            target = GoTo(ball.x + 0.3 * along_x, ball.y + 0.3 * along_y, avoid_opponents=False)
         else:
-            x, y = ball.x - 0.15, ball.y
-        commands.go_to(number, GoTo(x, y, avoid_ball=robot.x >= ball.x))
+            target = GoTo(ball.x - 0.12 * along_x, ball.y - 0.12 * along_y, avoid_ball=True)
+        commands.roles[number] = STRIKER
+        commands.go_to(number, target)
         if seen.wants_drawings:
-            commands.line(robot.x, robot.y, x, y)
-            commands.text(x, y, "striker")
+            commands.line(robot.x, robot.y, target.x, target.y)
+            commands.text(target.x, target.y, "striker")
 
     def support(self, commands: Commands, number: int, seen: Observation) -> None:
         commands.roles[number] = SUPPORT

@@ -2,6 +2,7 @@
 
 import json
 import pathlib
+import re
 import unittest
 
 import jsonschema
@@ -64,6 +65,15 @@ class SchemaTest(unittest.TestCase):
             self.assertEqual(check.is_valid(json.loads(text)), good, "%s: %s" % (outcome, text))
         self.assertGreater(counts[True], 15)
         self.assertGreater(counts[False], 35)
+
+    def test_takes_the_examples_of_the_page(self) -> None:
+        page = (ROOT / "docs/team-protocol.md").read_text()
+        examples = [json.loads(text) for text in re.findall("```json\n(.*?)\n```", page, re.DOTALL)]
+        # One shortens its observation.
+        whole = [example for example in examples if "..." not in example.get("now", {})]
+        self.assertEqual((len(examples), len(whole)), (7, 6))
+        for example in whole:
+            jsonschema.Draft202012Validator(SCHEMA).validate(example)
 
 
 if __name__ == "__main__":
