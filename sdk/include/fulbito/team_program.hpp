@@ -818,23 +818,31 @@ class Pipes {
   std::size_t taken_ = 0;  ///< of `received_`, by the last line
 };
 
-/// Plays until the input ends. @return the program's exit code
-inline int run(std::unique_ptr<Team> team) {
-  const std::string name = team->name();
-  // From here on, standard output is standard error, for all that the team prints.
+/// Keeps standard output for the protocol: from here on, what the team prints there goes to standard error.
+/// @return the descriptor of the protocol; -1: there is none
+inline int takeOutput() {
   const int out = ::dup(STDOUT_FILENO);
-  if (out < 0 || ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return 1;
-  Pipes pipes(STDIN_FILENO, out);
-  Conversation conversation(std::move(team));
-  std::string answer;
+  // What is printed before a crash must not stay in a buffer.
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
+  return ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0 ? -1 : out;
+}
+
+/// Plays until the input ends. @return the program's exit code
+template <typename TeamClass>
+int run() {
+  const int out = takeOutput();
+  if (out < 0) return 1;
   try {
+    Pipes pipes(STDIN_FILENO, out);
+    Conversation conversation(std::make_unique<TeamClass>());
+    std::string answer;
     for (std::string_view line; pipes.next(line);) {
       answer.clear();
       conversation.take(line, answer);
       if (!pipes.send(answer)) return 1;
     }
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+    std::fprintf(stderr, "the team has thrown an exception: %s\n", error.what());
     return 1;
   }
   return 0;
@@ -845,4 +853,4 @@ inline int run(std::unique_ptr<Team> team) {
 
 /// Defines `main` as the program of a team class, which needs a constructor without arguments.
 #define FULBITO_TEAM_PROGRAM(TeamClass) \
-  int main() { return ::fulbito::team::program::run(std::make_unique<TeamClass>()); }
+  int main() { return ::fulbito::team::program::run<TeamClass>(); }

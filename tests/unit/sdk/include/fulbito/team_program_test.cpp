@@ -1,11 +1,13 @@
 #include "fulbito/team_program.hpp"
 
 #include <cmath>
+#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "bridge/lines/line_codec.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/piped_team.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/bridge/lines/session.hpp"
 
 namespace fulbito {
@@ -305,6 +307,34 @@ TEST_CASE("a C++ program's team says which message it does not understand", "[un
   CHECK_THROWS_WITH(talk.take(R"({"type":"decide","id":1,"now":{"own":[{"x":"far"}]}})"),
                     "the simulator's message is not understood: now.own[0].x: not a number");
   CHECK(talk.take(R"({"type":"weather","rain":true})").empty());
+}
+
+TEST_CASE("what a C++ program prints is not in the protocol, and an exception ends it with a message",
+          "[unit]") {
+  const ScratchFolder folder;
+  const std::string words = (folder.path() / "stderr").string();
+  PipedProgram program({"sh", "-c", "exec " FULBITO_LOUD_PROGRAM " 2>" + words});
+  LineCodec codec;
+  Observation seen;
+  std::string line, answer;
+  codec.decide(1, seen, line);
+  program.send(line);
+  REQUIRE(program.receive(answer));
+  TeamReply reply;
+  CHECK(codec.read(answer, reply));
+  seen.tick = 60;
+  line.clear();
+  codec.decide(2, seen, line);
+  program.send(line);
+  answer.clear();
+  CHECK_FALSE(program.receive(answer));
+  CHECK(program.finish() == 1);
+  std::ifstream in(words);
+  const std::string said{std::istreambuf_iterator<char>(in), {}};
+  for (const char* part : {"made\n", "said by cout\n", "said by printf\n", "said by log\n", "no idea\n"}) {
+    CAPTURE(said, part);
+    CHECK(said.find(part) != std::string::npos);
+  }
 }
 
 }  // namespace fulbito
