@@ -1,6 +1,9 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <sys/resource.h>
 
 #include "bridge/lines/line_codec.hpp"
 #include "tests/support/catch.hpp"
@@ -15,8 +18,26 @@ namespace {
 using namespace fulbito::test;
 using Now = std::chrono::steady_clock;
 
+/// [us] of processor time per call, which the load of the machine hardly changes.
+template <typename Call>
+double microsecondsOf(std::size_t count, Call call) {
+  const std::clock_t from = std::clock();
+  for (std::size_t i = 0; i < count; ++i) call(i);
+  return 1e6 * static_cast<double>(std::clock() - from) / CLOCKS_PER_SEC / static_cast<double>(count);
+}
+
 double microseconds(Now::duration time, std::size_t count) {
   return std::chrono::duration<double, std::micro>(time).count() / static_cast<double>(count);
+}
+
+/// [us] of processor time of the programs that have ended.
+double childrensMicroseconds() {
+  rusage use{};
+  ::getrusage(RUSAGE_CHILDREN, &use);
+  const auto of = [](const timeval& t) {
+    return 1e6 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec);
+  };
+  return of(use.ru_utime) + of(use.ru_stime);
 }
 
 /// What both teams see in a match of the built-in chaser.
@@ -85,6 +106,7 @@ TEST_CASE("time per tick of two programs that are asked at the same time", "[.][
       teams[i].take();
     }
     std::size_t ticks = 0;
+    const std::clock_t used = std::clock();
     const auto from = Now::now();
     while (ticks < 36000) {
       for (std::size_t i : {0, 1}) {
@@ -96,9 +118,15 @@ TEST_CASE("time per tick of two programs that are asked at the same time", "[.][
       ++ticks;
     }
     const double each = microseconds(Now::now() - from, ticks);
+    const double own = 1e6 * static_cast<double>(std::clock() - used) / CLOCKS_PER_SEC / 36000.0;
+    const double before = childrensMicroseconds();
+    for (Asked& team : teams) CHECK(team.program.finish() == 0);
+    const double theirs = (childrensMicroseconds() - before) / 36000.0 / 2.0;
     std::printf(
         "%s: %.1f us per tick for both teams, %.1f us for the rest of a match: %.0f times real time\n",
         command.back().c_str(), each, match, 1e6 / 60.0 / (each + match));
+    std::printf("  processor time per tick: %.1f us here, %.1f us in each program, its start included\n", own,
+                theirs);
   }
 }
 
@@ -109,23 +137,22 @@ TEST_CASE("time to write an observation and to read a command", "[.][speed]") {
   LineCodec codec;
   std::string out;
   std::size_t bytes = 0;
-  auto from = Now::now();
-  for (const Observation& observation : ticks) {
+  const double write = microsecondsOf(ticks.size(), [&](std::size_t i) {
     out.clear();
-    codec.decide(1, observation, out);
+    codec.decide(1, ticks[i], out);
     bytes += out.size();
-  }
-  std::printf("observation: %.2f us, %zu bytes\n", microseconds(Now::now() - from, ticks.size()),
-              bytes / ticks.size());
+  });
+  std::printf("observation: %.2f us, %zu bytes\n", write, bytes / ticks.size());
   const std::string command =
       R"({"type":"decide","id":35999,"robots":[{"linear":-0.7612345678901234,"angular":-3.1234567890123456},)"
       R"({"linear":1.0612345678901234,"angular":0.0012345678901234567},)"
       R"({"linear":0.25612345678901234,"angular":12.123456789012345}]})"
       "\n";
   TeamReply reply;
-  from = Now::now();
-  for (std::size_t i = 0; i < ticks.size(); ++i) REQUIRE(codec.read(command, reply));
-  std::printf("command: %.2f us, %zu bytes\n", microseconds(Now::now() - from, ticks.size()), command.size());
+  const double read = microsecondsOf(ticks.size(), [&](std::size_t) {
+    if (!codec.read(command, reply)) std::abort();
+  });
+  std::printf("command: %.2f us, %zu bytes\n", read, command.size());
 }
 
 }  // namespace fulbito
