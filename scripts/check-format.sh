@@ -4,7 +4,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 case "${1:-}" in
   -h | --help) echo "Usage: scripts/check-format.sh [--fix]"; exit 0 ;;
-  --fix) git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format-19 -i ;;
-  "") git ls-files -z '*.cpp' '*.hpp' | xargs -0 clang-format-19 --dry-run --Werror ;;
+  --fix) git ls-files -z '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format-19 -i ;;
+  "") git ls-files -z '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format-19 --dry-run --Werror ;;
   *) echo "check-format.sh: unknown option '$1'" >&2; exit 2 ;;
 esac

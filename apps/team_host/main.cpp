@@ -3,8 +3,10 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fcntl.h>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <vector>
 
@@ -15,7 +17,6 @@ namespace fulbito {
 namespace {
 
 constexpr int kUsage = 2, kBadInput = 3, kIo = 5;  // exit codes, as those of the program `fulbito`
-constexpr std::size_t kReadAtOnce = 1u << 16;      // [bytes]
 
 int say(const Error& error) {
   std::fprintf(stderr, "fulbito-team-host: %s\n", error.message.c_str());
@@ -50,38 +51,54 @@ bool writeAll(int to, const std::string& bytes) {
   return true;
 }
 
-/// Appends what has arrived, after waiting for it. @return false at the end
-bool readSome(int from, std::string& received) {
-  const std::size_t before = received.size();
-  received.resize(before + kReadAtOnce);
-  ssize_t n = 0;
-  do {
-    n = read(from, received.data() + before, kReadAtOnce);
-  } while (n < 0 && errno == EINTR);
-  received.resize(before + static_cast<std::size_t>(n > 0 ? n : 0));
-  return n > 0;
-}
+/// What has arrived and is not answered yet.
+class Inbox {
+ public:
+  explicit Inbox(int from) : from_(from), bytes_(kLargestFrame) {}
 
-/// Answers all whole messages in `received` and removes them.
-Result<void> answerAll(TeamHost& host, std::string& received, std::string& replies) {
+  /// Waits for more. @return false at the end
+  bool receive() {
+    ssize_t n = 0;
+    do {
+      n = read(from_, bytes_.data() + filled_, bytes_.size() - filled_);
+    } while (n < 0 && errno == EINTR);
+    if (n > 0) filled_ += static_cast<std::size_t>(n);
+    return n > 0;
+  }
+  std::string_view waiting() const { return {bytes_.data(), filled_}; }
+  /// Removes the first `size` bytes. There is always room for a whole message, so `receive` never stalls.
+  void drop(std::size_t size) {
+    filled_ -= size;
+    std::memmove(bytes_.data(), bytes_.data() + size, filled_);
+  }
+
+ private:
+  int from_;
+  std::vector<char> bytes_;
+  std::size_t filled_ = 0;
+};
+
+/// Answers all whole messages of the inbox and removes them.
+Result<void> answerAll(TeamHost& host, Inbox& inbox, std::string& replies) {
   std::size_t done = 0;
   for (;;) {
-    const std::string_view rest = std::string_view(received).substr(done);
+    const std::string_view rest = inbox.waiting().substr(done);
     const auto length = frameLength(rest);
     if (!length) return tl::unexpected<Error>(length.error());
     if (*length == 0) break;
     if (auto answered = host.answer(rest.substr(0, *length), replies); !answered) return answered;
     done += *length;
   }
-  received.erase(0, done);
+  inbox.drop(done);
   return {};
 }
 
 int serve(TeamHost& host, Ends ends) {
-  std::string received, replies;
-  while (readSome(ends.in, received)) {
+  Inbox inbox(ends.in);
+  std::string replies;
+  while (inbox.receive()) {
     replies.clear();
-    if (const auto done = answerAll(host, received, replies); !done) return say(done.error());
+    if (const auto done = answerAll(host, inbox, replies); !done) return say(done.error());
     if (!writeAll(ends.out, replies)) return 0;  // the simulator has ended the match
   }
   return 0;

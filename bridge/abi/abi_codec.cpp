@@ -140,7 +140,7 @@ bool AbiCodec::readCommand(FrameReader& frame, const CommandBody& body, TeamComm
   std::memcpy(from.robots, body.robots, sizeof from.robots);
   from.drawings = drawings_.data();
   from.drawing_count = from.drawing_capacity = body.drawings;
-  fromAbi(from, command);
+  fromAbi(from, FULBITO_MAX_ROBOTS, command);
   return true;
 }
 

@@ -26,7 +26,7 @@ TeamCommand LibraryTeam::decide(const Observation& observation) {
   TeamCommand decision;
   if (!team_->decide(seen_, command)) return decision;
   room_.close(command);
-  fromAbi(command, decision);
+  fromAbi(command, seen_.team_size, decision);
   return decision;
 }
 
@@ -61,7 +61,7 @@ std::optional<ExerciseReply> LibraryTeam::exercise(const Observation& observatio
   if (!team_->exercise(seen_, toAbi(exercise), command, answer, has_skill)) return reply;
   if (!has_skill) return std::nullopt;
   room_.close(command);
-  fromAbi(command, reply.command);
+  fromAbi(command, seen_.team_size, reply.command);
   reply.answer = fromAbi(answer);
   return reply;
 }

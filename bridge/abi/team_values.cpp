@@ -267,8 +267,8 @@ void CommandRoom::close(fulbito_team_command& command) {
   command.drawing_count = std::min(command.drawing_count, command.drawing_capacity);
 }
 
-void fromAbi(const fulbito_team_command& command, TeamCommand& to) {
-  for (std::size_t i = 0; i < to.robots.size(); ++i) {
+void fromAbi(const fulbito_team_command& command, int team_size, TeamCommand& to) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(team_size); ++i) {
     to.robots[i] = fromAbi(command.robots[i]);
     to.roles[i] = static_cast<std::uint8_t>(std::min<std::uint32_t>(command.robots[i].role, 255));
   }

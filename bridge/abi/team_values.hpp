@@ -37,8 +37,8 @@ class CommandRoom {
   fulbito_team_command still_{};
 };
 
-/// @{ From a team. `to` keeps its memory.
-void fromAbi(const fulbito_team_command& command, TeamCommand& to);
+/// @{ From a team. `to` keeps its memory; commands of robots from `team_size` on are not read.
+void fromAbi(const fulbito_team_command& command, int team_size, TeamCommand& to);
 TeamProposal fromAbi(const fulbito_placement& placement);
 /// @}
 

@@ -42,7 +42,7 @@ TEST_CASE("no type and no function is defined in two files", "[unit]") {
   CHECK(files.count("fulbito::World") == 1);
   CHECK(files.size() > 1000);
   for (const auto& [name, paths] : files) {
-    if (paths.size() < 2) continue;
+    if (paths.size() < 2 || name.starts_with("main(")) continue;  // each program has its own
     std::string where;
     for (const std::string& path : paths) where += " " + path;
     FAIL_CHECK(name + " is defined in" + where);

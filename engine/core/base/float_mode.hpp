@@ -32,7 +32,7 @@ class ForeignCall {
  public:
   ForeignCall() { __asm__ volatile("fnstcw %0" : "=m"(x87_)); }
   ~ForeignCall() {
-    _mm_setcsr(before_);
+    if (_mm_getcsr() != before_) _mm_setcsr(before_);
     std::uint16_t now = 0;
     __asm__ volatile("fnstcw %0" : "=m"(now));
     if (now != x87_) __asm__ volatile("fldcw %0" : : "m"(x87_));

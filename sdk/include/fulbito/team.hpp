@@ -639,453 +639,454 @@ inline std::string Team::set(std::string_view name, std::string_view value) {
 
 // The rest joins the class to the C interface; a team's author needs only the macro at the end. It is hidden:
 // otherwise two libraries with a class of the same name would share the static variables below.
-namespace detail __attribute__((visibility("hidden"))) {
+#pragma GCC visibility push(hidden)
+namespace detail {
 
-  /// @{ From the C interface.
-  inline Vec2 from(fulbito_vec2 v) { return {v.x, v.y}; }
-  inline Wheels from(fulbito_wheels w) { return {w.left, w.right}; }
-  inline Pose from(const fulbito_pose& p) { return {from(p.position), p.heading}; }
+/// @{ From the C interface.
+inline Vec2 from(fulbito_vec2 v) { return {v.x, v.y}; }
+inline Wheels from(fulbito_wheels w) { return {w.left, w.right}; }
+inline Pose from(const fulbito_pose& p) { return {from(p.position), p.heading}; }
 
-  inline std::optional<Colour> colourOf(int number) {
-    if (number != FULBITO_BLUE && number != FULBITO_YELLOW) return std::nullopt;
-    return number == FULBITO_BLUE ? Colour::kBlue : Colour::kYellow;
+inline std::optional<Colour> colourOf(int number) {
+  if (number != FULBITO_BLUE && number != FULBITO_YELLOW) return std::nullopt;
+  return number == FULBITO_BLUE ? Colour::kBlue : Colour::kYellow;
+}
+
+inline Field from(const fulbito_field& f) {
+  return {f.name,
+          f.length,
+          f.width,
+          f.goal_width,
+          f.goal_depth,
+          f.corner,
+          f.wall_thickness,
+          f.goal_area_width,
+          f.goal_area_depth,
+          f.goal_area_arc_width,
+          f.goal_area_arc_depth,
+          f.big_area_width,
+          f.big_area_depth,
+          f.centre_circle_radius,
+          f.penalty_mark,
+          from(f.free_ball_mark)};
+}
+
+inline RobotModel from(const fulbito_robot_model& r) {
+  return {r.name,
+          r.length,
+          r.width,
+          r.mass,
+          r.wheel_radius,
+          r.axle_track,
+          r.max_wheel_speed,
+          r.wheel_acceleration,
+          r.wheel_braking,
+          r.yaw_acceleration,
+          r.rolling_drag,
+          r.longitudinal_grip,
+          r.lateral_grip,
+          r.spin_slow_speed,
+          r.spin_slow_ratio,
+          r.spin_fast_speed,
+          r.spin_fast_ratio,
+          r.friction,
+          r.restitution};
+}
+
+inline BallModel from(const fulbito_ball_model& b) {
+  return {b.radius,
+          b.mass,
+          b.roll_keep,
+          b.slide_deceleration,
+          b.roll_deceleration,
+          b.stop_speed,
+          b.wall_restitution,
+          b.wall_spin_keep,
+          b.robot_restitution,
+          b.friction};
+}
+
+inline Physics from(const fulbito_physics& p) {
+  return {p.name,
+          p.control_rate,
+          p.substeps,
+          p.velocity_iterations,
+          p.position_iterations,
+          p.bullet_ball != 0,
+          p.contact_depth,
+          p.max_ball_speed,
+          p.restitution_threshold,
+          p.wheel_command_step};
+}
+
+inline Rules from(const fulbito_rules& r) {
+  Rules to;
+  to.name = r.name;
+  to.team_size = r.team_size;
+  to.half_seconds = r.half_seconds;
+  to.swap_sides = r.swap_sides != 0;
+  to.mercy_goals = r.mercy_goals;
+  to.tie_break = static_cast<TieBreak>(r.tie_break);
+  to.overtime_parts = r.overtime_parts;
+  to.overtime_seconds = r.overtime_seconds;
+  to.golden_goal = r.golden_goal != 0;
+  to.kick_seconds = r.kick_seconds;
+  to.restart_delay = r.restart_delay;
+  to.goal_delay = r.goal_delay;
+  to.hold_robots = r.hold_robots != 0;
+  to.false_start_distance = r.false_start_distance;
+  to.free_ball_distance = r.free_ball_distance;
+  to.goal_kick_ball_free = r.goal_kick_ball_free != 0;
+  to.stuck_seconds = r.stuck_seconds;
+  to.stuck_area_seconds = r.stuck_area_seconds;
+  to.stuck_radius = r.stuck_radius;
+  to.areas_have_arc = r.areas_have_arc != 0;
+  to.attackers_max = r.attackers_max;
+  to.big_attackers_max = r.big_attackers_max;
+  to.defenders_max = r.defenders_max;
+  to.big_defenders_max = r.big_defenders_max;
+  to.keeper_hold_seconds = r.keeper_hold_seconds;
+  to.keeper_charging = r.keeper_charging != 0;
+  to.pushing = r.pushing != 0;
+  to.pinning = r.pinning != 0;
+  to.pinned_seconds = r.pinned_seconds;
+  return to;
+}
+
+inline Info from(const fulbito_match_info& i) {
+  Info to;
+  to.colour = i.colour == FULBITO_BLUE ? Colour::kBlue : Colour::kYellow;
+  to.left = i.left != 0;
+  to.field = from(i.field);
+  to.robot = from(i.robot);
+  to.ball = from(i.ball);
+  to.physics = from(i.physics);
+  to.rules = from(i.rules);
+  to.dt = i.dt;
+  to.observation_age = i.observation_age;
+  to.position_noise = i.position_noise;
+  to.heading_noise = i.heading_noise;
+  to.dropout = i.dropout;
+  if (std::isfinite(i.decision_seconds)) {
+    to.decision_time = DecisionTime{i.decision_seconds, i.decision_bank, i.decisions_held};
   }
+  to.seed = i.seed;
+  return to;
+}
 
-  inline Field from(const fulbito_field& f) {
-    return {f.name,
-            f.length,
-            f.width,
-            f.goal_width,
-            f.goal_depth,
-            f.corner,
-            f.wall_thickness,
-            f.goal_area_width,
-            f.goal_area_depth,
-            f.goal_area_arc_width,
-            f.goal_area_arc_depth,
-            f.big_area_width,
-            f.big_area_depth,
-            f.centre_circle_radius,
-            f.penalty_mark,
-            from(f.free_ball_mark)};
+inline Robot from(const fulbito_robot& r) {
+  return {r.present != 0, from(r.position), r.heading, from(r.velocity), r.angular_velocity, from(r.wheels)};
+}
+
+inline void take(const fulbito_observation& o, Observation& to) {
+  to.tick = o.tick;
+  to.dt = o.dt;
+  to.team_size = o.team_size;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(o.team_size); ++i) {
+    to.own[i] = from(o.own[i]);
+    to.opponents[i] = from(o.opponents[i]);
+    to.sent[i] = from(o.sent[i]);
   }
+  to.ball = {from(o.ball.position), from(o.ball.velocity)};
+  to.playing = o.playing != 0;
+  to.restart = static_cast<Restart>(o.restart);
+  to.restart_is_ours = o.restart_is_ours != 0;
+  to.since_restart = o.since_restart;
+  to.period = o.period;
+  to.remaining = o.remaining;
+  to.own_score = o.own_score;
+  to.opponent_score = o.opponent_score;
+  to.wants_drawings = o.wants_drawings != 0;
+}
 
-  inline RobotModel from(const fulbito_robot_model& r) {
-    return {r.name,
-            r.length,
-            r.width,
-            r.mass,
-            r.wheel_radius,
-            r.axle_track,
-            r.max_wheel_speed,
-            r.wheel_acceleration,
-            r.wheel_braking,
-            r.yaw_acceleration,
-            r.rolling_drag,
-            r.longitudinal_grip,
-            r.lateral_grip,
-            r.spin_slow_speed,
-            r.spin_slow_ratio,
-            r.spin_fast_speed,
-            r.spin_fast_ratio,
-            r.friction,
-            r.restitution};
+inline Observation from(const fulbito_observation& o) {
+  Observation to;
+  take(o, to);
+  return to;
+}
+
+inline Call from(const fulbito_call& c) {
+  Call to;
+  to.tick = c.tick;
+  to.play_time = c.play_time;
+  to.period = c.period;
+  to.clause = c.clause;
+  to.law = c.law;
+  to.team = colourOf(c.team);
+  if (c.robot >= 0) to.robot = c.robot;
+  to.place = from(c.place);
+  to.value = c.value;
+  to.threshold = c.threshold;
+  to.margin = c.margin;
+  return to;
+}
+
+inline Poses from(const fulbito_poses& p) {
+  Poses to;
+  for (std::size_t i = 0; i < to.size(); ++i) {
+    if (p.present[i] != 0) to[i] = from(p.pose[i]);
   }
+  return to;
+}
 
-  inline BallModel from(const fulbito_ball_model& b) {
-    return {b.radius,
-            b.mass,
-            b.roll_keep,
-            b.slide_deceleration,
-            b.roll_deceleration,
-            b.stop_speed,
-            b.wall_restitution,
-            b.wall_spin_keep,
-            b.robot_restitution,
-            b.friction};
+inline PlacementRequest from(const fulbito_placement_request& r) {
+  PlacementRequest to;
+  to.kind = static_cast<Restart>(r.kind);
+  to.ours = r.ours != 0;
+  to.ball = from(r.ball);
+  to.defaults = from(r.defaults);
+  if (r.has_opponents != 0) to.opponents = from(r.opponents);
+  to.cause = from(r.cause);
+  to.delay = r.delay;
+  to.now = from(r.now);
+  return to;
+}
+
+inline End from(const fulbito_end& e) {
+  return {static_cast<End::Reason>(e.reason),
+          from(e.cause),
+          e.tick,
+          e.own_score,
+          e.opponent_score,
+          colourOf(e.winner)};
+}
+
+inline Exercise from(const fulbito_exercise& e) {
+  return {static_cast<Exercise::Kind>(e.kind), from(e.target), e.heading, e.speed, e.horizon};
+}
+/// @}
+
+/// @{ To the C interface.
+inline fulbito_vec2 to(Vec2 v) { return {v.x, v.y}; }
+inline fulbito_pose to(const Pose& p) { return {to(p.position), p.heading}; }
+
+inline fulbito_go_to to(const GoTo& g) {
+  // An index that the interface cannot carry is unknown there too.
+  const bool known = g.navigator >= 0 && g.navigator < 255;
+  return {to(g.position),
+          g.heading.value_or(0.0),
+          g.speed_limit,
+          g.tolerance,
+          g.heading.has_value(),
+          g.stop,
+          g.avoid_ball,
+          g.avoid_mates,
+          g.avoid_opponents,
+          g.either_front,
+          static_cast<std::uint8_t>(known ? g.navigator : 255),
+          0};
+}
+
+inline fulbito_drawing to(const Drawing& d) {
+  fulbito_drawing c{static_cast<std::uint32_t>(d.kind), 0, to(d.from), to(d.to), d.radius, {}};
+  std::memcpy(c.text, d.text.data(), std::min<std::size_t>(d.text.size(), FULBITO_NAME_SIZE - 1));
+  return c;
+}
+
+inline void give(const Commands& commands, int team_size, fulbito_team_command& out) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(team_size); ++i) {
+    const Command& c = commands.robots[i];
+    out.robots[i] = {static_cast<std::uint32_t>(c.kind),
+                     commands.roles[i],
+                     {c.wheels.left, c.wheels.right},
+                     {c.twist.linear, c.twist.angular},
+                     to(c.go_to)};
   }
+  const auto count = std::min<std::size_t>(commands.drawings.size(), out.drawing_capacity);
+  for (std::size_t i = 0; i < count; ++i) out.drawings[i] = to(commands.drawings[i]);
+  out.drawing_count = static_cast<std::uint32_t>(count);
+}
 
-  inline Physics from(const fulbito_physics& p) {
-    return {p.name,
-            p.control_rate,
-            p.substeps,
-            p.velocity_iterations,
-            p.position_iterations,
-            p.bullet_ball != 0,
-            p.contact_depth,
-            p.max_ball_speed,
-            p.restitution_threshold,
-            p.wheel_command_step};
+inline void give(const Placement& placement, fulbito_placement& out) {
+  for (std::size_t i = 0; i < placement.robots.size(); ++i) {
+    if (!placement.robots[i]) continue;
+    out.robots.present[i] = 1;
+    out.robots.pose[i] = to(*placement.robots[i]);
   }
+  if (placement.ball) out.has_ball = 1, out.ball = to(*placement.ball);
+}
+/// @}
 
-  inline Rules from(const fulbito_rules& r) {
-    Rules to;
-    to.name = r.name;
-    to.team_size = r.team_size;
-    to.half_seconds = r.half_seconds;
-    to.swap_sides = r.swap_sides != 0;
-    to.mercy_goals = r.mercy_goals;
-    to.tie_break = static_cast<TieBreak>(r.tie_break);
-    to.overtime_parts = r.overtime_parts;
-    to.overtime_seconds = r.overtime_seconds;
-    to.golden_goal = r.golden_goal != 0;
-    to.kick_seconds = r.kick_seconds;
-    to.restart_delay = r.restart_delay;
-    to.goal_delay = r.goal_delay;
-    to.hold_robots = r.hold_robots != 0;
-    to.false_start_distance = r.false_start_distance;
-    to.free_ball_distance = r.free_ball_distance;
-    to.goal_kick_ball_free = r.goal_kick_ball_free != 0;
-    to.stuck_seconds = r.stuck_seconds;
-    to.stuck_area_seconds = r.stuck_area_seconds;
-    to.stuck_radius = r.stuck_radius;
-    to.areas_have_arc = r.areas_have_arc != 0;
-    to.attackers_max = r.attackers_max;
-    to.big_attackers_max = r.big_attackers_max;
-    to.defenders_max = r.defenders_max;
-    to.big_defenders_max = r.big_defenders_max;
-    to.keeper_hold_seconds = r.keeper_hold_seconds;
-    to.keeper_charging = r.keeper_charging != 0;
-    to.pushing = r.pushing != 0;
-    to.pinning = r.pinning != 0;
-    to.pinned_seconds = r.pinned_seconds;
-    return to;
-  }
-
-  inline Info from(const fulbito_match_info& i) {
-    Info to;
-    to.colour = i.colour == FULBITO_BLUE ? Colour::kBlue : Colour::kYellow;
-    to.left = i.left != 0;
-    to.field = from(i.field);
-    to.robot = from(i.robot);
-    to.ball = from(i.ball);
-    to.physics = from(i.physics);
-    to.rules = from(i.rules);
-    to.dt = i.dt;
-    to.observation_age = i.observation_age;
-    to.position_noise = i.position_noise;
-    to.heading_noise = i.heading_noise;
-    to.dropout = i.dropout;
-    if (std::isfinite(i.decision_seconds)) {
-      to.decision_time = DecisionTime{i.decision_seconds, i.decision_bank, i.decisions_held};
+/// Description of a team in the words of the C interface; it keeps the texts alive.
+struct Description {
+  explicit Description(const Team& team)
+      : name(team.name()),
+        version(team.version()),
+        summary(team.summary()),
+        navigator(team.defaultNavigator()),
+        parameters(team.parameters()) {
+    for (const Parameter& parameter : parameters) {
+      choices.emplace_back();
+      for (const std::string& choice : parameter.choices) choices.back().push_back(choice.c_str());
     }
-    to.seed = i.seed;
-    return to;
-  }
-
-  inline Robot from(const fulbito_robot& r) {
-    return {r.present != 0,   from(r.position),   r.heading,
-            from(r.velocity), r.angular_velocity, from(r.wheels)};
-  }
-
-  inline void take(const fulbito_observation& o, Observation& to) {
-    to.tick = o.tick;
-    to.dt = o.dt;
-    to.team_size = o.team_size;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(o.team_size); ++i) {
-      to.own[i] = from(o.own[i]);
-      to.opponents[i] = from(o.opponents[i]);
-      to.sent[i] = from(o.sent[i]);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      const Parameter& p = parameters[i];
+      table.push_back({p.name.c_str(), p.unit.c_str(), p.doc.c_str(), choices[i].data(),
+                       static_cast<std::uint32_t>(choices[i].size()), static_cast<std::uint32_t>(p.type),
+                       p.default_value, p.minimum, p.maximum});
     }
-    to.ball = {from(o.ball.position), from(o.ball.velocity)};
-    to.playing = o.playing != 0;
-    to.restart = static_cast<Restart>(o.restart);
-    to.restart_is_ours = o.restart_is_ours != 0;
-    to.since_restart = o.since_restart;
-    to.period = o.period;
-    to.remaining = o.remaining;
-    to.own_score = o.own_score;
-    to.opponent_score = o.opponent_score;
-    to.wants_drawings = o.wants_drawings != 0;
   }
+  std::string name, version, summary, navigator;
+  std::vector<Parameter> parameters;
+  std::vector<std::vector<const char*>> choices;
+  std::vector<fulbito_parameter> table;
+};
 
-  inline Observation from(const fulbito_observation& o) {
-    Observation to;
-    take(o, to);
-    return to;
-  }
+/// A team behind the C interface.
+struct Instance {
+  const fulbito_host* host;
+  std::unique_ptr<Team> team;
+  Observation seen;                     ///< of the present tick
+  std::vector<std::string> navigators;  ///< since the last `begin`
+};
 
-  inline Call from(const fulbito_call& c) {
-    Call to;
-    to.tick = c.tick;
-    to.play_time = c.play_time;
-    to.period = c.period;
-    to.clause = c.clause;
-    to.law = c.law;
-    to.team = colourOf(c.team);
-    if (c.robot >= 0) to.robot = c.robot;
-    to.place = from(c.place);
-    to.value = c.value;
-    to.threshold = c.threshold;
-    to.margin = c.margin;
-    return to;
-  }
+inline void logTo(const fulbito_host* host, std::string_view line) {
+  host->log(host, std::string(line).c_str());
+}
 
-  inline Poses from(const fulbito_poses& p) {
-    Poses to;
-    for (std::size_t i = 0; i < to.size(); ++i) {
-      if (p.present[i] != 0) to[i] = from(p.pose[i]);
-    }
-    return to;
-  }
-
-  inline PlacementRequest from(const fulbito_placement_request& r) {
-    PlacementRequest to;
-    to.kind = static_cast<Restart>(r.kind);
-    to.ours = r.ours != 0;
-    to.ball = from(r.ball);
-    to.defaults = from(r.defaults);
-    if (r.has_opponents != 0) to.opponents = from(r.opponents);
-    to.cause = from(r.cause);
-    to.delay = r.delay;
-    to.now = from(r.now);
-    return to;
-  }
-
-  inline End from(const fulbito_end& e) {
-    return {static_cast<End::Reason>(e.reason),
-            from(e.cause),
-            e.tick,
-            e.own_score,
-            e.opponent_score,
-            colourOf(e.winner)};
-  }
-
-  inline Exercise from(const fulbito_exercise& e) {
-    return {static_cast<Exercise::Kind>(e.kind), from(e.target), e.heading, e.speed, e.horizon};
-  }
-  /// @}
-
-  /// @{ To the C interface.
-  inline fulbito_vec2 to(Vec2 v) { return {v.x, v.y}; }
-  inline fulbito_pose to(const Pose& p) { return {to(p.position), p.heading}; }
-
-  inline fulbito_go_to to(const GoTo& g) {
-    // An index that the interface cannot carry is unknown there too.
-    const bool known = g.navigator >= 0 && g.navigator < 255;
-    return {to(g.position),
-            g.heading.value_or(0.0),
-            g.speed_limit,
-            g.tolerance,
-            g.heading.has_value(),
-            g.stop,
-            g.avoid_ball,
-            g.avoid_mates,
-            g.avoid_opponents,
-            g.either_front,
-            static_cast<std::uint8_t>(known ? g.navigator : 255),
-            0};
-  }
-
-  inline fulbito_drawing to(const Drawing& d) {
-    fulbito_drawing c{static_cast<std::uint32_t>(d.kind), 0, to(d.from), to(d.to), d.radius, {}};
-    std::memcpy(c.text, d.text.data(), std::min<std::size_t>(d.text.size(), FULBITO_NAME_SIZE - 1));
-    return c;
-  }
-
-  inline void give(const Commands& commands, fulbito_team_command& out) {
-    for (std::size_t i = 0; i < commands.robots.size(); ++i) {
-      const Command& c = commands.robots[i];
-      out.robots[i] = {static_cast<std::uint32_t>(c.kind),
-                       commands.roles[i],
-                       {c.wheels.left, c.wheels.right},
-                       {c.twist.linear, c.twist.angular},
-                       to(c.go_to)};
-    }
-    const auto count = std::min<std::size_t>(commands.drawings.size(), out.drawing_capacity);
-    for (std::size_t i = 0; i < count; ++i) out.drawings[i] = to(commands.drawings[i]);
-    out.drawing_count = static_cast<std::uint32_t>(count);
-  }
-
-  inline void give(const Placement& placement, fulbito_placement& out) {
-    for (std::size_t i = 0; i < placement.robots.size(); ++i) {
-      if (!placement.robots[i]) continue;
-      out.robots.present[i] = 1;
-      out.robots.pose[i] = to(*placement.robots[i]);
-    }
-    if (placement.ball) out.has_ball = 1, out.ball = to(*placement.ball);
-  }
-  /// @}
-
-  /// Description of a team in the words of the C interface; it keeps the texts alive.
-  struct Description {
-    explicit Description(const Team& team)
-        : name(team.name()),
-          version(team.version()),
-          summary(team.summary()),
-          navigator(team.defaultNavigator()),
-          parameters(team.parameters()) {
-      for (const Parameter& parameter : parameters) {
-        choices.emplace_back();
-        for (const std::string& choice : parameter.choices) choices.back().push_back(choice.c_str());
-      }
-      for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const Parameter& p = parameters[i];
-        table.push_back({p.name.c_str(), p.unit.c_str(), p.doc.c_str(), choices[i].data(),
-                         static_cast<std::uint32_t>(choices[i].size()), static_cast<std::uint32_t>(p.type),
-                         p.default_value, p.minimum, p.maximum});
-      }
-    }
-    std::string name, version, summary, navigator;
-    std::vector<Parameter> parameters;
-    std::vector<std::vector<const char*>> choices;
-    std::vector<fulbito_parameter> table;
-  };
-
-  /// A team behind the C interface.
-  struct Instance {
-    const fulbito_host* host;
-    std::unique_ptr<Team> team;
-    Observation seen;                     ///< of the present tick
-    std::vector<std::string> navigators;  ///< since the last `begin`
-  };
-
-  inline void logTo(const fulbito_host* host, std::string_view line) {
-    host->log(host, std::string(line).c_str());
-  }
-
-  /// Runs `call`; an exception becomes a line of the log and a failure.
-  template <typename Call>
-  std::int32_t guarded(void* self, const Call& call) {
-    Instance& instance = *static_cast<Instance*>(self);
-    try {
-      return call(instance);
-    } catch (const std::exception& error) {
-      logTo(instance.host, std::string("exception: ") + error.what());
-    } catch (...) {
-      logTo(instance.host, "an exception of an unknown type");
-    }
-    return 1;
-  }
-
-  template <typename T>
-  std::unique_ptr<Instance> makeInstance(const fulbito_host* host, const double* values,
-                                         const char* navigator) {
-    auto instance = std::make_unique<Instance>();
-    instance->host = host;
-    instance->team = std::make_unique<T>();
-    Team& team = *instance->team;
-    team.logTo([host](std::string_view line) { logTo(host, line); });
-    for (std::size_t i = 0; i < team.parameters().size(); ++i) team.parameters()[i].set(values[i]);
-    if (navigator != nullptr) team.set("navigator", navigator);
-    return instance;
-  }
-
-  template <typename T>
-  void* create(const fulbito_host* host, const double* values, const char* navigator) {
-    try {
-      return makeInstance<T>(host, values, navigator).release();
-    } catch (const std::exception& error) {
-      logTo(host, error.what());
-    } catch (...) {
-      logTo(host, "an exception of an unknown type");
-    }
-    return nullptr;
-  }
-
-  inline void destroy(void* self) { delete static_cast<Instance*>(self); }
-
-  inline std::int32_t begin(void* self, const fulbito_match_info* info) {
-    return guarded(self, [&](Instance& instance) {
-      Info known = from(*info);
-      const void* text = instance.host->get_extension(instance.host, FULBITO_EXT_RULES_TEXT);
-      if (text != nullptr) known.rules.text = static_cast<const char*>(text);
-      instance.seen = {};
-      instance.team->start(known);
-      instance.navigators = instance.team->navigators();
-      return 0;
-    });
-  }
-
-  inline std::int32_t decide(void* self, const fulbito_observation* seen, fulbito_team_command* command) {
-    return guarded(self, [&](Instance& instance) {
-      take(*seen, instance.seen);
-      give(instance.team->decide(instance.seen), *command);
-      return 0;
-    });
-  }
-
-  inline const char* navigatorName(void* self, std::uint32_t index) {
-    const Instance& instance = *static_cast<Instance*>(self);
-    return index < instance.navigators.size() ? instance.navigators[index].c_str() : nullptr;
-  }
-
-  inline std::int32_t place(void* self, const fulbito_placement_request* request, fulbito_placement* out) {
-    return guarded(self, [&](Instance& instance) {
-      if (const auto placement = instance.team->place(from(*request))) give(*placement, *out);
-      return 0;
-    });
-  }
-
-  inline std::int32_t stopped(void* self, const fulbito_stop* stop) {
-    return guarded(self, [&](Instance& instance) {
-      instance.team->stopped({from(stop->cause), from(stop->now)});
-      return 0;
-    });
-  }
-
-  inline std::int32_t ready(void* self, const fulbito_observation* seen) {
-    return guarded(self, [&](Instance& instance) {
-      instance.team->ready(from(*seen));
-      return 0;
-    });
-  }
-
-  inline std::int32_t ended(void* self, const fulbito_end* end) {
-    return guarded(self, [&](Instance& instance) {
-      instance.team->ended(from(*end));
-      return 0;
-    });
-  }
-
-  inline std::int32_t exercise(void* self, const fulbito_observation* seen, const fulbito_exercise* task,
-                               fulbito_team_command* command, fulbito_vec2* answer) {
-    return guarded(self, [&](Instance& instance) -> std::int32_t {
-      take(*seen, instance.seen);
-      const auto reply = instance.team->exercise(instance.seen, from(*task));
-      if (!reply) return FULBITO_NO_SKILL;
-      give(reply->commands, *command);
-      *answer = to(reply->answer);
-      return 0;
-    });
-  }
-
-  inline const void* extension(const char* name) {
-    static constexpr fulbito_navigator_names kNames{navigatorName};
-    static constexpr fulbito_restarts kRestarts{place, stopped, ready, ended};
-    static constexpr fulbito_exercises kExercises{exercise};
-    const std::string_view wanted = name;
-    if (wanted == FULBITO_EXT_NAVIGATOR_NAMES) return &kNames;
-    if (wanted == FULBITO_EXT_RESTARTS) return &kRestarts;
-    if (wanted == FULBITO_EXT_EXERCISES) return &kExercises;
-    return nullptr;
-  }
-
-  /// The table of a library with the team `T`; null if its constructor throws.
-  template <typename T>
-  const fulbito_library* libraryOf() try {
-    static const Description description{T{}};
-    static const fulbito_library library{
-        FULBITO_ABI,
-        sizeof(fulbito_library),
-        description.name.c_str(),
-        description.version.c_str(),
-        description.summary.c_str(),
-        description.table.data(),
-        static_cast<std::uint32_t>(description.table.size()),
-        0,
-        description.navigator.empty() ? nullptr : description.navigator.c_str(),
-        create<T>,
-        destroy,
-        begin,
-        decide,
-        extension};
-    return &library;
+/// Runs `call`; an exception becomes a line of the log and a failure.
+template <typename Call>
+std::int32_t guarded(void* self, const Call& call) {
+  Instance& instance = *static_cast<Instance*>(self);
+  try {
+    return call(instance);
+  } catch (const std::exception& error) {
+    logTo(instance.host, std::string("exception: ") + error.what());
   } catch (...) {
-    return nullptr;
+    logTo(instance.host, "an exception of an unknown type");
   }
+  return 1;
+}
+
+template <typename T>
+std::unique_ptr<Instance> makeInstance(const fulbito_host* host, const double* values,
+                                       const char* navigator) {
+  auto instance = std::make_unique<Instance>();
+  instance->host = host;
+  instance->team = std::make_unique<T>();
+  Team& team = *instance->team;
+  team.logTo([host](std::string_view line) { logTo(host, line); });
+  for (std::size_t i = 0; i < team.parameters().size(); ++i) team.parameters()[i].set(values[i]);
+  if (navigator != nullptr) team.set("navigator", navigator);
+  return instance;
+}
+
+template <typename T>
+void* create(const fulbito_host* host, const double* values, const char* navigator) {
+  try {
+    return makeInstance<T>(host, values, navigator).release();
+  } catch (const std::exception& error) {
+    logTo(host, error.what());
+  } catch (...) {
+    logTo(host, "an exception of an unknown type");
+  }
+  return nullptr;
+}
+
+inline void destroy(void* self) { delete static_cast<Instance*>(self); }
+
+inline std::int32_t begin(void* self, const fulbito_match_info* info) {
+  return guarded(self, [&](Instance& instance) {
+    Info known = from(*info);
+    const void* text = instance.host->get_extension(instance.host, FULBITO_EXT_RULES_TEXT);
+    if (text != nullptr) known.rules.text = static_cast<const char*>(text);
+    instance.seen = {};
+    instance.team->start(known);
+    instance.navigators = instance.team->navigators();
+    return 0;
+  });
+}
+
+inline std::int32_t decide(void* self, const fulbito_observation* seen, fulbito_team_command* command) {
+  return guarded(self, [&](Instance& instance) {
+    take(*seen, instance.seen);
+    give(instance.team->decide(instance.seen), seen->team_size, *command);
+    return 0;
+  });
+}
+
+inline const char* navigatorName(void* self, std::uint32_t index) {
+  const Instance& instance = *static_cast<Instance*>(self);
+  return index < instance.navigators.size() ? instance.navigators[index].c_str() : nullptr;
+}
+
+inline std::int32_t place(void* self, const fulbito_placement_request* request, fulbito_placement* out) {
+  return guarded(self, [&](Instance& instance) {
+    if (const auto placement = instance.team->place(from(*request))) give(*placement, *out);
+    return 0;
+  });
+}
+
+inline std::int32_t stopped(void* self, const fulbito_stop* stop) {
+  return guarded(self, [&](Instance& instance) {
+    instance.team->stopped({from(stop->cause), from(stop->now)});
+    return 0;
+  });
+}
+
+inline std::int32_t ready(void* self, const fulbito_observation* seen) {
+  return guarded(self, [&](Instance& instance) {
+    instance.team->ready(from(*seen));
+    return 0;
+  });
+}
+
+inline std::int32_t ended(void* self, const fulbito_end* end) {
+  return guarded(self, [&](Instance& instance) {
+    instance.team->ended(from(*end));
+    return 0;
+  });
+}
+
+inline std::int32_t exercise(void* self, const fulbito_observation* seen, const fulbito_exercise* task,
+                             fulbito_team_command* command, fulbito_vec2* answer) {
+  return guarded(self, [&](Instance& instance) -> std::int32_t {
+    take(*seen, instance.seen);
+    const auto reply = instance.team->exercise(instance.seen, from(*task));
+    if (!reply) return FULBITO_NO_SKILL;
+    give(reply->commands, seen->team_size, *command);
+    *answer = to(reply->answer);
+    return 0;
+  });
+}
+
+inline const void* extension(const char* name) {
+  static constexpr fulbito_navigator_names kNames{navigatorName};
+  static constexpr fulbito_restarts kRestarts{place, stopped, ready, ended};
+  static constexpr fulbito_exercises kExercises{exercise};
+  const std::string_view wanted = name;
+  if (wanted == FULBITO_EXT_NAVIGATOR_NAMES) return &kNames;
+  if (wanted == FULBITO_EXT_RESTARTS) return &kRestarts;
+  if (wanted == FULBITO_EXT_EXERCISES) return &kExercises;
+  return nullptr;
+}
+
+/// The table of a library with the team `T`; null if its constructor throws.
+template <typename T>
+const fulbito_library* libraryOf() try {
+  static const Description description{T{}};
+  static const fulbito_library library{
+      FULBITO_ABI,
+      sizeof(fulbito_library),
+      description.name.c_str(),
+      description.version.c_str(),
+      description.summary.c_str(),
+      description.table.data(),
+      static_cast<std::uint32_t>(description.table.size()),
+      0,
+      description.navigator.empty() ? nullptr : description.navigator.c_str(),
+      create<T>,
+      destroy,
+      begin,
+      decide,
+      extension};
+  return &library;
+} catch (...) {
+  return nullptr;
+}
 
 }  // namespace detail
+#pragma GCC visibility pop
 }  // namespace fulbito::team
 
 /// Makes the shared library's one symbol for a team of the class `TEAM`, which has a default constructor.

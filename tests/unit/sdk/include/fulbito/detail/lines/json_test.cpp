@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/math/random.hpp"
-#include "fulbito/detail/json_reader.hpp"
-#include "fulbito/detail/json_text.hpp"
+#include "fulbito/detail/lines/json_reader.hpp"
+#include "fulbito/detail/lines/json_text.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "fulbito/detail/utf8.hpp"
+#include "fulbito/detail/lines/utf8.hpp"
 
 namespace fulbito::json {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "fulbito/detail/utf8.hpp"
+#include "fulbito/detail/lines/utf8.hpp"
 
 namespace fulbito::json {
 

@@ -1,0 +1,3 @@
+#include "tests/libraries/ported_chaser.hpp"
+
+FULBITO_TEAM(fulbito::test::PortedChaser)
