@@ -8,6 +8,8 @@ install(TARGETS fulbito RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS fulbito-team-host RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/fulbito)
 # All that is below sdk/include; every other header is private.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/sdk/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
+# For teams as Python programs, which copy it or name this folder in PYTHONPATH.
+install(FILES ${PROJECT_SOURCE_DIR}/sdk/python/fulbito_team.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fulbito/python)
 install(EXPORT fulbitoTargets NAMESPACE fulbito:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/fulbito)
 # Libraries that come without a package of CMake.
 install(FILES cmake/Findlibdeflate.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/fulbito/modules)

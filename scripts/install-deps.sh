@@ -19,6 +19,7 @@ packages=(
   librandom123-dev libxxhash-dev libzstd-dev zlib1g-dev
   libseccomp-dev
   libxml2-utils catch2 libmpfr-dev libgmp-dev
+  python3 mypy python3-jsonschema
 )
 ci_packages=(
   clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck

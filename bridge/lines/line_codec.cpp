@@ -4,7 +4,7 @@
 #include "bridge/lines/protocol_names.hpp"
 #include "bridge/lines/read_reply.hpp"
 #include "bridge/lines/write_values.hpp"
-#include "fulbito/detail/json_text.hpp"
+#include "fulbito/detail/lines/json_text.hpp"
 
 namespace fulbito {
 namespace {

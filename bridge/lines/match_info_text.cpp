@@ -2,7 +2,7 @@
 
 #include "engine/core/base/overloaded.hpp"
 #include "engine/core/config/schemas.hpp"
-#include "fulbito/detail/json_text.hpp"
+#include "fulbito/detail/lines/json_text.hpp"
 #include "referee/rules/rules_schema.hpp"
 
 namespace fulbito::lines {

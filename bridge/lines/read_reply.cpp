@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "bridge/lines/protocol_names.hpp"
-#include "fulbito/detail/json_reader.hpp"
+#include "fulbito/detail/lines/json_reader.hpp"
 
 namespace fulbito::lines {
 namespace {

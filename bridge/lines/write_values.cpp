@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "fulbito/detail/json_text.hpp"
+#include "fulbito/detail/lines/json_text.hpp"
 
 namespace fulbito::lines {
 namespace {

@@ -514,16 +514,29 @@ def _number(value: float) -> str:
 
 
 def _go_to(target: GoTo) -> str:
+    heading = None if target.heading is None else _number(target.heading)
+    limit = target.speed_limit
     # Null would mean "any heading" and "no limit": a target that is no number says so by its place.
-    heading = "null" if target.heading is None else _number(target.heading)
-    limit = "null" if target.speed_limit is None else _number(target.speed_limit)
-    broken = (target.heading is not None and heading == "null") or target.speed_limit != target.speed_limit
-    flags = {"stop": bool(target.stop), "avoid_ball": bool(target.avoid_ball),
-             "avoid_mates": bool(target.avoid_mates), "avoid_opponents": bool(target.avoid_opponents),
-             "either_front": bool(target.either_front), "navigator": int(target.navigator)}
-    return '{"go_to":{"x":%s,"y":%s,"heading":%s,"speed_limit":%s,"tolerance":%s,%s}' % (
-        "null" if broken else _number(target.x), _number(target.y), heading, limit, _number(target.tolerance),
-        json.dumps(flags)[1:])
+    broken = heading == "null" or limit != limit
+    text = '{"go_to":{"x":%s,"y":%s' % ("null" if broken else _number(target.x), _number(target.y))
+    if heading is not None:
+        text += ',"heading":%s' % heading
+    if limit is not None and limit - limit == 0.0:
+        text += ',"speed_limit":%s' % _number(limit)
+    text += ',"tolerance":%s' % _number(target.tolerance)
+    if target.stop:
+        text += ',"stop":true'
+    if target.avoid_ball:
+        text += ',"avoid_ball":true'
+    if not target.avoid_mates:
+        text += ',"avoid_mates":false'
+    if not target.avoid_opponents:
+        text += ',"avoid_opponents":false'
+    if not target.either_front:
+        text += ',"either_front":false'
+    if target.navigator:
+        text += ',"navigator":%d' % target.navigator
+    return text + "}}"
 
 
 def _command(command: Optional[Command]) -> str:
@@ -549,7 +562,7 @@ def _commands(commands: Commands, team_size: int) -> str:
     text = ',"robots":[%s]' % ",".join([_command(robots.get(number)) for number in range(team_size)])
     if commands.roles:
         _check_numbers(commands.roles, team_size, "a role")
-        text += ',"roles":%s' % [int(commands.roles.get(number, 0)) for number in range(team_size)]
+        text += ',"roles":[%s]' % ",".join(["%d" % commands.roles.get(number, 0) for number in range(team_size)])
     if commands.drawings:
         text += ',"drawings":[%s]' % ",".join(commands.drawings)
     return text

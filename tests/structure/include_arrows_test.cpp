@@ -129,7 +129,7 @@ std::set<std::string> usedBy(const std::string& name) {
     for (std::string_view other : folder.uses) used.insert(nameOf(*libraryOf(other)));
   }
   used.erase(name);
-  used.erase("");  // headers alone: nothing to link
+  used.erase("");  // folders of headers alone are in no library
   return used;
 }
 

@@ -1,28 +1,43 @@
+#include <fstream>
+
 #include "bridge/lines/line_codec.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/piped_team.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/support/test_teams.hpp"
+#include "tests/unit/bridge/lines/port_commands.hpp"
 
 namespace fulbito {
 namespace {
 
 using namespace fulbito::test;
 
-/// The ports of `chaser` as programs.
-std::vector<std::vector<std::string>> ports() {
-  return {{FULBITO_CHASER_PROGRAM},
-          {"env", "PYTHONPATH=" FULBITO_SOURCE_DIR "/sdk/python", "PYTHONDONTWRITEBYTECODE=1", FULBITO_PYTHON,
-           FULBITO_SOURCE_DIR "/examples/teams/chaser.py"}};
-}
-
 /// A team in a program, after the handshake.
-TeamChoice programTeam(LineCodec& codec, const std::vector<std::string>& command) {
-  return TeamChoice::own("program", [&codec, command] {
+TeamChoice programTeam(LineCodec& codec, const std::vector<std::string>& command, const std::string& name) {
+  return TeamChoice::own("program", [&codec, command, name] {
     auto team = std::make_unique<PipedTeam>(codec, command);
     const TeamWelcome welcome = team->hello({"fulbito test", {}});
-    if (welcome.name != "chaser" || welcome.version != "1.0") throw std::runtime_error(welcome.name);
+    if (welcome.name != name) throw std::runtime_error(welcome.name);
     return team;
   });
+}
+
+/// The Python program that docs/team-protocol.md shows.
+std::string shownProgram() {
+  std::ifstream in(FULBITO_SOURCE_DIR "/docs/team-protocol.md");
+  const std::string page{std::istreambuf_iterator<char>(in), {}};
+  const std::string mark = "```python\n";
+  const std::size_t from = page.find(mark) + mark.size();
+  return page.substr(from, page.find("```", from) - from);
+}
+
+/// Goals of blue and yellow in a match.
+PerTeam<int> scoreOf(const MatchConfig& config) {
+  auto match = Match::create(config);
+  REQUIRE(match);
+  while (match->step()) {
+  }
+  return match->referee().score;
 }
 
 }  // namespace
@@ -37,8 +52,25 @@ TEST_CASE("ports of chaser as programs play the match of the built-in chaser, bi
   config.vision[indexOf(seat)].position_noise = 0.001;
   const std::uint64_t built_in = hashOf(config);
   LineCodec codec;
-  config.teams[indexOf(seat)] = programTeam(codec, command);
+  config.teams[indexOf(seat)] = programTeam(codec, command, "chaser");
   CHECK(hashOf(config) == built_in);
+}
+
+TEST_CASE("the program that the page of the protocol shows beats idle", "[unit]") {
+  const ScratchFolder folder;
+  LineCodec codec;
+  MatchConfig config = shortMatch("idle", "idle", 60.0);
+  config.teams[0] = programTeam(codec, {FULBITO_PYTHON, folder.write("small.py", shownProgram())}, "small");
+  const PerTeam<int> score = scoreOf(config);
+  CHECK(score[0] > score[1]);
+}
+
+TEST_CASE("the example team of navigators and roles beats idle as a program", "[unit]") {
+  LineCodec codec;
+  MatchConfig config = shortMatch("idle", "idle", 60.0);
+  config.teams[1] = programTeam(codec, pythonTeam("trio.py"), "trio");
+  const PerTeam<int> score = scoreOf(config);
+  CHECK(score[1] > score[0]);
 }
 
 }  // namespace fulbito

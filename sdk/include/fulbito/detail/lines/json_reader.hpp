@@ -12,7 +12,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "fulbito/detail/utf8.hpp"
+#include "fulbito/detail/lines/utf8.hpp"
 
 namespace fulbito::json {
 
@@ -196,7 +196,7 @@ class Reader {
       return false;
     }
     if (!frame.first) {
-      if (peek() != ',') return syntaxError("a comma or the end of the list is expected");
+      if (peek() != ',') return syntaxError("a comma or a closing bracket is expected");
       ++at_;
       space();
     }

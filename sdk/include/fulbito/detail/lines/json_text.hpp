@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "fulbito/detail/utf8.hpp"
+#include "fulbito/detail/lines/utf8.hpp"
 
 namespace fulbito::json {
 
@@ -39,7 +39,8 @@ inline void append(std::string& out, double value) {
   const auto end = std::to_chars(digits, digits + sizeof digits, value);
   const std::string_view text(digits, static_cast<std::size_t>(end.ptr - digits));
   out += text;
-  if (text.find_first_of(".e") == std::string_view::npos) out += ".0";
+  // Few numbers are whole: the others need no search.
+  if (std::trunc(value) == value && text.find_first_of(".e") == std::string_view::npos) out += ".0";
 }
 
 /// Appends a string with quotes and escapes. Bytes that are not UTF-8 become U+FFFD.

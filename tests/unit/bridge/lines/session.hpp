@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bridge/team_codec.hpp"
+
+namespace fulbito::test {
+
+/// One message of the sample session: how a codec writes it.
+struct SessionMessage {
+  bool request = true;  ///< it gets an answer
+  std::function<void(TeamCodec& codec, std::uint64_t id, std::string& out)> write;
+};
+
+/// What the simulator says in the sample session (docs/team-protocol-session.txt): every kind of message,
+/// with values of a match that was made up for it, so that no change of the physics changes them.
+std::vector<SessionMessage> sessionMessages();
+
+}  // namespace fulbito::test
