@@ -11,6 +11,9 @@ namespace {
 constexpr float kFarTurn =
     0.25f;  // [rad] larger turns could move a corner through another body and out again
 
+// Share of a step: so small that turning hardly bends the ways of corners, and large enough for floats.
+constexpr float kSoon = 0.125f;
+
 b2Vec2 across(b2Vec2 ahead) { return {-ahead.y, ahead.x}; }
 
 }  // namespace
@@ -19,6 +22,7 @@ void Approach::addBox(const b2Body* body, float half_length, float half_width) {
   const float reach = std::sqrt(half_length * half_length + half_width * half_width);
   movers_.push_back({body, half_length, half_width, 0.0f, reach});
   ++boxes_;
+  met_.reserve(boxes_);
 }
 
 void Approach::addDisc(const b2Body* body, float radius) {
@@ -101,11 +105,24 @@ float Approach::shareOf(float before, float after) const {
   return deeper <= most ? 1.0f : (gap + most) / (gap + deeper);
 }
 
+float Approach::gapAfter(const Mover& box, const Mover& other, float share) {
+  return gap(box, placeAfter(box, share), other, placeAfter(other, share));
+}
+
+// The engine solves touching boxes by their speeds at the start of a step. It stops even corners that would
+// turn out of each other's way, and boxes close behind drive on. So their gap is taken to change as it
+// begins.
+float Approach::gapAsSolved(const Mover& box, const Mover& other, float before, float share) const {
+  const float after = gapAfter(box, other, share);
+  if (before > depth_ || other.radius > 0.0f) return after;
+  return std::min(after, before + (gapAfter(box, other, kSoon * share) - before) / kSoon);
+}
+
 float Approach::shareOfPair(const Mover& box, const Mover& other, const Meeting& meeting) const {
   if (meeting.moved <= std::max(meeting.before, 0.0f) + allowed(meeting.before)) return 1.0f;
   const float turn = std::max(std::abs(box.angle), std::abs(other.angle));
   const float part = turn > kFarTurn ? kFarTurn / turn : 1.0f;
-  return part * shareOf(meeting.before, gap(box, placeAfter(box, part), other, placeAfter(other, part)));
+  return part * shareOf(meeting.before, gapAsSolved(box, other, meeting.before, part));
 }
 
 bool Approach::isByWall(const Mover& mover) const {
@@ -141,19 +158,41 @@ void Approach::planBoxes(Plan& plan) {
   }
 }
 
+bool Approach::isNear(const Meeting& meeting) const {
+  return meeting.before <= meeting.moved + 2.0f * depth_;
+}
+
+// Finds the boxes that the disc can meet. If it is between boxes of which one has another box near, all of
+// these are crowded: what stops one stops the others through the disc, while boxes close behind drive on.
+// Returns how many boxes are near.
+int Approach::meetBoxes(const Mover& disc) {
+  met_.clear();
+  Meeting meeting;
+  int near = 0;
+  bool crowded = false;
+  for (std::size_t i = 0; i < boxes_; ++i) {
+    if (!meet(movers_[i], disc, meeting)) continue;
+    met_.push_back({&movers_[i], meeting});
+    if (!isNear(meeting)) continue;
+    ++near;
+    crowded |= movers_[i].crowded;
+  }
+  if (near < 2 || !crowded) return near;
+  for (const Met& met : met_) met.box->crowded |= isNear(met.meeting);
+  return near;
+}
+
 // The engine solves a disc correctly in a whole step if it rolls slowly or one body pushes it, but not if it
 // is fast or between two bodies.
 void Approach::planDisc(Mover& disc, Plan& plan) {
-  int near = isByWall(disc) ? 1 : 0;
-  Meeting meeting;
-  for (std::size_t i = 0; i < boxes_; ++i) {
-    const Mover& box = movers_[i];
-    if (!meet(box, disc, meeting)) continue;
-    if (meeting.before <= meeting.moved + 2.0f * depth_) ++near, disc.crowded = true;
-    plan.continuous |= near > 1 || meeting.moved > depth_;
-    if (bullets_ && !box.crowded) continue;
+  const int near = meetBoxes(disc);
+  disc.crowded |= near > 0;
+  plan.continuous |= near > 1 || (near > 0 && isByWall(disc));
+  for (const Met& met : met_) {
+    plan.continuous |= met.meeting.moved > depth_;
+    if (bullets_ && !met.box->crowded) continue;
     disc.crowded = true;
-    plan.share = std::min(plan.share, shareOfPair(box, disc, meeting));
+    plan.share = std::min(plan.share, shareOfPair(*met.box, disc, met.meeting));
   }
 }
 

@@ -55,7 +55,7 @@ class Approach {
     float angle = 0.0f;    // [rad] turned in the step
     float travel = 0.0f;   // length of `change`
     float turn = 0.0f;     // arc of its outline's farthest point about its centre
-    bool crowded = false;  // another box is near
+    bool crowded = false;  // another box is near, or near one that a disc links to it
   };
   struct Face {
     b2Vec2 middle;
@@ -66,6 +66,10 @@ class Approach {
     float before;  // gap now; negative: depth
     float moved;   // largest possible change of the gap in the step
   };
+  struct Met {
+    Mover* box;
+    Meeting meeting;
+  };
   static Place placeAfter(const Mover& mover, float share);
   static bool inReach(const Mover& a, const Mover& b);
   static float gap(const Mover& box, const Place& at_box, const Mover& other, const Place& at_other);
@@ -73,9 +77,13 @@ class Approach {
   bool meet(const Mover& box, const Mover& other, Meeting& meeting) const;
   float allowed(float before) const;
   float shareOf(float before, float after) const;
+  static float gapAfter(const Mover& box, const Mover& other, float share);
+  float gapAsSolved(const Mover& box, const Mover& other, float before, float share) const;
   float shareOfPair(const Mover& box, const Mover& other, const Meeting& meeting) const;
   bool isByWall(const Mover& mover) const;
   float shareAtWalls(const Mover& mover) const;
+  bool isNear(const Meeting& meeting) const;
+  int meetBoxes(const Mover& disc);
   void planBoxes(Plan& plan);
   void planDisc(Mover& disc, Plan& plan);
   void planDiscs(Plan& plan);
@@ -87,6 +95,7 @@ class Approach {
   b2Vec2 open_{0.0f, 0.0f};
   std::size_t boxes_ = 0;
   std::vector<Mover> movers_;  // boxes, then discs
+  std::vector<Met> met_;       // boxes that the disc in hand can meet
   std::vector<Face> faces_;
 };
 

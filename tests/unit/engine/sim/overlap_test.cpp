@@ -29,11 +29,11 @@ Depths depthsOf(World& world, int ticks, const auto& command) {
 
 // A robot at full speed 0.3 m before a wall, the ball before it, others close behind.
 WorldConfig trainAtWall(const RobotPreset& preset, const PhysicsProfile& physics, int robots, double speed,
-                        double shift) {
+                        double shift, double gap = 0.0015) {
   WorldConfig config{{}, physics, {}, {}, {}};
-  const double front = 0.45 - shift;
+  const double front = 0.45 - shift, pitch = preset.robot.length + gap;
   for (int i = 0; i < robots; ++i) {
-    config.robots.push_back({preset.robot, {{front - 0.0765 * i, 0.4}, 0.0}, {speed, 0.0}, 0.0});
+    config.robots.push_back({preset.robot, {{front - pitch * i, 0.4}, 0.0}, {speed, 0.0}, 0.0});
   }
   config.balls.push_back({preset.ball, {front + 0.0375 + 0.0217, 0.4}, {speed, 0.0}, {speed, 0.0}});
   return config;
@@ -75,6 +75,50 @@ TEST_CASE("robots that carry the ball into a wall stop there, with the ball befo
       CHECK(depths.ball <= kBallDepth);
       if (physics.name != "fast") CHECK(depths.robot <= kRobotDepth);
       CHECK(back <= 0.15);
+    }
+  }
+}
+
+TEST_CASE("a row of robots stops with the robot that the ball between them stops", "[unit]") {
+  const auto physics = GENERATE(standardPhysics(), faithfulPhysics());
+  const auto preset = GENERATE(vsssPreset(), firasimPreset());
+  const double speed = GENERATE(0.6, 0.9, 1.15);
+  const double wheels = speed / preset.robot.wheel_radius;
+  for (const double gap : {0.0006, 0.001, 0.002}) {  // the engine takes robots within 0.5 mm as touching
+    for (int phase = 0; phase < 8; ++phase) {
+      WorldConfig config = trainAtWall(preset, physics, 3, speed, 0.0013 * phase, gap);
+      const Vec2 ahead{config.balls[0].position.x + preset.ball.radius + 0.0005 + preset.robot.length / 2,
+                       0.4};
+      config.robots.push_back({preset.robot, {ahead, 0.0}, {speed, 0.0}, 0.0});
+      World world = makeWorld(config);
+      const Depths depths = depthsOf(
+          world, 60, [&](const WorldState&, std::size_t, int) { return WheelSpeeds{wheels, wheels}; });
+      CAPTURE(physics.name, preset.robot.name, speed, gap, phase);
+      CHECK(depths.ball <= kBallDepth);
+      CHECK(depths.robot <= kRobotDepth);
+      CHECK(depths.robot > -gap);  // they did close up
+    }
+  }
+}
+
+TEST_CASE("a row of robots stops with its first at the corner of one that turns", "[unit]") {
+  const auto physics = GENERATE(standardPhysics(), faithfulPhysics());
+  const auto preset = GENERATE(vsssPreset(), firasimPreset());
+  const double speed = GENERATE(0.6, 0.9, 1.15), yaw = GENERATE(-20.0, 20.0);
+  const double wheels = speed / preset.robot.wheel_radius;
+  const double turning = yaw * preset.robot.axle_track / 2 / preset.robot.wheel_radius;
+  for (const double gap : {0.0006, 0.001, 0.003}) {
+    for (int phase = 0; phase < 32; ++phase) {
+      WorldConfig config = trainAtWall(preset, physics, 3, speed, 0.0013 * (phase % 8), gap);
+      config.balls[0] = {preset.ball, {0.0, -0.4}, {}, {}};
+      const Pose2 aside{{0.6, 0.43 + 0.015 * (phase / 8)}, 0.2 * (phase % 8)};
+      config.robots.push_back({preset.robot, aside, {}, yaw});
+      World world = makeWorld(config);
+      const Depths depths = depthsOf(world, 30, [&](const WorldState&, std::size_t i, int) {
+        return i == 3 ? WheelSpeeds{-turning, turning} : WheelSpeeds{wheels, wheels};
+      });
+      CAPTURE(physics.name, preset.robot.name, speed, yaw, gap, phase);
+      CHECK(depths.robot <= kRobotDepth);
     }
   }
 }
