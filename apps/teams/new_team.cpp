@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 40;
+constexpr std::string_view kLines = "lines";  // folder of the headers that team_program.hpp includes
 
 /// A kind of team: its files, and how it is built and named.
 struct Kind {
@@ -74,7 +75,7 @@ const std::array<Kind, 4>& kinds() {
        "cpp/team.cpp",
        "team_program.hpp",
        "FULBITO_TEAM_PROGRAM",
-       {"team.h", "team.hpp", "team_program.hpp", "json_reader.hpp", "json_text.hpp", "utf8.hpp"},
+       {"team.h", "team.hpp", "team_program.hpp"},
        "$(CXX) -std=c++20 -O2 -Wall -Wextra -Isdk team.cpp -o team",
        "team",
        "cmd:./team"},
@@ -164,7 +165,7 @@ Result<std::string> nameOf(const NewTeamCommand& options, const fs::path& folder
 /// Headers go where `#include "fulbito/..."` finds them; Python's module lies beside the team.
 fs::path placeOf(const EmbeddedFile& file) {
   if (file.kind == "python") return fs::path(file.file);
-  return fs::path("sdk") / (file.kind == "detail" ? "fulbito/detail" : "fulbito") / file.file;
+  return fs::path("sdk") / (file.kind == kLines ? "fulbito/detail/lines" : "fulbito") / file.file;
 }
 
 Result<void> writeAll(const Kind& kind, const fs::path& folder, const std::string& name) {
@@ -176,6 +177,10 @@ Result<void> writeAll(const Kind& kind, const fs::path& folder, const std::strin
   for (const std::string& sdk : kind.sdk) {
     const EmbeddedFile& file = embedded("", sdk);
     files.emplace_back(placeOf(file), std::string(file.text));
+  }
+  for (const EmbeddedFile& file : embeddedStarters()) {
+    if (file.kind == kLines && kind.name == "program")
+      files.emplace_back(placeOf(file), std::string(file.text));
   }
   for (const auto& [place, text] : files) {
     if (auto made = prepareFolder((folder / place).parent_path().string()); !made) return made;

@@ -15,6 +15,8 @@ namespace {
 constexpr double kSlice = 0.1;                                   // [s]
 constexpr std::size_t kLongestErrorLine = std::size_t{1} << 12;  // [bytes]
 
+constexpr const char* kStillRuns = "killed";  // Child::end of a program that did not end itself
+
 }  // namespace
 
 Conversation::Conversation(const OutsideTeamSetup& setup) : setup_(&setup), codec_(setup.codec()) {
@@ -37,10 +39,10 @@ void Conversation::fail(std::string reason) {
   if (child_) {
     showErrors();
     const std::string end = child_->end();
-    if (reason.empty()) reason = end;
+    if (reason.empty()) reason = end == kStillRuns ? "it no longer reads and writes" : end;
   }
-  showErrors();
   failure_ = std::move(reason);
+  showErrors();
 }
 
 void Conversation::flush() {

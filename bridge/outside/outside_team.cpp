@@ -33,6 +33,9 @@ struct OutsideTeam::Impl {
   void takeNavigators(const std::vector<std::string>& names);
   void sendDecision(const Observation& observation);
   void noteFailure();
+  void waitForStart(const Observation& observation);
+  // [s] of what the present decision may take
+  double left() const { return std::max(0.0, asked_at + allowed - now()); }
   void settle(State state, double since);
   template <typename Notify>
   void notify(const Notify& write);
@@ -133,6 +136,14 @@ void OutsideTeam::Impl::sendDecision(const Observation& observation) {
   talk->send([&](TeamCodec& codec, std::string& out) { codec.decide(awaited, observation, out); });
 }
 
+// A new start takes the team's time as a decision does. Beyond that, play goes on without the team.
+void OutsideTeam::Impl::waitForStart(const Observation& observation) {
+  if (lost() || playing()) return;
+  continueStart(left());
+  noteFailure();
+  if (playing()) sendDecision(observation);
+}
+
 template <typename Notify>
 void OutsideTeam::Impl::notify(const Notify& write) {
   if (playing()) talk->send(write);
@@ -172,11 +183,6 @@ void OutsideTeam::allow(double seconds) { impl_->allowed = seconds; }
 void OutsideTeam::ask(const Observation& observation) {
   Impl& team = *impl_;
   team.asked_at = team.now();
-  if (team.lost()) return;
-  if (!team.playing()) {
-    team.continueStart(0.0);
-    team.noteFailure();
-  }
   if (!team.playing()) return;
   if (team.awaited == 0) {
     team.sendDecision(observation);
@@ -188,14 +194,14 @@ void OutsideTeam::ask(const Observation& observation) {
 TeamCommand OutsideTeam::decide(const Observation& observation) {
   Impl& team = *impl_;
   TeamCommand command;
+  team.waitForStart(observation);
   auto state = TeamCondition::State::kLate;
   bool heard = false, waited = false;
   while (team.playing() && team.awaited != 0) {
     TeamReply* reply = team.talk->await(team.awaited, TeamReply::Kind::kDecide, 0.0);
     if (reply == nullptr) {
       waited = true;
-      const double left = std::max(0.0, team.asked_at + team.allowed - team.now());
-      reply = team.talk->await(team.awaited, TeamReply::Kind::kDecide, left);
+      reply = team.talk->await(team.awaited, TeamReply::Kind::kDecide, team.left());
     }
     if (reply == nullptr) break;
     heard = true;

@@ -96,7 +96,10 @@ Result<TeamChoice> choiceOf(const std::string& specification, const OutsideOptio
       in_process ? loadTeamLibrary(line->command.front()) : processInfo(specification, *line, options);
   if (!info)
     return fail(info.error().code, fmt::format("team '{}': {}", specification, info.error().message));
-  TeamChoice choice{std::make_shared<const TeamInfo>(std::move(*info)), specification, line->settings, {{"hash", line->hash}}};
+  TeamChoice choice{std::make_shared<const TeamInfo>(std::move(*info)),
+                    specification,
+                    line->settings,
+                    {{"hash", line->hash}}};
   if (const auto trial = makeTeam(choice); !trial) return tl::unexpected<Error>(trial.error());
   return choice;
 }

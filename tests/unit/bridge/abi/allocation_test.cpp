@@ -18,7 +18,7 @@ const std::string kChaser = FULBITO_TEST_LIBRARIES "/ported_chaser.so";
 TEST_CASE("a warm match of two teams of shared libraries allocates nothing", "[unit]") {
   auto info = loadTeamLibrary(kChaser);
   REQUIRE(info);
-  const TeamChoice team{std::make_shared<const TeamInfo>(std::move(*info)), "chaser", {}};
+  const TeamChoice team{std::make_shared<const TeamInfo>(std::move(*info)), "chaser", {}, {}};
   MatchConfig config = shortMatch("idle", "idle", 30.0);
   config.teams = {team, team};
   auto match = Match::create(config);

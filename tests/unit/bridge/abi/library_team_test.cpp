@@ -26,7 +26,7 @@ struct Lines {
 TeamChoice choiceOf(const std::string& library, std::vector<Setting> settings = {}) {
   auto info = loadTeamLibrary(libraryFile(library), [](std::string_view) {});
   REQUIRE(info);
-  return {std::make_shared<const TeamInfo>(std::move(*info)), library, std::move(settings)};
+  return {std::make_shared<const TeamInfo>(std::move(*info)), library, std::move(settings), {}};
 }
 
 std::unique_ptr<Strategy> teamOf(

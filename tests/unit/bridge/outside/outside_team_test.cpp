@@ -1,5 +1,5 @@
-// Teams in processes of their own, in whole matches: the same play as in this process, and no misbehaviour that stops a
-// match.
+// Teams in processes of their own, in whole matches: the same play as in this process, and no misbehaviour
+// that stops a match.
 
 #include <array>
 #include <chrono>
@@ -17,7 +17,8 @@ namespace fulbito {
 namespace {
 
 std::int64_t steadyNow() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch())
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
       .count();
 }
 
@@ -90,11 +91,11 @@ TEST_CASE("a program plays the match of the built-in team that it is a port of",
   for (const TeamFaults& faults : outside.faults.teams) CHECK(faults.rejected() + faults.failures == 0);
 }
 
-// These answer well, whatever else they try, or their answers are wrong in a way that a command may be.
-const std::set<std::string> kGoOn = {"signal-others",  "trace-others",        "write-outside", "read-secrets",
-                                     "network",        "raise-limits",        "gain-rights",   "leave-shared-memory",
-                                     "old-id",         "duplicate-answers",   "many-answers",  "fork-and-leave",
-                                     "close-pipes",    "daemon-and-stay",     "stderr-flood",  "empty-lines"};
+// These answer well, whatever else they try, or what they answer does no harm.
+const std::set<std::string> kHarmless = {
+    "signal-others",  "trace-others", "write-outside",     "read-secrets",
+    "network",        "raise-limits", "gain-rights",       "leave-shared-memory",
+    "unasked-answer", "many-answers", "duplicate-answers", "huge-numbers"};
 
 std::vector<std::string> kindsOfMisbehaviour() {
   std::vector<std::string> kinds;
@@ -122,8 +123,8 @@ TEST_CASE("a match goes on to its verdict whatever a team does", "[unit]") {
     CHECK(played.referee.ended);
     const TeamFaults& faults = played.faults.teams[indexOf(TeamId::kYellow)];
     CHECK(played.faults.teams[indexOf(TeamId::kBlue)].rejected() == 0);
-    if (kGoOn.contains(kind)) continue;
-    CHECK((faults.failures > 0 || faults.rejected() > 0));
+    const bool harmless = kHarmless.contains(kind);
+    CHECK((faults.failures > 0 || faults.not_finite > 0) == !harmless);
     if (!faults.forfeited) continue;
     CHECK(faults.failures == config.rules.decision_time.failures);
     CHECK_FALSE(faults.failure.empty());

@@ -45,7 +45,8 @@ TEST_CASE("words of a program's command are split as a shell splits them", "[uni
   CHECK(found[6] == "efg");
 }
 
-TEST_CASE("arguments that name files become absolute, and the team's folder is that of its first file", "[unit]") {
+TEST_CASE("arguments that name files become absolute, and the team's folder is that of its first file",
+          "[unit]") {
   const ScratchFolder folder;
   const std::string file = folder.write("team.py", "print()\n");
   const std::string relative = std::filesystem::relative(file).string();
