@@ -2,11 +2,9 @@
 
 #include <cerrno>
 #include <dlfcn.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
