@@ -7,7 +7,7 @@ namespace fulbito {
 Result<std::size_t> frameLength(std::string_view received) {
   if (received.size() < sizeof(FrameHeader)) return std::size_t{0};
   FrameHeader header{};
-  std::memcpy(&header, received.data(), sizeof header);
+  received.copy(reinterpret_cast<char*>(&header), sizeof header);
   if (header.version != FULBITO_ABI) {
     return fail(ErrorCode::kBadInput, fmt::format("a message has version {} of the interface instead of {}",
                                                   header.version, FULBITO_ABI));

@@ -117,7 +117,7 @@ class FrameReader {
   template <typename T>
   bool take(T& value) {
     if (rest_.size() < sizeof value) return false;
-    std::memcpy(&value, rest_.data(), sizeof value);
+    rest_.copy(reinterpret_cast<char*>(&value), sizeof value);
     rest_.remove_prefix(sizeof value);
     return true;
   }

@@ -2,11 +2,9 @@
 
 #include <cerrno>
 #include <dlfcn.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -52,7 +50,7 @@ Result<std::shared_ptr<const PluginLibrary>> PluginLibrary::open(const std::stri
     return fail(ErrorCode::kBadInput,
                 fmt::format("cannot load the library '{}': {}", path, loaderReason(file)));
   }
-  const std::shared_ptr<PluginLibrary> library(new PluginLibrary(path, handle));
+  std::shared_ptr<PluginLibrary> library(new PluginLibrary(path, handle));
   if (auto taken = library->takeTable(); !taken) return tl::unexpected<Error>(taken.error());
   return library;
 }

@@ -23,6 +23,8 @@
 
 #include <stdint.h>
 
+/* Names as C libraries write them. NOLINTBEGIN(readability-identifier-naming) */
+
 #ifdef __cplusplus
 extern "C" {
 #define FULBITO_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), #type " has another size")
@@ -604,6 +606,8 @@ typedef struct fulbito_navigators {
   uint32_t reserved;                   /**< 0 */
 } fulbito_navigators;
 FULBITO_SIZE(fulbito_navigators, 16);
+
+/* NOLINTEND(readability-identifier-naming) */
 
 #ifdef __cplusplus
 }

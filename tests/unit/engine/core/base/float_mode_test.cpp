@@ -1,5 +1,6 @@
 #include "engine/core/base/float_mode.hpp"
 
+#include <fenv.h>
 #include <limits>
 
 #include "tests/support/catch.hpp"
@@ -32,5 +33,23 @@ TEST_CASE("whatever mode a thread is in, numbers are handled the same way, and t
     CHECK(one + tiny == 1.0);
   }
   CHECK((_mm_getcsr() & (kFlush | kUpward)) == (kFlush | kUpward));
+  _mm_setcsr(before);
+}
+
+TEST_CASE("foreign code runs in the expected mode, and whatever it leaves, the thread gets its mode back",
+          "[unit]") {
+  const unsigned before = _mm_getcsr();
+  for (const unsigned mode : {before, before | kFlush}) {
+    _mm_setcsr(mode);
+    {
+      const ForeignCall call;
+      CHECK(keepsSmallNumbers());
+      fesetround(FE_UPWARD);  // changes the mode of the x87 unit too
+      _mm_setcsr(_mm_getcsr() | kFlush);
+    }
+    CHECK(_mm_getcsr() == mode);
+    volatile long double one = 1.0L, tiny = 1e-30L;
+    CHECK(one + tiny == 1.0L);
+  }
   _mm_setcsr(before);
 }

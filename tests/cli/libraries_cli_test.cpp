@@ -1,0 +1,46 @@
+#include "tests/cli/sandbox.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace fulbito::test;
+
+namespace {
+
+const std::string kNavigators = FULBITO_TEST_LIBRARIES "/navigators.so";
+
+}  // namespace
+
+TEST_CASE("navigators of a shared library are compared with the built-in ones", "[cli]") {
+  const Sandbox box;
+  fs::copy(kNavigators, box.path / "mine.so");
+  const Output output =
+      box.run("compare --navigators ./mine.so:path ./mine.so:timed:gain=0.6 bezier --trials 2");
+  CHECK(output.code == 0);
+  CHECK(output.out.find("| ./mine.so:path |") != std::string::npos);
+  CHECK(output.out.find("| ./mine.so:timed:gain=0.6 * |") != std::string::npos);
+}
+
+TEST_CASE("teams drive with navigators of a shared library", "[cli]") {
+  const Sandbox box;
+  fs::copy(kNavigators, box.path / "mine.so");
+  const std::string end = " chaser --half-seconds 5 --json";
+  const Output own = box.run("match classic:navigator=./mine.so:path" + end);
+  CHECK(own.code == 0);
+  CHECK(Json::parse(own.out)["final_hash"] != Json::parse(box.run("match classic" + end).out)["final_hash"]);
+  CHECK(box.run("match libero:navigator=./mine.so:timed:gain=0.7+follower=classic" + end).code == 0);
+}
+
+TEST_CASE("errors of a library of navigators name the file", "[cli]") {
+  const Sandbox box;
+  fs::copy(kNavigators, box.path / "mine.so");
+  box.write("text.so", "no library");
+  const auto check = [&](const std::string& specification, int code, const std::string& words) {
+    const Output output = box.run("compare --navigators " + specification);
+    INFO(output.err);
+    CHECK(output.code == code);
+    CHECK(output.err.find(words) != std::string::npos);
+  };
+  check("./mine.so:none", 2, "the library './mine.so' has no navigator 'none'");
+  check("./mine.so:path:gain=9", 2, "parameter 'gain'");
+  check("./none.so:path", 5, "cannot read the library './none.so'");
+  check("./text.so:path", 3, "cannot load the library './text.so'");
+}
