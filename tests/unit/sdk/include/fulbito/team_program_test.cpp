@@ -3,7 +3,9 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <tuple>
 
+#include "bridge/abi/team_values.hpp"
 #include "bridge/lines/line_codec.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/piped_team.hpp"
@@ -101,7 +103,78 @@ std::string decideLine() {
   return line;
 }
 
+/// @{ All members, to compare. A new one does not compile until it is listed.
+auto membersOf(const t::Field& v) {
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = v;
+  return std::make_tuple(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p.x, p.y);
+}
+auto membersOf(const t::RobotModel& v) {
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = v;
+  return std::make_tuple(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s);
+}
+auto membersOf(const t::BallModel& v) {
+  const auto& [a, b, c, d, e, f, g, h, i, j] = v;
+  return std::make_tuple(a, b, c, d, e, f, g, h, i, j);
+}
+auto membersOf(const t::Physics& v) {
+  const auto& [a, b, c, d, e, f, g, h, i, j] = v;
+  return std::make_tuple(a, b, c, d, e, f, g, h, i, j);
+}
+/// But for the text, which the C interface sends on its own.
+auto membersOf(const t::Rules& v) {
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, w, x, y, z, a2, b2, c2, d2,
+               text] = v;
+  static_cast<void>(text);
+  return std::make_tuple(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, w, x, y, z, a2, b2,
+                         c2, d2);
+}
+/// @}
+
+/// What a team learns of a match as a program.
+t::Info throughLines(const MatchInfo& match) {
+  LineCodec codec;
+  std::string line;
+  codec.begin(1, match, line);
+  Talk talk;
+  talk.take(line);
+  return talk.probe->infos.at(0);
+}
+
 }  // namespace
+
+TEST_CASE("a team knows the same of a match as a program and as a shared library", "[unit]") {
+  MatchInfo match;
+  match.team = TeamId::kYellow;
+  match.side = Side::kRight;
+  match.physics = *loadPhysics("faithful");
+  match.observation_age = 0.1;
+  match.heading_noise = 0.2;
+  match.decision_time = DecisionTime{0.25, 3.0, 12};
+  match.seed = 123456789012345678u;
+  for (const std::string& name : rulesPresetNames()) {
+    CAPTURE(name);
+    match.rules = *loadRules(name);
+    match.field = *loadField(match.rules.field);
+    const t::Info program = throughLines(match), library = t::detail::from(toAbi(match));
+    CHECK(membersOf(program.field) == membersOf(library.field));
+    CHECK(membersOf(program.robot) == membersOf(library.robot));
+    CHECK(membersOf(program.ball) == membersOf(library.ball));
+    CHECK(membersOf(program.physics) == membersOf(library.physics));
+    CHECK(membersOf(program.rules) == membersOf(library.rules));
+    CHECK(program.colour == library.colour);
+    CHECK(program.left == library.left);
+    CHECK(program.dt == library.dt);
+    CHECK(program.observation_age == library.observation_age);
+    CHECK(program.position_noise == library.position_noise);
+    CHECK(program.heading_noise == library.heading_noise);
+    CHECK(program.dropout == library.dropout);
+    REQUIRE((program.decision_time && library.decision_time));
+    CHECK(program.decision_time->decision == library.decision_time->decision);
+    CHECK(program.decision_time->bank == library.decision_time->bank);
+    CHECK(program.decision_time->held == library.decision_time->held);
+    CHECK(program.seed == library.seed);
+  }
+}
 
 TEST_CASE("a C++ program's team receives the sample session as values", "[unit]") {
   Talk talk;
