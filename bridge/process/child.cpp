@@ -86,11 +86,14 @@ struct Child::Impl {
   bool flush();
   void drainErrors();
   Received readOutput(std::string& into);
+  void stop();
   std::string end();
+  void removeLeftovers() const;
   std::string howItEnded() const;
 
   SharedPage page;
-  pid_t keeper;  ///< -1: has ended
+  pid_t keeper;          ///< -1: has ended
+  bool stopped = false;  ///< asked to end
   Descriptor in, out, errors;
   std::string waiting;   ///< for `in`
   std::size_t sent = 0;  ///< of `waiting`
@@ -169,19 +172,34 @@ std::string Child::Impl::howItEnded() const {
   return fmt::format("signal {} ({})", signal, name == nullptr ? "unknown" : name);
 }
 
-std::string Child::Impl::end() {
-  if (keeper < 0) return ended;
+void Child::Impl::stop() {
+  if (keeper < 0 || stopped) return;
+  stopped = true;
   page->output_closed = !out.isOpen();
   ::kill(keeper, SIGTERM);
+}
+
+/// What a keeper that was killed has left. Others have removed it themselves.
+void Child::Impl::removeLeftovers() const {
+  std::error_code ignored;
+  std::filesystem::remove_all(std::string(page->private_folder.view()), ignored);
+  for (const std::string& folder : linesOf(page->groups.view())) {
+    // Its members have been killed by then, and end any moment.
+    for (int attempt = 0; ::rmdir(folder.c_str()) != 0 && errno == EBUSY && attempt < 1000; ++attempt)
+      ::usleep(1000);
+  }
+}
+
+std::string Child::Impl::end() {
+  if (keeper < 0) return ended;
+  stop();
   waitForKeeper(keeper);
   keeper = -1;
   drainErrors();
   in.close();
   out.close();
   errors.close();
-  // The keeper has removed it; one that was killed has not.
-  std::error_code ignored;
-  std::filesystem::remove_all(std::string(page->private_folder.view()), ignored);
+  removeLeftovers();
   return ended = howItEnded();
 }
 
@@ -232,6 +250,8 @@ std::string Child::takeErrors() {
   impl_->drainErrors();
   return impl_->errors_kept.take();
 }
+
+void Child::stop() { impl_->stop(); }
 
 std::string Child::end() { return impl_->end(); }
 

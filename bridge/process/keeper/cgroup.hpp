@@ -19,6 +19,8 @@ class Cgroup {
   /// Makes a group with the order's limits of memory and processes below or next to the one of this process.
   /// The group limits memory if this succeeds.
   bool make(const Order& order);
+  /// Its folders.
+  const std::vector<std::string>& folders() const { return folders_; }
   /// Puts a process into the group.
   bool add(pid_t process) const;
   /// Whether the group ended a process because memory ran out.

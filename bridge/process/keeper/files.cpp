@@ -32,26 +32,19 @@ int openFolder(int parent, const char* name) {
   return ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-// A team can nest folders until the path is too long for any call, so removal and size go by descriptors. The
-// depth that they follow stays below the limit of descriptors.
+// A team can nest folders until the path is too long for any call. Descriptors lead further, but are few.
 constexpr int kDeepest = 200;
 
-void removeEntries(int folder, int depth) {
-  forEntries(folder, [depth](int parent, const char* name) {
-    if (::unlinkat(parent, name, 0) == 0) return;
-    ::fchmodat(parent, name, 0700, 0);
-    if (depth < kDeepest) removeEntries(openFolder(parent, name), depth + 1);
-    if (::unlinkat(parent, name, AT_REMOVEDIR) == 0 || depth < kDeepest) return;
-    // Too deep: what it holds moves up to a level that is still in reach.
-    forEntries(openFolder(parent, name), [parent](int from, const char* below) {
-      for (int number = 0; number < 1000; ++number) {
-        const std::string free_name = "moved-" + std::to_string(number);
-        if (::faccessat(parent, free_name.c_str(), F_OK, AT_SYMLINK_NOFOLLOW) == 0) continue;
-        if (::renameat(from, below, parent, free_name.c_str()) == 0) return;
-      }
-    });
-    ::unlinkat(parent, name, AT_REMOVEDIR);
+/// Removes a folder of `root`; the folders in it move up to `root`, so that depth does not matter.
+/// @return whether it is gone
+bool removeOneLevel(int root, const char* name, long& moved) {
+  ::fchmodat(root, name, 0700, 0);
+  forEntries(openFolder(root, name), [&](int from, const char* below) {
+    if (::unlinkat(from, below, 0) == 0) return;
+    ::fchmodat(from, below, 0700, 0);
+    ::renameat(from, below, root, ("moved-" + std::to_string(++moved)).c_str());
   });
+  return ::unlinkat(root, name, AT_REMOVEDIR) == 0;
 }
 
 void addSizes(int folder, int depth, std::uint64_t most, std::uint64_t& sum) {
@@ -60,7 +53,9 @@ void addSizes(int folder, int depth, std::uint64_t most, std::uint64_t& sum) {
     if (sum >= most || ::fstatat(parent, name, &status, AT_SYMLINK_NOFOLLOW) != 0) return;
     const std::uint64_t size = static_cast<std::uint64_t>(status.st_blocks) * 512;
     sum += size > 512 ? size : 512;
-    if (S_ISDIR(status.st_mode) && depth < kDeepest) addSizes(openFolder(parent, name), depth + 1, most, sum);
+    if (!S_ISDIR(status.st_mode)) return;
+    if (depth == kDeepest) sum = most;
+    if (depth < kDeepest) addSizes(openFolder(parent, name), depth + 1, most, sum);
   });
 }
 
@@ -92,12 +87,17 @@ bool writeSmallFile(const std::string& path, const std::string& text) {
 }
 
 void removeTree(const std::string& folder) {
-  // What was too deep for one pass has moved up for the next.
-  for (int pass = 0; pass < 100; ++pass) {
-    ::chmod(folder.c_str(), 0700);
-    removeEntries(openFolder(AT_FDCWD, folder.c_str()), 0);
-    if (::rmdir(folder.c_str()) == 0 || errno == ENOENT) return;
+  ::chmod(folder.c_str(), 0700);
+  long moved = 0;
+  // What has moved up may come too late for a pass over the entries. Each pass but the last removes
+  // something.
+  for (bool again = true; again;) {
+    again = false;
+    forEntries(openFolder(AT_FDCWD, folder.c_str()), [&](int root, const char* name) {
+      if (::unlinkat(root, name, 0) == 0 || removeOneLevel(root, name, moved)) again = true;
+    });
   }
+  ::rmdir(folder.c_str());
 }
 
 std::uint64_t treeSize(const std::string& folder, std::uint64_t most) {

@@ -285,6 +285,12 @@ bool waitForEnd(Order& order, pid_t process, const Wakers& wakers, Watch& watch)
   }
 }
 
+void closeAllFrom(int first) {
+  if (::syscall(SYS_close_range, first, ~0U, 0) == 0) return;
+  constexpr int kMost = 1 << 20;  // Linux before 5.9 has no such call
+  for (int descriptor = first; descriptor < kMost; ++descriptor) ::close(descriptor);
+}
+
 void keep(Order& order) {
   const Wakers wakers = openWakers(order);
   ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
@@ -292,7 +298,9 @@ void keep(Order& order) {
   order.group = ::geteuid() == 0 ? order.user : ::getegid();
   if (!makePrivateFolder(order)) return;
   Cgroup group;
-  const Started started = startAsContainedAsPossible(order, group, group.make(order));
+  const bool has_group = group.make(order);
+  for (const std::string& folder : group.folders()) order.page->groups.add(folder + "\n");
+  const Started started = startAsContainedAsPossible(order, group, has_group);
   letGo();
   // The team, were it of the same user and without a namespace, could reach into a process that is dumpable.
   ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
@@ -311,7 +319,7 @@ void keep(Order& order) {
 
 int main() {
   using namespace fulbito::keeper;
-  ::syscall(SYS_close_range, kStartDescriptor + 1, ~0U, 0);
+  closeAllFrom(kStartDescriptor + 1);
   for (const int descriptor : {kPageDescriptor, kStartDescriptor}) ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
   Order order = readOrder();
   keep(order);

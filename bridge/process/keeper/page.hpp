@@ -53,6 +53,7 @@ struct Page {
   Text<512> layers;             ///< each ends with a line end
   Text<2048> missing;           ///< each ends with a line end
   Text<512> private_folder;     ///< to be removed should the keeper die
+  Text<2048> groups;            ///< folders of control groups, each with a line end; to be removed likewise
   bool grouped = false;         ///< a control group counts the team's memory
   bool bounded_folder = false;  ///< the private folder cannot hold more than it may
   /// @}

@@ -219,6 +219,31 @@ TEST_CASE("a child outlives the thread that launched it", "[unit]") {
   CHECK(returned(*child, 11) == "still here\n");
 }
 
+TEST_CASE("a child can be stopped first and waited for later", "[unit]") {
+  Child child = launched(cat());
+  child.stop();
+  std::string text;
+  CHECK(child.receive(text, 20.0) == Child::Received::kClosed);
+  CHECK(child.end() == "killed");
+  child.stop();
+}
+
+TEST_CASE("a child ends with its keeper", "[unit]") {
+  const std::string mark = "fulbito-keeperless-" + std::to_string(::getpid());
+  Leftovers leftovers(mark);
+  {
+    ChildOptions options;
+    options.command = {misbehavingTeam(), "ignore-signals", "--mark", mark};
+    Child child = launched(options);
+    leftovers.noteKeepers();
+    leftovers.killKeepers();
+    std::string text;
+    CHECK(child.receive(text, 20.0) == Child::Received::kClosed);
+    CHECK(child.end() == "killed");
+  }
+  CHECK(leftovers.found() == "");
+}
+
 TEST_CASE("children end with the program that launched them, however it ends", "[unit]") {
   const std::string mark = "fulbito-orphan-" + std::to_string(::getpid());
   Leftovers leftovers(mark);

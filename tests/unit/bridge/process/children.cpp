@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -109,6 +110,10 @@ void Leftovers::noteKeepers() {
     std::istringstream children(content(task.path() / "children"));
     for (int child = 0; children >> child;) keepers_.push_back(child);
   }
+}
+
+void Leftovers::killKeepers() const {
+  for (const int keeper : keepers_) ::kill(keeper, SIGKILL);
 }
 
 std::string Leftovers::found() const {

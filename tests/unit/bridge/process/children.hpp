@@ -29,6 +29,8 @@ class Leftovers {
   explicit Leftovers(std::string mark);
   /// Notes the keepers that run now, whose control groups must go.
   void noteKeepers();
+  /// Kills those that were noted.
+  void killKeepers() const;
   /// One line for each thing that is left; empty: nothing.
   std::string found() const;
 

@@ -61,7 +61,7 @@ const std::vector<Expected>& expectations() {
                                                   {"memory-file-bomb", kNoMemory},
                                                   {"file-bomb", {"signal 25 (File size limit exceeded)"}},
                                                   {"many-files", {"exit code 1", "private folder full"}},
-                                                  {"deep-folders", {"killed"}, false},
+                                                  {"deep-folders", {"killed", "private folder full"}, false},
                                                   {"descriptor-flood", {"killed"}, false},
                                                   {"zombies", {"killed"}, false},
                                                   {"daemon", {"exit code 0"}},

@@ -47,7 +47,8 @@ struct Outcome {
 Outcome outcomeOf(const std::string& kind, const std::string& mark) {
   const fs::path folder = FULBITO_SOURCE_DIR;
   ChildOptions options;
-  options.command = {"python3", (folder / "tests/misbehaviour/misbehaving_team.py").string(), kind, "1", mark};
+  options.command = {"python3", (folder / "tests/misbehaviour/misbehaving_team.py").string(), kind, "1",
+                     mark};
   options.own_folder = (folder / "tests/misbehaviour").string();
   options.readable = {(folder / "sdk/python").string()};
   options.limits.memory = std::size_t{1} << 28;
