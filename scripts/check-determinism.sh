@@ -46,8 +46,8 @@ done
 [[ -z $build || -d $build ]] || fail_usage "no folder '$build'"
 [[ -z $build ]] || build=$(cd "$build" && pwd)
 
-readonly library_folders=(sdk engine navigation strategies referee replays match experiments)
-# Pictures are not state.
+readonly library_folders=(sdk engine navigation strategies referee replays match experiments bridge)
+# Pictures are not state; nor are the starters of users' teams.
 readonly allowed_folder='replays/render'
 # The project's own functions are defined here, so their plain names are no calls of the C library's.
 readonly own_math='^(engine/core/math/(constants|exp|inverse|math|trig)\.[ch]pp|sdk/include/fulbito/detail/math\.hpp)$'
@@ -84,7 +84,7 @@ search() {
 # Without comments and strings.
 copy_sources() {
   { find "${library_folders[@]}" -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' -o -name '*.c' \) \
-    -not -path "$allowed_folder/*" 2>/dev/null || true; } |
+    -not -path "$allowed_folder/*" -not -path 'sdk/starters/*' 2>/dev/null || true; } |
     copy sources -e "s/'\\\\?\"'/' '/g" -e 's/"([^"\\]|\\.)*"/""/g' -e 's#//.*##' -e 's#/\*([^*]|\*[^/])*\*/##g'
 }
 

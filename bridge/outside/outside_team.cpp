@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "bridge/abi/library_team.hpp"
 #include "bridge/outside/conversation.hpp"
 #include "engine/core/system/stop_request.hpp"
 
@@ -30,6 +31,7 @@ struct OutsideTeam::Impl {
   bool playing() const { return !lost() && talk && stage == Stage::kPlaying; }
   void launch();
   void continueStart(double seconds);
+  NavigatorChoice navigatorOf(const std::string& name) const;
   void takeNavigators(const std::vector<std::string>& names);
   void sendDecision(const Observation& observation);
   void noteFailure();
@@ -94,13 +96,19 @@ void OutsideTeam::Impl::continueStart(double seconds) {
   }
 }
 
+// A team's program may name a library only if the user did: loading one runs its code in this process.
+NavigatorChoice OutsideTeam::Impl::navigatorOf(const std::string& name) const {
+  for (const Setting& setting : setup.settings) {
+    if (setting.name == "navigator" && setting.value == name) return navigatorFor(name, parseNavigator);
+  }
+  return navigatorFor(name, parseBuiltInNavigator);
+}
+
 void OutsideTeam::Impl::takeNavigators(const std::vector<std::string>& names) {
   if (begun && names != navigator_names) return talk->fail("other navigators than at its first start");
   if (begun) return;
   for (const std::string& name : names) {
-    auto choice = parseNavigator(name);
-    if (!choice) return talk->fail(choice.error().message);
-    navigators.push_back(std::move(*choice));
+    navigators.push_back(navigatorOf(name));
   }
   navigator_names = names;
 }

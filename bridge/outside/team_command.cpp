@@ -119,6 +119,12 @@ Result<TeamCommandLine> parseProgram(std::string_view text) {
   if (!words) return tl::unexpected<Error>(words.error());
   if (words->empty()) return fail(ErrorCode::kUsage, "there is no program after 'cmd:'");
   TeamCommandLine line;
+  if (words->size() > 1 && words->back().starts_with(':')) {
+    auto settings = parseSettings(words->back().substr(1), "cmd:" + std::string(text));
+    if (!settings) return tl::unexpected<Error>(settings.error());
+    line.settings = std::move(*settings);
+    words->pop_back();
+  }
   const bool own = words->front().find('/') != std::string::npos;
   auto program = programOf(words->front());
   if (!program) return tl::unexpected<Error>(program.error());

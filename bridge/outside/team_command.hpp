@@ -13,7 +13,7 @@ struct TeamCommandLine {
   bool library = false;  ///< a shared library; otherwise a program
   std::vector<std::string>
       command;                    ///< the library, or the program and its arguments; files by absolute paths
-  std::vector<Setting> settings;  ///< of a library
+  std::vector<Setting> settings;  ///< the team's settings
   std::string folder;             ///< the folder of the team's files
   std::string hash;               ///< hash of the content of all files of the command, 16 hexadecimal digits
 };
@@ -21,9 +21,9 @@ struct TeamCommandLine {
 /// Whether a specification names a file or a program, not a team of the catalogue.
 bool isOutside(const std::string& specification);
 
-/// Takes a specification apart: `./x.so:key=value` or `cmd:program argument 'one argument'`. Arguments that
-/// name files become absolute paths, as the team runs in a folder of its own. Errors: kUsage for a file or
-/// program that does not exist, an open quote or a setting without a value.
+/// Takes a specification apart: `./x.so:key=value` or `cmd:program argument 'one argument' :key=value`.
+/// Arguments that name files become absolute paths, as the team runs in a folder of its own. Errors: kUsage
+/// for a file or program that does not exist, an open quote or a setting without a value.
 Result<TeamCommandLine> parseTeamCommand(const std::string& specification);
 
 }  // namespace fulbito

@@ -34,6 +34,17 @@ Result<std::string> hostOf(const OutsideOptions& options) {
               fmt::format("there is no {} in {} or ../libexec/fulbito", kHost, folder.string()));
 }
 
+// The folder of fulbito_team.py, which Python programs import: beside the running program in a build, else
+// installed.
+std::vector<std::string> modules() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (const fs::path& place : {folder / "python", folder / "../share/fulbito/python"}) {
+    if (fs::is_regular_file(place / "fulbito_team.py", error)) return {place.lexically_normal().string()};
+  }
+  return {};
+}
+
 Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCommandLine& line,
                                  const OutsideOptions& options) {
   OutsideTeamSetup setup;
@@ -44,6 +55,7 @@ Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCom
     setup.child.command.insert(setup.child.command.begin(), std::move(*host));
   }
   setup.child.own_folder = line.folder;
+  if (!line.library) setup.child.readable = modules();
   setup.child.limits = options.limits;
   setup.child.sandbox_required = options.sandbox_required;
   if (line.library) {
@@ -54,7 +66,7 @@ Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCom
   setup.settings = line.settings;
   setup.clock = options.clock;
   if (options.log) {
-    setup.log = [log = options.log, specification](std::string_view text) { log(specification, text); };
+    setup.log = [show = options.log, specification](std::string_view text) { show(specification, text); };
   }
   return setup;
 }

@@ -18,7 +18,7 @@ struct ChildOptions {
   /// Folder of the team's files: readable, not writable, and the working directory. Empty: the program's
   /// folder is readable, and the private folder is the working directory.
   std::string own_folder;
-  std::vector<std::string> readable;  ///< further files and folders that it may read
+  std::vector<std::string> readable;  ///< further folders that it may read: its PYTHONPATH
   ChildLimits limits;                 ///< limits of the process and its descendants
   bool sandbox_required = false;      ///< refuse to run if a layer is missing
 };

@@ -26,7 +26,7 @@ class PluginHost {
   /// The table for the library. It lives as long as this object.
   const fulbito_host* table() const { return &table_; }
   /// Logs a line.
-  void log(std::string_view line);
+  void log(std::string_view line);  // determinism-ok: a message
   /// The last line that the library has logged; empty: none.
   const std::string& lastLine() const { return last_line_; }
 

@@ -140,6 +140,11 @@ void becomeTeam(Order& order, pid_t parent, pid_t keeper) {
   }
   std::vector<std::string> environment{"PATH=" + order.path, "HOME=" + order.private_folder,
                                        "TMPDIR=" + order.private_folder, "LANG=" + order.language};
+  if (!order.readable.empty()) {
+    std::string modules = "PYTHONPATH=";
+    for (const std::string& place : order.readable) modules += (modules.back() == '=' ? "" : ":") + place;
+    environment.push_back(std::move(modules));
+  }
   ::execve(order.program.c_str(), pointers(order.arguments).data(), pointers(environment).data());
   giveUp(order, "run the program", errno);
 }

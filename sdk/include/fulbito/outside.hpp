@@ -47,6 +47,7 @@ struct OutsideOptions {
 ///     ./myteam.so              a shared library (fulbito/team.h)
 ///     ./myteam.so:speed=0.7    with settings
 ///     cmd:python3 myteam.py    a program that speaks the line protocol (docs/team-protocol.md)
+///     cmd:python3 myteam.py :speed=0.7
 ///
 /// Each team is started once when its specification is parsed. Errors: kUsage if the file does not exist, or
 /// if the team does not start.

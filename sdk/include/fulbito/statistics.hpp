@@ -23,7 +23,8 @@ struct SeriesConfig {
   MatchConfig match;  ///< the first leg: team A is blue; `seed` is the series' seed
   int pairs = 1;      ///< 1 ... 100,000
   int jobs = 0;       ///< worker threads, 0 ... 1024; 0: all cores. Does not affect the result.
-  MatchClock clock;   ///< measures decisions if `match.decision_time` limits them; may be called from several threads
+  MatchClock
+      clock;  ///< measures decisions if `match.decision_time` limits them; may be called from several threads
 };
 
 /// A foul paid off if its team scores within this time of play [s].

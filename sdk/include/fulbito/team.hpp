@@ -47,7 +47,7 @@ inline double norm(Vec2 a) { return std::sqrt(a.x * a.x + a.y * a.y); }
 /// Distance between `a` and `b`.
 inline double distance(Vec2 a, Vec2 b) { return norm(a - b); }
 /// Direction [rad] of `a`, in [-pi, pi]. Its last bit can differ between machines.
-inline double angleOf(Vec2 a) { return std::atan2(a.y, a.x); }
+inline double angleOf(Vec2 a) { return std::atan2(a.y, a.x); }  // determinism-ok: a team's own
 /// `angle` [rad] modulo 2 pi, in [-pi, pi).
 inline double wrapAngle(double angle) {
   constexpr double kPi = 3.14159265358979323846;
@@ -553,9 +553,9 @@ class Team {
   /// What the team knows since `begin`.
   const Info& info() const { return info_; }
   /// The team's random stream: the same numbers in each match with the same seed.
-  Random& random() { return random_; }
+  Random& random() { return random_; }  // determinism-ok: seeded
   /// Says something to the user; without a runner, on standard error.
-  void log(std::string_view line) const {
+  void log(std::string_view line) const {  // determinism-ok: a message
     if (sink_) {
       sink_(line);
     } else {
