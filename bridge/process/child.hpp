@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fulbito/outside.hpp"
+#include "fulbito/detail/child_limits.hpp"
 #include "fulbito/values.hpp"
 
 namespace fulbito {

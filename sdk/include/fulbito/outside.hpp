@@ -2,27 +2,15 @@
 // Component `outside`.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
 
+#include "fulbito/detail/child_limits.hpp"
 #include "fulbito/strategy.hpp"
 
 namespace fulbito {
-
-/// Limits of a team's process with all its descendants. They bind root too.
-struct ChildLimits {
-  std::size_t memory = std::size_t{1}
-                       << 30;  ///< [bytes] of all its processes, without reserved address space
-  std::size_t file_size = std::size_t{1} << 24;    ///< [bytes] largest file that it may write
-  std::size_t folder_size = std::size_t{1} << 26;  ///< [bytes] of all files in its private folder
-  int open_files = 256;                            ///< descriptors of a process
-  int processes = 64;                              ///< processes and threads
-  int cpu_seconds = 24 * 3600;                     ///< [s] processor time of a process
-  bool network = false;                            ///< sockets other than those it is given
-};
 
 /// How teams outside the program run.
 struct OutsideOptions {
