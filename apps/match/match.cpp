@@ -331,10 +331,8 @@ void addConditions(CLI::App& command, MatchCommand& options) {
   per_team(number(command.add_option("--dropout", options.dropout,
                                      "probability per tick that a body is not seen, 0 ... 0.99")));
   command
-      .add_option(
-          "--time", options.time,
-          "wall time per decision of both teams, in addition to the bank of the rules, or 'unlimited' "
-          "(default: the rules limit teams that are programs)")
+      .add_option("--time", options.time,
+                  "wall time per decision, or 'unlimited' (default: teams that are programs, by the rules)")
       ->type_name("MS");
 }
 

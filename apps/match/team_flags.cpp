@@ -18,19 +18,15 @@ constexpr int kMostProcesses = 10'000;
 void addTeamFlags(CLI::App& command, TeamFlags& flags) {
   const auto group = [](CLI::Option* option) { return option->group("Teams that are files or programs"); };
   group(command
-            .add_option(
-                "--isolate", flags.isolate,
-                "where a shared library runs: 'process', contained in one of its own, or 'none', in this "
-                "one: for code that you trust")
+            .add_option("--isolate", flags.isolate,
+                        "'process': a library runs in a contained process; 'none': in this one")
             ->check(CLI::IsMember({"process", "none"}))
             ->capture_default_str());
-  group(
-      command
-          .add_option(
-              "--sandbox", flags.sandbox,
-              "'best': the containment that this system allows; 'require': refuse to run with less than all")
-          ->check(CLI::IsMember({"best", "require"}))
-          ->capture_default_str());
+  group(command
+            .add_option("--sandbox", flags.sandbox,
+                        "'best': all containment that this system allows; 'require': or refuse")
+            ->check(CLI::IsMember({"best", "require"}))
+            ->capture_default_str());
   group(number(command.add_option("--team-memory", flags.memory_mb, "memory of each team [MiB]"))
             ->check(CLI::Range(kLeastMemory, kMostMemory))
             ->type_name("MIB")

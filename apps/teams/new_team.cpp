@@ -203,7 +203,7 @@ CLI::App* addNewTeam(CLI::App& app, NewTeamCommand& options) {
   std::string help;
   for (const Kind& kind : kinds()) {
     names.emplace_back(kind.name);
-    help += fmt::format("{}{}: {}", help.empty() ? "" : "; ", kind.name, kind.what);
+    help += fmt::format("{}{}: {}", help.empty() ? "" : "\n", kind.name, kind.what);
   }
   command->add_option("kind", options.kind, help)->required()->check(CLI::IsMember(names));
   command->add_option("folder", options.folder, "folder to create")->required()->type_name("FOLDER");
