@@ -332,7 +332,7 @@ void addConditions(CLI::App& command, MatchCommand& options) {
                                      "probability per tick that a body is not seen, 0 ... 0.99")));
   command
       .add_option("--time", options.time,
-                  "wall time per decision, or 'unlimited' (default: only programs have a limit, by the rules)")
+                  "wall time per decision, or 'unlimited' (default: the rules limit programs only)")
       ->type_name("MS");
 }
 
