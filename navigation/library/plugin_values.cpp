@@ -9,7 +9,7 @@ namespace fulbito {
 void copyName(std::string_view text, char (&to)[FULBITO_NAME_SIZE]) {
   const std::string_view kept = firstBytes(text, FULBITO_NAME_SIZE - 1);
   std::memset(to, 0, sizeof to);
-  std::memcpy(to, kept.data(), kept.size());
+  if (!kept.empty()) std::memcpy(to, kept.data(), kept.size());  // an empty view may have no text
 }
 
 fulbito_robot toAbi(const RobotState& robot) {

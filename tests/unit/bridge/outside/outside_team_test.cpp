@@ -22,12 +22,19 @@ std::int64_t steadyNow() {
       .count();
 }
 
+// Of a team; sanitizers reserve much more than they use.
+#ifdef FULBITO_SANITIZED
+constexpr int kMemoryBits = 47;
+#else
+constexpr int kMemoryBits = 28;
+#endif
+
 TeamCatalogue catalogue(OutsideOptions::Isolation isolation = OutsideOptions::Isolation::kProcess) {
   OutsideOptions options;
   options.isolation = isolation;
   options.clock = steadyNow;
   options.host = FULBITO_TEAM_HOST;
-  options.limits.memory = std::size_t{1} << 28;
+  options.limits.memory = std::size_t{1} << kMemoryBits;
   options.limits.processes = 24;
   TeamCatalogue teams = TeamCatalogue::builtIn();
   teams.addSource(outsideTeams(options));
