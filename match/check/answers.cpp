@@ -22,6 +22,7 @@ Overloaded(Cases...) -> Overloaded<Cases...>;
 
 // Rounding of the mirrored sums, far above the rounding of a double and far below what a robot can do.
 constexpr double kRounding = 1e-6;
+constexpr double kOnAxis = 1e-3;  // [m]
 
 /// [s] A slow answer is an answer: the time has a check of its own.
 double patienceOf(const MatchInfo& info) {
@@ -118,6 +119,17 @@ Result<TeamAnswers> answersOf(const TeamChoice& team, const RecordedCalls& told)
 RecordedCalls inOtherSeat(RecordedCalls told) {
   told.info.team = other(told.info.team);
   told.info.side = told.info.side == Side::kLeft ? Side::kRight : Side::kLeft;
+  return told;
+}
+
+RecordedCalls offAxis(RecordedCalls told) {
+  const auto on_axis = [](Vec2 ball) { return std::abs(ball.y) < kOnAxis; };
+  const auto begins = [&](const TeamCall& call) {
+    if (const auto* request = std::get_if<PlacementRequest>(&call)) return on_axis(request->ball);
+    const auto* ready = std::get_if<ReadyCall>(&call);
+    return ready != nullptr && on_axis(ready->seen.ball.position);
+  };
+  told.calls.erase(std::find_if(told.calls.begin(), told.calls.end(), begins), told.calls.end());
   return told;
 }
 

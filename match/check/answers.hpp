@@ -22,6 +22,10 @@ Result<TeamAnswers> answersOf(const TeamChoice& team, const RecordedCalls& told)
 /// The recorded calls as the team of the other colour gets them. In a team's own frame nothing else changes.
 RecordedCalls inOtherSeat(RecordedCalls told);
 
+/// The first calls, up to a play that begins with the ball on the long axis. There left and right are equal, so
+/// a team must choose, and its mirror image chooses the same.
+RecordedCalls offAxis(RecordedCalls told);
+
 /// The recorded calls mirrored across the long axis.
 RecordedCalls mirrored(RecordedCalls told);
 

@@ -14,9 +14,14 @@ class SeatCount final : public MatchObserver {
   explicit SeatCount(const CheckSituation& situation)
       : team_(situation.seat), hold_(situation.match.rules.restart.hold_robots) {}
 
-  void onPlayStart(const PlayStart& start) override { countRepairs(start.events); }
+  void onPlayStart(const PlayStart& start) override {
+    playing_ = start.referee->playing;
+    countRepairs(start.events);
+  }
   void onTick(const MatchTick& tick) override {
-    if (hold_ && !tick.referee->playing) return;
+    const bool held = hold_ && !playing_;
+    playing_ = tick.referee->playing;
+    if (held) return;
     for (const RobotId& id : tick.ids) commands_ += id.team == team_ ? 1 : 0;
   }
   std::int64_t commands() const { return commands_; }
@@ -31,6 +36,7 @@ class SeatCount final : public MatchObserver {
 
   TeamId team_;
   bool hold_;
+  bool playing_ = false;  ///< before the tick
   std::int64_t commands_ = 0;
   std::int64_t repaired_ = 0;
 };

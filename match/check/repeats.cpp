@@ -45,12 +45,13 @@ Result<void> repeatSituation(const CheckSituation& situation, const TeamChoice& 
   if (!again) return tl::unexpected<Error>(again.error());
   const auto seat = answersOf(team, inOtherSeat(*told));
   if (!seat) return tl::unexpected<Error>(seat.error());
-  const auto mirror = answersOf(team, mirrored(*told));
+  const RecordedCalls sided = offAxis(*told);
+  const auto mirror = answersOf(team, mirrored(sided));
   if (!mirror) return tl::unexpected<Error>(mirror.error());
   findings.again.failure = first->failure;
   add(compareAnswers(*told, *first, *again), *again, situation.name, findings.again);
   add(compareAnswers(*told, *first, *seat), *seat, situation.name, findings.seat);
-  add(compareMirrored(*told, *first, *mirror), *mirror, situation.name, findings.mirror);
+  add(compareMirrored(sided, *first, *mirror), *mirror, situation.name, findings.mirror);
   return {};
 }
 

@@ -32,14 +32,16 @@ class Script {
     return {};
   }
 
-  /// `own` and `theirs`: robots on the field; places in the frame of the tested team.
+  /// `ball`: from the centre, 1 at the corner. `own` and `theirs`: robots on the field. All in the frame of
+  /// the tested team.
   Result<void> start(std::string name, Vec2 ball, int own, int theirs) {
     auto match = base("vsss-3v3", "chaser");
     if (!match) return tl::unexpected<Error>(match.error());
     const Vec2 corner{match->field.length / 2 - kCorner, match->field.width / 2 - kCorner};
     Placement placement;
     placement.ball = {ball.x * corner.x, ball.y * corner.y};
-    constexpr Vec2 kPlaces[] = {{-0.6, 0.0}, {-0.3, 0.2}, {-0.2, -0.25}};
+    // None on the axis, where left and right are equal.
+    constexpr Vec2 kPlaces[] = {{-0.6, 0.03}, {-0.3, 0.2}, {-0.2, -0.25}};
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
       if (i < own) placement.robots[indexOf(TeamId::kBlue)][at] = Pose2{kPlaces[at], 0.0};
@@ -95,11 +97,14 @@ Result<void> addRestarts(Script& script) {
   return {};
 }
 
+constexpr Vec2 kBeside{0.1, 0.4};  // of the way to the corner: not on the axis either
+
 Result<void> addStarts(Script& script) {
   for (const auto& added :
        {script.start("ball in our corner", {-1.0, 1.0}, 3, 3),
-        script.start("ball in their corner", {1.0, -1.0}, 3, 3), script.start("one robot away", {}, 2, 3),
-        script.start("alone", {}, 1, 3), script.start("no opponents", {}, 3, 0)}) {
+        script.start("ball in their corner", {1.0, -1.0}, 3, 3),
+        script.start("one robot away", kBeside, 2, 3),
+        script.start("alone", kBeside, 1, 3), script.start("no opponents", kBeside, 3, 0)}) {
     if (!added) return added;
   }
   return {};

@@ -15,8 +15,8 @@ namespace {
 
 // When a motor is at its limit, the robot no longer steers as commanded: more often than not is too often.
 constexpr double kMostSaturated = 0.5;
-// Ties between equal choices are decided by rounding; only rare ones are ties.
-constexpr double kMostTies = 0.01;
+// A choice between equal ways, or a rare manoeuvre that always turns the same way, is no preference.
+constexpr double kMostOneSided = 0.1;
 
 double share(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? std::min(1.0, static_cast<double>(part) / static_cast<double>(whole)) : 0.0;
@@ -159,8 +159,8 @@ TeamCheck mirrorVerdict(const AllRepeats& repeats) {
   const double different = share(found.different, found.compared);
   TeamCheck check{"mirror", CheckVerdict::kOk, "", figuresOf(found)};
   check.finding =
-      fmt::format("{:.2f} % of the mirrored situations have other answers than mirrored ones", 100.0 * different);
-  if (different <= kMostTies) return check;
+      fmt::format("{:.2f} % of the answers to mirrored situations are not the mirrored ones", 100.0 * different);
+  if (different <= kMostOneSided) return check;
   check.verdict = CheckVerdict::kWarning;
   check.finding += ": left and right are not equal, first " + found.first;
   return check;
