@@ -53,7 +53,7 @@ CLI::App* addCheckTeam(CLI::App& app, CheckTeamCommand& options) {
   command->add_flag("--json", options.json, "print JSON");
   command->add_option("--junit", options.junit, "also write a JUnit report: one test case per check")
       ->type_name("FILE");
-  command->add_flag("--force", options.force, "replace an existing file of --junit");
+  command->add_flag("--force", options.force, "with --junit: replace an existing file");
   return command;
 }
 

@@ -21,9 +21,9 @@ std::string caseOf(const TeamCheck& check) {
 }  // namespace
 
 std::string junitOf(const TeamReport& report) {
-  const auto failures =
-      std::count_if(report.checks.begin(), report.checks.end(),
-                    [](const TeamCheck& check) { return check.verdict == CheckVerdict::kFailed; });
+  const auto failures = std::count_if(report.checks.begin(), report.checks.end(), [](const TeamCheck& check) {
+    return check.verdict == CheckVerdict::kFailed;
+  });
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   xml += fmt::format("<testsuite name=\"check-team {}\" tests=\"{}\" failures=\"{}\">\n",
                      escapedXml(report.team), report.checks.size(), failures);

@@ -30,7 +30,9 @@ double patienceOf(const MatchInfo& info) {
                             : std::numeric_limits<double>::infinity();
 }
 
-bool sameBits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+bool sameBits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 bool nearly(double a, double b) {
   return std::abs(a - b) <= kRounding * std::max({1.0, std::abs(a), std::abs(b)});
@@ -75,7 +77,8 @@ AnswerDifference compare(const RecordedCalls& told, const TeamAnswers& a, const 
   for (std::size_t i = 0; i < std::min(a.places.size(), b.places.size()); ++i) {
     ++found.compared;
     const auto &x = a.places[i], &y = b.places[i];
-    const bool same = x && y ? equalPoses(change(x->robots), y->robots, equal) : x.has_value() == y.has_value();
+    const bool same =
+        x && y ? equalPoses(change(x->robots), y->robots, equal) : x.has_value() == y.has_value();
     if (!same) ++found.different;
   }
   return found;

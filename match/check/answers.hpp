@@ -10,8 +10,8 @@ namespace fulbito {
 
 /// What a team answers to recorded calls.
 struct TeamAnswers {
-  std::vector<TeamCommand> commands;                 ///< to each decision
-  std::vector<std::optional<TeamProposal>> places;   ///< to each placement request
+  std::vector<TeamCommand> commands;                ///< to each decision
+  std::vector<std::optional<TeamProposal>> places;  ///< to each placement request
   std::string failure;  ///< why the team stopped answering; empty: it answered all
 };
 
@@ -22,8 +22,8 @@ Result<TeamAnswers> answersOf(const TeamChoice& team, const RecordedCalls& told)
 /// The recorded calls as the team of the other colour gets them. In a team's own frame nothing else changes.
 RecordedCalls inOtherSeat(RecordedCalls told);
 
-/// The first calls, up to a play that begins with the ball on the long axis. There left and right are equal, so
-/// a team must choose, and its mirror image chooses the same.
+/// The first calls, up to a play that begins with the ball on the long axis. There left and right are equal,
+/// so a team must choose, and its mirror image chooses the same.
 RecordedCalls offAxis(RecordedCalls told);
 
 /// The recorded calls mirrored across the long axis.
@@ -31,13 +31,14 @@ RecordedCalls mirrored(RecordedCalls told);
 
 /// How two series of answers compare.
 struct AnswerDifference {
-  int compared = 0;    ///< decisions and placements
-  int different = 0;   ///< of these
-  int first = -1;      ///< index of the first different decision; -1: none
-  int robot = -1;      ///< its robot
+  int compared = 0;   ///< decisions and placements
+  int different = 0;  ///< of these
+  int first = -1;     ///< index of the first different decision; -1: none
+  int robot = -1;     ///< its robot
 };
 
-/// Compares two series of answers bit by bit, as far as both go. Robots that are not on the field do not count.
+/// Compares two series of answers bit by bit, as far as both go. Robots that are not on the field do not
+/// count.
 AnswerDifference compareAnswers(const RecordedCalls& told, const TeamAnswers& a, const TeamAnswers& b);
 
 /// Compares answers with those to the mirrored calls, but for rounding.

@@ -23,11 +23,11 @@ struct PlayFindings {
   int broken = 0;      ///< of these, broken off: the team forfeited or was late too often
   int skipped = 0;     ///< not played, as too many before were broken off
   FoundIn failures, stale, not_finite, no_navigator, saturated, late, repaired;
-  std::string reason;            ///< of the first failure
-  bool forfeited = false;        ///< it failed so often that it lost by walk-over
-  std::int64_t commands = 0;     ///< commands of single robots that reached the motors
+  std::string reason;         ///< of the first failure
+  bool forfeited = false;     ///< it failed so often that it lost by walk-over
+  std::int64_t commands = 0;  ///< commands of single robots that reached the motors
   TeamNotes notes;
-  DecisionTime limit;            ///< the team's time
+  DecisionTime limit;  ///< the team's time
 };
 
 /// Plays a situation with the team in its seat and adds what is found. Errors: as `Match::create`.

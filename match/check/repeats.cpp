@@ -25,9 +25,9 @@ void add(const AnswerDifference& found, const TeamAnswers& other, const std::str
          RepeatFindings& findings) {
   findings.compared += found.compared;
   if (findings.different == 0 && found.different > 0) {
-    findings.first = found.robot < 0 ? fmt::format("a placement in '{}'", place)
-                                     : fmt::format("robot {}, decision {} of '{}'", found.robot,
-                                                   found.first, place);
+    findings.first = found.robot < 0
+                         ? fmt::format("a placement in '{}'", place)
+                         : fmt::format("robot {}, decision {} of '{}'", found.robot, found.first, place);
   }
   findings.different += found.different;
   if (findings.failure.empty()) findings.failure = other.failure;

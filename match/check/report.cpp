@@ -10,8 +10,8 @@
 namespace fulbito {
 
 std::string teamCheckTable(const TeamReport& report) {
-  std::string text = fmt::format("Check of {} (seed {}{})\n", report.team, report.seed,
-                                 report.quick ? ", quick" : "");
+  std::string text =
+      fmt::format("Check of {} (seed {}{})\n", report.team, report.seed, report.quick ? ", quick" : "");
   for (const Setting& entry : report.origin) text += fmt::format("  {}: {}\n", entry.name, entry.value);
   text += '\n';
   for (const TeamCheck& check : report.checks) {

@@ -52,8 +52,7 @@ class Script {
     return {};
   }
 
-  Result<void> play(std::string name, const std::string& rules, const std::string& opponent,
-                    double seconds) {
+  Result<void> play(std::string name, const std::string& rules, const std::string& opponent, double seconds) {
     auto match = base(rules, opponent);
     if (!match) return tl::unexpected<Error>(match.error());
     add(std::move(name), std::move(*match), seconds);
@@ -103,8 +102,8 @@ Result<void> addStarts(Script& script) {
   for (const auto& added :
        {script.start("ball in our corner", {-1.0, 1.0}, 3, 3),
         script.start("ball in their corner", {1.0, -1.0}, 3, 3),
-        script.start("one robot away", kBeside, 2, 3),
-        script.start("alone", kBeside, 1, 3), script.start("no opponents", kBeside, 3, 0)}) {
+        script.start("one robot away", kBeside, 2, 3), script.start("alone", kBeside, 1, 3),
+        script.start("no opponents", kBeside, 3, 0)}) {
     if (!added) return added;
   }
   return {};

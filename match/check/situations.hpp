@@ -9,8 +9,8 @@ namespace fulbito {
 
 /// One scripted situation: a short match with the tested team in one seat.
 struct CheckSituation {
-  std::string name;  ///< such as "penalty, theirs"
-  MatchConfig match;  ///< all but the tested team
+  std::string name;             ///< such as "penalty, theirs"
+  MatchConfig match;            ///< all but the tested team
   TeamId seat = TeamId::kBlue;  ///< of the tested team
   Tick ticks = 0;               ///< to play
 };

@@ -49,7 +49,7 @@ struct TeamCheckOptions {
   TeamChoice team;
   TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< of the opponents in drills
   std::uint64_t seed = kDefaultMatchSeed;
-  bool quick = false;  ///< shorter situations, fewer drills and trials
+  bool quick = false;  ///< shorter situations, a third of them repeated, fewer drills and trials
   int jobs = 0;        ///< threads of the drills; 0: one per core
   MatchClock clock;    ///< monotonic time [ns]; required
   CheckProgress progress;

@@ -80,11 +80,11 @@ TeamCheck protocolVerdict(const PlayFindings& plays) {
 }
 
 TeamCheck valuesVerdict(const PlayFindings& plays) {
-  TeamCheck check{"values",
-                  CheckVerdict::kOk,
-                  "all commands are finite and name navigators that the team has",
-                  {{"not_finite", double(plays.not_finite.count)},
-                   {"no_navigator", double(plays.no_navigator.count)}}};
+  TeamCheck check{
+      "values",
+      CheckVerdict::kOk,
+      "all commands are finite and name navigators that the team has",
+      {{"not_finite", double(plays.not_finite.count)}, {"no_navigator", double(plays.no_navigator.count)}}};
   if (plays.not_finite.count + plays.no_navigator.count == 0) return check;
   check.verdict = CheckVerdict::kFailed;
   check.finding = plays.not_finite.count > 0
@@ -158,8 +158,8 @@ TeamCheck mirrorVerdict(const AllRepeats& repeats) {
   if (repeats.again.different > 0) return noComparison("mirror");
   const double different = share(found.different, found.compared);
   TeamCheck check{"mirror", CheckVerdict::kOk, "", figuresOf(found)};
-  check.finding =
-      fmt::format("{:.2f} % of the answers to mirrored situations are not the mirrored ones", 100.0 * different);
+  check.finding = fmt::format("{:.2f} % of the answers to mirrored situations are not the mirrored ones",
+                              100.0 * different);
   if (different <= kMostOneSided) return check;
   check.verdict = CheckVerdict::kWarning;
   check.finding += ": left and right are not equal, first " + found.first;
@@ -184,8 +184,8 @@ TeamCheck drawingsVerdict(const PlayFindings& plays) {
                   {{"unasked", double(plays.notes.unasked)}}};
   if (plays.notes.unasked == 0) return check;
   check.verdict = CheckVerdict::kWarning;
-  check.finding = fmt::format("{} decisions draw although nobody watches: it takes time",
-                              plays.notes.unasked);
+  check.finding =
+      fmt::format("{} decisions draw although nobody watches: it takes time", plays.notes.unasked);
   return check;
 }
 
@@ -199,7 +199,7 @@ TeamCheck rolesVerdict(const PlayFindings& plays) {
 }
 
 TeamCheck containmentVerdict(const PlayFindings& plays, bool outside) {
-  TeamCheck check{"containment", CheckVerdict::kOk, "not needed: the team is part of the program", {}};
+  TeamCheck check{"containment", CheckVerdict::kOk, "none: the team runs in this process", {}};
   if (!outside) return check;
   const auto& origin = plays.notes.origin;
   const auto entry = std::find_if(origin.begin(), origin.end(),

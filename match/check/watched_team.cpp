@@ -18,7 +18,9 @@ class Relay : public Strategy {
   void ask(const Observation& seen) override { team_->ask(seen); }
   const TeamCondition& condition() const override { return team_->condition(); }
   std::vector<Setting> origin() const override { return team_->origin(); }
-  std::optional<TeamProposal> place(const PlacementRequest& request) override { return team_->place(request); }
+  std::optional<TeamProposal> place(const PlacementRequest& request) override {
+    return team_->place(request);
+  }
   void stopped(const PlayStop& stop) override { team_->stopped(stop); }
   void ready(const Observation& seen) override { team_->ready(seen); }
   void ended(const MatchEnd& end) override { team_->ended(end); }

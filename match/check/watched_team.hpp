@@ -28,11 +28,11 @@ struct RecordedCalls {
 
 /// What is noted of a team during its matches.
 struct TeamNotes {
-  double start_seconds = 0.0;    ///< [s] the longest creation and start
-  std::vector<double> seconds;   ///< [s] of each decision
-  std::int64_t unasked = 0;      ///< decisions with drawings that nobody wanted
-  std::int64_t with_roles = 0;   ///< decisions that tell a role
-  std::vector<Setting> origin;   ///< as the team tells it
+  double start_seconds = 0.0;   ///< [s] the longest creation and start
+  std::vector<double> seconds;  ///< [s] of each decision
+  std::int64_t unasked = 0;     ///< decisions with drawings that nobody wanted
+  std::int64_t with_roles = 0;  ///< decisions that tell a role
+  std::vector<Setting> origin;  ///< as the team tells it
 };
 
 /// The same team, noting its decisions. `notes` outlives its matches, which run one after the other.
