@@ -359,12 +359,18 @@ const std::vector<Folder> kFolders = {
      {"engine/core/base", "engine/core/system", "engine/core/models", "referee/rules", "replays/recording",
       "replays/verify", "replays/render/field", "replays/export", "replays/html", "match/record",
       "apps/common"}},
-    {"apps", "main", {"engine/core/base", "engine/core/config", "apps/common", "apps/match", "apps/replay"}},
+    {"apps/teams",
+     "what helps with a team of your own: new-team, check-team",
+     {"engine/core/base", "engine/core/system", "engine/core/config", "replays/render/match", "match/config",
+      "match/check", "apps/common", "apps/match"}},
+    {"apps",
+     "main",
+     {"engine/core/base", "engine/core/config", "apps/common", "apps/match", "apps/replay", "apps/teams"}},
     {"tests/support",
      "what tests and surveys share",
      {"engine/core/base", "engine/core/math", "engine/core/models", "engine/sim", "navigation/interface",
       "navigation/methods/paths", "strategies/interface", "strategies", "referee/restarts",
-      "replays/recording", "match/config", "match/record", "bridge"}},
+      "replays/recording", "match/config", "match/check", "match/record", "bridge"}},
 };
 
 bool isIn(std::string_view path, std::string_view folder) {
