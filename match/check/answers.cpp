@@ -137,10 +137,10 @@ RecordedCalls offAxis(RecordedCalls told) {
 }
 
 RecordedCalls mirrored(RecordedCalls told) {
-  const Overloaded turn{[](PlacementRequest& request) { request = mirrored(std::move(request)); },
+  const Overloaded turn{[](PlacementRequest& request) { request = mirrored(request); },
                         [](ReadyCall& call) { call.seen = mirrored(call.seen); },
                         [](DecideCall& call) { call.seen = mirrored(call.seen); },
-                        [](PlayStop& stop) { stop = mirrored(std::move(stop)); }};
+                        [](PlayStop& stop) { stop = mirrored(stop); }};
   for (TeamCall& call : told.calls) std::visit(turn, call);
   return told;
 }
