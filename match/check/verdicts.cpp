@@ -154,7 +154,8 @@ TeamCheck seatVerdict(const AllRepeats& repeats) {
 
 TeamCheck mirrorVerdict(const AllRepeats& repeats) {
   const RepeatFindings& found = repeats.mirror;
-  if (!found.failure.empty()) return noAnswers("mirror", found.failure);
+  const std::string& failure = found.failure.empty() ? repeats.again.failure : found.failure;
+  if (!failure.empty()) return noAnswers("mirror", failure);
   if (repeats.again.different > 0) return noComparison("mirror");
   const double different = share(found.different, found.compared);
   TeamCheck check{"mirror", CheckVerdict::kOk, "", figuresOf(found)};
