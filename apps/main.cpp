@@ -14,6 +14,7 @@
 #include "apps/match/rules.hpp"
 #include "apps/match/view.hpp"
 #include "apps/replay/replay.hpp"
+#include "apps/teams/check_team.hpp"
 #include "apps/teams/new_team.hpp"
 #include "engine/core/base/float_mode.hpp"
 #include "engine/core/config/suggest.hpp"
@@ -33,6 +34,7 @@ struct Options {
   ListOptions list;
   ShowOptions show;
   BenchCommand bench;
+  CheckTeamCommand check_team;
   DrillCommand drill;
   MatchCommand match;
   NewTeamCommand new_team;
@@ -280,6 +282,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("show")) return show(options.show);
   if (app.got_subcommand("bench")) return bench(options.bench);
   if (app.got_subcommand("drill")) return drill(options.drill);
+  if (app.got_subcommand("check-team")) return checkTeam(options.check_team);
   if (app.got_subcommand("new-team")) return newTeam(options.new_team);
   if (app.got_subcommand("rules")) return rules(options.rules);
   return version(options.version_json);
@@ -310,6 +313,7 @@ int mainWithoutCatch(int argc, char** argv) {
   addRest(app, options);
   addDrill(app, options.drill);
   addNewTeam(app, options.new_team);
+  addCheckTeam(app, options.check_team);
   addRules(app, options.rules);
   readNumbers(app);
   const std::span<char*> words{argv + 1, argv + std::max(argc, 1)};

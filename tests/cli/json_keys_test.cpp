@@ -33,9 +33,10 @@ std::set<std::string> codeWords(const std::string& page) {
   return words;
 }
 
-/// Objects whose keys are data: clauses, kinds of restarts, bodies.
+/// Objects whose keys are data: clauses, kinds of restarts, bodies, figures of a check, facts of a team.
 bool holdsData(const std::string& key, const Json& value) {
-  return value.is_object() && (key == "calls" || key == "restarts" || key == "events" || key == "bodies");
+  return value.is_object() && (key == "calls" || key == "restarts" || key == "events" || key == "bodies" ||
+                               key == "figures" || key == "origin");
 }
 
 void collect(const Json& json, std::set<std::string>& keys) {
@@ -99,6 +100,7 @@ TEST_CASE("docs/results-format.md names every key that is printed as JSON", "[cl
     }
   }
   expect("drill chaser --drill 3,10 --trials 4 --json");
+  expect("check-team chaser --quick --json");
   expect("replay info a.fbr --json");
   expect("replay info t.fbr --json");
   expect("replay info cut.fbr --json");

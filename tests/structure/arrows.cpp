@@ -302,6 +302,10 @@ const std::vector<Folder> kFolders = {
      {"engine/core/base", "engine/core/math", "engine/core/system", "engine/core/models",
       "engine/core/config", "engine/sim", "strategies/interface", "strategies/prediction", "referee/rules",
       "referee/restarts", "match/config", "match/series"}},
+    {"match/check",
+     "check of a team: scripted and repeated situations, and the verdicts",
+     {"engine/core/base", "engine/core/math", "strategies/interface", "referee/restarts", "match/config",
+      "match/report", "match/drills"}},
     {"match/record",
      "from a match to a recording",
      {"engine/core/models", "strategies/interface", "referee/rules", "replays/recording", "replays/header",
@@ -367,6 +371,13 @@ const std::vector<Folder> kFolders = {
      {"engine/core/base", "engine/core/system", "engine/core/models", "referee/rules", "replays/recording",
       "replays/verify", "replays/render/field", "replays/export", "replays/html", "match/record",
       "apps/common"}},
+<<<<<<< HEAD
+=======
+    {"apps/teams",
+     "what helps with a team of your own: new-team, check-team",
+     {"engine/core/base", "engine/core/system", "engine/core/config", "replays/render/match", "match/config",
+      "match/check", "apps/common", "apps/match"}},
+>>>>>>> check
     {"apps",
      "main",
      {"engine/core/base", "engine/core/config", "apps/common", "apps/match", "apps/replay", "apps/teams"}},
@@ -374,7 +385,7 @@ const std::vector<Folder> kFolders = {
      "what tests and surveys share",
      {"engine/core/base", "engine/core/math", "engine/core/models", "engine/sim", "navigation/interface",
       "navigation/methods/paths", "strategies/interface", "strategies", "referee/restarts",
-      "replays/recording", "match/config", "match/record", "bridge"}},
+      "replays/recording", "match/config", "match/check", "match/record", "bridge"}},
 };
 
 bool isIn(std::string_view path, std::string_view folder) {

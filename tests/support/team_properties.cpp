@@ -9,6 +9,8 @@
 #include "fulbito/detail/math.hpp"
 #include "fulbito/models.hpp"
 #include "fulbito/strategy.hpp"
+#include "match/check/command_numbers.hpp"
+#include "match/check/mirror.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "referee/restarts/restart_placement.hpp"
 #include "strategies/interface/team_frame.hpp"
@@ -239,28 +241,13 @@ void checkSound(Side& side, const MatchInfo& info, Scene scene, int ticks) {
   }
 }
 
-/// What a command asks for, as finite numbers.
-std::vector<double> numbersOf(const RobotCommand& robot) {
-  using Kind = RobotCommand::Kind;
-  const double kind = static_cast<double>(robot.kind);
-  if (robot.kind == Kind::kWheels) return {kind, robot.wheels.left, robot.wheels.right};
-  if (robot.kind == Kind::kTwist) return {kind, robot.twist.linear, robot.twist.angular};
-  const GoTo& go_to = robot.go_to;
-  // A robot that comes to rest with either end leading is asked for an axis, not for a direction.
-  const double times = go_to.stop && go_to.either_front ? 2.0 : 1.0;
-  const double sine = go_to.heading ? math::sin(times * *go_to.heading) : 0.0;
-  const double cosine = go_to.heading ? math::cos(times * *go_to.heading) : 0.0;
-  return {kind,   go_to.position.x,        go_to.position.y,  sine,
-          cosine, double(go_to.navigator), double(go_to.stop)};
-}
-
 void checkSameBits(const TeamChoice& choice, const MatchInfo& info, Scene scene, int ticks) {
   Side one(choice, info), other(choice, info);
   for (int tick = 0; tick < ticks; ++tick) {
     INFO(scene.name << ", tick " << tick);
     const TeamCommand a = one.team->decide(scene.seen), b = other.team->decide(scene.seen);
     for (std::size_t i = 0; i < a.robots.size(); ++i)
-      REQUIRE(numbersOf(a.robots[i]) == numbersOf(b.robots[i]));
+      REQUIRE(commandNumbers(a.robots[i]) == commandNumbers(b.robots[i]));
     REQUIRE(a.roles == b.roles);
     const auto wheels = one.pilots.drive(scene.seen, a);
     const auto again = other.pilots.drive(scene.seen, b);
@@ -272,34 +259,6 @@ void checkSameBits(const TeamChoice& choice, const MatchInfo& info, Scene scene,
   }
 }
 
-Vec2 mirrored(Vec2 v) { return {v.x, -v.y}; }
-
-WheelSpeeds mirrored(WheelSpeeds wheels) { return {wheels.right, wheels.left}; }
-
-RobotState mirrored(RobotState robot) {
-  robot.pose = {mirrored(robot.pose.position), -robot.pose.heading};
-  robot.velocity = mirrored(robot.velocity);
-  robot.angular_velocity = -robot.angular_velocity;
-  robot.wheels = mirrored(robot.wheels);
-  return robot;
-}
-
-Observation mirrored(Observation seen) {
-  for (ObservedRobot& robot : seen.own) robot.state = mirrored(robot.state);
-  for (ObservedRobot& robot : seen.opponents) robot.state = mirrored(robot.state);
-  seen.ball = {mirrored(seen.ball.position), mirrored(seen.ball.velocity), mirrored(seen.ball.spin)};
-  for (WheelSpeeds& wheels : seen.sent) wheels = mirrored(wheels);
-  return seen;
-}
-
-RobotCommand mirrored(RobotCommand robot) {
-  robot.wheels = mirrored(robot.wheels);
-  robot.twist.angular = -robot.twist.angular;
-  robot.go_to.position = mirrored(robot.go_to.position);
-  if (robot.go_to.heading) robot.go_to.heading = -*robot.go_to.heading;
-  return robot;
-}
-
 void checkMirrored(const TeamChoice& choice, const MatchInfo& info, Scene scene, int ticks) {
   Side plain(choice, info), image(choice, info);
   for (int tick = 0; tick < ticks; ++tick) {
@@ -308,7 +267,7 @@ void checkMirrored(const TeamChoice& choice, const MatchInfo& info, Scene scene,
     for (std::size_t i = 0; i < static_cast<std::size_t>(sizeOf(info)); ++i) {
       if (!scene.seen.own[i].present) continue;
       INFO(scene.name << ", tick " << tick << ", robot " << i);
-      const auto wanted = numbersOf(mirrored(command.robots[i])), got = numbersOf(other.robots[i]);
+      const auto wanted = commandNumbers(mirrored(command.robots[i])), got = commandNumbers(other.robots[i]);
       REQUIRE(wanted.size() == got.size());
       for (std::size_t k = 0; k < wanted.size(); ++k) {
         INFO("number " << k << " of the command");

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "apps/match/team_flags.hpp"
+#include "fulbito/match.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace fulbito::app {
+
+/// Options of `fulbito check-team`.
+struct CheckTeamCommand {
+  std::string team;  ///< specification
+  std::uint64_t seed = kDefaultMatchSeed;
+  int jobs = 0;
+  bool quick = false;
+  bool json = false;
+  std::string junit;   ///< file; empty: none
+  bool force = false;  ///< replace an existing `junit`
+  TeamFlags outside;
+};
+
+/// Adds `check-team`.
+CLI::App* addCheckTeam(CLI::App& app, CheckTeamCommand& options);
+/// Checks a team, prints the report and returns the exit code.
+int checkTeam(const CheckTeamCommand& options);
+
+}  // namespace fulbito::app

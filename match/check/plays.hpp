@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "match/check/situations.hpp"
+#include "match/check/watched_team.hpp"
+
+namespace fulbito {
+
+/// One finding and the situations in which it was made.
+struct FoundIn {
+  std::int64_t count = 0;
+  std::string first;  ///< the first of these situations; empty: none
+  /// Adds `more` findings of a situation.
+  void add(std::int64_t more, const std::string& situation);
+};
+
+/// What came of all scripted situations together.
+struct PlayFindings {
+  int situations = 0;  ///< played
+  int broken = 0;      ///< of these, broken off: the team forfeited or was late too often
+  int skipped = 0;     ///< not played, as too many before were broken off
+  FoundIn failures, stale, not_finite, no_navigator, saturated, late, repaired;
+  std::string reason;         ///< of the first failure
+  bool forfeited = false;     ///< it failed so often that it lost by walk-over
+  std::int64_t commands = 0;  ///< commands of single robots that reached the motors
+  TeamNotes notes;
+  DecisionTime limit;  ///< the team's time
+};
+
+/// Plays a situation with the team in its seat and adds what is found. Errors: as `Match::create`.
+Result<void> playSituation(const CheckSituation& situation, const TeamChoice& team, const MatchClock& clock,
+                           PlayFindings& findings);
+
+}  // namespace fulbito

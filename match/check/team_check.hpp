@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "fulbito/match.hpp"
+#include "fulbito/strategy.hpp"
+
+/// A check of one team: scripted situations are played with it, and recorded ones are told to it again.
+namespace fulbito {
+
+/// The verdict of a check, from good to bad.
+enum class CheckVerdict : std::uint8_t {
+  kOk,       ///< nothing to say
+  kWarning,  ///< the team may play, but it loses by this
+  kFailed,   ///< a match punishes this, or results cannot be repeated
+};
+/// "ok", "warning" or "failed".
+const char* nameOf(CheckVerdict verdict);
+
+/// The result of one check.
+struct TeamCheck {
+  std::string name;  ///< one word, such as "determinism"
+  CheckVerdict verdict = CheckVerdict::kOk;
+  std::string finding;  ///< one line: what was found, and where
+  /// Measured values by name; times [s] begin with `wall_` and differ from run to run.
+  std::vector<std::pair<std::string, double>> figures;
+};
+
+/// All results of one team.
+struct TeamReport {
+  std::string team;             ///< its specification
+  std::vector<Setting> origin;  ///< version, hash, containment of a team outside the program
+  std::uint64_t seed = 0;
+  bool quick = false;
+  std::vector<TeamCheck> checks;
+  /// The worst verdict.
+  CheckVerdict verdict() const;
+};
+
+/// Called with the finished share of the work. Returning false stops the check.
+using CheckProgress = std::function<bool(std::size_t done, std::size_t total)>;
+
+struct TeamCheckOptions {
+  TeamChoice team;
+  TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< of the opponents in drills
+  std::uint64_t seed = kDefaultMatchSeed;
+  bool quick = false;  ///< shorter situations, a third of them repeated, fewer drills and trials
+  int jobs = 0;        ///< threads of the drills; 0: one per core
+  MatchClock clock;    ///< monotonic time [ns]; required
+  CheckProgress progress;
+};
+
+/// Checks a team. All results but those of time repeat with the seed, if the team does. Errors: kUsage if the
+/// team or its navigators cannot be created; kInterrupted when `progress` returned false.
+Result<TeamReport> checkTeam(const TeamCheckOptions& options);
+
+/// @{ The report as a table to read and as JSON.
+std::string teamCheckTable(const TeamReport& report);
+std::string teamCheckJson(const TeamReport& report);
+/// @}
+
+}  // namespace fulbito
