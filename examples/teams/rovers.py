@@ -9,7 +9,7 @@ import math
 from typing import List, Optional, Tuple
 
 from fulbito_team import (
-    Commands, GoTo, MatchInfo, Observation, Parameter, Placement, PlacementRequest, Pose, Robot, Team, Twist, run)
+    Commands, GoTo, MatchInfo, Observation, Opponent, Parameter, Placement, PlacementRequest, Pose, Robot, Team, Twist, run)
 
 KEEPER, ATTACKER, SUPPORTER = 1, 2, 3
 NAMES = {KEEPER: "keeper", ATTACKER: "attacker", SUPPORTER: "supporter"}
@@ -126,32 +126,42 @@ class Rovers(Team):
 
     def keep(self, seen: Observation, robot: Robot, commands: Commands) -> None:
         """On a line in front of the goal, where the ball will cross it; out to a slow ball in the area."""
-        field, ball = self.info.field, seen.ball
-        line = -field.length / 2 + self.info.robot.length / 2 + 0.04
-        reach = field.goal_width / 2
-        slow = math.hypot(ball.vx, ball.vy) < 0.4
-        if (self.in_area(-ball.x, ball.y) and slow and ball.x > robot.x + 0.02
-                and self.first_at_ball(seen, robot, 0.1)):
-            commands.robots[0] = self.drive(robot, ball.x, ball.y, self.info.robot.max_speed)
+        field, ball, top = self.info.field, seen.ball, self.info.robot.max_speed
+        line = -field.length / 2 + self.info.robot.length + self.info.ball.radius
+        slow = math.hypot(ball.vx, ball.vy) < 0.3
+        in_front = ball.x > robot.x + 0.02
+        if slow and in_front and self.in_area(-ball.x, ball.y) and self.first_at_ball(seen, robot, 0.1):
+            if self.touches(robot, ball.x, ball.y) and self.at_wall(ball.x, ball.y):
+                commands.robots[0] = self.spin(robot, ball.x, ball.y, 0.5, math.copysign(1.0, ball.y))
+            else:
+                commands.robots[0] = self.drive(robot, ball.x, ball.y, top)
             return
-        # Between ball and goal, and where a ball that comes will be.
-        y = ball.y * (line + field.length / 2 + 0.15) / max(ball.x + field.length / 2 + 0.15, 0.15)
-        if ball.vx < -0.1:
-            time = (line - ball.x) / ball.vx
-            crossing = ball.y + ball.vy * time
-            if 0.0 < time < 1.5 and abs(crossing) < reach + 0.1:
-                y = crossing
-        y = clamp(y, reach - 0.02)
-        if abs(robot.x - line) < 0.02 and abs(math.cos(robot.heading)) < 0.3:
-            ahead = 1.0 if math.sin(robot.heading) > 0.0 else -1.0
-            speed = clamp(8.0 * (y - robot.y), self.info.robot.max_speed)
-            # Back onto the line while it slides.
-            lean = clamp(4.0 * (line - robot.x), 0.3) * (1.0 if speed * ahead > 0 else -1.0)
-            error = wrap(ahead * math.pi / 2 - lean * ahead * (1.0 if speed * ahead > 0 else 1.0) - robot.heading)
-            commands.twist(0, speed * ahead, 10.0 * error)
-        else:
-            commands.go_to(0, GoTo(line, y, math.pi / 2, stop=True, avoid_mates=False, avoid_opponents=False,
-                                   tolerance=0.01))
+        y = clamp(self.crossing(seen, line), field.goal_width / 2 - 0.02)
+        if abs(line - robot.x) > 0.06:
+            commands.go_to(0, GoTo(line, y, math.pi / 2, stop=True))
+            return
+        # Sideways along the line: a lean leads back onto it, and a turn comes before the way.
+        up = 1.0 if math.sin(robot.heading) >= 0.0 else -1.0
+        off = y - robot.y
+        lean = clamp(6.0 * (line - robot.x), 0.35) * math.copysign(1.0, -off) if abs(off) > 0.01 else 0.0
+        error = wrap(up * math.pi / 2 + lean - robot.heading)
+        speed = up * clamp(9.0 * off, top) if abs(error) < 0.6 else 0.0
+        commands.twist(0, speed, 8.0 * error)
+
+    def crossing(self, seen: Observation, line: float) -> float:
+        """Where the ball will pass the keeper's line; otherwise the place with equal gaps to both posts."""
+        field, ball = self.info.field, seen.ball
+        for step in range(1, 41):
+            x, y = self.ball_at(seen, 0.05 * step)
+            if x <= line < ball.x:
+                # On the straight way to that place.
+                y = ball.y + (y - ball.y) * (ball.x - line) / (ball.x - x)
+                if abs(y) < field.goal_width / 2 + 0.05:
+                    return y
+                break
+        back = ball.x + field.length / 2
+        left, right = math.atan2(field.goal_width / 2 - ball.y, back), math.atan2(-field.goal_width / 2 - ball.y, back)
+        return ball.y + (ball.x - line) * math.tan((left + right) / 2)
 
     def attack(self, seen: Observation, number: int, robot: Robot, commands: Commands) -> None:
         """Behind the ball first, then through it toward the goal."""
@@ -161,16 +171,18 @@ class Rovers(Team):
             # The keeper's ball: a second defender in the area costs a penalty.
             commands.go_to(number, GoTo(-field.length / 2 + field.goal_area_depth + 0.12, y))
             return
-        near = math.hypot(ball.x - robot.x, ball.y - robot.y) < size / 2 + self.info.ball.radius + 0.03
-        if near and field.width / 2 - abs(ball.y) < self.info.ball.radius + 0.02:
-            # No robot gets behind a ball at the wall: turn, so that the ball leaves forward.
-            commands.twist(number, 0.0, 30.0 if ball.y > 0.0 else -30.0)
+        if self.in_area(ball.x, ball.y) and any(o and self.touches(o, ball.x, ball.y) for o in seen.opponents):
+            # To charge a keeper in its area is a foul: wait where the ball may come out.
+            commands.go_to(number, GoTo(field.length / 2 - 0.35, -math.copysign(0.2, ball.y)))
+            return
+        if self.touches(robot, ball.x, ball.y) and self.at_wall(ball.x, ball.y):
+            commands.robots[number] = self.spin(robot, ball.x, ball.y, 1.0, -math.copysign(0.3, ball.y))
             return
         way_x, way_y = self.shot(seen, x, y)
         to_x, to_y = ball.x - robot.x, ball.y - robot.y
         behind, beside = to_x * way_x + to_y * way_y, abs(to_x * way_y - to_y * way_x)
         self.lined_up = behind > 0.0 and beside < (size if self.lined_up else size / 2)
-        commands_way = GoTo(x - (size + self.settings["margin"]) * way_x, y - (size + self.settings["margin"]) * way_y,
+        target = GoTo(x - (size + self.settings["margin"]) * way_x, y - (size + self.settings["margin"]) * way_y,
                             math.atan2(way_y, way_x), avoid_ball=behind < 0.0)
         if self.lined_up:
             commands.robots[number] = self.drive(robot, ball.x + 0.2 * way_x, ball.y + 0.2 * way_y,
@@ -180,10 +192,10 @@ class Rovers(Team):
             commands.robots[number] = self.drive(robot, x + 0.1, y, self.info.robot.max_speed)
         else:
             close = math.hypot(to_x, to_y) < 0.25
-            commands_way.avoid_opponents = commands_way.avoid_mates = not close
-            commands_way.x = clamp(commands_way.x, field.length / 2 - 0.04)
-            commands_way.y = clamp(commands_way.y, field.width / 2 - 0.04)
-            commands.go_to(number, commands_way)
+            target.avoid_opponents = target.avoid_mates = not close
+            target.x = clamp(target.x, field.length / 2 - 0.04)
+            target.y = clamp(target.y, field.width / 2 - 0.04)
+            commands.go_to(number, target)
         if seen.wants_drawings:
             commands.line(x, y, x + 0.3 * way_x, y + 0.3 * way_y)
             commands.circle(x, y, 0.03)
@@ -194,8 +206,9 @@ class Rovers(Team):
         x, y = self.ball_at(seen, 0.3)
         edge = -field.length / 2 + field.goal_area_depth + 0.12
         if x < 0.0:
-            share = 0.5
+            # On the line from ball to goal, outside the area.
             goal = -field.length / 2
+            share = max(clamp((edge - goal) / max(x - goal, 1e-6), 1.0), 0.55)
             place = (max(edge, goal + share * (x - goal)), y * share)
         else:
             place = (min(x - 0.3, field.length / 2 - field.goal_area_depth - 0.2),
@@ -210,6 +223,9 @@ class Rovers(Team):
         goal_x, aim, widest = field.length / 2, 0.0, -1.0
         if field.width / 2 - abs(y) < self.info.ball.radius + 0.03:
             return 1.0, 0.0
+        if x < -field.length / 4:
+            # Out of the own third, up the nearer side.
+            return math.sqrt(0.5), math.copysign(math.sqrt(0.5), y)
         for share in (-0.7, -0.35, 0.0, 0.35, 0.7):
             goal_y = share * field.goal_width / 2
             far = math.hypot(goal_x - x, goal_y - y)
@@ -225,6 +241,19 @@ class Rovers(Team):
                 aim, widest = goal_y, gap
         far = max(math.hypot(goal_x - x, aim - y), 1e-6)
         return (goal_x - x) / far, (aim - y) / far
+
+    def touches(self, robot: Opponent, x: float, y: float) -> bool:
+        return math.hypot(x - robot.x, y - robot.y) < self.info.robot.length / 2 + self.info.ball.radius + 0.02
+
+    def at_wall(self, x: float, y: float) -> bool:
+        """No robot gets between ball and wall."""
+        field, room = self.info.field, self.info.ball.radius + 0.05
+        return field.width / 2 - abs(y) < room or (
+            field.length / 2 - abs(x) < room and abs(y) > field.goal_width / 2)
+
+    def spin(self, robot: Robot, x: float, y: float, way_x: float, way_y: float) -> Twist:
+        """Turns on the spot, so that the ball leaves along the way."""
+        return Twist(0.0, math.copysign(30.0, (x - robot.x) * way_y - (y - robot.y) * way_x))
 
     def first_at_ball(self, seen: Observation, robot: Robot, lead: float) -> bool:
         mine = self.time_to(robot.x, robot.y, robot.heading, seen.ball.x, seen.ball.y)
