@@ -206,9 +206,8 @@ class Rovers(Team):
         x, y = self.ball_at(seen, 0.3)
         edge = -field.length / 2 + field.goal_area_depth + 0.12
         if x < 0.0:
-            # On the line from ball to goal, outside the area.
+            share = 0.5
             goal = -field.length / 2
-            share = max(clamp((edge - goal) / max(x - goal, 1e-6), 1.0), 0.55)
             place = (max(edge, goal + share * (x - goal)), y * share)
         else:
             place = (min(x - 0.3, field.length / 2 - field.goal_area_depth - 0.2),
@@ -223,9 +222,6 @@ class Rovers(Team):
         goal_x, aim, widest = field.length / 2, 0.0, -1.0
         if field.width / 2 - abs(y) < self.info.ball.radius + 0.03:
             return 1.0, 0.0
-        if x < -field.length / 4:
-            # Out of the own third, up the nearer side.
-            return math.sqrt(0.5), math.copysign(math.sqrt(0.5), y)
         for share in (-0.7, -0.35, 0.0, 0.35, 0.7):
             goal_y = share * field.goal_width / 2
             far = math.hypot(goal_x - x, goal_y - y)
