@@ -1,4 +1,4 @@
-"""rovers: the team at the end of docs/write-a-team.md. It beats `classic`.
+"""rovers: the team at the end of docs/write-a-team.md. It plays `classic` on nearly even terms.
 
     fulbito match "cmd:python3 examples/teams/rovers.py" classic -n 10 --half-seconds 60
 
@@ -84,7 +84,7 @@ class Rovers(Team):
                 self.support(seen, number, commands)
             self.unstick(seen, number, robot, commands)
             if seen.wants_drawings:
-                commands.text(robot.x, robot.y, NAMES[commands.roles[number]])
+                commands.text(robot.x, robot.y - self.info.robot.length, NAMES[commands.roles[number]])
         return commands
 
     def choose_attacker(self, seen: Observation) -> None:
