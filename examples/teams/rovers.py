@@ -1,4 +1,4 @@
-"""rovers: the team at the end of docs/write-a-team.md. It plays `classic` on nearly even terms.
+"""rovers: the team at the end of docs/write-a-team.md. It comes near to `classic`.
 
     fulbito match "cmd:python3 examples/teams/rovers.py" classic -n 10 --half-seconds 60
 
