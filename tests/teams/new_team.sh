@@ -52,11 +52,13 @@ refused "cannot be a name" python 'a;b'
 refused "cannot be a name" cpp 'quote"d'
 refused "cannot be a name" cpp fine --name 'this name is longer than forty characters is'
 refused "not in {cpp,c,python,program}" perl other
-[ ! -e 'a;b' ] && [ ! -e 'quote"d' ] && [ ! -e fine ] && [ ! -e other ] || fail "a refused team left a folder"
+for folder in 'a;b' 'quote"d' fine other; do
+  [ ! -e "$folder" ] || fail "a refused team left '$folder'"
+done
 mkdir full
 echo mine >full/team.py
 refused "not empty" python full
-[ "$(cat full/team.py)" = mine ] && [ "$(ls full)" = team.py ] || fail "a folder that was not empty has changed"
+[ "$(cat full/team.py) $(ls full)" = "mine team.py" ] || fail "a folder that was not empty has changed"
 mkdir empty
 "$program" new-team python empty --name "Rovers 2" >/dev/null
 grep -q 'name = "Rovers 2"' empty/team.py || fail "--name is not the team's name"
