@@ -8,6 +8,7 @@ if [ "${1:-}" = "-h" ] || [ "${1:-}" = "--help" ]; then
   exit 0
 fi
 program=$(realpath "${1:-build/release/fulbito}")
+root=$(pwd)
 images=$(realpath docs/images)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -35,6 +36,14 @@ export_game --heatmap yellow "$images/match-heatmap-light.png" --size 640 --them
 before=$(awk -v t="$goal" 'BEGIN { print (t > 1.2 ? t - 1.2 : 0) }')
 "$program" replay export drawn.fbr --force --png "$images/match-drawings.png" --at "$before"
 
+# The teams of docs/write-a-team.md, by its commands.
+"$program" new-team python rovers >/dev/null
+"$program" match "cmd:python3 rovers/team.py" classic --seed 3 --half-seconds 20 --record first.fbr --drawings >/dev/null
+"$program" replay export first.fbr --force --contact-sheet "$images/team-first.png" --size 1200
+cp -r "$root/examples" .
+"$program" match "cmd:python3 examples/teams/rovers.py" classic --seed 3 --half-seconds 20 --record rovers.fbr --drawings >/dev/null
+"$program" replay export rovers.fbr --force --png "$images/team-rovers.png" --at 2.2
+
 "$program" run --navigator bspline-time --layout moving:3 --record trial.fbr >/dev/null
 "$program" replay export trial.fbr --force --trails "$images/trial-trails.png" --size 640
 
@@ -52,6 +61,6 @@ cp figures/fig1-abrupt-turns-1.0.png "$images/"
 cp map/map-close-range-classic.png "$images/"
 
 # What is shown in pages has to load quickly.
-find "$images" \( -name 'match-*.png' -o -name 'trial-*.png' \) -size +150k -print | while IFS= read -r file; do
+find "$images" \( -name 'match-*.png' -o -name 'team-*.png' -o -name 'trial-*.png' \) -size +150k -print | while IFS= read -r file; do
   echo "gallery.sh: $file is larger than 150 kB" >&2
 done

@@ -1,7 +1,7 @@
 """The built-in team `chaser` in Python: every robot drives straight at the ball with whichever end is nearer,
 and backs off from a wall when it has stood at one for a while.
 
-    fulbito match "cmd:env PYTHONPATH=sdk/python python3 examples/teams/chaser.py" classic
+    fulbito match "cmd:python3 examples/teams/chaser.py" classic
 """
 
 import math

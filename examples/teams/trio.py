@@ -2,7 +2,7 @@
 goes through the ball toward the opponents' goal, and everybody else in support. It also tells roles, draws
 what it means, chooses its places at restarts, and takes two exercises of drills.
 
-    fulbito match "cmd:env PYTHONPATH=sdk/python python3 examples/teams/trio.py" chaser
+    fulbito match "cmd:python3 examples/teams/trio.py" chaser
 """
 
 import math

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <filesystem>
 #include <system_error>
 #include <unistd.h>
@@ -24,7 +25,8 @@ std::string fileOf(const std::string& path) {
 }
 
 Result<void> checkReadable(const std::string& file, const std::string& path) {
-  if (access(file.c_str(), R_OK) != 0) {
+  // By the effective rights: a contained team of root has another user and may still read root's folders.
+  if (faccessat(AT_FDCWD, file.c_str(), R_OK, AT_EACCESS) != 0) {
     return fail(ErrorCode::kIo, fmt::format("cannot read the library '{}': {}", path,
                                             std::generic_category().message(errno)));
   }

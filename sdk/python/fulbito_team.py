@@ -441,7 +441,7 @@ class ExerciseReply:
 
 @dataclass
 class Parameter:
-    """A parameter of a team, which users set: `cmd:python3 my_team.py:aggression=0.7`."""
+    """A parameter of a team, which users set: `cmd:python3 my_team.py :aggression=0.7`."""
 
     default: Union[float, int, bool, str]
     """Its type is the parameter's."""

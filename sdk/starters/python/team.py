@@ -8,13 +8,15 @@ shows it. Units are SI. Your own goal is at -x, whatever the colour.
 import math
 from typing import Optional
 
-from fulbito_team import Commands, GoTo, Observation, Team, run
+from fulbito_team import Commands, GoTo, Observation, Parameter, Team, run
 
 
 class MyTeam(Team):
     name = "@NAME@"
     version = "1.0"
     default_navigator = "univector"
+    # Users set it: "cmd:python3 team.py :margin=0.05"
+    parameters = {"margin": Parameter(0.03, 0.0, 0.3, "[m] how far behind the ball the attacker starts its run")}
 
     def decide(self, seen: Observation) -> Commands:
         commands = Commands()
@@ -58,7 +60,7 @@ class MyTeam(Team):
         if behind > 0.0 and beside < self.info.robot.width / 2:
             target = GoTo(ball.x + 0.2 * way_x, ball.y + 0.2 * way_y, heading)
         else:
-            back = self.info.robot.length + 0.03
+            back = self.info.robot.length + self.settings["margin"]
             target = GoTo(ball.x - back * way_x, ball.y - back * way_y, heading, avoid_ball=True)
         target.avoid_opponents = False
         commands.go_to(number, target)
