@@ -35,7 +35,7 @@ Ends moveEnds() {
   const int least = STDERR_FILENO + 1;
   const Ends ends{fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, least), fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, least)};
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
-  dup2(nothing, STDIN_FILENO);
+  if (nothing >= 0) dup2(nothing, STDIN_FILENO);
   dup2(STDERR_FILENO, STDOUT_FILENO);
   if (nothing > STDERR_FILENO) close(nothing);
   return ends;

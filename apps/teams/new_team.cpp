@@ -149,7 +149,7 @@ Result<void> makeFolder(const fs::path& folder) {
 }
 
 Result<std::string> nameOf(const NewTeamCommand& options, const fs::path& folder) {
-  const std::string name = options.name.empty() ? folder.filename().string() : options.name;
+  std::string name = options.name.empty() ? folder.filename().string() : options.name;
   const bool plain = !name.empty() && name.size() <= kLongestName &&
                      std::all_of(name.begin(), name.end(), [](unsigned char c) {
                        return std::isalnum(c) != 0 || c == ' ' || c == '-' || c == '_' || c == '.';

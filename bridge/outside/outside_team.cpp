@@ -238,7 +238,7 @@ std::optional<TeamProposal> OutsideTeam::place(const PlacementRequest& request) 
   TeamReply* reply = team.request(
       TeamReply::Kind::kPlace,
       [&](TeamCodec& codec, std::uint64_t id, std::string& out) { codec.place(id, request, out); });
-  auto wishes = reply != nullptr ? std::move(reply->proposal) : std::nullopt;
+  auto wishes = reply != nullptr ? reply->proposal : std::nullopt;
   team.settle(reply != nullptr ? TeamCondition::State::kWell : TeamCondition::State::kLate, since);
   return wishes;
 }

@@ -68,7 +68,7 @@ std::string inPath(const std::string& program) {
   std::string_view folders = path != nullptr ? path : "/usr/bin:/bin";
   while (true) {
     const std::size_t end = folders.find(':');
-    const std::string file = fmt::format("{}/{}", folders.substr(0, end), program);
+    std::string file = fmt::format("{}/{}", folders.substr(0, end), program);
     if (isFile(file) && access(file.c_str(), X_OK) == 0) return file;
     if (end == std::string_view::npos) return {};
     folders.remove_prefix(end + 1);

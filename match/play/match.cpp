@@ -167,7 +167,7 @@ void Match::Impl::ask() {
     const std::int64_t begun_at = timeOf(seat);
     auto wishes = seat.strategy().place(request(*team));
     if (!seat.inTime(secondsSince(begun_at, seat))) wishes.reset();
-    placing->answer(std::move(wishes), referee);
+    placing->answer(wishes, referee);
   }
   if (!placing->asked()) phase = MatchPhase::kPlaced;
   stages.lap(&MatchProfile::restart);

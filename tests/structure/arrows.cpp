@@ -361,7 +361,6 @@ const std::vector<Folder> kFolders = {
      {"engine/core/base", "engine/core/system", "engine/core/models", "engine/core/config", "referee/rules",
       "referee/restarts", "replays/verify", "match/config", "match/series", "match/drills", "match/record",
       "strategies/interface", "bridge/outside", "apps/view", "apps/common"}},
-    {"apps/teams", "new-team", {"engine/core/config", "engine/core/system", "apps/common"}},
     {"apps/navigation",
      "run and compare",
      {"engine/core/system", "experiments/trials", "experiments/comparison", "experiments/report",
@@ -371,13 +370,10 @@ const std::vector<Folder> kFolders = {
      {"engine/core/base", "engine/core/system", "engine/core/models", "referee/rules", "replays/recording",
       "replays/verify", "replays/render/field", "replays/export", "replays/html", "match/record",
       "apps/common"}},
-<<<<<<< HEAD
-=======
     {"apps/teams",
      "what helps with a team of your own: new-team, check-team",
      {"engine/core/base", "engine/core/system", "engine/core/config", "replays/render/match", "match/config",
       "match/check", "apps/common", "apps/match"}},
->>>>>>> check
     {"apps",
      "main",
      {"engine/core/base", "engine/core/config", "apps/common", "apps/match", "apps/replay", "apps/teams"}},
