@@ -30,13 +30,13 @@ struct MatchCommand {
   std::vector<double> position_noise{0.0};  ///< [m]
   std::vector<double> dropout{0.0};
   /// @}
-  std::string time;                   ///< [ms] that a decision may take, or "unlimited"; empty: by the rules
-  TeamFlags outside;                  ///< teams that are files or programs
-  std::string record;                 ///< file; empty: none
-  bool record_recipe = false;         ///< the recording holds only what cannot be computed again
-  bool drawings = false;              ///< the recording also holds what the teams draw
-  std::string events;                 ///< file or "-"; empty: none
-  std::optional<int> pairs;           ///< empty: one match
+  std::string time;            ///< [ms] that a decision may take, or "unlimited"; empty: by the rules
+  TeamFlags outside;           ///< teams that are files or programs
+  std::string record;          ///< file; empty: none
+  bool record_recipe = false;  ///< the recording holds only what cannot be computed again
+  bool drawings = false;       ///< the recording also holds what the teams draw
+  std::string events;          ///< file or "-"; empty: none
+  std::optional<int> pairs;    ///< empty: one match
   int jobs = 0;
   bool view = false;  ///< play in a window
   ViewOptions window;
