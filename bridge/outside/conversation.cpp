@@ -112,6 +112,8 @@ void Conversation::showErrors() {
 }
 
 void Conversation::waitForEnd(double seconds) {
+  if (!failure_.empty()) return;
+  child_->closeInput();
   const double end = now() + seconds;
   while (failure_.empty() && now() < end) {
     read_ = in_.size();  // whatever it still says

@@ -32,7 +32,7 @@ class Conversation {
   TeamReply* await(std::uint64_t id, TeamReply::Kind kind, double seconds);
   /// Hands standard error to the log, line by line.
   void showErrors();
-  /// Waits at most `seconds` for the program to end by itself.
+  /// Ends the conversation: closes the program's standard input, and waits at most `seconds` for it to end.
   void waitForEnd(double seconds);
   /// Ends the conversation for a reason of the caller's.
   void fail(std::string reason);

@@ -246,6 +246,8 @@ Child::Received Child::receive(std::string& into, double seconds) {
   }
 }
 
+void Child::closeInput() { impl_->in.close(); }
+
 std::string Child::takeErrors() {
   impl_->drainErrors();
   return impl_->errors_kept.take();

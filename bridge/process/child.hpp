@@ -52,6 +52,8 @@ class Child {
   /// Appends to `into` what the child has written, at most 64 KiB, after waiting at most `seconds` for the
   /// first byte.
   Received receive(std::string& into, double seconds);
+  /// Closes the child's standard input: a good program ends then. What still waits to be sent is lost.
+  void closeInput();
   /// Standard error since the last call. At most 64 KiB are kept between calls; more is counted and said.
   std::string takeErrors();
   /// Begins to end the child without a wait. To end one that holds much memory takes 0.1 s per GiB.
