@@ -265,12 +265,22 @@ int exitCode(const MatchReport& report, bool closed) {
   return report.complete || (closed && !interrupted()) ? kOk : interruptedCode();
 }
 
+/// Says which layers a team's containment lacks.
+void noteContainment(const MatchConfig& config) {
+  for (const TeamChoice& team : config.teams) {
+    for (const Setting& entry : team.origin) {
+      if (entry.name == "containment_missing") note("note: {} runs without {}\n", team.text, entry.value);
+    }
+  }
+}
+
 int playOne(const MatchCommand& options, const MatchConfig& config) {
   // Opens before any output file, so that a failure leaves no file.
   auto window = windowOf(options);
   if (!window) return report(window.error());
   auto made = Match::create(config, now);
   if (!made) return report(made.error());
+  noteContainment(made->config());
   Watchers watchers;
   if (auto attached = watchers.attach(options, *made); !attached) return report(attached.error());
   MatchProfile profile;

@@ -276,7 +276,11 @@ std::vector<Setting> OutsideTeam::origin() const {
   if (!impl_->welcome.name.empty()) origin.push_back({"name", impl_->welcome.name});
   if (!impl_->welcome.version.empty()) origin.push_back({"version", impl_->welcome.version});
   if (impl_->talk) {
-    origin.push_back({"containment", fmt::format("{}", fmt::join(impl_->talk->containment().layers, " "))});
+    const Containment& reached = impl_->talk->containment();
+    origin.push_back({"containment", fmt::format("{}", fmt::join(reached.layers, " "))});
+    if (!reached.missing.empty()) {
+      origin.push_back({"containment_missing", fmt::format("{}", fmt::join(reached.missing, "; "))});
+    }
   }
   return origin;
 }

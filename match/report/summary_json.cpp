@@ -44,6 +44,16 @@ Json robotJson(const RobotStatistics& robot, std::size_t number, double dt) {
           {"goals", robot.goals}};
 }
 
+// Of teams that are files or programs: where they come from, and how they are contained.
+Json originJson(const MatchConfig& config) {
+  Json json = Json::object();
+  for (const TeamId team : kTeams) {
+    for (const Setting& entry : config.teams[indexOf(team)].origin)
+      json[nameOf(team)][entry.name] = entry.value;
+  }
+  return json;
+}
+
 Json faultsJson(const TeamFaults& faults) {
   return {{"rejected", faults.rejected()},
           {"not_finite", faults.not_finite},
@@ -154,6 +164,7 @@ std::string matchJson(const MatchReport& report) {
   for (const LoggedEvent& event : report.events) {
     json["events"].push_back(eventJson(event, report.statistics.dt));
   }
+  if (Json origin = originJson(report.config); !origin.empty()) json["origin"] = std::move(origin);
   if (report.faults.abandoned) json["abandoned"] = report.faults.abandoned->message;
   if (report.profile) json["compute_profile"] = profileJson(*report.profile);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

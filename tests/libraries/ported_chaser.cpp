@@ -1,3 +1,4 @@
-#include "tests/libraries/ported_chaser.hpp"
+// The class that is also a program: see chaser_program.cpp there.
+#include "examples/teams/chaser.hpp"
 
-FULBITO_TEAM(fulbito::test::PortedChaser)
+FULBITO_TEAM(Chaser)
