@@ -39,8 +39,9 @@ double secondsOf(std::int64_t nanoseconds) { return static_cast<double>(nanoseco
 
 class Watched final : public Relay {
  public:
-  Watched(std::unique_ptr<Strategy> team, std::int64_t created_at, const MatchClock& clock, TeamNotes& notes)
-      : Relay(std::move(team)), created_at_(created_at), clock_(clock), notes_(&notes) {}
+  Watched(std::unique_ptr<Strategy> team, std::int64_t created_at, const MatchClock& read_clock,
+          TeamNotes& notes)
+      : Relay(std::move(team)), created_at_(created_at), clock_(read_clock), notes_(&notes) {}
 
   void begin(const MatchInfo& info) override {
     Relay::begin(info);
@@ -109,12 +110,12 @@ TeamChoice wrapped(const TeamChoice& team, Wrap wrap) {
 
 }  // namespace
 
-TeamChoice watchedTeam(const TeamChoice& team, const MatchClock& clock, TeamNotes& notes) {
-  return wrapped(team, [clock, &notes](const auto& make) -> Result<std::unique_ptr<Strategy>> {
-    const std::int64_t created_at = clock();
+TeamChoice watchedTeam(const TeamChoice& team, const MatchClock& read_clock, TeamNotes& notes) {
+  return wrapped(team, [read_clock, &notes](const auto& make) -> Result<std::unique_ptr<Strategy>> {
+    const std::int64_t created_at = read_clock();
     auto made = make();
     if (!made) return made;
-    return std::make_unique<Watched>(std::move(*made), created_at, clock, notes);
+    return std::make_unique<Watched>(std::move(*made), created_at, read_clock, notes);
   });
 }
 

@@ -79,6 +79,7 @@ Result<std::vector<ParameterSpec>> pluginParameters(const fulbito_parameter* par
 Result<std::vector<double>> pluginValues(const std::vector<ParameterSpec>& specs,
                                          const std::vector<Setting>& settings, const std::string& owner) {
   std::vector<double> values;
+  values.reserve(specs.size());
   for (const ParameterSpec& spec : specs) values.push_back(spec.default_value);
   for (const Setting& setting : settings) {
     const auto index = findParameter(specs, setting.name, owner);
