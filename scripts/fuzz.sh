@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes each reader of foreign bytes for some seconds (default: 60), from its stored corpus, under sanitizers:
+# Fuzzes the readers of foreign bytes at once for some seconds (default: 60), from stored corpora, under sanitizers:
 # recordings, messages and tables of shared libraries, and the line protocol of teams.
 # Usage: scripts/fuzz.sh [SECONDS [TARGET ...]]. What crashes one is left in build/asan/fuzz/crashes.
 set -euo pipefail
@@ -10,10 +10,20 @@ targets=("${@:2}")
 cmake --preset asan -DFULBITO_BUILD_TESTS=ON > /dev/null
 cmake --build --preset asan --target "${targets[@]/%/_fuzzer}"
 crashes=build/asan/fuzz/crashes
+running=()
 for target in "${targets[@]}"; do
   found=build/asan/fuzz/corpus/$target
   mkdir -p "$found" "$crashes"
   # The second folder is only read; what is new goes to the first.
   "build/asan/tests/fuzz/${target}_fuzzer" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 \
-    -max_len=20000 -print_final_stats=1 -artifact_prefix="$crashes/$target-" "$found" "tests/fuzz/corpus/$target"
+    -max_len=20000 -print_final_stats=1 -artifact_prefix="$crashes/$target-" "$found" "tests/fuzz/corpus/$target" \
+    > "$crashes/$target.log" 2>&1 &
+  running+=($!)
 done
+failed=0
+for i in "${!targets[@]}"; do
+  wait "${running[$i]}" || failed=1
+  echo "== ${targets[$i]}"
+  tail -n 40 "$crashes/${targets[$i]}.log"
+done
+exit $failed
