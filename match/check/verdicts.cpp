@@ -199,18 +199,28 @@ TeamCheck rolesVerdict(const PlayFindings& plays) {
   return check;
 }
 
+namespace {
+
+std::string valueOf(const std::vector<Setting>& origin, std::string_view name) {
+  for (const Setting& setting : origin) {
+    if (setting.name == name) return setting.value;
+  }
+  return {};
+}
+
+}  // namespace
+
 TeamCheck containmentVerdict(const PlayFindings& plays, bool outside) {
   TeamCheck check{"containment", CheckVerdict::kOk, "none: the team runs in this process", {}};
   if (!outside) return check;
-  const auto& origin = plays.notes.origin;
-  const auto entry = std::find_if(origin.begin(), origin.end(),
-                                  [](const Setting& setting) { return setting.name == "containment"; });
-  std::istringstream words(entry == origin.end() ? std::string() : entry->value);
+  std::istringstream words(valueOf(plays.notes.origin, "containment"));
   const std::vector<std::string> layers{std::istream_iterator<std::string>(words), {}};
   check.figures = {{"layers", double(layers.size())}};
   check.finding = layers.empty() ? "none: the team runs without containment"
                                  : fmt::format("{} layers: {}", layers.size(), fmt::join(layers, ", "));
-  if (layers.empty()) check.verdict = CheckVerdict::kWarning;
+  const std::string missing = valueOf(plays.notes.origin, "containment_missing");
+  if (!missing.empty()) check.finding += "; without " + missing;
+  if (layers.empty() || !missing.empty()) check.verdict = CheckVerdict::kWarning;
   return check;
 }
 
