@@ -232,7 +232,8 @@ bool Child::send(std::string_view bytes) {
 Child::Received Child::receive(std::string& into, double seconds) {
   Impl& child = *impl_;
   timespec left = timeOf(seconds);
-  // A quick reply is there sooner than a sleeping processor wakes up. Yielding lets the child run on this one.
+  // A quick reply is there sooner than a sleeping processor wakes up. Yielding lets the child run on this
+  // one.
   for (int round = 0; seconds > 0.0 && round < kYields && child.out.isOpen(); ++round) {
     if (const Received got = child.readOutput(into); got != Received::kNothing) return got;
     ::sched_yield();
