@@ -1,0 +1,130 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "fulbito/detail/canvas.hpp"
+#include "fulbito/experiment.hpp"
+#include "replays/html/page_scene.hpp"
+#include "replays/render/field/line_chart.hpp"
+
+/// What the experiments of the papers share: what one is asked for, and what it gives. An experiment computes
+/// values only; report_text, report_json and report_files turn them into text, JSON and files.
+namespace fulbito {
+
+/// What an experiment is asked for.
+struct ExperimentRequest {
+  std::uint64_t seed = 1;         ///< seed of all its random streams
+  int jobs = 0;                   ///< worker threads; 0: all cores; the report does not depend on it
+  std::vector<Setting> settings;  ///< checked against `PaperExperiment::settings`
+  Progress progress;              ///< may be empty
+
+  /// The value of a setting as given; empty if it was not given.
+  std::optional<std::string> find(std::string_view name) const;
+};
+
+/// A figure of a paper beside ours.
+struct PaperFigure {
+  std::string id;                    ///< unique in the report, e.g. "table-5-radius-0.3"
+  std::string where;                 ///< place in the paper, e.g. "Table 5"
+  std::string what;                  ///< what is measured
+  std::string unit;                  ///< e.g. "m"; empty: none
+  int decimals = 2;                  ///< of `paper`, `ours` and the band in texts
+  std::optional<double> paper = {};  ///< as printed; empty: the paper gives no number
+  double ours = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not measured, which is outside every band
+  double low = -std::numeric_limits<double>::infinity();   ///< @{ band of an honest reproduction
+  double high = std::numeric_limits<double>::infinity();   ///< @}
+  std::string reason = {};  ///< why ours differs from the paper's, or is outside the band
+
+  bool inside() const { return ours >= low && ours <= high; }
+};
+
+/// A column of a table.
+struct ReportColumn {
+  std::string name;  ///< also in CSV and JSON, e.g. "time_s"
+  int decimals = 3;  ///< of its numbers in texts; CSV and JSON have all digits
+};
+
+/// A number, or a text.
+using ReportCell = std::variant<double, std::string>;
+
+/// A table of results, written as NAME.csv too.
+struct ReportTable {
+  std::string name;                   ///< of its file, e.g. "table-5"
+  std::string title;                  ///< one line
+  std::vector<ReportColumn> columns;  ///< at least one
+  std::vector<std::vector<ReportCell>> rows;
+  std::size_t shown = 40;  ///< rows in texts; CSV and JSON have all
+};
+
+/// A chart, written as NAME.png.
+struct ReportChart {
+  std::string name;
+  LineChart chart;
+};
+
+/// A line across a scene, e.g. a reference path.
+struct ScenePath {
+  std::string label;         ///< legend of the picture
+  std::vector<Vec2> points;  ///< [m]
+  bool dashed = false;
+};
+
+/// An animated scene: NAME.png (paths of all bodies, and `paths`), NAME.gif, and one scene of the HTML page.
+struct ReportScene {
+  std::string name;
+  std::string caption;  ///< one sentence or more for the picture
+  PageScene page;       ///< bodies, rows and drawings; `plays` and `ticks` may be left to `finishScene`
+  std::vector<ScenePath> paths;
+  std::vector<std::string> labels;  ///< of the first bodies, for the legend; may be empty
+};
+
+/// Fills in what every scene of one play has alike: its play, its ticks, facts about the build.
+void finishScene(ReportScene& scene);
+
+/// What an experiment gives.
+struct ExperimentReport {
+  std::string name;                  ///< as `PaperExperiment::name`
+  std::string title;                 ///< e.g. "Choi & Lee (2005): capturing a moving object"
+  std::vector<PaperFigure> figures;  ///< in the order of the paper
+  std::vector<ReportTable> tables;
+  std::vector<ReportChart> charts;
+  std::vector<ReportScene> scenes;
+  std::vector<std::string> notes;  ///< sentences under the tables
+};
+
+/// A setting of an experiment.
+struct ExperimentSetting {
+  std::string name;     ///< as in `--set name=value`
+  std::string initial;  ///< default, as text; empty: none
+  std::string doc;      ///< one line with its unit
+};
+
+/// An experiment that reproduces a paper.
+struct PaperExperiment {
+  std::string name;     ///< as in `fulbito experiment NAME`
+  std::string summary;  ///< one line
+  std::string paper;    ///< authors, year, title
+  std::vector<ExperimentSetting> settings;
+  /// Runs it. The same request gives the same report for any number of jobs. Errors: kUsage naming the
+  /// setting; kInterrupted.
+  Result<ExperimentReport> (*run)(const ExperimentRequest& request) = nullptr;
+};
+
+/// All experiments, in the order of docs/papers.md.
+std::span<const PaperExperiment> paperExperiments();
+
+/// The experiment of that name. Errors: kUsage with a suggestion.
+Result<const PaperExperiment*> findPaperExperiment(const std::string& name);
+
+/// Checks names of settings, and runs it. Errors: kUsage; those of the experiment.
+Result<ExperimentReport> runPaperExperiment(const PaperExperiment& experiment,
+                                            const ExperimentRequest& request);
+
+}  // namespace fulbito

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/papers/paper_experiment.hpp"
+
+namespace fulbito {
+
+/// Markdown for people: the figures beside the paper's, the tables, the notes.
+std::string experimentText(const ExperimentReport& report);
+
+/// One JSON object with figures, tables and names of files, pretty-printed with a final newline.
+std::string experimentJson(const ExperimentReport& report, const ExperimentRequest& request);
+
+/// The whole table as CSV.
+std::string tableCsv(const ReportTable& table);
+
+/// Writes results.json, a CSV file per table, a picture per chart and scene, a GIF per scene and NAME.html
+/// into `folder`, and returns their names in order. Errors: kIo.
+Result<std::vector<std::string>> writeExperiment(const ExperimentReport& report,
+                                                 const ExperimentRequest& request, const std::string& folder);
+
+}  // namespace fulbito
