@@ -29,7 +29,7 @@ struct SeriesConfig {
       clock;  ///< measures decisions if `match.decision_time` limits them; may be called from several threads
   /// Hears each complete pair in the order of the schedule, whatever the number of jobs. Calls do not
   /// overlap. False: this pair is the last one of the series. May be empty.
-  std::function<bool(const PairRecord&)> judge;
+  std::function<bool(const PairRecord&)> judge = {};
 };
 
 /// A foul paid off if its team scores within this time of play [s].
