@@ -34,7 +34,8 @@ EncoderCounts WheelEncoders::read(const RobotState& before, const RobotState& af
 }
 
 std::int64_t WheelEncoders::count(double travel, double scale, double& rest) {
-  const double noise = travel == 0.0 ? 0.0 : random_.normal(0.0, model_.slip_noise * std::sqrt(std::abs(travel)));
+  const double noise =
+      travel == 0.0 ? 0.0 : random_.normal(0.0, model_.slip_noise * std::sqrt(std::abs(travel)));
   rest += travel * scale + noise;
   const auto counts = static_cast<std::int64_t>(std::floor(rest / metres_per_count_));
   rest -= static_cast<double>(counts) * metres_per_count_;

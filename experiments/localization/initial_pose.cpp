@@ -54,8 +54,8 @@ Result<InitialPose> locate(const Room& room, const Body& body, const EchoTimes& 
   const double front = axis->echo_speed * timeOf(times, Beam::kFront);
   const double deepest = (axis->facing == Facing::kMinusY ? room.y : room.x) - body.length;
   if (front > deepest + 4 * sigma) {
-    return fail(ErrorCode::kBadInput, fmt::format("the wall ahead is {:.3f} m away, but the room leaves {:.3f} m",
-                                                  front, deepest));
+    return fail(ErrorCode::kBadInput,
+                fmt::format("the wall ahead is {:.3f} m away, but the room leaves {:.3f} m", front, deepest));
   }
   const double side = axis->echo_speed * timeOf(times, originSide(axis->facing));
   const double other = axis->echo_speed * side_time - side;

@@ -33,13 +33,13 @@ class PoseEstimator {
 struct Knowledge {
   Room room;
   Body body;
-  double axle_track = 0.3;        ///< [m]
-  Pose2 pose;                     ///< of its centre
-  double echo_speed = 170.0;      ///< [m/s] the calibrated constant
-  double gyro_bias = 0.0;         ///< [rad/s] mean reading at standstill
-  double range_sigma = 0.008;     ///< [m] noise of a range
-  double cone = 0.218;            ///< [rad] half width of a sensor's cone
-  double ping_period = 0.1;       ///< [s] between echoes
+  double axle_track = 0.3;     ///< [m]
+  Pose2 pose;                  ///< of its centre
+  double echo_speed = 170.0;   ///< [m/s] the calibrated constant
+  double gyro_bias = 0.0;      ///< [rad/s] mean reading at standstill
+  double range_sigma = 0.008;  ///< [m] noise of a range
+  double cone = 0.218;         ///< [rad] half width of a sensor's cone
+  double ping_period = 0.1;    ///< [s] between echoes
 };
 
 /// Encoders and gyro alone.

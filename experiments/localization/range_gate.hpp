@@ -15,8 +15,8 @@ class RangeGate {
   /// @param limit  [m] the paper's l0
   explicit RangeGate(double limit) : limit_(limit) {}
 
-  /// Takes in a range [m], or none, seen from `sensor` toward the unit vector `direction`, both in the frame of
-  /// dead reckoning. @return whether it may be used
+  /// Takes in a range [m], or none, seen from `sensor` toward the unit vector `direction`, both in the frame
+  /// of dead reckoning. @return whether it may be used
   bool accept(std::optional<double> range, Vec2 sensor, Vec2 direction);
 
  private:

@@ -22,7 +22,8 @@ WallAhead wallAhead(const Room& room, const Body& body, const Pose2& pose, Beam 
   wall.across_x = quarter % 2 == 0;
   wall.sign = quarter < 2 ? 1.0 : -1.0;
   wall.incidence = math::wrapAngle(direction - quarter * (math::kPi / 2));
-  const double sensor = wall.across_x ? pose.position.x + reach * axis.cos : pose.position.y + reach * axis.sin;
+  const double sensor =
+      wall.across_x ? pose.position.x + reach * axis.cos : pose.position.y + reach * axis.sin;
   const double extent = wall.across_x ? room.x : room.y;
   wall.distance = wall.sign > 0.0 ? extent - sensor : sensor;
   wall.by_heading = wall.sign * reach * (wall.across_x ? axis.sin : -axis.cos);

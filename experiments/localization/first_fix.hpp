@@ -1,0 +1,24 @@
+#pragma once
+
+#include "experiments/localization/initial_pose.hpp"
+#include "experiments/localization/rig.hpp"
+
+namespace fulbito::localization {
+
+/// What a robot finds out before it drives: steps 1 and 2 of the paper.
+struct FirstFix {
+  InitialPose start;
+  double gyro_bias = 0.0;  ///< [rad/s] mean reading at standstill
+};
+
+/// Aligns the robot with a wall and finds its pose: gyro bias at standstill, a sweep of the front sensor by
+/// +-45 degrees, a turn to the middle of the near-shortest echoes, a second sweep, a turn to the fitted
+/// perpendicular, and mean echoes at standstill.
+/// Errors: kBadInput if no wall answers, and as `locate`.
+Result<FirstFix> findStart(Rig& rig, const Room& room);
+
+/// Echoes at standstill, and the deviation [m] of a mean distance for ranges of deviation `sigma`.
+inline constexpr int kStandstillPings = 20;
+double meanSigma(double sigma);
+
+}  // namespace fulbito::localization
