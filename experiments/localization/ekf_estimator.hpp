@@ -10,7 +10,7 @@ namespace fulbito::localization {
 /// Quality of the sensors and of the start, as standard deviations, for the filter.
 struct EkfSettings {
   std::array<double, 9> start{};  ///< covariance of x [m], y [m] and the constant [m/s], row by row
-  double start_heading = 0.0175;  ///< [rad]
+  double start_heading = 0.0075;  ///< [rad]
   double start_bias = 0.0008;     ///< [rad/s]
   double encoder_scale = 0.01;    ///< of each wheel
   double slip = 0.004;            ///< [m/sqrt(m)] of each wheel

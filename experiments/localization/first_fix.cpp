@@ -12,7 +12,9 @@ constexpr double kDegree = math::kPi / 180;
 constexpr double kFirstSweep = 45 * kDegree;
 // It reaches beyond both flanks of the range: half the cone and acos(1 / 1.05) are 30 degrees.
 constexpr double kSecondSweep = 40 * kDegree;
-constexpr double kTurned = 0.3 * kDegree;
+constexpr double kCentred = 8 * kDegree;  // both flanks are in the sweep
+constexpr int kMostSweeps = 5;
+constexpr double kTurned = 0.1 * kDegree;
 constexpr int kQuarters = 4;                   // turns on the spot until a wall answers
 constexpr int kLeastEchoes = 8;                // in a sweep that counts
 constexpr double kAlignRate = 0.9;             // [rad/s]
@@ -86,15 +88,24 @@ int echoesOf(const std::vector<SweepEcho>& sweep) {
   return count;
 }
 
+/// Sweeps about the middle of the last sweep's near-shortest echoes, until it is the middle of its own.
+double perpendicular(Turner& turner, double centre, const SweepSensor& sensor, double rate) {
+  for (int i = 1;; ++i) {
+    const auto sweep = turner.sweep(centre, kSecondSweep, rate);
+    const double middle = levelCentre(sweep, sensor).value_or(centre);
+    if (i == kMostSweeps || std::abs(middle - centre) < kCentred)
+      return fittedPerpendicular(sweep, middle, sensor);
+    centre = middle;
+  }
+}
+
 Result<void> align(Rig& rig, const SweepSensor& sensor, double bias) {
   Turner turner(rig, bias);
   const double rate = rig.rover().limits.sweep_rate;
   for (int quarter = 0; quarter < kQuarters; ++quarter) {
     const auto first = turner.sweep(quarter * math::kPi / 2, kFirstSweep, rate);
     if (echoesOf(first) < kLeastEchoes) continue;
-    const double centre = *levelCentre(first, sensor);
-    const auto second = turner.sweep(centre, kSecondSweep, rate);
-    turner.turnTo(fittedPerpendicular(second, centre, sensor), kAlignRate);
+    turner.turnTo(perpendicular(turner, *levelCentre(first, sensor), sensor, rate), kAlignRate);
     return {};
   }
   return fail(ErrorCode::kBadInput, "no wall answers the front sensor in any direction");

@@ -12,8 +12,8 @@ struct FirstFix {
 };
 
 /// Aligns the robot with a wall and finds its pose: gyro bias at standstill, a sweep of the front sensor by
-/// +-45 degrees, a turn to the middle of the near-shortest echoes, a second sweep, a turn to the fitted
-/// perpendicular, and mean echoes at standstill.
+/// +-45 degrees, sweeps of +-40 degrees about the middle of the near-shortest echoes until it stays, a turn to
+/// the fitted perpendicular, and mean echoes at standstill.
 /// Errors: kBadInput if no wall answers, and as `locate`.
 Result<FirstFix> findStart(Rig& rig, const Room& room);
 

@@ -7,22 +7,27 @@
 namespace fulbito::localization {
 namespace {
 
-constexpr double kSmallest = 2.2, kLargest = 3.6;  // [m]
+constexpr double kSmallest = 2.4, kLargest = 5.0;  // [m]
+constexpr std::uint64_t kFieldIndex = 1'000'000;   // apart from the numbers of the rooms
 constexpr double kColdest = 5.0, kWarmest = 35.0;  // [degrees]
 
-CleaningTask taskIn(const Room& room, const SensorSpread& spread, std::uint64_t seed, std::uint64_t index,
-                    Rng& random) {
+/// What all tasks draw alike. It draws from `random` in this order: errors of the sensors, pose, temperature.
+CleaningTask taskIn(const FieldGeometry& field, const Rover& rover, const SensorSpread& spread, Rng& random) {
   CleaningTask task;
-  task.field = plainRoom(room);
-  task.rover = withErrors(cleaningRobot(), spread, random);
+  task.field = field;
+  task.rover = withErrors(rover, spread, random);
   task.spread = spread;
-  const double margin = task.rover.margin;
-  task.start.position = {random.uniform(margin, room.x - margin), random.uniform(margin, room.y - margin)};
+  const double margin = rover.margin;
+  task.start.position.x = random.uniform(margin, field.length - margin);
+  task.start.position.y = random.uniform(margin, field.width - margin);
   task.start.heading = random.uniform(-math::kPi, math::kPi);
   task.celsius = random.uniform(kColdest, kWarmest);
+  return task;
+}
+
+void number(CleaningTask& task, std::uint64_t seed, std::uint64_t index) {
   task.seed = seed;
   task.index = index;
-  return task;
 }
 
 }  // namespace
@@ -41,18 +46,38 @@ FieldGeometry plainRoom(const Room& room) {
 
 RandomRooms randomRooms(std::size_t count, std::uint64_t seed, const SensorSpread& spread) {
   RandomRooms rooms;
-  const Body body = bodyOf(cleaningRobot());
+  const Rover rover = cleaningRobot();
   const double sigma = std::sqrt(2.0) * meanSigma(spread.range_noise);
   for (std::uint64_t index = 0; rooms.tasks.size() < count; ++index) {
     Rng random(seed, Stream::kRoom, index);
-    const Room room{random.uniform(kSmallest, kLargest), random.uniform(kSmallest, kLargest)};
-    if (auto clear = checkUnambiguous(room, body, sigma); !clear) {
+    Room room;
+    room.x = random.uniform(kSmallest, kLargest);
+    room.y = random.uniform(kSmallest, kLargest);
+    if (auto clear = checkUnambiguous(room, bodyOf(rover), sigma); !clear) {
       rooms.refusals.push_back(clear.error().message);
       continue;
     }
-    rooms.tasks.push_back(taskIn(room, spread, seed, index, random));
+    rooms.tasks.push_back(taskIn(plainRoom(room), rover, spread, random));
+    number(rooms.tasks.back(), seed, index);
   }
   return rooms;
+}
+
+std::vector<CleaningTask> fieldTasks(const FieldGeometry& field, std::size_t count, std::uint64_t seed,
+                                     const SensorSpread& spread) {
+  std::vector<CleaningTask> tasks;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t index = kFieldIndex + i;
+    Rng random(seed, Stream::kRoom, index);
+    tasks.push_back(taskIn(field, smallRobot(), spread, random));
+    number(tasks.back(), seed, index);
+  }
+  return tasks;
+}
+
+FieldGeometry withoutGoals(FieldGeometry field) {
+  field.goal_width = field.goal_depth = 0.0;
+  return field;
 }
 
 }  // namespace fulbito::localization

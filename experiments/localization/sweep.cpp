@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "fulbito/detail/math.hpp"
 
@@ -35,25 +37,34 @@ void forEchoesNear(std::span<const SweepEcho> sweep, double perpendicular, const
   }
 }
 
-/// The distance of the robot's centre from a wall in that direction which fits best.
+/// The distance of the robot's centre from a wall in that direction which fits best: the median of what each
+/// echo says, then the least squares over those that agree with it.
 double centreDistance(std::span<const SweepEcho> sweep, double perpendicular, const SweepSensor& sensor) {
-  double product = 0.0, square = 0.0;
+  std::vector<double> said;
   forEchoesNear(sweep, perpendicular, [&](const SweepEcho& echo) {
     const Shape shape = shapeAt(echo.heading - perpendicular, sensor);
-    product += shape.stretch * (rangeOf(echo, sensor) + shape.stretch * shape.reach);
-    square += shape.stretch * shape.stretch;
+    said.push_back(rangeOf(echo, sensor) / shape.stretch + shape.reach);
   });
-  return product / square;
+  if (said.empty()) return 0.0;
+  const auto middle = said.begin() + static_cast<std::ptrdiff_t>(said.size() / 2);
+  std::nth_element(said.begin(), middle, said.end());
+  const double median = *middle;
+  double sum = 0.0, count = 0.0;
+  for (const double centre : said) {
+    if (std::abs(centre - median) <= kOutlier * sensor.noise) sum += centre, count += 1.0;
+  }
+  return sum / count;
 }
 
-/// Sum of squared residuals in sigmas. Echoes of something else cost the same wherever the wall is.
+/// Sum of squared residuals in sigmas. An echo of something else costs the same wherever the wall is.
 double misfit(std::span<const SweepEcho> sweep, double perpendicular, const SweepSensor& sensor) {
   const double centre = centreDistance(sweep, perpendicular, sensor);
   double sum = 0.0;
+  for (const SweepEcho& echo : sweep) sum += echo.time ? kOutlier * kOutlier : 0.0;
   forEchoesNear(sweep, perpendicular, [&](const SweepEcho& echo) {
     const Shape shape = shapeAt(echo.heading - perpendicular, sensor);
     const double off = (rangeOf(echo, sensor) - shape.stretch * (centre - shape.reach)) / sensor.noise;
-    sum += std::min(off * off, kOutlier * kOutlier);
+    sum += std::min(off * off - kOutlier * kOutlier, 0.0);
   });
   return sum;
 }

@@ -18,7 +18,7 @@ struct ThresholdSettings {
   double least = 0.1;           ///< @{ [m] ranges that are used
   double greatest = 6.0;        ///< @}
   double incidence = 0.262;     ///< [rad] 15 degrees; less if the cone is narrower
-  double heading_way = 0.6;     ///< [m] along a wall for one correction of the heading
+  double heading_way = 0.3;     ///< [m] along a wall for one correction of the heading
   double heading_gain = 0.3;    ///< share of the heading's difference that is corrected
   double calm_turn_rate = 0.1;  ///< [rad/s] echoes in faster turns are not used
 };
