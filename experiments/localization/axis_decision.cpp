@@ -34,18 +34,26 @@ Facing nearestFacing(const Room& room, const Body& body, double side_time) {
   return std::abs(seen - room.x) < std::abs(seen - room.y) ? Facing::kMinusY : Facing::kMinusX;
 }
 
-Result<void> checkUnambiguous(const Room& room, const Body& body, double sigma) {
+double nearestSeparation(double longer, const Body& body) {
+  // In the warmest air the room seems shorter by this share; the other extent must be twice as far away.
+  return 2 * (1.0 - kNominalEchoSpeed / echoSpeedBand().high) * (longer - body.width);
+}
+
+double bandSeparation(double longer, const Body& body, double sigma) {
   const EchoSpeedBand band = echoSpeedBand();
-  const double longer = std::max(room.x, room.y), shorter = std::min(room.x, room.y);
   // In the warmest air the longer side sounds shortest; even then the shorter one must not explain it.
   const double shortest_seen = (longer - body.width - kSigmas * sigma) * band.low / band.high;
-  const double largest_other = shortest_seen - kSigmas * sigma + body.width;
-  if (shorter < largest_other) return {};
+  return longer - (shortest_seen - kSigmas * sigma + body.width);
+}
+
+Result<void> checkUnambiguous(const Room& room, const Body& body, double sigma) {
+  const double longer = std::max(room.x, room.y), difference = std::abs(room.x - room.y);
+  const double needed = bandSeparation(longer, body, sigma);
+  if (difference > needed) return {};
   return fail(ErrorCode::kBadInput,
               fmt::format("room {:.3f} x {:.3f} m is ambiguous: its extents differ by {:.0f} mm, but between "
                           "{:.0f} and {:.0f} degrees echoes need more than {:.0f} mm",
-                          room.x, room.y, (longer - shorter) * 1e3, kColdest, kWarmest,
-                          (longer - largest_other) * 1e3));
+                          room.x, room.y, difference * 1e3, kColdest, kWarmest, needed * 1e3));
 }
 
 Result<AxisDecision> decideAxis(const Room& room, const Body& body, double side_time, double sigma) {

@@ -33,6 +33,13 @@ constexpr double acrossOf(const Room& room, Facing facing) {
 /// @param side_time  [s] echo times of both sides together
 Facing nearestFacing(const Room& room, const Body& body, double side_time);
 
+/// @{ Least difference [m] of the extents at which a rule tells the axes of a room apart at every temperature
+/// of the band, the longer extent given: the paper's rule, without noise, and `decideAxis`.
+/// @param sigma  [m] standard deviation of both side distances together
+double nearestSeparation(double longer, const Body& body);
+double bandSeparation(double longer, const Body& body, double sigma);
+/// @}
+
 /// Whether echoes at any temperature of the band tell the two axes of a room apart.
 /// @param sigma  [m] standard deviation of both side distances together
 /// Errors: kBadInput with the least difference of the extents that is needed.

@@ -101,13 +101,14 @@ double wayUntil(const std::vector<Vec2>& route, std::size_t part, Vec2 place) {
 class CleaningDrive {
  public:
   CleaningDrive(Rig& rig, const Room& room, std::vector<Vec2> route, PoseEstimator& estimator,
-                CleaningResult& result, bool with_moments)
+                double echo_speed, CleaningResult& result, bool with_moments)
       : rig_(rig),
         estimator_(estimator),
         driver_(std::move(route), rig.rover().limits),
         judge_(room, result.turned_frame, driver_.points()),
         result_(result),
-        with_moments_(with_moments) {}
+        with_moments_(with_moments),
+        echo_speed_(echo_speed) {}
 
   void run(double time_limit) {
     result_.outcome = CleaningOutcome::kFinished;
@@ -133,9 +134,13 @@ class CleaningDrive {
   }
 
   void keep(const Pose2& truth, const Pose2& estimate, double deviation, const EchoTimes& times) {
-    CleaningMoment moment{rig_.seconds(), wayUntil(driver_.points(), driver_.part(), truth.position),
-                          truth,          estimate,
-                          deviation,      {}};
+    CleaningMoment moment{rig_.seconds(),
+                          wayUntil(driver_.points(), driver_.part(), truth.position),
+                          driver_.part(),
+                          truth,
+                          estimate,
+                          deviation,
+                          {}};
     for (std::size_t i = 0; i < times.size(); ++i) {
       if (times[i]) moment.ranges[i] = *times[i] * echo_speed_;
     }
@@ -153,17 +158,13 @@ class CleaningDrive {
     if (with_moments_) result_.route = driver_.points();
   }
 
- public:
-  void takeEchoSpeed(double speed) { echo_speed_ = speed; }
-
- private:
   Rig& rig_;
   PoseEstimator& estimator_;
   RouteDriver driver_;
   Judge judge_;
   CleaningResult& result_;
   bool with_moments_;
-  double echo_speed_ = 170.0;
+  double echo_speed_;  // [m/s] of the moments' ranges
 };
 
 /// Time [s] that a robot takes for a route: its parts, and a quarter turn and its run-up at each.
@@ -178,9 +179,12 @@ void judgeStart(const Rig& rig, const Room& room, const CleaningTask& task, cons
   result.turned_frame = std::abs(math::wrapAngle(truth.heading - found.heading)) > math::kPi / 2;
   const Pose2 seen = result.turned_frame ? halfTurned(truth, room) : truth;
   result.heading_error = math::wrapAngle(seen.heading - found.heading);
+  result.level_centre_error = math::wrapAngle(result.heading_error + fix.level_centre);
+  result.shortest_echo_error = math::wrapAngle(result.heading_error + fix.shortest_echo);
   result.start_error = distance(seen.position, found.position);
+  result.echo_speed = fix.start.axis.echo_speed;
   const double echo_speed = speedOfSound(task.celsius) / 2;
-  result.echo_speed_error = fix.start.axis.echo_speed / echo_speed - 1.0;
+  result.echo_speed_error = result.echo_speed / echo_speed - 1.0;
   if (std::abs(result.heading_error) > math::kPi / 4) result.outcome = CleaningOutcome::kWrongAxis;
 }
 
@@ -204,8 +208,7 @@ Result<CleaningResult> runCleaning(const CleaningTask& task, Scheme scheme, bool
   const CleaningRoute route = cleaningRoute(room, fix->start.pose, task.rover.margin, task.rover.spacing);
   result.route_length = lengthOf(route);
   const auto estimator = estimatorFor(scheme, task, *fix);
-  CleaningDrive drive(*rig, room, route.points, *estimator, result, with_moments);
-  drive.takeEchoSpeed(fix->start.axis.echo_speed);
+  CleaningDrive drive(*rig, room, route.points, *estimator, result.echo_speed, result, with_moments);
   drive.run(rig->seconds() + kSlack * timeFor(route, task.rover.limits) + kSlackSeconds);
   return result;
 }

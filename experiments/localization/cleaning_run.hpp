@@ -42,6 +42,7 @@ constexpr std::string_view nameOf(CleaningOutcome outcome) {
 struct CleaningMoment {
   double seconds = 0.0;  ///< since the robot was put down
   double way = 0.0;      ///< [m] of the route done so far, by its parts
+  std::size_t part = 0;  ///< index of the point of the route at which the present part begins
   Pose2 truth;
   Pose2 estimate;
   double deviation = 0.0;                                   ///< [m] of the truth from the route
@@ -53,6 +54,9 @@ struct CleaningResult {
   CleaningOutcome outcome = CleaningOutcome::kRefused;
   std::string reason;                   ///< of a refusal
   double heading_error = nan();         ///< [rad] after alignment
+  double level_centre_error = nan();    ///< [rad] that the middle of near-shortest echoes would have had
+  double shortest_echo_error = nan();   ///< [rad] that the shortest echo would have had
+  double echo_speed = nan();            ///< [m/s] the calibrated constant
   double echo_speed_error = nan();      ///< relative, of the calibrated constant
   double start_error = nan();           ///< [m] of the first pose
   double max_deviation = nan();         ///< [m] of the true path from the route

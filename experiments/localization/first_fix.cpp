@@ -88,24 +88,32 @@ int echoesOf(const std::vector<SweepEcho>& sweep) {
   return count;
 }
 
+/// Directions of a wall by three rules.
+struct Perpendiculars {
+  double fitted = 0.0, level = 0.0, shortest = 0.0;  // [rad]
+};
+
 /// Sweeps about the middle of the last sweep's near-shortest echoes, until it is the middle of its own.
-double perpendicular(Turner& turner, double centre, const SweepSensor& sensor, double rate) {
+Perpendiculars perpendicular(Turner& turner, double centre, const SweepSensor& sensor, double rate) {
   for (int i = 1;; ++i) {
     const auto sweep = turner.sweep(centre, kSecondSweep, rate);
     const double middle = levelCentre(sweep, sensor).value_or(centre);
     if (i == kMostSweeps || std::abs(middle - centre) < kCentred)
-      return fittedPerpendicular(sweep, middle, sensor);
+      return {fittedPerpendicular(sweep, middle, sensor), middle, shortestEcho(sweep).value_or(centre)};
     centre = middle;
   }
 }
 
-Result<void> align(Rig& rig, const SweepSensor& sensor, double bias) {
-  Turner turner(rig, bias);
+Result<void> align(Rig& rig, const SweepSensor& sensor, FirstFix& fix) {
+  Turner turner(rig, fix.gyro_bias);
   const double rate = rig.rover().limits.sweep_rate;
   for (int quarter = 0; quarter < kQuarters; ++quarter) {
     const auto first = turner.sweep(quarter * math::kPi / 2, kFirstSweep, rate);
     if (echoesOf(first) < kLeastEchoes) continue;
-    turner.turnTo(perpendicular(turner, *levelCentre(first, sensor), sensor, rate), kAlignRate);
+    const Perpendiculars found = perpendicular(turner, *levelCentre(first, sensor), sensor, rate);
+    turner.turnTo(found.fitted, kAlignRate);
+    fix.level_centre = found.level - turner.heading();
+    fix.shortest_echo = found.shortest - turner.heading();
     return {};
   }
   return fail(ErrorCode::kBadInput, "no wall answers the front sensor in any direction");
@@ -122,8 +130,7 @@ Result<FirstFix> findStart(Rig& rig, const Room& room) {
                            kNominalEchoSpeed, rover.sonar.noise};
   FirstFix fix;
   fix.gyro_bias = biasAtStandstill(rig);
-  if (auto aligned = align(rig, sensor, fix.gyro_bias); !aligned)
-    return tl::unexpected<Error>(aligned.error());
+  if (auto aligned = align(rig, sensor, fix); !aligned) return tl::unexpected<Error>(aligned.error());
   auto start = locate(room, body, meanEchoes(rig), meanSigma(rover.sonar.noise));
   if (!start) return tl::unexpected<Error>(start.error());
   fix.start = *start;
