@@ -20,13 +20,13 @@ std::vector<Vec2> stripes(double across, double along, double margin, double spa
   const int gaps = std::max(1, static_cast<int>(std::ceil((across - 2 * margin) / spacing - 1e-9)));
   const double step = (across - 2 * margin) / gaps;
   std::vector<Vec2> points;
-  double end = margin;
   for (int i = 0; i <= gaps; ++i) {
-    points.push_back({margin + i * step, end});
-    end = along - margin - (end - margin);
-    points.push_back({margin + i * step, end});
+    const double x = margin + i * step;
+    const bool there = i % 2 == 0;
+    points.push_back({x, there ? margin : along - margin});
+    points.push_back({x, there ? along - margin : margin});
   }
-  points.push_back({margin, end});
+  points.push_back({margin, points.back().y});
   points.push_back({margin, margin});
   return points;
 }

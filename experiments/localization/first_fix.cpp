@@ -1,5 +1,6 @@
 #include "experiments/localization/first_fix.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -15,6 +16,7 @@ constexpr double kSecondSweep = 40 * kDegree;
 constexpr double kCentred = 8 * kDegree;  // both flanks are in the sweep
 constexpr int kMostSweeps = 5;
 constexpr double kTurned = 0.1 * kDegree;
+constexpr double kLeastNoise = 0.001;          // [m] a counter of microseconds has some
 constexpr int kQuarters = 4;                   // turns on the spot until a wall answers
 constexpr int kLeastEchoes = 8;                // in a sweep that counts
 constexpr double kAlignRate = 0.9;             // [rad/s]
@@ -126,12 +128,13 @@ double meanSigma(double sigma) { return sigma / std::sqrt(static_cast<double>(kS
 Result<FirstFix> findStart(Rig& rig, const Room& room) {
   const Rover& rover = rig.rover();
   const Body body = bodyOf(rover);
+  const double noise = std::max(kLeastNoise, rover.sonar.noise);
   const SweepSensor sensor{rover.sonar.sonars.front().half_cone, reachOf(body, Beam::kFront),
-                           kNominalEchoSpeed, rover.sonar.noise};
+                           kNominalEchoSpeed, noise};
   FirstFix fix;
   fix.gyro_bias = biasAtStandstill(rig);
   if (auto aligned = align(rig, sensor, fix); !aligned) return tl::unexpected<Error>(aligned.error());
-  auto start = locate(room, body, meanEchoes(rig), meanSigma(rover.sonar.noise));
+  auto start = locate(room, body, meanEchoes(rig), meanSigma(noise));
   if (!start) return tl::unexpected<Error>(start.error());
   fix.start = *start;
   return fix;
