@@ -16,7 +16,7 @@ double speedOfSound(double celsius) {
 }
 
 std::int64_t EchoTimer::microseconds(double range) const {
-  return static_cast<std::int64_t>(std::max(0.0, range) * per_metre_ + 0.5);
+  return static_cast<std::int64_t>(std::floor(std::max(0.0, range) * per_metre_ + 0.5));
 }
 
 }  // namespace fulbito

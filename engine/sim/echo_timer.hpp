@@ -15,7 +15,7 @@ class EchoTimer {
   /// @param celsius  temperature of the air; it must have a speed of sound above 0
   explicit EchoTimer(double celsius) : per_metre_(2e6 / speedOfSound(celsius)) {}
 
-  /// The count [us] for a wall `range` [m] away; 0 for a negative range.
+  /// The count [us] for a wall `range` [m] away, which is finite; 0 for a negative range.
   std::int64_t microseconds(double range) const;
 
  private:

@@ -9,9 +9,9 @@ constexpr std::uint64_t kExampleIndex = 2'000'000;  // apart from the numbers of
 
 CleaningTask exampleTask(std::uint64_t seed, const SensorSpread& spread) {
   CleaningTask task;
-  Rng random(seed, Stream::kRoom, kExampleIndex);
+  Rng draws(seed, Stream::kRoom, kExampleIndex);
   task.field = plainRoom({3.4, 2.8});
-  task.rover = withErrors(cleaningRobot(), spread, random);
+  task.rover = withErrors(cleaningRobot(), spread, draws);
   task.spread = spread;
   task.start = {{2.1, 1.2}, 1.0};
   task.celsius = 28.0;

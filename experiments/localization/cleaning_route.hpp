@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "experiments/localization/room.hpp"
+#include "experiments/localization/estimation/room.hpp"
 
 namespace fulbito::localization {
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "experiments/localization/ekf_estimator.hpp"
+#include "experiments/localization/estimation/ekf_estimator.hpp"
+#include "experiments/localization/estimation/threshold_estimator.hpp"
 #include "experiments/localization/rover.hpp"
-#include "experiments/localization/threshold_estimator.hpp"
 
 namespace fulbito::localization {
 

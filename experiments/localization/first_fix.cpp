@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "experiments/localization/sweep.hpp"
+#include "experiments/localization/estimation/sweep.hpp"
 
 namespace fulbito::localization {
 namespace {

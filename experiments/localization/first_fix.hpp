@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/localization/initial_pose.hpp"
+#include "experiments/localization/estimation/initial_pose.hpp"
 #include "experiments/localization/rig.hpp"
 
 namespace fulbito::localization {

@@ -11,17 +11,17 @@ constexpr double kSmallest = 2.4, kLargest = 5.0;  // [m]
 constexpr std::uint64_t kFieldIndex = 1'000'000;   // apart from the numbers of the rooms
 constexpr double kColdest = 5.0, kWarmest = 35.0;  // [degrees]
 
-/// What all tasks draw alike. It draws from `random` in this order: errors of the sensors, pose, temperature.
-CleaningTask taskIn(const FieldGeometry& field, const Rover& rover, const SensorSpread& spread, Rng& random) {
+/// What all tasks draw alike. It draws in this order: errors of the sensors, pose, temperature.
+CleaningTask taskIn(const FieldGeometry& field, const Rover& rover, const SensorSpread& spread, Rng& draws) {
   CleaningTask task;
   task.field = field;
-  task.rover = withErrors(rover, spread, random);
+  task.rover = withErrors(rover, spread, draws);
   task.spread = spread;
   const double margin = rover.margin;
-  task.start.position.x = random.uniform(margin, field.length - margin);
-  task.start.position.y = random.uniform(margin, field.width - margin);
-  task.start.heading = random.uniform(-math::kPi, math::kPi);
-  task.celsius = random.uniform(kColdest, kWarmest);
+  task.start.position.x = draws.uniform(margin, field.length - margin);
+  task.start.position.y = draws.uniform(margin, field.width - margin);
+  task.start.heading = draws.uniform(-math::kPi, math::kPi);
+  task.celsius = draws.uniform(kColdest, kWarmest);
   return task;
 }
 
@@ -49,15 +49,15 @@ RandomRooms randomRooms(std::size_t count, std::uint64_t seed, const SensorSprea
   const Rover rover = cleaningRobot();
   const double sigma = std::sqrt(2.0) * meanSigma(spread.range_noise);
   for (std::uint64_t index = 0; rooms.tasks.size() < count; ++index) {
-    Rng random(seed, Stream::kRoom, index);
+    Rng draws(seed, Stream::kRoom, index);
     Room room;
-    room.x = random.uniform(kSmallest, kLargest);
-    room.y = random.uniform(kSmallest, kLargest);
+    room.x = draws.uniform(kSmallest, kLargest);
+    room.y = draws.uniform(kSmallest, kLargest);
     if (auto clear = checkUnambiguous(room, bodyOf(rover), sigma); !clear) {
       rooms.refusals.push_back(clear.error().message);
       continue;
     }
-    rooms.tasks.push_back(taskIn(plainRoom(room), rover, spread, random));
+    rooms.tasks.push_back(taskIn(plainRoom(room), rover, spread, draws));
     number(rooms.tasks.back(), seed, index);
   }
   return rooms;
@@ -68,8 +68,8 @@ std::vector<CleaningTask> fieldTasks(const FieldGeometry& field, std::size_t cou
   std::vector<CleaningTask> tasks;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint64_t index = kFieldIndex + i;
-    Rng random(seed, Stream::kRoom, index);
-    tasks.push_back(taskIn(field, smallRobot(), spread, random));
+    Rng draws(seed, Stream::kRoom, index);
+    tasks.push_back(taskIn(field, smallRobot(), spread, draws));
     number(tasks.back(), seed, index);
   }
   return tasks;

@@ -4,7 +4,7 @@
 
 #include "engine/sim/echo_timer.hpp"
 #include "engine/sim/sonar.hpp"
-#include "experiments/localization/pose_estimator.hpp"
+#include "experiments/localization/estimation/pose_estimator.hpp"
 #include "experiments/localization/rover.hpp"
 #include "fulbito/world.hpp"
 

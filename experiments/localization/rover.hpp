@@ -3,7 +3,7 @@
 #include "engine/core/models/sonar_model.hpp"
 #include "engine/sim/encoders.hpp"
 #include "engine/sim/gyro.hpp"
-#include "experiments/localization/room.hpp"
+#include "experiments/localization/estimation/room.hpp"
 #include "experiments/localization/route_driver.hpp"
 #include "fulbito/models.hpp"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "engine/sim/echo_timer.hpp"
-#include "experiments/localization/axis_decision.hpp"
+#include "experiments/localization/estimation/axis_decision.hpp"
 #include "experiments/localization/run_figures.hpp"
 
 namespace fulbito::localization {

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "engine/sim/echo_timer.hpp"
-#include "experiments/localization/axis_decision.hpp"
+#include "experiments/localization/estimation/axis_decision.hpp"
 #include "experiments/localization/first_fix.hpp"
 #include "fulbito/detail/interval.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/localization/room.hpp"
+#include "experiments/localization/estimation/room.hpp"
 
 namespace fulbito::localization {
 

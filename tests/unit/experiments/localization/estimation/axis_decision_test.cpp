@@ -1,4 +1,4 @@
-#include "experiments/localization/axis_decision.hpp"
+#include "experiments/localization/estimation/axis_decision.hpp"
 
 #include <cmath>
 

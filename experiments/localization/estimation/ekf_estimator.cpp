@@ -1,4 +1,4 @@
-#include "experiments/localization/ekf_estimator.hpp"
+#include "experiments/localization/estimation/ekf_estimator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "experiments/localization/wall_ahead.hpp"
+#include "experiments/localization/estimation/wall_ahead.hpp"
 
 namespace fulbito::localization {
 namespace {

@@ -1,4 +1,4 @@
-#include "experiments/localization/range_gate.hpp"
+#include "experiments/localization/estimation/range_gate.hpp"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "experiments/localization/pose_estimator.hpp"
+#include "experiments/localization/estimation/pose_estimator.hpp"
 
 namespace fulbito::localization {
 

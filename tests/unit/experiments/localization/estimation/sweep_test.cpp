@@ -1,4 +1,4 @@
-#include "experiments/localization/sweep.hpp"
+#include "experiments/localization/estimation/sweep.hpp"
 
 #include <cmath>
 #include <vector>

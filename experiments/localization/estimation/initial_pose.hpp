@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "experiments/localization/axis_decision.hpp"
+#include "experiments/localization/estimation/axis_decision.hpp"
 
 namespace fulbito::localization {
 

@@ -1,10 +1,10 @@
 #include <cmath>
 #include <vector>
 
-#include "experiments/localization/ekf_estimator.hpp"
+#include "experiments/localization/estimation/ekf_estimator.hpp"
+#include "experiments/localization/estimation/threshold_estimator.hpp"
+#include "experiments/localization/estimation/wall_ahead.hpp"
 #include "experiments/localization/route_driver.hpp"
-#include "experiments/localization/threshold_estimator.hpp"
-#include "experiments/localization/wall_ahead.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 

@@ -1,4 +1,4 @@
-#include "experiments/localization/initial_pose.hpp"
+#include "experiments/localization/estimation/initial_pose.hpp"
 
 #include <cmath>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "experiments/localization/threshold_estimator.hpp"
+#include "experiments/localization/estimation/threshold_estimator.hpp"
 
 #include <algorithm>
 #include <cmath>

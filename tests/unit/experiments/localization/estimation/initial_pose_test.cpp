@@ -1,8 +1,8 @@
-#include "experiments/localization/initial_pose.hpp"
+#include "experiments/localization/estimation/initial_pose.hpp"
 
 #include <cmath>
 
-#include "experiments/localization/wall_ahead.hpp"
+#include "experiments/localization/estimation/wall_ahead.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 

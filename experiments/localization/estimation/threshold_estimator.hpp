@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "experiments/localization/pose_estimator.hpp"
-#include "experiments/localization/range_gate.hpp"
-#include "experiments/localization/wall_ahead.hpp"
+#include "experiments/localization/estimation/pose_estimator.hpp"
+#include "experiments/localization/estimation/range_gate.hpp"
+#include "experiments/localization/estimation/wall_ahead.hpp"
 
 namespace fulbito::localization {
 

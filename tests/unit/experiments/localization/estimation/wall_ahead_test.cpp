@@ -1,4 +1,4 @@
-#include "experiments/localization/wall_ahead.hpp"
+#include "experiments/localization/estimation/wall_ahead.hpp"
 
 #include "engine/core/models/echo_scene.hpp"
 #include "tests/support/catch.hpp"
