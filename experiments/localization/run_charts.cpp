@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "engine/sim/echo_timer.hpp"
 #include "experiments/localization/estimation/axis_decision.hpp"
 #include "experiments/localization/run_figures.hpp"
 
@@ -80,8 +79,8 @@ LineChart constantChart(const Batch& batch) {
   }
   ChartLine fixed{"fixed 0.170 mm/us", {}};
   fixed.dashed = true;
-  for (double celsius = 5.0; celsius <= 35.0; celsius += 1.0)
-    fixed.points.push_back({celsius, 100.0 * (kNominalEchoSpeed / (speedOfSound(celsius) / 2) - 1.0)});
+  for (int celsius = 5; celsius <= 35; ++celsius)
+    fixed.points.push_back({static_cast<double>(celsius), 100.0 * nominalError(celsius)});
   chart.lines = {calibrated, fixed};
   return chart;
 }

@@ -1,5 +1,6 @@
 #include "experiments/localization/run_scene.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -70,7 +71,7 @@ void addRows(const CleaningResult& run, const Body& body, const WorldFrame& fram
   const double begin = run.moments.empty() ? 0.0 : run.moments.front().seconds;
   for (std::size_t i = 0; i < run.moments.size(); i += kMomentsPerRow) {
     const CleaningMoment& moment = run.moments[i];
-    const auto tick = static_cast<Tick>((moment.seconds - begin) * page.rate + 0.5);
+    const auto tick = static_cast<Tick>(std::floor((moment.seconds - begin) * page.rate + 0.5));
     page.rows.push_back({tick, {frame.pose(moment.truth), frame.pose(moment.estimate)}});
     drawEchoes(moment, body, frame, tick, page.drawings);
     drawBelief(moment, run, body, frame, tick, page.drawings);

@@ -27,6 +27,8 @@ bool fits(const Room& room, const Body& body, Facing facing, double side_time, d
 
 }  // namespace
 
+double nominalError(double celsius) { return kNominalEchoSpeed / (speedOfSound(celsius) / 2) - 1.0; }
+
 EchoSpeedBand echoSpeedBand() { return {speedOfSound(kColdest) / 2, speedOfSound(kWarmest) / 2}; }
 
 Facing nearestFacing(const Room& room, const Body& body, double side_time) {
@@ -36,7 +38,7 @@ Facing nearestFacing(const Room& room, const Body& body, double side_time) {
 
 double nearestSeparation(double longer, const Body& body) {
   // In the warmest air the room seems shorter by this share; the other extent must be twice as far away.
-  return 2 * (1.0 - kNominalEchoSpeed / echoSpeedBand().high) * (longer - body.width);
+  return -2 * nominalError(kWarmest) * (longer - body.width);
 }
 
 double bandSeparation(double longer, const Body& body, double sigma) {

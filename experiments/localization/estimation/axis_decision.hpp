@@ -11,6 +11,9 @@ enum class Facing { kMinusY, kMinusX };
 /// speed of sound at 14 degrees.
 inline constexpr double kNominalEchoSpeed = 170.0;
 
+/// Its relative error at `celsius` [degrees].
+double nominalError(double celsius);
+
 /// Limits [m/s] of half the speed of sound: from 5 to 35 degrees.
 struct EchoSpeedBand {
   double low = 0.0;   ///< at 5 degrees

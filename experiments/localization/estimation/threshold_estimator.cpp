@@ -36,7 +36,6 @@ ThresholdEstimator::ThresholdEstimator(const Knowledge& known, const ThresholdSe
 void ThresholdEstimator::advance(const InnerMotion& motion) {
   turn_rate_ = motion.turn_rate - known_.gyro_bias;
   const double turned = turn_rate_ * motion.dt;
-  if (std::abs(turn_rate_) > settings_.calm_turn_rate) forgetSlopes();
   const Vec2 before = pose_.position;
   pose_ = movedBy(pose_, motion.distance, turned);
   reckoned_ = movedBy(reckoned_, motion.distance, turned);
@@ -44,11 +43,13 @@ void ThresholdEstimator::advance(const InnerMotion& motion) {
   // Driving along a wall, its direction is the nearest quarter turn.
   const double quarter = std::floor(pose_.heading / (math::kPi / 2) + 0.5) * (math::kPi / 2);
   sideways_ += cross(math::unit(quarter), pose_.position - before);
+  if (std::abs(pose_.heading - quarter) > steepest()) forgetSlopes();  // it turns to another wall
 }
 
+double ThresholdEstimator::steepest() const { return std::min(settings_.incidence, known_.cone); }
+
 bool ThresholdEstimator::usable(const WallAhead& wall, double range) const {
-  const double incidence = std::min(settings_.incidence, known_.cone);
-  return std::abs(turn_rate_) <= settings_.calm_turn_rate && std::abs(wall.incidence) <= incidence &&
+  return std::abs(turn_rate_) <= settings_.calm_turn_rate && std::abs(wall.incidence) <= steepest() &&
          range >= settings_.least && range <= settings_.greatest;
 }
 

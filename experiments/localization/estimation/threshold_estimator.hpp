@@ -20,7 +20,7 @@ struct ThresholdSettings {
   double incidence = 0.262;     ///< [rad] 15 degrees; less if the cone is narrower
   double heading_way = 0.3;     ///< [m] along a wall for one correction of the heading
   double heading_gain = 0.3;    ///< share of the heading's difference that is corrected
-  double calm_turn_rate = 0.1;  ///< [rad/s] echoes in faster turns are not used
+  double calm_turn_rate = 0.3;  ///< [rad/s] faster than steering along a way: echoes are not used
 };
 
 /// The paper's scheme: dead reckoning, moved toward the echoes of walls when they differ by more than a
@@ -43,6 +43,7 @@ class ThresholdEstimator : public PoseEstimator {
   void noteSlope(Beam beam, const WallAhead& wall, double range);
   void turnBySlope(double slope);
   void forgetSlopes();
+  double steepest() const;
   bool usable(const WallAhead& wall, double range) const;
 
   Knowledge known_;

@@ -201,6 +201,22 @@ TEST_CASE("the threshold scheme turns the heading by the slope along a wall", "[
   CHECK(estimator.pose().heading == Approx(settings.heading_gain * 0.02).epsilon(0.03));
 }
 
+TEST_CASE("the threshold scheme turns the heading while the robot steers, as it does after each correction",
+          "[unit]") {
+  const Knowledge known = knowledge();
+  ThresholdEstimator estimator(known, {});
+  Rng random(13, kTestStream);
+  Pose2 truth = known.pose;
+  truth.heading = 0.03;
+  for (int i = 0; i < 90; ++i) {
+    const double rate = i / 5 % 2 == 0 ? 0.2 : -0.2;  // [rad/s] faster than 0.1, slower than a turn in place
+    estimator.advance({0.03, rate, 0.1});
+    truth = movedBy(truth, 0.03, rate * 0.1);
+    estimator.observe(echoesAt(known, truth, 0.0, random));
+  }
+  CHECK(std::abs(math::wrapAngle(estimator.pose().heading - truth.heading)) < 0.005);
+}
+
 TEST_CASE("the threshold scheme ignores jumps, far echoes and echoes in turns", "[unit]") {
   const Knowledge known = knowledge();
   Rng random(12, kTestStream);
