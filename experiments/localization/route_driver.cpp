@@ -16,6 +16,12 @@ constexpr double kArrived = 0.004;  // [m] the part is done
 constexpr double kSteepest = 0.5;   // [rad] of the way back onto the line
 constexpr double kSlowest = 0.02;   // [m/s] so that a part ends
 
+/// The speed from which the robot stops within a way, after its time of reaction: v t + v^2 / (2 a) = way.
+double brakingSpeed(double way, const DriveLimits& limits) {
+  const double a = limits.deceleration, t = limits.reaction;
+  return a * (std::sqrt(t * t + 2 * way / a) - t);
+}
+
 }  // namespace
 
 double turnRateFor(double error, double greatest) {
@@ -48,7 +54,7 @@ Twist RouteDriver::along(const Pose2& pose) const {
   const double offset = cross(math::unit(heading), pose.position - points_[part_]);
   const double back = std::clamp(-offset / limits_.look_ahead, -kSteepest, kSteepest);
   const double error = math::wrapAngle(heading + back - pose.heading);
-  const double braking = std::sqrt(2 * limits_.deceleration * left(pose));
+  const double braking = brakingSpeed(left(pose), limits_);
   const double speed = std::max(kSlowest, std::min(limits_.speed, braking)) * std::max(0.0, math::cos(error));
   return {speed, std::clamp(kSteerGain * error, -limits_.turn_rate, limits_.turn_rate)};
 }

@@ -11,6 +11,7 @@ namespace fulbito::localization {
 struct DriveLimits {
   double speed = 0.3;         ///< [m/s]
   double deceleration = 0.3;  ///< [m/s^2] before the end of a part
+  double reaction = 0.1;      ///< [s] from a pose to the speed that follows from it
   double turn_rate = 0.9;     ///< [rad/s]
   double sweep_rate = 0.35;   ///< [rad/s] of a sweep
   double look_ahead = 0.35;   ///< [m] way in which it would drive back onto the line

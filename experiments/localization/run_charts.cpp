@@ -32,9 +32,8 @@ std::string roomText(const CleaningTask& task) {
 LineChart deviationChart(const Batch& batch) {
   LineChart chart;
   chart.title = "Deviation of the true path from the reference path";
-  chart.caption =
-      roomText(batch.example.tasks.front()) +
-      " Dead reckoning drives until it hits a wall; both corrections stay within the paper's 50 mm.";
+  chart.caption = roomText(batch.example.tasks.front()) +
+                  " Dead reckoning has encoders and gyro alone; the others correct it by echoes.";
   chart.x_axis = "way along the route [m]";
   chart.y_axis = "deviation [mm]";
   for (const Scheme scheme : kSchemes)
