@@ -48,6 +48,15 @@ Result<BatchSize> sizeOf(const ExperimentRequest& request) {
   return size;
 }
 
+constexpr const char* kTicksNote = "The world runs at 20 control ticks per second with 2 physics steps each.";
+constexpr const char* kFieldNote =
+    "On the soccer field the robot's map is the rectangle of 1.5 x 1.3 m. The corner triangles stay; its way "
+    "keeps 110 mm from the walls and so clear of them. Boards close the goals but in the last ground, where "
+    "echoes from inside a goal are 100 mm too long: a start that sees one refuses, as no K fits.";
+constexpr const char* kOriginNote =
+    "A rectangle has two poses with the same echoes. The robot names the corner at its right (facing -y) or "
+    "left (facing -x) the origin, as the paper does; the truth is seen from that corner.";
+
 std::vector<std::string> notesOf(const Batch& batch, const SensorSpread& spread) {
   return {
       fmt::format("{} of {} rooms were refused before any run: echoes cannot tell their axes apart at all "
@@ -61,15 +70,7 @@ std::vector<std::string> notesOf(const Batch& batch, const SensorSpread& spread)
           1e3 * spread.range_noise, 100 * spread.dropout, 100 * spread.wheel_scale, 1e3 * spread.wheel_slip,
           spread.gyro_bias * 180 / math::kPi, spread.gyro_noise * 180 / math::kPi,
           spread.gyro_drift * std::sqrt(200.0) * 180 / math::kPi, 100 * spread.gyro_scale),
-      "The world runs at 20 control ticks per second with 2 physics steps each.",
-      "On the soccer field the robot's map is the rectangle of 1.5 x 1.3 m. The corner triangles stay; its "
-      "way "
-      "keeps 110 mm from the walls and so clear of them. Boards close the goals but in the last ground, "
-      "where "
-      "echoes from inside a goal are 100 mm too long: a start that sees one refuses, as no K fits.",
-      "A rectangle has two poses with the same echoes. The robot names the corner at its right (facing -y) "
-      "or "
-      "left (facing -x) the origin, as the paper does; the truth is seen from that corner."};
+      kTicksNote, kFieldNote, kOriginNote};
 }
 
 Result<ExperimentReport> run(const ExperimentRequest& request) {
