@@ -111,7 +111,6 @@ class CleaningDrive {
         echo_speed_(echo_speed) {}
 
   void run(double time_limit) {
-    result_.outcome = CleaningOutcome::kFinished;
     while (true) {
       const Twist wanted = driver_.drive(estimator_.pose());
       if (driver_.finished()) break;

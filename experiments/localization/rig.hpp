@@ -13,8 +13,7 @@ namespace fulbito::localization {
 /// Control ticks per second, and ticks between echoes: 10 echoes of each sensor per second.
 inline constexpr int kControlRate = 20;
 inline constexpr int kTicksPerPing = 2;
-inline constexpr double kTick = 1.0 / kControlRate;           ///< [s]
-inline constexpr double kPingPeriod = kTicksPerPing * kTick;  ///< [s]
+inline constexpr double kTick = 1.0 / kControlRate;  ///< [s]
 
 /// A robot in the world and what its sensors say: all that its program may see, and the truth for the judge.
 class Rig {

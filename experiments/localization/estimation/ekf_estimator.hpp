@@ -36,8 +36,6 @@ class EkfEstimator : public PoseEstimator {
   double echoSpeed() const { return state_[4]; }
   /// Squared error of the pose in units of its covariance (NEES): 3 on average if the filter is consistent.
   double squaredError(const Pose2& truth) const;
-  /// Covariance, row by row.
-  const std::array<double, kStates * kStates>& covariance() const { return covariance_; }
 
  private:
   void addTurnErrors(double turned, double distance, double dt);
@@ -46,7 +44,7 @@ class EkfEstimator : public PoseEstimator {
   Knowledge known_;
   EkfSettings settings_;
   std::array<double, kStates> state_;
-  std::array<double, kStates * kStates> covariance_{};
+  std::array<double, kStates * kStates> covariance_{};  ///< row by row
 };
 
 }  // namespace fulbito::localization

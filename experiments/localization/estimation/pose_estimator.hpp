@@ -39,7 +39,6 @@ struct Knowledge {
   double gyro_bias = 0.0;      ///< [rad/s] mean reading at standstill
   double range_sigma = 0.008;  ///< [m] noise of a range
   double cone = 0.218;         ///< [rad] half width of a sensor's cone
-  double ping_period = 0.1;    ///< [s] between echoes
 };
 
 /// Encoders and gyro alone.
