@@ -40,8 +40,10 @@ double gapToParts(const Parts& parts, Vec2 point) {
   return least;
 }
 
-// Arcs leave their chord by a smooth hump: these points find its height within 2 %.
+// Arcs leave their chord by a smooth hump: these points find its height within 2 %, which the fit leaves
+// free.
 constexpr int kProbes = 16;
+constexpr double kUsedShare = 0.98;  // of the tolerance
 
 bool partNear(const Arc& part, std::span<const Knot> run, double tolerance) {
   for (int i = 0; i <= kProbes; ++i) {
@@ -122,7 +124,7 @@ Parts Fitter::between(std::size_t i, std::size_t j) const {
 }
 
 bool Fitter::fitsUntil(std::size_t i, std::size_t j) const {
-  return fits(between(i, j), std::span(knots_).subspan(i, j - i + 1), fit_.tolerance);
+  return fits(between(i, j), std::span(knots_).subspan(i, j - i + 1), kUsedShare * fit_.tolerance);
 }
 
 std::size_t Fitter::lastOfRun(std::size_t i) const {

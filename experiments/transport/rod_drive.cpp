@@ -60,9 +60,10 @@ WheelSpeeds Driver::commandFor(std::size_t robot, const CarrierReference& refere
 
 void Driver::measureRobot(std::size_t robot, const CarrierReference& reference) {
   const Vec2 at = poseOf(robot).position;
-  const Vec2 on_path = task_.path.pose(task_.path.nearest(at)).position;
+  const Pose2 on_path = task_.path.pose(task_.path.nearest(at));
+  const double beside = std::abs(cross(math::unit(on_path.heading), at - on_path.position));
   const Vec2 wanted = task_.path.pose(reference.place.part, reference.place.q).position;
-  drive_.path_error = std::max(drive_.path_error, distance(at, on_path));
+  drive_.path_error = std::max(drive_.path_error, beside);
   drive_.along_error = std::max(drive_.along_error, distance(at, wanted));
   drive_.peak_speed = std::max(drive_.peak_speed, norm(world_.state().robots[robot].velocity));
 }

@@ -42,8 +42,8 @@ struct RodDrive {
   double seconds = 0.0;
   double peak_force = 0.0;       ///< [N] of a joint on the rod, mean over a tick
   double mean_force = 0.0;       ///< [N] root of the mean square
-  double path_error = 0.0;       ///< [m] largest distance of a robot's centre from the path
-  double along_error = 0.0;      ///< [m] largest distance of a robot from its reference
+  double path_error = 0.0;       ///< [m] largest distance of a robot's centre across the path
+  double along_error = 0.0;      ///< [m] largest distance of a robot from its place in the reference
   double rod_error = 0.0;        ///< [m] largest difference of the centres' distance from the rod's length
   double end_gap = 0.0;          ///< [m] of the lead from the path's end
   double peak_speed = 0.0;       ///< [m/s] of a robot's centre

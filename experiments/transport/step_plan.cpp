@@ -6,9 +6,9 @@
 namespace fulbito {
 namespace {
 
-constexpr double kTouching = 1e-9;        // [m]
-constexpr double kShortestRepair = 0.01;  // [s]
-constexpr double kSpeedRounding = 1 + 1e-9;
+constexpr double kTouching = 1e-9;           // [m]
+constexpr double kShortestRepair = 0.01;     // [s]
+constexpr double kSpeedRounding = 1 - 1e-9;  // below the limit, whatever is rounded
 
 class Planner {
  public:
@@ -54,7 +54,7 @@ double Planner::endAfter(double speed, double duration) const {
 StepPlan Planner::repair() const {
   StepPlan plan;
   plan.target = endAfter(0.0, 0.0);
-  plan.duration = std::max(kShortestRepair, std::abs(plan.target - ask_.own.q) / task_.max_speed);
+  plan.duration = std::max(kShortestRepair, 2 * std::abs(plan.target - ask_.own.q) / task_.max_speed);
   return plan;
 }
 

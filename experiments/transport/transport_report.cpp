@@ -82,6 +82,26 @@ std::vector<std::string> paperSteps(const std::vector<Phase>& phases) {
   return steps;
 }
 
+// Numbers of exchanges that are too near to each other stand together.
+std::vector<ChartMark> marksOf(const Carrying& work) {
+  constexpr double kTogether = 0.015;  // of the time
+  std::vector<ChartMark> marks;
+  std::size_t labelled = 0;
+  for (const RoleSwitch& s : work.switches) {
+    const std::string number = fmt::format("{}", marks.size() + 1);
+    const bool near = !marks.empty() && s.time - marks[labelled].x < kTogether * work.seconds;
+    if (near) marks[labelled].label += "," + number;
+    if (!near) labelled = marks.size();
+    marks.push_back({s.time, near ? "" : number});
+  }
+  // Where there are too many, none has a number.
+  constexpr std::size_t kMostNumbers = 12;
+  if (marks.size() > kMostNumbers) {
+    for (ChartMark& mark : marks) mark.label.clear();
+  }
+  return marks;
+}
+
 std::string roleOf(CarrierId id, CarrierId master) { return id == master ? "master" : "slave"; }
 
 std::vector<Vec2> pointsOf(const PartPath& path, double stride, Vec2 centre) {
@@ -111,7 +131,7 @@ ReportScene sceneOf(const std::string& name, const TransportTask& task, const Ro
   scene.page.bodies = {box(BodyKind::kRobot, robot_length, robot_length),
                        box(BodyKind::kRobot, robot_length, robot_length),
                        box(BodyKind::kObstacle, task.rod, kRodWidth)};
-  scene.labels = {"leading robot", "following robot"};
+  scene.labels = {"leading robot", "following robot", "middle of the rod"};
   constexpr double kStride = 0.01;  // [m]
   scene.paths.push_back({"path", pointsOf(task.path, kStride, world.centre), true});
   return scene;
@@ -332,8 +352,7 @@ ReportChart speedChart(const std::string& name, const Carrying& work) {
     chart.lines[0].points.push_back({row.time, cm(row.lead_speed)});
     chart.lines[1].points.push_back({row.time, cm(row.follower_speed)});
   }
-  for (std::size_t i = 0; i < work.switches.size(); ++i)
-    chart.marks.push_back({work.switches[i].time, fmt::format("{}", i + 1)});
+  chart.marks = marksOf(work);
   return {name, chart};
 }
 

@@ -96,17 +96,24 @@ Result<void> driveProfile(const PathWork& work, RealRun& run) {
   return {};
 }
 
+// The same motion in less time.
+Carrying faster(Carrying work, double share) {
+  work.seconds /= share;
+  for (CarryRow& row : work.rows) {
+    row.time /= share;
+    row.lead_speed *= share;
+    row.follower_speed *= share;
+  }
+  return work;
+}
+
 // The speeds of the messages as they are, without a profile, times `share`.
 Result<void> driveMessages(const PathWork& work, double share, RealRun& run) {
-  TransportTask task = work.task;
-  task.speed *= share;
-  task.max_speed *= share;
   CarryPlan plan;
-  plan.step /= share;
   plan.keep_rows = true;
-  const Carrying carried = carry(task, plan);
-  const auto references = referencesOf(task, carried, work.world.physics.controlPeriod());
-  auto drive = driveRod(task, work.world, references);
+  const Carrying carried = faster(carry(work.task, plan), share);
+  const auto references = referencesOf(work.task, carried, work.world.physics.controlPeriod());
+  auto drive = driveRod(work.task, work.world, references);
   if (!drive) return tl::unexpected<Error>(drive.error());
   run.drive = std::move(*drive);
   return {};

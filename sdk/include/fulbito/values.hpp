@@ -95,7 +95,7 @@ struct WorldState {
   std::vector<RobotState> robots;        ///< in the order of `WorldConfig::robots`
   std::vector<BallState> balls;          ///< in the order of `WorldConfig::balls`
   std::vector<ObstacleState> obstacles;  ///< in the order of `WorldConfig::obstacles`
-  std::vector<RodState> rods;            ///< in the order of `WorldConfig::rods`
+  std::vector<RodState> rods = {};       ///< in the order of `WorldConfig::rods`
 };
 
 /// The kinds of bodies that can touch.

@@ -48,7 +48,7 @@ struct WorldConfig {
   std::vector<RobotPlacement> robots;   ///< robots of both teams; commands and states have this order
   std::vector<BallPlacement> balls;     ///< any number, usually one
   std::vector<ObstacleSpec> obstacles;  ///< obstacles of a navigation trial; none in a match
-  std::vector<RodPlacement> rods;       ///< what pairs of robots carry; none in a match
+  std::vector<RodPlacement> rods = {};  ///< what pairs of robots carry; none in a match
 };
 
 /// A fixed-step rigid-body world: walls, goals, corner triangles, robots, balls and obstacles.
