@@ -14,8 +14,14 @@ constexpr double kAtJoint = 1e-9;        // [m]
 constexpr double kArrivedWithin = 1e-5;  // [m]
 constexpr double kRodFits = 1e-4;        // [m] a larger error is repaired before the next run
 constexpr int kHopsOfImpasse = 2;
-constexpr double kEasyShare = 0.9;  // of the slave's limit: its speed changes during the run
-constexpr int kMostHops = 6;        // exchanges of roles without motion: a deadlock
+constexpr int kMostHops = 6;  // exchanges of roles without motion: a deadlock
+
+// Of the slave's limit. Its speed changes during the run, so each two further exchanges halve the share.
+double easyShare(int hop) {
+  double share = 0.9;
+  for (int i = kHopsOfImpasse + 2; i <= hop; i += 2) share /= 2;
+  return share;
+}
 
 }  // namespace
 
@@ -95,7 +101,7 @@ double Carrier::masterSpeed() const {
   const double own = leads ? view.lead : view.follower, others = leads ? view.follower : view.lead;
   double speed = task_->speed;
   if (habits_.slow && hop_ >= kHopsOfImpasse)
-    speed = std::min(speed, kEasyShare * task_->max_speed * std::abs(others / own));
+    speed = std::min(speed, easyShare(hop_) * task_->max_speed * std::abs(others / own));
   return std::copysign(speed, sign_ * others);
 }
 
