@@ -60,6 +60,14 @@ cp figures/fig1-abrupt-turns-1.0.png "$images/"
   --widths 0.10,0.15,0.20,0.25,0.30,0.35,0.40 --trials 40 --out map >/dev/null
 cp map/map-close-range-classic.png "$images/"
 
+# The papers: docs/papers.md.
+mkdir -p "$images/papers"
+"$program" experiment transport --out papers >/dev/null
+cp papers/transport/fig-9.png "$images/papers/transport-fig-9.png"
+cp papers/transport/fig-10.png "$images/papers/transport-fig-10.png"
+cp papers/transport/constraint-curve.png "$images/papers/transport-curve.png"
+cp papers/transport/real-rod.gif "$images/papers/transport-real-rod.gif"
+
 # What is shown in pages has to load quickly.
 find "$images" \( -name 'match-*.png' -o -name 'team-*.png' -o -name 'trial-*.png' \) -size +150k -print | while IFS= read -r file; do
   echo "gallery.sh: $file is larger than 150 kB" >&2

@@ -223,7 +223,7 @@ double Carrier::alarm() const {
   }
 }
 
-PathPlace Carrier::placeAt(double now) const {
+PartPlace Carrier::placeAt(double now) const {
   if (!running()) return own_;
   return {own_.part, now >= end_ ? target_ : own_.q + rate_ * (now - begin_)};
 }

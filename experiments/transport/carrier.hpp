@@ -53,7 +53,7 @@ class Carrier {
   StopReason reason() const { return reason_; }
   std::uint32_t step() const { return step_; }
   double speed() const { return running() ? rate_ : 0.0; }  ///< [m/s] along the path
-  PathPlace placeAt(double now) const;
+  PartPlace placeAt(double now) const;
   int timeouts() const { return timeouts_; }  ///< losses of contact
   int aborts() const { return aborts_; }      ///< runs that it broke off
 
@@ -101,8 +101,8 @@ class Carrier {
   StopReason reason_ = StopReason::kNone;
   std::uint32_t step_ = 0;
   int hop_ = 0;
-  PathPlace own_;    // while it runs: where the run began
-  PathPlace other_;  // as the other last told
+  PartPlace own_;    // while it runs: where the run began
+  PartPlace other_;  // as the other last told
   double speed_ = 0.0;
   double rate_ = 0.0;
   double target_ = 0.0;

@@ -30,7 +30,7 @@ struct RoleSwitch {
 /// Both robots at the beginning of a run.
 struct CarryRow {
   double time = 0.0;  ///< [s]
-  PathPlace lead, follower;
+  PartPlace lead, follower;
   double lead_speed = 0.0;      ///< [m/s] along the path
   double follower_speed = 0.0;  ///< [m/s]
   CarrierId master = CarrierId::kLead;

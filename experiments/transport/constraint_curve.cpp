@@ -30,12 +30,12 @@ class Tracer {
  private:
   bool atBranch(const RodView& view);
   Heading headingAt(const CurvePoint& point);
-  double roomOf(const PathPlace& place, double rate) const;
+  double roomOf(const PartPlace& place, double rate) const;
   double stepWithin(const CurvePoint& point, const Heading& heading) const;
   void correct(CurvePoint& point) const;
   CurvePoint moved(const CurvePoint& point, const Heading& heading, double step) const;
   bool advance();
-  bool cross(PathPlace& place, double rate, CurveEnd at_start, CurveEnd at_end);
+  bool cross(PartPlace& place, double rate, CurveEnd at_start, CurveEnd at_end);
   bool crossJoints(const Heading& heading);
   bool loops() const;
 
@@ -69,7 +69,7 @@ bool Tracer::atBranch(const RodView& view) {
 }
 
 // How far the curve may go until this robot is at the end of its part.
-double Tracer::roomOf(const PathPlace& place, double rate) const {
+double Tracer::roomOf(const PartPlace& place, double rate) const {
   if (rate == 0.0) return std::numeric_limits<double>::infinity();
   const double end = rate > 0.0 ? path_.to(place.part) : path_.from(place.part);
   return std::max((end - place.q) / rate, 0.0);
@@ -101,7 +101,7 @@ CurvePoint Tracer::moved(const CurvePoint& point, const Heading& heading, double
 }
 
 // False where a robot cannot go on: at an end of the path.
-bool Tracer::cross(PathPlace& place, double rate, CurveEnd at_start, CurveEnd at_end) {
+bool Tracer::cross(PartPlace& place, double rate, CurveEnd at_start, CurveEnd at_end) {
   if (rate > 0.0 && place.q >= path_.to(place.part) - kAtEnd) {
     if (place.part + 1 == path_.size()) return curve_.end = at_end, false;
     ++place.part;
@@ -143,7 +143,7 @@ ConstraintCurve Tracer::run() {
   return std::move(curve_);
 }
 
-std::string placeText(const TransportTask& task, const PathPlace& place) {
+std::string placeText(const TransportTask& task, const PartPlace& place) {
   const Vec2 at = task.path.pose(place.part, place.q).position;
   return fmt::format("part {} at ({:.1f}, {:.1f}) cm", place.part + 1, at.x * 100, at.y * 100);
 }

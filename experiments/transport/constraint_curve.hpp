@@ -20,8 +20,8 @@ enum class CurveEnd {
 
 /// A point of a curve.
 struct CurvePoint {
-  PathPlace lead;
-  PathPlace follower;
+  PartPlace lead;
+  PartPlace follower;
   double along = 0.0;  ///< [m] arc length in the plane of both coordinates
 };
 

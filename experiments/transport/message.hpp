@@ -34,7 +34,7 @@ struct Message {
   MessageKind kind = MessageKind::kBeat;
   std::uint32_t step = 0;                  ///< number of the step, from 1
   int hop = 0;                             ///< exchanges of roles in this step so far
-  PathPlace place;                         ///< of the sender
+  PartPlace place;                         ///< of the sender
   double speed = 0.0;                      ///< [m/s] of the sender, along the path
   double begin = 0.0;                      ///< [s] of the run
   double duration = 0.0;                   ///< [s] of the run

@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-RodView viewRod(const PartPath& path, const PathPlace& lead, const PathPlace& follower) {
+RodView viewRod(const PartPath& path, const PartPlace& lead, const PartPlace& follower) {
   const Pose2 a = path.pose(lead.part, lead.q), b = path.pose(follower.part, follower.q);
   const Vec2 rod = a.position - b.position;
   return {rod, dot(rod, math::unit(a.heading)), dot(rod, math::unit(b.heading))};
@@ -20,7 +20,7 @@ double slaveSpeed(double master_speed, double along_master, double along_slave) 
   return wanted == 0.0 ? 0.0 : std::copysign(std::numeric_limits<double>::infinity(), wanted);
 }
 
-double onRod(const PartPath& path, Vec2 other, PathPlace slave, double rod) {
+double onRod(const PartPath& path, Vec2 other, PartPlace slave, double rod) {
   constexpr double kLargestStep = 0.005;  // [m]
   constexpr double kEnough = 1e-12;       // [m]
   for (int i = 0; i < 3; ++i) {

@@ -7,7 +7,7 @@
 namespace fulbito {
 
 /// A robot's place: a coordinate on one part's line or circle.
-struct PathPlace {
+struct PartPlace {
   std::size_t part = 0;
   double q = 0.0;  ///< [m]
 };
@@ -20,7 +20,7 @@ struct RodView {
   double follower = 0.0;  ///< [m] D along the follower's tangent
 };
 
-RodView viewRod(const PartPath& path, const PathPlace& lead, const PathPlace& follower);
+RodView viewRod(const PartPath& path, const PartPlace& lead, const PartPlace& follower);
 
 /// Speed of the slave [m/s] that keeps the rod's length: v_s = v_m (D t_m) / (D t_s). (4) corrected, (7) and
 /// (10) of the paper are its cases. Infinite where the rod is across the slave's way.
@@ -28,6 +28,6 @@ double slaveSpeed(double master_speed, double along_master, double along_slave);
 
 /// The slave's coordinate near `slave` at which it is `rod` away from `other`: at most three of Newton's
 /// steps, each of at most 5 mm.
-double onRod(const PartPath& path, Vec2 other, PathPlace slave, double rod);
+double onRod(const PartPath& path, Vec2 other, PartPlace slave, double rod);
 
 }  // namespace fulbito

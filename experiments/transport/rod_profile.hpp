@@ -9,7 +9,7 @@ namespace fulbito {
 
 /// Where a robot shall be at one tick.
 struct CarrierReference {
-  PathPlace place;
+  PartPlace place;
   double speed = 0.0;  ///< [m/s] along the path
 };
 

@@ -44,7 +44,7 @@ double Planner::relation() const {
 }
 
 double Planner::endAfter(double speed, double duration) const {
-  const PathPlace slave{ask_.own.part, ask_.own.q + speed * duration};
+  const PartPlace slave{ask_.own.part, ask_.own.q + speed * duration};
   if (!ask_.project) return slave.q;
   const double master = ask_.master.q + ask_.master_speed * duration;
   return onRod(task_.path, task_.path.pose(ask_.master.part, master).position, slave, task_.rod);

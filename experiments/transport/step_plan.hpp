@@ -9,8 +9,8 @@ namespace fulbito {
 /// What a slave knows when it plans a step.
 struct StepQuestion {
   CarrierId slave = CarrierId::kFollower;
-  PathPlace own;
-  PathPlace master;
+  PartPlace own;
+  PartPlace master;
   double master_speed = 0.0;  ///< [m/s] along the path; 0: it waits until the rod's length is right again
   double step = 0.05;         ///< [s] longest duration
   bool project = true;        ///< whether it ends at a rod's length from where the master ends

@@ -139,7 +139,7 @@ void addPathReport(ExperimentReport& report, const PathWork& work, const std::st
   report.tables.push_back(phaseTable(work.work));
   report.tables.push_back(stepTable(work.steps));
   report.tables.push_back(radioTable(work.radios));
-  report.charts.push_back(speedChart(chart, work.work));
+  report.charts.push_back(speedChart(chart, work.task, work.work));
   report.charts.push_back(curveChart(work));
   report.charts.push_back(stepChart(work.steps));
   if (work.real.empty()) {
@@ -200,7 +200,7 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
   addPathReport(report, all->s_path, "fig-9");
   report.tables.push_back(randomTable(all->random));
   report.tables.push_back(fitTable());
-  report.charts.push_back(speedChart("fig-10-speeds", all->maze_work));
+  report.charts.push_back(speedChart("fig-10-speeds", all->maze, all->maze_work));
   report.scenes.push_back(planScene("s-path", all->s_path.task, all->s_path.work));
   report.scenes.push_back(planScene("fig-10", all->maze, all->maze_work));
   report.scenes.push_back(realScene("real-rod", all->s_path, all->s_path.real[kShownPace]));

@@ -340,11 +340,11 @@ ReportTable fitTable() {
   return table;
 }
 
-ReportChart speedChart(const std::string& name, const Carrying& work) {
+ReportChart speedChart(const std::string& name, const TransportTask& task, const Carrying& work) {
   LineChart chart;
   chart.title = "Speeds of both robots along the path";
-  chart.caption =
-      fmt::format("{} exchanges of roles: dashed marks. The master runs at 8 cm/s.", work.switches.size());
+  chart.caption = fmt::format("{} exchanges of roles: dashed marks. The master runs at {:g} cm/s.",
+                              work.switches.size(), cm(task.speed));
   chart.x_axis = "time [s]";
   chart.y_axis = "speed [cm/s]";
   chart.lines = {{"leading robot", {}}, {"following robot", {}}};

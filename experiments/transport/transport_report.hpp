@@ -14,7 +14,8 @@ ReportTable randomTable(const std::vector<RandomRun>& runs);  ///< random paths
 ReportTable realTable(const std::vector<RealRun>& runs);      ///< the rod in the world
 ReportTable fitTable();                                       ///< polylines as lines and arcs
 
-ReportChart speedChart(const std::string& name, const Carrying& work);  ///< as Fig. 9
+ReportChart speedChart(const std::string& name, const TransportTask& task,
+                       const Carrying& work);  ///< as Fig. 9
 ReportChart stepChart(const std::vector<StepErrors>& steps);
 ReportChart curveChart(const PathWork& work);  ///< both coordinates
 ReportChart forceChart(const std::vector<RealRun>& runs);

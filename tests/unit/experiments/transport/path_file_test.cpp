@@ -16,7 +16,7 @@ const std::string kLine = "line 0 0 0\nend 300 0\n";
 
 }  // namespace
 
-TEST_CASE("the S path comes from Table 2 without radii: erratum E23", "[unit]") {
+TEST_CASE("the S path comes from Table 2 without radii", "[unit]") {
   const TransportTask task = builtInTransport("s-path");
   REQUIRE(task.path.size() == 5);
   CHECK(task.path.parts()[1].curvature == Approx(1 / 0.25));
@@ -29,7 +29,7 @@ TEST_CASE("the S path comes from Table 2 without radii: erratum E23", "[unit]") 
   CHECK(task.follower == 0.0);
 }
 
-TEST_CASE("the long path has 43 parts in 400 x 500 cm and a rod of 40 cm: errata E22", "[unit]") {
+TEST_CASE("the long path has 43 parts in 400 x 500 cm and a rod of 40 cm", "[unit]") {
   const TransportTask task = builtInTransport("maze");
   CHECK(task.path.size() == 43);
   CHECK(task.rod == Approx(0.4));

@@ -30,7 +30,7 @@ struct PaperArc {
   Vec2 point() const { return centre + math::unit(angle) * radius; }
 };
 
-PathPlace placeOn(std::size_t part) { return {part, 0.0}; }
+PartPlace placeOn(std::size_t part) { return {part, 0.0}; }
 
 Arc partOf(const PaperLine& line) { return {{line.point(), line.slope}, 0.0, 1.0}; }
 Arc partOf(const PaperArc& arc) {
