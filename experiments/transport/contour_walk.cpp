@@ -122,10 +122,10 @@ ContourEnd Walker::leaving(const Cell& cell, int side) const {
 int opposite(int side) { return side ^ 1; }
 
 ContourEnd Walker::run() {
-  const auto cellOf = [&](double q) {
+  const auto cell_of = [&](double q) {
     return std::clamp(static_cast<std::int64_t>(q / cell_), std::int64_t{0}, count_ - 1);
   };
-  const Cell start{cellOf(task_.lead), cellOf(task_.follower)};
+  const Cell start{cell_of(task_.lead), cell_of(task_.follower)};
   Cell cell = start;
   // Out of the start's cell in the direction of travel.
   const RodView view = viewRod(task_.path, {task_.path.partAt(task_.lead), task_.lead},

@@ -11,6 +11,7 @@
 #include "engine/core/config/embedded_files.hpp"
 #include "engine/core/system/text_file.hpp"
 #include "experiments/transport/path_fit.hpp"
+#include "experiments/transport/rod_constraint.hpp"
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito {
@@ -70,8 +71,8 @@ std::vector<std::string_view> wordsOf(std::string_view line) {
 
 std::optional<double> numberOf(std::string_view word) {
   double value = 0.0;
-  const char* end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, value);
+  const char *begin = word.data(), *end = begin + word.size();
+  const auto [rest, error] = std::from_chars(begin, end, value);
   if (error != std::errc{} || rest != end || !(std::abs(value) <= kFarthest / kCentimetre)) return {};
   return value;
 }
@@ -150,6 +151,7 @@ double Reader::lengthOf(std::string_view word, double otherwise) const {
 Result<PartPath> Reader::fitted() const {
   if (!parts_.empty()) return wrong(parts_[0].line, "a path has either points, or lines and arcs");
   std::vector<Vec2> points;
+  points.reserve(points_.size());
   for (const Row& row : points_) points.push_back(row.point());
   PathFit fit;
   fit.tolerance = lengthOf("tolerance", fit.tolerance);

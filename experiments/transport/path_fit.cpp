@@ -226,8 +226,9 @@ double distanceBetween(const PartPath& path, std::span<const Vec2> points) {
   std::vector<Knot> knots;
   for (const Vec2 point : points) knots.push_back({point});
   constexpr double kStride = 0.001;  // [m]
-  for (double q = 0.0; q < path.length(); q += kStride)
-    largest = std::max(largest, gapToKnots(knots, path.pose(q).position));
+  const int count = static_cast<int>(path.length() / kStride) + 1;
+  for (int i = 0; i <= count; ++i)
+    largest = std::max(largest, gapToKnots(knots, path.pose(path.length() * i / count).position));
   return largest;
 }
 

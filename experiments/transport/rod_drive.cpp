@@ -110,8 +110,9 @@ RodWorld rodWorldFor(const TransportTask& task) {
   constexpr double kRoom = 0.6;      // [m] around the path
   constexpr double kStride = 0.005;  // [m]
   Vec2 low = task.path.pose(0.0).position, high = low;
-  for (double q = 0.0; q < task.path.length() + kStride; q += kStride) {
-    const Vec2 at = task.path.pose(std::min(q, task.path.length())).position;
+  const int count = static_cast<int>(task.path.length() / kStride) + 1;
+  for (int i = 0; i <= count; ++i) {
+    const Vec2 at = task.path.pose(task.path.length() * i / count).position;
     low = {std::min(low.x, at.x), std::min(low.y, at.y)};
     high = {std::max(high.x, at.x), std::max(high.y, at.y)};
   }

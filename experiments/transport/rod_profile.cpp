@@ -145,10 +145,9 @@ std::vector<RodReference> Profiler::run(double tick) {
   for (std::size_t i = 0; i + 1 < rows_.size(); ++i) {
     const CurveRow &a = rows_[i], &b = rows_[i + 1];
     const double span = 2 * (b.along - a.along) / (a.pace + b.pace);
-    for (double t = static_cast<double>(references.size()) * tick; t < begin + span;
-         t = static_cast<double>(references.size()) * tick) {
+    while (static_cast<double>(references.size()) * tick < begin + span) {
       // Evenly accelerated along the curve.
-      const double u = (t - begin) / span;
+      const double u = (static_cast<double>(references.size()) * tick - begin) / span;
       references.push_back(between(i, u * (2 * a.pace + (b.pace - a.pace) * u) / (a.pace + b.pace)));
     }
     begin += span;

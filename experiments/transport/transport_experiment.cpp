@@ -167,7 +167,7 @@ Result<ExperimentReport> runFile(const TransportSettings& settings, const Experi
   }
   ExperimentReport report = newReport();
   addPathReport(report, *work, "speeds");
-  report.scenes.push_back(planScene("path", *task, work->work));
+  report.scenes.push_back(planScene("path", "Path", *task, work->work));
   if (!work->real.empty()) report.scenes.push_back(realScene("real-rod", *work, work->real[kShownPace]));
   return report;
 }
@@ -201,9 +201,10 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
   report.tables.push_back(randomTable(all->random));
   report.tables.push_back(fitTable());
   report.charts.push_back(speedChart("fig-10-speeds", all->maze, all->maze_work));
-  report.scenes.push_back(planScene("s-path", all->s_path.task, all->s_path.work));
-  report.scenes.push_back(planScene("fig-10", all->maze, all->maze_work));
+  report.scenes.push_back(planScene("s-path", "S path", all->s_path.task, all->s_path.work));
+  report.scenes.push_back(planScene("fig-10", "As Fig. 10", all->maze, all->maze_work));
   report.scenes.push_back(realScene("real-rod", all->s_path, all->s_path.real[kShownPace]));
+  for (ReportScene& scene : report.scenes) scene.page.seed = request.seed;
   report.notes.push_back(
       "The tables of errors, radios and real rods do not depend on the settings step, loss and delay.");
   return report;

@@ -414,13 +414,15 @@ ReportChart forceChart(const std::vector<RealRun>& runs) {
   return {"rod-force", chart};
 }
 
-ReportScene planScene(const std::string& name, const TransportTask& task, const Carrying& work) {
+ReportScene planScene(const std::string& name, const std::string& title, const TransportTask& task,
+                      const Carrying& work) {
   constexpr double kRate = 10.0;       // [Hz]
   constexpr Tick kEvery = 5;           // ticks between rows
   constexpr double kRobotShare = 0.2;  // of the rod, as drawn: the robots are points
   const RodWorld world = rodWorldFor(task);
   ReportScene scene = sceneOf(name, task, world, kRobotShare * task.rod);
-  scene.page.title = fmt::format("{} parts, {} exchanges of roles", task.path.size(), work.switches.size());
+  scene.page.title =
+      fmt::format("{}: {} parts, {} exchanges of roles", title, task.path.size(), work.switches.size());
   scene.caption = fmt::format("{:.1f} m of path in {:.0f} s; the rod has {:.0f} cm.", task.path.length(),
                               work.seconds, cm(task.rod));
   scene.page.rate = kRate;

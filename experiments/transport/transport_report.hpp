@@ -21,7 +21,8 @@ ReportChart curveChart(const PathWork& work);  ///< both coordinates
 ReportChart forceChart(const std::vector<RealRun>& runs);
 
 /// Both robots and the rod as the messages move them.
-ReportScene planScene(const std::string& name, const TransportTask& task, const Carrying& work);
+ReportScene planScene(const std::string& name, const std::string& title, const TransportTask& task,
+                      const Carrying& work);
 /// The same in the world.
 ReportScene realScene(const std::string& name, const PathWork& work, const RealRun& run);
 
