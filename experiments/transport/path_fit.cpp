@@ -69,9 +69,6 @@ double tangentAt(Vec2 before, Vec2 at, Vec2 after) {
   return directionOf(before, at) + turn * first / (first + second);
 }
 
-// The direction at an end of a smooth run: the chord's, mirrored from the tangent at its other end.
-double endTangent(double chord, double other) { return chord + math::wrapAngle(chord - other); }
-
 class Fitter {
  public:
   Fitter(std::span<const Vec2> points, const PathFit& fit) : fit_(fit) { setKnots(points); }
@@ -82,6 +79,7 @@ class Fitter {
   void setKnots(std::span<const Vec2> points);
   void setCorners(std::span<const Vec2> points);
   void setTangents(std::span<const Vec2> points);
+  double endTangent(Vec2 from, Vec2 to, double other) const;
   bool isCorner(std::size_t i) const { return corner_[i]; }
   Parts between(std::size_t i, std::size_t j) const;
   bool fitsUntil(std::size_t i, std::size_t j) const;
@@ -114,9 +112,18 @@ void Fitter::setTangents(std::span<const Vec2> points) {
   }
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const double chord = directionOf(points[i], points[i + 1]);
-    if (corner_[i]) knots_[i].out = corner_[i + 1] ? chord : endTangent(chord, knots_[i + 1].in);
-    if (corner_[i + 1]) knots_[i + 1].in = corner_[i] ? chord : endTangent(chord, knots_[i].out);
+    if (corner_[i])
+      knots_[i].out = corner_[i + 1] ? chord : endTangent(points[i], points[i + 1], knots_[i + 1].in);
+    if (corner_[i + 1])
+      knots_[i + 1].in = corner_[i] ? chord : endTangent(points[i], points[i + 1], knots_[i].out);
   }
+}
+
+// The direction at an end of a smooth run: that of the arc over its first segment, if the arc is near to it.
+double Fitter::endTangent(Vec2 from, Vec2 to, double other) const {
+  const double chord = directionOf(from, to), turn = math::wrapAngle(chord - other);
+  const double height = distance(from, to) * std::abs(turn) / 4;
+  return height <= fit_.tolerance ? chord + turn : chord;
 }
 
 Parts Fitter::between(std::size_t i, std::size_t j) const {
@@ -169,6 +176,25 @@ Parts Fitter::run() {
   return parts;
 }
 
+bool continues(const Arc& line, const Arc& next) {
+  constexpr double kSame = 1e-7;  // [rad]
+  return line.curvature == 0.0 && next.curvature == 0.0 &&
+         std::abs(math::wrapAngle(next.start.heading - line.start.heading)) < kSame;
+}
+
+// Divided segments leave lines that go on straight.
+Parts withLinesJoined(const Parts& parts) {
+  Parts joined;
+  for (const Arc& part : parts) {
+    if (!joined.empty() && continues(joined.back(), part)) {
+      joined.back().length += part.length;
+    } else {
+      joined.push_back(part);
+    }
+  }
+  return joined;
+}
+
 // Length of both tangent legs, with the chord's square over both roots' sum: no difference of near numbers.
 double legLength(Vec2 chord, Vec2 first, Vec2 second) {
   const double across = 2 * (1 - dot(first, second)), along = dot(chord, first + second);
@@ -217,7 +243,7 @@ Parts biarc(const Pose2& from, const Pose2& to) {
 
 Result<PartPath> fitPath(std::span<const Vec2> points, const PathFit& fit) {
   if (auto checked = checkPoints(points, fit); !checked) return tl::unexpected<Error>(checked.error());
-  return PartPath(Fitter(points, fit).run());
+  return PartPath(withLinesJoined(Fitter(points, fit).run()));
 }
 
 double distanceBetween(const PartPath& path, std::span<const Vec2> points) {

@@ -336,7 +336,7 @@ ReportTable fitTable() {
   table.rows.push_back(fitRow("S path, every 2 cm", pointsOf(s_path, 0.02, {})));
   table.rows.push_back(fitRow("sine wave of 0.3 m, every 2 cm", sineWave()));
   table.rows.push_back(fitRow("spiral, every 0.1 rad", spiral()));
-  table.rows.push_back(fitRow("zigzag with six corners", zigzag()));
+  table.rows.push_back(fitRow("zigzag with five corners", zigzag()));
   return table;
 }
 
@@ -365,10 +365,10 @@ ReportChart stepChart(const std::vector<StepErrors>& steps) {
   chart.from_zero = false;
   chart.lines = {{"speeds of the relation alone", {}, true}, {"projected", {}, true}};
   // math::log: the C library's logarithm differs from processor to processor.
-  const auto log10 = [](double x) { return math::log(x) / math::log(10.0); };
+  const auto decades = [](double x) { return math::log(x) / math::log(10.0); };
   for (const StepErrors& e : steps) {
-    chart.lines[0].points.push_back({log10(e.step), log10(mm(e.euler.rod_error))});
-    chart.lines[1].points.push_back({log10(e.step), log10(mm(e.projected.rod_error))});
+    chart.lines[0].points.push_back({decades(e.step), decades(mm(e.euler.rod_error))});
+    chart.lines[1].points.push_back({decades(e.step), decades(mm(e.projected.rod_error))});
   }
   return {"rod-error", chart};
 }

@@ -344,7 +344,8 @@ const std::vector<Folder> kFolders = {
      {"engine/core/base", "replays/render/field", "replays/html", "experiments/trials",
       "experiments/comparison"}},
     {"experiments/transport",
-     "two robots carry a rod: path files and fits, constraint curve, message-driven robots, the rod in the world",
+     "two robots carry a rod: path files and fits, constraint curve, message-driven robots, the rod in the "
+     "world",
      {"engine/core/base", "engine/core/math", "engine/core/system", "engine/core/models",
       "engine/core/config", "engine/sim", "navigation/geometry", "experiments/papers"}},
     {"experiments",

@@ -6,6 +6,7 @@
 
 #include "experiments/transport/constraint_curve.hpp"
 #include "experiments/transport/path_file.hpp"
+#include "experiments/transport/path_fit.hpp"
 #include "experiments/transport/random_path.hpp"
 
 namespace fulbito {
@@ -107,6 +108,18 @@ TEST_CASE("the long path of 43 parts is carried to its end", "[unit]") {
   CHECK(work.rod_error < 1e-3);
   CHECK(work.peak_speed <= 0.1 * (1 + 1e-8));
   CHECK(work.switches.size() > 43);
+}
+
+TEST_CASE("the S path as a polyline is fitted and carried", "[unit]") {
+  TransportTask task = builtInTransport("s-path");
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 500; ++i) points.push_back(task.path.pose(task.path.length() * i / 500).position);
+  task.path = fitPath(points).value();
+  task.lead = rodLengthAhead(task.path, 0.0, task.rod).value();
+  const Carrying work = carry(task, {});
+  CHECK(work.end == StopReason::kArrived);
+  CHECK(work.rod_error < 1e-3);
+  CHECK(work.switches.size() >= 7);
 }
 
 TEST_CASE("random paths are carried exactly if the curve arrives", "[unit]") {
