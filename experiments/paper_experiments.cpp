@@ -7,6 +7,7 @@
 
 #include "engine/core/config/suggest.hpp"
 #include "experiments/localization/localization_experiment.hpp"
+#include "experiments/transport/transport_experiment.hpp"
 
 namespace fulbito {
 namespace {
@@ -30,7 +31,8 @@ Result<void> checkSettings(const PaperExperiment& experiment, const std::vector<
 }  // namespace
 
 std::span<const PaperExperiment> paperExperiments() {
-  static const std::vector<PaperExperiment> kExperiments{localization::localizationExperiment()};
+  static const std::vector<PaperExperiment> kExperiments{localization::localizationExperiment(),
+                                                         transportExperiment()};
   return kExperiments;
 }
 

@@ -66,6 +66,11 @@ mkdir -p "$images/papers"
 for picture in room deviation constant; do
   cp "papers/localization/$picture.png" "$images/papers/localization-$picture.png"
 done
+"$program" experiment transport --out papers >/dev/null
+cp papers/transport/fig-9.png "$images/papers/transport-fig-9.png"
+cp papers/transport/fig-10.png "$images/papers/transport-fig-10.png"
+cp papers/transport/constraint-curve.png "$images/papers/transport-curve.png"
+cp papers/transport/real-rod.gif "$images/papers/transport-real-rod.gif"
 
 # What is shown in pages has to load quickly.
 find "$images" \( -name 'match-*.png' -o -name 'team-*.png' -o -name 'trial-*.png' \) -size +150k -print | while IFS= read -r file; do

@@ -156,6 +156,21 @@ Result<void> checkObstacle(const ObstacleSpec& obstacle, const FieldGeometry& fi
   return check.result();
 }
 
+Result<void> checkRod(const RodPlacement& rod, const WorldConfig& config, const std::string& part) {
+  constexpr double kFit = 0.001;  // [m] a larger gap would make the engine jerk the robots together
+  const std::size_t count = config.robots.size();
+  Check check(part);
+  check.that(rod.first < count, "first", "must be the index of a robot")
+      .that(rod.second < count, "second", "must be the index of a robot")
+      .that(rod.first != rod.second, "second", "must be another robot than first")
+      .range("length", rod.length, 0.02, 20.0)
+      .range("mass", rod.mass, 1e-3, 100.0);
+  if (auto result = check.result(); !result) return result;
+  const double apart =
+      distance(config.robots[rod.first].pose.position, config.robots[rod.second].pose.position);
+  return check.range("length", rod.length, apart - kFit, apart + kFit).result();
+}
+
 template <typename List, typename CheckOne>
 Result<void> checkEach(const char* kind, const List& list, const FieldGeometry& field, CheckOne check_one) {
   if (list.size() > 1000) return fail(ErrorCode::kBadInput, std::string("more than 1000 ") + kind + "s");
@@ -173,7 +188,13 @@ Result<void> checkConfig(const WorldConfig& config) {
   if (auto result = checkPhysics(config.physics); !result) return result;
   if (auto result = checkEach("robot", config.robots, config.field, checkRobot); !result) return result;
   if (auto result = checkEach("ball", config.balls, config.field, checkBall); !result) return result;
-  return checkEach("obstacle", config.obstacles, config.field, checkObstacle);
+  if (auto result = checkEach("obstacle", config.obstacles, config.field, checkObstacle); !result)
+    return result;
+  for (std::size_t i = 0; i < config.rods.size(); ++i) {
+    auto result = checkRod(config.rods[i], config, "rod " + std::to_string(i));
+    if (!result) return result;
+  }
+  return {};
 }
 
 }  // namespace fulbito

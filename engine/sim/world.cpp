@@ -19,6 +19,7 @@
 #include "engine/sim/engine_clock.hpp"
 #include "engine/sim/obstacle_motion.hpp"
 #include "engine/sim/reserve.hpp"
+#include "engine/sim/rod.hpp"
 #include "engine/sim/units.hpp"
 #include "engine/sim/walls.hpp"
 #include "fulbito/detail/math.hpp"
@@ -72,6 +73,7 @@ struct World::Impl {
   std::vector<Robot> robots;
   std::vector<b2Body*> balls;
   std::vector<b2Body*> obstacles;
+  std::vector<CarriedRod> rods;
   ContactLog contacts;
   Approach approach;
   ContactWork contact_work;
@@ -119,11 +121,14 @@ World::Impl::Impl(const WorldConfig& from)
   for (const BallPlacement& ball : config.balls) balls.push_back(addBall(engine, config, ball, number++));
   for (const ObstacleSpec& obstacle : config.obstacles)
     obstacles.push_back(addObstacle(engine, config, obstacle, number++));
+  for (const RodPlacement& rod : config.rods)
+    rods.emplace_back(engine, rod, *robots[rod.first].body, *robots[rod.second].body);
   watchMovers();
 
   state.robots.resize(robots.size());
   state.balls.resize(balls.size());
   state.obstacles.resize(obstacles.size());
+  state.rods.resize(rods.size());
   for (std::size_t i = 0; i < balls.size(); ++i) state.balls[i].spin = config.balls[i].spin;
   readState();
 }
@@ -150,6 +155,7 @@ void World::Impl::watchMovers() {
       contacts_do_no_work = false;  // a moving obstacle does work
     if (config.obstacles[i].motion == ObstacleMotion::kPushable) contact_work.add(obstacles[i]);
   }
+  for (const CarriedRod& rod : rods) contact_work.add(&rod.body());
 }
 
 void World::Impl::driveRobots() {
@@ -200,6 +206,7 @@ void World::Impl::collide() {
     engine.Step(part, config.physics.velocity_iterations, config.physics.position_iterations);
     if (contacts_do_no_work) contact_work.takeBack();
     for (const Robot& robot : robots) unwindAngle(*robot.body);
+    for (CarriedRod& rod : rods) rod.addImpulses();
     left -= part;
   }
 }
@@ -239,6 +246,10 @@ void World::Impl::readState() {
     state.obstacles[i] = {poseOf(*obstacles[i]), on_path ? velocityAt(config.obstacles[i], time)
                                                          : units::metres(obstacles[i]->GetLinearVelocity())};
   }
+  for (std::size_t i = 0; i < rods.size(); ++i) {
+    unwindAngle(rods[i].body());
+    state.rods[i] = rods[i].state(config.physics.controlPeriod());
+  }
 }
 
 World::World(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -261,6 +272,7 @@ void World::step(std::span<const WheelSpeeds> commands) {
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     world.robots[i].drive.setCommand(i < commands.size() ? commands[i] : WheelSpeeds{});
   }
+  for (CarriedRod& rod : world.rods) rod.startTick();
   const int substeps = world.config.physics.substeps;
   const Tick steps_before = (tick - 1) * substeps;
   for (int i = 1; i <= substeps; ++i) world.stepOnce(static_cast<double>(steps_before + i) * world.dt);

@@ -68,6 +68,15 @@ void StateHash::add(const WorldState& state) {
     chain.add(obstacle.pose.heading);
     chain.add(obstacle.velocity);
   }
+  // Worlds without rods keep the hashes that they had before there were any.
+  if (!state.rods.empty()) chain.add(std::uint64_t{state.rods.size()});
+  for (const RodState& rod : state.rods) {
+    chain.add(rod.pose.position);
+    chain.add(rod.pose.heading);
+    chain.add(rod.velocity);
+    chain.add(rod.angular_velocity);
+    for (const Vec2 force : rod.forces) chain.add(force);
+  }
   value_ = chain.value();
 }
 

@@ -80,12 +80,22 @@ struct ObstacleState {
   Vec2 velocity;  ///< [m/s]
 };
 
+/// The motion of a rod that two robots carry, at one tick, in the world frame.
+struct RodState {
+  Pose2 pose;     ///< pose of its centre; its heading leads from the first robot to the second
+  Vec2 velocity;  ///< [m/s]
+  double angular_velocity = 0.0;  ///< [rad/s]
+  /// [N] by the first and the second robot on the rod: means over the tick.
+  std::array<Vec2, 2> forces{};
+};
+
 /// The state of all moving bodies of a world, as a plain value.
 struct WorldState {
   Tick tick = 0;                         ///< ticks since the world's creation
   std::vector<RobotState> robots;        ///< in the order of `WorldConfig::robots`
   std::vector<BallState> balls;          ///< in the order of `WorldConfig::balls`
   std::vector<ObstacleState> obstacles;  ///< in the order of `WorldConfig::obstacles`
+  std::vector<RodState> rods = {};       ///< in the order of `WorldConfig::rods`
 };
 
 /// The kinds of bodies that can touch.

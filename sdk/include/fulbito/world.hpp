@@ -31,6 +31,15 @@ struct BallPlacement {
   Vec2 spin;        ///< [m/s] as BallState::spin; equal to the velocity of a rolling ball
 };
 
+/// A rigid, uniform rod that two robots carry. Each of its ends turns freely about a robot's centre, so the
+/// robots stay its length apart. It is above all bodies: it touches nothing.
+struct RodPlacement {
+  std::size_t first = 0;   ///< index of the robot at its rear end
+  std::size_t second = 1;  ///< index of the robot at its front end
+  double length = 0.8;     ///< [m] between the robots' centres; they start that far apart, within 1 mm
+  double mass = 0.5;       ///< [kg]
+};
+
 /// The complete configuration of a world. Two worlds with equal configurations and equal commands stay equal,
 /// bit for bit.
 struct WorldConfig {
@@ -39,6 +48,7 @@ struct WorldConfig {
   std::vector<RobotPlacement> robots;   ///< robots of both teams; commands and states have this order
   std::vector<BallPlacement> balls;     ///< any number, usually one
   std::vector<ObstacleSpec> obstacles;  ///< obstacles of a navigation trial; none in a match
+  std::vector<RodPlacement> rods = {};  ///< what pairs of robots carry; none in a match
 };
 
 /// A fixed-step rigid-body world: walls, goals, corner triangles, robots, balls and obstacles.
@@ -46,7 +56,7 @@ struct WorldConfig {
 class World {
  public:
   /// Creates the world. Positions must be inside the field. Bodies may overlap: the engine pushes them apart.
-  /// Errors: kBadInput naming the robot, ball or obstacle (counted from 0), the value and its range.
+  /// Errors: kBadInput naming the robot, ball, obstacle or rod (counted from 0), the value and its range.
   static Result<World> create(const WorldConfig& config);
   /// A moved-from world can only be destroyed or assigned to.
   World(World&&) noexcept;

@@ -75,3 +75,12 @@ TEST_CASE("warm sonars allocate nothing", "[unit]") {
   }
   CHECK(mallocCount() == before);
 }
+
+TEST_CASE("robots that carry a rod allocate nothing", "[unit]") {
+  WorldConfig config = matchConfig(vsssPreset(), standardPhysics(), 3, largeField());
+  config.robots[0].pose = {{-0.2, 0.0}, 0.0};
+  config.robots[1].pose = {{0.2, 0.0}, 0.0};
+  config.rods.push_back({0, 1, 0.4, 0.1});
+  World world = makeWorld(config);
+  CHECK(allocationsIn(world, Load::kRandom, 600, 6'000) == 0);
+}

@@ -1,0 +1,458 @@
+#include "experiments/transport/transport_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "experiments/transport/path_fit.hpp"
+#include "fulbito/detail/math.hpp"
+
+namespace fulbito {
+namespace {
+
+double cm(double metres) { return metres * 100.0; }
+double mm(double metres) { return metres * 1000.0; }
+double degrees(double angle) { return angle * 180.0 / math::kPi; }
+double countOf(std::size_t count) { return static_cast<double>(count); }
+
+const char* nameOfCarrier(CarrierId id) { return id == CarrierId::kLead ? "lead" : "follower"; }
+const char* directionName(double speed) { return speed < 0.0 ? "backward" : "forward"; }
+
+const char* endName(StopReason reason) {
+  switch (reason) {
+    case StopReason::kNone:
+      return "time is up";
+    case StopReason::kArrived:
+      return "arrived";
+    case StopReason::kOffPath:
+      return "off the path";
+    case StopReason::kDeadlock:
+      return "deadlock";
+    case StopReason::kSilence:
+      return "silence";
+  }
+  return "";
+}
+
+/// A stretch of time in which roles and directions stay.
+struct Phase {
+  double from = 0.0;
+  CarrierId master = CarrierId::kLead;
+  bool lead_back = false;
+  bool follower_back = false;
+
+  bool same(const Phase& o) const {
+    return master == o.master && lead_back == o.lead_back && follower_back == o.follower_back;
+  }
+};
+
+std::vector<Phase> phasesOf(const Carrying& work) {
+  std::vector<Phase> phases;
+  for (const CarryRow& row : work.rows) {
+    const Phase phase{row.time, row.master, row.lead_speed < 0.0, row.follower_speed < 0.0};
+    if (phases.empty() || !phases.back().same(phase)) phases.push_back(phase);
+  }
+  return phases;
+}
+
+/// The rows of Table 1: their numbers, roles and directions.
+struct PaperPhase {
+  const char* steps;
+  CarrierId master;
+  bool lead_back;
+  bool follower_back;
+};
+
+constexpr PaperPhase kTable1[] = {{"1, 2", CarrierId::kLead, false, false},
+                                  {"3", CarrierId::kLead, false, true},
+                                  {"4", CarrierId::kLead, false, false},
+                                  {"5 to 8", CarrierId::kFollower, true, false}};
+
+// The paper's rows in the order of our phases; rows that a phase does not match are not used up.
+std::vector<std::string> paperSteps(const std::vector<Phase>& phases) {
+  std::vector<std::string> steps(phases.size(), "-");
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < phases.size() && next < std::size(kTable1); ++i) {
+    const PaperPhase& row = kTable1[next];
+    if (!phases[i].same({0.0, row.master, row.lead_back, row.follower_back})) continue;
+    steps[i] = row.steps;
+    ++next;
+  }
+  return steps;
+}
+
+// Numbers of exchanges that are too near to each other stand together.
+std::vector<ChartMark> marksOf(const Carrying& work) {
+  constexpr double kTogether = 0.015;  // of the time
+  std::vector<ChartMark> marks;
+  std::size_t labelled = 0;
+  for (const RoleSwitch& s : work.switches) {
+    const std::string number = fmt::format("{}", marks.size() + 1);
+    const bool near = !marks.empty() && s.time - marks[labelled].x < kTogether * work.seconds;
+    if (near) marks[labelled].label += "," + number;
+    if (!near) labelled = marks.size();
+    marks.push_back({s.time, near ? "" : number});
+  }
+  // Where there are too many, none has a number.
+  constexpr std::size_t kMostNumbers = 12;
+  if (marks.size() > kMostNumbers) {
+    for (ChartMark& mark : marks) mark.label.clear();
+  }
+  return marks;
+}
+
+std::string roleOf(CarrierId id, CarrierId master) { return id == master ? "master" : "slave"; }
+
+std::vector<Vec2> pointsOf(const PartPath& path, double stride, Vec2 centre) {
+  std::vector<Vec2> points;
+  const auto count = static_cast<std::size_t>(std::ceil(path.length() / stride));
+  for (std::size_t i = 0; i <= count; ++i)
+    points.push_back(path.pose(path.length() * countOf(i) / countOf(count)).position - centre);
+  return points;
+}
+
+PageBody box(BodyKind kind, double length, double width) {
+  PageBody body;
+  body.kind = kind;
+  body.box = true;
+  body.length = length;
+  body.width = width;
+  return body;
+}
+
+constexpr double kRodWidth = 0.03;  // [m] as drawn
+
+ReportScene sceneOf(const std::string& name, const TransportTask& task, const RodWorld& world,
+                    double robot_length) {
+  ReportScene scene;
+  scene.name = name;
+  scene.page.field = world.field;
+  scene.page.bodies = {box(BodyKind::kRobot, robot_length, robot_length),
+                       box(BodyKind::kRobot, robot_length, robot_length),
+                       box(BodyKind::kObstacle, task.rod, kRodWidth)};
+  scene.labels = {"leading robot", "following robot", "middle of the rod"};
+  constexpr double kStride = 0.01;  // [m]
+  scene.paths.push_back({"path", pointsOf(task.path, kStride, world.centre), true});
+  return scene;
+}
+
+Pose2 moved(Pose2 pose, Vec2 by) {
+  pose.position += by;
+  return pose;
+}
+
+Pose2 rodBetween(const Pose2& lead, const Pose2& follower) {
+  return {(lead.position + follower.position) / 2, math::angleOf(lead.position - follower.position)};
+}
+
+std::vector<Vec2> sineWave() {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 150; ++i)
+    points.push_back({0.02 * i, 0.3 * math::sin(0.02 * i * 2 * math::kPi / 1.5)});
+  return points;
+}
+
+std::vector<Vec2> zigzag() {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 6; ++i) points.push_back({0.5 * i, i % 2 == 0 ? 0.0 : 0.4});
+  return points;
+}
+
+std::vector<Vec2> spiral() {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 120; ++i) points.push_back(math::unit(0.1 * i) * (0.3 + 0.01 * i));
+  return points;
+}
+
+std::vector<ReportCell> fitRow(const std::string& name, const std::vector<Vec2>& points) {
+  const Result<PartPath> path = fitPath(points);
+  return {name, countOf(points.size()), countOf(path->size()), path->length(),
+          mm(distanceBetween(*path, points))};
+}
+
+}  // namespace
+
+ReportTable partTable(const TransportTask& task) {
+  ReportTable table{"table-2",
+                    "Parts of the path, as Table 2; radius, length and end are not in print",
+                    {{"number", 0},
+                     {"shape"},
+                     {"x_cm", 1},
+                     {"y_cm", 1},
+                     {"angle_deg", 1},
+                     {"radius_cm", 1},
+                     {"from_cm", 1},
+                     {"to_cm", 1}},
+                    {}};
+  for (std::size_t i = 0; i < task.path.size(); ++i) {
+    const Arc& part = task.path.parts()[i];
+    const bool line = part.curvature == 0.0;
+    const Vec2 at = line ? part.start.position
+                         : part.start.position + perp(math::unit(part.start.heading)) / part.curvature;
+    table.rows.push_back({countOf(i + 1), std::string(line ? "line" : "arc"), cm(at.x), cm(at.y),
+                          degrees(line ? part.start.heading : part.turn()),
+                          line ? std::nan("") : cm(1.0 / std::abs(part.curvature)), cm(task.path.from(i)),
+                          cm(task.path.to(i))});
+  }
+  return table;
+}
+
+ReportTable phaseTable(const Carrying& work) {
+  ReportTable table{"table-1",
+                    "Roles and directions, as Table 1, with its steps where they fit",
+                    {{"from_s", 1},
+                     {"steps_of_table_1"},
+                     {"lead_role"},
+                     {"lead_direction"},
+                     {"follower_role"},
+                     {"follower_direction"}},
+                    {}};
+  const std::vector<Phase> phases = phasesOf(work);
+  const std::vector<std::string> steps = paperSteps(phases);
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    const Phase& phase = phases[i];
+    table.rows.push_back({phase.from, steps[i], roleOf(CarrierId::kLead, phase.master),
+                          std::string(phase.lead_back ? "backward" : "forward"),
+                          roleOf(CarrierId::kFollower, phase.master),
+                          std::string(phase.follower_back ? "backward" : "forward")});
+  }
+  return table;
+}
+
+ReportTable switchTable(const Carrying& work) {
+  ReportTable table{"switches",
+                    "Exchanges of roles",
+                    {{"number", 0},
+                     {"time_s", 2},
+                     {"cause"},
+                     {"new_master"},
+                     {"direction"},
+                     {"lead_cm", 1},
+                     {"follower_cm", 1}},
+                    {}};
+  for (const RoleSwitch& s : work.switches)
+    table.rows.push_back({countOf(table.rows.size() + 1), s.time,
+                          std::string(s.cause == SwitchCause::kSpeed ? "speed" : "end of part"),
+                          std::string(nameOfCarrier(s.master)), std::string(directionName(s.direction)),
+                          cm(s.lead), cm(s.follower)});
+  return table;
+}
+
+ReportTable stepTable(const std::vector<StepErrors>& steps) {
+  ReportTable table{"rod-error",
+                    "Largest error of the rod's length against the step, without and with projection",
+                    {{"step_s", 2},
+                     {"euler_mm", 3},
+                     {"projected_mm", 4},
+                     {"switches", 0},
+                     {"time_s", 1},
+                     {"peak_cm_per_s", 2}},
+                    {}};
+  for (const StepErrors& e : steps)
+    table.rows.push_back({e.step, mm(e.euler.rod_error), mm(e.projected.rod_error),
+                          countOf(e.projected.switches.size()), e.projected.seconds,
+                          cm(e.projected.peak_speed)});
+  return table;
+}
+
+ReportTable radioTable(const std::vector<RadioRun>& radios) {
+  ReportTable table{"radio",
+                    "Messages that get lost or come late: both robots stop, and go on",
+                    {{"radio"},
+                     {"result"},
+                     {"time_s", 1},
+                     {"switches", 0},
+                     {"rod_error_mm", 3},
+                     {"broken_off_runs", 0},
+                     {"losses_of_contact", 0},
+                     {"messages", 0},
+                     {"lost", 0},
+                     {"speed_percent", 0}},
+                    {}};
+  for (const RadioRun& r : radios)
+    table.rows.push_back({r.name, std::string(endName(r.work.end)), r.work.seconds,
+                          countOf(r.work.switches.size()), mm(r.work.rod_error),
+                          static_cast<double>(r.work.aborts), static_cast<double>(r.work.timeouts),
+                          countOf(r.work.messages), countOf(r.work.lost), 100.0 * r.work.speed_share});
+  return table;
+}
+
+ReportTable randomTable(const std::vector<RandomRun>& runs) {
+  ReportTable table{"random-paths",
+                    "Random paths: the pre-check, the independent contour, the robots",
+                    {{"path", 0},
+                     {"parts", 0},
+                     {"length_m", 2},
+                     {"rod_m", 2},
+                     {"result"},
+                     {"right"},
+                     {"switches", 0},
+                     {"rod_error_mm", 3},
+                     {"peak_cm_per_s", 2},
+                     {"as_printed"},
+                     {"why"}},
+                    {}};
+  for (const RandomRun& r : runs)
+    table.rows.push_back({countOf(table.rows.size()), countOf(r.task.path.size()), r.task.path.length(),
+                          r.task.rod, std::string(r.accepted() ? endName(r.work.end) : "refused"),
+                          std::string(r.right() ? "yes" : "no"), countOf(r.work.switches.size()),
+                          mm(r.work.rod_error), cm(r.work.peak_speed), std::string(endName(r.printed.end)),
+                          refusal(r.task, r.curve)});
+  return table;
+}
+
+ReportTable realTable(const std::vector<RealRun>& runs) {
+  ReportTable table{"real-rod",
+                    "A rod of 1 kg on joints, carried by two robots of 2 kg whose wheels do 1.5 m/s^2",
+                    {{"speeds"},
+                     {"limit_cm_per_s", 0},
+                     {"time_s", 1},
+                     {"peak_force_N", 3},
+                     {"rms_force_N", 3},
+                     {"path_error_mm", 2},
+                     {"place_error_mm", 2},
+                     {"rod_error_mm", 3},
+                     {"end_gap_mm", 2},
+                     {"peak_cm_per_s", 1}},
+                    {}};
+  for (const RealRun& r : runs)
+    table.rows.push_back({r.name, cm(r.pace), r.drive.seconds, r.drive.peak_force, r.drive.mean_force,
+                          mm(r.drive.path_error), mm(r.drive.along_error), mm(r.drive.rod_error),
+                          mm(r.drive.end_gap), cm(r.drive.peak_speed)});
+  return table;
+}
+
+ReportTable fitTable() {
+  const PartPath s_path = PartPath({{{{0, 0}, 0.0}, 0.0, 4.0},
+                                    {{{4, 0}, 0.0}, 4.0, 0.25 * math::kPi},
+                                    {{{4, 0.5}, -math::kPi}, 0.0, 3.0},
+                                    {{{1, 0.5}, -math::kPi}, -4.0, 0.25 * math::kPi},
+                                    {{{1, 1}, 0.0}, 0.0, 4.0}});
+  ReportTable table{"fits",
+                    "Polylines as lines and arcs, within 5 mm",
+                    {{"polyline"}, {"points", 0}, {"parts", 0}, {"length_m", 3}, {"distance_mm", 3}},
+                    {}};
+  table.rows.push_back(fitRow("S path, every 2 cm", pointsOf(s_path, 0.02, {})));
+  table.rows.push_back(fitRow("sine wave of 0.3 m, every 2 cm", sineWave()));
+  table.rows.push_back(fitRow("spiral, every 0.1 rad", spiral()));
+  table.rows.push_back(fitRow("zigzag with five corners", zigzag()));
+  return table;
+}
+
+ReportChart speedChart(const std::string& name, const TransportTask& task, const Carrying& work) {
+  LineChart chart;
+  chart.title = "Speeds of both robots along the path";
+  chart.caption = fmt::format("{} exchanges of roles: dashed marks. The master runs at {:g} cm/s.",
+                              work.switches.size(), cm(task.speed));
+  chart.x_axis = "time [s]";
+  chart.y_axis = "speed [cm/s]";
+  chart.lines = {{"leading robot", {}}, {"following robot", {}}};
+  for (const CarryRow& row : work.rows) {
+    chart.lines[0].points.push_back({row.time, cm(row.lead_speed)});
+    chart.lines[1].points.push_back({row.time, cm(row.follower_speed)});
+  }
+  chart.marks = marksOf(work);
+  return {name, chart};
+}
+
+ReportChart stepChart(const std::vector<StepErrors>& steps) {
+  LineChart chart;
+  chart.title = "Error of the rod's length against the step";
+  chart.caption = "Without projection it is the sum of all steps' errors; with it, that within one step.";
+  chart.x_axis = "log10 of the step [s]";
+  chart.y_axis = "log10 of the largest error [mm]";
+  chart.from_zero = false;
+  chart.lines = {{"speeds of the relation alone", {}, true}, {"projected", {}, true}};
+  // math::log: the C library's logarithm differs from processor to processor.
+  const auto decades = [](double x) { return math::log(x) / math::log(10.0); };
+  for (const StepErrors& e : steps) {
+    chart.lines[0].points.push_back({decades(e.step), decades(mm(e.euler.rod_error))});
+    chart.lines[1].points.push_back({decades(e.step), decades(mm(e.projected.rod_error))});
+  }
+  return {"rod-error", chart};
+}
+
+ReportChart curveChart(const PathWork& work) {
+  LineChart chart;
+  chart.title = "All pairs of places a rod's length apart, from the start on";
+  chart.caption = "The pre-check follows this curve. Dots: exchanges of roles. Dashed: ends of parts.";
+  chart.x_axis = "leading robot along the path [m]";
+  chart.y_axis = "following robot [m]";
+  chart.lines = {{"constraint curve", {}}, {"exchange of roles", {}, true, false}};
+  for (const CurvePoint& point : work.curve.points)
+    chart.lines[0].points.push_back({point.lead.q, point.follower.q});
+  for (const RoleSwitch& s : work.work.switches) chart.lines[1].points.push_back({s.lead, s.follower});
+  const double first = work.task.follower, last = work.task.path.length();
+  for (std::size_t i = 0; i + 1 < work.task.path.size(); ++i) {
+    const double end = work.task.path.to(i);
+    chart.lines.push_back({"", {{first, end}, {last, end}}, false, true, true, 7});
+    chart.lines.push_back({"", {{end, first}, {end, last}}, false, true, true, 7});
+  }
+  return {"constraint-curve", chart};
+}
+
+ReportChart forceChart(const std::vector<RealRun>& runs) {
+  LineChart chart;
+  chart.title = "Force of a joint on the rod";
+  chart.caption = "The larger one of both ends, largest within each half second. Rod of 1 kg.";
+  chart.x_axis = "time [s]";
+  chart.y_axis = "force [N]";
+  constexpr std::size_t kTicks = 30;
+  for (const RealRun& run : runs) {
+    if (run.name != "speed profile") continue;
+    ChartLine line{fmt::format("{:.0f} cm/s", cm(run.pace)), {}};
+    const std::vector<RodFrame>& frames = run.drive.frames;
+    for (std::size_t i = 0; i < frames.size(); i += kTicks) {
+      const auto end = frames.begin() + static_cast<std::ptrdiff_t>(std::min(i + kTicks, frames.size()));
+      const auto largest = std::max_element(frames.begin() + static_cast<std::ptrdiff_t>(i), end,
+                                            [](const auto& a, const auto& b) { return a.force < b.force; });
+      line.points.push_back({countOf(i) / 60.0, largest->force});
+    }
+    chart.lines.push_back(std::move(line));
+  }
+  return {"rod-force", chart};
+}
+
+ReportScene planScene(const std::string& name, const std::string& title, const TransportTask& task,
+                      const Carrying& work) {
+  constexpr double kRate = 10.0;       // [Hz]
+  constexpr Tick kEvery = 5;           // ticks between rows
+  constexpr double kRobotShare = 0.2;  // of the rod, as drawn: the robots are points
+  const RodWorld world = rodWorldFor(task);
+  ReportScene scene = sceneOf(name, task, world, kRobotShare * task.rod);
+  scene.page.title =
+      fmt::format("{}: {} parts, {} exchanges of roles", title, task.path.size(), work.switches.size());
+  scene.caption = fmt::format("{:.1f} m of path in {:.0f} s; the rod has {:.0f} cm.", task.path.length(),
+                              work.seconds, cm(task.rod));
+  scene.page.rate = kRate;
+  const auto references = referencesOf(task, work, static_cast<double>(kEvery) / kRate);
+  for (const RodReference& r : references) {
+    const Pose2 lead = moved(task.path.pose(r.lead.place.part, r.lead.place.q), -world.centre);
+    const Pose2 follower = moved(task.path.pose(r.follower.place.part, r.follower.place.q), -world.centre);
+    const auto tick = static_cast<Tick>(scene.page.rows.size()) * kEvery;
+    scene.page.rows.push_back({tick, {lead, follower, rodBetween(lead, follower)}});
+  }
+  finishScene(scene);
+  return scene;
+}
+
+ReportScene realScene(const std::string& name, const PathWork& work, const RealRun& run) {
+  constexpr std::size_t kEvery = 12;  // ticks between rows
+  ReportScene scene = sceneOf(name, work.task, work.world, work.world.robot.length);
+  scene.page.title = fmt::format("A real rod at up to {:.0f} cm/s", cm(run.pace));
+  scene.caption = fmt::format(
+      "The rod of 1 kg pulls with at most {:.2f} N; the robots stay within {:.1f} mm of the path.",
+      run.drive.peak_force, mm(run.drive.path_error));
+  scene.page.rate = work.world.physics.control_rate;
+  for (std::size_t i = 0; i < run.drive.frames.size(); i += kEvery) {
+    const RodFrame& f = run.drive.frames[i];
+    const Vec2 shift = -work.world.centre;
+    scene.page.rows.push_back(
+        {static_cast<Tick>(i), {moved(f.lead, shift), moved(f.follower, shift), moved(f.rod, shift)}});
+  }
+  finishScene(scene);
+  return scene;
+}
+
+}  // namespace fulbito

@@ -1,0 +1,73 @@
+#include "experiments/transport/transport_experiment.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "experiments/paper_experiments.hpp"
+#include "experiments/papers/report_output.hpp"
+#include "experiments/transport/path_file.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+namespace fulbito {
+namespace {
+
+Result<ExperimentReport> runWith(std::vector<Setting> settings, int jobs = 1) {
+  ExperimentRequest request;
+  request.jobs = jobs;
+  request.settings = std::move(settings);
+  return runPaperExperiment(transportExperiment(), request);
+}
+
+}  // namespace
+
+TEST_CASE("all bars of the experiment hold, with the same bytes on one and two threads", "[unit]") {
+  const auto one = runWith({}, 1), two = runWith({}, 2);
+  REQUIRE(one);
+  REQUIRE(two);
+  CHECK(experimentJson(*one, {}) == experimentJson(*two, {}));
+  for (const PaperFigure& figure : one->figures) {
+    CAPTURE(figure.id, figure.ours);
+    CHECK(figure.inside());
+  }
+  CHECK(one->scenes.size() == 3);
+  for (const ReportTable& table : one->tables) {
+    CAPTURE(table.name);
+    CHECK_FALSE(table.rows.empty());
+    for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
+  }
+}
+
+TEST_CASE("settings out of their ranges are refused", "[unit]") {
+  CHECK(runWith({{"step", "0"}}).error().message ==
+        "transport: step must be a number of 0.001 ... 1, not '0'");
+  CHECK(runWith({{"loss", "x"}}).error().message == "transport: loss must be a number of 0 ... 0.5, not 'x'");
+  CHECK(runWith({{"delay", "nan"}}).error().code == ErrorCode::kUsage);
+  CHECK(runWith({{"lost", "0.1"}}).error().code == ErrorCode::kUsage);
+}
+
+TEST_CASE("a path of a file takes the paper's place", "[unit]") {
+  const test::ScratchFolder folder;
+  const auto smooth = runWith({{"path", folder.write("bend.txt", "line 0 0 0\narc 150 60 90\n")}});
+  REQUIRE(smooth);
+  CHECK(smooth->figures.empty());
+  CHECK(smooth->scenes.size() == 2);
+  const auto corner =
+      runWith({{"path", folder.write("corner.txt", "point 0 0\npoint 200 0\npoint 200 200\n")}});
+  REQUIRE(corner);
+  CHECK(corner->scenes.size() == 1);
+  REQUIRE(corner->notes.size() == 1);
+  CHECK_THAT(corner->notes[0], Catch::Contains("the path has a corner after part 1"));
+}
+
+TEST_CASE("a path that cannot be carried along is refused with the reason", "[unit]") {
+  const test::ScratchFolder folder;
+  const std::string file =
+      folder.write("hook.txt", "line 0 0 0\narc 100 25 180\nline 100 50 180\nend -300 50\n");
+  const auto report = runWith({{"path", file}});
+  REQUIRE_FALSE(report);
+  CHECK(report.error().code == ErrorCode::kBadInput);
+  CHECK_THAT(
+      report.error().message,
+      Catch::Contains(file + ": the follower would have to back over the path's beginning: lead on part"));
+}
+
+}  // namespace fulbito
