@@ -53,6 +53,8 @@ struct RobotModel {
   double spin_slow_ratio = 1.0;     ///< measured over ideal yaw rate at `spin_slow_speed` and below
   double spin_fast_speed = 0.0;     ///< [m/s] rim speed of the second measured spin
   double spin_fast_ratio = 1.0;     ///< the same at `spin_fast_speed` and above; linear between
+  double curve_widening = 0.0;      ///< [s] radius that a curve gains by slip, over the speed; 0: none
+  double curve_widening_rise = 0.0;  ///< [s^2/m] by which `curve_widening` rises with the speed
   double friction = 0.2;            ///< of the body against robots, walls and obstacles
   double restitution = 0.1;         ///< of the body against robots, walls and obstacles
 
@@ -77,8 +79,8 @@ WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels);
 /// Rounds both wheels to multiples of `step` [rad/s]; step <= 0 changes nothing.
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step);
 
-/// State of `robot` after one tick of `dt` [s], if its wheels follow `command` by the `DriveLaw` without
-/// slip.
+/// State of `robot` after one tick of `dt` [s], if its wheels follow `command` by the `DriveLaw` within their
+/// grip. Curves are as wide as the model says.
 RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt);
 
 /// Time steps and accuracy of the physics. Navigators and teams act once per control tick, which consists of
