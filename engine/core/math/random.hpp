@@ -25,6 +25,8 @@ enum class Stream : std::uint32_t {
   kDrill = 13,         ///< starts of drills
   kStartHeading = 14,  ///< start headings in a comparison's trials
   kLibraryTeam = 15,   ///< what a shared library draws from its host
+  kCaptureTask = 20,   ///< starts of captures (experiment `capture`)
+  kSighting = 21,      ///< noise of its camera
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of

@@ -73,7 +73,7 @@ TEST_CASE("two arcs join any two poses with one tangent", "[unit]") {
 
 TEST_CASE("a goal straight behind with the same heading has no two finite arcs, a goal here no length",
           "[unit]") {
-  CHECK(std::isinf(doubleArc(kStart, {{0.0, -1.0}, 90 * kDegree}).length()));
+  CHECK(std::isinf(doubleArc({}, {{-1.0, 0.0}, 0.0}).length()));
   CHECK(doubleArc(kStart, {{1.0, 0.0}, 90 * kDegree}).length() == Approx(math::kPi / 2));  // two half circles
   CHECK(doubleArc(kStart, kStart).length() == 0.0);
   const DoubleArc line = doubleArc(kStart, {{0.0, 2.0}, 90 * kDegree});
