@@ -12,7 +12,7 @@ namespace fulbito::capture {
 namespace {
 
 constexpr double kTurnStep = 1.5 * math::kPi / 180;  // [rad] of the search for roots over the first turn
-constexpr int kRadii1 = 8, kRadii3 = 4;        // radii that are tried
+constexpr int kRadii1 = 8, kRadii3 = 4;              // radii that are tried
 constexpr int kHalvings = 48;
 constexpr double kFlattest =
     0.25;  // [rad] of the last turn: a flatter meeting of the lines hangs on the estimate

@@ -22,7 +22,8 @@ struct MotionState {
 /// A motion from a pose through phases. Phases of constant curvature are exact arcs.
 class MotionProfile {
  public:
-  explicit MotionProfile(const Pose2& start = {}) : starts_{start} {}
+  MotionProfile() : MotionProfile(Pose2{}) {}
+  explicit MotionProfile(const Pose2& start) : starts_{start} {}
   void append(const MotionPhase& phase);
   /// The state `time` [s] after the start, which is clamped to the motion.
   MotionState at(double time) const;

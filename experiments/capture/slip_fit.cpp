@@ -43,12 +43,11 @@ SlipFit fitUndersteer(std::span<const DrivenRadius> radii) {
 }
 
 std::vector<DrivenRadius> publishedRadii() {
-  using T = PaperTables;
   std::vector<DrivenRadius> radii;
-  for (std::size_t i = 0; i < T::kSpeeds.size(); ++i) {
-    radii.push_back({T::kSpeeds[i], T::kSingleRadius, T::kSingle[i].radius});
-    radii.push_back({T::kSpeeds[i], T::kDoubleRadius, T::kDouble[i].radius1});
-    radii.push_back({T::kSpeeds[i], T::kDoubleRadius, T::kDouble[i].radius2});
+  for (std::size_t i = 0; i < PaperTables::kSpeeds.size(); ++i) {
+    radii.push_back({PaperTables::kSpeeds[i], PaperTables::kSingleRadius, PaperTables::kSingle[i].radius});
+    radii.push_back({PaperTables::kSpeeds[i], PaperTables::kDoubleRadius, PaperTables::kDouble[i].radius1});
+    radii.push_back({PaperTables::kSpeeds[i], PaperTables::kDoubleRadius, PaperTables::kDouble[i].radius2});
   }
   return radii;
 }
