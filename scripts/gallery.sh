@@ -60,6 +60,11 @@ cp figures/fig1-abrupt-turns-1.0.png "$images/"
   --widths 0.10,0.15,0.20,0.25,0.30,0.35,0.40 --trials 40 --out map >/dev/null
 cp map/map-close-range-classic.png "$images/"
 
+# The experiments of docs/papers.md.
+mkdir -p "$images/papers"
+"$program" experiment capture --out papers >/dev/null
+cp papers/capture/fig-16.png papers/capture/fig-17-error.png papers/capture/fig-18.png "$images/papers/"
+
 # What is shown in pages has to load quickly.
 find "$images" \( -name 'match-*.png' -o -name 'team-*.png' -o -name 'trial-*.png' \) -size +150k -print | while IFS= read -r file; do
   echo "gallery.sh: $file is larger than 150 kB" >&2

@@ -68,7 +68,7 @@ void addTable6(const CaptureResults& results, const Adder& add) {
          paper.radius2, row.driven.radius2, paper.radius2 - 0.11, paper.radius2 + 0.11});
     add({id("table-6-time", v), "Table 6", fmt::format("time at {:.1f} m/s", v), "s", 1, paper.time,
          row.time(v), paper.time - 1.2, paper.time + 1.2});
-    // Erratum E11: the paper's columns hold different things, so that it has no such ratio.
+    // The paper's columns hold different things, so that it has no such ratio.
     add({id("end-error-ratio", v), "Tables 5, 6",
          fmt::format("end error, double over single, at {:.1f} m/s", v), "", 2, std::nullopt,
          row.driven.end_error / results.curves.single[i].driven.end_error, 1.7,
@@ -76,18 +76,18 @@ void addTable6(const CaptureResults& results, const Adder& add) {
   }
 }
 
-/// Errata E3 and E4: the heading of the paper's own object by (21) as printed and by the mended triangle.
+/// The heading of the paper's own object by (21) as printed and by the mended triangle.
 void addHeading(const Adder& add) {
   const auto sighting = [](double time) {
     const Vec2 to = fig18Object().at(time) - fig18Robot().position;
     return Sighting{time, fig18Robot().position, math::angleOf(to), norm(to)};
   };
-  const Sighting first = sighting(0.0), second = sighting(1.0);
+  const Sighting first = sighting(0.0), second = sighting(2.0);
   const SightingTriangle triangle = triangleOf(first, second);
   const double pan = second.bearing - fig18Robot().heading;
   const double printed = math::wrapAngle(triangle.theta2 + triangle.theta3 + pan - math::kPi / 2) / kDegree;
-  add({"heading-of-object", "(20), (21)", "heading of the object from two exact sightings", "degrees", 1,
-       printed, headingByTriangle(first, second) / kDegree, 39.99, 40.01,
+  add({"heading-of-object", "(20), (21)", "heading of the object from two exact sightings 2 s apart",
+       "degrees", 1, printed, headingByTriangle(first, second) / kDegree, 39.99, 40.01,
        "\"paper\" is (21) as printed; it holds for a decreasing bearing only, and here it increases"});
 }
 

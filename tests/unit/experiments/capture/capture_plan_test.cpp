@@ -22,7 +22,7 @@ Vec2 objectAtEnd(const CapturePlan& plan, const ObjectMotion& object) {
 
 }  // namespace
 
-// Erratum E5: (23) compares a speed with an acceleration. With a time of 1 s it gives the experiment exactly.
+// Misprint: (23) compares a speed with an acceleration. With a time of 1 s it gives the experiment exactly.
 TEST_CASE("speed and straightening within a second bind at the radius of the paper's experiment", "[unit]") {
   const CaptureLimits limits;
   CHECK(limits.largestFirstRadius() == Approx(2.6));
@@ -81,7 +81,7 @@ TEST_CASE("a plan ends on the object's line, along it, at its speed, with the wa
   }
 }
 
-// Erratum E6: (27) gives a minimum where a place is meant. Here the place is the one where the gap is right.
+// Misprint: (27) gives a minimum where a place is meant. Here the place is the one where the gap is right.
 TEST_CASE("slowing down later shortens the gap, and the right moment makes it exact", "[unit]") {
   const CaptureStart start = captureStart(fig18Limits(), fig18Robot(), -1.0, 2.6, 72 * kDegree);
   const auto at_once = captureEnd(fig18Limits(), start.motion, start.top_speed, fig18Object(), 2.4, 0.0);

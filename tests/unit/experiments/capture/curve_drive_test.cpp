@@ -24,7 +24,7 @@ CurveDriveSetup setupOf(double speed, bool twice) {
 
 }  // namespace
 
-// Erratum E1: (2) prints twice the yaw rate. It would halve every radius of Table 4.
+// Misprint: (2) prints twice the yaw rate. It would halve every radius of Table 4.
 TEST_CASE("wheels at plus and minus 1 m/s turn the robot by 2 / track, not 4 / track", "[unit]") {
   const RobotModel robot = loadRobot("choi-lee-2005")->robot;
   const double wheel = 1.0 / robot.wheel_radius;
@@ -52,7 +52,7 @@ TEST_CASE("wheel speeds of Table 4 follow from radius and track", "[unit]") {
   CHECK(rims(0.5, 1.875).x == Approx(0.4467).epsilon(1e-4));
 }
 
-// Erratum E10: Table 4's time is d / v + v / 2a, cut to a tenth.
+// The paper gives no formula: Table 4's time is d / v + v / 2a, cut to a tenth.
 TEST_CASE("a robot without slip that starts from rest takes the time of Table 4", "[unit]") {
   CurveDriveSetup setup = setupOf(0.5, false);
   setup.robot.curve_widening = setup.robot.curve_widening_rise = 0.0;
@@ -79,7 +79,7 @@ TEST_CASE("the robot drives the radii of Tables 5 and 6 in the world", "[unit]")
   CHECK(both->end_error / single->end_error > 1.7);
 }
 
-// Erratum E11: the errors of Table 5 are those of the radius, and those of Table 6 are not.
+// One name for two columns: the errors of Table 5 are those of the radius, and those of Table 6 are not.
 TEST_CASE("the error column is of the radius in Table 5 and of something else in Table 6", "[unit]") {
   for (std::size_t i = 0; i < PaperTables::kSpeeds.size(); ++i) {
     const PaperTables::Single& one = PaperTables::kSingle[i];
@@ -89,7 +89,7 @@ TEST_CASE("the error column is of the radius in Table 5 and of something else in
   }
 }
 
-// Erratum E2: with k = 1 / r of (13), (14) would have the force fall with the square of the radius.
+// Misprint: with k = 1 / r of (13), (14) would have the force fall with the square of the radius.
 TEST_CASE("the side force of a curve is m v^2 / r, far below the grip", "[unit]") {
   const RobotModel robot = loadRobot("choi-lee-2005")->robot;
   const double needed = 0.5 * 0.5 / 1.875;  // [m/s^2] of the tightest curve

@@ -30,7 +30,7 @@ TEST_CASE("two exact sightings give place, speed and heading", "[unit]") {
   CHECK(distance(found.velocity, object.velocity) < 1e-12);
 }
 
-// Erratum E3: (17) lacks the square on its left side.
+// Misprint: (17) lacks the square on its left side.
 TEST_CASE("the law of cosines gives the way of the object, not its square", "[unit]") {
   const Sighting first{0.0, {}, 90 * kDegree, 3.0}, second{1.0, {}, 0.0, 4.0};
   const SightingTriangle triangle = triangleOf(first, second);
@@ -40,7 +40,7 @@ TEST_CASE("the law of cosines gives the way of the object, not its square", "[un
   CHECK(triangle.l3 == Approx(distance(placeOf(first), placeOf(second))));
 }
 
-// Erratum E4: (21) is right for a robot's heading of 90 degrees and a decreasing bearing only.
+// Misprint: (21) is right for a robot's heading of 90 degrees and a decreasing bearing only.
 TEST_CASE("the triangle gives the heading on both sides of the robot", "[unit]") {
   for (int i = 0; i < 60; ++i) {
     const ObjectMotion object{{2.0, 0.3}, math::unit(0.1 * i) * 0.3, 0.0};
@@ -54,11 +54,11 @@ TEST_CASE("the triangle gives the heading on both sides of the robot", "[unit]")
 TEST_CASE("the printed heading of the paper's own object is -135.8 degrees instead of 40", "[unit]") {
   const ObjectMotion object = fig18Object();
   const Vec2 robot = fig18Robot().position;
-  const Sighting first = sightingOf(object, robot, 0.0), second = sightingOf(object, robot, 1.0);
+  const Sighting first = sightingOf(object, robot, 0.0), second = sightingOf(object, robot, 2.0);
   const SightingTriangle triangle = triangleOf(first, second);
   const double theta0 = second.bearing - fig18Robot().heading;  // the camera's pan
   const double printed = triangle.theta2 + triangle.theta3 + theta0 - math::kPi / 2;
-  CHECK(math::wrapAngle(printed) / kDegree == Approx(-135.8).margin(5.0));
+  CHECK(math::wrapAngle(printed) / kDegree == Approx(-135.8).margin(0.1));
   CHECK(headingByTriangle(first, second) / kDegree == Approx(40.0));
 }
 

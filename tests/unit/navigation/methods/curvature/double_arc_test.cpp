@@ -13,7 +13,7 @@ const Pose2 kStart{{0.0, 0.0}, 90 * kDegree};  // of all trajectories of Choi & 
 
 }  // namespace
 
-// Erratum E7: Table 1 gives R = 3.75 m, a turn of 109.65 degrees and the end (5, 4, 109.6 degrees).
+// Table 1 does not fit together: it gives R = 3.75 m, a turn of 109.65 degrees and the end (5, 4, 109.6 degrees).
 TEST_CASE("the single arc of Table 1 ends 0.47 m below the printed place, and heads elsewhere", "[unit]") {
   const Arc printed{kStart, -1 / 3.75, 3.75 * 109.65 * kDegree};
   CHECK(printed.length == Approx(7.18).epsilon(0.001));
@@ -28,7 +28,7 @@ TEST_CASE("the single arc of Table 1 ends 0.47 m below the printed place, and he
   CHECK(endOf(through).heading == Approx(-12.68 * kDegree).epsilon(1e-3));
 }
 
-// Erratum E8: Table 1 gives R = 1.875 m and the centres (1.87, 0) and (3.13, 4).
+// Table 1 does not fit together: it gives R = 1.875 m and the centres (1.87, 0) and (3.13, 4).
 TEST_CASE("the double arcs of Table 1 do not touch; those to its end have a radius of 2.05 m", "[unit]") {
   CHECK(distance(Vec2{1.87, 0.0}, Vec2{3.13, 4.0}) == Approx(4.19).epsilon(1e-3));  // over 2 * 1.875
   const DoubleArc arcs = doubleArc(kStart, {{5.0, 4.0}, 90 * kDegree});
