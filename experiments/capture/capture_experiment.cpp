@@ -80,6 +80,7 @@ Result<CaptureResults> resultsOf(const ExperimentRequest& request) {
   const auto settings = settingsOf(request);
   if (!settings) return tl::unexpected<Error>(settings.error());
   results.settings = *settings;
+  results.seed = request.seed;
   const auto robot = loadRobot("choi-lee-2005");
   if (!robot) return tl::unexpected<Error>(robot.error());
   results.robot = robot->robot;

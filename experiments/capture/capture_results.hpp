@@ -37,6 +37,7 @@ enum Fig18Way : std::size_t {
 /// Everything that the report shows.
 struct CaptureResults {
   CaptureSettings settings;
+  std::uint64_t seed = 1;
   RobotModel robot;
   CurveTable curves;
   std::vector<EstimatorRow> estimators;

@@ -134,6 +134,7 @@ ReportScene freeScene(const CaptureResults& results) {
 
 void addScenes(const CaptureResults& results, ExperimentReport& report) {
   report.scenes = {curveScene(results), captureScene(results), freeScene(results)};
+  for (ReportScene& scene : report.scenes) scene.page.seed = results.seed;
 }
 
 }  // namespace fulbito::capture
