@@ -8,6 +8,7 @@
 #include "apps/replay/export_request.hpp"
 #include "engine/core/system/output_file.hpp"
 #include "fulbito/picture.hpp"
+#include "replays/recording/recipe_words.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -202,7 +203,7 @@ Result<HeatMapChoice> heatChoice(const ExportRequest& request, const std::string
   choice.label = word == "ball" ? "the ball" : word == "robot" ? "the robot" : word;
   const std::size_t index = team == "yellow" ? 1 : 0;
   if (header.bodies[choice.bodies.front()].id && index < header.recipe.teams.size()) {
-    choice.label = fmt::format("{} ({})", header.recipe.teams[index], word);
+    choice.label = fmt::format("{} ({})", teamNames(header.recipe)[index], word);
   }
   return choice;
 }

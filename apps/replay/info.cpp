@@ -11,6 +11,7 @@
 #include "fulbito/models.hpp"
 #include "fulbito/referee.hpp"
 #include "match/record/recorded_events.hpp"
+#include "replays/recording/recipe_words.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -87,6 +88,13 @@ Json resultJson(const RecordingReader& recording) {
   return json;
 }
 
+Json sensorsJson(const SensorModel& sensors) {
+  return {{"latency_ticks", sensors.latency_ticks},
+          {"position_noise_m", sensors.position_noise},
+          {"heading_noise_rad", sensors.heading_noise},
+          {"dropout", sensors.dropout}};
+}
+
 Json recipeJson(const RecordingHeader& header) {
   const RecordingRecipe& recipe = header.recipe;
   const RecipeNames names = namesOf(recipe);
@@ -101,10 +109,10 @@ Json recipeJson(const RecordingHeader& header) {
   json["physics"] = names.physics;
   json["robot"] = names.robot;
   json["field"] = names.field;
-  json["vision"] = {{"latency_ticks", recipe.latency_ticks},
-                    {"position_noise_m", recipe.position_noise},
-                    {"heading_noise_rad", recipe.heading_noise},
-                    {"dropout", recipe.dropout}};
+  for (std::size_t i = 0; i < recipe.vision.size(); ++i) {
+    const bool trial = header.kind == RecordingKind::kTrial;
+    json["vision"][trial ? "robot" : i == 0 ? "blue" : "yellow"] = sensorsJson(recipe.vision[i]);
+  }
   json["more"] = Json::object();
   for (const auto& [name, text] : recipe.more) json["more"][name] = text;
   return json;
@@ -166,13 +174,9 @@ std::string recipeText(const RecordingHeader& header) {
   if (header.kind == RecordingKind::kMatch) text += fmt::format("rules {}, ", names.rules);
   text += fmt::format("physics {}, robot {}, field {}, seed {}\n", names.physics, names.robot, names.field,
                       recipe.seed);
-  if (recipe.latency_ticks > 0 || recipe.position_noise > 0.0 || recipe.dropout > 0.0) {
-    text += fmt::format("  vision     latency {} ticks, noise {:g} m, drop-out {:g}\n", recipe.latency_ticks,
-                        recipe.position_noise, recipe.dropout);
-  }
+  for (const auto& [name, value] : visionWords(recipe)) text += fmt::format("  {}: {}\n", name, value);
   for (const auto& [name, value] : recipe.more) {
-    if (name.starts_with("cut_") || name.starts_with("yellow_"))
-      text += fmt::format("  {:<10} {}\n", name, value);
+    if (name.starts_with("cut_")) text += fmt::format("  {:<10} {}\n", name, value);
   }
   return text;
 }

@@ -5,6 +5,7 @@
 #include "fulbito/detail/math.hpp"
 #include "fulbito/recorder.hpp"
 #include "match/record/recorded_values.hpp"
+#include "replays/recording/recipe_words.hpp"
 
 namespace fulbito {
 namespace {
@@ -30,7 +31,8 @@ MatchStage::MatchStage(Match& match)
   look_.robot = config.robot.robot;
   look_.ball = config.robot.ball;
   look_.bodies = header_.bodies;
-  look_.names = {config.teams[0].text, config.teams[1].text};
+  const std::vector<std::string> names = teamNames(header_.recipe);
+  look_.names = {names[0], names[1]};
   match.watch(*this);
   match.makeReady();
   MatchStage::refresh();

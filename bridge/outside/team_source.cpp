@@ -21,28 +21,30 @@ namespace fs = std::filesystem;
 
 constexpr const char* kHost = "fulbito-team-host";
 
-// The program that hosts a library: beside the running program in a build, in ../libexec/fulbito once
-// installed.
-Result<std::string> hostOf(const OutsideOptions& options) {
-  if (!options.host.empty()) return options.host;
+// The folder that has `file`, seen from the running program: `built` in a build, `installed` after an
+// installation.
+std::optional<fs::path> folderOf(const char* file, const char* built, const char* installed) {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (const fs::path& place : {folder / kHost, folder / "../libexec/fulbito" / kHost}) {
-    if (fs::is_regular_file(place, error)) return place.lexically_normal().string();
+  for (const fs::path& place : {folder / built, folder / installed}) {
+    if (fs::is_regular_file(place / file, error)) return place.lexically_normal();
   }
-  return fail(ErrorCode::kUsage,
-              fmt::format("there is no {} in {} or ../libexec/fulbito", kHost, folder.string()));
+  return std::nullopt;
 }
 
-// The folder of fulbito_team.py, which Python programs import: beside the running program in a build, else
-// installed.
+// The program that hosts a library.
+Result<std::string> hostOf(const OutsideOptions& options) {
+  if (!options.host.empty()) return options.host;
+  const auto folder = folderOf(kHost, ".", "../libexec/fulbito");
+  if (folder) return (*folder / kHost).string();
+  return fail(ErrorCode::kUsage,
+              fmt::format("there is no {} beside the program or in ../libexec/fulbito", kHost));
+}
+
+// The folder of the module that Python programs import.
 std::vector<std::string> modules() {
-  std::error_code error;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (const fs::path& place : {folder / "python", folder / "../share/fulbito/python"}) {
-    if (fs::is_regular_file(place / "fulbito_team.py", error)) return {place.lexically_normal().string()};
-  }
-  return {};
+  const auto folder = folderOf("fulbito_team.py", "python", "../share/fulbito/python");
+  return folder ? std::vector{folder->string()} : std::vector<std::string>{};
 }
 
 Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCommandLine& line,

@@ -16,10 +16,7 @@ RecordingRecipe recipeOf(const TrialConfig& config) {
   recipe.field = toToml(config.field);
   recipe.layout = toToml(config.layout);
   recipe.navigator = config.navigator.text;
-  recipe.latency_ticks = config.sensors.latency_ticks;
-  recipe.position_noise = config.sensors.position_noise;
-  recipe.heading_noise = config.sensors.heading_noise;
-  recipe.dropout = config.sensors.dropout;
+  recipe.vision = {config.sensors};
   recipe.seed = config.seed;
   recipe.index = config.index;
   recipe.more.emplace_back("layout", config.layout.name);

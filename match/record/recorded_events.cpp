@@ -5,6 +5,7 @@
 
 #include "fulbito/models.hpp"
 #include "match/report/match_json.hpp"
+#include "replays/recording/recipe_words.hpp"
 
 namespace fulbito {
 namespace {
@@ -59,29 +60,6 @@ std::vector<ReplayEvent> merged(Course course, const RecordingReader& recording)
   return events;
 }
 
-/// A further setting of the recipe; empty when it has none of that name.
-std::string_view moreOf(const RecordingRecipe& recipe, std::string_view name) {
-  for (const auto& [key, text] : recipe.more) {
-    if (key == name) return text;
-  }
-  return {};
-}
-
-/// Yellow sees as blue does but for what the recipe says of it alone.
-PerTeam<VisionModel> visionOf(const RecordingRecipe& recipe) {
-  const VisionModel blue{recipe.latency_ticks, recipe.position_noise, recipe.heading_noise, recipe.dropout};
-  VisionModel yellow = blue;
-  const auto read = [&recipe](std::string_view name, auto& value) {
-    const std::string_view text = moreOf(recipe, name);
-    std::from_chars(text.data(), text.data() + text.size(), value);
-  };
-  read("yellow_latency_ticks", yellow.latency_ticks);
-  read("yellow_position_noise", yellow.position_noise);
-  read("yellow_heading_noise", yellow.heading_noise);
-  read("yellow_dropout", yellow.dropout);
-  return {blue, yellow};
-}
-
 /// What the recipe says in the terms of a match; the teams need not exist any more.
 Result<MatchConfig> configOf(const RecordingRecipe& recipe) {
   MatchConfig config;
@@ -97,7 +75,8 @@ Result<MatchConfig> configOf(const RecordingRecipe& recipe) {
   config.field = std::move(*field);
   config.physics = std::move(*physics);
   config.robot = std::move(*robot);
-  config.vision = visionOf(recipe);
+  std::copy_n(recipe.vision.begin(), std::min(recipe.vision.size(), config.vision.size()),
+              config.vision.begin());
   return config;
 }
 

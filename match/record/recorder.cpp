@@ -18,24 +18,13 @@ RecordingRecipe recipeOf(const MatchConfig& config) {
   recipe.robot = toToml(config.robot);
   recipe.field = toToml(config.field);
   recipe.teams = {config.teams[0].text, config.teams[1].text};
-  const VisionModel& blue = config.vision[indexOf(TeamId::kBlue)];
-  const VisionModel& yellow = config.vision[indexOf(TeamId::kYellow)];
-  recipe.latency_ticks = blue.latency_ticks;
-  recipe.position_noise = blue.position_noise;
-  recipe.heading_noise = blue.heading_noise;
-  recipe.dropout = blue.dropout;
+  recipe.vision.assign(config.vision.begin(), config.vision.end());
   recipe.seed = config.seed;
   const auto more = [&recipe](const char* name, const auto& value) {
     recipe.more.emplace_back(name, fmt::format("{}", value));
   };
   more("placement_position_error", config.placement_error.position);
   more("placement_heading_error", config.placement_error.heading);
-  if (!(yellow == blue)) {
-    more("yellow_latency_ticks", yellow.latency_ticks);
-    more("yellow_position_noise", yellow.position_noise);
-    more("yellow_heading_noise", yellow.heading_noise);
-    more("yellow_dropout", yellow.dropout);
-  }
   if (config.decision_time) {
     more("decision_time", config.decision_time->decision);
     more("decision_bank", config.decision_time->bank);

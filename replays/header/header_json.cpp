@@ -126,24 +126,22 @@ Json modelJson(const CommandModel& model) {
           {"spin_fast", model.spin_fast}};
 }
 
+Json sensorsJson(const SensorModel& sensors) {
+  return {{"latency_ticks", sensors.latency_ticks},
+          {"position_noise", sensors.position_noise},
+          {"heading_noise", sensors.heading_noise},
+          {"dropout", sensors.dropout}};
+}
+
 Json recipeJson(const RecordingRecipe& recipe) {
   Json more = Json::object();
   for (const auto& [name, text] : recipe.more) more[name] = text;
-  return {{"seed", recipe.seed},
-          {"index", recipe.index},
-          {"teams", recipe.teams},
-          {"navigator", recipe.navigator},
-          {"vision",
-           {{"latency_ticks", recipe.latency_ticks},
-            {"position_noise", recipe.position_noise},
-            {"heading_noise", recipe.heading_noise},
-            {"dropout", recipe.dropout}}},
-          {"rules", recipe.rules},
-          {"physics", recipe.physics},
-          {"robot", recipe.robot},
-          {"field", recipe.field},
-          {"layout", recipe.layout},
-          {"more", more}};
+  Json vision = Json::array();
+  for (const SensorModel& sensors : recipe.vision) vision.push_back(sensorsJson(sensors));
+  return {{"seed", recipe.seed},           {"index", recipe.index}, {"teams", recipe.teams},
+          {"navigator", recipe.navigator}, {"vision", vision},      {"rules", recipe.rules},
+          {"physics", recipe.physics},     {"robot", recipe.robot}, {"field", recipe.field},
+          {"layout", recipe.layout},       {"more", more}};
 }
 
 RecordedBody readBody(const Json& json, const std::string& where, std::string& flaw) {
@@ -157,6 +155,16 @@ RecordedBody readBody(const Json& json, const std::string& where, std::string& f
   fields.whole("number", kMaxTeamSize - 1, id.number);
   body.id = id;
   return body;
+}
+
+SensorModel readSensors(const Json& json, const std::string& where, std::string& flaw) {
+  SensorModel sensors;
+  Fields fields(json, where + ".", flaw);
+  fields.whole("latency_ticks", kMaxLatencyTicks, sensors.latency_ticks);
+  fields.number("position_noise", sensors.position_noise);
+  fields.number("heading_noise", sensors.heading_noise);
+  fields.number("dropout", sensors.dropout);
+  return sensors;
 }
 
 void readRecipe(const Json& json, RecordingRecipe& recipe, std::string& flaw) {
@@ -175,13 +183,9 @@ void readRecipe(const Json& json, RecordingRecipe& recipe, std::string& flaw) {
   fields.entries("more", [&](const std::string& name, const Json& item) {
     fields.take(name, item, recipe.more.emplace_back(name, "").second);
   });
-  if (const Json* vision = fields.find("vision")) {
-    Fields seen(*vision, "recipe.vision.", flaw);
-    seen.whole("latency_ticks", 1000, recipe.latency_ticks);
-    seen.number("position_noise", recipe.position_noise);
-    seen.number("heading_noise", recipe.heading_noise);
-    seen.number("dropout", recipe.dropout);
-  }
+  fields.list("vision", 2, [&](const Json& sensors, const std::string& where) {
+    recipe.vision.push_back(readSensors(sensors, where, flaw));
+  });
 }
 
 void readModel(const Json& json, CommandModel& model, std::string& flaw) {

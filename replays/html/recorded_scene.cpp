@@ -7,6 +7,7 @@
 
 #include "fulbito/models.hpp"
 #include "replays/recording/call_words.hpp"
+#include "replays/recording/recipe_words.hpp"
 
 namespace fulbito {
 namespace {
@@ -132,16 +133,7 @@ void addFacts(const RecordingReader& recording, const RobotPreset& robot, PageSc
   if (physics) fact("Physics", physics->name);
   fact("Navigator", recipe.navigator);
   fact("Control rate", fmt::format("{} Hz", header.control_rate));
-  if (recipe.latency_ticks > 0) fact("Latency", fmt::format("{} ticks", recipe.latency_ticks));
-  if (recipe.position_noise > 0.0) fact("Noise", fmt::format("{:g} mm", recipe.position_noise * 1e3));
-  if (recipe.dropout > 0.0) fact("Not seen", fmt::format("{:g} %", recipe.dropout * 100));
-  // Where yellow does not see as blue does, whose figures these are.
-  for (const auto& [name, text] : recipe.more) {
-    if (!name.starts_with("yellow_")) continue;
-    std::string label = "Yellow" + name.substr(6);
-    std::replace(label.begin(), label.end(), '_', ' ');
-    fact(label.c_str(), text);
-  }
+  for (auto& [name, text] : visionWords(recipe)) fact(name.c_str(), std::move(text));
   if (const auto& result = recording.result()) {
     if (header.kind == RecordingKind::kTrial) fact("Outcome", result->outcome);
     for (const auto& [name, value] : result->figures) {
@@ -183,7 +175,7 @@ Result<PageScene> recordedScene(const RecordingReader& recording, const ReplayTi
   for (const RecordedBody& body : header.bodies) scene.bodies.push_back(bodyOf(body, *shapes, obstacle));
   scene.rate = header.control_rate;
   scene.ticks = timeline.ticks();
-  scene.teams = header.recipe.teams;
+  scene.teams = teamNames(header.recipe);
   scene.seed = header.recipe.seed;
   scene.result = timeline.result();
   scene.events.assign(timeline.events().begin(), timeline.events().end());

@@ -60,10 +60,15 @@ std::vector<RecipeDifference> recipeDifferences(const RecordingHeader& a, const 
   diff.value("navigator", ra.navigator, rb.navigator);
   diff.value("seed", std::to_string(ra.seed), std::to_string(rb.seed));
   diff.value("index", std::to_string(ra.index), std::to_string(rb.index));
-  diff.number("latency_ticks", ra.latency_ticks, rb.latency_ticks);
-  diff.number("position_noise", ra.position_noise, rb.position_noise);
-  diff.number("heading_noise", ra.heading_noise, rb.heading_noise);
-  diff.number("dropout", ra.dropout, rb.dropout);
+  for (std::size_t i = 0; i < std::max(ra.vision.size(), rb.vision.size()); ++i) {
+    const SensorModel sa = i < ra.vision.size() ? ra.vision[i] : SensorModel{};
+    const SensorModel sb = i < rb.vision.size() ? rb.vision[i] : SensorModel{};
+    const std::string whose = a.kind == RecordingKind::kTrial ? "" : i == 0 ? "blue's " : "yellow's ";
+    diff.number(whose + "latency_ticks", sa.latency_ticks, sb.latency_ticks);
+    diff.number(whose + "position_noise", sa.position_noise, sb.position_noise);
+    diff.number(whose + "heading_noise", sa.heading_noise, sb.heading_noise);
+    diff.number(whose + "dropout", sa.dropout, sb.dropout);
+  }
   diff.text("rules", ra.rules, rb.rules);
   diff.text("physics", ra.physics, rb.physics);
   diff.text("robot", ra.robot, rb.robot);

@@ -244,7 +244,7 @@ const std::vector<Folder> kFolders = {
     {"replays/coding", "bytes, columns, compression, range coder", {}},
     {"replays/recording",
      "a recording as values, words for calls",
-     {"engine/core/base", "engine/core/math", "referee/rules"}},
+     {"engine/core/base", "engine/core/math", "engine/core/models", "referee/rules"}},
     {"replays/header",
      "the header of a recording: its JSON, and what fills it",
      {"engine/core/base", "engine/core/models", "replays/coding", "replays/recording"}},

@@ -3,6 +3,7 @@
 
 #include "fulbito/picture.hpp"
 #include "replays/recording/call_words.hpp"
+#include "replays/recording/recipe_words.hpp"
 
 namespace fulbito {
 namespace {
@@ -18,11 +19,11 @@ MatchBanner bannerOf(CallWords words) {
 }  // namespace
 
 MatchBanner bannerOf(const RecordedEvent& event, const RecordingRecipe& recipe) {
-  return bannerOf(wordsOf(event, recipe.teams));
+  return bannerOf(wordsOf(event, teamNames(recipe)));
 }
 
 MatchBanner bannerOf(const RecordedPlay& play, const RecordingRecipe& recipe) {
-  return bannerOf(wordsOf(play.kind, play.team, recipe.teams));
+  return bannerOf(wordsOf(play.kind, play.team, teamNames(recipe)));
 }
 
 MatchBanner bannerAt(const ReplayTimeline& timeline, const ReplayMoment& moment) {
@@ -37,7 +38,7 @@ MatchBanner bannerAt(const ReplayTimeline& timeline, const ReplayMoment& moment)
     --event;
     const bool waits = !moment.playing && event->tick >= play.tick;
     if (!waits && moment.seconds - timeline.secondsAt(event->tick) >= kShown) break;
-    if (wordsOf(*event, recipe.teams).title.empty()) continue;
+    if (wordsOf(*event, {}).title.empty()) continue;
     // Of several calls at one tick a goal is the news.
     if (latest == nullptr || (latest->tick == event->tick && event->clause == "goal")) latest = &*event;
   }

@@ -3,6 +3,7 @@
 
 #include "fulbito/models.hpp"
 #include "fulbito/picture.hpp"
+#include "replays/recording/recipe_words.hpp"
 
 namespace fulbito {
 namespace {
@@ -46,9 +47,8 @@ Result<MatchPictureSpec> pictureSpecOf(const ReplayTimeline& timeline) {
       return fail(ErrorCode::kBadInput, added.error().message);
     }
   } else {
-    for (std::size_t i = 0; i < spec.names.size() && i < header.recipe.teams.size(); ++i) {
-      spec.names[i] = header.recipe.teams[i];
-    }
+    const std::vector<std::string> names = teamNames(header.recipe);
+    std::copy_n(names.begin(), std::min(names.size(), spec.names.size()), spec.names.begin());
   }
   return spec;
 }

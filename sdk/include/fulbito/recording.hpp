@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "fulbito/detail/build_info.hpp"
+#include "fulbito/models.hpp"
 #include "fulbito/values.hpp"
 
 namespace fulbito {
@@ -42,19 +43,16 @@ struct RecordedBody {
 /// The complete configuration of the recorded match or trial as resolved values: readers need no presets.
 /// Texts are TOML files unless stated otherwise.
 struct RecordingRecipe {
-  std::string rules;               ///< rules of a match
-  std::string physics;             ///< physics profile
-  std::string robot;               ///< robot and ball
-  std::string field;               ///< the field itself, not a preset's name
-  std::vector<std::string> teams;  ///< for a match: specifications of blue and yellow
-  std::string navigator;           ///< for a trial: specification
-  std::string layout;              ///< layout of a trial
-  int latency_ticks = 0;           ///< age of observations
-  double position_noise = 0.0;     ///< [m]
-  double heading_noise = 0.0;      ///< [rad]
-  double dropout = 0.0;            ///< probability per tick that a body is not seen
-  std::uint64_t seed = 0;          ///< seed of all random numbers
-  std::uint64_t index = 0;         ///< index of a trial in its suite
+  std::string rules;                ///< rules of a match
+  std::string physics;              ///< physics profile
+  std::string robot;                ///< robot and ball
+  std::string field;                ///< the field itself, not a preset's name
+  std::vector<std::string> teams;   ///< for a match: specifications of blue and yellow
+  std::string navigator;            ///< for a trial: specification
+  std::string layout;               ///< layout of a trial
+  std::vector<SensorModel> vision;  ///< what blue and yellow see; of a trial: what the robot sees
+  std::uint64_t seed = 0;           ///< seed of all random numbers
+  std::uint64_t index = 0;          ///< index of a trial in its suite
   /// Everything else that affects the result, by name.
   std::vector<std::pair<std::string, std::string>> more;
 };

@@ -125,7 +125,7 @@ TEST_CASE("the header and the result come back whole", "[unit]") {
   CHECK(header.recipe.rules == told.header.recipe.rules);
   CHECK(header.recipe.teams == told.header.recipe.teams);
   CHECK(header.recipe.seed == told.header.recipe.seed);
-  CHECK(header.recipe.position_noise == told.header.recipe.position_noise);
+  CHECK(header.recipe.vision == told.header.recipe.vision);
   CHECK(header.recipe.more == told.header.recipe.more);
   CHECK(header.build.compiler == "gcc");
   REQUIRE(reader->result());

@@ -28,7 +28,7 @@ inline RecordingHeader sampleHeader(RecordingLevel level = RecordingLevel::kFull
   header.recipe.rules = "[rules]\nname = \"own\"\n";
   header.recipe.teams = {"chaser", "idle:speed=0.5"};
   header.recipe.seed = 0xfedcba9876543210u;
-  header.recipe.position_noise = 0.1 + 0.2;
+  header.recipe.vision = {{3, 0.1 + 0.2, 0.5, 0.25}, {}};
   header.recipe.more = {{"book", "page 7"}};
   header.build = {"0.1.0", "gcc", "Release", "2.4.1"};
   return header;

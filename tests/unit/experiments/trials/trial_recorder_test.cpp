@@ -40,7 +40,7 @@ TEST_CASE("a recorded trial holds what happened, and recording changes nothing",
   CHECK(reader->header().kind == RecordingKind::kTrial);
   CHECK(reader->header().bodies.size() == 1 + config.layout.obstacles.size());
   CHECK(reader->header().recipe.navigator == config.navigator.text);
-  CHECK(reader->header().recipe.position_noise == 0.002);
+  CHECK(reader->header().recipe.vision.at(0).position_noise == 0.002);
   CHECK(reader->ticks() + 1 == static_cast<Tick>(watched->trace.size()));
   CHECK(reader->result()->final_hash == watched->final_hash);
   CHECK(reader->result()->outcome == nameOf(watched->score.outcome));

@@ -88,7 +88,7 @@ TEST_CASE("the recipe makes the same match again", "[unit]") {
   again.robot = *parseRobot(recipe.robot, "robot");
   again.field = *parseField(recipe.field, "field");
   again.seed = recipe.seed;
-  for (VisionModel& seat : again.vision) seat.position_noise = recipe.position_noise;
+  std::copy(recipe.vision.begin(), recipe.vision.end(), again.vision.begin());
   CHECK(hashOf(again) == reader->result()->final_hash);
 }
 
