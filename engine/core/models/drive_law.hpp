@@ -26,8 +26,8 @@ class DriveLaw {
   /// Change of the rims' speed over the ground [m/s] that the pulls and the drag make.
   RimSpeeds change(RimSpeeds ground, RimSpeeds target, RimSpeeds pulls) const;
   /// The rims' speed over the ground [m/s] that a commanded one leads to. In a curve of radius R at speed v
-  /// the wheels slip, and the body drives a curve of radius R + widening v + rise v^2 at the same speed (Choi &
-  /// Lee 2005, Tables 5 and 6). Between a wheel that stands and a spin in place the effect fades to none.
+  /// the wheels slip, and the body drives a curve of radius R + widening v + rise v^2 at the same speed (Choi
+  /// & Lee 2005, Tables 5 and 6). Between a wheel that stands and a spin in place the effect fades to none.
   RimSpeeds reached(RimSpeeds commanded) const;
   /// The command for which `reached` gives `wanted` [m/s].
   RimSpeeds commandFor(RimSpeeds wanted) const;

@@ -140,8 +140,8 @@ TEST_CASE("receiving takes a rolling ball gently in the open, the interception t
           "[unit][receiving]") {
   constexpr int kTrials = 300;
   const Bench met = benchOf(Way::kIntercept, 1000, kTrials), received = benchOf(Way::kReceive, 1000, kTrials);
-  CAPTURE(met.trials, met.touched, met.touch_time, met.touch_speed, met.controlled, met.control_time, met.control_speed,
-          met.in_the_open);
+  CAPTURE(met.trials, met.touched, met.touch_time, met.touch_speed, met.controlled, met.control_time,
+          met.control_speed, met.in_the_open);
   CAPTURE(received.touched, received.touch_time, received.touch_speed, received.controlled,
           received.control_time, received.control_speed, received.in_the_open);
   CHECK(received.trials == met.trials);

@@ -13,7 +13,8 @@ const Pose2 kStart{{0.0, 0.0}, 90 * kDegree};  // of all trajectories of Choi & 
 
 }  // namespace
 
-// Table 1 does not fit together: it gives R = 3.75 m, a turn of 109.65 degrees and the end (5, 4, 109.6 degrees).
+// Table 1 does not fit together: it gives R = 3.75 m, a turn of 109.65 degrees and the end (5, 4, 109.6
+// degrees).
 TEST_CASE("the single arc of Table 1 ends 0.47 m below the printed place, and heads elsewhere", "[unit]") {
   const Arc printed{kStart, -1 / 3.75, 3.75 * 109.65 * kDegree};
   CHECK(printed.length == Approx(7.18).epsilon(0.001));
