@@ -14,14 +14,14 @@ namespace {
 constexpr double kTurnStep = 1.5 * math::kPi / 180;  // [rad] of the search for roots over the first turn
 constexpr int kRadii1 = 8, kRadii3 = 4;              // radii that are tried
 constexpr int kHalvings = 48;
-constexpr double kFlattest =
-    0.25;  // [rad] of the last turn: a flatter meeting of the lines hangs on the estimate
+// [rad] of the last turn: where the lines meet at a smaller angle, the place hangs on the estimate.
+constexpr double kFlattest = 0.25;
 constexpr double kGapError = 1e-4;    // [m] of a root; a jump has none
 constexpr double kRadiusCost = 0.01;  // metres of gap that are given up for a metre of last radius
 constexpr double kTouchCost = 10.0;   // [m] of a way too near to the object: any other is better
 constexpr double kCheckStep = 0.25;   // [s] between the moments that are checked for hall and clearance
 
-/// The lowest refusal that a search met: later entries of the enumeration are nearer to a plan.
+/// Keeps the refusal that is nearest to a plan: the later in the enumeration.
 void note(CaptureAnswer& answer, CaptureRefusal refusal) {
   answer.refusal = std::max(answer.refusal, refusal);
 }
@@ -154,6 +154,23 @@ void searchAll(const CaptureLimits& limits, const std::vector<Starts>& starts, c
   }
 }
 
+/// Speeds and lengths of the line of a plan.
+struct Line {
+  double speed, object_speed;  // [m/s]
+  double braking;              // [s]
+  double cruise, early;        // [m] spare length, and the share of it before slowing down
+};
+
+/// Line and last curve, of a bend [1/m] and length [m].
+void appendEnd(const Line& line, double bend, double length, MotionProfile& motion) {
+  const Twist fast{line.speed, 0.0}, slow{line.object_speed, 0.0};
+  motion.append({line.early * line.cruise / line.speed, fast, fast});
+  motion.append({line.braking, fast, slow});
+  motion.append({(1.0 - line.early) * line.cruise / line.object_speed, slow, slow});
+  const Twist last{line.object_speed, line.object_speed * bend};
+  motion.append({length / line.object_speed, last, last});
+}
+
 }  // namespace
 
 double CaptureLimits::largestFirstRadius() const {
@@ -186,6 +203,7 @@ std::optional<CapturePlan> captureEnd(const CaptureLimits& limits, const MotionP
                                       const ObjectMotion& object, double radius, double early) {
   const Pose2 from = motion.end().pose;
   const double object_speed = norm(object.velocity), began = motion.duration();
+  if (!(object_speed > 0.0)) return std::nullopt;
   const Vec2 line = object.velocity / object_speed, ahead = math::unit(from.heading);
   const double turn = math::wrapAngle(math::angleOf(line) - from.heading);
   const double rise = cross(line, ahead);  // of the distance from the object's line, along the way
@@ -200,11 +218,7 @@ std::optional<CapturePlan> captureEnd(const CaptureLimits& limits, const MotionP
   plan.radius3 = radius, plan.turn3 = turn, plan.line = straight, plan.top_speed = speed;
   plan.straight_from = began;
   plan.motion = motion;
-  plan.motion.append({early * cruise / speed, {speed, 0.0}, {speed, 0.0}});
-  plan.motion.append({braking, {speed, 0.0}, {object_speed, 0.0}});
-  plan.motion.append({(1.0 - early) * cruise / object_speed, {object_speed, 0.0}, {object_speed, 0.0}});
-  const Twist last{object_speed, object_speed * bend};
-  plan.motion.append({radius * std::abs(turn) / object_speed, last, last});
+  appendEnd({speed, object_speed, braking, cruise, early}, bend, radius * std::abs(turn), plan.motion);
   const double time = plan.motion.duration();
   plan.gap = dot(object.at(time) - plan.motion.end().pose.position, line);
   return plan;
@@ -246,7 +260,7 @@ std::optional<CapturePlan> replanEnd(const CaptureLimits& limits, const MotionPr
     const double tried =
         i == 0 ? radius : between(limits.least_radius3, 2.0 * limits.greatest_radius3, i - 1, kTried);
     const auto plan = withGap(limits, motion, speed, object, tried, gap);
-    if (!plan) continue;
+    if (!plan || plan->motion.duration() > limits.longest) continue;
     const bool clear = keepsClear(limits, object, *plan, plan->straight_from);
     const double cost =
         std::abs(plan->gap - gap) + kRadiusCost * std::abs(tried - radius) + (clear ? 0.0 : kTouchCost);
@@ -258,9 +272,9 @@ std::optional<CapturePlan> replanEnd(const CaptureLimits& limits, const MotionPr
 }
 
 std::string nameOf(CaptureRefusal refusal) {
-  constexpr std::array<const char*, 6> kNames = {
-      "object too fast",  "no line to the object's",     "arrives too early",
-      "arrives too late", "too long or out of the hall", "too near on the way"};
+  constexpr std::array<const char*, 6> kNames = {"object too fast, or at rest", "no line to the object's",
+                                                 "arrives too early",           "arrives too late",
+                                                 "too long or out of the hall", "too near on the way"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

@@ -72,10 +72,10 @@ std::optional<CapturePlan> capturePlan(const CaptureLimits& limits, const Captur
 
 /// Why there is no plan.
 enum class CaptureRefusal : std::uint8_t {
-  kTooFast,   ///< the object is at least as fast as the robot ever gets
+  kTooFast,   ///< the object is at rest, or at least as fast as the robot ever gets
   kNoLine,    ///< no first curve leads to a line that meets the object's
   kTooEarly,  ///< every way ends nearer to the object than wanted, or ahead of it
-  kTooLate,   ///< every way ends farther behind than wanted
+  kTooLate,   ///< some or all ways end farther behind than wanted, and none as wanted
   kTooLong,   ///< a way exists, but takes too long or leaves the hall
   kCollides,  ///< a way exists, but comes too near to the object
 };

@@ -9,8 +9,8 @@ namespace fulbito::capture {
 /// the wheels turn for a tighter curve.
 WheelSpeeds wheelsOverGround(const RobotModel& robot, const DriveLaw& law, Twist twist);
 
-/// The twist that brings a robot onto a moving reference: Kanayama et al. (1990) with the yaw rate's gains as
-/// a second-order system along the way. @param speed_share of the reference's speed in the correction
+/// The twist that brings a robot onto a moving reference: Kanayama et al. (1990). Across the way the error
+/// falls as that of a damped oscillator over the distance driven.
 Twist trackingTwist(const MotionState& reference, const Pose2& robot);
 
 }  // namespace fulbito::capture
