@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
+#include "experiments/capture/capture_experiment.hpp"
 #include "experiments/localization/localization_experiment.hpp"
 #include "experiments/transport/transport_experiment.hpp"
 
@@ -31,8 +32,8 @@ Result<void> checkSettings(const PaperExperiment& experiment, const std::vector<
 }  // namespace
 
 std::span<const PaperExperiment> paperExperiments() {
-  static const std::vector<PaperExperiment> kExperiments{localization::localizationExperiment(),
-                                                         transportExperiment()};
+  static const std::vector<PaperExperiment> kExperiments{
+      captureExperiment(), localization::localizationExperiment(), transportExperiment()};
   return kExperiments;
 }
 

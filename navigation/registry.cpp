@@ -9,6 +9,8 @@
 #include "navigation/interface/parameters.hpp"
 #include "navigation/library/library_navigator.hpp"
 #include "navigation/methods/bspline/bspline_time.hpp"
+#include "navigation/methods/curvature/double_curvature.hpp"
+#include "navigation/methods/curvature/single_curvature.hpp"
 #include "navigation/methods/fields/limit_cycle.hpp"
 #include "navigation/methods/fields/straight.hpp"
 #include "navigation/methods/fields/tangent_field.hpp"
@@ -27,9 +29,10 @@ namespace {
 const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
-      straightInfo(),   vectorFieldInfo(),     univectorInfo(), tangentFieldInfo(),
-      limitCycleInfo(), nearnessDiagramInfo(), bezierInfo(),    bezierRawInfo(),
-      hermiteInfo(),    tangentGraphInfo(),    dwaInfo(),       bsplineTimeInfo(),
+      straightInfo(),        vectorFieldInfo(),     univectorInfo(), tangentFieldInfo(),
+      limitCycleInfo(),      nearnessDiagramInfo(), bezierInfo(),    bezierRawInfo(),
+      hermiteInfo(),         tangentGraphInfo(),    dwaInfo(),       bsplineTimeInfo(),
+      singleCurvatureInfo(), doubleCurvatureInfo(),
   };
   return entries;
 }

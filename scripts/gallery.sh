@@ -60,8 +60,10 @@ cp figures/fig1-abrupt-turns-1.0.png "$images/"
   --widths 0.10,0.15,0.20,0.25,0.30,0.35,0.40 --trials 40 --out map >/dev/null
 cp map/map-close-range-classic.png "$images/"
 
-# docs/papers.md, by its commands.
+# The experiments of docs/papers.md.
 mkdir -p "$images/papers"
+"$program" experiment capture --out papers >/dev/null
+cp papers/capture/fig-16.png papers/capture/fig-17-error.png papers/capture/fig-18.png "$images/papers/"
 "$program" experiment localization --out papers >/dev/null
 for picture in room deviation constant; do
   cp "papers/localization/$picture.png" "$images/papers/localization-$picture.png"

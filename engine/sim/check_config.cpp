@@ -109,6 +109,8 @@ Result<void> checkRobot(const RobotPlacement& robot, const FieldGeometry& field,
       .range("spin_fast_speed", model.spin_fast_speed, 0.0, 100.0)
       .range("spin_slow_ratio", model.spin_slow_ratio, 0.1, 10.0)
       .range("spin_fast_ratio", model.spin_fast_ratio, 0.1, 10.0)
+      .range("curve_widening", model.curve_widening, 0.0, 100.0)
+      .range("curve_widening_rise", model.curve_widening_rise, 0.0, 100.0)
       .range("friction", model.friction, 0.0, 10.0)
       .range("restitution", model.restitution, 0.0, 1.0)
       .result();

@@ -42,7 +42,7 @@ void Drive::setCommand(WheelSpeeds command) {
   double turn = half_difference;
   if (in_place > 0.0)
     turn += (spin_ratio_.at(std::abs(half_difference)) - 1.0) * std::copysign(in_place, turn);
-  target_ = {common - turn, common + turn};
+  target_ = law_.reached({common - turn, common + turn});
 }
 
 // The largest force from the floor to a wheel. If the motor pulls more, the rim spins.

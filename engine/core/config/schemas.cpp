@@ -11,7 +11,7 @@ constexpr double kLongestLabel = 100;
 // A new member of a struct needs a key below, and its size here.
 template <typename T, std::size_t labels, std::size_t numbers>
 constexpr bool kHasOnly = sizeof(T) == labels * sizeof(std::string) + numbers * sizeof(double);
-static_assert(kHasOnly<RobotModel, 1, 18>);
+static_assert(kHasOnly<RobotModel, 1, 20>);
 static_assert(kHasOnly<BallModel, 0, 10>);
 static_assert(kHasOnly<FieldGeometry, 1, 16>);
 
@@ -41,6 +41,10 @@ Schema schemaOf(RobotModel& r) {
       {"spin_fast_speed", &r.spin_fast_speed, 0.0, 20.0, "m/s",
        "rim speed of the second measured spin in place"},
       {"spin_fast_ratio", &r.spin_fast_ratio, 0.1, 10.0, "", "measured over ideal yaw rate at that speed"},
+      {"curve_widening", &r.curve_widening, 0.0, 100.0, "s",
+       "radius that a curve gains by slip, over the speed; 0 = none"},
+      {"curve_widening_rise", &r.curve_widening_rise, 0.0, 100.0, "s^2/m",
+       "by which curve_widening rises with the speed"},
       {"friction", &r.friction, 0.0, 10.0, "", "of the body against robots, walls and obstacles"},
       {"restitution", &r.restitution, 0.0, 1.0, "", "of the body against robots, walls and obstacles"},
   };

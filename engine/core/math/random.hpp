@@ -26,6 +26,8 @@ enum class Stream : std::uint32_t {
   kStartHeading = 14,  ///< start headings in a comparison's trials
   kLibraryTeam = 15,   ///< what a shared library draws from its host
   kSonar = 16,         ///< errors of ultrasonic sensors
+  kCaptureTask = 17,   ///< starts of captures (experiment `capture`)
+  kSighting = 18,      ///< noise of its camera
   kTransport = 19,     ///< random paths, and messages that get lost, where two robots carry a rod
   kEncoders = 20,      ///< slip of wheels as their encoders see it
   kGyro = 21,          ///< noise and drift of a gyro

@@ -15,7 +15,9 @@ DriveLaw::DriveLaw(const RobotModel& robot, double dt)
       own_((1.0 + turn_) / (2.0 * turn_)),
       other_((turn_ - 1.0) / (2.0 * turn_)),
       felt_((1.0 - turn_) / 2.0),
-      per_pull_(2.0 / (1.0 + turn_)) {}
+      per_pull_(2.0 / (1.0 + turn_)),
+      widening_(robot.curve_widening / (robot.axle_track / 2)),
+      rise_(robot.curve_widening_rise / (robot.axle_track / 2)) {}
 
 // Coulomb: against the motion, or against the motion that is about to begin.
 double DriveLaw::drag(double forward, double forward_target) const {
@@ -49,6 +51,27 @@ RimSpeeds DriveLaw::change(RimSpeeds ground, RimSpeeds target, RimSpeeds pulls) 
   const double common = std::clamp(raw, -most, most);
   const double turn = turn_ * (pulls.right - pulls.left) / 2;
   return {common - turn, common + turn};
+}
+
+// With T = widening + rise |v|, a curve of radius v / w becomes one of v / w + T v: w' = w / (1 + T w).
+double DriveLaw::widening(double forward) const { return widening_ + rise_ * std::abs(forward); }
+
+RimSpeeds DriveLaw::reached(RimSpeeds commanded) const {
+  if (widening_ == 0.0 && rise_ == 0.0) return commanded;
+  const double common = (commanded.left + commanded.right) / 2, turn = (commanded.right - commanded.left) / 2;
+  // Beyond a wheel that stands, |turn| > |common|, the share that is lost stays as it is there.
+  const double felt = std::min(std::abs(turn), std::abs(common));
+  const double left_over = turn / (1.0 + widening(common) * felt);
+  return {common - left_over, common + left_over};
+}
+
+RimSpeeds DriveLaw::commandFor(RimSpeeds wanted) const {
+  if (widening_ == 0.0 && rise_ == 0.0) return wanted;
+  const double common = (wanted.left + wanted.right) / 2, turn = (wanted.right - wanted.left) / 2;
+  const double most = 1.0 + widening(common) * std::abs(common);  // command over result beyond that wheel
+  const bool curve = std::abs(turn) * most <= std::abs(common);
+  const double needed = curve ? turn / (1.0 - widening(common) * std::abs(turn)) : turn * most;
+  return {common - needed, common + needed};
 }
 
 }  // namespace fulbito

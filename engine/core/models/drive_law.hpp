@@ -25,10 +25,17 @@ class DriveLaw {
   RimSpeeds pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const;
   /// Change of the rims' speed over the ground [m/s] that the pulls and the drag make.
   RimSpeeds change(RimSpeeds ground, RimSpeeds target, RimSpeeds pulls) const;
+  /// The rims' speed over the ground [m/s] that a commanded one leads to. In a curve of radius R at speed v
+  /// the wheels slip, and the body drives a curve of radius R + widening v + rise v^2 at the same speed (Choi
+  /// & Lee 2005, Tables 5 and 6). Between a wheel that stands and a spin in place the effect fades to none.
+  RimSpeeds reached(RimSpeeds commanded) const;
+  /// The command for which `reached` gives `wanted` [m/s].
+  RimSpeeds commandFor(RimSpeeds wanted) const;
   double limit() const { return limit_; }  ///< [m/s] of one motor
 
  private:
   double drag(double forward, double forward_target) const;
+  double widening(double forward) const;
 
   double limit_;     // [m/s]
   double drag_;      // [m/s]
@@ -39,6 +46,8 @@ class DriveLaw {
   double other_;     // the same for the other rim's change
   double felt_;      // change of a rim by a pull at the other wheel
   double per_pull_;  // pull for a change of its own rim
+  double widening_;  // [s/m] of the rims' difference: yaw rates count as rim speeds here
+  double rise_;      // [s^2/m^2]
 };
 
 }  // namespace fulbito

@@ -36,25 +36,27 @@ Result<void> validate(const BallModel& ball);
 /// follow the commands. The grip on the floor is limited along and across the wheels. The body couples the
 /// wheels: a pull at one affects the other (docs/models.md). Defaults: a 7.5 cm league robot.
 struct RobotModel {
-  std::string name = "vsss";        ///< name of the preset
-  double length = 0.075;            ///< [m] body along x
-  double width = 0.075;             ///< [m] body along y
-  double mass = 0.15;               ///< [kg]
-  double wheel_radius = 0.026;      ///< [m]
-  double axle_track = 0.0775;       ///< [m] between wheel centres
-  double max_wheel_speed = 46.08;   ///< [rad/s] faster commands are clamped
-  double wheel_acceleration = 7.0;  ///< [m/s^2] driving straight, both motors accelerating
-  double wheel_braking = 7.0;       ///< [m/s^2] driving straight, both motors braking
-  double yaw_acceleration = 0.0;    ///< [rad/s^2] turning in place; 0: from mass and shape
-  double rolling_drag = 0.0;        ///< [m/s^2] drag that the motors overcome beyond `wheel_acceleration`
-  double longitudinal_grip = 9.0;   ///< [m/s^2] Coulomb limit along the wheels
-  double lateral_grip = 6.0;        ///< [m/s^2] Coulomb limit across the wheels
-  double spin_slow_speed = 0.0;     ///< [m/s] rim speed of the first measured spin in place; 0: ideal spins
-  double spin_slow_ratio = 1.0;     ///< measured over ideal yaw rate at `spin_slow_speed` and below
-  double spin_fast_speed = 0.0;     ///< [m/s] rim speed of the second measured spin
-  double spin_fast_ratio = 1.0;     ///< the same at `spin_fast_speed` and above; linear between
-  double friction = 0.2;            ///< of the body against robots, walls and obstacles
-  double restitution = 0.1;         ///< of the body against robots, walls and obstacles
+  std::string name = "vsss";         ///< name of the preset
+  double length = 0.075;             ///< [m] body along x
+  double width = 0.075;              ///< [m] body along y
+  double mass = 0.15;                ///< [kg]
+  double wheel_radius = 0.026;       ///< [m]
+  double axle_track = 0.0775;        ///< [m] between wheel centres
+  double max_wheel_speed = 46.08;    ///< [rad/s] faster commands are clamped
+  double wheel_acceleration = 7.0;   ///< [m/s^2] driving straight, both motors accelerating
+  double wheel_braking = 7.0;        ///< [m/s^2] driving straight, both motors braking
+  double yaw_acceleration = 0.0;     ///< [rad/s^2] turning in place; 0: from mass and shape
+  double rolling_drag = 0.0;         ///< [m/s^2] drag that the motors overcome beyond `wheel_acceleration`
+  double longitudinal_grip = 9.0;    ///< [m/s^2] Coulomb limit along the wheels
+  double lateral_grip = 6.0;         ///< [m/s^2] Coulomb limit across the wheels
+  double spin_slow_speed = 0.0;      ///< [m/s] rim speed of the first measured spin in place; 0: ideal spins
+  double spin_slow_ratio = 1.0;      ///< measured over ideal yaw rate at `spin_slow_speed` and below
+  double spin_fast_speed = 0.0;      ///< [m/s] rim speed of the second measured spin
+  double spin_fast_ratio = 1.0;      ///< the same at `spin_fast_speed` and above; linear between
+  double curve_widening = 0.0;       ///< [s] radius that a curve gains by slip, over the speed; 0: none
+  double curve_widening_rise = 0.0;  ///< [s^2/m] by which `curve_widening` rises with the speed
+  double friction = 0.2;             ///< of the body against robots, walls and obstacles
+  double restitution = 0.1;          ///< of the body against robots, walls and obstacles
 
   double inertia() const;    ///< [kg m^2] of the body's rectangle about its centre
   double motorPull() const;  ///< [m/s^2] largest force of both motors over the mass, drag compensated
@@ -77,8 +79,8 @@ WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels);
 /// Rounds both wheels to multiples of `step` [rad/s]; step <= 0 changes nothing.
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step);
 
-/// State of `robot` after one tick of `dt` [s], if its wheels follow `command` by the `DriveLaw` without
-/// slip.
+/// State of `robot` after one tick of `dt` [s], if its wheels follow `command` by the `DriveLaw` within their
+/// grip. Curves are as wide as the model says.
 RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds command, double dt);
 
 /// Time steps and accuracy of the physics. Navigators and teams act once per control tick, which consists of

@@ -247,7 +247,8 @@ TEST_CASE("no member of a team's values lacks its place in the C interface", "[u
   CHECK(fieldCount<MatchInfo>() == 13);
   CHECK(fieldCount<DecisionTime>() == 5);  // a team has no use for `start` and `failures`
   CHECK(fieldCount<FieldGeometry>() == 16);
-  CHECK(fieldCount<RobotModel>() == 19);
+  // Two members for the slip in curves are not in fulbito/team.h, whose structs are fixed.
+  CHECK(fieldCount<RobotModel>() == 19 + 2);
   CHECK(fieldCount<BallModel>() == 10);
   CHECK(fieldCount<PhysicsProfile>() == 10);
   CHECK(fieldCount<Observation>() == 16);

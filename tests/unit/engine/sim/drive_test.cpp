@@ -96,6 +96,17 @@ TEST_CASE("the spin ratio is of turning in place and does not act on arcs", "[un
   CHECK(yaw(-5.0, 15.0) == Approx(0.95 * 20.0));  // halfway
 }
 
+TEST_CASE("the body drives the wider curve of a robot that slips in curves", "[unit]") {
+  RobotModel robot = plainRobot();
+  robot.wheel_acceleration = robot.wheel_braking = robot.longitudinal_grip = 1e6;  // the rims follow at once
+  robot.curve_widening = 0.5;
+  Drive drive(robot, kStep, 0.0);
+  drive.setCommand({10.0, 20.0});  // 0.3 m/s at a radius of 0.12 m
+  const BodyMotion motion = drive.step({});
+  CHECK(motion.forward == Approx(0.3));
+  CHECK(motion.forward / motion.yaw == Approx(0.12 + 0.5 * 0.3));
+}
+
 TEST_CASE("the tyres resist sideways motion up to their grip", "[unit]") {
   Drive drive(plainRobot(), kStep, 0.0);
   drive.setCommand({});

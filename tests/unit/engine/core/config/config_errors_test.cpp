@@ -36,7 +36,8 @@ TEST_CASE("an unknown preset is a usage error with a suggestion", "[unit]") {
   REQUIRE_FALSE(robot);
   CHECK(robot.error().code == ErrorCode::kUsage);
   CHECK(robot.error().message ==
-        "'vss' is neither a file nor a preset of robots: firasim, jung-lee-2015, vsss. Did you mean "
+        "'vss' is neither a file nor a preset of robots: choi-lee-2005, firasim, jung-lee-2015, vsss. Did "
+        "you mean "
         "'vsss'?");
   CHECK(loadPhysics("quick").error().message ==
         "'quick' is neither a file nor a preset of physics: faithful, fast, standard.");

@@ -24,7 +24,7 @@ using Names = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("the presets are those of the manual, in alphabetical order", "[unit]") {
-  CHECK(presetNames("robots") == Names{"firasim", "jung-lee-2015", "vsss"});
+  CHECK(presetNames("robots") == Names{"choi-lee-2005", "firasim", "jung-lee-2015", "vsss"});
   CHECK(presetNames("physics") == Names{"faithful", "fast", "standard"});
   CHECK(presetNames("fields") == Names{"jung-lee-2015", "vsss-3v3", "vsss-5v5"});
   CHECK(presetNames("nonsense").empty());
@@ -82,6 +82,22 @@ TEST_CASE("the robot jung-lee-2015 has the figures of the comparison", "[unit]")
   CHECK(robot.maxSpeed() == Approx(2.6));
   CHECK(robot.wheel_acceleration == 5.0);
   CHECK(robot.lateral_grip == 6.0);
+}
+
+TEST_CASE("the robot choi-lee-2005 has the figures of the paper's Table 3 and a calibrated slip", "[unit]") {
+  const RobotModel robot = loadRobot("choi-lee-2005")->robot;
+  CHECK(robot.length == 0.66);
+  CHECK(robot.width == 0.43);
+  CHECK(robot.mass == 19.5);
+  CHECK(robot.wheel_radius == 0.105);
+  CHECK(robot.axle_track == 0.4);
+  CHECK(robot.maxSpeed() > 0.588);  // the limit of its wheels in the capture
+  CHECK(robot.curve_widening == 1.319);
+  CHECK(robot.curve_widening_rise == 2.41);
+  for (const char* other : {"vsss", "firasim", "jung-lee-2015"}) {
+    CHECK(loadRobot(other)->robot.curve_widening == 0.0);
+    CHECK(loadRobot(other)->robot.curve_widening_rise == 0.0);
+  }
 }
 
 TEST_CASE("the physics profiles step at 60, 120 and 240 Hz under one control rate", "[unit]") {

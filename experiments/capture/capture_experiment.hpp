@@ -1,0 +1,11 @@
+#pragma once
+
+#include "experiments/papers/paper_experiment.hpp"
+
+namespace fulbito {
+
+/// The experiment `capture`: Choi & Lee (2005), curves of constant curvature and the capture of a moving
+/// object.
+PaperExperiment captureExperiment();
+
+}  // namespace fulbito

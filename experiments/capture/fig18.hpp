@@ -1,0 +1,25 @@
+#pragma once
+
+#include "experiments/capture/capture_plan.hpp"
+#include "experiments/capture/pursuit.hpp"
+#include "fulbito/models.hpp"
+
+namespace fulbito::capture {
+
+/// The experiment of Choi & Lee (2005), section V.3: the robot's start and the object's motion.
+Pose2 fig18Robot();
+ObjectMotion fig18Object();
+
+/// Limits with which the paper's plan follows: its two radii are given.
+CaptureLimits fig18Limits();
+
+/// The capture of Fig. 18 with a wanted gap [m] of the middles.
+PursuitSetup fig18Setup(const RobotModel& robot, double gap, const SightingNoise& noise, std::uint64_t seed);
+
+/// [m] from the gap of the middles to the free one between the robot's front and the object's rear.
+double halfLengths(const RobotModel& robot);
+
+/// The limits of a capture of bodies that shall not touch before its end.
+CaptureLimits limitsWithoutTouch(const RobotModel& robot);
+
+}  // namespace fulbito::capture

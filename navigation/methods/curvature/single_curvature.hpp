@@ -1,0 +1,20 @@
+#pragma once
+
+#include "navigation/methods/curvature/curve_navigator.hpp"
+
+namespace fulbito {
+
+/// Drives one arc from the robot's pose through the goal (Choi & Lee 2005, Fig. 8a). A wanted heading is
+/// turned to at the goal.
+class SingleCurvature final : public CurveNavigator {
+ public:
+  explicit SingleCurvature(Params params) : CurveNavigator(params) {}
+
+ private:
+  double makeCurve(const NavigationScene& scene, std::vector<Vec2>& path) override;
+  void forget() override {}
+};
+
+NavigatorInfo singleCurvatureInfo();
+
+}  // namespace fulbito

@@ -1,0 +1,90 @@
+#include "engine/core/models/drive_law.hpp"
+
+#include <cmath>
+
+#include "tests/support/catch.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr double kWidening = 1.319, kRise = 2.410;  // [s], [s^2/m]
+
+RobotModel slippingRobot() {
+  RobotModel robot;
+  robot.axle_track = 0.4;
+  robot.curve_widening = kWidening;
+  robot.curve_widening_rise = kRise;
+  return robot;
+}
+
+/// The rims of a robot with a track of 0.4 m that drives at `v` in a curve of radius `r` to the left.
+RimSpeeds curve(double v, double r) { return {v * (1 - 0.2 / r), v * (1 + 0.2 / r)}; }
+
+double radius(RimSpeeds rims) { return 0.2 * (rims.right + rims.left) / (rims.right - rims.left); }
+
+double speed(RimSpeeds rims) { return (rims.left + rims.right) / 2; }
+
+}  // namespace
+
+TEST_CASE("a curve widens by the same length for every radius, and more at speed", "[unit]") {
+  const DriveLaw law(slippingRobot(), 0.01);
+  for (const double v : {0.1, 0.3, 0.5}) {
+    for (const double r : {-3.75, -1.875, 0.3, 1.875, 3.75}) {
+      const RimSpeeds reached = law.reached(curve(v, r));
+      CHECK(radius(reached) == Approx(r + std::copysign(kWidening * v + kRise * v * v, r)));
+      CHECK(speed(reached) == Approx(v));
+    }
+  }
+}
+
+TEST_CASE("a curve driven backward widens as much", "[unit]") {
+  const DriveLaw law(slippingRobot(), 0.01);
+  const RimSpeeds reached = law.reached(curve(-0.3, 2.0));
+  CHECK(radius(reached) == Approx(2.0 + kWidening * 0.3 + kRise * 0.09));
+  CHECK(speed(reached) == Approx(-0.3));
+}
+
+TEST_CASE("slip leaves lines and spins in place alone, and sets in without a jump between", "[unit]") {
+  const DriveLaw law(slippingRobot(), 0.01);
+  CHECK(law.reached({0.4, 0.4}).right == 0.4);
+  CHECK(law.reached({-0.3, 0.3}).right == Approx(0.3));
+  const RimSpeeds below = law.reached({1e-9, 0.4}), above = law.reached({-1e-9, 0.4});
+  CHECK(below.right == Approx(above.right));
+  CHECK(below.right - below.left < 0.39);
+  for (double left = -0.4; left < 0.399; left += 0.01) {  // ever wider curves turn ever less
+    const RimSpeeds tight = law.reached({left, 0.4}), wide = law.reached({left + 0.01, 0.4});
+    CHECK(tight.right - tight.left > wide.right - wide.left);
+  }
+}
+
+TEST_CASE("the command for a motion leads to that motion", "[unit]") {
+  const DriveLaw law(slippingRobot(), 0.01);
+  for (double left = -0.6; left <= 0.6; left += 0.05) {
+    for (double right = -0.6; right <= 0.6; right += 0.05) {
+      const RimSpeeds back = law.reached(law.commandFor({left, right}));
+      CHECK(back.left == Approx(left).margin(1e-12));
+      CHECK(back.right == Approx(right).margin(1e-12));
+    }
+  }
+}
+
+TEST_CASE("a robot without widening reaches its commands to the bit", "[unit]") {
+  const DriveLaw law(RobotModel{}, 0.01);
+  const RimSpeeds command{0.123456789, -0.987654321};
+  CHECK(law.reached(command).left == command.left);
+  CHECK(law.reached(command).right == command.right);
+  CHECK(law.commandFor(command).left == command.left);
+  CHECK(law.commandFor(command).right == command.right);
+}
+
+TEST_CASE("a robot that is rolled forward drives the wider curve", "[unit]") {
+  RobotModel robot = slippingRobot();
+  robot.wheel_radius = 0.105, robot.max_wheel_speed = 8.0, robot.length = 0.66, robot.width = 0.43;
+  const RimSpeeds rims = curve(0.3, 1.875);
+  const WheelSpeeds command{rims.left / 0.105, rims.right / 0.105};
+  RobotState state;
+  for (int i = 0; i < 600; ++i) state = rolledForward(robot, state, command, 1.0 / 60);
+  CHECK(0.3 / state.angular_velocity == Approx(1.875 + kWidening * 0.3 + kRise * 0.09));
+}
+
+}  // namespace fulbito
