@@ -93,7 +93,7 @@ void EchoMap::update(const NavigationScene& scene) {
 void EchoMap::takeIn(const RangeReading& reading, const Pose2& pose) {
   const Vec2 ahead = math::unit(pose.heading);
   const math::SinCos edge = math::sinCos(reading.half_cone);
-  const double nearest = std::max(0.0, reading.range - settings_.cell);
+  const double nearest = std::max(0.0, reading.range - settings_.band);
   const double most = reading.heard ? reading.range + settings_.cell : nearest;
   Call call;
   call.apex = pose.position + outOfFrame(ahead, reading.mount.position);
@@ -118,7 +118,7 @@ void EchoMap::weigh(const Call& call, Cell& cell, Vec2 to) const {
   const auto limit = static_cast<float>(settings_.most);
   const double square = squaredNorm(to);
   if (square < call.free2) {
-    if (square > settings_.near * settings_.near)
+    if ((call.heard && settings_.heard_near && call.free2 < settings_.near * settings_.near) || square > settings_.near * settings_.near)
       cell.evidence = std::max(cell.evidence - call.free_weight, -limit);
   } else if (call.heard && square <= call.most2) {
     const double across = cross(call.axis, to), off_axis = across * across / (square * call.sin2);

@@ -17,10 +17,12 @@ class EchoMap {
   struct Settings {
     double cell = 0.0066;        ///< [m] side of a cell
     double window = 0.42;        ///< [m] from the robot to the edge of the grid, at least
-    double memory = 5.0;         ///< [s] cells that no sensor spoke for in this time are forgotten
+    double memory = 2.0;         ///< [s] cells that no sensor spoke for in this time are forgotten
     double free_weight = 2.0;    ///< evidence of a farther echo against a cell; one for a cell weighs 1
-    double silent_weight = 1.5;  ///< evidence of silence against a cell
-    double near = 0.05;  ///< [m] what is nearer to a sonar is not cleared: close faces throw sound off sideways
+    double silent_weight = 0.7;  ///< evidence of silence against a cell
+    double band = 0.008;  ///< [m] before and behind an echo's range that its cells extend, at least a cell behind
+    bool heard_near = true;
+    double near = 0.05;  ///< [m] silence clears nothing nearer to a sonar: close faces throw sound off sideways
     double threshold = 1.0;      ///< evidence that makes a cell occupied
     double most = 4.0;           ///< evidence beyond which nothing is added
   };

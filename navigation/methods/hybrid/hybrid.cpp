@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <cstdlib>
 
 #include "engine/core/math/braking.hpp"
 #include "fulbito/detail/math.hpp"
@@ -12,14 +13,19 @@
 namespace fulbito {
 namespace {
 
-constexpr int kSectors = 180;
+const int kSectors = getenv("EM_SEC")?atoi(getenv("EM_SEC")):72;
 constexpr double kFarAway = 1e3;      // [m]
-constexpr double kTurnMargin = 0.02;  // [m] kept from the corners of a turning body, likewise
-constexpr double kHullMargin = 0.04;  // [m] room of the emergency rules, at the paper's robot
+const double kTurnMargin = getenv("EM_TM")?atof(getenv("EM_TM")):0.06;  // [m] kept from the corners of a turning body, likewise
+const double kPassage = 0.2;  // [m] something so near on both sides is a passage
+const double kCentring = getenv("EM_CE")?atof(getenv("EM_CE")):6.0;  // [rad/m] turn toward its middle
+const double kHullMargin = getenv("EM_HM")?atof(getenv("EM_HM")):0.04;  // [m] room of the emergency rules, at the paper's robot
 
 EchoMap::Settings mapSettings(const HybridParams& params) {
   EchoMap::Settings settings;
   settings.memory = params.memory;
+  auto env=[](const char*n,double&v){ if(const char*e=getenv(n)) v=atof(e); };
+  env("EM_CELL",settings.cell); env("EM_BAND",settings.band); env("EM_FREE",settings.free_weight); env("EM_SIL",settings.silent_weight); env("EM_NEAR",settings.near); env("EM_THR",settings.threshold); env("EM_MOST",settings.most);
+  double hn=settings.heard_near; env("EM_HN",hn); settings.heard_near=hn!=0;
   return settings;
 }
 
@@ -48,6 +54,7 @@ Hybrid::Hybrid(const Params& params, bool with_diagram)
 
 void Hybrid::reset() {
   map_.reset();
+  balance_.reset();
   sonars_.clear();
   mode_ = HybridMode::kGoal;
   mode_since_ = std::numeric_limits<Tick>::min() / 2;
@@ -105,6 +112,19 @@ void Hybrid::placeEchoes(double goal_range) {
     const Vec2 echo = reading.mount.position + math::unit(reading.mount.heading) * reading.range;
     if (norm(echo) < goal_range) echoes_.push_back(echo);
   }
+  for (const SectorHit& hit : diagram_) {
+    if (hit.distance < goal_range) echoes_.push_back(hit.point);
+  }
+}
+
+/// Distance from the body to the nearest point that the diagram shows.
+double Hybrid::nearestToBody(const NavigationScene& scene) const {
+  const NearnessHull hull{scene.robot->length, scene.robot->width, 0.0};
+  double nearest = kFarAway;
+  for (const SectorHit& hit : diagram_) {
+    if (!hit.isEmpty()) nearest = std::min(nearest, hit.distance - hull.reach(hit.point / hit.distance));
+  }
+  return nearest;
 }
 
 Hybrid::Situation Hybrid::situationOf(const NavigationScene& scene) {
@@ -113,6 +133,7 @@ Hybrid::Situation Hybrid::situationOf(const NavigationScene& scene) {
   const double radius = scene.robot->circumradius();
   now.goal = intoFrame(math::unit(scene.self.pose.heading), scene.goal.position - scene.self.pose.position);
   listen(scene, now.scale);
+  balance_.update(readings_, kPassage * now.scale);
   placeEchoes(norm(now.goal));
   const auto section =
       frontSection(echoes_, {params_.box_width * now.scale, params_.range * now.scale, params_.boxes});
@@ -120,7 +141,8 @@ Hybrid::Situation Hybrid::situationOf(const NavigationScene& scene) {
     now.orbit = FrontOrbit{*section, section->width() / 2 + radius + params_.orbit_margin * now.scale};
   if (with_diagram_) {
     const double gap = 2.0 * (radius + params_.orbit_margin * now.scale) * params_.crowding;
-    now.crowded = isCrowded(circle_, diagram_, now.orbit, {radius, gap});
+    now.crowded = isCrowded(circle_, diagram_, now.orbit, {radius, gap}) ||
+                  nearestToBody(scene) < params_.near_zone * now.scale;
   }
   std::array<double, kTableSonars> ranges;
   ranges.fill(kFarAway);
@@ -172,7 +194,8 @@ Hybrid::Way Hybrid::diagramWay(const Situation& situation, const NavigationScene
   view.security = params_.security * situation.scale;
   const NearnessMotion motion =
       decideNearness(view, {robot.length, robot.width, kHullMargin * situation.scale});
-  return {motion.direction, motion.speed_share};
+  const double centring = kCentring / situation.scale * balance_.offset();
+  return {std::clamp(motion.direction + centring, -math::kPi / 2, math::kPi / 2), motion.speed_share};
 }
 
 /// The robot can stop before what lies straight ahead.
@@ -198,6 +221,7 @@ NavigatorInfo infoOf(const char* name, const char* summary) {
        number("orbit_margin", &P::orbit_margin, 0.0, 1.0, "m", "what an orbit adds to the robot's radius"),
        number("mu", &P::mu, 0.1, 20.0, "", "convergence to the orbit"),
        number("crowding", &P::crowding, 0.0, 5.0, "", "gaps below this many robot diameters are crowded"),
+       number("near_zone", &P::near_zone, 0.0, 1.0, "m", "anything nearer to the body is crowded"),
        number("hold", &P::hold, 0.0, 2.0, "s", "time for which a behaviour is kept at least"),
        number("gap_margin", &P::gap_margin, 0.0, 0.2, "m",
               "added to half the robot's width when a gap is tested"),

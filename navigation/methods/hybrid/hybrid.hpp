@@ -8,6 +8,7 @@
 #include "navigation/interface/parameters.hpp"
 #include "navigation/methods/hybrid/avoidance_table.hpp"
 #include "navigation/methods/hybrid/crowding.hpp"
+#include "navigation/methods/hybrid/side_balance.hpp"
 #include "navigation/methods/reactive/nearness_motion.hpp"
 #include "navigation/obstacles/echo_map.hpp"
 
@@ -33,10 +34,11 @@ struct HybridParams {
   double orbit_margin = 0.08;  ///< [m] that an orbit adds to the robot's radius
   double mu = 2.0;             ///< convergence to the orbit
   double crowding = 1.5;       ///< gaps narrower than this many robot diameters are crowded
+  double near_zone = 0.1;    ///< [m] anything so near to the body is crowded
   double hold = 0.2;           ///< [s] for which a mode is kept at least
   double gap_margin = 0.008;   ///< [m] added to half the robot's width where gaps are tested
   double braking = 0.25;       ///< share of the wheel acceleration for stopping
-  double memory = 5.0;         ///< [s] for which echoes are remembered
+  double memory = 2.0;         ///< [s] for which echoes are remembered
 };
 
 /// The hybrid of P.-G. Kim et al. (2006): limit cycle round what is ahead, vector field past what is beside,
@@ -64,7 +66,7 @@ class Hybrid : public Navigator, public HeadingField {
     double scale = 1.0;
     Vec2 goal;
     std::optional<FrontOrbit> orbit;
-    bool crowded = false;
+    bool crowded = false;  ///< narrow, or something is very near
     std::optional<double> beside;  ///< [rad] direction past what is beside
   };
   /// What a mode wants.
@@ -76,6 +78,7 @@ class Hybrid : public Navigator, public HeadingField {
   void listen(const NavigationScene& scene, double scale);
   void readIdeally(const NavigationScene& scene);
   void placeEchoes(double goal_range);
+  double nearestToBody(const NavigationScene& scene) const;
   Situation situationOf(const NavigationScene& scene);
   HybridMode wantedMode(const Situation& situation) const;
   void changeMode(HybridMode wanted, const Situation& situation, Tick tick);
@@ -95,6 +98,7 @@ class Hybrid : public Navigator, public HeadingField {
   std::vector<Vec2> echoes_;            ///< [m] robot frame: heard, on the axes
   std::vector<SectorHit> seen_;
   std::vector<SectorHit> diagram_;  ///< of that, what lies within d_max
+  SideBalance balance_;
   HybridMode mode_ = HybridMode::kGoal;
   Tick mode_since_ = 0;
   bool clockwise_ = true;   ///< of the present orbit

