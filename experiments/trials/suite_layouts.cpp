@@ -367,7 +367,7 @@ Layout gapLayout(std::uint64_t seed, std::uint64_t index, double widths) {
 
 Layout rowLayout(std::uint64_t seed, std::uint64_t index, double widths) {
   Rng rng(seed, Stream::kLayout, index + (std::uint64_t{11} << 32));
-  constexpr double kWayRound = 0.25;  // [m] free beside both ends
+  constexpr double kWayRound = 0.40;  // [m] free beside both ends
   Layout layout = named("row", index);
   const double half_gap = widths * kRobotHalf, end = field().width / 2 - kWayRound;
   const double x0 = rng.uniform(-0.10, 0.10), y0 = rng.uniform(-0.05, 0.05);

@@ -18,6 +18,7 @@ struct EchoMap::Call {
   double free2;                  ///< [m^2] square of the distance up to which cells are free
   double most2;                  ///< [m^2] square of the distance where the echo's cells end
   bool heard;
+  bool clears_near;  ///< the echo itself is near
   float free_weight;
 };
 
@@ -104,6 +105,7 @@ void EchoMap::takeIn(const RangeReading& reading, const Pose2& pose) {
   call.free2 = nearest * nearest;
   call.most2 = most * most;
   call.heard = reading.heard;
+  call.clears_near = reading.heard && nearest < settings_.near;
   call.free_weight = static_cast<float>(reading.heard ? settings_.free_weight : settings_.silent_weight);
   const auto [low, high] = std::minmax({call.triangle[0].y, call.triangle[1].y, call.triangle[2].y});
   for (int y = std::max(cellOf(low), y_); y <= std::min(cellOf(high), y_ + size_ - 1); ++y) {
@@ -118,7 +120,7 @@ void EchoMap::weigh(const Call& call, Cell& cell, Vec2 to) const {
   const auto limit = static_cast<float>(settings_.most);
   const double square = squaredNorm(to);
   if (square < call.free2) {
-    if ((call.heard && settings_.heard_near && call.free2 < settings_.near * settings_.near) || square > settings_.near * settings_.near)
+    if (call.clears_near || square > settings_.near * settings_.near)
       cell.evidence = std::max(cell.evidence - call.free_weight, -limit);
   } else if (call.heard && square <= call.most2) {
     const double across = cross(call.axis, to), off_axis = across * across / (square * call.sin2);

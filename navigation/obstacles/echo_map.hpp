@@ -20,11 +20,11 @@ class EchoMap {
     double memory = 2.0;         ///< [s] cells that no sensor spoke for in this time are forgotten
     double free_weight = 2.0;    ///< evidence of a farther echo against a cell; one for a cell weighs 1
     double silent_weight = 0.7;  ///< evidence of silence against a cell
-    double band = 0.008;  ///< [m] before and behind an echo's range that its cells extend, at least a cell behind
-    bool heard_near = true;
-    double near = 0.05;  ///< [m] silence clears nothing nearer to a sonar: close faces throw sound off sideways
-    double threshold = 1.0;      ///< evidence that makes a cell occupied
-    double most = 4.0;           ///< evidence beyond which nothing is added
+    double band = 0.008;         ///< [m] before an echo's range that its cells begin
+    /// [m] Silence and far echoes clear nothing so near to a sonar: close faces throw sound off sideways.
+    double near = 0.05;
+    double threshold = 1.0;  ///< evidence that makes a cell occupied
+    double most = 4.0;       ///< evidence beyond which nothing is added
   };
 
   explicit EchoMap(const Settings& settings);

@@ -55,7 +55,8 @@ int obstacleAt(const Surroundings& around, Vec2 p) {
 }
 
 bool touchesAnother(const Surroundings& around, const FrontOrbit& orbit, double radius) {
-  const int first = obstacleAt(around, orbit.section.first), second = obstacleAt(around, orbit.section.second);
+  const int first = obstacleAt(around, orbit.section.first),
+            second = obstacleAt(around, orbit.section.second);
   const Vec2 centre = orbit.section.centre();
   bool touches = false;
   around.forPoints([&](const SectorHit& hit, int obstacle, bool) {

@@ -20,9 +20,9 @@ struct CrowdingRule {
   double widest_gap = 0.19;  ///< [m] wider gaps between two obstacles are no narrow place
 };
 
-/// Whether the diagram, but for the quarter behind the robot, is crowded: it shows two obstacles with a gap below
-/// `rule.widest_gap` between them, or one that the orbit round another would touch. Obstacles end where a
-/// sector is empty or its distance jumps by more than 2 R.
+/// Whether the diagram, but for the quarter behind the robot, is crowded: it shows two obstacles with a gap
+/// below `rule.widest_gap` between them, or one that the orbit round another would touch. Obstacles end where
+/// a sector is empty or its distance jumps by more than 2 R.
 /// @param orbit  round the obstacle ahead; empty: nothing is ahead
 bool isCrowded(const SectorCircle& circle, std::span<const SectorHit> hits,
                const std::optional<FrontOrbit>& orbit, const CrowdingRule& rule);

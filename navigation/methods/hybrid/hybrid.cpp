@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <cstdlib>
 
 #include "engine/core/math/braking.hpp"
 #include "fulbito/detail/math.hpp"
@@ -13,19 +12,16 @@
 namespace fulbito {
 namespace {
 
-const int kSectors = getenv("EM_SEC")?atoi(getenv("EM_SEC")):72;
+constexpr int kSectors = 72;          // of the full circle: 36 in the front half
 constexpr double kFarAway = 1e3;      // [m]
-const double kTurnMargin = getenv("EM_TM")?atof(getenv("EM_TM")):0.06;  // [m] kept from the corners of a turning body, likewise
-const double kPassage = 0.2;  // [m] something so near on both sides is a passage
-const double kCentring = getenv("EM_CE")?atof(getenv("EM_CE")):6.0;  // [rad/m] turn toward its middle
-const double kHullMargin = getenv("EM_HM")?atof(getenv("EM_HM")):0.04;  // [m] room of the emergency rules, at the paper's robot
+constexpr double kTurnMargin = 0.06;  // [m] kept from the corners of a turning body, likewise
+constexpr double kPassage = 0.2;      // [m] something so near on both sides is a passage
+constexpr double kCentring = 6.0;     // [rad/m] turn toward its middle
+constexpr double kHullMargin = 0.04;  // [m] room of the emergency rules, at the paper's robot
 
 EchoMap::Settings mapSettings(const HybridParams& params) {
   EchoMap::Settings settings;
   settings.memory = params.memory;
-  auto env=[](const char*n,double&v){ if(const char*e=getenv(n)) v=atof(e); };
-  env("EM_CELL",settings.cell); env("EM_BAND",settings.band); env("EM_FREE",settings.free_weight); env("EM_SIL",settings.silent_weight); env("EM_NEAR",settings.near); env("EM_THR",settings.threshold); env("EM_MOST",settings.most);
-  double hn=settings.heard_near; env("EM_HN",hn); settings.heard_near=hn!=0;
   return settings;
 }
 
@@ -57,14 +53,16 @@ void Hybrid::reset() {
   balance_.reset();
   sonars_.clear();
   mode_ = HybridMode::kGoal;
-  mode_since_ = std::numeric_limits<Tick>::min() / 2;
+  mode_since_ = orbit_last_ = std::numeric_limits<Tick>::min() / 2;
 }
 
 Guidance Hybrid::plan(const NavigationScene& scene) {
   const Situation situation = situationOf(scene);
   const bool may_change = static_cast<double>(scene.tick - mode_since_) * scene.dt >= params_.hold;
   const HybridMode wanted = wantedMode(situation);
-  if (wanted != mode_ && may_change) changeMode(wanted, situation, scene.tick);
+  const bool keeps_side = static_cast<double>(scene.tick - orbit_last_) * scene.dt < params_.side_hold;
+  if (wanted != mode_ && may_change) changeMode(wanted, situation, scene.tick, keeps_side);
+  if (mode_ == HybridMode::kAhead) orbit_last_ = scene.tick;
   const Way way = wayOf(situation, scene);
   const NearnessHull hull{scene.robot->length, scene.robot->width, kTurnMargin * situation.scale};
   direction_ = math::wrapAngle(scene.self.pose.heading + roomToTurn(seen_, hull, way.direction));
@@ -160,8 +158,8 @@ HybridMode Hybrid::wantedMode(const Situation& situation) const {
   return situation.beside ? HybridMode::kBeside : HybridMode::kGoal;
 }
 
-void Hybrid::changeMode(HybridMode wanted, const Situation& situation, Tick tick) {
-  if (wanted == HybridMode::kAhead) clockwise_ = passesLeft(situation);
+void Hybrid::changeMode(HybridMode wanted, const Situation& situation, Tick tick, bool keeps_side) {
+  if (wanted == HybridMode::kAhead && !keeps_side) clockwise_ = passesLeft(situation);
   mode_ = wanted;
   mode_since_ = tick;
 }
@@ -223,6 +221,8 @@ NavigatorInfo infoOf(const char* name, const char* summary) {
        number("crowding", &P::crowding, 0.0, 5.0, "", "gaps below this many robot diameters are crowded"),
        number("near_zone", &P::near_zone, 0.0, 1.0, "m", "anything nearer to the body is crowded"),
        number("hold", &P::hold, 0.0, 2.0, "s", "time for which a behaviour is kept at least"),
+       number("side_hold", &P::side_hold, 0.0, 20.0, "s",
+              "time after an orbit in which the next keeps its side"),
        number("gap_margin", &P::gap_margin, 0.0, 0.2, "m",
               "added to half the robot's width when a gap is tested"),
        number("braking", &P::braking, 0.1, 1.0, "", "share of the wheel acceleration for stopping"),

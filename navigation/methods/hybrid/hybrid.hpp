@@ -34,8 +34,9 @@ struct HybridParams {
   double orbit_margin = 0.08;  ///< [m] that an orbit adds to the robot's radius
   double mu = 2.0;             ///< convergence to the orbit
   double crowding = 1.5;       ///< gaps narrower than this many robot diameters are crowded
-  double near_zone = 0.1;    ///< [m] anything so near to the body is crowded
+  double near_zone = 0.1;      ///< [m] anything so near to the body is crowded
   double hold = 0.2;           ///< [s] for which a mode is kept at least
+  double side_hold = 2.0;      ///< [s] after an orbit in which the next one keeps its side
   double gap_margin = 0.008;   ///< [m] added to half the robot's width where gaps are tested
   double braking = 0.25;       ///< share of the wheel acceleration for stopping
   double memory = 2.0;         ///< [s] for which echoes are remembered
@@ -66,7 +67,7 @@ class Hybrid : public Navigator, public HeadingField {
     double scale = 1.0;
     Vec2 goal;
     std::optional<FrontOrbit> orbit;
-    bool crowded = false;  ///< narrow, or something is very near
+    bool crowded = false;          ///< narrow, or something is very near
     std::optional<double> beside;  ///< [rad] direction past what is beside
   };
   /// What a mode wants.
@@ -81,7 +82,7 @@ class Hybrid : public Navigator, public HeadingField {
   double nearestToBody(const NavigationScene& scene) const;
   Situation situationOf(const NavigationScene& scene);
   HybridMode wantedMode(const Situation& situation) const;
-  void changeMode(HybridMode wanted, const Situation& situation, Tick tick);
+  void changeMode(HybridMode wanted, const Situation& situation, Tick tick, bool keeps_side);
   bool passesLeft(const Situation& situation) const;
   Way wayOf(const Situation& situation, const NavigationScene& scene) const;
   Way orbitWay(const Situation& situation) const;
@@ -102,6 +103,7 @@ class Hybrid : public Navigator, public HeadingField {
   HybridMode mode_ = HybridMode::kGoal;
   Tick mode_since_ = 0;
   bool clockwise_ = true;   ///< of the present orbit
+  Tick orbit_last_ = 0;     ///< when the robot was last on one
   double direction_ = 0.0;  ///< [rad] world frame
 };
 

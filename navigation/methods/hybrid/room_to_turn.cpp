@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito {
 namespace {
 
-constexpr double kStep = 3.0 * math::kPi / 180.0;   // [rad] between the poses that are tried
-const double kSlack = getenv("EM_SL")?atof(getenv("EM_SL")):0.0006;                     // [m] what lies beside the axle hardly comes nearer
-constexpr double kQuarter = math::kPi / 2;          // [rad] a body that turned so far has swept all
+constexpr double kStep = 3.0 * math::kPi / 180.0;  // [rad] between the poses that are tried
+constexpr double kSlack = 0.0006;                  // [m] what lies beside the axle hardly comes nearer
+constexpr double kQuarter = math::kPi / 2;         // [rad] a body that turned so far has swept all
 
 /// Distance from the body, turned by the angle of `ahead`, to the nearest point; at most the margin.
 double clearance(std::span<const SectorHit> hits, const NearnessHull& hull, Vec2 ahead) {

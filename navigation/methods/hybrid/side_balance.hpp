@@ -6,8 +6,9 @@
 
 namespace fulbito {
 
-/// How far a robot in a narrow passage is off its middle, from pairs of sonars that look left and right alike.
-/// Single ranges are too noisy to centre a body that fits by a few millimetres, so the difference is smoothed.
+/// How far a robot in a narrow passage is off its middle, from pairs of sonars that look left and right
+/// alike. Single ranges are too noisy to centre a body that fits by a few millimetres, so the difference is
+/// smoothed.
 class SideBalance {
  public:
   void reset() { offset_ = 0.0, silent_ = kForgotten; }
