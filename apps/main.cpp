@@ -13,6 +13,7 @@
 #include "apps/match/match.hpp"
 #include "apps/match/rules.hpp"
 #include "apps/match/view.hpp"
+#include "apps/navigation/experiment.hpp"
 #include "apps/replay/replay.hpp"
 #include "apps/teams/check_team.hpp"
 #include "apps/teams/new_team.hpp"
@@ -36,6 +37,7 @@ struct Options {
   BenchCommand bench;
   CheckTeamCommand check_team;
   DrillCommand drill;
+  ExperimentCommand experiment;
   MatchCommand match;
   NewTeamCommand new_team;
   ReplayCommands replay;
@@ -281,6 +283,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("list")) return list(options.list);
   if (app.got_subcommand("show")) return show(options.show);
   if (app.got_subcommand("bench")) return bench(options.bench);
+  if (app.got_subcommand("experiment")) return experiment(options.experiment);
   if (app.got_subcommand("drill")) return drill(options.drill);
   if (app.got_subcommand("check-team")) return checkTeam(options.check_team);
   if (app.got_subcommand("new-team")) return newTeam(options.new_team);
@@ -310,6 +313,7 @@ int mainWithoutCatch(int argc, char** argv) {
   addView(app, options.view);
   const CLI::App* run_command = addRun(app, options);
   const CLI::App* compare_command = addCompare(app, options);
+  addExperiment(app, options.experiment);
   addRest(app, options);
   addDrill(app, options.drill);
   addNewTeam(app, options.new_team);

@@ -87,8 +87,8 @@ FigureVerdict touchesObstacle(const Layout&, const TrialRecord& run) {
 
 }  // namespace
 
-const std::vector<PaperFigure>& paperFigures() {
-  static const std::vector<PaperFigure> figures = {
+const std::vector<FigureClaim>& paperFigures() {
+  static const std::vector<FigureClaim> figures = {
       {"fig1-abrupt-turns",
        "Fig. 1: abrupt turns at the obstacles' rings",
        "in a vector field, the path past two obstacles changes its direction abruptly four times",
@@ -156,10 +156,10 @@ const std::vector<PaperFigure>& paperFigures() {
   return figures;
 }
 
-const PaperFigure* figureOf(const std::string& layout) {
+const FigureClaim* figureOf(const std::string& layout) {
   const auto& figures = paperFigures();
   const auto found = std::find_if(figures.begin(), figures.end(),
-                                  [&](const PaperFigure& figure) { return figure.layout == layout; });
+                                  [&](const FigureClaim& figure) { return figure.layout == layout; });
   return found == figures.end() ? nullptr : &*found;
 }
 
@@ -174,7 +174,7 @@ std::vector<FigureRow> judgeFigures(const Comparison& comparison) {
     for (std::size_t n = 0; n < block.navigators.size(); ++n) {
       for (const TrialRecord& record : recordsOf(comparison, b, n)) {
         const Layout layout = block.suite->layout(block.seed, record.index);
-        const PaperFigure* figure = figureOf(layout.name);
+        const FigureClaim* figure = figureOf(layout.name);
         if (figure == nullptr || record.trace.empty() || block.navigators[n].text != figure->method) continue;
         rows.push_back({figure, figure->judge(layout, record)});
       }

@@ -16,7 +16,7 @@ struct FigureVerdict {
 };
 
 /// One of Jung & Lee's Figs 1-8 as a named case (docs/reproduction.md).
-struct PaperFigure {
+struct FigureClaim {
   std::string layout;               ///< name of the case
   std::string title;                ///< a heading: "Fig. 1: ..."
   std::string sentence;             ///< statement of the paper's figure
@@ -28,10 +28,10 @@ struct PaperFigure {
 };
 
 /// In the order of the figures.
-const std::vector<PaperFigure>& paperFigures();
+const std::vector<FigureClaim>& paperFigures();
 
 /// The figure of a named case; null for any other layout.
-const PaperFigure* figureOf(const std::string& layout);
+const FigureClaim* figureOf(const std::string& layout);
 
 /// The methods of the figures' block: the figures' own methods with both followers, and others for
 /// comparison.
@@ -39,7 +39,7 @@ std::vector<std::string> figureMethods();
 
 /// The verdict on one figure.
 struct FigureRow {
-  const PaperFigure* figure = nullptr;
+  const FigureClaim* figure = nullptr;
   FigureVerdict verdict;
 };
 

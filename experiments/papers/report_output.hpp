@@ -16,9 +16,4 @@ std::string experimentJson(const ExperimentReport& report, const ExperimentReque
 /// The whole table as CSV.
 std::string tableCsv(const ReportTable& table);
 
-/// Writes results.json, a CSV file per table, a picture per chart and scene, a GIF per scene and NAME.html
-/// into `folder`, and returns their names in order. Errors: kIo.
-Result<std::vector<std::string>> writeExperiment(const ExperimentReport& report,
-                                                 const ExperimentRequest& request, const std::string& folder);
-
 }  // namespace fulbito

@@ -81,7 +81,7 @@ void shorten(ObstacleSpec& obstacle, double seconds) {
 /// Uses the title and window of the paper's figure if the layout belongs to one.
 FieldPicture pictureOf(const TrialConfig& config) {
   FieldPicture picture;
-  const PaperFigure* figure = figureOf(config.layout.name);
+  const FigureClaim* figure = figureOf(config.layout.name);
   const double speed = config.robot.robot.maxSpeed();
   picture.title = figure != nullptr ? fmt::format("{}, top speed {:.1f} m/s", figure->title, speed)
                                     : fmt::format("Ways through layout {} at a top speed of {:.1f} m/s",
@@ -111,7 +111,7 @@ Result<void> save(Result<Canvas> canvas, const std::string& file) {
 
 /// The statement of the paper's figure and the verdict on the run; empty for other layouts.
 std::string captionOf(const Layout& layout, const std::string& method, const TrialRecord& run) {
-  const PaperFigure* figure = figureOf(layout.name);
+  const FigureClaim* figure = figureOf(layout.name);
   if (figure == nullptr) return {};
   const FigureVerdict verdict = figure->judge(layout, run);
   const char* conclusion = "";
@@ -136,7 +136,7 @@ Result<void> addArrows(FieldPicture& picture, const TrialConfig& config) {
 
 /// The runs of a block that a picture shows: for a figure's case, its method and the others named with it;
 /// all if the block lacks that method.
-std::vector<std::size_t> drawnNavigators(const ComparisonBlock& block, const PaperFigure* figure) {
+std::vector<std::size_t> drawnNavigators(const ComparisonBlock& block, const FigureClaim* figure) {
   std::vector<std::size_t> all, chosen;
   bool own = false;
   for (std::size_t n = 0; n < block.navigators.size(); ++n) {
@@ -188,7 +188,7 @@ Result<void> writePathPicture(const std::string& file, const Comparison& compari
   const auto config = trialConfig(comparison, block, 0, index);
   if (!config) return tl::unexpected<Error>(config.error());
   FieldPicture picture = pictureOf(*config);
-  const PaperFigure* figure = figureOf(config->layout.name);
+  const FigureClaim* figure = figureOf(config->layout.name);
   for (std::size_t n : drawnNavigators(block, figure)) {
     for (const TrialRecord& record : recordsOf(comparison, b, n)) {
       if (record.index != index) continue;

@@ -9,14 +9,15 @@
 #include "replays/render/canvas/axis.hpp"
 #include "replays/render/canvas/text_fit.hpp"
 #include "replays/render/canvas/text_wrap.hpp"
+#include "replays/render/colours/chart_style.hpp"
 #include "replays/render/colours/palette.hpp"
 
 namespace fulbito {
 namespace {
 
-constexpr Colour kPaper{252, 252, 250}, kInk{30, 35, 42}, kDimInk{104, 113, 124};
-constexpr Colour kGrid{226, 229, 232}, kStripe{241, 243, 244}, kBaseLine{120, 128, 138},
-    kReferenceInk{178, 34, 52};
+using namespace chart_style;
+
+constexpr Colour kReferenceInk{178, 34, 52};
 
 // [px]
 constexpr double kMargin = 36, kPlotWidth = 640, kGap = 12, kIndent = 10;

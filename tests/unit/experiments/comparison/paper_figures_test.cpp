@@ -56,7 +56,7 @@ TEST_CASE("every named case of the paper has its figure, and every figure a case
   const std::vector<std::string> methods = figureMethods();
   for (const Layout& layout : namedCases()) {
     CAPTURE(layout.name);
-    const PaperFigure* figure = figureOf(layout.name);
+    const FigureClaim* figure = figureOf(layout.name);
     REQUIRE(figure != nullptr);
     CHECK(std::find(methods.begin(), methods.end(), figure->method) != methods.end());
     for (const std::string& other : figure->others) {

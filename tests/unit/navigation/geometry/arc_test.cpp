@@ -30,7 +30,8 @@ TEST_CASE("arc: a quarter circle to either side, a line and a small turn end whe
 
 TEST_CASE("arc: both sides of the switch to the series of small turns agree") {
   const Pose2 start{{0.0, 0.0}, 0.3};
-  const Vec2 below = endOf({start, 1.99999e-4, 1.0}).position, above = endOf({start, 2.00001e-4, 1.0}).position;
+  const Vec2 below = endOf({start, 1.99999e-4, 1.0}).position,
+             above = endOf({start, 2.00001e-4, 1.0}).position;
   CHECK(norm(below - above) < 1.1e-9);
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}  // namespace CLI
+
+namespace fulbito::app {
+
+/// `fulbito experiment`.
+struct ExperimentCommand {
+  std::string name;  ///< of an experiment, or "list" or "all"
+  std::uint64_t seed = 1;
+  int jobs = 0;
+  std::vector<std::string> settings;  ///< "name=value" each
+  std::string out = "fulbito-out";
+  bool json = false;
+};
+
+/// Adds the command's options.
+void addExperiment(CLI::App& app, ExperimentCommand& command);
+
+/// Runs it. Returns the exit code.
+int experiment(const ExperimentCommand& command);
+
+}  // namespace fulbito::app
