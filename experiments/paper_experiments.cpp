@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
+#include "experiments/sonar/hybrid_experiment.hpp"
 
 namespace fulbito {
 namespace {
@@ -29,7 +30,7 @@ Result<void> checkSettings(const PaperExperiment& experiment, const std::vector<
 }  // namespace
 
 std::span<const PaperExperiment> paperExperiments() {
-  static const std::vector<PaperExperiment> kExperiments{};
+  static const std::vector<PaperExperiment> kExperiments{hybridExperiment()};
   return kExperiments;
 }
 

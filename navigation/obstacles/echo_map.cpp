@@ -148,9 +148,14 @@ bool EchoMap::isOccupied(const Cell& cell) const {
 
 template <typename Work>
 void EchoMap::forOccupied(const Work& work) const {
+  const int mask = stride_ - 1;
+  const auto threshold = static_cast<float>(settings_.threshold);
   for (int y = y_; y < y_ + size_; ++y) {
+    const Cell* row = &cells_[static_cast<std::size_t>((y & mask) * stride_)];
     for (int x = x_; x < x_ + size_; ++x) {
-      if (isOccupied(at(x, y))) work(middle(x, y));
+      // Nearly all cells fail the first test.
+      const Cell& cell = row[x & mask];
+      if (cell.evidence > threshold && isOccupied(cell)) work(middle(x, y));
     }
   }
 }

@@ -15,7 +15,7 @@ namespace fulbito {
 class EchoMap {
  public:
   struct Settings {
-    double cell = 0.0066;        ///< [m] side of a cell
+    double cell = 0.008;         ///< [m] side of a cell
     double window = 0.42;        ///< [m] from the robot to the edge of the grid, at least
     double memory = 2.0;         ///< [s] cells that no sensor spoke for in this time are forgotten
     double free_weight = 2.0;    ///< evidence of a farther echo against a cell; one for a cell weighs 1
