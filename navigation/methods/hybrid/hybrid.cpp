@@ -12,12 +12,13 @@
 namespace fulbito {
 namespace {
 
-constexpr int kSectors = 72;          // of the full circle: 36 in the front half
-constexpr double kFarAway = 1e3;      // [m]
-constexpr double kTurnMargin = 0.06;  // [m] kept from the corners of a turning body, likewise
-constexpr double kPassage = 0.2;      // [m] something so near on both sides is a passage
-constexpr double kCentring = 6.0;     // [rad/m] turn toward its middle
-constexpr double kHullMargin = 0.04;  // [m] room of the emergency rules, at the paper's robot
+constexpr int kSectors = 72;           // of the full circle: 36 in the front half
+constexpr double kFarAway = 1e3;       // [m]
+constexpr double kTurnMargin = 0.045;  // [m] kept from the corners of a turning body, likewise
+constexpr double kPassage = 0.2;       // [m] something so near on both sides is a passage
+constexpr double kPassageTurn = 0.2;   // [rad] largest change of direction in a passage
+constexpr double kCentring = 6.0;      // [rad/m] turn toward its middle
+constexpr double kHullMargin = 0.04;   // [m] room of the emergency rules, at the paper's robot
 
 EchoMap::Settings mapSettings(const HybridParams& params) {
   EchoMap::Settings settings;
@@ -192,8 +193,9 @@ Hybrid::Way Hybrid::diagramWay(const Situation& situation, const NavigationScene
   view.security = params_.security * situation.scale;
   const NearnessMotion motion =
       decideNearness(view, {robot.length, robot.width, kHullMargin * situation.scale});
+  const double most = balance_.inPassage() && motion.speed_share > 0.0 ? kPassageTurn : math::kPi / 2;
   const double centring = kCentring / situation.scale * balance_.offset();
-  return {std::clamp(motion.direction + centring, -math::kPi / 2, math::kPi / 2), motion.speed_share};
+  return {std::clamp(motion.direction + centring, -most, most), motion.speed_share};
 }
 
 /// The robot can stop before what lies straight ahead.

@@ -13,13 +13,15 @@ class SideBalance {
  public:
   void reset() { offset_ = 0.0, silent_ = kForgotten; }
   /// Takes in one tick's readings, from left to right.
-  /// @param beside  [m] both sonars of a pair hear something nearer than that: the robot is in a passage
+  /// @param beside  [m] something is nearer than that on the left and on the right: the robot is in a passage
   void update(std::span<const RangeReading> readings, double beside);
-  /// Distance [m] to the right of the middle, negative to the left; 0 outside of a passage.
-  double offset() const { return silent_ < kForgotten ? offset_ : 0.0; }
+  /// Half of what the left has more than the right [m]; 0 outside of a passage.
+  double offset() const { return inPassage() ? offset_ : 0.0; }
+  /// Whether something was near on both sides just now.
+  bool inPassage() const { return silent_ < kForgotten; }
 
  private:
-  static constexpr int kForgotten = 12;  // ticks without a pair until the offset is forgotten
+  static constexpr int kForgotten = 12;  // ticks outside of a passage until the offset is forgotten
 
   double offset_ = 0.0;
   int silent_ = kForgotten;
