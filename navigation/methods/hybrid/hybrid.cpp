@@ -14,11 +14,11 @@ namespace {
 
 constexpr int kSectors = 72;           // of the full circle: 36 in the front half
 constexpr double kFarAway = 1e3;       // [m]
-constexpr double kTurnMargin = 0.045;  // [m] kept from the corners of a turning body, likewise
+constexpr double kTurnMargin = 0.045;  // [m] kept from the corners of a turning body, at the paper's robot
 constexpr double kPassage = 0.2;       // [m] something so near on both sides is a passage
 constexpr double kPassageTurn = 0.2;   // [rad] largest change of direction in a passage
 constexpr double kCentring = 6.0;      // [rad/m] turn toward its middle
-constexpr double kHullMargin = 0.04;   // [m] room of the emergency rules, at the paper's robot
+constexpr double kHullMargin = 0.04;   // [m] room of the emergency rules, likewise
 
 EchoMap::Settings mapSettings(const HybridParams& params) {
   EchoMap::Settings settings;
@@ -52,7 +52,6 @@ Hybrid::Hybrid(const Params& params, bool with_diagram)
 void Hybrid::reset() {
   map_.reset();
   balance_.reset();
-  sonars_.clear();
   mode_ = HybridMode::kGoal;
   mode_since_ = orbit_last_ = std::numeric_limits<Tick>::min() / 2;
 }
@@ -87,7 +86,8 @@ void Hybrid::listen(const NavigationScene& scene, double scale) {
 }
 
 void Hybrid::readIdeally(const NavigationScene& scene) {
-  if (sonars_.empty()) sonars_ = frontSonars(*scene.robot);
+  const Vec2 body{scene.robot->length, scene.robot->width};
+  if (body != sonars_body_) sonars_ = frontSonars(*scene.robot), sonars_body_ = body;
   const Pose2& pose = scene.self.pose;
   const Vec2 ahead = math::unit(pose.heading);
   known_.clear();

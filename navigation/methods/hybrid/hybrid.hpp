@@ -95,6 +95,7 @@ class Hybrid : public Navigator, public HeadingField {
   EchoMap map_;
   EchoScene known_;
   std::vector<SonarSpec> sonars_;       ///< of the ideal readings
+  Vec2 sonars_body_;                    ///< [m] length and width of the body that they are on
   std::vector<RangeReading> readings_;  ///< the scene's, or ideal ones
   std::vector<Vec2> echoes_;            ///< [m] robot frame: heard, on the axes
   std::vector<SectorHit> seen_;
