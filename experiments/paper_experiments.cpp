@@ -8,6 +8,7 @@
 #include "engine/core/config/suggest.hpp"
 #include "experiments/capture/capture_experiment.hpp"
 #include "experiments/localization/localization_experiment.hpp"
+#include "experiments/sonar/hybrid_experiment.hpp"
 #include "experiments/transport/transport_experiment.hpp"
 
 namespace fulbito {
@@ -33,7 +34,7 @@ Result<void> checkSettings(const PaperExperiment& experiment, const std::vector<
 
 std::span<const PaperExperiment> paperExperiments() {
   static const std::vector<PaperExperiment> kExperiments{
-      captureExperiment(), localization::localizationExperiment(), transportExperiment()};
+      captureExperiment(), hybridExperiment(), localization::localizationExperiment(), transportExperiment()};
   return kExperiments;
 }
 

@@ -16,6 +16,7 @@
 #include "navigation/methods/fields/tangent_field.hpp"
 #include "navigation/methods/fields/univector.hpp"
 #include "navigation/methods/fields/vector_field.hpp"
+#include "navigation/methods/hybrid/hybrid.hpp"
 #include "navigation/methods/paths/bezier.hpp"
 #include "navigation/methods/paths/bezier_raw.hpp"
 #include "navigation/methods/paths/hermite.hpp"
@@ -29,10 +30,10 @@ namespace {
 const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
-      straightInfo(),        vectorFieldInfo(),     univectorInfo(), tangentFieldInfo(),
-      limitCycleInfo(),      nearnessDiagramInfo(), bezierInfo(),    bezierRawInfo(),
-      hermiteInfo(),         tangentGraphInfo(),    dwaInfo(),       bsplineTimeInfo(),
-      singleCurvatureInfo(), doubleCurvatureInfo(),
+      straightInfo(),   vectorFieldInfo(),     univectorInfo(),       tangentFieldInfo(),
+      limitCycleInfo(), nearnessDiagramInfo(), hybridInfo(),          hybridWithoutNdInfo(),
+      bezierInfo(),     bezierRawInfo(),       hermiteInfo(),         tangentGraphInfo(),
+      dwaInfo(),        bsplineTimeInfo(),     singleCurvatureInfo(), doubleCurvatureInfo(),
   };
   return entries;
 }

@@ -18,6 +18,7 @@ struct Problem {
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;
   double limit_clearance = 0.058;
   std::uint64_t index = 0;
+  bool sonars_only = false;
 };
 
 Result<Problem> suiteProblem(const std::string& text, std::size_t colon, std::uint64_t seed) {
@@ -29,19 +30,20 @@ Result<Problem> suiteProblem(const std::string& text, std::size_t colon, std::ui
                 fmt::format("--layout: '{}' in '{}' is not a layout number", number, text));
   }
   const std::uint64_t index = std::stoull(number);
-  return Problem{(*suite)->layout(seed, index), (*suite)->forbidden, (*suite)->limit_clearance, index};
+  return Problem{(*suite)->layout(seed, index), (*suite)->forbidden, (*suite)->limit_clearance, index,
+                 (*suite)->sonars_only};
 }
 
 Result<Problem> findProblem(const std::string& text, std::uint64_t seed) {
   for (const Layout& named : namedCases()) {
-    if (named.name == text) return Problem{named, ForbiddenContacts::kAll, 0.058, 0};
+    if (named.name == text) return Problem{named, ForbiddenContacts::kAll, 0.058, 0, false};
   }
   const std::size_t colon = text.find(':');
   if (colon != std::string::npos && text.find('/') == std::string::npos)
     return suiteProblem(text, colon, seed);
   auto layout = loadLayout(text);
   if (!layout) return tl::unexpected<Error>(layout.error());
-  return Problem{std::move(*layout), ForbiddenContacts::kAll, 0.058, 0};
+  return Problem{std::move(*layout), ForbiddenContacts::kAll, 0.058, 0, false};
 }
 
 Result<TrialConfig> configOf(const RunOptions& options) {
@@ -65,6 +67,7 @@ Result<TrialConfig> configOf(const RunOptions& options) {
   config.sensors.heading_noise = headingNoise(config.sensors.position_noise, config.robot.robot.length);
   config.forbidden = problem->forbidden;
   config.limit_clearance = problem->limit_clearance;
+  config.sonars_only = problem->sonars_only;
   config.seed = options.seed;
   config.index = problem->index;
   return config;

@@ -174,6 +174,7 @@ Result<TrialConfig> trialConfig(const Comparison& comparison, const ComparisonBl
   config.sensors.heading_noise = headingNoise(config.sensors.position_noise, config.robot.robot.length);
   config.forbidden = block.suite->forbidden;
   config.limit_clearance = block.suite->limit_clearance;
+  config.sonars_only = block.suite->sonars_only;
   config.seed = block.seed;
   config.index = index;
   return config;

@@ -135,6 +135,26 @@ Layout clutterLayout(std::uint64_t seed, std::uint64_t index, const char* suite,
   return index % 2 == 0 ? barrierLayout(rng, suite, index, gap) : scatteredLayout(rng, suite, index, gap);
 }
 
+/// Obstacles side by side along x = x0 from `low` to `high` [m], at least `least` and at most `most` [m] in
+/// radius, with slits that no robot passes between them.
+void addRow(Rng& rng, Layout& layout, double x0, double low, double high, double least, double most) {
+  constexpr double kSlit = 0.03;  // [m] far below the robot's width
+  for (double y = low; y + 2.0 * least <= high;) {
+    double radius = rng.uniform(least, most);
+    // The last one fills what is left.
+    if (y + 2.0 * radius + kSlit + 2.0 * least > high) radius = std::min(most, (high - y) / 2);
+    layout.obstacles.push_back(disc({x0, y + radius}, radius));
+    y += 2.0 * radius + kSlit;
+  }
+}
+
+/// The same downwards, so that the first obstacle ends exactly at `high`.
+void addRowBelow(Rng& rng, Layout& layout, double x0, double low, double high, double least, double most) {
+  const std::size_t first = layout.obstacles.size();
+  addRow(rng, layout, x0, -high, -low, least, most);
+  for (std::size_t i = first; i < layout.obstacles.size(); ++i) layout.obstacles[i].pose.position.y *= -1.0;
+}
+
 /// A start whose body touches the wall nearest to `toward`, facing it within 20 degrees.
 Pose2 facingWall(Rng& rng, Vec2 toward) {
   const Vec2 normal = nearestWallNormal(field(), toward);
@@ -325,6 +345,69 @@ Layout movingLayout(std::uint64_t seed, std::uint64_t index) {
     layout.obstacles.push_back(std::move(o));
   }
   return layout;
+}
+
+Layout gapLayout(std::uint64_t seed, std::uint64_t index, double widths) {
+  Rng rng(seed, Stream::kLayout, index + (std::uint64_t{10} << 32));
+  Layout layout = named("gap", index);
+  const double half_gap = widths * kRobotHalf, wall = field().width / 2;
+  const double x0 = rng.uniform(-0.10, 0.10), y0 = rng.uniform(-0.25, 0.25);
+  addRow(rng, layout, x0, y0 + half_gap, wall, kRobotHalf, kRobotHalf);
+  addRowBelow(rng, layout, x0, -wall, y0 - half_gap, kRobotHalf, kRobotHalf);
+  layout.start.position = {x0 - rng.uniform(0.30, 0.55), y0 + rng.uniform(-0.25, 0.25)};
+  do {
+    layout.goal = {x0 + rng.uniform(0.25, 0.50), y0 + rng.uniform(-0.25, 0.25)};
+  } while (std::abs(layout.start.position.y +
+                    (x0 - layout.start.position.x) * (layout.goal.y - layout.start.position.y) /
+                        (layout.goal.x - layout.start.position.x) -
+                    y0) > 0.20);
+  headAtGoal(layout);
+  return layout;
+}
+
+Layout rowLayout(std::uint64_t seed, std::uint64_t index, double widths) {
+  Rng rng(seed, Stream::kLayout, index + (std::uint64_t{11} << 32));
+  constexpr double kWayRound = 0.40;  // [m] free beside both ends
+  Layout layout = named("row", index);
+  const double half_gap = widths * kRobotHalf, end = field().width / 2 - kWayRound;
+  const double x0 = rng.uniform(-0.10, 0.10), y0 = rng.uniform(-0.05, 0.05);
+  addRow(rng, layout, x0, y0 + half_gap, end, 0.03, 0.08);
+  addRowBelow(rng, layout, x0, -end, y0 - half_gap, 0.03, 0.08);
+  layout.start.position = {x0 - rng.uniform(0.40, 0.55), y0 + rng.uniform(-0.05, 0.05)};
+  layout.goal = {x0 + rng.uniform(0.40, 0.55), y0 + rng.uniform(-0.05, 0.05)};
+  headAtGoal(layout);
+  return layout;
+}
+
+Layout anyRowLayout(std::uint64_t seed, std::uint64_t index) {
+  Rng rng(seed, Stream::kLayout, index + (std::uint64_t{12} << 32));
+  return rowLayout(seed, index, rng.uniform(1.3, 1.6));
+}
+
+namespace {
+
+Layout sonarLayout(std::uint64_t seed, std::uint64_t index, const char* suite, double widths) {
+  Layout layout;
+  if (index % 3 == 0) layout = gapLayout(seed, index, widths);
+  if (index % 3 == 1) {
+    Rng rng(seed, Stream::kLayout, index + (std::uint64_t{13} << 32));
+    layout = scatteredLayout(rng, suite, index, widths * 2.0 * kRobotHalf);
+  }
+  if (index % 3 == 2) layout = rowLayout(seed, index, widths);
+  layout.name = named(suite, index).name;
+  return layout;
+}
+
+}  // namespace
+
+Layout sonar11Layout(std::uint64_t seed, std::uint64_t index) {
+  return sonarLayout(seed, index, "sonar-1.1", 1.1);
+}
+Layout sonar13Layout(std::uint64_t seed, std::uint64_t index) {
+  return sonarLayout(seed, index, "sonar", 1.3);
+}
+Layout sonar16Layout(std::uint64_t seed, std::uint64_t index) {
+  return sonarLayout(seed, index, "sonar-1.6", 1.6);
 }
 
 }  // namespace fulbito

@@ -5,6 +5,7 @@
 
 #include "engine/core/base/float_mode.hpp"
 #include "experiments/trials/sensing.hpp"
+#include "experiments/trials/sonar_sight.hpp"
 #include "experiments/trials/trial_recorder.hpp"
 #include "fulbito/detail/math.hpp"
 #include "fulbito/detail/state_hash.hpp"
@@ -132,6 +133,8 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock, Tria
   TrialResult result;
   result.limit_path = limit.points;
   Sensing sensing(config);
+  std::optional<SonarSight> sonars;
+  if (config.sonars_only) sonars.emplace(config);
   StateHash hash;
   NavigationScene scene;
   scene.dt = dt;
@@ -146,6 +149,7 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock, Tria
     scene.tick = world->state().tick;
     scene.self = sensing.robot();
     scene.obstacles = sensing.obstacles();
+    if (sonars) sonars->look(*world, scene);
     const WheelSpeeds wanted = timed(clock, result.compute_us, [&] { return (*pilot)->drive(scene); });
     if (recorder != nullptr) {
       recorder->planned((*pilot)->guidance(), scene.self.pose.position, scene.goal.position);

@@ -1,5 +1,6 @@
 #include "engine/core/models/sonar_model.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -32,7 +33,29 @@ Result<void> validate(const SonarSpec& sonar, std::size_t number) {
   return {};
 }
 
+/// From the body's centre to its outline along a unit vector of the robot's frame.
+double outlineReach(const RobotModel& robot, Vec2 way) {
+  const double x = std::abs(way.x), y = std::abs(way.y);
+  return x * robot.width > y * robot.length ? robot.length / 2 / x : robot.width / 2 / y;
+}
+
 }  // namespace
+
+double pioneerScale(const RobotModel& robot) { return robot.circumradius() / kPioneerRadius; }
+
+std::vector<SonarSpec> frontSonars(const RobotModel& robot) {
+  constexpr double kDegree = math::kPi / 180.0, kReach = 1.5;  // [m] d_max of the paper
+  std::vector<SonarSpec> sonars;
+  for (double bearing : {90.0, 50.0, 30.0, 10.0, -10.0, -30.0, -50.0, -90.0}) {
+    SonarSpec sonar;
+    const Vec2 way = math::unit(bearing * kDegree);
+    sonar.mount = {way * outlineReach(robot, way), bearing * kDegree};
+    sonar.half_cone = 12.5 * kDegree;
+    sonar.greatest = kReach * pioneerScale(robot);
+    sonars.push_back(sonar);
+  }
+  return sonars;
+}
 
 Result<void> validate(const SonarModel& model) {
   for (std::size_t i = 0; i < model.sonars.size(); ++i) {

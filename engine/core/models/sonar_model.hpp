@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "fulbito/models.hpp"
 #include "fulbito/values.hpp"
 
 namespace fulbito {
@@ -33,6 +34,17 @@ struct SonarReading {
   bool heard = false;  ///< whether there was an echo
   double range = 0.0;  ///< [m] from the membrane to what it heard; the sonar's `greatest` without an echo
 };
+
+/// Radius [m] of the robot of P.-G. Kim et al. (2006), a Pioneer.
+inline constexpr double kPioneerRadius = 0.22;
+
+/// Length of `robot` over that of the robot of P.-G. Kim et al.: the ratio of their radii. Their lengths
+/// times this are ours.
+double pioneerScale(const RobotModel& robot);
+
+/// The eight front sonars of P.-G. Kim et al. (2006): bearings of 90, 50, 30, 10, -10, -30, -50 and -90
+/// degrees on the body's outline, cones of 12.5 degrees to either side, a range of 1.5 m times the scale.
+std::vector<SonarSpec> frontSonars(const RobotModel& robot);
 
 /// Checks ranges; the error names the sonar, counted from 0, and the value.
 Result<void> validate(const SonarModel& model);

@@ -38,12 +38,8 @@ Guidance NearnessDiagram::plan(const NavigationScene& scene) {
 }
 
 double NearnessDiagram::brakingSpeed(const NavigationScene& scene) const {
-  const double half_width = scene.robot->width / 2 + params_.gap_margin;
-  double room = std::numeric_limits<double>::infinity();
-  for (const SectorHit& hit : seen_) {
-    if (hit.point.x > 0.0 && std::abs(hit.point.y) < half_width) room = std::min(room, hit.point.x);
-  }
-  room = std::max(0.0, room - scene.robot->length / 2);
+  const double ahead = roomAhead(seen_, scene.robot->width / 2 + params_.gap_margin);
+  const double room = std::max(0.0, ahead - scene.robot->length / 2);
   return stoppingSpeed(params_.braking * scene.robot->wheel_acceleration, room);
 }
 

@@ -92,6 +92,14 @@ double twoSidedDirection(double wanted, const SecurityZone& zone) {
   return beta + excess * (excess <= 0.0 ? beta + half : half - beta);
 }
 
+double roomAhead(std::span<const SectorHit> hits, double half_width) {
+  double room = std::numeric_limits<double>::infinity();
+  for (const SectorHit& hit : hits) {
+    if (hit.point.x > 0.0 && std::abs(hit.point.y) < half_width) room = std::min(room, hit.point.x);
+  }
+  return room;
+}
+
 NearnessMotion decideNearness(const NearnessView& view, const NearnessHull& hull) {
   const WalkingArea area = findWalkingArea(view);
   NearnessMotion motion = turnTowardGoal(view);

@@ -54,6 +54,10 @@ double oneSidedDirection(double wanted, const SecurityZone& zone);
 /// Direction [rad] in LS2: `wanted` turned toward the freer side by its excess (c_L - c_R) / (c_L + c_R).
 double twoSidedDirection(double wanted, const SecurityZone& zone);
 
+/// Distance [m] ahead of the robot's centre to the first point within `half_width` of its x axis; infinity
+/// without one.
+double roomAhead(std::span<const SectorHit> hits, double half_width);
+
 /// The whole decision: area, situation, direction, speed, emergency.
 ///
 /// Where the goal is in the area, obstacles that are farther than the goal are outside the zone (our

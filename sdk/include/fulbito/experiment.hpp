@@ -33,6 +33,9 @@ struct TrialConfig {
       sensors;  ///< quality of observations; the robot's state is predicted through the commands given since
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;  ///< contacts that fail the trial
   double limit_clearance = 0.058;  ///< [m] between the robot's centre and obstacles along the L* path
+  /// The robot knows its pose and goal, and of all else only what its eight front sonars hear
+  /// (docs/suites.md); it knows no walls.
+  bool sonars_only = false;
   std::uint64_t seed = 1;          ///< seed of its random numbers
   std::uint64_t index = 0;         ///< number of the trial in its suite, for its random streams
 };
@@ -82,10 +85,11 @@ struct Suite {
   bool always_drawn = false;  ///< draw all layouts, regardless of the configured number
   /// Layout number `index` of a seed: a pure function of the two.
   Layout (*layout)(std::uint64_t seed, std::uint64_t index) = nullptr;
+  bool sonars_only = false;  ///< see TrialConfig
 };
 
-/// All suites of layouts: corner, short, close-range, heading, walls, clutter, u-trap, moving, and the named
-/// cases of the figures of Jung & Lee (2015). `jung-lee-2015` is a comparison of some of them, see
+/// All suites of layouts: corner, short, close-range, heading, walls, clutter, u-trap, moving, sonar, and the
+/// named cases of the figures of Jung & Lee (2015). `jung-lee-2015` is a comparison of some of them, see
 /// `ComparisonConfig`.
 const std::vector<Suite>& suites();
 

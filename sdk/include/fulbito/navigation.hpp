@@ -68,6 +68,15 @@ struct NavigationGoal {
   bool stop = false;                  ///< stop at the goal; otherwise the robot may pass it at speed
 };
 
+/// What one of the robot's own range sensors reports, e.g. a sonar: the nearest thing within a cone.
+struct RangeReading {
+  Pose2 mount;             ///< robot frame: the sensor's place and the direction of its axis
+  double half_cone = 0.0;  ///< [rad] between the axis and the edge of the cone
+  double greatest = 0.0;   ///< [m] nothing farther is sensed
+  bool heard = false;      ///< whether it senses anything
+  double range = 0.0;      ///< [m] from the sensor; `greatest` if it senses nothing
+};
+
 /// A navigator's knowledge at one control tick. Views are valid during the call only.
 struct NavigationScene {
   Tick tick = 0;                            ///< counts control ticks; never goes back within a trial
@@ -77,6 +86,9 @@ struct NavigationScene {
   std::span<const DiscObstacle> obstacles;  ///< the other bodies, in any order
   const FieldGeometry* field = nullptr;     ///< never null
   const RobotModel* robot = nullptr;  ///< never null; its max_wheel_speed is the speed limit of this trial
+  /// Readings of the robot's range sensors at this tick. Empty: it has none, and `obstacles` is all that it
+  /// knows. Where the robot knows only what its sensors heard, `obstacles` are small discs at echoes.
+  std::span<const RangeReading> ranges;
 };
 
 /// One navigation method. An instance belongs to one robot and keeps its memory between ticks. Contract:
@@ -129,6 +141,7 @@ struct NavigatorInfo {
   std::vector<ParameterSpec> parameters;  ///< the method's own; all methods share `commonParameters`
   /// Creates the navigator from settings. Errors: kUsage.
   std::function<Result<std::unique_ptr<Navigator>>(const std::vector<Setting>&)> make;
+  bool reads_ranges = false;  ///< uses `NavigationScene::ranges` where there are any
 };
 
 /// One robot's navigation stage: navigator, follower, escape from walls, limiter and kinematics, with one

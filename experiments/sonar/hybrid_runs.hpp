@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "experiments/papers/paper_experiment.hpp"
+
+namespace fulbito::sonar {
+
+/// What the experiment is asked for.
+struct HybridSettings {
+  int rows = 200;      ///< layouts like Fig. 8
+  int gaps = 200;      ///< layouts with a gap of 1.3 widths; half as many of the other widths
+  double speed = 0.3;  ///< [m/s] top speed
+};
+
+/// What a robot knows of its surroundings.
+enum class Knowledge {
+  kSonars,  ///< what its sonars hear
+  kMap,     ///< all obstacles and walls
+};
+
+/// Gaps of one width, passed with one kind of knowledge.
+struct GapBlock {
+  double widths = 1.3;  ///< of the gap, in robot widths
+  Knowledge knowledge = Knowledge::kSonars;
+  std::vector<TrialScore> scores;
+};
+
+/// One layout like Fig. 8, driven with and without the nearness diagram.
+struct RowPair {
+  std::uint64_t index = 0;
+  double gap = 0.0;  ///< [m] between the two obstacles at the straight way
+  TrialScore with, without;
+
+  bool bothArrive() const { return with.success() && without.success(); }
+  /// Whether the diagram's way is the shorter one. A way that does not arrive is longer than any.
+  bool isShorter() const { return with.success() && (!without.success() || with.length < without.length); }
+};
+
+/// Results of all runs.
+struct HybridRuns {
+  HybridSettings settings;
+  std::vector<GapBlock> gaps;
+  std::vector<RowPair> rows;
+};
+
+/// A trial of the hybrid, with or without its nearness diagram. Errors: of presets.
+Result<TrialConfig> hybridTrial(const Layout& layout, Knowledge knowledge, bool with_diagram, double speed,
+                                std::uint64_t seed, std::uint64_t index);
+
+/// Runs all trials on `request.jobs` threads. Errors: of trials; kInterrupted.
+Result<HybridRuns> runHybrid(const HybridSettings& settings, const ExperimentRequest& request);
+
+}  // namespace fulbito::sonar

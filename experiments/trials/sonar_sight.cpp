@@ -1,0 +1,48 @@
+#include "experiments/trials/sonar_sight.hpp"
+
+namespace fulbito {
+namespace {
+
+/// The largest field, without goals and corners.
+FieldGeometry plainField() {
+  FieldGeometry plain;
+  plain.name = "plain";
+  plain.length = plain.width = 20.0;
+  plain.goal_width = plain.goal_depth = plain.corner = 0.0;
+  return plain;
+}
+
+}  // namespace
+
+SonarModel suiteSonars(const RobotModel& robot) {
+  SonarModel model;
+  model.sonars = frontSonars(robot);
+  model.noise = 0.005;
+  model.dropout = 0.05;
+  return model;
+}
+
+SonarSight::SonarSight(const TrialConfig& config)
+    : sonars_(config.field, suiteSonars(config.robot.robot), Rng(config.seed, Stream::kSonar, config.index)),
+      plain_(plainField()),
+      wants_discs_(!config.navigator.info->reads_ranges),
+      map_({}) {}
+
+void SonarSight::look(const World& world, NavigationScene& scene) {
+  const auto heard = sonars_.measure(world, 0);
+  readings_.clear();
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    const SonarSpec& sonar = sonars_.model().sonars[i];
+    readings_.push_back({sonar.mount, sonar.half_cone, sonar.greatest, heard[i].heard, heard[i].range});
+  }
+  scene.field = &plain_;
+  scene.ranges = readings_;
+  discs_.clear();
+  if (wants_discs_) {
+    map_.update(scene);
+    map_.appendDiscs(discs_);
+  }
+  scene.obstacles = discs_;
+}
+
+}  // namespace fulbito
