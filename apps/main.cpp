@@ -17,6 +17,7 @@
 #include "apps/replay/replay.hpp"
 #include "apps/teams/check_team.hpp"
 #include "apps/teams/new_team.hpp"
+#include "apps/tournament/sprt.hpp"
 #include "engine/core/base/float_mode.hpp"
 #include "engine/core/config/suggest.hpp"
 #include "fulbito/detail/build_info.hpp"
@@ -42,6 +43,7 @@ struct Options {
   NewTeamCommand new_team;
   ReplayCommands replay;
   RulesOptions rules;
+  SprtCommand sprt;
   ViewCommand view;
   bool version_json = false;
 };
@@ -288,6 +290,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("check-team")) return checkTeam(options.check_team);
   if (app.got_subcommand("new-team")) return newTeam(options.new_team);
   if (app.got_subcommand("rules")) return rules(options.rules);
+  if (app.got_subcommand("sprt")) return sprt(options.sprt);
   return version(options.version_json);
 }
 
@@ -303,7 +306,7 @@ int mainWithoutCatch(int argc, char** argv) {
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
       "  fulbito list teams\n"
       "Exit codes: 0 success, 1 a check failed, 2 wrong usage, 3 bad input file, 5 cannot read or write,\n"
-      "7 a recording differs, 70 internal error, 129, 130, 143 ended by a signal.");
+      "6 no verdict, 7 a recording differs, 70 internal error, 129, 130, 143 ended by a signal.");
   app.set_version_flag("--version", buildInfo().version);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
@@ -319,6 +322,7 @@ int mainWithoutCatch(int argc, char** argv) {
   addNewTeam(app, options.new_team);
   addCheckTeam(app, options.check_team);
   addRules(app, options.rules);
+  addSprt(app, options.sprt);
   readNumbers(app);
   const std::span<char*> words{argv + 1, argv + std::max(argc, 1)};
   if (const auto error = emptyWord(words)) return report(*error);

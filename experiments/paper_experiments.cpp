@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
+#include "experiments/localization/localization_experiment.hpp"
 #include "experiments/transport/transport_experiment.hpp"
 
 namespace fulbito {
@@ -30,7 +31,8 @@ Result<void> checkSettings(const PaperExperiment& experiment, const std::vector<
 }  // namespace
 
 std::span<const PaperExperiment> paperExperiments() {
-  static const std::vector<PaperExperiment> kExperiments{transportExperiment()};
+  static const std::vector<PaperExperiment> kExperiments{localization::localizationExperiment(),
+                                                         transportExperiment()};
   return kExperiments;
 }
 

@@ -60,8 +60,12 @@ cp figures/fig1-abrupt-turns-1.0.png "$images/"
   --widths 0.10,0.15,0.20,0.25,0.30,0.35,0.40 --trials 40 --out map >/dev/null
 cp map/map-close-range-classic.png "$images/"
 
-# The papers: docs/papers.md.
+# docs/papers.md, by its commands.
 mkdir -p "$images/papers"
+"$program" experiment localization --out papers >/dev/null
+for picture in room deviation constant; do
+  cp "papers/localization/$picture.png" "$images/papers/localization-$picture.png"
+done
 "$program" experiment transport --out papers >/dev/null
 cp papers/transport/fig-9.png "$images/papers/transport-fig-9.png"
 cp papers/transport/fig-10.png "$images/papers/transport-fig-10.png"

@@ -14,6 +14,7 @@ enum ExitCode {
   kUsage = 2,
   kBadInput = 3,
   kIo = 5,
+  kInconclusive = 6,
   kDifferent = 7,
   kInternal = 70,
   kInterruptedBase = 128,  ///< plus the signal's number: 129 hang-up, 130 Ctrl-C, 143 SIGTERM

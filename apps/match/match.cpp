@@ -1,7 +1,5 @@
 #include "apps/match/match.hpp"
 
-#include <charconv>
-#include <limits>
 #include <optional>
 
 #include <CLI/CLI.hpp>
@@ -25,9 +23,7 @@ namespace {
 
 constexpr Tick kTicksBetweenChecks = 64;  // match ticks between looks at the clock and for signals
 constexpr std::uint64_t kMostPairs = 100'000;
-constexpr std::uint64_t kManyTicks = 1'000'000;  // the match itself checks the range of --latency
 constexpr const char* kStdout = "-";
-constexpr const char* kUnlimited = "unlimited";
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
 
@@ -60,10 +56,10 @@ Result<void> checkFiles(const MatchCommand& options) {
   return mayWriteAll({{"--record", options.record},
                       {"--events", options.events, Dash::kStdout},
                       {"--screenshot", options.window.screenshot}},
-                     {{"--rules", options.rules},
-                      {"--robot", options.robot},
-                      {"--physics", options.physics},
-                      {"--start", options.start}},
+                     {{"--rules", options.settings.rules},
+                      {"--robot", options.settings.robot},
+                      {"--physics", options.settings.physics},
+                      {"--start", options.settings.start}},
                      options.force);
 }
 
@@ -82,100 +78,6 @@ Result<void> checkFlags(const MatchCommand& options) {
     }
   }
   return {};
-}
-
-Result<void> addStart(const std::string& file, MatchConfig& config) {
-  if (file.empty()) return {};
-  auto start = loadStartState(file, config);
-  if (!start) return tl::unexpected<Error>(start.error());
-  config.start = start->placement;
-  config.scoreboard = start->scoreboard;
-  return {};
-}
-
-Result<void> shorten(const MatchCommand& options, Rules& rules) {
-  if (!options.half_seconds) return {};
-  rules.half_seconds = *options.half_seconds;
-  const auto checked = validate(rules);
-  if (!checked) return fail(ErrorCode::kUsage, "--half-seconds: " + checked.error().message);
-  return {};
-}
-
-/// Takes the values of a flag: one value for both teams, or those of blue and yellow.
-template <typename T>
-Result<void> readPerTeam(const char* flag, const std::vector<T>& values, PerTeam<VisionModel>& vision,
-                         T VisionModel::* part) {
-  if (values.size() > 2) return fail(ErrorCode::kUsage, fmt::format("{}: takes one or two values", flag));
-  for (const TeamId team : kTeams) {
-    const bool own = values.size() == 2 && team == TeamId::kYellow;
-    vision[indexOf(team)].*part = own ? values.back() : values.front();
-  }
-  return {};
-}
-
-Result<PerTeam<VisionModel>> visionOf(const MatchCommand& options, const RobotModel& robot) {
-  PerTeam<VisionModel> vision;
-  for (const auto& done :
-       {readPerTeam("--latency", options.latency_ticks, vision, &VisionModel::latency_ticks),
-        readPerTeam("--noise", options.position_noise, vision, &VisionModel::position_noise),
-        readPerTeam("--dropout", options.dropout, vision, &VisionModel::dropout)}) {
-    if (!done) return tl::unexpected<Error>(done.error());
-  }
-  // As in trials: the heading noise that follows from the position noise.
-  for (VisionModel& seat : vision) seat.heading_noise = headingNoise(seat.position_noise, robot.length);
-  return vision;
-}
-
-/// The limit of both teams: that of the rules with another time per decision.
-Result<DecisionTime> limitOf(const std::string& text, const Rules& rules) {
-  DecisionTime limit = rules.decision_time;
-  if (text == kUnlimited) {
-    limit.decision = std::numeric_limits<double>::infinity();
-    return limit;
-  }
-  double milliseconds = 0.0;
-  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), milliseconds);
-  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size()) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("--time: '{}' is neither a number of ms nor '{}'", text, kUnlimited));
-  }
-  limit.decision = milliseconds * 1e-3;
-  return limit;
-}
-
-Result<MatchConfig> configOf(const MatchCommand& options) {
-  const TeamCatalogue catalogue = catalogueOf(options.outside);
-  auto blue = catalogue.parse(options.blue), yellow = catalogue.parse(options.yellow);
-  if (!blue) return tl::unexpected<Error>(blue.error());
-  if (!yellow) return tl::unexpected<Error>(yellow.error());
-  auto rules = loadRules(options.rules);
-  if (!rules) return tl::unexpected<Error>(rules.error());
-  auto field = loadField(rules->field);
-  if (!field) return tl::unexpected<Error>(field.error());
-  auto robot = loadRobot(options.robot);
-  if (!robot) return tl::unexpected<Error>(robot.error());
-  auto physics = loadPhysics(options.physics);
-  if (!physics) return tl::unexpected<Error>(physics.error());
-  MatchConfig config;
-  config.teams = {std::move(*blue), std::move(*yellow)};
-  config.rules = std::move(*rules);
-  if (auto shortened = shorten(options, config.rules); !shortened) {
-    return tl::unexpected<Error>(shortened.error());
-  }
-  config.field = std::move(*field);
-  config.robot = std::move(*robot);
-  config.physics = std::move(*physics);
-  auto vision = visionOf(options, config.robot.robot);
-  if (!vision) return tl::unexpected<Error>(vision.error());
-  config.vision = *vision;
-  if (!options.time.empty()) {
-    auto limit = limitOf(options.time, config.rules);
-    if (!limit) return tl::unexpected<Error>(limit.error());
-    config.decision_time = *limit;
-  }
-  config.seed = options.seed;
-  if (auto started = addStart(options.start, config); !started) return tl::unexpected<Error>(started.error());
-  return config;
 }
 
 /// Everything that observes the match for the user.
@@ -301,7 +203,7 @@ int playPairs(const MatchCommand& options, const MatchConfig& config) {
   SeriesReport summary{{config, *options.pairs, options.jobs, now}, {}, 0.0};
   const std::int64_t begin = now();
   {
-    ProgressBar bar(fmt::format("{} v {}", options.blue, options.yellow));
+    ProgressBar bar(fmt::format("{} v {}", options.settings.blue, options.settings.yellow));
     auto played = playSeries(summary.config,
                              [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
     if (!played) return report(played.error());
@@ -314,36 +216,6 @@ int playPairs(const MatchCommand& options, const MatchConfig& config) {
     printOut(seriesText(summary));
   }
   return summary.result.interrupted ? interruptedCode() : kOk;
-}
-
-void addConditions(CLI::App& command, MatchCommand& options) {
-  command.add_option("--rules", options.rules, "rules profile or TOML file")->capture_default_str();
-  command.add_option("--physics", options.physics, "physics profile or TOML file")->capture_default_str();
-  command.add_option("--robot", options.robot, "robot preset or TOML file, for both teams")
-      ->capture_default_str();
-  wholeNumber(command.add_option("--seed", options.seed,
-                                 "random seed (coin tosses, placement error, sensor noise, teams)"))
-      ->capture_default_str();
-  command.add_option("--half-seconds", options.half_seconds,
-                     "length of a half [s] (default: from the rules)");
-  command.add_option("--start", options.start, "start state (TOML file) instead of the first kick-off")
-      ->type_name("FILE");
-  const auto per_team = [](CLI::Option* option) {
-    // Only the delimiter makes a list: a word after a space is a team.
-    option->delimiter(',')->allow_extra_args(false)->type_name("N[,N]");
-  };
-  per_team(wholeNumber(
-      command.add_option("--latency", options.latency_ticks,
-                         "age of observations in ticks, 0 ... 60: for both teams, or BLUE,YELLOW"),
-      0, kManyTicks));
-  per_team(number(command.add_option("--noise", options.position_noise,
-                                     "standard deviation of observed positions [m], 0 ... 0.1")));
-  per_team(number(command.add_option("--dropout", options.dropout,
-                                     "probability per tick that a body is not seen, 0 ... 0.99")));
-  command
-      .add_option("--time", options.time,
-                  "wall time per decision, or 'unlimited' (default: the rules limit programs only)")
-      ->type_name("MS");
 }
 
 }  // namespace
@@ -360,11 +232,13 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       "  fulbito match libero idle --start corner.toml --events -\n"
       "  fulbito match libero classic --view --record game.fbr   watch it, drag the ball and robots\n"
       "Names: fulbito list teams, fulbito list rules. More: docs/matches.md.");
-  command->add_option("blue", options.blue, "team that defends the left goal, e.g. classic:navigator=bezier")
+  command
+      ->add_option("blue", options.settings.blue,
+                   "team that defends the left goal, e.g. classic:navigator=bezier")
       ->capture_default_str();
-  command->add_option("yellow", options.yellow, "team that defends the right goal")->capture_default_str();
-  addConditions(*command, options);
-  addTeamFlags(*command, options.outside);
+  command->add_option("yellow", options.settings.yellow, "team that defends the right goal")
+      ->capture_default_str();
+  addMatchSettings(*command, options.settings);
   CLI::Option* record =
       command->add_option("--record", options.record, "write a recording")->type_name("FILE");
   CLI::Option* recipe =
@@ -396,7 +270,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
 int match(const MatchCommand& options) {
   if (auto checked = checkFlags(options); !checked) return report(checked.error());
   if (auto checked = checkFiles(options); !checked) return report(checked.error());
-  const auto config = configOf(options);
+  const auto config = configOf(options.settings);
   if (!config) return report(config.error());
   if (const auto foreign = findForeignPlaces(config->rules, config->field, config->robot.robot)) {
     note("note: {}\n", *foreign);

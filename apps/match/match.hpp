@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/match/team_flags.hpp"
+#include "apps/match/match_settings.hpp"
 #include "apps/match/view.hpp"
 #include "fulbito/match.hpp"
 
@@ -17,21 +17,7 @@ namespace fulbito::app {
 
 /// Options of `fulbito match`.
 struct MatchCommand {
-  std::string blue = "libero";
-  std::string yellow = "classic";
-  std::string rules = "vsss-3v3";
-  std::string physics = "standard";
-  std::string robot = "vsss";
-  std::uint64_t seed = kDefaultMatchSeed;
-  std::optional<double> half_seconds;  ///< empty: the profile's
-  std::string start;                   ///< start state file; empty: a kick-off
-  /// @{ How teams see: one value for both, or blue's and yellow's.
-  std::vector<int> latency_ticks{0};
-  std::vector<double> position_noise{0.0};  ///< [m]
-  std::vector<double> dropout{0.0};
-  /// @}
-  std::string time;            ///< [ms] that a decision may take, or "unlimited"; empty: by the rules
-  TeamFlags outside;           ///< teams that are files or programs
+  MatchSettings settings;
   std::string record;          ///< file; empty: none
   bool record_recipe = false;  ///< the recording holds only what cannot be computed again
   bool drawings = false;       ///< the recording also holds what the teams draw

@@ -35,7 +35,7 @@ int checkRules(const std::string& file) {
   const auto field = loadField(loaded->field);
   if (!field) return report(field.error());
   // The ball of a match by default.
-  const auto robot = loadRobot(MatchCommand().robot);
+  const auto robot = loadRobot(MatchSettings().robot);
   if (!robot) return report(robot.error());
   if (auto playable = checkField(*loaded, *field, robot->ball); !playable) {
     return report(inFile(file, playable.error()).value());

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <mutex>
 
 #include <fmt/format.h>
 
@@ -21,8 +22,8 @@ class Schedule {
   Schedule(const SeriesConfig& config, const SeriesProgress& watcher)
       : config_(config),
         pairs_(static_cast<std::size_t>(config.pairs)),
-        legs_done_(pairs_.size() * 2, 0),
-        progress_(watcher, legs_done_.size()) {
+        progress_(watcher, pairs_.size() * 2),
+        legs_done_(pairs_.size() * 2, 0) {
     for (std::size_t i = 0; i < pairs_.size(); ++i) pairs_[i].seed = seedOfPair(config.match.seed, i);
   }
 
@@ -34,11 +35,17 @@ class Schedule {
  private:
   MatchConfig configOf(std::size_t leg) const;
   Result<void> playLeg(std::size_t leg);
+  bool goesOn();
+  void finish(std::size_t leg, const LegRecord& record);
+  bool complete(std::size_t pair) const { return legs_done_[2 * pair] != 0 && legs_done_[2 * pair + 1] != 0; }
 
   const SeriesConfig& config_;
   std::vector<PairRecord> pairs_;
-  std::vector<char> legs_done_;
   WorkProgress progress_;
+  std::mutex judging_;  // of all below
+  std::vector<char> legs_done_;
+  std::size_t judged_ = 0;  // pairs that the judge has heard of
+  bool ended_ = false;      // by the judge
 };
 
 MatchConfig Schedule::configOf(std::size_t leg) const {
@@ -52,7 +59,7 @@ MatchConfig Schedule::configOf(std::size_t leg) const {
 }
 
 Result<void> Schedule::play() {
-  return parallelFor(config_.jobs, legs_done_.size(), progress_,
+  return parallelFor(config_.jobs, pairs_.size() * 2, progress_,
                      [this](std::size_t leg) { return playLeg(leg); });
 }
 
@@ -62,14 +69,32 @@ Result<void> Schedule::playLeg(std::size_t leg) {
   FoulGoalCounter fouls;
   match->watch(fouls);
   while (match->step()) {
-    if (match->tick() % kTicksBetweenLooks == 0 && !progress_.goesOn()) {
+    if (match->tick() % kTicksBetweenLooks == 0 && !goesOn()) {
       return fail(ErrorCode::kInterrupted, "interrupted");
     }
   }
-  pairs_[leg / 2].legs[leg % 2] = {match->referee().score, fouls.goals(), match->tick(), match->hash(),
-                                   match->faults()};
+  finish(leg, {match->referee().score, fouls.goals(), match->tick(), match->hash(), match->faults()});
+  return goesOn() ? Result<void>() : fail(ErrorCode::kInterrupted, "interrupted");
+}
+
+bool Schedule::goesOn() {
+  {
+    const std::lock_guard lock(judging_);
+    if (ended_) return false;
+  }
+  return progress_.goesOn();
+}
+
+// A pair that is complete early waits for those before it: the judge's verdict must not depend on who is
+// fast.
+void Schedule::finish(std::size_t leg, const LegRecord& record) {
+  const std::lock_guard lock(judging_);
+  pairs_[leg / 2].legs[leg % 2] = record;
   legs_done_[leg] = 1;
-  return {};
+  while (config_.judge && !ended_ && judged_ < pairs_.size() && complete(judged_)) {
+    ended_ = !config_.judge(pairs_[judged_]);
+    ++judged_;
+  }
 }
 
 void count(SeriesResult& result) {
@@ -95,9 +120,9 @@ void count(SeriesResult& result) {
 SeriesResult Schedule::result() {
   SeriesResult result;
   const auto missing = std::find(legs_done_.begin(), legs_done_.end(), 0);
-  const auto complete = static_cast<std::size_t>(missing - legs_done_.begin()) / 2;
-  result.interrupted = complete < pairs_.size();
-  pairs_.resize(complete);
+  const auto played = static_cast<std::size_t>(missing - legs_done_.begin()) / 2;
+  result.interrupted = !ended_ && played < pairs_.size();
+  pairs_.resize(ended_ ? judged_ : played);
   result.pairs = std::move(pairs_);
   count(result);
   return result;

@@ -25,7 +25,11 @@ enum class Stream : std::uint32_t {
   kDrill = 13,         ///< starts of drills
   kStartHeading = 14,  ///< start headings in a comparison's trials
   kLibraryTeam = 15,   ///< what a shared library draws from its host
+  kSonar = 16,         ///< errors of ultrasonic sensors
   kTransport = 19,     ///< random paths, and messages that get lost, where two robots carry a rod
+  kEncoders = 20,      ///< slip of wheels as their encoders see it
+  kGyro = 21,          ///< noise and drift of a gyro
+  kRoom = 22,          ///< rooms, poses and sensors of the experiment `localization`
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of

@@ -12,13 +12,6 @@ namespace {
 
 using Corners = std::array<Vec2, 4>;
 
-Corners cornersOf(const Rectangle& r) {
-  const Vec2 x = math::unit(r.pose.heading);
-  const Vec2 along = x * (r.length / 2), across = perp(x) * (r.width / 2);
-  const Vec2 c = r.pose.position;
-  return {c + along + across, c - along + across, c - along - across, c + along - across};
-}
-
 /// Signed distance of a point to a rectangle.
 double pointClearance(const Rectangle& r, Vec2 p) {
   const Vec2 x = math::unit(r.pose.heading), d = p - r.pose.position;
@@ -59,6 +52,13 @@ double depthInside(std::span<const Vec2> contour, Vec2 p) {
 }
 
 }  // namespace
+
+std::array<Vec2, 4> cornersOf(const Rectangle& r) {
+  const Vec2 x = math::unit(r.pose.heading);
+  const Vec2 along = x * (r.length / 2), across = perp(x) * (r.width / 2);
+  const Vec2 c = r.pose.position;
+  return {c + along + across, c - along + across, c - along - across, c + along - across};
+}
 
 Rectangle bodyOf(const RobotModel& robot, const Pose2& pose) { return {pose, robot.length, robot.width}; }
 

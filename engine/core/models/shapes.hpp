@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "fulbito/detail/layout.hpp"
@@ -17,6 +18,9 @@ struct Rectangle {
 
 /// The robot's body at `pose`.
 Rectangle bodyOf(const RobotModel& robot, const Pose2& pose);
+
+/// Its corners, counter-clockwise.
+std::array<Vec2, 4> cornersOf(const Rectangle& rectangle);
 
 /// @{ Distance [m] between two shapes; minus the penetration depth if they overlap.
 double clearance(const Rectangle& body, Vec2 centre, double radius);

@@ -16,6 +16,8 @@
 
 namespace fulbito {
 
+struct PairRecord;
+
 /// A series of matches between two teams in swapped pairs: the second leg has the same seed with the seats
 /// exchanged. Random numbers belong to seats, so a team against itself gives a goal difference of exactly
 /// zero.
@@ -25,6 +27,9 @@ struct SeriesConfig {
   int jobs = 0;       ///< worker threads, 0 ... 1024; 0: all cores. Does not affect the result.
   MatchClock
       clock;  ///< measures decisions if `match.decision_time` limits them; may be called from several threads
+  /// Hears each complete pair in the order of the schedule, whatever the number of jobs. Calls do not
+  /// overlap. False: this pair is the last one of the series. May be empty.
+  std::function<bool(const PairRecord&)> judge = {};
 };
 
 /// A foul paid off if its team scores within this time of play [s].
@@ -55,7 +60,7 @@ struct PairRecord {
 /// The result of a complete or stopped series.
 struct SeriesResult {
   std::vector<PairRecord> pairs;     ///< in the order of the schedule, without gaps
-  bool interrupted = false;          ///< fewer pairs than configured
+  bool interrupted = false;          ///< stopped before its last pair
   int wins = 0;                      ///< matches that A won
   int draws = 0;                     ///< matches without a winner
   int losses = 0;                    ///< matches that B won

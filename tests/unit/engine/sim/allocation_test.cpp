@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/core/math/random.hpp"
+#include "engine/sim/sonar.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/support/worlds.hpp"
@@ -65,4 +66,21 @@ TEST_CASE("robots that carry a rod allocate nothing", "[unit]") {
   config.rods.push_back({0, 1, 0.4, 0.1});
   World world = makeWorld(config);
   CHECK(allocationsIn(world, Load::kRandom, 600, 6'000) == 0);
+}
+
+TEST_CASE("warm sonars allocate nothing", "[unit]") {
+  World world = makeWorld(matchConfig(vsssPreset(), standardPhysics(), 3, {}));
+  SonarModel model;
+  model.sonars.resize(8);
+  for (std::size_t i = 0; i < 8; ++i) model.sonars[i].mount.heading = 0.7 * static_cast<double>(i) - 3.0;
+  model.noise = 0.005;
+  model.cross_talk = 0.1;
+  SonarArray sonars({}, model, {1, Stream::kSonar});
+  long before = 0;
+  for (int tick = 0; tick < 300; ++tick) {
+    if (tick == 10) before = mallocCount();
+    world.step({});
+    sonars.measure(world, 0);
+  }
+  CHECK(mallocCount() == before);
 }

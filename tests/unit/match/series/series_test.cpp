@@ -42,6 +42,25 @@ TEST_CASE("a team against itself gives exactly zero in every pair", "[unit]") {
   CHECK(series->wins == series->losses);
 }
 
+TEST_CASE("the judge hears pairs in their order and ends the series, whatever the jobs", "[unit]") {
+  SeriesConfig config = seriesOf("chaser", "idle", 6, 3.0);
+  for (const int jobs : {1, 4}) {
+    config.jobs = jobs;
+    std::vector<std::uint64_t> heard;
+    config.judge = [&](const PairRecord& pair) {
+      heard.push_back(pair.seed);
+      return heard.size() < 3;
+    };
+    const auto series = playSeries(config);
+    REQUIRE(series);
+    CHECK_FALSE(series->interrupted);
+    REQUIRE(series->pairs.size() == 3);
+    for (std::uint64_t i = 0; i < 3; ++i) CHECK(heard[i] == seedOfPair(config.match.seed, i));
+    CHECK(heard.size() == 3);
+    CHECK(series->wins + series->draws + series->losses == 6);
+  }
+}
+
 TEST_CASE("the number of jobs changes no result", "[unit]") {
   SeriesConfig config = seriesOf("chaser", "chaser", 3, 3.0);
   for (VisionModel& seat : config.match.vision) seat.latency_ticks = 2;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "fulbito/values.hpp"
+
+namespace fulbito {
+
+/// Where an ultrasonic sensor sits on a robot, and what it can hear. It hears within a cone about its axis.
+struct SonarSpec {
+  Pose2 mount;  ///< robot frame: its membrane, and the direction of its axis
+  double half_cone =
+      0.21817;            ///< [rad] between the axis and the edge of the cone, below pi / 2; 12.5 degrees
+  double least = 0.0;     ///< [m] nearer echoes arrive while it still rings: it reports this range
+  double greatest = 1.0;  ///< [m] farther echoes are too faint
+};
+
+/// The ultrasonic sensors of a robot and their errors. All fire once per reading.
+struct SonarModel {
+  std::vector<SonarSpec> sonars;
+  double noise = 0.0;    ///< [m] standard deviation of a range
+  double dropout = 0.0;  ///< probability that a sonar misses an echo
+  /// [rad] Largest angle between a smooth face's normal and the way back to the sonar at which the face still
+  /// throws an echo back. Beyond it, sound is thrown off sideways. pi / 2: rough faces, nothing is lost.
+  double specular_limit = 0.5236;
+  /// Probability that a sonar also hears the call of its neighbours in the list, and takes that echo for its
+  /// own if it comes earlier. 0: they fire one after the other.
+  double cross_talk = 0.0;
+};
+
+/// What one sonar reports.
+struct SonarReading {
+  bool heard = false;  ///< whether there was an echo
+  double range = 0.0;  ///< [m] from the membrane to what it heard; the sonar's `greatest` without an echo
+};
+
+/// Checks ranges; the error names the sonar, counted from 0, and the value.
+Result<void> validate(const SonarModel& model);
+
+}  // namespace fulbito
