@@ -155,8 +155,8 @@ TEST_CASE("lost and late messages cost time, not the rod", "[unit]") {
 }
 
 TEST_CASE("at any instant a cut in either direction stops both robots in time, and they go on", "[unit]") {
-  for (int i = 0; i < 12; ++i) {
-    const double from = 90.003 + 0.0113 * i;  // around the first exchange of roles too
+  for (int i = 0; i < 4; ++i) {
+    const double from = 91.253 + 0.0213 * i;  // around the first exchange of roles too
     for (const auto& [lead, follower] : {std::pair{true, true}, {true, false}, {false, true}}) {
       const Carrying work = carryS(withOutage(from, from + 2.0, lead, follower));
       CHECK(work.end == StopReason::kArrived);

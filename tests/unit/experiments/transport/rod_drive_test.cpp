@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 
 #include "experiments/transport/path_file.hpp"
-#include "experiments/transport/transport_work.hpp"
 
 namespace fulbito {
 namespace {
@@ -58,18 +57,6 @@ TEST_CASE("two robots carry a real rod along the S path", "[unit]") {
   CHECK(drive->rod_error < 0.0005);
   CHECK(drive->peak_force > 0.05);
   CHECK(drive->peak_force < 5.0);
-}
-
-TEST_CASE("speeds that jump are more than the wheels can hold", "[unit]") {
-  const TransportTask task = builtInTransport("s-path");
-  const auto work = workOn(task, {}, {});
-  REQUIRE(work);
-  REQUIRE(work->real.size() == 6);
-  const RodDrive &profile = work->real[3].drive, &jumps = work->real[5].drive;
-  CHECK(work->real[3].pace == Approx(0.4));
-  CHECK(work->real[5].pace == Approx(0.5));
-  CHECK(jumps.peak_force > 2 * profile.peak_force);
-  CHECK(jumps.path_error > 2 * profile.path_error);
 }
 
 TEST_CASE("the controller steers back to the path and goes ahead to its place", "[unit]") {

@@ -1,5 +1,7 @@
 #include "experiments/transport/transport_experiment.hpp"
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "experiments/paper_experiments.hpp"
@@ -15,6 +17,17 @@ Result<ExperimentReport> runWith(std::vector<Setting> settings, int jobs = 1) {
   request.jobs = jobs;
   request.settings = std::move(settings);
   return runPaperExperiment(transportExperiment(), request);
+}
+
+const ReportTable& tableOf(const ExperimentReport& report, const std::string& name) {
+  return *std::find_if(report.tables.begin(), report.tables.end(),
+                       [&](const ReportTable& table) { return table.name == name; });
+}
+
+double numberIn(const ReportTable& table, std::size_t row, const std::string& name) {
+  const auto column = std::find_if(table.columns.begin(), table.columns.end(),
+                                   [&](const ReportColumn& c) { return c.name == name; });
+  return std::get<double>(table.rows[row][static_cast<std::size_t>(column - table.columns.begin())]);
 }
 
 }  // namespace
@@ -34,6 +47,13 @@ TEST_CASE("all bars of the experiment hold, with the same bytes on one and two t
     CHECK_FALSE(table.rows.empty());
     for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
   }
+  // Speeds that jump, five times as fast as the paper's, are more than the wheels can hold.
+  const ReportTable& real = tableOf(*one, "real-rod");
+  REQUIRE(real.rows.size() == 6);
+  CHECK(numberIn(real, 3, "limit_cm_per_s") == Approx(40.0));
+  CHECK(numberIn(real, 5, "limit_cm_per_s") == Approx(50.0));
+  for (const char* column : {"peak_force_N", "path_error_mm", "place_error_mm"})
+    CHECK(numberIn(real, 5, column) > 2 * numberIn(real, 3, column));
 }
 
 TEST_CASE("settings out of their ranges are refused", "[unit]") {
