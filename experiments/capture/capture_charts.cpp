@@ -88,7 +88,8 @@ LineChart captureChart(const CaptureResults& results) {
   ChartLine plan;
   plan.label = "plan";
   plan.dashed = true;
-  for (double t = 0.0; t <= run.driven.motion.duration(); t += 0.25) {
+  for (int i = 0; i * 0.25 <= run.driven.motion.duration(); ++i) {
+    const double t = i * 0.25;
     plan.points.push_back({t, run.driven.motion.at(t).twist.linear});
   }
   chart.lines = {speedLine("robot", run.robot), speedLine("object", run.object), plan};

@@ -26,21 +26,27 @@ void note(CaptureAnswer& answer, CaptureRefusal refusal) {
   answer.refusal = std::max(answer.refusal, refusal);
 }
 
-bool inHall(const CaptureLimits& limits, const CapturePlan& plan) {
-  for (double t = 0.0; t <= plan.motion.duration(); t += kCheckStep) {
-    const Vec2 p = plan.motion.at(t).pose.position;
-    if (std::abs(p.x) > limits.half_hall || std::abs(p.y) > limits.half_hall) return false;
+/// Whether `holds(time, place)` is true all along a plan, from `from` [s] on.
+bool allAlong(const CapturePlan& plan, double from, const auto& holds) {
+  const int checks = static_cast<int>((plan.motion.duration() - from) / kCheckStep);
+  for (int i = 0; i <= checks; ++i) {
+    const double time = from + i * kCheckStep;
+    if (!holds(time, plan.motion.at(time).pose.position)) return false;
   }
   return true;
+}
+
+bool inHall(const CaptureLimits& limits, const CapturePlan& plan) {
+  return allAlong(plan, 0.0, [&](double, Vec2 p) {
+    return std::abs(p.x) <= limits.half_hall && std::abs(p.y) <= limits.half_hall;
+  });
 }
 
 /// Whether the middles stay apart from `from` [s] on.
 bool keepsClear(const CaptureLimits& limits, const ObjectMotion& object, const CapturePlan& plan,
                 double from) {
-  for (double t = from; t <= plan.motion.duration(); t += kCheckStep) {
-    if (distance(plan.motion.at(t).pose.position, object.at(t)) < limits.clearance) return false;
-  }
-  return true;
+  return allAlong(plan, from,
+                  [&](double time, Vec2 p) { return distance(p, object.at(time)) >= limits.clearance; });
 }
 
 /// Takes a plan with the right gap if it is possible and faster than the best one.
@@ -64,7 +70,9 @@ struct Starts {
 
 Starts startsOf(const CaptureLimits& limits, const Pose2& robot, double side, double radius1) {
   Starts starts{side, radius1, {}, {}};
-  for (double turn = limits.largestTurn(radius1); turn > 0.0; turn -= kTurnStep) {
+  const double most = limits.largestTurn(radius1);
+  for (int i = 0; i * kTurnStep < most; ++i) {
+    const double turn = most - i * kTurnStep;
     starts.turns.push_back(turn);
     starts.motions.push_back(captureStart(limits, robot, side, radius1, turn));
   }
@@ -113,7 +121,7 @@ void searchRoots(const CaptureLimits& limits, const CaptureTask& task, const Sta
 /// Slows down where the gap becomes the wanted one, or as near to there as possible: it is linear in `early`.
 std::optional<CapturePlan> withGap(const CaptureLimits& limits, const MotionProfile& motion, double speed,
                                    const ObjectMotion& object, double radius, double gap) {
-  const auto late = captureEnd(limits, motion, speed, object, radius, 0.0);
+  auto late = captureEnd(limits, motion, speed, object, radius, 0.0);
   const auto early = captureEnd(limits, motion, speed, object, radius, 1.0);
   if (!late || !early || late->gap == early->gap) return late;
   const double share = std::clamp((late->gap - gap) / (late->gap - early->gap), 0.0, 1.0);

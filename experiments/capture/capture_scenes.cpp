@@ -101,8 +101,8 @@ ReportScene curveScene(const CaptureResults& results) {
 
 ScenePath planPath(const CapturePlan& plan) {
   ScenePath path{"plan", {}, true};
-  for (double t = 0.0; t < plan.motion.duration(); t += 0.25) {
-    path.points.push_back(plan.motion.at(t).pose.position);
+  for (int i = 0; i * 0.25 < plan.motion.duration(); ++i) {
+    path.points.push_back(plan.motion.at(i * 0.25).pose.position);
   }
   path.points.push_back(plan.motion.end().pose.position);
   return path;
