@@ -48,10 +48,17 @@ cp -r "$root/examples" .
 "$program" replay export trial.fbr --force --trails "$images/trial-trails.png" --size 640
 
 # One layout for every method: docs/navigators.md.
-for navigator in straight vector-field univector tangent-field limit-cycle nearness-diagram bezier-raw bezier hermite \
+for navigator in straight vector-field univector tangent-field limit-cycle nearness-diagram hybrid hybrid-without-nd bezier-raw bezier hermite \
   tangent-graph dwa bspline-time; do
   "$program" run --navigator "$navigator" --layout corner:17 --record way.fbr --force >/dev/null
   "$program" replay export way.fbr --force --trails "$images/navigator-$navigator.png" --size 480
+done
+
+# The pictures of docs/papers.md.
+mkdir -p "$images/papers"
+"$program" experiment hybrid --out papers >/dev/null
+for picture in fig-8 gap lengths; do
+  cp "papers/hybrid/$picture.png" "$images/papers/hybrid-$picture.png"
 done
 
 "$program" compare --suite jung-lee-2015 --trials 1 --out figures >/dev/null

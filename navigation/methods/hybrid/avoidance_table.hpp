@@ -17,7 +17,7 @@ inline constexpr std::size_t kTableSonars = 8;
 
 /// Direction [rad, robot frame] away from the obstacle that the sonar with the least range hears; empty where
 /// that is beyond `ranges.far`. By table 1, (10) and (11), with two corrections:
-///  - alpha = (I1 - S)(90 deg / I1), which vanishes at S = I1; printed is I2 - S (E14),
+///  - alpha = (I1 - S)(90 deg / I1), which vanishes at S = I1; printed is I2 - S,
 ///  - the outermost sonars turn by 10 degrees away from their side instead of 0, since with 0 a robot that
 ///    slides along a wall is never corrected.
 /// @param readings  [m] S of the eight sonars from left to right

@@ -45,9 +45,12 @@ struct HybridParams {
 /// The hybrid of P.-G. Kim et al. (2006): limit cycle round what is ahead, vector field past what is beside,
 /// nearness diagram where obstacles stand densely, with eight ultrasonic sensors in front.
 ///
-/// Limit cycle and vector field see the present readings only. The nearness diagram sees a short memory of
-/// them (`EchoMap`), since eight cones show no gap at once. A robot without range sensors computes what ideal
-/// ones would read among the known obstacles and walls, and its diagram shows these exactly.
+/// The vector field sees the present readings only. Limit cycle and nearness diagram also see a short memory
+/// of them (`EchoMap`), since eight cones show no gap at once. A robot without range sensors computes what
+/// ideal ones would read among the known obstacles and walls, and its diagram shows these exactly.
+///
+/// Ours: the arbitration's thresholds, the memory, the hold of sides, `roomToTurn`, `SideBalance`, and
+/// braking before what lies straight ahead.
 class Hybrid : public Navigator, public HeadingField {
  public:
   using Params = HybridParams;

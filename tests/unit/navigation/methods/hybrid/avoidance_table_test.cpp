@@ -27,13 +27,13 @@ double degrees(std::size_t sonar, double range, double goal = 0.0) {
 
 }  // namespace
 
-TEST_CASE("at I1 the command is the table's angle, on both sides alike (E14)", "[unit]") {
+TEST_CASE("at I1 the command is the table's angle, on both sides alike", "[unit]") {
   const std::array<double, 8> table{-10.0, -30.0, -50.0, -80.0, 80.0, 50.0, 30.0, 10.0};
   for (std::size_t sonar = 0; sonar < table.size(); ++sonar)
     CHECK(degrees(sonar, kRanges.near) == Approx(table[sonar]));
 }
 
-TEST_CASE("nearer than I1 the command turns on by up to 90 degrees, away from the obstacle (E14)", "[unit]") {
+TEST_CASE("nearer than I1 the command turns on by up to 90 degrees, away from the obstacle", "[unit]") {
   CHECK(degrees(2, 0.15) == Approx(-50.0 - 45.0));
   CHECK(degrees(5, 0.15) == Approx(50.0 + 45.0));
   CHECK(degrees(1, 0.0) == Approx(-30.0 - 90.0));

@@ -13,7 +13,8 @@ const OccupancyBoxes kBoxes;  // the paper's: 50 mm wide, 1.5 m long, six a side
 
 }  // namespace
 
-// E15: the section's length is the distance of the two points, its centre their midpoint.
+// docs/papers.md on (7) to (9): the section's length is the distance of the two points, its centre their
+// midpoint.
 TEST_CASE("echoes on one side: the section runs from the nearest to the farthest occupied box", "[unit]") {
   const std::vector<Vec2> left{{1.0, 0.22}, {0.8, 0.03}, {0.9, 0.12}};
   const auto section = frontSection(left, kBoxes);
