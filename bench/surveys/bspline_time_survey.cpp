@@ -67,7 +67,7 @@ TEST_CASE("survey six robots", "[survey]") {
       for (std::size_t j = 0; j < 6; ++j) {
         if (j != i) others.push_back({bodies[j].state.pose.position, radius, bodies[j].state.velocity});
       }
-      NavigationScene scene{tick, 1.0 / 60.0, bodies[i].state, goals[i], others, &field, &robot};
+      NavigationScene scene{tick, 1.0 / 60.0, bodies[i].state, goals[i], others, &field, &robot, {}};
       wheels[i] = pilots[i]->drive(scene);
     }
     const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - begin;
