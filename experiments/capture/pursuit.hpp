@@ -46,7 +46,7 @@ struct PursuitResult {
   std::vector<ObjectMotion> estimates;  ///< per sighting since the start
 };
 
-/// Watches the object for 4 s, plans, drives. The object is seen ten times a second all the time. Once the
+/// Watches the object for 6.5 s, plans, drives. The object is seen ten times a second all the time. Once the
 /// robot drives straight, line and last curve are planned again with what is known by then; after that the
 /// plan shifts with the estimate. Errors: of the world.
 Result<PursuitResult> pursue(const PursuitSetup& setup);

@@ -178,6 +178,8 @@ class RobotModel:
     spin_slow_ratio: float = 1.0
     spin_fast_speed: float = 0.0
     spin_fast_ratio: float = 1.0
+    curve_widening: float = 0.0
+    curve_widening_rise: float = 0.0
     friction: float = 0.0
     restitution: float = 0.0
 
