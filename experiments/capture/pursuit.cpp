@@ -14,7 +14,8 @@ namespace fulbito::capture {
 namespace {
 
 // [s] before the start. A line through n places with errors of s over T seconds has a speed error of
-// s sqrt(12 / n) / T. With s = 2 cm, ten a second, 6.5 s tell the place 30 s ahead to 4.5 cm, a fifth of the gap.
+// s sqrt(12 / n) / T. With s = 2 cm, ten a second, 6.5 s tell the place 30 s ahead to 4.5 cm, a fifth of the
+// gap.
 constexpr double kWatch = 6.5;
 constexpr int kSightingTicks = 6;     // ten sightings a second
 constexpr double kShiftSpeed = 0.02;  // [m/s] at most, by which the plan shifts with the estimate
