@@ -85,7 +85,7 @@ struct ReportScene {
   std::vector<std::string> labels;  ///< of the first bodies, for the legend; may be empty
 };
 
-/// Fills in what every scene of one play has alike: its play, its ticks, facts about the build.
+/// Fills in what every scene of one play has alike: its play, its ticks, facts about robots and build.
 void finishScene(ReportScene& scene);
 
 /// What an experiment gives.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "fulbito/detail/build_info.hpp"
@@ -21,6 +23,8 @@ Json matchConfigJson(const MatchConfig& config);
 Json buildJson(const BuildInfo& build = buildInfo());
 /// Score by the teams' colours.
 Json scoreJson(const PerTeam<int>& score);
+/// JSON has no NaN and no infinity: null means "no value".
+inline Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 /// Sixteen hexadecimal digits.
 std::string hashText(std::uint64_t hash);
 

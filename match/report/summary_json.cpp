@@ -6,9 +6,6 @@
 namespace fulbito {
 namespace {
 
-/// JSON has no NaN: null means "no value".
-Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
 Json teamsJson(const PerTeam<TeamChoice>& teams, const char* first, const char* second) {
   return {{first, teams[0].text}, {second, teams[1].text}};
 }

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -9,8 +7,6 @@
 
 namespace fulbito {
 namespace {
-
-Json numberOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json intervalJson(const Interval& interval) {
   return {{"value", numberOrNull(interval.value)},

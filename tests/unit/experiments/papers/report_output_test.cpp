@@ -102,6 +102,7 @@ TEST_CASE("experiment scene: the viewer's page takes it") {
   const auto page = htmlPage({PageKind::kRaces, "Scenes", {drivingScene().page}});
   REQUIRE(page);
   CHECK(page->find("Drive") != std::string::npos);
+  CHECK(page->find("[\"Robot 1\",\"robot\"]") != std::string::npos);
 }
 
 }  // namespace
