@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "fulbito/statistics.hpp"
 #include "match/report/match_json.hpp"
 

@@ -13,7 +13,7 @@ export PATH="$work/bin:$PATH"
 count=0
 for page in "$root"/README.md "$root"/CONTRIBUTING.md "$root"/docs/*.md; do
   mkdir -p "$work/run/examples"
-  cp -r "$root/examples/teams" "$work/run/examples"
+  cp -r "$root/examples/teams" "$root/examples/paths" "$work/run/examples"
   cd "$work/run"
   while IFS= read -r line; do
     case "$line" in
