@@ -161,6 +161,7 @@ void drawTrail(const FieldView& view, const ReportScene& scene, std::size_t body
   const PageScene& page = scene.page;
   const Colour colour = colourOf(scene, body);
   std::vector<Vec2> trail;
+  trail.reserve(row + 1);
   for (std::size_t r = 0; r <= row; ++r) trail.push_back(view.at(page.rows[r].poses[body].position));
   if (whole) {
     const std::size_t every = std::max<std::size_t>(1, row / kOutlines);
@@ -175,6 +176,7 @@ void drawPaths(const FieldView& view, const ReportScene& scene) {
   for (std::size_t i = 0; i < scene.paths.size(); ++i) {
     const ScenePath& path = scene.paths[i];
     std::vector<Vec2> pixels;
+    pixels.reserve(path.points.size());
     for (const Vec2 point : path.points) pixels.push_back(view.at(point));
     const Colour colour = seriesColour(scene.labels.size() + i);
     if (path.dashed) {
