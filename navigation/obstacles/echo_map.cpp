@@ -56,7 +56,8 @@ void EchoMap::reset() {
 
 EchoMap::Cell& EchoMap::at(int x, int y) {
   const int mask = stride_ - 1;
-  return cells_[static_cast<std::size_t>((y & mask) * stride_ + (x & mask))];
+  return cells_[static_cast<std::size_t>(y & mask) * static_cast<std::size_t>(stride_) +
+                static_cast<std::size_t>(x & mask)];
 }
 
 const EchoMap::Cell& EchoMap::at(int x, int y) const { return const_cast<EchoMap*>(this)->at(x, y); }
@@ -151,7 +152,7 @@ void EchoMap::forOccupied(const Work& work) const {
   const int mask = stride_ - 1;
   const auto threshold = static_cast<float>(settings_.threshold);
   for (int y = y_; y < y_ + size_; ++y) {
-    const Cell* row = &cells_[static_cast<std::size_t>((y & mask) * stride_)];
+    const Cell* row = &cells_[static_cast<std::size_t>(y & mask) * static_cast<std::size_t>(stride_)];
     for (int x = x_; x < x_ + size_; ++x) {
       // Nearly all cells fail the first test.
       const Cell& cell = row[x & mask];
