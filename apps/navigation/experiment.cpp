@@ -80,6 +80,10 @@ Result<std::vector<const PaperExperiment*>> chosen(const std::string& name) {
 }
 
 Result<void> runChosen(const ExperimentCommand& command) {
+  if (command.name == "all" && !command.settings.empty()) {
+    return fail(ErrorCode::kUsage,
+                "--set: settings belong to one experiment; they cannot be used with 'all'");
+  }
   const auto request = requestOf(command);
   if (!request) return tl::unexpected<Error>(request.error());
   const auto experiments = chosen(command.name);

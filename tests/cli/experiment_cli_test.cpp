@@ -29,6 +29,7 @@ TEST_CASE("experiment refuses unknown names and settings with a suggestion", "[c
   CHECK(setting.code == 2);
   CHECK(contains(setting.err, "Did you mean 'step'?"));
   CHECK(box.run("experiment transport --set step").code == 2);
+  CHECK(box.run("experiment all --set step=0.1").code == 2);
   CHECK(box.run("experiment transport --set step=never").code == 2);
   CHECK(box.run("experiment transport --set path=no-such-file").code != 0);
 }
