@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fulbito/match.hpp"
+
+namespace fulbito {
+
+/// The kinds of starts of a match.
+enum class StartKind : std::uint8_t {
+  kKickOff,   ///< the rules' own start
+  kFreeBall,  ///< at one of the four marks
+  kPenalty,
+  kGoalKick,
+  kPlay  ///< a state from the middle of play
+};
+inline constexpr std::size_t kStartKinds = 5;
+/// "kick-off", "free-ball", "penalty", "goal-kick", "play".
+std::string_view nameOf(StartKind kind);
+/// The kind of that name, if any.
+std::optional<StartKind> startKindOf(std::string_view name);
+
+/// A book of starts: a pure function of this and the number of a start.
+struct BookConfig {
+  std::vector<StartKind> kinds{StartKind::kKickOff};  ///< they take turns; a kind may be listed once
+  std::uint64_t seed = 1;
+};
+
+/// One start of a book.
+struct BookEntry {
+  StartKind kind = StartKind::kKickOff;
+  std::string name;  ///< unique in the book: "kick-off:0", "free-ball:17"
+};
+
+/// Kind and name of start number `index`, at no cost.
+BookEntry bookEntry(const BookConfig& book, std::size_t index);
+
+/// Begins `match` with that start: sets its placement, opening and scoreboard. A kick-off changes nothing.
+/// Errors: kUsage or kBadInput when the rules do not allow the start.
+Result<void> applyStart(const BookConfig& book, std::size_t index, MatchConfig& match);
+
+/// Checks that kinds are listed, each once, and that no start file is given besides. Errors: kUsage.
+Result<void> validate(const BookConfig& book);
+
+}  // namespace fulbito

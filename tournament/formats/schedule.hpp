@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tournament/plan/plan.hpp"
+#include "tournament/results/results.hpp"
+
+namespace fulbito {
+
+/// What is known of the fixtures of a tournament. A fixture's place in the list is its number; the list only
+/// ever grows, so numbers stay.
+struct Schedule {
+  std::vector<Fixture> fixtures;
+  bool complete = false;  ///< no fixture follows, whatever the results
+};
+
+/// Results by number of the fixture; shorter than the schedule or with gaps while matches are missing.
+using FixtureResults = std::vector<std::optional<PairResult>>;
+
+/// The fixtures that follow from the results so far: a pure function. Formats whose rounds depend on results
+/// (knock-out, Swiss, ladder) add a round once all fixtures before it have results. A sequential test does
+/// not shorten the schedule.
+Schedule scheduleOf(const TournamentPlan& plan, const FixtureResults& results);
+
+/// Checks numbers of entrants, pairs, rounds and groups for the format. Errors: kUsage naming the key.
+Result<void> validateFormat(const TournamentPlan& plan);
+
+}  // namespace fulbito

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tournament/formats/schedule.hpp"
+#include "tournament/identity/identity.hpp"
+#include "tournament/statistics/sprt.hpp"
+#include "tournament/store/match_store.hpp"
+
+namespace fulbito {
+
+/// A part of a tournament for one of several machines: fixtures whose number leaves `index` when divided by
+/// `count`.
+struct Shard {
+  std::size_t index = 0;
+  std::size_t count = 1;
+  bool has(std::size_t fixture) const { return fixture % count == index; }
+};
+
+/// The state of a tournament: the plan and what has been played of it.
+struct TournamentState {
+  TournamentPlan plan;
+  Schedule schedule;
+  FixtureResults results;    ///< by number of the fixture; as long as the schedule
+  std::optional<Sprt> sprt;  ///< fed with the results before the first gap; of a plan with a test
+  /// Fixtures that count: all, or up to the verdict of the test.
+  std::size_t counted = 0;
+  /// Whether nothing is left to play.
+  bool finished() const;
+};
+
+/// A match that was played twice with different results.
+struct Mismatch {
+  Fixture fixture;
+  std::size_t leg = 0;
+  MatchResult first, second;
+};
+
+/// What a run tells while it goes on.
+struct RunProgress {
+  std::size_t done = 0;        ///< matches with results, of this shard
+  std::size_t known = 0;       ///< matches that are known to be needed so far, at most; of this shard
+  std::size_t failures = 0;    ///< matches so far that a team crashed in or forfeited
+  const Sprt* sprt = nullptr;  ///< of a plan with a test
+};
+
+/// How a tournament is run. None of this affects its results.
+struct RunOptions {
+  int jobs = 0;  ///< matches at once; 0: one per core
+  Shard shard;
+  MatchClock clock;                   ///< monotonic time [ns]
+  MatchStore* log = nullptr;          ///< finished matches; required
+  const MatchCache* cache = nullptr;  ///< matches of other tournaments; optional
+  double verify = 0.0;                ///< share of the matches to play again and compare, 0 ... 1
+  int retries = 2;                    ///< further attempts of a match that the machine failed
+  /// Called with each finished match, from one thread at a time. False stops the run.
+  std::function<bool(const RunProgress&)> progress;
+  /// Called before each match is played, with an observer of its own to return, or null.
+  std::function<Result<std::unique_ptr<MatchObserver>>(const Fixture&, std::size_t leg, const MatchConfig&,
+                                                       const MatchId&)>
+      observe;
+};
+
+/// The result of a run.
+struct RunOutcome {
+  TournamentState state;
+  std::vector<Mismatch> mismatches;  ///< of `verify`
+  std::size_t played = 0;            ///< matches of this run
+  std::size_t taken = 0;             ///< from log or cache
+  std::size_t retried = 0;           ///< attempts that the machine failed
+  bool interrupted = false;
+};
+
+/// The configuration of leg 0 or 1 of a fixture. Errors: as `applyStart`.
+Result<MatchConfig> matchOf(const TournamentPlan& plan, const Fixture& fixture, std::size_t leg);
+
+/// Plays what is missing. Matches that the log or the cache has are not played again. Errors: of the plan,
+/// kUsage; of a match; kIo of the log, with all results before it kept.
+Result<RunOutcome> runTournament(const TournamentPlan& plan, const RunOptions& options);
+
+/// What the log has of a tournament. Errors: of the plan.
+Result<TournamentState> stateOf(const TournamentPlan& plan, const MatchStore& log);
+
+}  // namespace fulbito
