@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/match/team_flags.hpp"
+#include "apps/common/team_flags.hpp"
 #include "fulbito/match.hpp"
 
 namespace CLI {
@@ -34,9 +34,12 @@ struct MatchSettings {
 };
 
 /// Adds the options; the teams are left to the command.
-void addMatchSettings(CLI::App& command, MatchSettings& settings);
+/// @param seats  whom the two values of a list belong to
+void addMatchSettings(CLI::App& command, MatchSettings& settings, const char* seats = "BLUE,YELLOW");
 
 /// The match that they describe. Errors: as the loaders of its parts, kUsage naming the flag.
 Result<MatchConfig> configOf(const MatchSettings& settings);
+/// The same with empty teams.
+Result<MatchConfig> configWithoutTeams(const MatchSettings& settings);
 
 }  // namespace fulbito::app

@@ -1,4 +1,4 @@
-#include "apps/match/match_settings.hpp"
+#include "apps/common/match_settings.hpp"
 
 #include <charconv>
 #include <limits>
@@ -81,6 +81,12 @@ Result<MatchConfig> configOf(const MatchSettings& settings) {
   auto blue = catalogue.parse(settings.blue), yellow = catalogue.parse(settings.yellow);
   if (!blue) return tl::unexpected<Error>(blue.error());
   if (!yellow) return tl::unexpected<Error>(yellow.error());
+  auto config = configWithoutTeams(settings);
+  if (config) config->teams = {std::move(*blue), std::move(*yellow)};
+  return config;
+}
+
+Result<MatchConfig> configWithoutTeams(const MatchSettings& settings) {
   auto rules = loadRules(settings.rules);
   if (!rules) return tl::unexpected<Error>(rules.error());
   auto field = loadField(rules->field);
@@ -90,7 +96,6 @@ Result<MatchConfig> configOf(const MatchSettings& settings) {
   auto physics = loadPhysics(settings.physics);
   if (!physics) return tl::unexpected<Error>(physics.error());
   MatchConfig config;
-  config.teams = {std::move(*blue), std::move(*yellow)};
   config.rules = std::move(*rules);
   if (auto shortened = shorten(settings, config.rules); !shortened) {
     return tl::unexpected<Error>(shortened.error());
@@ -112,7 +117,7 @@ Result<MatchConfig> configOf(const MatchSettings& settings) {
   return config;
 }
 
-void addMatchSettings(CLI::App& command, MatchSettings& settings) {
+void addMatchSettings(CLI::App& command, MatchSettings& settings, const char* seats) {
   command.add_option("--rules", settings.rules, "rules profile or TOML file")->capture_default_str();
   command.add_option("--physics", settings.physics, "physics profile or TOML file")->capture_default_str();
   command.add_option("--robot", settings.robot, "robot preset or TOML file, for both teams")
@@ -130,7 +135,7 @@ void addMatchSettings(CLI::App& command, MatchSettings& settings) {
   };
   per_team(wholeNumber(
       command.add_option("--latency", settings.latency_ticks,
-                         "age of observations in ticks, 0 ... 60: for both teams, or BLUE,YELLOW"),
+                         fmt::format("age of observations in ticks, 0 ... 60: for all teams, or {}", seats)),
       0, kManyTicks));
   per_team(number(command.add_option("--noise", settings.position_noise,
                                      "standard deviation of observed positions [m], 0 ... 0.1")));

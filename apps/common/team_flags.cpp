@@ -1,4 +1,4 @@
-#include "apps/match/team_flags.hpp"
+#include "apps/common/team_flags.hpp"
 
 #include <CLI/CLI.hpp>
 
