@@ -22,9 +22,6 @@ struct GateReport {
   double wall = 0.0;    ///< [s] wall time
 };
 
-/// Checks bounds and error rates. Errors: kUsage.
-Result<void> validate(const SprtBounds& bounds);
-
 /// Plays until the verdict, or the last pair: then the test is inconclusive. The number of jobs does not
 /// affect the result. Errors: kUsage for bounds; as `playSeries`.
 Result<GateReport> runGate(const GateConfig& config, const SeriesProgress& progress = {});

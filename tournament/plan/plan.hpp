@@ -65,4 +65,13 @@ struct Fixture {
   std::size_t start = 0;
 };
 
+/// Seed of both matches of a pair with that start. The first start uses the tournament's seed.
+std::uint64_t seedOfStart(std::uint64_t seed, std::size_t start);
+
+/// Checks bounds and error rates. Errors: kUsage.
+Result<void> validate(const SprtBounds& bounds);
+
+/// Checks names and the test; `validateFormat` and `validate` of the book check the rest. Errors: kUsage.
+Result<void> validate(const TournamentPlan& plan);
+
 }  // namespace fulbito
