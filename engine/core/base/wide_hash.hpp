@@ -17,8 +17,8 @@ std::string hexText(const WideHashValue& value);
 /// The hash of these bytes, in one go.
 WideHashValue wideHash(std::string_view bytes);
 
-/// Running hash (XXH3-128) of values in a fixed order. It tells contents apart that differ by accident: two of
-/// a million of them agree with a probability of 1e-27. It does not resist an attack.
+/// Running hash (XXH3-128) of values in a fixed order. It tells contents apart that differ by accident: two
+/// of a million of them agree with a probability of 1e-27. It does not resist an attack.
 class WideHash {
  public:
   WideHash();
