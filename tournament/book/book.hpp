@@ -39,6 +39,15 @@ struct BookEntry {
 /// Kind and name of start number `index`, at no cost.
 BookEntry bookEntry(const BookConfig& book, std::size_t index);
 
+/// What determines a start, given the match and this program. The same in every book that has the start.
+struct StartKey {
+  StartKind kind = StartKind::kKickOff;
+  std::uint64_t seed = 0;  ///< of the book; 0 where the start does not depend on it
+  std::uint64_t turn = 0;  ///< number of the start among those of its kind, likewise
+};
+/// The key of start number `index`, at no cost.
+StartKey startKey(const BookConfig& book, std::size_t index);
+
 /// Begins `match` with that start: sets its placement, opening and scoreboard. A kick-off changes nothing.
 /// Errors: kUsage or kBadInput when the rules do not allow the start.
 Result<void> applyStart(const BookConfig& book, std::size_t index, MatchConfig& match);
