@@ -38,7 +38,7 @@ Result<void> checkRepeats(const TournamentPlan& plan, MatchIdentity& identity) {
     const auto repeats = repeatsItself(plan.entrants[i].team);
     if (!repeats) return tl::unexpected<Error>(repeats.error());
     if (*repeats) continue;
-    identity.markNotDeterministic(i);
+    identity.markVarying(i);
     note("note: {} does not repeat its decisions; its matches are never taken from the cache\n",
          plan.entrants[i].name);
   }

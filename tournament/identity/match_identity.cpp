@@ -108,16 +108,38 @@ WideHashValue hashOf(const std::array<std::uint64_t, N>& words) {
 
 }  // namespace
 
+void MatchIdentity::addTeam(TeamIdentity team, const VisionModel& vision) {
+  players_.push_back(playerHash(team, vision));
+  teams_.push_back(std::move(team));
+}
+
 Result<MatchIdentity> MatchIdentity::create(const TournamentPlan& plan) {
   MatchIdentity identity;
   identity.seed_ = plan.seed;
   identity.book_ = plan.book;
+  identity.engine_ = engineIdentity();
   identity.base_ = sharedHash(plan.match);
   for (std::size_t i = 0; i < plan.entrants.size(); ++i) {
     auto team = identityOf(plan.entrants[i]);
     if (!team) return tl::unexpected<Error>(team.error());
-    identity.players_.push_back(playerHash(*team, plan.match.vision[i == 0 ? 0 : 1]));
-    identity.teams_.push_back(std::move(*team));
+    identity.addTeam(std::move(*team), plan.match.vision[i == 0 ? 0 : 1]);
+  }
+  return identity;
+}
+
+Result<MatchIdentity> MatchIdentity::restore(const TournamentPlan& plan, std::string engine,
+                                             std::string_view base, std::vector<TeamIdentity> teams) {
+  const auto shared = MatchId::parse(base);
+  if (!shared || teams.size() != plan.entrants.size()) {
+    return fail(ErrorCode::kBadInput, "identities do not belong to the plan");
+  }
+  MatchIdentity identity;
+  identity.seed_ = plan.seed;
+  identity.book_ = plan.book;
+  identity.engine_ = std::move(engine);
+  identity.base_ = shared->words;
+  for (std::size_t i = 0; i < teams.size(); ++i) {
+    identity.addTeam(std::move(teams[i]), plan.match.vision[i == 0 ? 0 : 1]);
   }
   return identity;
 }

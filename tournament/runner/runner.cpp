@@ -76,7 +76,8 @@ bool Run::sampled(const MatchId& id) const {
 }
 
 bool Run::repeatable(const Fixture& fixture) const {
-  return identity_.teams()[fixture.a].deterministic && identity_.teams()[fixture.b].deterministic;
+  const TeamIdentity &a = identity_.teams()[fixture.a], &b = identity_.teams()[fixture.b];
+  return a.deterministic && a.repeats && b.deterministic && b.repeats;
 }
 
 MatchRow Run::rowOf(const Task& task, const MatchResult& result) const {
