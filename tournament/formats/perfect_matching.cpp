@@ -9,10 +9,12 @@ OpenMeetings::OpenMeetings(std::size_t size) : size_(size), open_(size * size, t
   for (std::size_t i = 0; i < size; ++i) close(i, i);
 }
 
-PerfectMatching::PerfectMatching(const OpenMeetings& open)
+PerfectMatching::PerfectMatching(const OpenMeetings& open, std::size_t sum)
     : open_(open), mate_(open.size(), kNone), settled_(open.size()) {
-  for (std::size_t a = 0; a < mate_.size(); ++a) {
-    for (std::size_t b = a + 1; b < mate_.size() && mate_[a] == kNone; ++b) {
+  const std::size_t size = open.size();
+  for (std::size_t a = 0; a < size; ++a) {
+    for (std::size_t k = 0; k < size && mate_[a] == kNone; ++k) {
+      const std::size_t b = (sum % size + size - a + k) % size;
       if (mate_[b] == kNone && open_.has(a, b)) join(a, b);
     }
   }
@@ -34,6 +36,10 @@ bool PerfectMatching::settle(std::size_t a, std::size_t b) {
   join(a, b);
   settled_[a] = settled_[b] = true;
   if (left == b) return true;
+  if (open_.has(left, right)) {
+    join(left, right);
+    return true;
+  }
   mate_[left] = mate_[right] = kNone;
   if (augment(left)) return true;
   settled_[a] = settled_[b] = false;

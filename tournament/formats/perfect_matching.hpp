@@ -25,11 +25,14 @@ class OpenMeetings {
 /// 1965). Whether a pair can be settled does not depend on the pairing that the method finds.
 class PerfectMatching {
  public:
-  /// The possible meetings must outlive it.
-  explicit PerfectMatching(const OpenMeetings& open);
+  /// The possible meetings must outlive it. Entrants whose numbers add up to `sum`, counted in a circle, are
+  /// paired first: so different sums give different pairings.
+  explicit PerfectMatching(const OpenMeetings& open, std::size_t sum = 0);
 
   /// Whether all can be paired.
   bool exists() const;
+  /// The opponent of each, if it exists.
+  const std::vector<std::size_t>& opponents() const { return mate_; }
   /// Takes out A and B as a pair if they may meet and the others can still be paired. Both must wait, and all
   /// must be pairable. Otherwise nothing changes.
   bool settle(std::size_t a, std::size_t b);

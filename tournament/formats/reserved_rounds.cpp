@@ -9,7 +9,9 @@ namespace {
 using Mates = std::vector<std::size_t>;
 using Points = std::vector<double>;
 
-constexpr int kMostSweeps = 20;  // bounds the time of long tournaments; a few suffice
+constexpr std::size_t kMostRenewed = 64;  // places: beyond, a search takes long
+constexpr std::size_t kAttempts = 8;      // the first one succeeds mostly
+constexpr int kMostSweeps = 20;           // bounds the time of long tournaments; a few suffice
 
 Mates matesOf(const Pairing& pairs) {
   Mates mates(2 * pairs.size());
@@ -74,11 +76,36 @@ Pairing pairsOf(const Mates& mates, const Points& points) {
   return pairs;
 }
 
+/// Takes pairings out of the possible meetings, one after the other; fewer than `count` if there is none
+/// left.
+std::vector<Mates> disjointRounds(OpenMeetings open, std::size_t count, std::size_t first_sum) {
+  std::vector<Mates> rounds;
+  while (rounds.size() < count) {
+    const PerfectMatching matching(open, first_sum + rounds.size());
+    if (!matching.exists()) break;
+    rounds.push_back(matching.opponents());
+    for (std::size_t i = 0; i < open.size(); ++i) open.close(i, rounds.back()[i]);
+  }
+  return rounds;
+}
+
 }  // namespace
 
 ReservedRounds::ReservedRounds(std::size_t places, std::size_t rounds) {
   rounds_.reserve(rounds);
   for (std::size_t round = 0; round < rounds; ++round) rounds_.push_back(matesOf(circleRound(places, round)));
+}
+
+bool ReservedRounds::renew(const OpenMeetings& after_next) {
+  if (after_next.size() > kMostRenewed) return false;
+  const std::size_t count = rounds_.size() - 1;
+  for (std::size_t attempt = 0; attempt < kAttempts; ++attempt) {
+    auto rounds = disjointRounds(after_next, count, attempt);
+    if (rounds.size() < count) continue;
+    rounds_ = std::move(rounds);
+    return true;
+  }
+  return false;
 }
 
 Pairing ReservedRounds::take(std::vector<double> points) {

@@ -31,6 +31,11 @@ std::vector<std::size_t> preferences(const std::vector<std::size_t>& waiting,
   return choice;
 }
 
+OpenMeetings without(OpenMeetings open, const Pairing& pairs) {
+  for (const auto& [a, b] : pairs) open.close(a, b);
+  return open;
+}
+
 }  // namespace
 
 SwissPairing::SwissPairing(std::size_t entrants, std::size_t rounds)
@@ -62,8 +67,13 @@ Pairing SwissPairing::preferred(const std::vector<double>& points) const {
 }
 
 Pairing SwissPairing::next(const std::vector<double>& points) {
-  Pairing pairs = reserved_.empty() ? preferred(points) : reserved_.take(points);
-  for (const auto& [a, b] : pairs) open_.close(a, b);
+  Pairing pairs = preferred(points);
+  OpenMeetings after = without(open_, pairs);
+  if (!reserved_.empty() && !reserved_.renew(after)) {
+    pairs = reserved_.take(points);
+    after = without(open_, pairs);
+  }
+  open_ = std::move(after);
   return pairs;
 }
 

@@ -15,7 +15,7 @@ namespace fulbito {
 /// - At most n / 2 rounds: before each, everyone has at least n / 2 possible opponents. By Dirac's theorem
 /// (1952)
 ///   the possible meetings contain a cycle through all n, and every second one of it is a pairing.
-/// - More rounds: `ReservedRounds`.
+/// - More rounds: pairings for all rounds to come are known at any time (`ReservedRounds`).
 class SwissPairing {
  public:
   /// Fewer rounds than entrants; at least 2 entrants.
@@ -26,7 +26,8 @@ class SwissPairing {
   ///
   /// Of a group with equal points, the upper half meets the lower half; who finds no opponent there meets
   /// the best possible one below. The bye goes to the last who had none. A choice that leaves the others
-  /// without a pairing is passed over.
+  /// without a pairing is passed over. A long tournament, for which no later rounds are found after this
+  /// choice, plays the reserved round with the most equal points instead.
   Pairing next(const std::vector<double>& points);
 
  private:

@@ -83,44 +83,44 @@ TEST_CASE("ties in a league: goal difference, then goals scored", "[unit]") {
   CHECK(reasonsOf(table) == Reasons{"", "goals scored", "goal difference", ""});
 }
 
-TEST_CASE("ties in a league: the matches between those who are tied", "[unit]") {
-  const TournamentPlan plan = planOf(TournamentFormat::kRoundRobin, 4);
-  // 0 beats 1 beats 2 beats 0, all twice and 3 aside; the goal differences are level in all but not among
-  // the three.
-  const auto table = tableOf(plan, {{{0, 1}, pairOf(3, 0, 1, 0)},
-                                    {{1, 2}, pairOf(2, 0, 1, 0)},
-                                    {{0, 2}, pairOf(0, 1, 0, 1)},
-                                    {{0, 3}, pairOf(1, 0, 1, 0)},
-                                    {{1, 3}, pairOf(3, 0, 2, 1)},
-                                    {{2, 3}, pairOf(2, 0, 3, 0)}});
-  CHECK(orderOf(table) == "2 0 1 3");
-  CHECK(reasonsOf(table)[1] == "goal difference");
+TEST_CASE("ties in a league: points of the matches between those who are tied", "[unit]") {
+  // 0 and 1 have 5 points and goals 2:2. 1 won and drew against 0.
+  const auto table =
+      tableOf(planOf(TournamentFormat::kRoundRobin, 3),
+              {{{0, 1}, pairOf(0, 1, 0, 0)}, {{0, 2}, pairOf(2, 1, 0, 0)}, {{1, 2}, pairOf(0, 0, 1, 2)}});
+  CHECK(orderOf(table) == "2 1 0");
+  CHECK(reasonsOf(table) == Reasons{"", "goals scored", "points between those tied"});
 }
 
-TEST_CASE("points between those tied decide before their goals, and the rest starts again", "[unit]") {
-  const TournamentPlan plan = planOf(TournamentFormat::kRoundRobin, 5);
-  // 0, 1, 2 have 12 points and goals 5:3 each; 0 took 4 points of 6 from both others, who drew.
-  const Scores scores{
-      {{0, 1}, pairOf(1, 0, 0, 0)}, {{0, 2}, pairOf(1, 0, 0, 0)}, {{1, 2}, pairOf(0, 0, 0, 0)},
-      {{0, 3}, pairOf(0, 1, 1, 0)}, {{0, 4}, pairOf(2, 0, 0, 2)}, {{1, 3}, pairOf(2, 0, 1, 1)},
-      {{1, 4}, pairOf(1, 0, 1, 1)}, {{2, 3}, pairOf(2, 0, 1, 1)}, {{2, 4}, pairOf(1, 0, 1, 1)}};
-  auto table = tableOf(plan, scores);
-  std::map<std::size_t, Standing> lines;
-  for (const Standing& line : table) lines[line.entrant] = line;
-  REQUIRE(lines[1].points == lines[2].points);
-  REQUIRE(lines[0].points == 14);
-  REQUIRE(lines[1].points == 11);
-  // 1 and 2 are level in everything: they share a rank.
-  CHECK(lines[1].rank == lines[2].rank);
+TEST_CASE("ties in a league: goal difference of the matches between those who are tied", "[unit]") {
+  // 0 and 1 have 6 points and goals 4:4. Each won once against the other, 1 by more.
+  const auto table =
+      tableOf(planOf(TournamentFormat::kRoundRobin, 3),
+              {{{0, 1}, pairOf(0, 2, 1, 0)}, {{0, 2}, pairOf(3, 1, 0, 1)}, {{1, 2}, pairOf(2, 1, 0, 2)}});
+  CHECK(orderOf(table) == "2 1 0");
+  CHECK(reasonsOf(table) == Reasons{"", "goals scored", "goal difference between those tied"});
 }
 
-TEST_CASE("two who are level in all matches are separated by their own", "[unit]") {
-  const TournamentPlan plan = planOf(TournamentFormat::kRoundRobin, 3);
-  // 1 beats 0 once and 0 makes good for it against 2, with the same goals in all.
-  const auto table = tableOf(
-      plan, {{{0, 1}, pairOf(0, 1, 0, 0)}, {{0, 2}, pairOf(2, 0, 0, 0)}, {{1, 2}, pairOf(1, 1, 0, 1)}});
-  REQUIRE(table[0].points == table[1].points + (table[0].points - table[1].points));
-  CHECK(orderOf(table) == "1 0 2");
+TEST_CASE("ties in a league: who is not separated starts again among themselves", "[unit]") {
+  // 0, 1 and 2 have 10 points and goals 3:2. Among them 0 has 9 points, 1 and 2 have 4 and goals 1:2;
+  // between these two, 2 won and drew.
+  const auto table = tableOf(planOf(TournamentFormat::kRoundRobin, 4), {{{0, 1}, pairOf(1, 0, 0, 1)},
+                                                                        {{0, 2}, pairOf(1, 0, 1, 0)},
+                                                                        {{1, 2}, pairOf(0, 1, 0, 0)},
+                                                                        {{0, 3}, pairOf(0, 0, 0, 1)},
+                                                                        {{1, 3}, pairOf(1, 0, 1, 0)},
+                                                                        {{2, 3}, pairOf(1, 0, 1, 0)}});
+  CHECK(orderOf(table) == "0 2 1 3");
+  CHECK(reasonsOf(table) == Reasons{"", "points between those tied", "points between those tied", ""});
+}
+
+TEST_CASE("ties in a league: who is level in everything shares a rank", "[unit]") {
+  // Each wins and draws against the next in a circle.
+  const auto table =
+      tableOf(planOf(TournamentFormat::kRoundRobin, 3),
+              {{{0, 1}, pairOf(0, 1, 0, 0)}, {{0, 2}, pairOf(1, 0, 0, 0)}, {{1, 2}, pairOf(0, 0, 0, 1)}});
+  CHECK(orderOf(table) == "0 =1 =2");
+  CHECK(reasonsOf(table) == Reasons{"", "", ""});
 }
 
 TEST_CASE("a walk-over is the last tie-break", "[unit]") {

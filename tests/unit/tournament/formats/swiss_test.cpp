@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -136,22 +137,15 @@ TEST_CASE("a pairing that leaves others without an opponent is passed over", "[u
 
 TEST_CASE("nobody meets twice or rests twice, for all numbers of rounds below the entrants", "[unit]") {
   for (std::size_t entrants = 2; entrants <= 40; ++entrants) {
-    std::set<int> all{0,
-                      1,
-                      2,
-                      3,
-                      static_cast<int>(entrants / 2),
-                      static_cast<int>(entrants / 2 + 1),
-                      static_cast<int>(entrants - 2),
-                      static_cast<int>(entrants - 1)};
-    if (entrants <= 14) {
-      for (int rounds = 0; rounds < static_cast<int>(entrants); ++rounds) all.insert(rounds);
-    }
+    const int half = static_cast<int>(entrants / 2), most = static_cast<int>(entrants - 1);
+    std::set<int> all{0, half, half + 1};
+    if (entrants <= 16 || entrants % 10 == 0) all.insert({3, most - 1, most});
+    for (int rounds = 1; rounds <= most && entrants <= 10; ++rounds) all.insert(rounds);
     for (const int rounds : all) {
       TournamentPlan plan = planOf(TournamentFormat::kSwiss, entrants);
       plan.rounds = rounds;
       if (!validateFormat(plan)) continue;
-      for (std::uint64_t seed = 0; seed < 5; ++seed) {
+      for (std::uint64_t seed = 0; seed < 2; ++seed) {
         CAPTURE(entrants, rounds, seed);
         checkRounds(plan, playInOrder(plan, randomPlay(seed)).schedule);
       }
@@ -162,27 +156,24 @@ TEST_CASE("nobody meets twice or rests twice, for all numbers of rounds below th
 }
 
 TEST_CASE("opponents of a Swiss round have about equal points, in short and long tournaments", "[unit]") {
-  constexpr std::size_t kEntrants = 16;
-  const int rounds = GENERATE(4, 8, 9, 12);
+  constexpr std::size_t kEntrants = 16, kMeetings = kEntrants / 2;
+  constexpr int kCompared = 4;  // rounds; in a long tournament the last ones have no choice
+  const int rounds = GENERATE(4, 8, 9, 12, 15);
   TournamentPlan plan = planOf(TournamentFormat::kSwiss, kEntrants);
   plan.rounds = rounds;
   const Played played = playInOrder(plan, orderedPlay([](auto a, auto b) { return a < b; }));
-  // Mean difference of points before the meeting, against that of all possible meetings.
   std::vector<double> points(kEntrants);
-  double between_opponents = 0.0, between_all = 0.0;
-  for (std::size_t i = 0; i < played.schedule.fixtures.size(); i += kEntrants / 2) {
-    for (std::size_t k = i; k < i + kEntrants / 2; ++k) {
-      const Fixture& fixture = played.schedule.fixtures[k];
-      between_opponents += std::abs(points[fixture.a] - points[fixture.b]) / (kEntrants / 2);
-    }
+  double between_opponents = 0.0, between_all = 0.0;  // mean differences of points before the meetings
+  for (int round = 0; round < kCompared; ++round) {
+    const auto* fixtures = &played.schedule.fixtures[static_cast<std::size_t>(round) * kMeetings];
     for (const double a : points) {
       for (const double b : points) between_all += std::abs(a - b) / (kEntrants * (kEntrants - 1));
     }
-    for (std::size_t k = i; k < i + kEntrants / 2; ++k) {
-      points[std::min(played.schedule.fixtures[k].a, played.schedule.fixtures[k].b)] += 1.0;
+    for (std::size_t i = 0; i < kMeetings; ++i) {
+      between_opponents += std::abs(points[fixtures[i].a] - points[fixtures[i].b]) / kMeetings;
     }
+    for (std::size_t i = 0; i < kMeetings; ++i) points[std::min(fixtures[i].a, fixtures[i].b)] += 1.0;
   }
-  WARN(rounds << " rounds: " << between_opponents / rounds << " between opponents, " << between_all / rounds
-              << " between all");
-  CHECK(between_opponents < 0.75 * between_all);
+  INFO(rounds << " rounds: " << between_opponents << " between opponents, " << between_all << " between all");
+  CHECK(between_opponents < 0.5 * between_all);
 }

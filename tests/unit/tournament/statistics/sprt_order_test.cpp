@@ -13,8 +13,11 @@ using namespace fulbito::test;
 
 namespace {
 
-constexpr int kTests = 300;
-constexpr SprtBounds kBounds{0.0, 50.0, 0.05, 0.05};
+/// Half as strong a difference takes 3.4 times as many pairs, and the simulation too long.
+constexpr SprtBounds kBounds{0.0, 100.0, 0.05, 0.05};
+constexpr int kTests = 500;
+/// One-sided 99.9 % interval of a rate of 5 % in 500 tests: 0.05 + 3.09 sqrt(0.05 * 0.95 / 500) = 0.080.
+constexpr double kMostErrors = kTests * 0.080;
 constexpr PairDistribution kTypical{0.10, 0.22, 0.36, 0.22, 0.10};
 
 /// The points of pair number `pair` in simulated tournament `tournament`: whoever plays it, and whenever.
@@ -98,8 +101,6 @@ PairDistribution strengthOf(double normalized_elo) {
 
 TEST_CASE("in the order of the schedule the verdict is the same for any number of workers and errs rarely",
           "[unit]") {
-  // One-sided 99.9 % interval of a rate of 5 % in 300 tests: 0.05 + 3.09 sqrt(0.05 * 0.95 / 300) = 0.089.
-  constexpr double kMostErrors = kTests * 0.089;
   const double winning = GENERATE(0.5, 0.1);
   int passed_if_weak = 0, failed_if_strong = 0;
   for (std::uint64_t test = 0; test < kTests; ++test) {
@@ -116,7 +117,7 @@ TEST_CASE("in the order of the schedule the verdict is the same for any number o
       failed_if_strong += strength == kBounds.strong && alone.verdict() == SprtVerdict::kFail;
     }
   }
-  WARN("run time " << winning << ", order of schedule: " << passed_if_weak << " and " << failed_if_strong
+  INFO("run time " << winning << ", order of schedule: " << passed_if_weak << " and " << failed_if_strong
                    << " errors of " << kTests);
   CHECK(passed_if_weak <= kMostErrors);
   CHECK(failed_if_strong <= kMostErrors);
@@ -130,12 +131,11 @@ TEST_CASE("in order of completion a test errs far more often than its nominal ra
       const Sprt sprt = inOrderOfCompletion(Workers(workers, winning, 2 * test, equal));
       passed += sprt.verdict() == SprtVerdict::kPass;
     }
-    WARN(workers << " workers, run time " << winning << ", order of completion: " << passed << " errors of "
+    INFO(workers << " workers, run time " << winning << ", order of completion: " << passed << " errors of "
                  << kTests);
     return passed;
   };
-  CHECK(errors(1, 0.1) <= kTests * 0.089);  // a single worker has no other order
-  // NB: an independent simulation found shares of 0.98 and 1.00 with 64 workers, 0.30 with 16.
+  CHECK(errors(1, 0.1) <= kMostErrors);  // a single worker has no other order
   CHECK(errors(16, 0.1) > kTests * 0.15);
   CHECK(errors(64, 0.5) > kTests * 0.5);
   CHECK(errors(64, 0.1) > kTests * 0.9);
