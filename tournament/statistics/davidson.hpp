@@ -7,6 +7,9 @@
 
 namespace fulbito {
 
+/// Elo per unit of log p: 400 / ln 10.
+inline constexpr double kEloPerLog = 173.71779276130073;
+
 /// The matches of two entrants, with weights.
 struct WeightedMeeting {
   std::size_t a = 0, b = 0;                      ///< indices of the entrants, a < b
