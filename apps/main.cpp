@@ -9,6 +9,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
+#include "apps/common/sensor_options.hpp"
 #include "apps/match/drill.hpp"
 #include "apps/match/match.hpp"
 #include "apps/match/rules.hpp"
@@ -49,17 +50,6 @@ struct Options {
   ViewCommand view;
   bool version_json = false;
 };
-
-void addSensors(CLI::App& command, SensorModel& sensors) {
-  command.add_option("--latency", sensors.latency_ticks, "age of observations [control ticks], 0 ... 60")
-      ->capture_default_str();
-  command
-      .add_option("--noise", sensors.position_noise,
-                  "noise of observed positions: standard deviation [m], 0 ... 0.1")
-      ->capture_default_str();
-  command.add_option("--dropout", sensors.dropout, "chance that a body is not seen in a tick, 0 ... 0.99")
-      ->capture_default_str();
-}
 
 CLI::App* addRun(CLI::App& app, Options& options) {
   RunOptions& run = options.run;

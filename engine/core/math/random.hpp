@@ -33,6 +33,7 @@ enum class Stream : std::uint32_t {
   kGyro = 21,          ///< noise and drift of a gyro
   kRoom = 22,          ///< rooms, poses and sensors of the experiment `localization`
   kStartBook = 24,     ///< starts of tournaments' matches
+  kRatings = 23,       ///< resampled pairs of a tournament's ratings
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of
