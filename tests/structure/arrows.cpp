@@ -342,6 +342,9 @@ const std::vector<Folder> kFolders = {
     {"tournament/statistics",
      "statistics of pairs of matches: Elo, ratings of many, sequential tests, sign tests",
      {"engine/core/math"}},
+    {"tournament/store",
+     "matches in memory, in a log, in a cache; merged logs",
+     {"engine/core/base", "engine/core/system", "tournament/results"}},
     {"tournament/gate",
      "is a new team as strong as its base: pairs until a verdict",
      {"match/series", "match/report", "tournament/statistics"}},
@@ -465,7 +468,7 @@ const std::vector<Folder> kFolders = {
      "what tests and surveys share",
      {"engine/core/base", "engine/core/math", "engine/core/models", "engine/sim", "navigation/interface",
       "navigation/methods/paths", "strategies/interface", "strategies", "referee/restarts",
-      "replays/recording", "match/config", "match/check", "match/record", "bridge"}},
+      "replays/recording", "match/config", "match/check", "match/record", "tournament/results", "bridge"}},
 };
 
 bool isIn(std::string_view path, std::string_view folder) {

@@ -7,6 +7,7 @@
 #include "tournament/formats/schedule.hpp"
 #include "tournament/identity/identity.hpp"
 #include "tournament/statistics/sprt.hpp"
+#include "tournament/store/match_cache.hpp"
 #include "tournament/store/match_store.hpp"
 
 namespace fulbito {
