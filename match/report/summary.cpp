@@ -4,6 +4,7 @@
 
 #include "engine/core/base/match_clock.hpp"
 #include "fulbito/statistics.hpp"
+#include "match/report/speed_line.hpp"
 
 namespace fulbito {
 namespace {
@@ -119,12 +120,6 @@ std::string headline(const MatchReport& report) {
                             c.rules.half_seconds, c.physics.name, c.seed);
 }
 
-/// The line with the simulation speed.
-std::string speedLine(double simulated, double wall) {
-  if (!(wall > 0.0)) return fmt::format("  {:.1f} s simulated\n", simulated);
-  return fmt::format("  {:.1f} s simulated in {:.2f} s: {}\n", simulated, wall, paceText(simulated, wall));
-}
-
 /// The verdict on the series in one phrase.
 std::string verdictText(const SeriesReport& report) {
   if (report.result.pairs.empty()) return "no pair was finished";
@@ -179,6 +174,11 @@ std::string matchText(const MatchReport& report) {
   text += fmt::format("  final hash {:016x}\n", report.final_hash);
   if (report.profile) text += "\n" + profileText(*report.profile);
   return text;
+}
+
+std::string speedLine(double simulated, double wall) {
+  if (!(wall > 0.0)) return fmt::format("  {:.1f} s simulated\n", simulated);
+  return fmt::format("  {:.1f} s simulated in {:.2f} s: {}\n", simulated, wall, paceText(simulated, wall));
 }
 
 std::string paceText(double simulated, double wall) {

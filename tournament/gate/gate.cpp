@@ -18,16 +18,4 @@ Result<GateReport> runGate(const GateConfig& config, const SeriesProgress& progr
   return report;
 }
 
-std::string_view nameOf(SprtVerdict verdict) {
-  switch (verdict) {
-    case SprtVerdict::kPass:
-      return "pass";
-    case SprtVerdict::kFail:
-      return "fail";
-    case SprtVerdict::kInconclusive:
-      break;
-  }
-  return "inconclusive";
-}
-
 }  // namespace fulbito

@@ -31,7 +31,4 @@ std::string gateText(const GateReport& report);
 std::string gateJson(const GateReport& report);
 /// @}
 
-/// Name as in results: pass, fail, inconclusive.
-std::string_view nameOf(SprtVerdict verdict);
-
 }  // namespace fulbito

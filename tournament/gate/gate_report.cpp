@@ -3,16 +3,11 @@
 
 #include "match/report/match_json.hpp"
 #include "tournament/gate/gate.hpp"
+#include "tournament/report/json_parts.hpp"
 #include "tournament/statistics/elo.hpp"
 
 namespace fulbito {
 namespace {
-
-Json intervalJson(const Interval& interval) {
-  return {{"value", numberOrNull(interval.value)},
-          {"low", numberOrNull(interval.low)},
-          {"high", numberOrNull(interval.high)}};
-}
 
 std::string intervalText(const Interval& interval) {
   return fmt::format("{:+.0f} ({:+.0f} to {:+.0f})", interval.value, interval.low, interval.high);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct TournamentState {
   TournamentPlan plan;
   Schedule schedule;
   FixtureResults results;    ///< by number of the fixture; as long as the schedule
+  std::vector<std::array<MatchId, 2>> ids;  ///< of both matches, by number of the fixture
   std::optional<Sprt> sprt;  ///< fed with the results before the first gap; of a plan with a test
   /// Fixtures that count: all, or up to the verdict of the test.
   std::size_t counted = 0;
