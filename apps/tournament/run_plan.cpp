@@ -185,11 +185,6 @@ void noteOutcome(const PlayedPlan& played, const RunFlags& flags) {
   }
 }
 
-int reportRun(const Error& error) {
-  const int code = report(error);
-  return isConflict(error) ? static_cast<int>(kDifferent) : code;
-}
-
 int exitCodeOf(const TournamentState& state) {
   if (!state.sprt) return kOk;
   switch (state.sprt->verdict()) {

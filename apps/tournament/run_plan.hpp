@@ -42,9 +42,6 @@ Result<PlayedPlan> runPlan(const TournamentPlan& plan, const RunFlags& flags);
 /// next.
 void noteOutcome(const PlayedPlan& played, const RunFlags& flags);
 
-/// As `report`, with exit code 7 for two runs of a match that differ.
-int reportRun(const Error& error);
-
 /// The exit code of a run: 7 for matches that differ, 4 for failed teams where that counts, that of a signal,
 /// then that of the test if there is one.
 int exitCodeOf(const PlayedPlan& played, const RunFlags& flags);

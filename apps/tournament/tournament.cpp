@@ -6,7 +6,6 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
-#include "tournament/store/merge.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -131,7 +130,7 @@ int run(TournamentRun& options) {
   if (options.dry) return printSchedule(*plan);
   note("seed {}, results in {}\n", plan->seed, options.flags.out);
   const auto played = runPlan(*plan, options.flags);
-  if (!played) return reportRun(played.error());
+  if (!played) return report(played.error());
   noteOutcome(*played, options.flags);
   const std::string recordings = ResultsFolder::recordingsOf(options.flags.out);
   if (const int code = print(played->outcome.state, options.files, recordings); code != kOk) return code;
@@ -148,8 +147,15 @@ int reportFolder(const TournamentReport& options) {
 int merge(const TournamentMerge& options) {
   if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
   const auto merged = mergeFolders(options.folders, options.out);
-  if (!merged) return reportRun(merged.error());
-  note("{} matches in {}\n", *merged, options.out);
+  if (!merged) return report(merged.error());
+  for (const MatchConflict& conflict : merged->conflicts) {
+    note("two runs of one match differ: {} against {}, {}, {}:{} in {}, {}:{} in {}\n",
+         conflict.first.teams[0], conflict.first.teams[1], conflict.first.start,
+         conflict.first.result.score[0], conflict.first.result.score[1], conflict.first_file,
+         conflict.second.result.score[0], conflict.second.result.score[1], conflict.second_file);
+  }
+  if (!merged->conflicts.empty()) return kDifferent;
+  note("{} matches in {}\n", merged->matches, options.out);
   const auto folder = readFolder(options.out);
   if (!folder) return report(folder.error());
   if (const int code = print(folder->state, options.files, ResultsFolder::recordingsOf(options.out));

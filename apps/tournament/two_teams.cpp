@@ -23,7 +23,7 @@ int playTwoTeams(const std::string& first, const std::string& second, const Plan
   const auto plan = planOf(settingsOf(first, second, settings));
   if (!plan) return report(plan.error());
   const auto played = runPlan(*plan, flags);
-  if (!played) return reportRun(played.error());
+  if (!played) return report(played.error());
   if (!flags.out.empty() || !played->outcome.mismatches.empty()) noteOutcome(*played, flags);
   const TournamentState& state = played->outcome.state;
   const auto table = tableOf(state);

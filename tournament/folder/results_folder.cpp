@@ -6,6 +6,7 @@
 
 #include "engine/core/system/output_file.hpp"
 #include "engine/core/system/text_file.hpp"
+#include "tournament/store/log_reader.hpp"
 
 namespace fulbito {
 namespace {
@@ -71,21 +72,18 @@ Result<ResultsFolder> ResultsFolder::open(const std::string& path, const PlanRec
 Result<FolderState> readFolder(const std::string& path) {
   auto record = readRecord(path);
   if (!record) return tl::unexpected<Error>(record.error());
-  const auto rows = readMatchLog(logFile(path), true);
-  if (!rows) return tl::unexpected<Error>(rows.error());
-  MatchMemory memory;
-  for (const MatchRow& row : *rows) {
-    if (auto added = memory.add(row); !added) return tl::unexpected<Error>(added.error());
-  }
-  TournamentState state = stateOf(record->plan, record->identity, memory);
+  const auto matches = readMatchStore(logFile(path), true);
+  if (!matches) return tl::unexpected<Error>(matches.error());
+  TournamentState state = stateOf(record->plan, record->identity, **matches);
   return FolderState{std::move(*record), std::move(state)};
 }
 
-Result<std::size_t> mergeFolders(const std::vector<std::string>& folders, const std::string& into) {
+Result<MergedFolders> mergeFolders(const std::vector<std::string>& folders, const std::string& into) {
   auto first = readRecord(folders.front());
   if (!first) return tl::unexpected<Error>(first.error());
-  std::vector<std::string> logs;
-  for (const std::string& folder : folders) {
+  std::vector<std::string> all = folders, logs;
+  if (holdsTournament(into)) all.push_back(into);
+  for (const std::string& folder : all) {
     auto changed = compare(folder, *first);
     if (!changed) return tl::unexpected<Error>(changed.error());
     if (!changed->empty()) {
@@ -96,13 +94,16 @@ Result<std::size_t> mergeFolders(const std::vector<std::string>& folders, const 
   }
   auto merged = mergeLogs(logs);
   if (!merged) return tl::unexpected<Error>(merged.error());
-  if (!merged->conflicts.empty()) return tl::unexpected<Error>(conflictError(merged->conflicts));
-  auto folder = ResultsFolder::open(into, *first);
-  if (!folder) return tl::unexpected<Error>(folder.error());
-  for (const auto& [id, row] : merged->rows) {
-    if (auto added = folder->log->add(row); !added) return tl::unexpected<Error>(added.error());
+  if (!merged->conflicts.empty()) return MergedFolders{0, std::move(merged->conflicts)};
+  {
+    // Locks the log against a run in the folder, and writes the plan.
+    const auto locked = ResultsFolder::open(into, *first);
+    if (!locked) return tl::unexpected<Error>(locked.error());
+    if (auto written = writeMatchLog(logFile(into), merged->rows); !written) {
+      return tl::unexpected<Error>(written.error());
+    }
   }
-  return merged->rows.size();
+  return MergedFolders{merged->rows.size(), {}};
 }
 
 }  // namespace fulbito

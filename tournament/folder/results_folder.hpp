@@ -6,7 +6,8 @@
 
 #include "tournament/folder/plan_record.hpp"
 #include "tournament/runner/runner.hpp"
-#include "tournament/store/match_store.hpp"
+#include "tournament/store/match_log.hpp"
+#include "tournament/store/merge.hpp"
 
 namespace fulbito {
 
@@ -33,10 +34,14 @@ struct FolderState {
 /// Reads a folder. Errors: kIo; kBadInput.
 Result<FolderState> readFolder(const std::string& path);
 
-/// Unions the folders of shards of one plan into a new folder, or into one of that plan. Errors: kUsage when
-/// the plans or the teams differ, saying how; kBadInput naming a match whose runs differ, see
-/// `isConflict`; kIo.
-/// @return the number of matches in the new folder
-Result<std::size_t> mergeFolders(const std::vector<std::string>& folders, const std::string& into);
+/// What became of a merge.
+struct MergedFolders {
+  std::size_t matches = 0;               ///< in the new folder
+  std::vector<MatchConflict> conflicts;  ///< if there are any, nothing was written
+};
+
+/// Unions the folders of shards of one plan into a folder, with what that folder holds of the plan already.
+/// Errors: kUsage when the plans or the teams differ, saying how; kIo; kBadInput.
+Result<MergedFolders> mergeFolders(const std::vector<std::string>& folders, const std::string& into);
 
 }  // namespace fulbito

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "match/series/foul_goals.hpp"
+#include "match/report/foul_goals.hpp"
 #include "referee/rules/clauses.hpp"
 
 namespace fulbito {

@@ -10,6 +10,8 @@
 #include "match/config/check_match.hpp"
 #include "tournament/runner/course.hpp"
 #include "tournament/runner/play_match.hpp"
+#include "tournament/store/match_cache.hpp"
+#include "tournament/store/match_line.hpp"
 
 namespace fulbito {
 namespace {
@@ -18,11 +20,6 @@ constexpr int kMostJobs = 1024;
 
 bool late(const MatchResult& result) {
   return result.faults.teams[0].late > 0 || result.faults.teams[1].late > 0;
-}
-
-/// Whether two runs of a match agree. Faults that depend on the clock are left out.
-bool same(const MatchResult& a, const MatchResult& b) {
-  return a.hash == b.hash && a.ticks == b.ticks && a.score == b.score && a.winner == b.winner;
 }
 
 /// A match to play, or to play again and compare.
@@ -51,6 +48,7 @@ class Run {
   Result<MatchResult> attempt(const Task& task, const std::function<bool()>& goes_on, bool observed);
   Result<void> keep(const Task& task, const MatchResult& result);
   Result<void> playAgain(const Task& task, const std::function<bool()>& goes_on);
+  Mismatch mismatchOf(const Task& task, const MatchRow& row) const;
   bool sampled(const MatchId& id) const;
   bool repeatable(const Fixture& fixture) const;
   bool decided();
@@ -167,16 +165,29 @@ Result<MatchResult> Run::attempt(const Task& task, const std::function<bool()>& 
 
 Result<void> Run::keep(const Task& task, const MatchResult& result) {
   const MatchRow row = rowOf(task, result);
-  if (auto added = options_.log->add(row); !added) return added;
+  auto added = options_.log->add(row);
+  if (!added) return tl::unexpected<Error>(added.error());
   if (options_.cache != nullptr && repeatable(fixtureOf(task)) && !late(result)) {
-    if (auto added = options_.cache->add(row); !added) return added;
+    auto shared = options_.cache->add(row);
+    if (!shared) return tl::unexpected<Error>(shared.error());
+    if (*shared == Added::kDifferent) added = shared;
   }
   const std::lock_guard lock(mutex_);
+  if (*added == Added::kDifferent) outcome_.mismatches.push_back(mismatchOf(task, row));
   ++outcome_.played;
   ++progress_.done;
   if (result.outcome >= MatchOutcome::kCrash) ++progress_.failures;
   course_.take(task.fixture, task.leg, result);
   return {};
+}
+
+/// Another run of the match kept another result in the meantime.
+Mismatch Run::mismatchOf(const Task& task, const MatchRow& row) const {
+  auto first = options_.log->find(row.id);
+  if (options_.cache != nullptr && (!first || sameResult(first->result, row.result))) {
+    first = options_.cache->find(row.id);
+  }
+  return {fixtureOf(task), task.leg, first ? first->result : MatchResult{}, row.result};
 }
 
 Result<void> Run::playAgain(const Task& task, const std::function<bool()>& goes_on) {
@@ -185,7 +196,7 @@ Result<void> Run::playAgain(const Task& task, const std::function<bool()>& goes_
   const std::lock_guard lock(mutex_);
   const MatchResult& first = *course_.result(task.fixture, task.leg);
   ++outcome_.verified;
-  if (!same(first, *second)) {
+  if (!sameResult(first, *second)) {
     outcome_.mismatches.push_back({fixtureOf(task), task.leg, first, std::move(*second)});
   }
   return {};

@@ -13,6 +13,8 @@
 
 namespace fulbito {
 
+class MatchCache;
+
 /// A part of a tournament for one of several machines: fixtures whose number leaves `index` when divided by
 /// `count`.
 struct Shard {
@@ -25,7 +27,7 @@ struct Shard {
 struct TournamentState {
   TournamentPlan plan;
   Schedule schedule;
-  FixtureResults results;    ///< by number of the fixture; as long as the schedule
+  FixtureResults results;                   ///< by number of the fixture; as long as the schedule
   std::vector<std::array<MatchId, 2>> ids;  ///< of both matches, by number of the fixture
   std::optional<Sprt> sprt;  ///< fed with the results before the first gap; of a plan with a test
   /// Fixtures that count: all, or up to the verdict of the test.
