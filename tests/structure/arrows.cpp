@@ -435,7 +435,7 @@ const std::vector<Folder> kFolders = {
      {"engine/core/math", "navigation/interface", "navigation/methods/paths", "tests/support"}},
     {"apps/common",
      "what commands share: options, console, progress, names of outputs",
-     {"engine/core/base", "engine/core/system", "experiments/map"}},
+     {"engine/core/base", "engine/core/system", "engine/core/models", "experiments/map"}},
     {"apps/info",
      "list, show, version, bench",
      {"engine/core/base", "engine/core/models", "engine/core/config", "strategies/interface", "referee/rules",
