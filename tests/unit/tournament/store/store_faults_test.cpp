@@ -139,7 +139,7 @@ std::vector<Work> works() {
 
 struct WorkFolder {
   explicit WorkFolder(const Work& w) : work(w) { work.prepare(path); }
-  ScratchFolder scratch;
+  ScratchFolder scratch{memoryPlace()};
   std::string path = scratch.path().string();
   const Work& work;
 
