@@ -149,7 +149,7 @@ Json tableJson(const TournamentState& state, const TournamentTable& table) {
   json["standings"] = listOf(table.standings, standingJson);
   json["bracket"] = listOf(table.bracket, tieJson);
   json["meetings"] = crossJson(table);
-  json["draw_elo"] = table.ratings.draw_elo;
+  json["draw_share"] = table.ratings.draw_share;
   json["prior"] = table.ratings.prior;
   json["test"] = testJson(state);
   json["notable"] = listOf(table.notable, [&](const NotableMatch& m) { return notableJson(state, m); });
