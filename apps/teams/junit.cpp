@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "replays/render/match/svg_field.hpp"
+#include "engine/core/base/xml_text.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
 #include "engine/core/config/embedded_files.hpp"
 #include "replays/html/base64.hpp"
 #include "replays/html/deflate.hpp"
+#include "replays/html/page_form.hpp"
 #include "replays/html/page_json.hpp"
 #include "replays/html/scene_columns.hpp"
 
@@ -16,32 +15,7 @@ std::span<const EmbeddedFile> embeddedPage();
 
 namespace {
 
-std::string_view fileOf(std::string_view name) {
-  const auto files = embeddedPage();
-  const auto found = std::find_if(files.begin(), files.end(), [&](const auto& f) { return f.name == name; });
-  return found == files.end() ? std::string_view{} : found->text;
-}
-
-std::string sourceOf(std::string_view digest) {
-  return fmt::format("'sha256-{}'", base64Of(bytesOfHex(digest)));
-}
-
-/// Replaces each mark `{{name}}` by its text; marks inside the texts are not replaced.
-std::string filled(std::string_view form,
-                   const std::vector<std::pair<std::string_view, std::string>>& texts) {
-  std::string out;
-  while (!form.empty()) {
-    const std::size_t open = form.find("{{"), close = form.find("}}", open);
-    out += form.substr(0, open);
-    if (open == std::string_view::npos || close == std::string_view::npos) break;
-    const std::string_view name = form.substr(open + 2, close - open - 2);
-    for (const auto& [known, text] : texts) {
-      if (known == name) out += text;
-    }
-    form.remove_prefix(close + 2);
-  }
-  return out;
-}
+std::string_view fileOf(std::string_view name) { return textOfFile(embeddedPage(), name); }
 
 bool sameBodies(const PageScene& a, const PageScene& b) {
   return std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(),
@@ -72,14 +46,14 @@ Result<std::string> htmlPage(const Page& page) {
   payload.raw = columns.size();
   payload.packed = packed.size();
   payload.crc = crc32Of(columns);
-  return filled(fileOf("page"),
-                {{"script-digests", sourceOf(FULBITO_LOADER_DIGEST) + " " + sourceOf(FULBITO_VIEWER_DIGEST)},
-                 {"style-digest", sourceOf(FULBITO_STYLE_DIGEST)},
-                 {"style", std::string(fileOf("style"))},
-                 {"loader", std::string(fileOf("loader"))},
-                 {"viewer", base64Of(deflated(fileOf("viewer")))},
-                 {"meta", pageJson(page, payload)},
-                 {"data", base64Of(packed)}});
+  return filledForm(fileOf("page"), {{"script-digests", allowedDigest(FULBITO_LOADER_DIGEST) + " " +
+                                                            allowedDigest(FULBITO_VIEWER_DIGEST)},
+                                     {"style-digest", allowedDigest(FULBITO_STYLE_DIGEST)},
+                                     {"style", std::string(fileOf("style"))},
+                                     {"loader", std::string(fileOf("loader"))},
+                                     {"viewer", base64Of(deflated(fileOf("viewer")))},
+                                     {"meta", pageJson(page, payload)},
+                                     {"data", base64Of(packed)}});
 }
 
 }  // namespace fulbito

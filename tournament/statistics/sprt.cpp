@@ -95,4 +95,16 @@ void Sprt::add(double points) {
   if (ratio_ <= bounds_.lower()) verdict_ = SprtVerdict::kFail;
 }
 
+std::string_view nameOf(SprtVerdict verdict) {
+  switch (verdict) {
+    case SprtVerdict::kPass:
+      return "pass";
+    case SprtVerdict::kFail:
+      return "fail";
+    case SprtVerdict::kInconclusive:
+      break;
+  }
+  return "inconclusive";
+}
+
 }  // namespace fulbito

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "tournament/statistics/pentanomial.hpp"
 
@@ -28,6 +29,8 @@ enum class SprtVerdict : std::uint8_t {
   kFail,         ///< H0 is accepted
   kInconclusive  ///< neither is, yet
 };
+/// "pass", "fail", "inconclusive".
+std::string_view nameOf(SprtVerdict verdict);
 
 /// Log-likelihood ratio of H1 to H0 for counts of pairs: the generalized sequential probability ratio test.
 /// Each hypothesis fixes the normalized strength only, so each is represented by its likeliest distribution

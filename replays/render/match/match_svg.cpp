@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/base/match_clock.hpp"
+#include "engine/core/base/xml_text.hpp"
 #include "fulbito/picture.hpp"
 #include "replays/render/canvas/text_fit.hpp"
 #include "replays/render/colours/match_style.hpp"

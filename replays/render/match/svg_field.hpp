@@ -25,9 +25,6 @@ class SvgText {
   std::string text_;
 };
 
-/// For an attribute or text: the five special characters escaped, and what XML forbids replaced.
-std::string escapedXml(const std::string& utf8);
-
 /// Floor, walls and lines.
 void svgField(SvgText& svg, const MatchPlan& plan, const FieldGeometry& field, const FieldColours& colours);
 

@@ -1,3 +1,4 @@
+#include "engine/core/base/xml_text.hpp"
 #include "fulbito/picture.hpp"
 #include "replays/render/colours/heat_colours.hpp"
 #include "replays/render/match/svg_field.hpp"

@@ -1,0 +1,27 @@
+#include "tournament/report/json_parts.hpp"
+
+namespace fulbito {
+
+Json intervalJson(const Interval& interval) {
+  return {{"value", numberOrNull(interval.value)},
+          {"low", numberOrNull(interval.low)},
+          {"high", numberOrNull(interval.high)}};
+}
+
+Json sprtJson(const Sprt& sprt) {
+  const SprtBounds& bounds = sprt.bounds();
+  return {{"log_likelihood_ratio", sprt.ratio()},   {"pass_at", bounds.upper()}, {"fail_at", bounds.lower()},
+          {"bounds", {bounds.weak, bounds.strong}}, {"alpha", bounds.alpha},     {"beta", bounds.beta}};
+}
+
+std::string indented(const Json& json, std::size_t spaces) {
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+  std::string out;
+  for (const char c : text) {
+    out += c;
+    if (c == '\n') out.append(spaces, ' ');
+  }
+  return out;
+}
+
+}  // namespace fulbito

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tournament/report/grid.hpp"
+#include "tournament/report/table.hpp"
+
+/// The parts of a report for people, whatever it is written in.
+namespace fulbito {
+
+/// What stands above the tables.
+struct ReportHead {
+  std::string title;               ///< "cup: round robin of 12 teams, finished"
+  std::string rules;               ///< "vsss-3v3, halves of 300 s, standard physics, seed 1"
+  std::string progress;            ///< "132 of 132 pairs, 264 matches"
+  std::vector<std::string> notes;  ///< sentences about the ratings
+};
+ReportHead headOf(const TournamentState& state, const TournamentTable& table);
+
+/// A team's name in a table.
+std::string shownName(const TournamentState& state, std::size_t entrant);
+/// "+210 (+180 to +240)"; "-" without a match.
+std::string eloText(const Interval& interval);
+/// Entrants, best first.
+std::vector<std::size_t> ranking(const TournamentTable& table);
+/// Kinds of starts that the book has, in its order.
+std::vector<StartKind> kindsOf(const TournamentState& state);
+/// "final", "semi-final", "quarter-final", "round of 16" for a round from 0 of a knock-out.
+std::string nameOfRound(int round, std::size_t entrants);
+/// "1.5 : 0.5, goals 4:2"; "-" for a bye or a tie that was not played.
+std::string resultOf(const KnockOutTie& tie);
+
+/// @{ Tables. One without rows has nothing to show.
+/// A table per group.
+std::vector<Grid> standingGrids(const TournamentState& state, const TournamentTable& table);
+/// Ties of a knock-out by round.
+Grid bracketGrid(const TournamentState& state, const TournamentTable& table);
+/// Points shares of the row's team against the column's, of the `most` best teams.
+Grid crossGrid(const TournamentState& state, const TournamentTable& table, std::size_t most);
+/// Points shares by kind of start; nothing if the book has one kind.
+Grid startGrid(const TournamentState& state, const TournamentTable& table);
+/// Teams with faults.
+Grid faultGrid(const TournamentState& state, const TournamentTable& table);
+Grid notableGrid(const TournamentState& state, const TournamentTable& table);
+/// @}
+
+}  // namespace fulbito
