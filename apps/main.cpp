@@ -9,6 +9,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
+#include "apps/common/sensor_options.hpp"
 #include "apps/match/drill.hpp"
 #include "apps/match/match.hpp"
 #include "apps/match/rules.hpp"
@@ -18,6 +19,7 @@
 #include "apps/teams/check_team.hpp"
 #include "apps/teams/new_team.hpp"
 #include "apps/tournament/sprt.hpp"
+#include "apps/tournament/tournament.hpp"
 #include "engine/core/base/float_mode.hpp"
 #include "engine/core/config/suggest.hpp"
 #include "fulbito/detail/build_info.hpp"
@@ -44,20 +46,10 @@ struct Options {
   ReplayCommands replay;
   RulesOptions rules;
   SprtCommand sprt;
+  TournamentCommand tournament;
   ViewCommand view;
   bool version_json = false;
 };
-
-void addSensors(CLI::App& command, SensorModel& sensors) {
-  command.add_option("--latency", sensors.latency_ticks, "age of observations [control ticks], 0 ... 60")
-      ->capture_default_str();
-  command
-      .add_option("--noise", sensors.position_noise,
-                  "noise of observed positions: standard deviation [m], 0 ... 0.1")
-      ->capture_default_str();
-  command.add_option("--dropout", sensors.dropout, "chance that a body is not seen in a tick, 0 ... 0.99")
-      ->capture_default_str();
-}
 
 CLI::App* addRun(CLI::App& app, Options& options) {
   RunOptions& run = options.run;
@@ -291,6 +283,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("new-team")) return newTeam(options.new_team);
   if (app.got_subcommand("rules")) return rules(options.rules);
   if (app.got_subcommand("sprt")) return sprt(options.sprt);
+  if (app.got_subcommand("tournament")) return tournament(app, options.tournament);
   return version(options.version_json);
 }
 
@@ -305,8 +298,10 @@ int mainWithoutCatch(int argc, char** argv) {
       "  fulbito compare                                        the comparison of Jung & Lee (2015)\n"
       "  fulbito run --navigator bezier --layout corner:17 --png way.png\n"
       "  fulbito list teams\n"
-      "Exit codes: 0 success, 1 a check failed, 2 wrong usage, 3 bad input file, 5 cannot read or write,\n"
-      "6 no verdict, 7 a recording differs, 70 internal error, 129, 130, 143 ended by a signal.");
+      "Exit codes: 0 success, 1 a check failed, 2 wrong usage, 3 bad input file, 4 a team failed "
+      "(--strict),\n"
+      "5 cannot read or write, 6 no verdict, 7 a recording or match differs, 70 internal error, 129, 130, "
+      "143 ended by a signal.");
   app.set_version_flag("--version", buildInfo().version);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);
@@ -323,6 +318,7 @@ int mainWithoutCatch(int argc, char** argv) {
   addCheckTeam(app, options.check_team);
   addRules(app, options.rules);
   addSprt(app, options.sprt);
+  addTournament(app, options.tournament);
   readNumbers(app);
   const std::span<char*> words{argv + 1, argv + std::max(argc, 1)};
   if (const auto error = emptyWord(words)) return report(*error);

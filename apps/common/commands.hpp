@@ -13,6 +13,7 @@ enum ExitCode {
   kTestFailed = 1,
   kUsage = 2,
   kBadInput = 3,
+  kTeamFailed = 4,
   kIo = 5,
   kInconclusive = 6,
   kDifferent = 7,

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/match/team_flags.hpp"
+#include "apps/common/team_flags.hpp"
 #include "match/drills/drill.hpp"
 
 namespace CLI {

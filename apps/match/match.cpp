@@ -9,9 +9,9 @@
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
 #include "apps/common/output_names.hpp"
-#include "apps/common/progress.hpp"
+#include "apps/common/team_flags.hpp"
 #include "apps/match/live_line.hpp"
-#include "apps/match/team_flags.hpp"
+#include "apps/tournament/two_teams.hpp"
 #include "engine/core/system/output_file.hpp"
 #include "fulbito/match.hpp"
 #include "fulbito/recorder.hpp"
@@ -68,7 +68,10 @@ Result<void> checkFlags(const MatchCommand& options) {
   if (options.json && options.events == kStdout) {
     return fail(ErrorCode::kUsage, "--events - and --json both write to stdout; give --events a file");
   }
-  if (!options.pairs) return {};
+  if (!options.pairs) {
+    return options.series.out.empty() ? Result<void>()
+                                      : fail(ErrorCode::kUsage, "--out keeps a series: give -n/--pairs too");
+  }
   for (const auto& [flag, given] :
        {std::pair{"--record", !options.record.empty()}, std::pair{"--events", !options.events.empty()},
         std::pair{"--profile", options.profile}, std::pair{"--view", options.view}}) {
@@ -199,23 +202,13 @@ int playOne(const MatchCommand& options, const MatchConfig& config) {
   return exitCode(summary, options.view);
 }
 
-int playPairs(const MatchCommand& options, const MatchConfig& config) {
-  SeriesReport summary{{config, *options.pairs, options.jobs, now}, {}, 0.0};
-  const std::int64_t begin = now();
-  {
-    ProgressBar bar(fmt::format("{} v {}", options.settings.blue, options.settings.yellow));
-    auto played = playSeries(summary.config,
-                             [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
-    if (!played) return report(played.error());
-    summary.result = std::move(*played);
-  }
-  summary.wall = secondsSince(begin);
-  if (options.json) {
-    writeOut(seriesJson(summary));
-  } else {
-    printOut(seriesText(summary));
-  }
-  return summary.result.interrupted ? interruptedCode() : kOk;
+int playPairs(const MatchCommand& options) {
+  PlanSettings settings;
+  settings.match = options.settings;
+  settings.pairs = *options.pairs;
+  ReportFiles files;
+  files.json = options.json;
+  return playTwoTeams(options.settings.blue, options.settings.yellow, settings, options.series, files);
 }
 
 }  // namespace
@@ -258,7 +251,11 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       command->add_option("-n,--pairs", options.pairs, "swapped pairs of a series (teams change colours)"), 1,
       kMostPairs)
       ->type_name("PAIRS");
-  addJobs(*command, options.jobs, "worker threads for a series");
+  addJobs(*command, options.series.jobs, "matches of a series at once");
+  command
+      ->add_option("--out", options.series.out,
+                   "with -n: folder that keeps the results; the same command continues what it holds")
+      ->type_name("FOLDER");
   command->add_flag("--force", options.force, "replace existing files");
   CLI::Option* view = command->add_flag("--view", options.view, "show the match in a window");
   addViewOptions(*command, options.window, view);
@@ -270,12 +267,13 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
 int match(const MatchCommand& options) {
   if (auto checked = checkFlags(options); !checked) return report(checked.error());
   if (auto checked = checkFiles(options); !checked) return report(checked.error());
+  if (options.pairs) return playPairs(options);
   const auto config = configOf(options.settings);
   if (!config) return report(config.error());
   if (const auto foreign = findForeignPlaces(config->rules, config->field, config->robot.robot)) {
     note("note: {}\n", *foreign);
   }
-  return options.pairs ? playPairs(options, *config) : playOne(options, *config);
+  return playOne(options, *config);
 }
 
 }  // namespace fulbito::app

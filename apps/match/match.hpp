@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/match/match_settings.hpp"
+#include "apps/common/match_settings.hpp"
 #include "apps/match/view.hpp"
+#include "apps/tournament/run_plan.hpp"
 #include "fulbito/match.hpp"
 
 namespace CLI {
@@ -23,8 +24,8 @@ struct MatchCommand {
   bool drawings = false;       ///< the recording also holds what the teams draw
   std::string events;          ///< file or "-"; empty: none
   std::optional<int> pairs;    ///< empty: one match
-  int jobs = 0;
-  bool view = false;  ///< play in a window
+  RunFlags series;             ///< of a series
+  bool view = false;           ///< play in a window
   ViewOptions window;
   bool profile = false;
   bool json = false;

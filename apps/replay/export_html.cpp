@@ -66,6 +66,8 @@ void addHtmlOptions(CLI::App& command, HtmlExport& options) {
       ->type_name("FILE");
 }
 
+Result<std::string> replayPage(const std::string& file) { return pageOf(file, {}); }
+
 int replayExportHtml(const std::string& file, const HtmlExport& options, bool force) {
   const std::vector<NamedFile> inputs{{"replay export", file}, {"--ghost", options.ghost}};
   if (auto may = mayWriteAll({{"--html", options.html, Dash::kStdout}}, inputs, force); !may) {

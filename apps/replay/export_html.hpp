@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "fulbito/values.hpp"
+
 namespace CLI {
 class App;
 }
@@ -16,6 +18,9 @@ struct HtmlExport {
 
 /// Adds --html and --ghost to `export`.
 void addHtmlOptions(CLI::App& command, HtmlExport& options);
+
+/// The page of a recording. Errors: as RecordingReader::open, with the file's name.
+Result<std::string> replayPage(const std::string& file);
 
 /// Writes the page of the recording `file`, over an old one only with `force`, and returns the exit code.
 int replayExportHtml(const std::string& file, const HtmlExport& options, bool force);

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "apps/match/team_flags.hpp"
+#include "apps/common/team_flags.hpp"
 #include "fulbito/match.hpp"
 
 namespace CLI {

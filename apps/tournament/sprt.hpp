@@ -1,9 +1,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "apps/match/match_settings.hpp"
+#include "apps/tournament/plan_settings.hpp"
+#include "apps/tournament/report_files.hpp"
+#include "apps/tournament/run_plan.hpp"
 
 namespace CLI {
 class App;
@@ -11,19 +12,17 @@ class App;
 
 namespace fulbito::app {
 
-/// Options of `fulbito sprt`.
+/// Options of `fulbito sprt`: a tournament of two teams with a sequential test.
 struct SprtCommand {
-  MatchSettings settings;                  ///< blue is the new team, yellow its base
-  std::vector<double> bounds{-50.0, 0.0};  ///< normalized Elo of H0 and H1
-  double alpha = 0.05;
-  double beta = 0.05;
-  int pairs = 1000;  ///< most pairs
-  int jobs = 0;
-  bool json = false;
+  std::string fresh;  ///< the new team
+  std::string base;
+  PlanSettings settings;
+  RunFlags flags;
+  ReportFiles files;
 };
 
 /// Adds `sprt`.
-CLI::App* addSprt(CLI::App& app, SprtCommand& options);
+void addSprt(CLI::App& app, SprtCommand& options);
 
 /// Runs the command and returns its exit code: 0 pass, 1 fail, 6 inconclusive.
 int sprt(const SprtCommand& options);

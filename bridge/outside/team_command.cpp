@@ -129,6 +129,7 @@ Result<TeamCommandLine> parseProgram(std::string_view text) {
   auto program = programOf(words->front());
   if (!program) return tl::unexpected<Error>(program.error());
   line.command.push_back(std::move(*program));
+  line.from_path = !own;
   if (own) line.folder = fs::path(line.command.front()).parent_path().string();
   for (std::size_t i = 1; i < words->size(); ++i) {
     const bool file = isFile((*words)[i]);

@@ -15,6 +15,7 @@ struct TeamCommandLine {
       command;                    ///< the library, or the program and its arguments; files by absolute paths
   std::vector<Setting> settings;  ///< the team's settings
   std::string folder;             ///< the folder of the team's files
+  bool from_path = false;         ///< the program was found in PATH: it is the machine's, not the team's
   std::string hash;               ///< hash of the content of all files of the command, 16 hexadecimal digits
 };
 

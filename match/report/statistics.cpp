@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "match/series/foul_goals.hpp"
+#include "match/report/foul_goals.hpp"
 
 namespace fulbito {
 namespace {

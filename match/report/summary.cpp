@@ -121,14 +121,6 @@ std::string headline(const MatchReport& report) {
 }
 
 /// The verdict on the series in one phrase.
-std::string verdictText(const SeriesReport& report) {
-  if (report.result.pairs.empty()) return "no pair was finished";
-  if (const auto better = betterTeam(report.result)) {
-    return report.config.match.teams[*better].text + " is better (95 %)";
-  }
-  return "no significant difference (95 %)";
-}
-
 std::string counted(int count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
@@ -200,42 +192,6 @@ std::string profileText(const MatchProfile& profile) {
                         1e-3 * static_cast<double>(time) / ticks);
   }
   return text + fmt::format("  {:<12}{:>6.1f} %{:>14.2f}\n", "all", 100.0, 1e-3 * total / ticks);
-}
-
-std::optional<std::size_t> betterTeam(const SeriesResult& result) {
-  if (result.pairs.empty()) return std::nullopt;
-  if (result.points_share.low > 0.5) return 0;
-  if (result.points_share.high < 0.5) return 1;
-  return std::nullopt;
-}
-
-double SeriesReport::simulated() const {
-  Tick ticks = 0;
-  for (const PairRecord& pair : result.pairs) ticks += pair.legs[0].ticks + pair.legs[1].ticks;
-  return static_cast<double>(ticks) * config.match.physics.controlPeriod();
-}
-
-std::string seriesText(const SeriesReport& report) {
-  const SeriesResult& r = report.result;
-  const MatchConfig& c = report.config.match;
-  const std::string& a = c.teams[0].text;
-  std::string text = fmt::format(
-      "{} against {}: {} swapped pair{}, {} matches{}\n{}, halves of {:g} s, {} physics, seed {}\n\n", a,
-      c.teams[1].text, r.pairs.size(), r.pairs.size() == 1 ? "" : "s", 2 * r.pairs.size(),
-      r.interrupted ? " (stopped early)" : "", c.rules.name, c.rules.half_seconds, c.physics.name, c.seed);
-  text += fmt::format("  {:<18}{}, {}, {} of {}\n", "matches", counted(r.wins, "win", "wins"),
-                      counted(r.draws, "draw", "draws"), counted(r.losses, "loss", "losses"), a);
-  text += fmt::format("  {:<18}{:.1f} %  ({:.1f} ... {:.1f} %, 95 %)\n", "points share",
-                      100 * r.points_share.value, 100 * r.points_share.low, 100 * r.points_share.high);
-  text += fmt::format("  {:<18}{:+.2f} per match  ", "goal difference", r.goal_difference.value);
-  text += std::isfinite(r.goal_difference.low)
-              ? fmt::format("({:+.2f} ... {:+.2f}, 95 %)\n", r.goal_difference.low, r.goal_difference.high)
-              : "(no interval from one pair)\n";
-  text += fmt::format("  {:<18}{} : {}\n", "goals", r.goals_for, r.goals_against);
-  text += fmt::format("  {:<18}{} : {} within {:g} s of the scoring team's own foul\n", "of these",
-                      r.goals_after_foul_for, r.goals_after_foul_against, kFoulPaysWithin);
-  text += fmt::format("  {:<18}{}\n", "verdict", verdictText(report));
-  return text + "\n" + speedLine(report.simulated(), report.wall);
 }
 
 }  // namespace fulbito

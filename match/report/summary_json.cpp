@@ -115,29 +115,6 @@ Json profileJson(const MatchProfile& p) {
 
 double timesRealTime(double simulated, double wall) { return wall > 0.0 ? simulated / wall : 0.0; }
 
-Json betterJson(const SeriesResult& result) {
-  const auto better = betterTeam(result);
-  return better ? Json(*better == 0 ? "a" : "b") : Json(nullptr);
-}
-
-Json legJson(const SeriesReport& report, std::size_t pair, std::size_t leg) {
-  const PairRecord& record = report.result.pairs[pair];
-  const LegRecord& played = record.legs[leg];
-  return {{"pair", pair},
-          {"leg", leg + 1},
-          {"seed", record.seed},
-          {"blue", leg == 0 ? "a" : "b"},
-          {"goals_a", played.score[leg]},
-          {"goals_b", played.score[1 - leg]},
-          {"goals_after_foul_a", played.goals_after_foul[leg]},
-          {"goals_after_foul_b", played.goals_after_foul[1 - leg]},
-          {"simulated_s", static_cast<double>(played.ticks) * report.config.match.physics.controlPeriod()},
-          {"rejected_a", played.faults.teams[leg].rejected()},
-          {"rejected_b", played.faults.teams[1 - leg].rejected()},
-          {"abandoned", played.faults.abandoned.has_value()},
-          {"final_hash", hashText(played.hash)}};
-}
-
 }  // namespace
 
 std::string matchJson(const MatchReport& report) {
@@ -162,39 +139,6 @@ std::string matchJson(const MatchReport& report) {
   if (Json origin = originJson(report.config); !origin.empty()) json["origin"] = std::move(origin);
   if (report.faults.abandoned) json["abandoned"] = report.faults.abandoned->message;
   if (report.profile) json["compute_profile"] = profileJson(*report.profile);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-}
-
-std::string seriesJson(const SeriesReport& report) {
-  const SeriesResult& r = report.result;
-  Json json = {{"schema_version", kMatchSchemaVersion},
-               {"teams", teamsJson(report.config.match.teams, "a", "b")},
-               {"pairs", r.pairs.size()},
-               {"complete", !r.interrupted},
-               {"wins", r.wins},
-               {"draws", r.draws},
-               {"losses", r.losses},
-               {"points_share", r.points_share.value},
-               {"points_share_low", r.points_share.low},
-               {"points_share_high", r.points_share.high},
-               {"goal_difference", numberOrNull(r.goal_difference.value)},
-               {"goal_difference_low", numberOrNull(r.goal_difference.low)},
-               {"goal_difference_high", numberOrNull(r.goal_difference.high)},
-               {"better", betterJson(r)},
-               {"goals_for", r.goals_for},
-               {"goals_against", r.goals_against},
-               {"goals_after_foul_for", r.goals_after_foul_for},
-               {"goals_after_foul_against", r.goals_after_foul_against},
-               {"matches", Json::array()},
-               {"seed", report.config.match.seed},
-               {"config", matchConfigJson(report.config.match)},
-               {"build", buildJson()},
-               {"simulated_s", report.simulated()},
-               {"x_realtime", timesRealTime(report.simulated(), report.wall)},
-               {"wall_s", report.wall}};
-  for (std::size_t pair = 0; pair < r.pairs.size(); ++pair) {
-    for (std::size_t leg : {0, 1}) json["matches"].push_back(legJson(report, pair, leg));
-  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

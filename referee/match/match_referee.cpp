@@ -7,6 +7,7 @@
 #include "referee/match/false_start.hpp"
 #include "referee/match/shoot_out.hpp"
 #include "referee/restarts/restart_call.hpp"
+#include "referee/rules/clauses.hpp"
 #include "referee/state/ticks.hpp"
 
 namespace fulbito {
@@ -178,7 +179,7 @@ std::optional<RestartCall> MatchReferee::concludeGoal(const Finding& finding, co
     return std::nullopt;
   }
   if (rules.mercy_goals > 0 && lead(state_) >= rules.mercy_goals) {
-    GameEvent event = eventOf(view, "mercy", "");
+    GameEvent event = eventOf(view, clause::kMercy, "");
     event.team = scorer;
     event.value = lead(state_);
     event.threshold = rules.mercy_goals;

@@ -18,6 +18,7 @@ inline constexpr std::string_view kPenaltyHolding = "penalty.holding";
 inline constexpr std::string_view kPenaltyStuck = "penalty.stuck";
 inline constexpr std::string_view kPush = "free-kick.push";
 inline constexpr std::string_view kFreeKickHolding = "free-kick.holding";
+inline constexpr std::string_view kMercy = "mercy";
 
 /// Whether the call is a foul of the team that it is against.
 constexpr bool isFoul(std::string_view clause) {
@@ -69,7 +70,7 @@ inline constexpr std::array kClauses{
     Clause{"overtime", "Overtime", "", Gain::kNobody, {"part ", ""}},
     Clause{"shoot-out", "Shoot-out", "", Gain::kNamed},
     Clause{"false-start", "False start", "", Gain::kNobody, kMoved},
-    Clause{"mercy", "Full time", "the lead is too large", Gain::kNamed, kLead},
+    Clause{kMercy, "Full time", "the lead is too large", Gain::kNamed, kLead},
     Clause{"walk-over", "Walk-over", "a team is absent or failed", Gain::kOther},
     Clause{"team.failed", "Team failed", "it starts again", Gain::kNobody, {"failure ", ""}},
     Clause{"match.abandoned", "Match abandoned", ""},

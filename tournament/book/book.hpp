@@ -39,11 +39,22 @@ struct BookEntry {
 /// Kind and name of start number `index`, at no cost.
 BookEntry bookEntry(const BookConfig& book, std::size_t index);
 
-/// Begins `match` with that start: sets its placement, opening and scoreboard. A kick-off changes nothing.
-/// Errors: kUsage or kBadInput when the rules do not allow the start.
+/// What determines a start, given the match and this program. The same in every book that has the start.
+struct StartKey {
+  StartKind kind = StartKind::kKickOff;
+  std::uint64_t seed = 0;  ///< of the book; 0 where the start does not depend on it
+  std::uint64_t turn = 0;  ///< number of the start among those of its kind, likewise
+};
+/// The key of start number `index`, at no cost.
+StartKey startKey(const BookConfig& book, std::size_t index);
+
+/// Begins `match` with that start: sets its opening or its placement; score and clock stay. A kick-off
+/// changes nothing. Both matches of a pair get the same start in the world frame, so each team has each side
+/// of it once. Errors: kUsage as `validate`, for a match with a start state besides a book of more than
+/// kick-offs, and as `Match::create`; kBadInput when rules and field do not allow the start.
 Result<void> applyStart(const BookConfig& book, std::size_t index, MatchConfig& match);
 
-/// Checks that kinds are listed, each once, and that no start file is given besides. Errors: kUsage.
+/// Checks that kinds are listed, each once. Errors: kUsage.
 Result<void> validate(const BookConfig& book);
 
 }  // namespace fulbito

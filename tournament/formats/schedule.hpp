@@ -19,10 +19,19 @@ struct Schedule {
 /// Results by number of the fixture; shorter than the schedule or with gaps while matches are missing.
 using FixtureResults = std::vector<std::optional<PairResult>>;
 
-/// The fixtures that follow from the results so far: a pure function. Formats whose rounds depend on results
-/// (knock-out, Swiss, ladder) add a round once all fixtures before it have results. A sequential test does
-/// not shorten the schedule.
+/// Some of the first of them.
+using ResultsView = std::span<const std::optional<PairResult>>;
+
+/// The fixtures that follow from the results so far: a pure function of a plan that `validateFormat` accepts.
+/// Formats whose rounds depend on results (knock-out, Swiss, ladder) add a round once all fixtures before it
+/// have results. A sequential test does not shorten the schedule.
 Schedule scheduleOf(const TournamentPlan& plan, const FixtureResults& results);
+
+/// Rounds of a Swiss tournament or ladder: those that the plan names, otherwise as many as the format needs.
+int roundsOf(const TournamentPlan& plan);
+
+/// The number of fixtures that a tournament has at most.
+std::int64_t mostFixtures(const TournamentPlan& plan);
 
 /// Checks numbers of entrants, pairs, rounds and groups for the format. Errors: kUsage naming the key.
 Result<void> validateFormat(const TournamentPlan& plan);

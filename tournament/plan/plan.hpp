@@ -21,6 +21,7 @@ enum class TournamentFormat : std::uint8_t {
   kSwiss,       ///< equals meet, nobody twice
   kLadder       ///< neighbours challenge each other for the upper place
 };
+inline constexpr std::size_t kTournamentFormats = 6;
 /// "match", "gauntlet", "round-robin", "knock-out", "swiss", "ladder".
 std::string_view nameOf(TournamentFormat format);
 /// The format of that name, if any.

@@ -112,10 +112,11 @@ Grid bracketGrid(const TournamentState& state, const TournamentTable& table) {
             {}};
   for (const KnockOutTie& tie : table.bracket) {
     const char* open = tie.decided_by == "bye" ? "bye" : "?";
-    grid.rows.push_back({cell(nameOfRound(tie.round, state.plan.entrants.size())),
-                         cell(nameOfEntrant(state, tie.a, open)), cell(nameOfEntrant(state, tie.b, open)),
-                         cell(resultOf(tie)), cell(nameOfEntrant(state, tie.winner, "?")),
-                         cell(shownText(tie.decided_by, kTextColumns))});
+    grid.rows.push_back(
+        {cell(tie.third_place ? "third place" : nameOfRound(tie.round, state.plan.entrants.size())),
+         cell(nameOfEntrant(state, tie.a, open)), cell(nameOfEntrant(state, tie.b, open)),
+         cell(resultOf(tie)), cell(nameOfEntrant(state, tie.winner, "?")),
+         cell(shownText(tie.decided_by, kTextColumns))});
   }
   return grid;
 }

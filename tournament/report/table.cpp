@@ -50,11 +50,10 @@ class Meetings {
   void add(const Fixture& fixture, const PairResult& pair) {
     const bool in_order = fixture.a < fixture.b;
     MeetingCounts& meeting = of(std::min(fixture.a, fixture.b), std::max(fixture.a, fixture.b));
-    meeting.pairs.add(in_order ? pair.points() : 1.0 - pair.points());
-    for (std::size_t leg = 0; leg < 2; ++leg) {
-      const double points = in_order ? pair.pointsOfLeg(leg) : 1.0 - pair.pointsOfLeg(leg);
-      ++(points > 0.5 ? meeting.wins : points < 0.5 ? meeting.losses : meeting.draws);
-    }
+    const auto points = [&](std::size_t leg) {
+      return in_order ? pair.pointsOfLeg(leg) : 1.0 - pair.pointsOfLeg(leg);
+    };
+    meeting.pairs.add(points(0), points(1));
   }
   /// By their entrants, so that the order of play does not matter.
   std::vector<MeetingCounts> sorted() const {
@@ -126,7 +125,7 @@ TournamentTable tableOf(const TournamentState& state) {
   TournamentTable table;
   const std::vector<std::size_t> counted = countedFixtures(state);
   table.standings = standingsOf(state.plan, state.schedule, state.results, state.counted);
-  table.bracket = bracketOf(state.plan, state.schedule, state.results);
+  table.bracket = bracketOf(state.plan, state.results);
   countMeetings(state, counted, table);
   rateAll(state, counted, table);
   countFaults(state, counted, table);

@@ -8,9 +8,12 @@
 #include "tournament/formats/schedule.hpp"
 #include "tournament/identity/identity.hpp"
 #include "tournament/statistics/sprt.hpp"
+#include "tournament/store/match_cache.hpp"
 #include "tournament/store/match_store.hpp"
 
 namespace fulbito {
+
+class MatchCache;
 
 /// A part of a tournament for one of several machines: fixtures whose number leaves `index` when divided by
 /// `count`.
@@ -24,7 +27,7 @@ struct Shard {
 struct TournamentState {
   TournamentPlan plan;
   Schedule schedule;
-  FixtureResults results;    ///< by number of the fixture; as long as the schedule
+  FixtureResults results;                   ///< by number of the fixture; as long as the schedule
   std::vector<std::array<MatchId, 2>> ids;  ///< of both matches, by number of the fixture
   std::optional<Sprt> sprt;  ///< fed with the results before the first gap; of a plan with a test
   /// Fixtures that count: all, or up to the verdict of the test.
@@ -42,10 +45,10 @@ struct Mismatch {
 
 /// What a run tells while it goes on.
 struct RunProgress {
-  std::size_t done = 0;        ///< matches with results, of this shard
-  std::size_t known = 0;       ///< matches that are known to be needed so far, at most; of this shard
-  std::size_t failures = 0;    ///< matches so far that a team crashed in or forfeited
-  const Sprt* sprt = nullptr;  ///< of a plan with a test
+  std::size_t done = 0;      ///< matches with results, of this shard
+  std::size_t known = 0;     ///< matches that are known to be needed so far, at most; of this shard
+  std::size_t failures = 0;  ///< matches so far that a team crashed in or forfeited
+  std::optional<Sprt> sprt;  ///< of a plan with a test
 };
 
 /// How a tournament is run. None of this affects its results.
@@ -71,6 +74,7 @@ struct RunOutcome {
   std::vector<Mismatch> mismatches;  ///< of `verify`
   std::size_t played = 0;            ///< matches of this run
   std::size_t taken = 0;             ///< from log or cache
+  std::size_t verified = 0;          ///< matches played again and compared
   std::size_t retried = 0;           ///< attempts that the machine failed
   bool interrupted = false;
 };
@@ -78,11 +82,16 @@ struct RunOutcome {
 /// The configuration of leg 0 or 1 of a fixture. Errors: as `applyStart`.
 Result<MatchConfig> matchOf(const TournamentPlan& plan, const Fixture& fixture, std::size_t leg);
 
-/// Plays what is missing. Matches that the log or the cache has are not played again. Errors: of the plan,
-/// kUsage; of a match; kIo of the log, with all results before it kept.
-Result<RunOutcome> runTournament(const TournamentPlan& plan, const RunOptions& options);
+/// Plays what is missing. Matches that the log or the cache has are not played again; a team that is not
+/// deterministic never plays from the cache. Errors: kUsage of the plan; of a match; kIo of the log, with all
+/// results before it kept.
+Result<RunOutcome> runTournament(const TournamentPlan& plan, const MatchIdentity& identity,
+                                 const RunOptions& options);
 
-/// What the log has of a tournament. Errors: of the plan.
-Result<TournamentState> stateOf(const TournamentPlan& plan, const MatchStore& log);
+/// What the log has of a tournament.
+TournamentState stateOf(const TournamentPlan& plan, const MatchIdentity& identity, const MatchStore& log);
+
+/// Checks all of a plan, teams and models too. Errors: kUsage naming the key; of a match.
+Result<void> checkPlan(const TournamentPlan& plan);
 
 }  // namespace fulbito

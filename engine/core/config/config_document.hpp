@@ -21,6 +21,8 @@ class ConfigDocument {
   /// Reads one table. If it is missing: an error if `required`, otherwise no effect.
   Result<void> read(const std::string& table, const Schema& schema, bool required) const;
 
+  /// Whether the table is there.
+  bool has(const std::string& table) const { return root_.find(table) != nullptr; }
   /// The size of an array of tables; 0 if it is missing. Errors: it is not an array of tables.
   Result<int> count(const std::string& table) const;
   /// Reads one element of an array of tables, `index` below `count`.

@@ -32,6 +32,8 @@ enum class Stream : std::uint32_t {
   kEncoders = 20,      ///< slip of wheels as their encoders see it
   kGyro = 21,          ///< noise and drift of a gyro
   kRoom = 22,          ///< rooms, poses and sensors of the experiment `localization`
+  kRatings = 23,       ///< resampled pairs of a tournament's ratings
+  kStartBook = 24,     ///< starts of tournaments' matches
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of

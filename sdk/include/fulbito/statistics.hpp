@@ -1,4 +1,4 @@
-// Statistics and events of a match, series of matches with intervals, and reports of both as text or JSON.
+// Statistics and events of a match, and its report as text or JSON.
 // Component `match`.
 #pragma once
 
@@ -16,72 +16,8 @@
 
 namespace fulbito {
 
-struct PairRecord;
-
-/// A series of matches between two teams in swapped pairs: the second leg has the same seed with the seats
-/// exchanged. Random numbers belong to seats, so a team against itself gives a goal difference of exactly
-/// zero.
-struct SeriesConfig {
-  MatchConfig match;  ///< the first leg: team A is blue; `seed` is the series' seed
-  int pairs = 1;      ///< 1 ... 100,000
-  int jobs = 0;       ///< worker threads, 0 ... 1024; 0: all cores. Does not affect the result.
-  MatchClock
-      clock;  ///< measures decisions if `match.decision_time` limits them; may be called from several threads
-  /// Hears each complete pair in the order of the schedule, whatever the number of jobs. Calls do not
-  /// overlap. False: this pair is the last one of the series. May be empty.
-  std::function<bool(const PairRecord&)> judge = {};
-};
-
 /// A foul paid off if its team scores within this time of play [s].
 inline constexpr double kFoulPaysWithin = 5.0;
-
-/// One match of a series.
-struct LegRecord {
-  PerTeam<int> score{};             ///< goals of blue and yellow
-  PerTeam<int> goals_after_foul{};  ///< these goals within `kFoulPaysWithin` of a foul of the scoring team
-  Tick ticks = 0;                   ///< length of the match
-  std::uint64_t hash = 0;           ///< `Match::hash`
-  MatchFaults faults;               ///< faults of both teams
-};
-
-/// Two matches: the statistical unit.
-struct PairRecord {
-  std::uint64_t seed = 0;         ///< seed of both matches
-  std::array<LegRecord, 2> legs;  ///< A plays blue in the first, yellow in the second
-
-  /// Goals of A in both matches.
-  int goalsOfA() const { return legs[0].score[0] + legs[1].score[1]; }
-  /// Goals of B in both matches.
-  int goalsOfB() const { return legs[0].score[1] + legs[1].score[0]; }
-  /// Points share of A over both matches, 0 ... 1; a draw counts half.
-  double points() const;
-};
-
-/// The result of a complete or stopped series.
-struct SeriesResult {
-  std::vector<PairRecord> pairs;     ///< in the order of the schedule, without gaps
-  bool interrupted = false;          ///< stopped before its last pair
-  int wins = 0;                      ///< matches that A won
-  int draws = 0;                     ///< matches without a winner
-  int losses = 0;                    ///< matches that B won
-  int goals_for = 0;                 ///< goals of A
-  int goals_against = 0;             ///< goals of B
-  int goals_after_foul_for = 0;      ///< goals of A within `kFoulPaysWithin` of a foul of A
-  int goals_after_foul_against = 0;  ///< goals of B within `kFoulPaysWithin` of a foul of B
-  Interval points_share;             ///< of A, 0 ... 1; interval: `shareInterval` over pairs
-  Interval goal_difference;          ///< A's goals minus B's, per match; interval: `meanInterval` over pairs
-};
-
-/// Called after each match with the number of finished matches. Return false to stop the series. Calls do not
-/// overlap.
-using SeriesProgress = std::function<bool(std::size_t done, std::size_t total)>;
-
-/// Plays the series. The number of jobs does not affect the result. A stopped series has the complete pairs
-/// before the first gap. Errors: as `Match::create`; kUsage for `pairs` and `jobs`.
-Result<SeriesResult> playSeries(const SeriesConfig& config, const SeriesProgress& progress = {});
-
-/// Seed of a pair. The first pair uses the series' seed.
-std::uint64_t seedOfPair(std::uint64_t series_seed, std::uint64_t pair);
 
 /// One goal of a match.
 struct GoalRecord {
@@ -272,24 +208,5 @@ std::string matchJson(const MatchReport& report);
 std::string paceText(double simulated, double wall);
 /// Shares of the wall time, with one line per stage.
 std::string profileText(const MatchProfile& profile);
-
-/// A finished or stopped series.
-struct SeriesReport {
-  SeriesConfig config;  ///< configuration of the series
-  SeriesResult result;  ///< result of the series
-  double wall = 0.0;    ///< [s] wall time
-
-  double simulated() const;  ///< [s] simulated time of all matches
-};
-
-/// The significantly better team (0: A, 1: B): the whole 95 % interval of the points share lies on its side
-/// of 50 %. Empty: no significant difference.
-std::optional<std::size_t> betterTeam(const SeriesResult& result);
-
-/// @{ As `matchText` and `matchJson`. With too few pairs for an interval, the text says so and the JSON has
-/// null.
-std::string seriesText(const SeriesReport& report);
-std::string seriesJson(const SeriesReport& report);  ///< with a line end
-/// @}
 
 }  // namespace fulbito

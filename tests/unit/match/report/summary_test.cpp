@@ -127,29 +127,6 @@ TEST_CASE("the event log is bounded and counts what it leaves out", "[unit]") {
   CHECK(one.leftOut() + 1 == all.events().size());
 }
 
-TEST_CASE("a series' report: rows of both legs, intervals, null where one pair gives none", "[unit]") {
-  SeriesReport report{{chasers(), 1, 1, {}}, {}, 0.25};
-  report.config.match.rules.half_seconds = 10.0;
-  auto played = playSeries(report.config);
-  REQUIRE(played);
-  report.result = *played;
-  const Json json = Json::parse(seriesJson(report));
-  for (const char* key : {"points_share", "points_share_low", "points_share_high", "goal_difference",
-                          "goal_difference_low", "goal_difference_high", "wins", "draws", "losses", "pairs",
-                          "goals_after_foul_for", "goals_after_foul_against"}) {
-    CHECK(json.contains(key));
-  }
-  CHECK(json["points_share"] == 0.5);  // A against itself cancels
-  CHECK(json["goal_difference_low"].is_null());
-  REQUIRE(json["matches"].size() == 2);
-  CHECK(json["matches"][0]["goals_a"] == json["matches"][1]["goals_b"]);
-  CHECK(json["matches"][1]["blue"] == "b");
-  CHECK(json["matches"][0]["goals_after_foul_a"] == json["matches"][1]["goals_after_foul_b"]);
-  CHECK(seriesText(report).find("within 5 s of the scoring team's own foul") != std::string::npos);
-  CHECK(report.simulated() >= 40.0);
-  CHECK(seriesText(report).find("points share") != std::string::npos);
-}
-
 TEST_CASE("contacts with opponents are in both columns, next to those with teammates", "[unit]") {
   Played played(chasers(), 10);
   played.report.statistics.opponent_contacts = 83;
@@ -177,33 +154,6 @@ TEST_CASE("goals stand in the summary at the clock's time, cut to tenths", "[uni
   played.report.statistics.goals = {
       {417.95, 2, 117.95, TeamId::kBlue, RobotId{TeamId::kBlue, 1}, false, {1, 0}}};
   CHECK(matchText(played.report).find("6:57.9  2nd half  1:57.9   1 : 0") != std::string::npos);
-}
-
-TEST_CASE("a series ends with a verdict by the interval of its points share", "[unit]") {
-  SeriesReport report{{chasers(), 1, 1, {}}, {}, 0.5};
-  report.config.match.teams[0] = *parseTeam("libero");
-  report.result.pairs.resize(1);
-  const auto verdict = [&](double low, double high) {
-    report.result.points_share = {(low + high) / 2, low, high};
-    const Json better = Json::parse(seriesJson(report))["better"];
-    const std::string text = seriesText(report);
-    const std::size_t at = text.find("  verdict           ") + 20;
-    return text.substr(at, text.find('\n', at) - at) + " " + better.dump();
-  };
-  CHECK(verdict(0.51, 0.6) == "libero is better (95 %) \"a\"");
-  CHECK(verdict(0.4, 0.49) == "chaser is better (95 %) \"b\"");
-  CHECK(verdict(0.5, 0.7) == "no significant difference (95 %) null");
-  CHECK(verdict(0.3, 0.5) == "no significant difference (95 %) null");
-  report.result.pairs.clear();
-  CHECK(verdict(0.0, 1.0) == "no pair was finished null");
-}
-
-TEST_CASE("one win is not many", "[unit]") {
-  SeriesReport report{{chasers(), 1, 1, {}}, {}, 0.5};
-  report.result.wins = 1;
-  report.result.draws = 2;
-  report.result.losses = 1;
-  CHECK(seriesText(report).find("1 win, 2 draws, 1 loss of chaser") != std::string::npos);
 }
 
 }  // namespace fulbito

@@ -1,0 +1,92 @@
+#include "apps/tournament/recordings.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "apps/replay/export_html.hpp"
+#include "engine/core/system/output_file.hpp"
+#include "fulbito/recorder.hpp"
+#include "tournament/runner/play_match.hpp"
+
+namespace fulbito::app {
+namespace {
+
+std::string recordingOf(const std::string& folder, const MatchId& id) {
+  return fmt::format("{}/{}.fbr", folder, id.text());
+}
+
+bool exists(const std::string& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
+Result<void> recordAgain(const TournamentState& state, const NotableMatch& match, const std::string& file) {
+  const Fixture& fixture = state.schedule.fixtures[match.fixture];
+  const auto config = matchOf(state.plan, fixture, match.leg);
+  if (!config) return tl::unexpected<Error>(config.error());
+  auto recorder = MatchRecorder::create(file, *config);
+  if (!recorder) return tl::unexpected<Error>(recorder.error());
+  const auto result = playMatch(*config, now, [] { return !interrupted(); }, &*recorder);
+  if (!result) return tl::unexpected<Error>(result.error());
+  if (!recorder->written()) return recorder->written();
+  if (result->hash == state.results[match.fixture]->legs[match.leg].hash) return {};
+  note("note: the match '{}' does not repeat itself; it is not recorded (--recordings all records at once)\n",
+       match.why);
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+  return {};
+}
+
+}  // namespace
+
+Result<KeptRecordings> keptOf(const std::string& name) {
+  if (name == "none") return KeptRecordings::kNone;
+  if (name == "upsets") return KeptRecordings::kUpsets;
+  if (name == "all") return KeptRecordings::kAll;
+  return fail(ErrorCode::kUsage, fmt::format("--recordings: want none, upsets or all, not '{}'", name));
+}
+
+Result<std::unique_ptr<MatchObserver>> recorderOf(const std::string& folder, const MatchConfig& match,
+                                                  const MatchId& id) {
+  auto recorder = MatchRecorder::create(recordingOf(folder, id), match);
+  if (!recorder) return tl::unexpected<Error>(recorder.error());
+  return std::make_unique<MatchRecorder>(std::move(*recorder));
+}
+
+Result<void> recordNotable(const TournamentState& state, const std::vector<NotableMatch>& notable,
+                           const std::string& folder) {
+  for (const NotableMatch& match : notable) {
+    const std::string file = recordingOf(folder, match.id);
+    if (exists(file)) continue;
+    if (auto recorded = recordAgain(state, match, file); !recorded) return recorded;
+  }
+  return {};
+}
+
+Result<std::map<std::string, std::string>> writePages(const std::vector<NotableMatch>& notable,
+                                                      const std::string& recordings,
+                                                      const std::string& report) {
+  std::map<std::string, std::string> names;
+  const std::filesystem::path page_file(report);
+  const std::string folder = page_file.stem().string() + "-matches";
+  for (const NotableMatch& match : notable) {
+    const std::string recording = recordingOf(recordings, match.id);
+    if (!exists(recording)) continue;
+    const auto html = replayPage(recording);
+    if (!html) return tl::unexpected<Error>(html.error());
+    const std::string name = folder + "/" + match.id.text() + ".html";
+    if (auto made = prepareFolder((page_file.parent_path() / folder).string()); !made) {
+      return tl::unexpected<Error>(made.error());
+    }
+    if (auto written = writeFile((page_file.parent_path() / name).string(), *html, false); !written) {
+      return tl::unexpected<Error>(written.error());
+    }
+    names[match.id.text()] = name;
+  }
+  return names;
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tournament/report/report.hpp"
+#include "tournament/runner/runner.hpp"
+
+namespace fulbito::app {
+
+/// The policy of that name. Errors: kUsage.
+Result<KeptRecordings> keptOf(const std::string& name);
+
+/// A recorder for a match of a tournament: `folder`/ID.fbr.
+Result<std::unique_ptr<MatchObserver>> recorderOf(const std::string& folder, const MatchConfig& match,
+                                                  const MatchId& id);
+
+/// Plays the notable matches of a finished tournament again and records those that `folder` lacks. A match
+/// that does not repeat is left out, with a note. Errors: of a match; kIo.
+Result<void> recordNotable(const TournamentState& state, const std::vector<NotableMatch>& notable,
+                           const std::string& folder);
+
+/// Writes pages with the viewer for notable matches that have recordings, into a folder beside the report.
+/// @return names of the pages relative to the report, by the text of the match id. Errors: kIo.
+Result<std::map<std::string, std::string>> writePages(const std::vector<NotableMatch>& notable,
+                                                      const std::string& recordings,
+                                                      const std::string& report);
+
+}  // namespace fulbito::app

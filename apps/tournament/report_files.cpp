@@ -1,0 +1,70 @@
+#include "apps/tournament/report_files.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/common/console.hpp"
+#include "apps/common/output_names.hpp"
+#include "apps/tournament/recordings.hpp"
+#include "engine/core/system/output_file.hpp"
+
+namespace fulbito::app {
+namespace {
+
+constexpr const char* kStdout = "-";
+
+Result<void> writeText(const std::string& file, const std::string& text) {
+  if (file.empty()) return {};
+  if (file != kStdout) return writeFile(file, text);
+  writeOut(text);
+  return {};
+}
+
+bool printsOn(const ReportFiles& files) {
+  return files.annotations || files.csv == kStdout || files.markdown == kStdout || files.junit == kStdout;
+}
+
+}  // namespace
+
+void addReportFiles(CLI::App& command, ReportFiles& files) {
+  const auto file = [&command](const char* flag, std::string& name, const char* what) {
+    command.add_option(flag, name, what)->type_name("FILE")->group("Reports");
+  };
+  command.add_flag("--json", files.json, "print JSON instead of text")->group("Reports");
+  file("--csv", files.csv, "a line per match; - for stdout");
+  file("--markdown", files.markdown, "summary for a build server's page; - for stdout");
+  file("--junit", files.junit, "JUnit XML, a test case per pair; - for stdout");
+  file("--html", files.html, "one page without network access, and pages of recorded matches beside it");
+  command.add_flag("--annotations", files.annotations, "print GitHub annotations, at most 10")
+      ->group("Reports");
+}
+
+Result<void> checkReportFiles(const ReportFiles& files) {
+  int printed = files.json + files.annotations;
+  for (const std::string& name : {files.csv, files.markdown, files.junit}) printed += name == kStdout ? 1 : 0;
+  if (printed > 1) return fail(ErrorCode::kUsage, "only one report can be printed on stdout");
+  return mayWriteAll({{"--csv", files.csv, Dash::kStdout},
+                      {"--markdown", files.markdown, Dash::kStdout},
+                      {"--junit", files.junit, Dash::kStdout},
+                      {"--html", files.html}},
+                     {}, true);
+}
+
+Result<void> writeReports(const TournamentState& state, const TournamentTable& table,
+                          const ReportFiles& files, const std::string& recordings) {
+  if (files.json) writeOut(tournamentJson(state, table));
+  if (files.annotations) writeOut(tournamentAnnotations(state, table));
+  if (!files.json && !printsOn(files)) printOut(tournamentText(state, table));
+  const auto write = [](const std::string& file, auto make) {
+    return file.empty() ? Result<void>() : writeText(file, make());
+  };
+  if (auto done = write(files.csv, [&] { return tournamentCsv(state); }); !done) return done;
+  if (auto done = write(files.markdown, [&] { return tournamentMarkdown(state, table); }); !done) return done;
+  if (auto done = write(files.junit, [&] { return tournamentJunit(state, table); }); !done) return done;
+  if (files.html.empty()) return {};
+  const auto pages = writePages(table.notable, recordings, files.html);
+  if (!pages) return tl::unexpected<Error>(pages.error());
+  return writeFile(files.html, tournamentHtml(state, table, *pages));
+}
+
+}  // namespace fulbito::app

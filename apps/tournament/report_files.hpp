@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include "tournament/report/report.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace fulbito::app {
+
+/// What a command writes about a tournament.
+struct ReportFiles {
+  bool json = false;
+  std::string csv;  ///< @{ files; empty: none, "-" for stdout
+  std::string markdown;
+  std::string junit;
+  std::string html;
+  /// @}
+  bool annotations = false;  ///< GitHub annotations on stdout
+};
+
+/// Adds --json, --csv, --markdown, --junit, --html and --annotations.
+void addReportFiles(CLI::App& command, ReportFiles& files);
+
+/// Checks that the files may be written; they are replaced, as they are the newest state. Errors: kUsage;
+/// kIo.
+Result<void> checkReportFiles(const ReportFiles& files);
+
+/// Writes the files and prints the report.
+/// @param recordings  folder of recordings; may be missing
+/// @param text  the report for people, unless one on stdout replaces it
+Result<void> writeReports(const TournamentState& state, const TournamentTable& table,
+                          const ReportFiles& files, const std::string& recordings);
+
+}  // namespace fulbito::app

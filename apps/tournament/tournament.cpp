@@ -1,0 +1,189 @@
+#include "apps/tournament/tournament.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "apps/common/commands.hpp"
+#include "apps/common/console.hpp"
+#include "apps/common/option_values.hpp"
+
+namespace fulbito::app {
+namespace {
+
+constexpr std::uint64_t kMostPairs = 100'000;
+constexpr const char* kFolder = "fulbito-tournament";
+constexpr std::size_t kShownFixtures = 20;
+
+CLI::App* addRun(CLI::App& tournament, TournamentRun& options) {
+  CLI::App* command = tournament.add_subcommand("run", "play a tournament, or what is missing of it");
+  command->footer(
+      "Examples:\n"
+      "  fulbito tournament run libero classic chaser random --pairs 2 --half-seconds 30\n"
+      "  fulbito tournament run plan.toml --out results --html report.html\n"
+      "  fulbito tournament run plan.toml --out shard-1 --shard 1/3    then: fulbito tournament merge\n"
+      "  fulbito tournament run ./mine.so libero classic --format gauntlet --cache ~/matches\n"
+      "Flags replace what the plan file says. More: docs/tournaments.md.");
+  command->add_option("plan", options.words, "a plan file (TOML), or teams in the order of their seeding")
+      ->type_name("PLAN | TEAM...")
+      ->required();
+  PlanSettings& settings = options.settings;
+  command->add_option("--format", settings.format, "match, gauntlet, round-robin, knock-out, swiss or ladder")
+      ->capture_default_str();
+  wholeNumber(command->add_option("-n,--pairs", settings.pairs, "pairs of matches per meeting"), 1,
+              kMostPairs)
+      ->capture_default_str();
+  wholeNumber(
+      command->add_option("--rounds", settings.rounds, "rounds of swiss and ladder; 0: as many as needed"), 0,
+      kMostPairs)
+      ->capture_default_str();
+  wholeNumber(command->add_option("--groups", settings.groups, "groups of a round robin"), 1, kMostPairs)
+      ->capture_default_str();
+  command->add_option("--name", settings.name, "title of the reports")->capture_default_str();
+  addStarts(*command, settings);
+  addBounds(*command, settings);
+  addMatchSettings(*command, settings.match, "FIRST,OTHERS");
+  options.flags.out = kFolder;
+  addRunFlags(*command, options.flags);
+  addRecordings(*command, options.flags);
+  command->add_flag("--dry-run", options.dry, "print the schedule as it is known and play nothing");
+  addReportFiles(*command, options.files);
+  options.command = command;
+  return command;
+}
+
+void addReport(CLI::App& tournament, TournamentReport& options) {
+  CLI::App* command =
+      tournament.add_subcommand("report", "report on a folder of results, also while it grows");
+  command->footer(
+      "Examples:\n"
+      "  fulbito tournament report results\n"
+      "  fulbito tournament report results --html report.html --junit report.xml\n"
+      "  fulbito tournament report results --markdown - >> \"$GITHUB_STEP_SUMMARY\"");
+  command->add_option("folder", options.folder, "folder of `tournament run --out`")->required();
+  addReportFiles(*command, options.files);
+}
+
+void addMerge(CLI::App& tournament, TournamentMerge& options) {
+  CLI::App* command = tournament.add_subcommand("merge", "unite the results of shards");
+  command->footer(
+      "Exit codes: 7 if two runs of one match differ, 6 if matches are missing.\n"
+      "Example:\n"
+      "  fulbito tournament merge shard-1 shard-2 shard-3 --out results --html report.html");
+  command->add_option("folders", options.folders, "folders of the shards")->required();
+  command->add_option("--out", options.out, "folder of the united results")->required()->type_name("FOLDER");
+  addReportFiles(*command, options.files);
+}
+
+/// The words are teams unless the only one is a file with the ending of a plan.
+bool namesPlan(const std::vector<std::string>& words) {
+  return words.size() == 1 && words.front().ends_with(".toml");
+}
+
+/// Sets the variables of all given flags again, over what a plan file says.
+void applyGivenFlags(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    if (option->count() > 0) option->run_callback();
+  }
+}
+
+Result<TournamentPlan> planOf(TournamentRun& options) {
+  if (namesPlan(options.words)) {
+    const TeamFlags outside = options.settings.match.outside;
+    auto read = readPlanFile(options.words.front());
+    if (!read) return tl::unexpected<Error>(read.error());
+    options.settings = std::move(*read);
+    options.settings.match.outside = outside;
+    applyGivenFlags(*options.command);
+  } else {
+    for (const std::string& team : options.words) options.settings.entrants.push_back({team, {}, {}});
+  }
+  return planOf(options.settings);
+}
+
+int printSchedule(const TournamentPlan& plan) {
+  if (auto checked = checkPlan(plan); !checked) return report(checked.error());
+  const Schedule schedule = scheduleOf(plan, {});
+  say("{}: {}, {} entrants, {} matches{}\n", plan.name, nameOf(plan.format), plan.entrants.size(),
+      2 * schedule.fixtures.size(), schedule.complete ? "" : " in the first round");
+  for (std::size_t i = 0; i < schedule.fixtures.size() && i < kShownFixtures; ++i) {
+    const Fixture& fixture = schedule.fixtures[i];
+    say("  {:>4}  round {}  {} against {}, {}\n", i + 1, fixture.round + 1, plan.entrants[fixture.a].name,
+        plan.entrants[fixture.b].name, bookEntry(plan.book, fixture.start).name);
+  }
+  if (schedule.fixtures.size() > kShownFixtures) {
+    say("  and {} more pairs\n", schedule.fixtures.size() - kShownFixtures);
+  }
+  return kOk;
+}
+
+int print(const TournamentState& state, const ReportFiles& files, const std::string& recordings) {
+  const auto table = tableOf(state);
+  if (auto written = writeReports(state, table, files, recordings); !written) return report(written.error());
+  return kOk;
+}
+
+int run(TournamentRun& options) {
+  if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
+  const auto plan = planOf(options);
+  if (!plan) return report(plan.error());
+  if (options.dry) return printSchedule(*plan);
+  note("seed {}, results in {}\n", plan->seed, options.flags.out);
+  const auto played = runPlan(*plan, options.flags);
+  if (!played) return report(played.error());
+  noteOutcome(*played, options.flags);
+  const std::string recordings = ResultsFolder::recordingsOf(options.flags.out);
+  if (const int code = print(played->outcome.state, options.files, recordings); code != kOk) return code;
+  return exitCodeOf(*played, options.flags);
+}
+
+int reportFolder(const TournamentReport& options) {
+  if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
+  const auto folder = readFolder(options.folder);
+  if (!folder) return report(folder.error());
+  return print(folder->state, options.files, ResultsFolder::recordingsOf(options.folder));
+}
+
+int merge(const TournamentMerge& options) {
+  if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
+  const auto merged = mergeFolders(options.folders, options.out);
+  if (!merged) return report(merged.error());
+  for (const MatchConflict& conflict : merged->conflicts) {
+    note("two runs of one match differ: {} against {}, {}, {}:{} in {}, {}:{} in {}\n",
+         conflict.first.teams[0], conflict.first.teams[1], conflict.first.start,
+         conflict.first.result.score[0], conflict.first.result.score[1], conflict.first_file,
+         conflict.second.result.score[0], conflict.second.result.score[1], conflict.second_file);
+  }
+  if (!merged->conflicts.empty()) return kDifferent;
+  note("{} matches in {}\n", merged->matches, options.out);
+  const auto folder = readFolder(options.out);
+  if (!folder) return report(folder.error());
+  if (const int code = print(folder->state, options.files, ResultsFolder::recordingsOf(options.out));
+      code != kOk) {
+    return code;
+  }
+  if (folder->state.finished()) return exitCodeOf(folder->state);
+  note("matches are missing: run the shards again, or `fulbito tournament run` with --out {}\n", options.out);
+  return kInconclusive;
+}
+
+}  // namespace
+
+void addTournament(CLI::App& app, TournamentCommand& options) {
+  CLI::App* command = app.add_subcommand("tournament", "play tournaments and report on them");
+  command->footer("See fulbito tournament run --help. More: docs/tournaments.md.");
+  command->require_subcommand(1);
+  addRun(*command, options.run);
+  addReport(*command, options.report);
+  addMerge(*command, options.merge);
+  addNavigators(*command, options.navigators);
+}
+
+int tournament(const CLI::App& app, TournamentCommand& options) {
+  const CLI::App* command = app.get_subcommand("tournament");
+  if (command->got_subcommand("run")) return run(options.run);
+  if (command->got_subcommand("report")) return reportFolder(options.report);
+  if (command->got_subcommand("merge")) return merge(options.merge);
+  return navigators(options.navigators);
+}
+
+}  // namespace fulbito::app

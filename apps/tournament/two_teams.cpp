@@ -1,0 +1,36 @@
+#include "apps/tournament/two_teams.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/common/commands.hpp"
+
+namespace fulbito::app {
+namespace {
+
+/// The settings of the tournament. A team may meet itself: then its second entry has another name.
+PlanSettings settingsOf(const std::string& first, const std::string& second, PlanSettings settings) {
+  settings.format = nameOf(TournamentFormat::kMatch);
+  settings.name = fmt::format("{} against {}", first, second);
+  settings.entrants = {{first, {}, {}}, {second, first == second ? second + " (2)" : "", {}}};
+  return settings;
+}
+
+}  // namespace
+
+int playTwoTeams(const std::string& first, const std::string& second, const PlanSettings& settings,
+                 const RunFlags& flags, const ReportFiles& files) {
+  if (auto checked = checkReportFiles(files); !checked) return report(checked.error());
+  const auto plan = planOf(settingsOf(first, second, settings));
+  if (!plan) return report(plan.error());
+  const auto played = runPlan(*plan, flags);
+  if (!played) return report(played.error());
+  if (!flags.out.empty() || !played->outcome.mismatches.empty()) noteOutcome(*played, flags);
+  const TournamentState& state = played->outcome.state;
+  const auto table = tableOf(state);
+  if (auto written = writeReports(state, table, files, ResultsFolder::recordingsOf(flags.out)); !written) {
+    return report(written.error());
+  }
+  return exitCodeOf(*played, flags);
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,24 @@
+#include "match/report/foul_goals.hpp"
+
+#include "fulbito/statistics.hpp"
+#include "referee/rules/clauses.hpp"
+
+namespace fulbito {
+
+std::optional<std::string_view> FoulGoalFinder::take(const GameEvent& event, Tick played, double dt) {
+  if (!event.team) return std::nullopt;
+  std::optional<Foul>& last = last_[indexOf(*event.team)];
+  if (clause::isFoul(event.clause)) last = Foul{played, event.clause};
+  if (event.clause != clause::kGoal || !last) return std::nullopt;
+  constexpr double kRounding = 1e-9;  // [s]
+  if (static_cast<double>(played - last->played) * dt > kFoulPaysWithin + kRounding) return std::nullopt;
+  return last->clause;
+}
+
+void FoulGoalCounter::onTick(const MatchTick& tick) {
+  for (const GameEvent& event : tick.events) {
+    if (finder_.take(event, tick.referee->match_ticks, dt_)) ++goals_[indexOf(*event.team)];
+  }
+}
+
+}  // namespace fulbito

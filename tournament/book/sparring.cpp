@@ -1,0 +1,106 @@
+#include "tournament/book/sparring.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/math/random.hpp"
+#include "engine/core/models/field_places.hpp"
+#include "fulbito/detail/math.hpp"
+#include "strategies/skills/unsticking.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr double kHomeSeconds = 2.0;  // [s] after which a robot gets another place
+constexpr double kNear = 0.04;        // [m] from a place: there is no hurry to get nearer
+
+class Sparring final : public Strategy {
+ public:
+  void begin(const MatchInfo& info) override {
+    info_ = info;
+    rng_ = Rng(info.seed, Stream::kStartBook, indexOf(info.team));
+    unsticking_.fill({});
+    drawHomes();
+  }
+
+  TeamCommand decide(const Observation& seen) override {
+    if (seen.tick % homeTicks() == 0) drawHomes();
+    const std::size_t player = nearestToBall(seen);
+    TeamCommand command;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
+      if (!seen.own[i].present) continue;
+      const RobotState& robot = seen.own[i].state;
+      const Vec2 target = i == player ? behindBall(robot, seen.ball) : placeOf(i, seen);
+      const Twist wanted = drive(robot, target, i == player);
+      const bool meant = seen.playing && distance(robot.pose.position, target) > kNear;
+      const auto free = unsticking_[i].update(robot, meant, seen.dt);
+      command.robots[i] = RobotCommand::byTwist(free ? *free : wanted);
+    }
+    return command;
+  }
+
+ private:
+  Tick homeTicks() const { return std::max<Tick>(1, static_cast<Tick>(kHomeSeconds / info_.dt())); }
+
+  void drawHomes() {
+    for (Vec2& home : homes_) {
+      home = {rng_.uniform(-0.4, 0.3) * info_.field.length, rng_.uniform(-0.42, 0.42) * info_.field.width};
+    }
+  }
+
+  bool hasKeeper(const Observation& seen) const { return seen.team_size > 1 && seen.own[0].present; }
+
+  std::size_t nearestToBall(const Observation& seen) const {
+    std::size_t nearest = 0;
+    double least = 1e9;
+    for (std::size_t i = hasKeeper(seen) ? 1 : 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
+      const double away = distance(seen.own[i].state.pose.position, seen.ball.position);
+      if (!seen.own[i].present || away >= least) continue;
+      nearest = i;
+      least = away;
+    }
+    return nearest;
+  }
+
+  /// Through the ball from behind it; around it from the front.
+  Vec2 behindBall(const RobotState& robot, const BallState& ball) const {
+    const double room = 2.0 * info_.robot.circumradius();
+    const Vec2 from_ball = robot.pose.position - ball.position;
+    if (from_ball.x < -info_.ball.radius && std::abs(from_ball.y) < room)
+      return ball.position + Vec2{room, 0.0};
+    const double aside = from_ball.x > 0.0 && std::abs(from_ball.y) < room ? room : 0.0;
+    return insideWalls(info_.field, ball.position + Vec2{-room, std::copysign(aside, from_ball.y)}, room / 2);
+  }
+
+  Vec2 placeOf(std::size_t robot, const Observation& seen) const {
+    const double margin = 1.2 * info_.robot.circumradius();
+    if (robot == 0 && hasKeeper(seen)) {
+      const double half = info_.field.goal_width / 2;
+      return {-info_.field.length / 2 + margin, std::clamp(seen.ball.position.y, -half, half)};
+    }
+    return insideWalls(info_.field, homes_[robot] + Vec2{0.4 * seen.ball.position.x, 0.0}, margin);
+  }
+
+  Twist drive(const RobotState& robot, Vec2 target, bool fast) const {
+    const Vec2 way = target - robot.pose.position;
+    double error = math::wrapAngle(math::angleOf(way) - robot.pose.heading);
+    const bool backward = std::abs(error) > math::kPi / 2;
+    if (backward) error = math::wrapAngle(error + math::kPi);
+    const double top = std::min(info_.robot.maxSpeed(), fast ? 1.0 : 3.0 * norm(way));
+    const double speed = top * std::max(0.0, math::cos(error));
+    return {backward ? -speed : speed, norm(way) > kNear ? 8.0 * error : 0.0};
+  }
+
+  MatchInfo info_;
+  Rng rng_{0, Stream::kStartBook};
+  std::array<Vec2, kMaxTeamSize> homes_{};
+  std::array<Unsticking, kMaxTeamSize> unsticking_{};
+};
+
+}  // namespace
+
+TeamChoice sparringTeam() {
+  return TeamChoice::own("sparring", [] { return std::make_unique<Sparring>(); });
+}
+
+}  // namespace fulbito

@@ -1,0 +1,72 @@
+#include "tournament/formats/ladder.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "tournament/formats/meeting.hpp"
+
+namespace fulbito {
+namespace {
+
+/// A meeting of the neighbours at `upper` and the place below.
+struct Challenge {
+  std::size_t upper = 0;
+  MeetingFixtures fixtures;
+};
+
+class Ladder {
+ public:
+  explicit Ladder(const TournamentPlan& plan) : plan_(plan) {
+    course_.order.resize(plan.entrants.size());
+    std::iota(course_.order.begin(), course_.order.end(), std::size_t{0});
+  }
+
+  std::vector<Challenge> addRound(int round) {
+    std::vector<Challenge> challenges;
+    for (auto i = static_cast<std::size_t>(round % 2); i + 1 < course_.order.size(); i += 2) {
+      challenges.push_back({i, addChallenge(course_.order[i], course_.order[i + 1], round)});
+    }
+    return challenges;
+  }
+
+  /// Exchanges the places. Returns whether all results exist; otherwise nothing changes.
+  bool settle(const std::vector<Challenge>& challenges, ResultsView results) {
+    std::vector<std::size_t> order = course_.order;
+    for (const auto& [upper, fixtures] : challenges) {
+      MeetingScore score;
+      if (!addResults(results, fixtures, score)) return false;
+      if (score.winner() == 1u) std::swap(order[upper], order[upper + 1]);
+    }
+    course_.order = std::move(order);
+    return true;
+  }
+
+  LadderCourse take(bool complete) {
+    course_.schedule.complete = complete;
+    return std::move(course_);
+  }
+
+ private:
+  MeetingFixtures addChallenge(std::size_t upper, std::size_t lower, int round) {
+    const int earlier = meetings_[std::minmax(upper, lower)]++;
+    const auto start = static_cast<std::size_t>(earlier) * static_cast<std::size_t>(plan_.pairs);
+    return addMeeting(course_.schedule.fixtures, {upper, lower, round, start}, plan_.pairs);
+  }
+
+  const TournamentPlan& plan_;
+  LadderCourse course_;
+  std::map<std::pair<std::size_t, std::size_t>, int> meetings_;  // so far
+};
+
+}  // namespace
+
+LadderCourse ladderCourse(const TournamentPlan& plan, ResultsView results) {
+  Ladder ladder(plan);
+  for (int round = 0; round < roundsOf(plan); ++round) {
+    if (!ladder.settle(ladder.addRound(round), results)) return ladder.take(false);
+  }
+  return ladder.take(true);
+}
+
+}  // namespace fulbito

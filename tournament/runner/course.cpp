@@ -1,0 +1,59 @@
+#include "tournament/runner/course.hpp"
+
+#include <utility>
+
+namespace fulbito {
+
+Course::Course(const TournamentPlan& plan) : plan_(plan) {
+  if (plan.sprt) sprt_.emplace(*plan.sprt);
+  extend();
+}
+
+bool Course::extend() {
+  if (schedule_.complete) return false;
+  const std::size_t before = results_.size();
+  schedule_ = scheduleOf(plan_, results_);
+  results_.resize(schedule_.fixtures.size());
+  return results_.size() > before;
+}
+
+const MatchResult* Course::result(std::size_t fixture, std::size_t leg) const {
+  if (results_[fixture]) return &results_[fixture]->legs[leg];
+  const auto half = halves_.find(fixture);
+  return half != halves_.end() && half->second[leg] ? &*half->second[leg] : nullptr;
+}
+
+void Course::take(std::size_t fixture, std::size_t leg, MatchResult result) {
+  if (results_[fixture]) return;
+  auto& legs = halves_[fixture];
+  if (!legs[leg]) legs[leg] = std::move(result);
+  if (!legs[0] || !legs[1]) return;
+  const std::uint64_t seed = seedOfStart(plan_.seed, schedule_.fixtures[fixture].start);
+  results_[fixture] = PairResult{seed, {std::move(*legs[0]), std::move(*legs[1])}};
+  halves_.erase(fixture);
+  judge();
+}
+
+void Course::judge() {
+  while (sprt_ && !decided() && judged_ < results_.size() && results_[judged_]) {
+    sprt_->add(results_[judged_]->points());
+    ++judged_;
+  }
+}
+
+TournamentState Course::state() && {
+  TournamentState state{plan_, std::move(schedule_), std::move(results_), {}, sprt_, 0};
+  state.counted = sprt_ ? judged_ : state.results.size();
+  return state;
+}
+
+bool TournamentState::finished() const {
+  if (sprt && sprt->verdict() != SprtVerdict::kInconclusive) return true;
+  if (!schedule.complete) return false;
+  for (const auto& result : results) {
+    if (!result) return false;
+  }
+  return true;
+}
+
+}  // namespace fulbito

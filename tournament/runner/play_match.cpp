@@ -1,0 +1,68 @@
+#include "tournament/runner/play_match.hpp"
+
+#include <algorithm>
+
+#include "match/report/foul_goals.hpp"
+#include "referee/rules/clauses.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr Tick kTicksBetweenLooks = 4096;  // about a minute of play
+
+/// Hears whether the lead of the rules ended the match.
+class MercyWatch final : public MatchObserver {
+ public:
+  bool heard() const { return heard_; }
+  void onTick(const MatchTick& tick) override {
+    for (const GameEvent& event : tick.events) heard_ = heard_ || event.clause == clause::kMercy;
+  }
+
+ private:
+  bool heard_ = false;
+};
+
+bool anyFault(const MatchFaults& faults, bool (*has)(const TeamFaults&)) {
+  return std::any_of(faults.teams.begin(), faults.teams.end(), has);
+}
+
+}  // namespace
+
+MatchOutcome outcomeOf(const MatchFaults& faults, bool walk_over, bool mercy) {
+  if (walk_over || anyFault(faults, [](const TeamFaults& f) { return f.forfeited; })) {
+    return MatchOutcome::kForfeit;
+  }
+  if (anyFault(faults, [](const TeamFaults& f) { return f.failures > 0; })) return MatchOutcome::kCrash;
+  if (anyFault(faults, [](const TeamFaults& f) { return f.not_finite + f.no_navigator > 0; })) {
+    return MatchOutcome::kIllegal;
+  }
+  if (anyFault(faults, [](const TeamFaults& f) { return f.late > 0; })) return MatchOutcome::kSlow;
+  return mercy ? MatchOutcome::kMercy : MatchOutcome::kNormal;
+}
+
+Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock,
+                              const std::function<bool()>& goes_on, MatchObserver* observer) {
+  auto match = Match::create(config, clock);
+  if (!match) return tl::unexpected<Error>(match.error());
+  FoulGoalCounter fouls;
+  MercyWatch mercy;
+  match->watch(fouls);
+  match->watch(mercy);
+  if (observer != nullptr) match->watch(*observer);
+  while (match->step()) {
+    if (match->tick() % kTicksBetweenLooks == 0 && !goes_on()) {
+      return fail(ErrorCode::kInterrupted, "interrupted");
+    }
+  }
+  MatchFaults faults = match->faults();
+  if (faults.abandoned) {
+    return fail(ErrorCode::kBadInput, "the match was abandoned: " + faults.abandoned->message);
+  }
+  const bool absent = !config.present[0] || !config.present[1];
+  const MatchOutcome outcome = outcomeOf(faults, absent, mercy.heard());
+  const RefereeState& referee = match->referee();
+  return MatchResult{referee.score, referee.winner, fouls.goals(),    match->tick(),
+                     match->hash(), outcome,        std::move(faults)};
+}
+
+}  // namespace fulbito

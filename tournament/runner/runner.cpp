@@ -1,0 +1,295 @@
+#include "tournament/runner/runner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "engine/core/system/worker_threads.hpp"
+#include "match/config/check_match.hpp"
+#include "tournament/runner/course.hpp"
+#include "tournament/runner/play_match.hpp"
+#include "tournament/store/match_cache.hpp"
+#include "tournament/store/match_line.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr int kMostJobs = 1024;
+
+bool late(const MatchResult& result) {
+  return result.faults.teams[0].late > 0 || result.faults.teams[1].late > 0;
+}
+
+/// A match to play, or to play again and compare.
+struct Task {
+  std::size_t fixture = 0;
+  std::size_t leg = 0;
+  bool again = false;
+};
+
+/// The work of `runTournament`, while several threads share it.
+class Run {
+ public:
+  Run(const TournamentPlan& plan, const MatchIdentity& identity, const RunOptions& options)
+      : plan_(plan), identity_(identity), options_(options), course_(plan) {}
+
+  Result<RunOutcome> all();
+
+ private:
+  Result<void> lookUp();
+  Result<std::optional<MatchRow>> found(const Fixture& fixture, const MatchId& id);
+  std::vector<Task> tasks() const;
+  Result<void> playAll(const std::vector<Task>& tasks);
+  Result<void> play(const Task& task, WorkProgress& progress);
+  Result<MatchResult> once(const Task& task, const MatchConfig& config, const std::function<bool()>& goes_on,
+                           bool observed);
+  Result<MatchResult> attempt(const Task& task, const std::function<bool()>& goes_on, bool observed);
+  Result<void> keep(const Task& task, const MatchResult& result);
+  Result<void> playAgain(const Task& task, const std::function<bool()>& goes_on);
+  Mismatch mismatchOf(const Task& task, const MatchRow& row) const;
+  bool sampled(const MatchId& id) const;
+  bool repeatable(const Fixture& fixture) const;
+  bool decided();
+  RunProgress progress();
+
+  const Fixture& fixtureOf(const Task& task) const { return course_.fixtures()[task.fixture]; }
+  MatchId idOf(const Task& task) const { return identity_.of(fixtureOf(task), task.leg); }
+  MatchRow rowOf(const Task& task, const MatchResult& result) const;
+
+  const TournamentPlan& plan_;
+  const MatchIdentity& identity_;
+  const RunOptions& options_;
+  std::size_t looked_up_ = 0;   // fixtures
+  std::vector<Task> compared_;  // matches from log or cache to play again
+  std::mutex mutex_;            // of all below
+  Course course_;
+  RunOutcome outcome_;
+  RunProgress progress_;
+};
+
+bool Run::sampled(const MatchId& id) const {
+  return std::ldexp(static_cast<double>(id.words[0] >> 11), -53) < options_.verify;
+}
+
+bool Run::repeatable(const Fixture& fixture) const {
+  const TeamIdentity &a = identity_.teams()[fixture.a], &b = identity_.teams()[fixture.b];
+  return a.deterministic && a.repeats && b.deterministic && b.repeats;
+}
+
+MatchRow Run::rowOf(const Task& task, const MatchResult& result) const {
+  const Fixture& fixture = fixtureOf(task);
+  MatchRow row{idOf(task),
+               {plan_.entrants[fixture.a].name, plan_.entrants[fixture.b].name},
+               bookEntry(plan_.book, fixture.start).name,
+               seedOfStart(plan_.seed, fixture.start),
+               result};
+  if (task.leg == 1) std::swap(row.teams[0], row.teams[1]);
+  return row;
+}
+
+Result<std::optional<MatchRow>> Run::found(const Fixture& fixture, const MatchId& id) {
+  if (auto row = options_.log->find(id)) return row;
+  if (options_.cache == nullptr || !repeatable(fixture)) return std::optional<MatchRow>();
+  auto row = options_.cache->find(id);
+  if (row) {
+    if (auto added = options_.log->add(*row); !added) return tl::unexpected<Error>(added.error());
+  }
+  return row;
+}
+
+Result<void> Run::lookUp() {
+  for (; looked_up_ < course_.fixtures().size(); ++looked_up_) {
+    if (options_.shard.has(looked_up_)) progress_.known += 2;
+    for (std::size_t leg = 0; leg < 2; ++leg) {
+      const Task task{looked_up_, leg, true};
+      auto row = found(fixtureOf(task), idOf(task));
+      if (!row) return tl::unexpected<Error>(row.error());
+      if (!*row) continue;
+      if (options_.shard.has(looked_up_)) {
+        ++outcome_.taken;
+        ++progress_.done;
+        if (sampled(idOf(task)) && !late((*row)->result)) compared_.push_back(task);
+      }
+      course_.take(looked_up_, leg, std::move((*row)->result));
+    }
+  }
+  return {};
+}
+
+std::vector<Task> Run::tasks() const {
+  std::vector<Task> tasks;
+  for (std::size_t i = 0; i < course_.fixtures().size() && !course_.decided(); ++i) {
+    if (!options_.shard.has(i)) continue;
+    for (std::size_t leg = 0; leg < 2; ++leg) {
+      if (course_.result(i, leg) == nullptr) tasks.push_back({i, leg, false});
+    }
+  }
+  return tasks;
+}
+
+bool Run::decided() {
+  const std::lock_guard lock(mutex_);
+  return course_.decided();
+}
+
+RunProgress Run::progress() {
+  const std::lock_guard lock(mutex_);
+  progress_.sprt = course_.sprt();
+  return progress_;
+}
+
+Result<MatchResult> Run::once(const Task& task, const MatchConfig& config,
+                              const std::function<bool()>& goes_on, bool observed) {
+  std::unique_ptr<MatchObserver> observer;
+  if (observed && options_.observe) {
+    auto made = options_.observe(fixtureOf(task), task.leg, config, idOf(task));
+    if (!made) return tl::unexpected<Error>(made.error());
+    observer = std::move(*made);
+  }
+  return playMatch(config, options_.clock, goes_on, observer.get());
+}
+
+// A match that the machine failed is no result: it is played again.
+Result<MatchResult> Run::attempt(const Task& task, const std::function<bool()>& goes_on, bool observed) {
+  const auto config = matchOf(plan_, fixtureOf(task), task.leg);
+  if (!config) return tl::unexpected<Error>(config.error());
+  for (int attempt = 0;; ++attempt) {
+    auto result = once(task, *config, goes_on, observed);
+    if (result || result.error().code != ErrorCode::kIo || attempt >= options_.retries) return result;
+    const std::lock_guard lock(mutex_);
+    ++outcome_.retried;
+  }
+}
+
+Result<void> Run::keep(const Task& task, const MatchResult& result) {
+  const MatchRow row = rowOf(task, result);
+  auto added = options_.log->add(row);
+  if (!added) return tl::unexpected<Error>(added.error());
+  if (options_.cache != nullptr && repeatable(fixtureOf(task)) && !late(result)) {
+    auto shared = options_.cache->add(row);
+    if (!shared) return tl::unexpected<Error>(shared.error());
+    if (*shared == Added::kDifferent) added = shared;
+  }
+  const std::lock_guard lock(mutex_);
+  if (*added == Added::kDifferent) outcome_.mismatches.push_back(mismatchOf(task, row));
+  ++outcome_.played;
+  ++progress_.done;
+  if (result.outcome >= MatchOutcome::kCrash) ++progress_.failures;
+  course_.take(task.fixture, task.leg, result);
+  return {};
+}
+
+/// Another run of the match kept another result in the meantime.
+Mismatch Run::mismatchOf(const Task& task, const MatchRow& row) const {
+  auto first = options_.log->find(row.id);
+  if (options_.cache != nullptr && (!first || sameResult(first->result, row.result))) {
+    first = options_.cache->find(row.id);
+  }
+  return {fixtureOf(task), task.leg, first ? first->result : MatchResult{}, row.result};
+}
+
+Result<void> Run::playAgain(const Task& task, const std::function<bool()>& goes_on) {
+  auto second = attempt(task, goes_on, false);
+  if (!second) return tl::unexpected<Error>(second.error());
+  const std::lock_guard lock(mutex_);
+  const MatchResult& first = *course_.result(task.fixture, task.leg);
+  ++outcome_.verified;
+  if (!sameResult(first, *second)) {
+    outcome_.mismatches.push_back({fixtureOf(task), task.leg, first, std::move(*second)});
+  }
+  return {};
+}
+
+Result<void> Run::play(const Task& task, WorkProgress& progress) {
+  if (task.again) return playAgain(task, [&] { return progress.goesOn(); });
+  const auto goes_on = [&] { return !decided() && progress.goesOn(); };
+  if (decided()) return fail(ErrorCode::kInterrupted, "decided");
+  auto result = attempt(task, goes_on, true);
+  if (!result) return tl::unexpected<Error>(result.error());
+  if (auto kept = keep(task, *result); !kept) return kept;
+  if (sampled(idOf(task)) && !late(*result)) {
+    if (auto again = playAgain(task, [&] { return progress.goesOn(); }); !again) return again;
+  }
+  return decided() ? fail(ErrorCode::kInterrupted, "decided") : Result<void>();
+}
+
+Result<void> Run::playAll(const std::vector<Task>& tasks) {
+  WorkProgress watcher(
+      [this](std::size_t, std::size_t) { return !options_.progress || options_.progress(progress()); },
+      tasks.size());
+  auto played = parallelFor(options_.jobs, tasks.size(), watcher,
+                            [&](std::size_t i) { return play(tasks[i], watcher); });
+  if (!played && played.error().code == ErrorCode::kInterrupted) {
+    outcome_.interrupted = watcher.stopped();
+    return {};
+  }
+  return played;
+}
+
+Result<RunOutcome> Run::all() {
+  do {
+    if (auto done = lookUp(); !done) return tl::unexpected<Error>(done.error());
+    const std::vector<Task> missing = tasks();
+    if (missing.empty()) continue;
+    if (auto done = playAll(missing); !done) return tl::unexpected<Error>(done.error());
+  } while (!outcome_.interrupted && !course_.decided() && course_.extend());
+  if (!outcome_.interrupted && !compared_.empty()) {
+    if (auto done = playAll(compared_); !done) return tl::unexpected<Error>(done.error());
+  }
+  outcome_.state = std::move(course_).state();
+  return std::move(outcome_);
+}
+
+}  // namespace
+
+Result<MatchConfig> matchOf(const TournamentPlan& plan, const Fixture& fixture, std::size_t leg) {
+  MatchConfig config = plan.match;
+  const std::array<std::size_t, 2> seats =
+      leg == 0 ? std::array{fixture.a, fixture.b} : std::array{fixture.b, fixture.a};
+  for (std::size_t seat = 0; seat < seats.size(); ++seat) {
+    config.teams[seat] = plan.entrants[seats[seat]].team;
+    config.vision[seat] = plan.match.vision[seats[seat] == 0 ? 0 : 1];
+  }
+  config.seed = seedOfStart(plan.seed, fixture.start);
+  if (auto started = applyStart(plan.book, fixture.start, config); !started) {
+    return tl::unexpected<Error>(started.error());
+  }
+  return config;
+}
+
+Result<void> checkPlan(const TournamentPlan& plan) {
+  for (const auto& checked : {validate(plan), validateFormat(plan), validate(plan.book)}) {
+    if (!checked) return checked;
+  }
+  const auto first = matchOf(plan, {0, 1, 0, 0}, 0);
+  if (!first) return tl::unexpected<Error>(first.error());
+  return checkMatch(*first);
+}
+
+Result<RunOutcome> runTournament(const TournamentPlan& plan, const MatchIdentity& identity,
+                                 const RunOptions& options) {
+  if (options.jobs < 0 || options.jobs > kMostJobs) {
+    return fail(ErrorCode::kUsage, fmt::format("jobs: {} is outside 0 ... {}", options.jobs, kMostJobs));
+  }
+  if (auto checked = checkPlan(plan); !checked) return tl::unexpected<Error>(checked.error());
+  return Run(plan, identity, options).all();
+}
+
+TournamentState stateOf(const TournamentPlan& plan, const MatchIdentity& identity, const MatchStore& log) {
+  Course course(plan);
+  std::size_t next = 0;
+  do {
+    for (; next < course.fixtures().size(); ++next) {
+      for (std::size_t leg = 0; leg < 2; ++leg) {
+        if (auto row = log.find(identity.of(course.fixtures()[next], leg))) {
+          course.take(next, leg, std::move(row->result));
+        }
+      }
+    }
+  } while (course.extend());
+  return std::move(course).state();
+}
+
+}  // namespace fulbito

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "engine/core/math/random.hpp"
+
+namespace fulbito {
+
+/// A draw from the gamma distribution with the positive `shape` and scale 1: the sum of `shape` independent
+/// Exp(1) draws, where that is whole. G. Marsaglia and W. W. Tsang, "A simple method for generating gamma
+/// variables" (2000).
+double gammaDraw(Rng& rng, double shape);
+
+}  // namespace fulbito

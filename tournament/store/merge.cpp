@@ -1,0 +1,89 @@
+#include "tournament/store/merge.hpp"
+
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+#include "engine/core/system/output_file.hpp"
+#include "tournament/store/log_reader.hpp"
+#include "tournament/store/match_line.hpp"
+#include "tournament/store/regular_file.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr std::size_t kBlock = std::size_t{1} << 18;  // [bytes] per write
+
+/// A union that grows.
+class Merging {
+ public:
+  explicit Merging(const std::vector<std::string>& files) : files_(files) {}
+
+  Result<void> readFile(std::size_t file);
+  MergedLogs take() { return std::move(merged_); }
+
+ private:
+  void add(MatchRow row, std::size_t file);
+  void meet(MatchRow& there, MatchRow row, std::size_t file);
+
+  const std::vector<std::string>& files_;
+  MergedLogs merged_;
+  std::unordered_map<MatchId, std::uint32_t, WordOfId> sources_;  ///< index of the file of each row
+};
+
+Result<void> Merging::readFile(std::size_t file) {
+  const auto end = readRows(files_[file], false, [&](MatchRow row, std::size_t) {
+    add(std::move(row), file);
+    return Result<void>();
+  });
+  if (!end) return tl::unexpected<Error>(end.error());
+  merged_.torn += end->torn ? 1 : 0;
+  return {};
+}
+
+void Merging::add(MatchRow row, std::size_t file) {
+  const MatchId id = row.id;
+  const auto [place, is_new] = merged_.rows.try_emplace(id, std::move(row));
+  if (is_new) {
+    sources_[id] = static_cast<std::uint32_t>(file);
+  } else {
+    meet(place->second, std::move(row), file);  // `try_emplace` has moved nothing
+  }
+}
+
+void Merging::meet(MatchRow& there, MatchRow row, std::size_t file) {
+  if (!sameResult(there.result, row.result)) {
+    const std::string& first_file = files_[sources_[row.id]];
+    merged_.conflicts.push_back({there, std::move(row), first_file, files_[file]});
+    return;
+  }
+  ++merged_.repeated;
+  if (toLine(row) < toLine(there)) there = std::move(row);
+}
+
+}  // namespace
+
+Result<MergedLogs> mergeLogs(const std::vector<std::string>& files) {
+  Merging merging(files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (auto read = merging.readFile(i); !read) return tl::unexpected<Error>(read.error());
+  }
+  return merging.take();
+}
+
+Result<void> writeMatchLog(const std::string& file, const std::map<MatchId, MatchRow>& rows) {
+  auto out = OutputFile::create(file);
+  if (!out) return tl::unexpected<Error>(out.error());
+  std::string block(logHeader());
+  for (const auto& [id, row] : rows) {
+    block += toLine(row);
+    if (block.size() < kBlock) continue;
+    if (auto written = out->write(block); !written) return written;
+    block.clear();
+  }
+  return out->write(block).and_then([&] { return out->commit(); }).and_then([&] {
+    return syncFolderOf(file);
+  });
+}
+
+}  // namespace fulbito
