@@ -8,11 +8,20 @@
 
 namespace fulbito::test {
 
+/// A place in memory, for tests that would wait for the disk; where there is none, the usual one.
+inline std::filesystem::path memoryPlace() {
+  std::error_code unknown;
+  const std::filesystem::path memory = "/dev/shm";
+  return std::filesystem::is_directory(memory, unknown) && ::access(memory.c_str(), W_OK) == 0
+             ? memory
+             : std::filesystem::temp_directory_path();
+}
+
 /// A folder of its own for a test, removed at the end.
 class ScratchFolder {
  public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "fulbito-test-XXXXXX").string();
+  explicit ScratchFolder(const std::filesystem::path& where = std::filesystem::temp_directory_path()) {
+    std::string name = (where / "fulbito-test-XXXXXX").string();
     path_ = mkdtemp(name.data());
   }
   ScratchFolder(const ScratchFolder&) = delete;

@@ -65,14 +65,14 @@ Result<void> applyStart(const BookConfig& book, std::size_t index, MatchConfig& 
   if (key.kind == StartKind::kKickOff) return {};
   if (auto checked = checkWithoutTeams(match); !checked) return checked;
   if (key.kind == StartKind::kPlay) {
-    auto placement = playStart(key, match);
+    const auto placement = playStart(key, match);
     if (!placement) return tl::unexpected<Error>(placement.error());
-    match.start = std::move(*placement);
+    match.start = *placement;
     return {};
   }
-  auto opening = restartStart(key, match);
+  const auto opening = restartStart(key, match);
   if (!opening) return tl::unexpected<Error>(opening.error());
-  match.opening = std::move(*opening);
+  match.opening = *opening;
   return {};
 }
 

@@ -95,9 +95,9 @@ class StateSearch {
       if (secondsOfPlay() < kSettled) found.reset();
       if (found && match_.tick() - found_at >= ticksOf(kGoesOn)) return found;
       if (found || match_.seconds() < earliest_ || secondsOfPlay() < kSettled) continue;
-      Placement now = match_.placement();
+      const Placement now = match_.placement();
       if (!isGood(match_.config(), now)) continue;
-      found = std::move(now);
+      found = now;
       found_at = match_.tick();
     }
     return std::nullopt;
@@ -130,7 +130,7 @@ Result<Placement> playStart(const StartKey& key, const MatchConfig& match) {
     for (const TeamId team : kTeams) {
       if (!match.present[indexOf(team)]) found->robots[indexOf(team)] = {};
     }
-    return std::move(*found);
+    return *found;
   }
   return fail(ErrorCode::kBadInput,
               fmt::format("start 'play': the rules '{}' with {} robots per team on the field '{}' lead to no "

@@ -12,6 +12,7 @@ namespace fulbito {
 namespace {
 
 constexpr double kHomeSeconds = 2.0;  // [s] after which a robot gets another place
+constexpr double kRoom = 3.0;         // [radii] between centres: nearer robots are avoided
 constexpr double kNear = 0.04;        // [m] from a place: there is no hurry to get nearer
 
 class Sparring final : public Strategy {
@@ -30,7 +31,8 @@ class Sparring final : public Strategy {
     for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
       if (!seen.own[i].present) continue;
       const RobotState& robot = seen.own[i].state;
-      const Vec2 target = i == player ? behindBall(robot, seen.ball) : placeOf(i, seen);
+      const Vec2 target = i == player ? behindBall(robot, seen.ball)
+                                      : robot.pose.position + freeWay(i, placeOf(i, seen), seen);
       const Twist wanted = drive(robot, target, i == player);
       const bool meant = seen.playing && distance(robot.pose.position, target) > kNear;
       const auto free = unsticking_[i].update(robot, meant, seen.dt);
@@ -79,6 +81,22 @@ class Sparring final : public Strategy {
       return {-info_.field.length / 2 + margin, std::clamp(seen.ball.position.y, -half, half)};
     }
     return insideWalls(info_.field, homes_[robot] + Vec2{0.4 * seen.ball.position.x, 0.0}, margin);
+  }
+
+  /// From the robot toward its place, away from robots that come near: who only holds a place makes room.
+  Vec2 freeWay(std::size_t robot, Vec2 place, const Observation& seen) const {
+    const Vec2 at = seen.own[robot].state.pose.position;
+    const double room = kRoom * info_.robot.circumradius();
+    Vec2 way = place - at;
+    if (norm(way) > room) way = way * (room / norm(way));
+    for (const auto* team : {&seen.own, &seen.opponents}) {
+      for (const ObservedRobot& other : *team) {
+        const Vec2 apart = at - other.state.pose.position;
+        const double away = norm(apart);
+        if (other.present && away > 0.0 && away < room) way += apart * (2.0 * (room - away) / away);
+      }
+    }
+    return way;
   }
 
   Twist drive(const RobotState& robot, Vec2 target, bool fast) const {

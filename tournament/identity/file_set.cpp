@@ -87,7 +87,11 @@ Result<std::vector<std::string>> allFilesBelow(const fs::path& folder) {
 
 Result<WideHashValue> fileHash(const fs::path& file) {
   std::error_code error;
-  if (fs::is_directory(file, error)) return cannotRead(file, EISDIR);
+  const fs::file_status status = fs::status(file, error);
+  if (error) return cannotRead(file, error);
+  if (!fs::is_regular_file(status)) {
+    return fail(ErrorCode::kIo, fmt::format("cannot read '{}': it is no regular file", file.string()));
+  }
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   if (!in) return cannotRead(file, errno);

@@ -95,6 +95,7 @@ void fillMeetings(const LayoutRuns& runs, double tie, const Ratings& ratings, Na
     }
   }
   std::vector<double> p;
+  p.reserve(table.meetings.size());
   for (const NavigatorMeeting& meeting : table.meetings) p.push_back(meeting.p);
   const std::vector<double> corrected = holm(p);
   for (std::size_t i = 0; i < p.size(); ++i) table.meetings[i].p_holm = corrected[i];

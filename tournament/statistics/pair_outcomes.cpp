@@ -17,14 +17,14 @@ std::int64_t total(const PairOutcomes& pairs, int PairMatches::* kind) {
 }
 
 /// 0 for a loss, 1 for a draw, 2 for a win.
-int halves(double points) { return static_cast<int>(std::floor(2.0 * points + 0.5)); }
+std::size_t halves(double points) { return static_cast<std::size_t>(std::floor(2.0 * points + 0.5)); }
 
 PairOutcome outcomeOf(double first, double second) {
-  const int a = halves(first), b = halves(second);
+  const std::size_t a = halves(first), b = halves(second);
   if (a + b == 2) return a == 1 ? PairOutcome::kDD : PairOutcome::kWL;
   constexpr std::array<PairOutcome, 5> kBySum{PairOutcome::kLL, PairOutcome::kLD, PairOutcome::kDD,
                                               PairOutcome::kWD, PairOutcome::kWW};
-  return kBySum[static_cast<std::size_t>(a + b)];
+  return kBySum[a + b];
 }
 
 }  // namespace
@@ -46,7 +46,8 @@ std::int64_t PairOutcomes::losses() const { return total(*this, &PairMatches::lo
 PairCounts PairOutcomes::scores() const {
   PairCounts scores;
   for (std::size_t i = 0; i < kPairOutcomes; ++i) {
-    scores.counts[static_cast<std::size_t>(2 * kMatches[i].wins + kMatches[i].draws)] += counts[i];
+    const int quarters = 2 * kMatches[i].wins + kMatches[i].draws;
+    scores.counts[static_cast<std::size_t>(quarters)] += counts[i];
   }
   return scores;
 }

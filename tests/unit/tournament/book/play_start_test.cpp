@@ -1,7 +1,7 @@
 #include "tournament/book/play_start.hpp"
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <set>
 
 #include "fulbito/detail/math.hpp"
@@ -92,12 +92,12 @@ TEST_CASE("a team that is absent has no robots in a state from play", "[unit]") 
 TEST_CASE("a state from play costs less than 20 ms on average", "[unit]") {
   const MatchConfig match = matchOf("vsss-3v3");
   constexpr int kStarts = 50;
-  const auto begun = std::chrono::steady_clock::now();
+  const std::clock_t begun = std::clock();  // of the processor: others may use it too
   for (std::uint64_t turn = 0; turn < kStarts; ++turn) REQUIRE(playStart({StartKind::kPlay, 9, turn}, match));
-  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begun;
-  WARN(taken.count() / kStarts << " ms per start");
+  const double mean = 1e3 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC / kStarts;
+  INFO(mean << " ms per start");
 #ifdef NDEBUG
-  CHECK(taken.count() / kStarts < 20.0);
+  CHECK(mean < 20.0);
 #endif
 }
 

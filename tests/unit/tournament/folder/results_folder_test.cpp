@@ -24,6 +24,10 @@ PlanRecord recordOf(int pairs, const std::string& sources = "one") {
   return {plan, *MatchIdentity::restore(plan, "engine", "00000000000000000000000000000001", teams)};
 }
 
+std::string in(const ScratchFolder& scratch, const std::string& name) {
+  return (scratch.path() / name).string();
+}
+
 RunOutcome runIn(const std::string& path, const PlanRecord& record, Shard shard = {}) {
   auto folder = ResultsFolder::open(path, record);
   REQUIRE(folder);
@@ -48,7 +52,7 @@ std::vector<std::uint64_t> hashesOf(const TournamentState& state) {
 
 TEST_CASE("a folder continues its tournament and can be read without its teams", "[unit]") {
   const ScratchFolder scratch;
-  const std::string path = scratch.path("results");
+  const std::string path = in(scratch, "results");
   const PlanRecord record = recordOf(1);
   const RunOutcome first = runIn(path, record);
   CHECK(first.played == 6);
@@ -63,8 +67,8 @@ TEST_CASE("a folder continues its tournament and can be read without its teams",
 
 TEST_CASE("a folder of another plan is refused, with what differs", "[unit]") {
   const ScratchFolder scratch;
-  runIn(scratch.path("results"), recordOf(1));
-  const auto other = ResultsFolder::open(scratch.path("results"), recordOf(2));
+  runIn(in(scratch, "results"), recordOf(1));
+  const auto other = ResultsFolder::open(in(scratch, "results"), recordOf(2));
   REQUIRE_FALSE(other);
   CHECK(other.error().code == ErrorCode::kUsage);
   CHECK(other.error().message.find("pairs: 1 -> 2") != std::string::npos);
@@ -72,17 +76,17 @@ TEST_CASE("a folder of another plan is refused, with what differs", "[unit]") {
 
 TEST_CASE("matches of a team that has changed are played again", "[unit]") {
   const ScratchFolder scratch;
-  runIn(scratch.path("results"), recordOf(1));
+  runIn(in(scratch, "results"), recordOf(1));
   PlanRecord record = recordOf(1);
   std::vector<TeamIdentity> teams = record.identity.teams();
   teams[2].hash = "two";
   record.identity = *MatchIdentity::restore(record.plan, "engine", "00000000000000000000000000000001", teams);
   {
-    const auto folder = ResultsFolder::open(scratch.path("results"), record);
+    const auto folder = ResultsFolder::open(in(scratch, "results"), record);
     REQUIRE(folder);
     CHECK(folder->changed == std::vector<std::string>{"random has changed"});
   }
-  const RunOutcome again = runIn(scratch.path("results"), record);
+  const RunOutcome again = runIn(in(scratch, "results"), record);
   CHECK(again.played == 4);
   CHECK(again.taken == 2);
 }
@@ -90,14 +94,14 @@ TEST_CASE("matches of a team that has changed are played again", "[unit]") {
 TEST_CASE("shards in folders of their own merge to the whole, in any order and number", "[unit]") {
   const ScratchFolder scratch;
   const PlanRecord record = recordOf(2);
-  const RunOutcome whole = runIn(scratch.path("whole"), record);
+  const RunOutcome whole = runIn(in(scratch, "whole"), record);
   for (const std::size_t count : {1, 3, 7}) {
     std::vector<std::string> folders;
     for (std::size_t i = 0; i < count; ++i) {
-      folders.push_back(scratch.path(std::to_string(count) + "-" + std::to_string(i)));
+      folders.push_back(in(scratch, (std::to_string(count) + "-" + std::to_string(i))));
       runIn(folders.back(), record, {i, count});
     }
-    const std::string into = scratch.path("merged-" + std::to_string(count));
+    const std::string into = in(scratch, ("merged-" + std::to_string(count)));
     std::reverse(folders.begin(), folders.end());
     const auto merged = mergeFolders(folders, into);
     REQUIRE(merged);
@@ -112,31 +116,31 @@ TEST_CASE("shards in folders of their own merge to the whole, in any order and n
 
 TEST_CASE("shards of other plans or teams are refused, and runs that differ are shown", "[unit]") {
   const ScratchFolder scratch;
-  runIn(scratch.path("a"), recordOf(1));
-  runIn(scratch.path("b"), recordOf(2));
-  runIn(scratch.path("c"), recordOf(1, "two"));
-  CHECK(mergeFolders({scratch.path("a"), scratch.path("b")}, scratch.path("x")).error().code ==
+  runIn(in(scratch, "a"), recordOf(1));
+  runIn(in(scratch, "b"), recordOf(2));
+  runIn(in(scratch, "c"), recordOf(1, "two"));
+  CHECK(mergeFolders({in(scratch, "a"), in(scratch, "b")}, in(scratch, "x")).error().code ==
         ErrorCode::kUsage);
-  const auto changed = mergeFolders({scratch.path("a"), scratch.path("c")}, scratch.path("x"));
+  const auto changed = mergeFolders({in(scratch, "a"), in(scratch, "c")}, in(scratch, "x"));
   REQUIRE_FALSE(changed);
   CHECK(changed.error().message.find("chaser has changed") != std::string::npos);
-  CHECK_FALSE(mergeFolders({scratch.path("missing")}, scratch.path("x")));
+  CHECK_FALSE(mergeFolders({in(scratch, "missing")}, in(scratch, "x")));
 
   const PlanRecord record = recordOf(1);
   {
-    const auto folder = ResultsFolder::open(scratch.path("d"), record);
+    const auto folder = ResultsFolder::open(in(scratch, "d"), record);
     REQUIRE(folder);
-    const auto rows = readMatchStore(scratch.path("a") + "/matches.jsonl");
+    const auto rows = readMatchStore(in(scratch, "a") + "/matches.jsonl");
     REQUIRE(rows);
     auto row = (*rows)->find(record.identity.of({0, 1, 0, 0}, 0));
     REQUIRE(row);
     ++row->result.hash;
     REQUIRE(folder->log->add(*row));
   }
-  const auto merged = mergeFolders({scratch.path("a"), scratch.path("d")}, scratch.path("y"));
+  const auto merged = mergeFolders({in(scratch, "a"), in(scratch, "d")}, in(scratch, "y"));
   REQUIRE(merged);
   REQUIRE(merged->conflicts.size() == 1);
-  CHECK_FALSE(readFolder(scratch.path("y")));
+  CHECK_FALSE(readFolder(in(scratch, "y")));
 }
 
 }  // namespace fulbito

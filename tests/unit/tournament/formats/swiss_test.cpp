@@ -155,6 +155,78 @@ TEST_CASE("nobody meets twice or rests twice, for all numbers of rounds below th
   }
 }
 
+TEST_CASE("reserved rounds have no pair in common, whatever the points", "[unit]") {
+  for (const std::size_t entrants : {2u, 3u, 7u, 12u, 33u, 70u, 81u}) {
+    const std::size_t places = entrants + entrants % 2;
+    CAPTURE(entrants);
+    ReservedRounds rounds(places, places - 1);
+    Rng rng(entrants, kTestStream);
+    std::set<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t round = 0; round + 1 < places; ++round) {
+      REQUIRE_FALSE(rounds.empty());
+      std::vector<double> points(entrants);
+      for (double& value : points) value = rng.below(40) / 4.0;
+      const Pairing next = rounds.take(points);
+      CHECK(next.size() == places / 2);
+      std::set<std::size_t> players;
+      for (const auto& [a, b] : next) {
+        CHECK(pairs.insert(std::minmax(a, b)).second);
+        CHECK((b == entrants || points[a] >= points[b]));
+        players.insert({a, b});
+      }
+      CHECK(players.size() == places);
+      if (entrants < places) CHECK(next.back().second == entrants);
+    }
+    CHECK(rounds.empty());
+  }
+}
+
+TEST_CASE("exchanged cycles make a reserved round more equal", "[unit]") {
+  constexpr std::size_t kPlaces = 10;  // two rounds of its circle can be several cycles
+  const auto cost = [](const Pairing& pairs, const std::vector<double>& points) {
+    double sum = 0.0;
+    for (const auto& [a, b] : pairs) sum += (points[a] - points[b]) * (points[a] - points[b]);
+    return sum;
+  };
+  int better = 0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    Rng rng(seed, kTestStream);
+    std::vector<double> points(kPlaces);
+    for (double& value : points) value = rng.below(20) / 4.0;
+    double least = 1e9;
+    for (std::size_t round = 0; round + 1 < kPlaces; ++round) {
+      least = std::min(least, cost(circleRound(kPlaces, round), points));
+    }
+    const double reached = cost(ReservedRounds(kPlaces, kPlaces - 1).take(points), points);
+    CHECK(reached <= least);
+    better += reached < least;
+  }
+  CHECK(better > 10);
+}
+
+TEST_CASE("rounds after the next one are found, or the reserved ones stay", "[unit]") {
+  // Six entrants after a round of the complete graph's: always five rounds in all.
+  ReservedRounds rounds(6, 5);
+  OpenMeetings open(6);
+  for (const auto& [a, b] : Pairing{{0, 1}, {2, 3}, {4, 5}}) open.close(a, b);
+  REQUIRE(rounds.renew(open));
+  for (int round = 0; round < 4; ++round) {
+    for (const auto& [a, b] : rounds.take(std::vector<double>(6))) {
+      CHECK(open.has(a, b));
+      open.close(a, b);
+    }
+  }
+  CHECK(rounds.empty());
+  // Two triangles are left of six after three rounds: no fourth one.
+  ReservedRounds two(6, 2);
+  OpenMeetings triangles(6);
+  for (std::size_t a = 0; a < 3; ++a) {
+    for (std::size_t b = 3; b < 6; ++b) triangles.close(a, b);
+  }
+  CHECK_FALSE(two.renew(triangles));
+  CHECK_FALSE(two.empty());
+}
+
 TEST_CASE("opponents of a Swiss round have about equal points, in short and long tournaments", "[unit]") {
   constexpr std::size_t kEntrants = 16, kMeetings = kEntrants / 2;
   constexpr int kCompared = 4;  // rounds; in a long tournament the last ones have no choice

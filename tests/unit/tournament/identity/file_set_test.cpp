@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sys/stat.h>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -40,6 +41,22 @@ TEST_CASE("a file is hashed piece by piece", "[unit]") {
   REQUIRE_FALSE(missing);
   CHECK(missing.error().code == ErrorCode::kIo);
   CHECK(missing.error().message.find("missing") != std::string::npos);
+  // A pipe would wait for ever.
+  const std::string pipe = (scratch.path() / "pipe").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK(fileHash(pipe).error().message == "cannot read '" + pipe + "': it is no regular file");
+}
+
+TEST_CASE("links to folders and hidden names do not belong to a set of files", "[unit]") {
+  const test::ScratchFolder scratch;
+  const std::filesystem::path folder = scratch.path() / "team";
+  for (const char* file :
+       {"team/a.py", "team/.git/b.py", "team/__pycache__/c.py", "team/.d.py", "other/e.py"})
+    scratch.write(file, "");
+  std::filesystem::create_directory_symlink(scratch.path() / "other", folder / "linked");
+  const auto files = filesMatching(folder, {"**"});
+  REQUIRE(files);
+  CHECK(*files == std::set<std::string>{"a.py"});
 }
 
 }  // namespace fulbito

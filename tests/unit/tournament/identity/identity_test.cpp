@@ -1,6 +1,6 @@
 #include "tournament/identity/identity.hpp"
 
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -293,15 +293,15 @@ TEST_CASE("100,000 identities take less than 0.1 s and differ", "[unit]") {
   REQUIRE(identity);
   std::vector<MatchId> ids;
   ids.reserve(100000);
-  const auto begun = std::chrono::steady_clock::now();
+  const std::clock_t begun = std::clock();  // of the processor: others may use it too
   for (std::size_t i = 0; i < 50000; ++i) {
     for (const std::size_t leg : {0U, 1U}) ids.push_back(identity->of({0, 1, 0, i}, leg));
   }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
+  const double taken = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
   CHECK(std::set<MatchId>(ids.begin(), ids.end()).size() == ids.size());
-  INFO(taken.count() << " s");
+  INFO(taken << " s");
 #ifdef NDEBUG
-  CHECK(taken.count() < 0.1);
+  CHECK(taken < 0.1);
 #endif
 }
 
