@@ -67,7 +67,8 @@ std::vector<GridCell> standingRow(const TournamentState& state, const Tournament
                             number(s.matches), number(s.won),
                             number(s.drawn),   number(s.lost)};
   row.push_back(cell(fmt::format("{}:{}", s.goals_for, s.goals_against)));
-  row.push_back(cell(fmt::format("{:+}", s.goals_for - s.goals_against)));
+  const int difference = s.goals_for - s.goals_against;
+  row.push_back(cell(difference == 0 ? "0" : fmt::format("{:+}", difference)));
   row.push_back(number(s.points));
   if (show.pair_points) row.push_back(cell(fmt::format("{:g}", s.pair_points)));
   const MeetingSummary& total = table.totals[s.entrant];

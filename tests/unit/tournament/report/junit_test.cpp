@@ -37,7 +37,7 @@ TEST_CASE("JUnit has a suite per pairing and a case per match", "[unit]") {
         "hash 0000000000000aed</system-out></testcase>\n"
         "    <testcase classname=\"alpha against beta\" name=\"1.2 kick-off:0 (blue beta, yellow alpha)\">"
         "<system-out>score 2:0, normal\nseed 7\nid 000000000000f00d0000000000000001\n"
-        "hash 0000000000000acc\nrecording recordings/a&amp;b.fbr</system-out></testcase>\n"
+        "hash 0000000000000adc\nrecording recordings/a&amp;b.fbr</system-out></testcase>\n"
         "  </testsuite>\n"
         "</testsuites>\n");
 }
