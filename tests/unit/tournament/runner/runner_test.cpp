@@ -46,7 +46,7 @@ MatchIdentity identityOf(const TournamentPlan& plan) {
 }
 
 Result<RunOutcome> run(const TournamentPlan& plan, MatchStore& log, int jobs = 2, Shard shard = {}) {
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = jobs;
   options.log = &log;
   options.shard = shard;
@@ -178,7 +178,7 @@ TEST_CASE("a run that is stopped keeps what it has, and the next one plays only 
   const auto whole = run(plan);
   REQUIRE(whole);
   MatchMemory memory;
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = 2;
   options.log = &memory;
   options.progress = [](const RunProgress& progress) {
@@ -221,7 +221,7 @@ TEST_CASE("matches of the log that do not repeat are found and told apart from t
   const TournamentPlan plan = planOf({moody.choice(), *parseTeam("idle")}, 2, 2.0);
   MatchMemory memory;
   REQUIRE(run(plan, memory, 1));
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = 1;
   options.log = &memory;
   options.verify = 1.0;
@@ -244,7 +244,7 @@ TEST_CASE("what the machine fails is played again and never counted", "[unit]") 
   MatchMemory memory;
   std::mutex mutex;
   int calls = 0;
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = 2;
   options.log = &memory;
   // A recorder that the machine has no room for fails the attempt.
