@@ -1,4 +1,4 @@
-#include "match/play/foul_goals.hpp"
+#include "match/report/foul_goals.hpp"
 
 #include "fulbito/statistics.hpp"
 #include "referee/rules/clauses.hpp"
