@@ -64,7 +64,7 @@ TEST_CASE("a folder of results that cannot be written exits with 5", "[cli]") {
     CHECK(output.err.find(name) != std::string::npos);
   }
   const Output limited =
-      sandbox.shell("ulimit -f 16; \"$F\" tournament run idle chaser --pairs 100 --half-seconds 1 --out out");
+      sandbox.shell("ulimit -f 24; \"$F\" tournament run idle chaser --pairs 100 --half-seconds 1 --out out");
   CHECK(limited.code == 5);
   CHECK(limited.err.find("out/matches.jsonl': File too large") != std::string::npos);
   const auto kept = readMatchLog(logOf(sandbox, "out"));
