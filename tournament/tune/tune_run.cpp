@@ -44,7 +44,7 @@ void TuneRun::count(RunOutcome& outcome) {
 Result<std::optional<TournamentState>> TuneRun::play(const TournamentPlan& plan) {
   const auto identity = MatchIdentity::create(plan);
   if (!identity) return tl::unexpected<Error>(identity.error());
-  RunOptions run;
+  RunnerOptions run;
   run.jobs = options_.jobs;
   run.clock = options_.clock;
   run.log = options_.log;
