@@ -475,7 +475,8 @@ const std::vector<Folder> kFolders = {
      "what tests and surveys share",
      {"engine/core/base", "engine/core/math", "engine/core/models", "engine/sim", "navigation/interface",
       "navigation/methods/paths", "strategies/interface", "strategies", "referee/restarts",
-      "replays/recording", "match/config", "match/check", "match/record", "tournament/results", "bridge"}},
+      "replays/recording", "match/config", "match/check", "match/record", "tournament/results",
+      "tournament/store", "bridge"}},
 };
 
 bool isIn(std::string_view path, std::string_view folder) {
