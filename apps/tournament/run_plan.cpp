@@ -90,9 +90,7 @@ Result<KeptRecordings> checkedRecordings(const RunFlags& flags) {
 /// Records upsets once all results are known.
 Result<void> finishRecordings(const RunOutcome& outcome, const std::string& folder) {
   if (outcome.interrupted || !outcome.state.finished()) return {};
-  const auto table = tableOf(outcome.state);
-  if (!table) return tl::unexpected<Error>(table.error());
-  return recordNotable(outcome.state, table->notable, folder);
+  return recordNotable(outcome.state, tableOf(outcome.state).notable, folder);
 }
 
 }  // namespace
@@ -136,7 +134,7 @@ Result<PlayedPlan> runPlan(const TournamentPlan& plan, const RunFlags& flags) {
   if (auto opened = openTools(flags, played.record, tools); !opened)
     return tl::unexpected<Error>(opened.error());
 
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = flags.jobs;
   options.shard = *shard;
   options.clock = now;

@@ -117,9 +117,8 @@ int printSchedule(const TournamentPlan& plan) {
 }
 
 int print(const TournamentState& state, const ReportFiles& files, const std::string& recordings) {
-  const auto table = tableOf(state);
-  if (!table) return report(table.error());
-  if (auto written = writeReports(state, *table, files, recordings); !written) return report(written.error());
+  if (auto written = writeReports(state, tableOf(state), files, recordings); !written)
+    return report(written.error());
   return kOk;
 }
 

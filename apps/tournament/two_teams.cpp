@@ -26,9 +26,8 @@ int playTwoTeams(const std::string& first, const std::string& second, const Plan
   if (!played) return report(played.error());
   if (!flags.out.empty() || !played->outcome.mismatches.empty()) noteOutcome(*played, flags);
   const TournamentState& state = played->outcome.state;
-  const auto table = tableOf(state);
-  if (!table) return report(table.error());
-  if (auto written = writeReports(state, *table, files, ResultsFolder::recordingsOf(flags.out)); !written) {
+  if (auto written = writeReports(state, tableOf(state), files, ResultsFolder::recordingsOf(flags.out));
+      !written) {
     return report(written.error());
   }
   return exitCodeOf(*played, flags);

@@ -125,7 +125,7 @@ TournamentTable tableOf(const TournamentState& state) {
   TournamentTable table;
   const std::vector<std::size_t> counted = countedFixtures(state);
   table.standings = standingsOf(state.plan, state.schedule, state.results, state.counted);
-  table.bracket = bracketOf(state.plan, state.schedule, state.results);
+  table.bracket = bracketOf(state.plan, state.results);
   countMeetings(state, counted, table);
   rateAll(state, counted, table);
   countFaults(state, counted, table);

@@ -42,7 +42,7 @@ void Course::judge() {
 }
 
 TournamentState Course::state() && {
-  TournamentState state{plan_, std::move(schedule_), std::move(results_), sprt_, 0};
+  TournamentState state{plan_, std::move(schedule_), std::move(results_), {}, sprt_, 0};
   state.counted = sprt_ ? judged_ : state.results.size();
   return state;
 }

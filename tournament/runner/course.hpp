@@ -26,7 +26,7 @@ class Course {
   const std::optional<Sprt>& sprt() const { return sprt_; }
   /// Whether the test has a verdict: no further match counts.
   bool decided() const { return sprt_ && sprt_->verdict() != SprtVerdict::kInconclusive; }
-  /// Everything so far as a value.
+  /// Everything so far as a value, without identities.
   TournamentState state() &&;
 
  private:

@@ -22,6 +22,13 @@ bool late(const MatchResult& result) {
   return result.faults.teams[0].late > 0 || result.faults.teams[1].late > 0;
 }
 
+TournamentState identified(TournamentState state, const MatchIdentity& identity) {
+  for (const Fixture& fixture : state.schedule.fixtures) {
+    state.ids.push_back({identity.of(fixture, 0), identity.of(fixture, 1)});
+  }
+  return state;
+}
+
 /// A match to play, or to play again and compare.
 struct Task {
   std::size_t fixture = 0;
@@ -32,7 +39,7 @@ struct Task {
 /// The work of `runTournament`, while several threads share it.
 class Run {
  public:
-  Run(const TournamentPlan& plan, const MatchIdentity& identity, const RunOptions& options)
+  Run(const TournamentPlan& plan, const MatchIdentity& identity, const RunnerOptions& options)
       : plan_(plan), identity_(identity), options_(options), course_(plan) {}
 
   Result<RunOutcome> all();
@@ -60,7 +67,7 @@ class Run {
 
   const TournamentPlan& plan_;
   const MatchIdentity& identity_;
-  const RunOptions& options_;
+  const RunnerOptions& options_;
   std::size_t looked_up_ = 0;   // fixtures
   std::vector<Task> compared_;  // matches from log or cache to play again
   std::mutex mutex_;            // of all below
@@ -238,7 +245,7 @@ Result<RunOutcome> Run::all() {
   if (!outcome_.interrupted && !compared_.empty()) {
     if (auto done = playAll(compared_); !done) return tl::unexpected<Error>(done.error());
   }
-  outcome_.state = std::move(course_).state();
+  outcome_.state = identified(std::move(course_).state(), identity_);
   return std::move(outcome_);
 }
 
@@ -269,7 +276,7 @@ Result<void> checkPlan(const TournamentPlan& plan) {
 }
 
 Result<RunOutcome> runTournament(const TournamentPlan& plan, const MatchIdentity& identity,
-                                 const RunOptions& options) {
+                                 const RunnerOptions& options) {
   if (options.jobs < 0 || options.jobs > kMostJobs) {
     return fail(ErrorCode::kUsage, fmt::format("jobs: {} is outside 0 ... {}", options.jobs, kMostJobs));
   }
@@ -289,7 +296,7 @@ TournamentState stateOf(const TournamentPlan& plan, const MatchIdentity& identit
       }
     }
   } while (course.extend());
-  return std::move(course).state();
+  return identified(std::move(course).state(), identity);
 }
 
 }  // namespace fulbito

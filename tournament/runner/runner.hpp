@@ -52,7 +52,7 @@ struct RunProgress {
 };
 
 /// How a tournament is run. None of this affects its results.
-struct RunOptions {
+struct RunnerOptions {
   int jobs = 0;  ///< matches at once; 0: one per core
   Shard shard;
   MatchClock clock;                   ///< monotonic time [ns]
@@ -86,7 +86,7 @@ Result<MatchConfig> matchOf(const TournamentPlan& plan, const Fixture& fixture, 
 /// deterministic never plays from the cache. Errors: kUsage of the plan; of a match; kIo of the log, with all
 /// results before it kept.
 Result<RunOutcome> runTournament(const TournamentPlan& plan, const MatchIdentity& identity,
-                                 const RunOptions& options);
+                                 const RunnerOptions& options);
 
 /// What the log has of a tournament.
 TournamentState stateOf(const TournamentPlan& plan, const MatchIdentity& identity, const MatchStore& log);

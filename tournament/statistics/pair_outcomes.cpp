@@ -19,7 +19,7 @@ std::int64_t total(const PairOutcomes& pairs, int PairMatches::* kind) {
 /// 0 for a loss, 1 for a draw, 2 for a win.
 std::size_t halves(double points) { return static_cast<std::size_t>(std::floor(2.0 * points + 0.5)); }
 
-PairOutcome outcomeOf(double first, double second) {
+PairOutcome pairOutcome(double first, double second) {
   const std::size_t a = halves(first), b = halves(second);
   if (a + b == 2) return a == 1 ? PairOutcome::kDD : PairOutcome::kWL;
   constexpr std::array<PairOutcome, 5> kBySum{PairOutcome::kLL, PairOutcome::kLD, PairOutcome::kDD,
@@ -32,7 +32,7 @@ PairOutcome outcomeOf(double first, double second) {
 PairMatches matchesOf(PairOutcome outcome) { return kMatches[static_cast<std::size_t>(outcome)]; }
 
 void PairOutcomes::add(double first, double second) {
-  ++counts[static_cast<std::size_t>(outcomeOf(first, second))];
+  ++counts[static_cast<std::size_t>(pairOutcome(first, second))];
 }
 
 std::int64_t PairOutcomes::pairs() const {

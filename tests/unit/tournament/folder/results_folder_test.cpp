@@ -31,7 +31,7 @@ std::string in(const ScratchFolder& scratch, const std::string& name) {
 RunOutcome runIn(const std::string& path, const PlanRecord& record, Shard shard = {}) {
   auto folder = ResultsFolder::open(path, record);
   REQUIRE(folder);
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = 2;
   options.log = folder->log.get();
   options.shard = shard;

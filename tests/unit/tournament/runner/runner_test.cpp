@@ -15,7 +15,7 @@ namespace {
 
 using namespace fulbito::test;
 
-TournamentPlan planOf(std::vector<TeamChoice> teams, int pairs, double half_seconds,
+TournamentPlan planWith(std::vector<TeamChoice> teams, int pairs, double half_seconds,
                       TournamentFormat format = TournamentFormat::kMatch) {
   TournamentPlan plan;
   plan.format = format;
@@ -31,7 +31,7 @@ TournamentPlan planOf(const std::vector<std::string>& teams, int pairs, double h
                       TournamentFormat format = TournamentFormat::kMatch) {
   std::vector<TeamChoice> choices;
   for (const std::string& team : teams) choices.push_back(*parseTeam(team));
-  return planOf(std::move(choices), pairs, half_seconds, format);
+  return planWith(std::move(choices), pairs, half_seconds, format);
 }
 
 /// Teams of tests have no sources: identities by name are enough.
@@ -46,7 +46,7 @@ MatchIdentity identityOf(const TournamentPlan& plan) {
 }
 
 Result<RunOutcome> run(const TournamentPlan& plan, MatchStore& log, int jobs = 2, Shard shard = {}) {
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = jobs;
   options.log = &log;
   options.shard = shard;
@@ -124,7 +124,7 @@ TEST_CASE("shards play each match once, and together all", "[unit]") {
 
 TEST_CASE("the second leg exchanges the seats: points and goals follow the team", "[unit]") {
   const TestEntry still([](const Observation&) { return allWheels({}); });
-  const TournamentPlan plan = planOf({*parseTeam("chaser"), still.choice()}, 2, 150.0);
+  const TournamentPlan plan = planWith({*parseTeam("chaser"), still.choice()}, 2, 150.0);
   const auto played = run(plan);
   REQUIRE(played);
   double points = 0.0;
@@ -165,7 +165,7 @@ TEST_CASE("how a team sees goes with it from seat to seat", "[unit]") {
     });
   };
   const TestEntry first = looking(poor, wrong, true), second = looking(good, wrong, false);
-  TournamentPlan plan = planOf({first.choice(), second.choice()}, 2, 2.0);
+  TournamentPlan plan = planWith({first.choice(), second.choice()}, 2, 2.0);
   plan.match.vision[0].latency_ticks = 9;
   REQUIRE(run(plan));
   CHECK(poor == 4);
@@ -178,7 +178,7 @@ TEST_CASE("a run that is stopped keeps what it has, and the next one plays only 
   const auto whole = run(plan);
   REQUIRE(whole);
   MatchMemory memory;
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = 2;
   options.log = &memory;
   options.progress = [](const RunProgress& progress) {
@@ -218,10 +218,10 @@ TEST_CASE("matches of the log that do not repeat are found and told apart from t
     if (seen.tick == 0) ++started;
     return allWheels({started > 4 ? 10.0 : 5.0, 5.0});
   });
-  const TournamentPlan plan = planOf({moody.choice(), *parseTeam("idle")}, 2, 2.0);
+  const TournamentPlan plan = planWith({moody.choice(), *parseTeam("idle")}, 2, 2.0);
   MatchMemory memory;
   REQUIRE(run(plan, memory, 1));
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = 1;
   options.log = &memory;
   options.verify = 1.0;
@@ -244,7 +244,7 @@ TEST_CASE("what the machine fails is played again and never counted", "[unit]") 
   MatchMemory memory;
   std::mutex mutex;
   int calls = 0;
-  RunOptions options;
+  RunnerOptions options;
   options.jobs = 2;
   options.log = &memory;
   // A recorder that the machine has no room for fails the attempt.
@@ -286,7 +286,7 @@ TEST_CASE("outcomes by the worst fault", "[unit]") {
 
 TEST_CASE("the lead that the rules name is told apart from a match played out", "[unit]") {
   const TestEntry still([](const Observation&) { return allWheels({}); });
-  TournamentPlan plan = planOf({*parseTeam("chaser"), still.choice()}, 1, 300.0);
+  TournamentPlan plan = planWith({*parseTeam("chaser"), still.choice()}, 1, 300.0);
   plan.match.rules.periods.mercy_goals = 1;
   const auto played = run(plan);
   REQUIRE(played);
