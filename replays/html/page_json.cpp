@@ -49,6 +49,8 @@ Json bodyJson(const PageBody& body) {
     json["size"] = {body.length, body.width};
   } else {
     json["radius"] = body.radius;
+    // A round robot turns, a ball does not: the page asks for the column of headings by this.
+    if (hasHeading(body)) json["turns"] = true;
   }
   return json;
 }

@@ -2,6 +2,7 @@
 //   browser_pages positions FILE...   where everything is at 50 times of a recording, one JSON object a line
 //   browser_pages hostile             a page of names and texts that want to break out, on stdout
 //   browser_pages drawings            a page of a trial with drawings, and a team whose robot is away
+//   browser_pages round               a page of a trial whose robots are round, on stdout
 //   browser_pages calls               a page in which every clause is called, once against each team
 //   browser_pages banners             what pictures show of the same calls, one JSON object a line
 
@@ -129,6 +130,16 @@ int drawings() {
   return print({PageKind::kReplay, "drawings", {scene}});
 }
 
+int round() {
+  PageScene scene = circles();
+  for (PageBody& body : scene.bodies) {
+    if (body.kind != BodyKind::kRobot) continue;
+    body.box = false;
+    body.radius = 0.04;
+  }
+  return print({PageKind::kReplay, "round robots", {scene}});
+}
+
 constexpr Tick kBetweenCalls = 180;  // longer than any banner stays
 
 /// Every clause that has words, once against or for each team, a call every three seconds.
@@ -185,6 +196,7 @@ int main(int argc, char** argv) {
   if (what == "positions" && argc == 3) return fulbito::positions(argv[2]);
   if (what == "hostile") return fulbito::hostile();
   if (what == "drawings") return fulbito::drawings();
+  if (what == "round") return fulbito::round();
   if (what == "calls") return fulbito::calls();
   if (what == "banners") return fulbito::banners();
   std::fputs("Usage: browser_pages positions FILE | hostile | drawings | calls | banners\n", stderr);

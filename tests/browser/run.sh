@@ -25,6 +25,7 @@ cd "$FULBITO_PAGES"
 "$fulbito" compare --suite moving --speeds 1.0,2.6 --trials 2 --out compare --html races.html >/dev/null
 "$pages" hostile >hostile.html
 "$pages" drawings >drawings.html
+"$pages" round >round.html
 "$pages" calls >calls.html
 "$pages" banners >calls.banners
 for file in long short trial; do "$pages" positions "$file.fbr" >"$file.positions"; done

@@ -158,10 +158,12 @@ std::string tieSide(const TournamentState& state, const KnockOutTie& tie,
 std::string tieOf(const TournamentState& state, const KnockOutTie& tie) {
   std::string html = "<li class=\"tie\">" + tieSide(state, tie, tie.a, tie.points_a) +
                      tieSide(state, tie, tie.b, tie.points_b);
+  std::string note = tie.third_place ? "third place" : "";
   if (!tie.decided_by.empty() && tie.decided_by != "bye") {
-    html += fmt::format("<small>goals {}:{}, by {}</small>", tie.goals_a, tie.goals_b,
+    note += fmt::format("{}goals {}:{}, by {}", note.empty() ? "" : ", ", tie.goals_a, tie.goals_b,
                         escapedXml(tie.decided_by));
   }
+  if (!note.empty()) html += "<small>" + note + "</small>";
   return html + "</li>\n";
 }
 

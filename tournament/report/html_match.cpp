@@ -26,7 +26,7 @@ std::string testBar(const Sprt& sprt) {
       "height=\"24\"/><rect class=\"mark\" x=\"{:.1f}\" width=\"3\" height=\"24\"/></svg>\n",
       now >= zero ? "up" : "down", std::min(zero, now), std::abs(now - zero), zero);
   html += fmt::format(
-      "<p class=\"axis note\"><span>fail at {:.2f}</span><span>{:.2f}</span><span>pass at "
+      "<p class=\"axis note\"><span>fail at {:.2f}</span><span>now {:.2f}</span><span>pass at "
       "{:.2f}</span></p>\n",
       low, sprt.ratio(), high);
   return html;

@@ -13,7 +13,7 @@ using RecordingLinks = std::map<std::string, std::string>;
 /// @{ Reports of a tournament so far. Equal states give equal bytes. None tells times, folders or machines.
 /// A table for terminals, at most 100 columns wide.
 std::string tournamentText(const TournamentState& state, const TournamentTable& table);
-/// One JSON object (docs/results-format.md), with a line end.
+/// One JSON object (docs/results-format.md), with a line end; of format match: `matchReportJson`.
 std::string tournamentJson(const TournamentState& state, const TournamentTable& table);
 /// A line per match that was played, with a heading.
 std::string tournamentCsv(const TournamentState& state);

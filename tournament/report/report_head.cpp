@@ -14,12 +14,6 @@ namespace {
 constexpr int kTitleColumns = 60;
 constexpr int kNameColumns = 40;
 
-std::string formatText(TournamentFormat format) {
-  std::string text(nameOf(format));
-  std::replace(text.begin(), text.end(), '-', ' ');
-  return text;
-}
-
 std::string progressOf(const TournamentState& state) {
   const auto played = static_cast<std::size_t>(std::count_if(
       state.results.begin(), state.results.end(), [](const auto& pair) { return pair.has_value(); }));
@@ -50,9 +44,8 @@ std::vector<std::string> notesOf(const TournamentTable& table) {
 ReportHead headOf(const TournamentState& state, const TournamentTable& table) {
   const TournamentPlan& plan = state.plan;
   ReportHead head;
-  head.title =
-      fmt::format("{}: {} of {} teams, {}", shownText(plan.name, kTitleColumns), formatText(plan.format),
-                  plan.entrants.size(), state.finished() ? "finished" : "so far");
+  head.title = fmt::format("{}: {} of {} teams, {}", shownText(plan.name, kTitleColumns), nameOf(plan.format),
+                           plan.entrants.size(), state.finished() ? "finished" : "so far");
   head.rules =
       fmt::format("{}, halves of {:g} s, {} physics, seed {}", shownText(plan.match.rules.name, kNameColumns),
                   plan.match.rules.half_seconds, shownText(plan.match.physics.name, kNameColumns), plan.seed);

@@ -67,7 +67,8 @@ std::vector<GridCell> standingRow(const TournamentState& state, const Tournament
                             number(s.matches), number(s.won),
                             number(s.drawn),   number(s.lost)};
   row.push_back(cell(fmt::format("{}:{}", s.goals_for, s.goals_against)));
-  row.push_back(cell(fmt::format("{:+}", s.goals_for - s.goals_against)));
+  const int difference = s.goals_for - s.goals_against;
+  row.push_back(cell(difference == 0 ? "0" : fmt::format("{:+}", difference)));
   row.push_back(number(s.points));
   if (show.pair_points) row.push_back(cell(fmt::format("{:g}", s.pair_points)));
   const MeetingSummary& total = table.totals[s.entrant];
@@ -112,10 +113,11 @@ Grid bracketGrid(const TournamentState& state, const TournamentTable& table) {
             {}};
   for (const KnockOutTie& tie : table.bracket) {
     const char* open = tie.decided_by == "bye" ? "bye" : "?";
-    grid.rows.push_back({cell(nameOfRound(tie.round, state.plan.entrants.size())),
-                         cell(nameOfEntrant(state, tie.a, open)), cell(nameOfEntrant(state, tie.b, open)),
-                         cell(resultOf(tie)), cell(nameOfEntrant(state, tie.winner, "?")),
-                         cell(shownText(tie.decided_by, kTextColumns))});
+    grid.rows.push_back(
+        {cell(tie.third_place ? "third place" : nameOfRound(tie.round, state.plan.entrants.size())),
+         cell(nameOfEntrant(state, tie.a, open)), cell(nameOfEntrant(state, tie.b, open)),
+         cell(resultOf(tie)), cell(nameOfEntrant(state, tie.winner, "?")),
+         cell(shownText(tie.decided_by, kTextColumns))});
   }
   return grid;
 }

@@ -11,7 +11,7 @@ namespace fulbito {
 
 /// What stands above the tables.
 struct ReportHead {
-  std::string title;               ///< "cup: round robin of 12 teams, finished"
+  std::string title;               ///< "cup: round-robin of 12 teams, finished"
   std::string rules;               ///< "vsss-3v3, halves of 300 s, standard physics, seed 1"
   std::string progress;            ///< "132 of 132 pairs, 264 matches"
   std::vector<std::string> notes;  ///< sentences about the ratings

@@ -1,5 +1,6 @@
 #include "tournament/report/counted_results.hpp"
 #include "tournament/report/json_parts.hpp"
+#include "tournament/report/match_report.hpp"
 #include "tournament/report/report.hpp"
 
 namespace fulbito {
@@ -83,10 +84,15 @@ Json standingJson(const Standing& s) {
 }
 
 Json tieJson(const KnockOutTie& tie) {
-  return {{"round", tie.round},          {"a", indexOrNull(tie.a)},
-          {"b", indexOrNull(tie.b)},     {"winner", indexOrNull(tie.winner)},
-          {"points_a", tie.points_a},    {"points_b", tie.points_b},
-          {"goals_a", tie.goals_a},      {"goals_b", tie.goals_b},
+  return {{"round", tie.round},
+          {"third_place", tie.third_place},
+          {"a", indexOrNull(tie.a)},
+          {"b", indexOrNull(tie.b)},
+          {"winner", indexOrNull(tie.winner)},
+          {"points_a", tie.points_a},
+          {"points_b", tie.points_b},
+          {"goals_a", tie.goals_a},
+          {"goals_b", tie.goals_b},
           {"decided_by", tie.decided_by}};
 }
 
@@ -118,15 +124,6 @@ Json notableJson(const TournamentState& state, const NotableMatch& match) {
           {"why", match.why}};
 }
 
-Json testJson(const TournamentState& state) {
-  if (!state.sprt) return nullptr;
-  Json json{{"verdict", nameOf(state.sprt->verdict())}};
-  json.update(sprtJson(*state.sprt));
-  json["pairs"] = state.sprt->counts().pairs();
-  json["counts"] = state.sprt->counts().counts;
-  return json;
-}
-
 template <typename List, typename Make>
 Json listOf(const List& list, Make make) {
   Json json = Json::array();
@@ -151,7 +148,6 @@ Json tableJson(const TournamentState& state, const TournamentTable& table) {
   json["meetings"] = crossJson(table);
   json["draw_share"] = table.ratings.draw_share;
   json["prior"] = table.ratings.prior;
-  json["test"] = testJson(state);
   json["notable"] = listOf(table.notable, [&](const NotableMatch& m) { return notableJson(state, m); });
   json["seed"] = state.plan.seed;
   json["config"] = configJson(state.plan);
@@ -161,6 +157,7 @@ Json tableJson(const TournamentState& state, const TournamentTable& table) {
 }  // namespace
 
 std::string tournamentJson(const TournamentState& state, const TournamentTable& table) {
+  if (state.plan.format == TournamentFormat::kMatch) return matchReportJson(state);
   return indented(tableJson(state, table), 0) + '\n';
 }
 

@@ -1,3 +1,4 @@
+#include <iterator>
 #include <map>
 
 #include <fmt/format.h>
@@ -23,13 +24,15 @@ struct Suite {
 
   void add(const std::string& test, const std::string& inside) {
     ++tests;
-    cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\">{}</testcase>\n", name, test, inside);
+    fmt::format_to(std::back_inserter(cases), "    <testcase classname=\"{}\" name=\"{}\">{}</testcase>\n",
+                   name, test, inside);
   }
-  std::string xml() const {
-    return fmt::format(
-               "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n", name,
-               tests, failures, errors, skipped) +
-           cases + "  </testsuite>\n";
+  void appendTo(std::string& xml) const {
+    xml +=
+        fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n",
+                    name, tests, failures, errors, skipped);
+    xml += cases;
+    xml += "  </testsuite>\n";
   }
 };
 
@@ -47,9 +50,14 @@ class Junit {
       for (std::size_t leg = 0; leg < 2; ++leg) addMatch(number, leg);
     }
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-    text += fmt::format("<testsuites name=\"{}\">\n", whole.name) + whole.xml();
-    for (const Suite& suite : suites_) text += suite.xml();
-    return text + "</testsuites>\n";
+    text += fmt::format("<testsuites name=\"{}\">\n", whole.name);
+    std::size_t size = text.size() + whole.cases.size() + 4096;
+    for (const Suite& suite : suites_) size += suite.cases.size() + suite.name.size() + 256;
+    text.reserve(size);  // tens of megabytes of a long log
+    whole.appendTo(text);
+    for (const Suite& suite : suites_) suite.appendTo(text);
+    text += "</testsuites>\n";
+    return text;
   }
 
  private:

@@ -37,7 +37,8 @@ std::string tournamentText(const TournamentState& state, const TournamentTable& 
   std::string text = match ? matchReportText(state) : tablesText(state, table);
   append(text, startGrid(state, table));
   append(text, faultGrid(state, table));
-  append(text, notableGrid(state, table));
+  // A series or test is a few lines, which a list of single matches would drown.
+  if (!match) append(text, notableGrid(state, table));
   return text;
 }
 

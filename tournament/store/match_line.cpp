@@ -70,9 +70,12 @@ std::uint64_t sumOf(std::string_view bytes) {
   return hash.value();
 }
 
+bool isPlain(char c) { return c >= 0x20 && c < 0x7f; }
+
 std::string storedText(const std::string& text) {
+  if (text.size() <= kLongestRowText && std::all_of(text.begin(), text.end(), isPlain)) return text;
   // The library itself knows what it replaces when it writes.
-  return text.empty() ? text : shortened(Json::parse(dumped(text)).get<std::string>(), kLongestRowText);
+  return shortened(Json::parse(dumped(text)).get<std::string>(), kLongestRowText);
 }
 
 Json faultsJson(const TeamFaults& faults) {

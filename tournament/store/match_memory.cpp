@@ -23,7 +23,7 @@ std::optional<MatchRow> MatchMemory::find(const MatchId& id) const {
 
 Result<Added> MatchMemory::add(const MatchRow& row) { return take(storedForm(row)); }
 
-Added MatchMemory::take(MatchRow row) {
+Added MatchMemory::take(MatchRow&& row) {
   const std::lock_guard lock(impl_->mutex);
   const MatchId id = row.id;
   const auto [place, is_new] = impl_->rows.try_emplace(id, std::move(row));

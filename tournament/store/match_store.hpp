@@ -43,7 +43,7 @@ class MatchMemory final : public MatchStore {
   /// Never fails.
   Result<Added> add(const MatchRow& row) override;
   /// As `add`, for a row in its stored form.
-  Added take(MatchRow row);
+  Added take(MatchRow&& row);
   std::size_t size() const;
 
  private:

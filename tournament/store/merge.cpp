@@ -1,6 +1,8 @@
 #include "tournament/store/merge.hpp"
 
 #include <cstdint>
+#include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -13,6 +15,14 @@ namespace fulbito {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 18;  // [bytes] per write
+
+/// What rows with the same result may differ in.
+auto wordsOf(const MatchRow& row) {
+  const MatchFaults& faults = row.result.faults;
+  const std::string_view abandoned = faults.abandoned ? faults.abandoned->message : std::string_view();
+  return std::tuple(row.teams, row.start, row.seed, faults.teams[0].failure, faults.teams[1].failure,
+                    abandoned);
+}
 
 /// A union that grows.
 class Merging {
@@ -58,7 +68,7 @@ void Merging::meet(MatchRow& there, MatchRow row, std::size_t file) {
     return;
   }
   ++merged_.repeated;
-  if (toLine(row) < toLine(there)) there = std::move(row);
+  if (wordsOf(row) < wordsOf(there)) there = std::move(row);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct MatchConflict {
 
 /// The union of logs.
 struct MergedLogs {
-  /// By identity. Of rows with the same result, that with the lesser line (`toLine`), so that the order of
-  /// the files changes nothing.
+  /// By identity. Of rows with the same result, that with the lesser words (names, failures), so that the
+  /// order of the files changes nothing.
   std::map<MatchId, MatchRow> rows;
   std::vector<MatchConflict> conflicts;  ///< each against the run that was read first
   std::size_t repeated = 0;              ///< rows whose match was there already, with the same result

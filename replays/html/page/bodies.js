@@ -19,14 +19,17 @@ function paintMark(ctx, team, x, y, size, number) {
   ctx.fillText(number, x, y + size * 0.04);
 }
 
+/** Length and width [m]; of a round body its diameter twice. */
+const extentOf = (body) => body.size || [2 * body.radius, 2 * body.radius];
+
 /** Body with wheels and a front that can be seen, along +x. */
 function paintRobot(ctx, view, body, x, y, heading, colour) {
-  const [length, width] = body.size.map((v) => v * view.scale);
+  const [length, width] = extentOf(body).map((v) => v * view.scale);
   const team = body.team;
   ctx.save();
   ctx.translate(view.x(x), view.y(y));
   ctx.rotate(view.angle(heading));
-  roundRect(ctx, -length / 2, -width / 2, length, width, length * 0.15);
+  roundRect(ctx, -length / 2, -width / 2, length, width, length * (body.size ? 0.15 : 0.5));
   ctx.fillStyle = colour;
   ctx.fill();
   ctx.lineWidth = Math.max(1, length * 0.05);
@@ -45,7 +48,7 @@ function paintRobot(ctx, view, body, x, y, heading, colour) {
 }
 
 function paintNumber(ctx, view, body, index, x, y, ids) {
-  const size = body.size[1] * view.scale * 0.58;
+  const size = extentOf(body)[1] * view.scale * 0.58;
   ctx.textAlign = 'center';
   ctx.textBaseline = 'middle';
   if (body.team !== undefined) return paintMark(ctx, body.team, view.x(x), view.y(y), size, ids ? body.number : null);

@@ -43,7 +43,7 @@ class Scene {
     for (const body of this.bodies) {
       body.x = unpackColumn(from, rows, first, steps[0]);
       body.y = unpackColumn(from, rows, first, steps[0]);
-      body.heading = body.size ? unpackColumn(from, rows, first, steps[1]) : null;
+      body.heading = body.size || body.turns ? unpackColumn(from, rows, first, steps[1]) : null;
     }
     const robots = this.bodies.filter((body) => body.kind === 'robot');
     const count = robots.length ? this.commands.values / robots.length : 0;

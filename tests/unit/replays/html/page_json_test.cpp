@@ -53,6 +53,18 @@ TEST_CASE("the description says what the columns are", "[unit]") {
   CHECK(scene["bodies"][2] == Json({{"kind", "ball"}, {"radius", 0.0215}}));
 }
 
+TEST_CASE("a body without a size says whether it turns, as the columns have it", "[unit]") {
+  PageScene scene = test::sampleScene();
+  scene.bodies[0].box = false;
+  scene.bodies[0].radius = 0.04;
+  scene.bodies[3].box = false;
+  scene.bodies[3].radius = 0.1;
+  const Json bodies = jsonOf(scene)["scenes"][0]["bodies"];
+  CHECK(bodies[0]["radius"] == 0.04);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    CHECK((bodies[i].contains("size") || bodies[i].value("turns", false)) == hasHeading(scene.bodies[i]));
+}
+
 TEST_CASE("the score changes with goals, at restarts and at the table", "[unit]") {
   PageScene scene = test::sampleScene();
   scene.events = {goalAt(19, TeamId::kYellow), goalAt(35, TeamId::kBlue)};

@@ -20,7 +20,7 @@ PlanRecord recordOf(int pairs, const std::string& sources = "one") {
   plan.pairs = pairs;
   plan.match = shortMatch("chaser", "chaser", 2.0);
   std::vector<TeamIdentity> teams(3);
-  for (TeamIdentity& team : teams) team.hash = sources;
+  for (std::size_t i = 0; i < teams.size(); ++i) teams[i].hash = plan.entrants[i].name + sources;
   return {plan, *MatchIdentity::restore(plan, "engine", "00000000000000000000000000000001", teams)};
 }
 

@@ -2,6 +2,7 @@
 
 #include "tests/support/catch.hpp"
 #include "tests/unit/tournament/report/samples.hpp"
+#include "tournament/report/match_report.hpp"
 #include "tournament/report/report.hpp"
 
 using namespace fulbito;
@@ -31,7 +32,6 @@ TEST_CASE("the JSON of a tournament has entrants, standings and meetings", "[uni
   REQUIRE(json["meetings"].size() == 3);
   CHECK(json["meetings"][2]["a"] == 1);
   CHECK(json["meetings"][2]["b"] == 2);
-  CHECK(json["test"].is_null());
   CHECK(json["config"]["book"]["kinds"] == nlohmann::json{"kick-off", "play"});
 }
 
@@ -47,6 +47,12 @@ TEST_CASE("the JSON of a knock-out has its ties, with null for what is not known
   }
   CHECK(bye);
   CHECK(open);
+}
+
+TEST_CASE("the JSON of two teams is that of their series", "[unit]") {
+  StateMaker maker(planOf(TournamentFormat::kMatch, {"a", "b"}));
+  maker.add({0, 1, 0, 0}, pairOf({1, 0}, {1, 0}));
+  CHECK(tournamentJson(maker.state(), tableOf(maker.state())) == matchReportJson(maker.state()));
 }
 
 TEST_CASE("bytes that are no UTF-8 do not break the JSON", "[unit]") {

@@ -27,7 +27,7 @@ TEST_CASE("a round robin in text", "[unit]") {
   const std::string text = textOf(madeUpRoundRobin({"alpha", "beta", "gamma"}, 4).state());
   INFO(text);
   CHECK(
-      text.starts_with("cup: round robin of 3 teams, finished\n"
+      text.starts_with("cup: round-robin of 3 teams, finished\n"
                        "  vsss-3v3, halves of 30 s, standard physics, seed 1\n"
                        "  12 of 12 pairs, 24 matches\n"));
   CHECK(text.find("\nStandings\n  #  team   matches  won  drawn  lost  goals  +/-  points  share") !=
@@ -43,7 +43,7 @@ TEST_CASE("a tournament that is not finished says how far it is", "[unit]") {
   maker.state().results[1].reset();
   maker.state().schedule.complete = false;
   CHECK(textOf(maker.state())
-            .starts_with("cup: round robin of 3 teams, so far\n"
+            .starts_with("cup: round-robin of 3 teams, so far\n"
                          "  vsss-3v3, halves of 30 s, standard physics, seed 1\n"
                          "  2 of 3 pairs known so far, 4 matches\n"));
 }

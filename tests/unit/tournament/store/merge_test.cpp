@@ -6,6 +6,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/match_rows.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/shard_simulation.hpp"
 #include "tournament/store/log_reader.hpp"
 #include "tournament/store/match_line.hpp"
 
@@ -103,6 +104,24 @@ TEST_CASE("a missing or damaged log ends a merge with its name", "[unit]") {
   CHECK(missing.error().message.find(a + "x") != std::string::npos);
   const std::string b = scratch.write("b", "notes\n");
   CHECK(mergeLogs({a, b}).error().message.starts_with(b + ":1: "));
+}
+
+TEST_CASE("shards with failures, retries and duplicates merge to the same bytes", "[unit]") {
+  constexpr std::uint64_t kMatches = 2000;
+  std::vector<MatchRow> rows;
+  for (std::uint64_t i = 0; i < kMatches; ++i) rows.push_back(matchRow(i));
+  std::sort(rows.begin(), rows.end(), [](const MatchRow& x, const MatchRow& y) { return x.id < y.id; });
+  const std::string expected = logOf(rows);
+  for (const std::size_t shards : {1, 3, 7, 50}) {
+    INFO(shards);
+    const ScratchFolder scratch(memoryPlace());
+    const ShardSimulation simulation(scratch.path().string(), kMatches, shards, 0.3,
+                                     static_cast<unsigned>(shards));
+    CHECK(simulation.files().size() >= shards);
+    CHECK(mergedText(scratch, simulation.files()) == expected);
+    if (shards == 50) CHECK(simulation.troubles().torn > 0);
+    if (shards == 50) CHECK(simulation.troubles().moved > 0);
+  }
 }
 
 }  // namespace fulbito::test

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/match_rows.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/shared_values.hpp"
 #include "tests/support/watched_calls.hpp"
 #include "tournament/store/log_reader.hpp"
 #include "tournament/store/match_cache.hpp"
@@ -235,30 +235,13 @@ void checkFault(const Work& work, const Fault& fault) {
   folder.checkCompletes();
 }
 
-/// A number that a child process shares with its parent.
-class SharedCount {
- public:
-  SharedCount()
-      : place_(::mmap(nullptr, sizeof(std::uint64_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1,
-                      0)) {
-    REQUIRE(place_ != MAP_FAILED);
-  }
-  SharedCount(const SharedCount&) = delete;
-  SharedCount& operator=(const SharedCount&) = delete;
-  ~SharedCount() { ::munmap(place_, sizeof(std::uint64_t)); }
-  std::uint64_t& value() const { return *static_cast<std::uint64_t*>(place_); }
-
- private:
-  void* place_;
-};
-
 /// Lets a child of this process do the work until it dies at a fault.
-void dieAt(const WorkFolder& folder, const Fault& fault, const SharedCount& kept) {
+void dieAt(const WorkFolder& folder, const Fault& fault, const SharedValues<std::uint64_t>& kept) {
   const pid_t child = ::fork();
   if (child == 0) {
     try {
       const WatchedCalls watched(folder.path, {fault});
-      (void)folder.work.run(folder.path, kept.value());
+      (void)folder.work.run(folder.path, kept[0]);
     } catch (...) {
       ::_exit(1);
     }
@@ -273,9 +256,9 @@ void dieAt(const WorkFolder& folder, const Fault& fault, const SharedCount& kept
 void checkDeath(const Work& work, const Fault& fault) {
   INFO(textOf(work, fault));
   const WorkFolder folder(work);
-  const SharedCount kept;
+  const SharedValues<std::uint64_t> kept;
   dieAt(folder, fault, kept);
-  work.check(folder.path, kept.value());
+  work.check(folder.path, kept[0]);
   folder.checkCompletes();
 }
 
