@@ -77,7 +77,7 @@ chosen() {
 }
 
 if $list; then chosen | while IFS= read -r file; do parts "$file"; done && exit; fi
-git ls-files -z 'scripts/*.sh' 'tests/**/*.sh' .ci/run | xargs -0 shellcheck
+git ls-files -z 'scripts/*.sh' 'tests/**/*.sh' 'examples/**/*.sh' 'examples/**/*.sbatch' .ci/run | xargs -0 shellcheck
 files=$(chosen)
 [ -n "$files" ] || { echo "check-lint.sh: no source changed"; exit 0; }
 echo "check-lint.sh: $(wc -l <<<"$files") files or groups of $(compiled | wc -l)"
