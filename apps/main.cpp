@@ -20,6 +20,7 @@
 #include "apps/teams/new_team.hpp"
 #include "apps/tournament/sprt.hpp"
 #include "apps/tournament/tournament.hpp"
+#include "apps/tournament/tune.hpp"
 #include "engine/core/base/float_mode.hpp"
 #include "engine/core/config/suggest.hpp"
 #include "fulbito/detail/build_info.hpp"
@@ -47,6 +48,7 @@ struct Options {
   RulesOptions rules;
   SprtCommand sprt;
   TournamentCommand tournament;
+  TuneCommand tune;
   ViewCommand view;
   bool version_json = false;
 };
@@ -284,6 +286,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("rules")) return rules(options.rules);
   if (app.got_subcommand("sprt")) return sprt(options.sprt);
   if (app.got_subcommand("tournament")) return tournament(app, options.tournament);
+  if (app.got_subcommand("tune")) return tune(options.tune);
   return version(options.version_json);
 }
 
@@ -319,6 +322,7 @@ int mainWithoutCatch(int argc, char** argv) {
   addRules(app, options.rules);
   addSprt(app, options.sprt);
   addTournament(app, options.tournament);
+  addTune(app, options.tune);
   readNumbers(app);
   const std::span<char*> words{argv + 1, argv + std::max(argc, 1)};
   if (const auto error = emptyWord(words)) return report(*error);

@@ -99,6 +99,7 @@ TEST_CASE("docs/results-format.md names every key that is printed as JSON", "[cl
       CHECK(known.count(key) == 1);
     }
   }
+  expect("tune random --half-seconds 2 --iterations 1 --pairs 1 --final-pairs 1 --json");
   expect("drill chaser --drill 3,10 --trials 4 --json");
   expect("check-team chaser --quick --json");
   expect("replay info a.fbr --json");

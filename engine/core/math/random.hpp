@@ -34,6 +34,8 @@ enum class Stream : std::uint32_t {
   kRoom = 22,          ///< rooms, poses and sensors of the experiment `localization`
   kRatings = 23,       ///< resampled pairs of a tournament's ratings
   kStartBook = 24,     ///< starts of tournaments' matches
+  kPerturbation = 25,  ///< directions of the perturbations of a tuning
+  kTuneStarts = 26,    ///< seeds of the iterations of a tuning
 };
 
 /// Counter-based random numbers (Philox4x32-10, Salmon et al., SC 2011): the n-th draw is a pure function of

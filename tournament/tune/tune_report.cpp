@@ -1,0 +1,128 @@
+#include "tournament/tune/tune_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tournament/report/json_parts.hpp"
+
+namespace fulbito {
+namespace {
+
+/// Version of the object; a higher one means that a key changed its meaning or went.
+constexpr int kSchemaVersion = 1;
+
+std::string eloText(double elo) {
+  if (std::isinf(elo)) return elo > 0.0 ? "+inf" : "-inf";
+  return fmt::format("{:+.0f}", elo);
+}
+
+std::string intervalText(const Interval& interval) {
+  return fmt::format("{} ({} to {})", eloText(interval.value), eloText(interval.low), eloText(interval.high));
+}
+
+std::string finalText(const FinalResult& final) {
+  const EloEstimate estimate = estimateElo(final.counts);
+  return fmt::format("  {} against {:<9} {} pairs, Elo {}, normalized Elo {}\n", final.first,
+                     final.second + ":", final.counts.pairs(), intervalText(estimate.elo),
+                     intervalText(estimate.normalized_elo));
+}
+
+std::string judgementText(const TuneOutcome& outcome) {
+  switch (improvementOf(estimateElo(outcome.finals.front().counts))) {
+    case Improvement::kShown:
+      return "The tuned team is stronger than the start: its 95 % interval is above 0.\n";
+    case Improvement::kNotShown:
+      return "No improvement is shown: the 95 % interval contains 0. Keep the start, or play more pairs.\n";
+    case Improvement::kWorse:
+      break;
+  }
+  return "The tuned team is weaker than the start: its 95 % interval is below 0. Keep the start.\n";
+}
+
+std::string parameterTable(const TunePlan& plan, const TunePoint& end) {
+  std::size_t width = 9;
+  for (const TunedParameter& p : plan.spsa.parameters) width = std::max(width, p.name.size());
+  std::string text =
+      fmt::format("  {:<{}}  {:>10} -> {:<10}  of the range   limits\n", "parameter", width, "start", "end");
+  const TunePoint start = startOf(plan.spsa);
+  for (std::size_t i = 0; i < end.size(); ++i) {
+    const TunedParameter& p = plan.spsa.parameters[i];
+    text += fmt::format("  {:<{}}  {:>10} -> {:<10}  {:.2f} -> {:.2f}   {:g} ... {:g}\n", p.name, width,
+                        valueText(p, start[i]), valueText(p, end[i]), start[i], end[i], p.low, p.high);
+  }
+  return text;
+}
+
+Json parameterJson(const TunedParameter& p, double start, double end) {
+  const auto number = [&p](double share) { return Json::parse(valueText(p, share)); };
+  return {{"name", p.name},          {"type", p.whole ? "integer" : "number"},
+          {"minimum", p.low},        {"maximum", p.high},
+          {"start", number(start)},  {"end", number(end)},
+          {"c_end", p.perturbation}, {"r_end", p.step}};
+}
+
+Json finalJson(const FinalResult& final) {
+  const EloEstimate estimate = estimateElo(final.counts);
+  return {{"first", final.first},
+          {"second", final.second},
+          {"pairs", final.counts.pairs()},
+          {"pair_counts", final.counts.counts},
+          {"elo", intervalJson(estimate.elo)},
+          {"normalized_elo", intervalJson(estimate.normalized_elo)},
+          {"superiority", estimate.superiority},
+          {"improvement", nameOf(improvementOf(estimate))}};
+}
+
+}  // namespace
+
+std::string_view nameOf(Improvement improvement) {
+  constexpr std::string_view kNames[] = {"shown", "not shown", "worse"};
+  return kNames[static_cast<std::size_t>(improvement)];
+}
+
+Improvement improvementOf(const EloEstimate& estimate) {
+  if (estimate.elo.low > 0.0) return Improvement::kShown;
+  return estimate.elo.high < 0.0 ? Improvement::kWorse : Improvement::kNotShown;
+}
+
+std::string tuneText(const TunePlan& plan, const TuneOutcome& outcome) {
+  const TunePoint end = pathOf(plan.spsa, outcome.results).back();
+  const Entrant& opponent = plan.base.entrants[1];
+  std::string text = fmt::format(
+      "{}: {} of {} iterations, {} pairs each, {}, seed {}\n", plan.base.entrants[0].team.text,
+      outcome.results.size(), plan.spsa.iterations, plan.base.pairs,
+      plan.opponent ? "against " + opponent.team.text : "versions against each other", plan.base.seed);
+  text += parameterTable(plan, end);
+  text += fmt::format("Tuned team:\n  {}\n", plan.team.at(plan.spsa.parameters, end));
+  if (outcome.failures > 0) text += fmt::format("A team failed in {} matches.\n", outcome.failures);
+  if (outcome.finals.empty()) return text;
+  text += "On starts that the tuning did not use:\n";
+  for (const FinalResult& final : outcome.finals) text += finalText(final);
+  return text + judgementText(outcome);
+}
+
+std::string tuneJson(const TunePlan& plan, const TuneOutcome& outcome) {
+  const std::vector<TunePoint> path = pathOf(plan.spsa, outcome.results);
+  Json json{{"schema_version", kSchemaVersion},
+            {"team", plan.base.entrants[0].team.text},
+            {"opponent", plan.opponent ? Json(plan.base.entrants[1].team.text) : Json(nullptr)},
+            {"tuned", plan.team.at(plan.spsa.parameters, path.back())},
+            {"seed", plan.base.seed},
+            {"iterations", plan.spsa.iterations},
+            {"iterations_done", outcome.results.size()},
+            {"pairs", plan.base.pairs},
+            {"failures", outcome.failures},
+            {"parameters", Json::array()},
+            {"results", outcome.results},
+            {"path", path},
+            {"finals", Json::array()}};
+  for (std::size_t i = 0; i < plan.spsa.parameters.size(); ++i) {
+    json["parameters"].push_back(parameterJson(plan.spsa.parameters[i], path.front()[i], path.back()[i]));
+  }
+  for (const FinalResult& final : outcome.finals) json["finals"].push_back(finalJson(final));
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace fulbito
