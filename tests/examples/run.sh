@@ -13,11 +13,11 @@ export PATH="$work/bin:$PATH"
 count=0
 for page in "$root"/README.md "$root"/CONTRIBUTING.md "$root"/docs/*.md; do
   mkdir -p "$work/run/examples"
-  cp -r "$root/examples/teams" "$root/examples/paths" "$work/run/examples"
+  cp -r "$root/examples/teams" "$root/examples/paths" "$root/examples/tournaments" "$work/run/examples"
   cd "$work/run"
   while IFS= read -r line; do
     case "$line" in
-      fulbito* | SDL_VIDEODRIVER=dummy\ fulbito* | build/release/fulbito* | make\ -C\ * | sh\ *test.sh) ;;
+      fulbito* | SDL_VIDEODRIVER=dummy\ fulbito* | build/release/fulbito* | make\ -C\ * | sh\ *test.sh | cp\ -r\ * | sed\ -i\ *) ;;
       scripts/* | cmake* | ctest* | git* | cd* | '#'* | '') continue ;;
       *) echo "${page#"$root"/}: a command that this check does not know: $line" >&2; exit 1 ;;
     esac

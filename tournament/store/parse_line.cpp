@@ -48,7 +48,11 @@ class RowReader final : public nlohmann::json_sax<Json> {
   bool boolean(bool value) override {
     return faults() != nullptr && fault_ == kForfeitedAt && (faults()->forfeited = value);
   }
-  bool number_integer(number_integer_t) override { return false; }
+  // Only a score is below zero, after a walk-over.
+  bool number_integer(number_integer_t value) override {
+    const bool score = depth_ == 1 && part_ == kScore && in_array_ && at_ < kTeams.size();
+    return score && set(row_.result.score[at_++], value);
+  }
   bool number_unsigned(number_unsigned_t value) override {
     return depth_ == 2 ? faultNumber(value) : rowNumber(value);
   }
@@ -139,8 +143,8 @@ class RowReader final : public nlohmann::json_sax<Json> {
     row_.result.faults.abandoned = Error{ErrorCode::kBadInput, std::move(text)};
     return true;
   }
-  template <typename T>
-  static bool set(T& place, std::uint64_t value) {
+  template <typename T, typename Value>
+  static bool set(T& place, Value value) {
     place = static_cast<T>(value);
     return std::in_range<T>(value);
   }

@@ -13,7 +13,7 @@
 namespace fulbito {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using TuneJson = nlohmann::ordered_json;
 
 constexpr int kTuneFileVersion = 1;
 constexpr std::size_t kLargestTuneFile = 16 << 20;  // [bytes]
@@ -26,8 +26,8 @@ bool isThere(const std::string& file) {
 }
 
 /// The settings that the plan of the matches does not have.
-Json settingsJson(const TunePlan& plan) {
-  Json parameters = Json::object();
+TuneJson settingsJson(const TunePlan& plan) {
+  TuneJson parameters = TuneJson::object();
   for (const TunedParameter& p : plan.spsa.parameters) {
     parameters[p.name] = {{"start", p.start},        {"low", p.low},   {"high", p.high}, {"whole", p.whole},
                           {"c_end", p.perturbation}, {"r_end", p.step}};
@@ -39,10 +39,10 @@ Json settingsJson(const TunePlan& plan) {
 }
 
 std::string tuneFileText(const TunePlan& plan, const MatchIdentity& identity) {
-  const Json json{{"schema_version", kTuneFileVersion},
+  const TuneJson json{{"schema_version", kTuneFileVersion},
                   {"tune", settingsJson(plan)},
-                  {"matches", Json::parse(toJson(PlanRecord{plan.base, identity}))}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+                  {"matches", TuneJson::parse(toJson(PlanRecord{plan.base, identity}))}};
+  return json.dump(2, ' ', false, TuneJson::error_handler_t::replace) + '\n';
 }
 
 std::string keyName(std::string path) {
@@ -50,11 +50,11 @@ std::string keyName(std::string path) {
   return path.substr(1);
 }
 
-std::vector<std::string> changesOf(const Json& before, const Json& after) {
-  const Json old_values = before.flatten(), new_values = after.flatten();
+std::vector<std::string> changesOf(const TuneJson& before, const TuneJson& after) {
+  const TuneJson old_values = before.flatten(), new_values = after.flatten();
   std::vector<std::string> changes;
   for (const auto& [key, value] : old_values.items()) {
-    const Json now = new_values.value(key, Json("none"));
+    const TuneJson now = new_values.value(key, TuneJson("none"));
     if (now != value) changes.push_back(fmt::format("{}: {} -> {}", keyName(key), value.dump(), now.dump()));
   }
   for (const auto& [key, value] : new_values.items()) {
@@ -66,7 +66,7 @@ std::vector<std::string> changesOf(const Json& before, const Json& after) {
 
 /// What was kept of the last run.
 struct OldTuning {
-  Json settings;
+  TuneJson settings;
   PlanRecord matches;
 };
 
@@ -75,14 +75,14 @@ Result<OldTuning> readTuneFile(const std::string& folder) {
   const auto text = readTextFile(file, kLargestTuneFile);
   if (!text) return tl::unexpected<Error>(text.error());
   try {
-    const Json json = Json::parse(*text);
+    const TuneJson json = TuneJson::parse(*text);
     if (json.at("schema_version") != kTuneFileVersion) {
       return fail(ErrorCode::kBadInput, file + ": written by another version of this program");
     }
     auto matches = parsePlanRecord(json.at("matches").dump(), file);
     if (!matches) return tl::unexpected<Error>(matches.error());
     return OldTuning{json.at("tune"), std::move(*matches)};
-  } catch (const Json::exception& error) {
+  } catch (const TuneJson::exception& error) {
     return fail(ErrorCode::kBadInput,
                 fmt::format("{}: not the settings of a tuning: {}", file, error.what()));
   }
