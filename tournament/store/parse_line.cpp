@@ -50,7 +50,7 @@ class RowReader final : public nlohmann::json_sax<Json> {
   }
   // Only a score is below zero, after a walk-over.
   bool number_integer(number_integer_t value) override {
-    const bool score = depth_ == 1 && part_ == kScore && in_array_ && at_ < kTeams.size();
+    const bool score = depth_ == 1 && part_ == row::kScore && in_array_ && at_ < kTeams.size();
     return score && set(row_.result.score[at_++], value);
   }
   bool number_unsigned(number_unsigned_t value) override {
