@@ -13,7 +13,7 @@
 namespace fulbito {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr int kSchemaVersion = 1;
 constexpr std::size_t kLargestRecord = 16 << 20;  // [bytes]
