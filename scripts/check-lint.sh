@@ -28,7 +28,7 @@ for option in "$@"; do
 done
 cd "$(dirname "$0")/.."
 root=$PWD build=build/$preset
-readonly folders='sdk|engine|navigation|strategies|referee|replays|match|experiments|bench|apps|bridge'
+readonly folders='sdk|engine|navigation|strategies|referee|replays|match|tournament|experiments|bench|apps|bridge'
 [ -f "$build/compile_commands.json" ] || { echo "check-lint.sh: configure first: cmake --preset $preset" >&2; exit 2; }
 
 changed_files() {
@@ -77,7 +77,7 @@ chosen() {
 }
 
 if $list; then chosen | while IFS= read -r file; do parts "$file"; done && exit; fi
-git ls-files -z 'scripts/*.sh' 'tests/**/*.sh' .ci/run | xargs -0 shellcheck
+git ls-files -z 'scripts/*.sh' 'tests/**/*.sh' 'examples/**/*.sh' 'examples/**/*.sbatch' .ci/run | xargs -0 shellcheck
 files=$(chosen)
 [ -n "$files" ] || { echo "check-lint.sh: no source changed"; exit 0; }
 echo "check-lint.sh: $(wc -l <<<"$files") files or groups of $(compiled | wc -l)"

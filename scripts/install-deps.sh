@@ -7,7 +7,8 @@ usage() {
   cat <<'USAGE'
 Usage: scripts/install-deps.sh [--ci] [--list]
   (no option)  what building, running and testing needs
-  --ci         also what .ci/run needs: clang 19 with its tools, shellcheck, ffmpeg, headless Chromium, Node, an X server in memory
+  --ci         also what .ci/run needs: clang 19 with its tools, shellcheck, ffmpeg, headless Chromium, Node, an X server in memory,
+               Slurm, GNU parallel
   --list       print the packages and stop
 USAGE
 }
@@ -24,6 +25,7 @@ packages=(
 ci_packages=(
   clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck
   ffmpeg chromium-headless-shell xvfb xdotool
+  slurmctld slurmd slurm-client munge parallel python3-yaml
 )
 # Debian's npm does not go with a Node from elsewhere: where there is one, it stays.
 command -v npm >/dev/null || ci_packages+=(nodejs npm)

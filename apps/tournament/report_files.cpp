@@ -33,7 +33,7 @@ void addReportFiles(CLI::App& command, ReportFiles& files) {
   command.add_flag("--json", files.json, "print JSON instead of text")->group("Reports");
   file("--csv", files.csv, "a line per match; - for stdout");
   file("--markdown", files.markdown, "summary for a build server's page; - for stdout");
-  file("--junit", files.junit, "JUnit XML, a test case per pair; - for stdout");
+  file("--junit", files.junit, "JUnit XML, a test case per match; - for stdout");
   file("--html", files.html, "one page without network access, and pages of recorded matches beside it");
   command.add_flag("--annotations", files.annotations, "print GitHub annotations, at most 10")
       ->group("Reports");

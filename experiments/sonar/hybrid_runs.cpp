@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/models/sonar_model.hpp"
 #include "engine/core/system/worker_threads.hpp"
 #include "experiments/trials/suite_layouts.hpp"
 
@@ -36,7 +37,8 @@ HybridRuns emptyRuns(const HybridSettings& settings, std::uint64_t seed, double 
   runs.settings = settings;
   for (double widths : {1.1, 1.3, 1.6}) {
     const int count = widths == 1.3 ? settings.gaps : settings.gaps / 2;
-    for (Knowledge knowledge : {Knowledge::kSonars, Knowledge::kMap}) {
+    for (Knowledge knowledge : {Knowledge::kSonars, Knowledge::kFineSonars, Knowledge::kMap}) {
+      if (knowledge == Knowledge::kFineSonars && widths != 1.3) continue;
       GapBlock block{widths, knowledge, {}};
       block.scores.resize(static_cast<std::size_t>(count));
       runs.gaps.push_back(std::move(block));
@@ -83,7 +85,8 @@ Result<TrialConfig> hybridTrial(const Layout& layout, Knowledge knowledge, bool 
   config.physics = std::move(*physics);
   config.navigator = std::move(*navigator);
   config.limit_clearance = kSquareClearance;
-  config.sonars_only = knowledge == Knowledge::kSonars;
+  config.sonars_only = knowledge != Knowledge::kMap;
+  if (knowledge == Knowledge::kFineSonars) config.sonar_noise *= pioneerScale(config.robot.robot);
   config.seed = seed;
   config.index = index;
   return config;

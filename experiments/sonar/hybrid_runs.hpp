@@ -15,8 +15,9 @@ struct HybridSettings {
 
 /// What a robot knows of its surroundings.
 enum class Knowledge {
-  kSonars,  ///< what its sonars hear
-  kMap,     ///< all obstacles and walls
+  kSonars,      ///< what its sonars hear
+  kFineSonars,  ///< the same where a range's error is as large to this robot as 5 mm to the paper's
+  kMap,         ///< all obstacles and walls
 };
 
 /// Gaps of one width, passed with one kind of knowledge.

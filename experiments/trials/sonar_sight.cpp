@@ -14,16 +14,17 @@ FieldGeometry plainField() {
 
 }  // namespace
 
-SonarModel suiteSonars(const RobotModel& robot) {
+SonarModel suiteSonars(const RobotModel& robot, double noise) {
   SonarModel model;
   model.sonars = frontSonars(robot);
-  model.noise = 0.005;
+  model.noise = noise;
   model.dropout = 0.05;
   return model;
 }
 
 SonarSight::SonarSight(const TrialConfig& config)
-    : sonars_(config.field, suiteSonars(config.robot.robot), Rng(config.seed, Stream::kSonar, config.index)),
+    : sonars_(config.field, suiteSonars(config.robot.robot, config.sonar_noise),
+              Rng(config.seed, Stream::kSonar, config.index)),
       plain_(plainField()),
       wants_discs_(!config.navigator.info->reads_ranges),
       map_({}) {}

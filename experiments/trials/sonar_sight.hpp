@@ -8,9 +8,10 @@
 
 namespace fulbito {
 
-/// The sonars of the suites `sonar`: the eight front sonars with a noise of 5 mm, 5 % of drop-outs, echoes
-/// from smooth faces up to 30 degrees, no cross-talk.
-SonarModel suiteSonars(const RobotModel& robot);
+/// The sonars of the suites `sonar`: the eight front sonars with 5 % of drop-outs, echoes from smooth faces
+/// up to 30 degrees, no cross-talk.
+/// @param noise  [m] standard deviation of a range; 5 mm in the suites
+SonarModel suiteSonars(const RobotModel& robot, double noise);
 
 /// What a robot knows that has sonars only: their readings, and for navigators that do not use these, discs
 /// where a short memory of echoes is occupied (`EchoMap`). It knows of no walls: its field is a wide plain.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "match/play/foul_goals.hpp"
+#include "match/report/foul_goals.hpp"
 
 namespace fulbito {
 namespace {

@@ -24,6 +24,8 @@ struct EchoMap::Call {
 
 namespace {
 
+constexpr double kHaze = 0.025;  // [m] outside of a surface, where cells still stem from its echoes
+
 /// The part of a triangle on the line at height `y`; empty where `low` > `high`.
 struct Chord {
   double low = 1e300, high = -1e300;
@@ -161,14 +163,14 @@ void EchoMap::forOccupied(const Work& work) const {
   }
 }
 
-void EchoMap::scan(const SectorCircle& circle, const Pose2& pose, double range,
+void EchoMap::scan(const SectorCircle& circle, const Pose2& pose, double range, const EchoCircles& circles,
                    std::span<SectorHit> hits) const {
   for (SectorHit& hit : hits) hit = {std::numeric_limits<double>::infinity(), {}};
   const Vec2 ahead = math::unit(pose.heading);
   forOccupied([&](Vec2 place) {
     const Vec2 p = intoFrame(ahead, place - pose.position);
     const double far = norm(p);
-    if (!(far > 0.0 && far <= range)) return;
+    if (!(far > 0.0 && far <= range) || circles.explains(place, kHaze)) return;
     // A cell covers the sectors that it is seen in: at its corners half a diagonal to either side.
     const double bearing = math::angleOf(p), half = math::atan2(0.7 * settings_.cell, far);
     const int last = circle.sectorOf(bearing - half);

@@ -23,20 +23,6 @@ void keepOnEdge(const SectorCircle& circle, int edge, double distance, std::span
   keepNearest(hits[static_cast<std::size_t>(circle.wrap(edge - 1))], distance, circle.edge(edge));
 }
 
-void addDisc(const SectorCircle& circle, Vec2 centre, double radius, std::span<SectorHit> hits) {
-  const double range = norm(centre);
-  if (!(range - radius < kFar)) return;
-  for (int i = 0; i < circle.count(); ++i) {
-    const double along = dot(centre, circle.edge(i)), across = cross(centre, circle.edge(i));
-    const double chord = radius * radius - across * across;
-    if (along <= 0.0 || chord < 0.0) continue;
-    keepOnEdge(circle, i, std::max(along - std::sqrt(chord), kTouching), hits);
-  }
-  const int facing = circle.sectorOf(math::angleOf(centre));
-  keepNearest(hits[static_cast<std::size_t>(facing)], std::max(range - radius, kTouching),
-              unitOr(centre, {1.0, 0.0}));
-}
-
 void addWalls(const SectorCircle& circle, std::span<const WallLine> walls, std::span<SectorHit> hits) {
   for (int i = 0; i < circle.count(); ++i) {
     double nearness = 1.0 / kFar;  // 1 / distance: the nearest wall without a division each
@@ -65,12 +51,26 @@ int SectorCircle::sectorOf(double bearing) const {
   return wrap(static_cast<int>(std::floor((math::kPi - math::wrapAngle(bearing)) / step_ + 0.5)));
 }
 
+void scanDisc(const SectorCircle& circle, Vec2 centre, double radius, std::span<SectorHit> hits) {
+  const double range = norm(centre);
+  if (!(range - radius < kFar)) return;
+  for (int i = 0; i < circle.count(); ++i) {
+    const double along = dot(centre, circle.edge(i)), across = cross(centre, circle.edge(i));
+    const double chord = radius * radius - across * across;
+    if (along <= 0.0 || chord < 0.0) continue;
+    keepOnEdge(circle, i, std::max(along - std::sqrt(chord), kTouching), hits);
+  }
+  const int facing = circle.sectorOf(math::angleOf(centre));
+  keepNearest(hits[static_cast<std::size_t>(facing)], std::max(range - radius, kTouching),
+              unitOr(centre, {1.0, 0.0}));
+}
+
 void scanScene(const SectorCircle& circle, const NavigationScene& scene, std::span<SectorHit> hits) {
   for (SectorHit& hit : hits) hit = {std::numeric_limits<double>::infinity(), {}};
   const Pose2& pose = scene.self.pose;
   const Vec2 ux = math::unit(pose.heading);
   for (const DiscObstacle& obstacle : scene.obstacles) {
-    addDisc(circle, intoFrame(ux, obstacle.position - pose.position), obstacle.radius, hits);
+    scanDisc(circle, intoFrame(ux, obstacle.position - pose.position), obstacle.radius, hits);
   }
   auto walls = wallLines(*scene.field, pose);
   for (WallLine& wall : walls) wall.clearance = std::max(wall.clearance, kTouching);

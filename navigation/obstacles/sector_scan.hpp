@@ -45,6 +45,10 @@ struct SectorHit {
   bool isEmpty() const { return !(distance < 1e300); }
 };
 
+/// Adds a disc to what the sectors show: its nearest point in every sector.
+/// @param centre  [m] robot frame
+void scanDisc(const SectorCircle& circle, Vec2 centre, double radius, std::span<SectorHit> hits);
+
 /// Nearest point of discs and walls (the playing rectangle with its corner triangles) in every sector, exact:
 /// over a sector the range of a disc or a wall is least on an edge of the sector or at the foot of the
 /// perpendicular. Where the centre is inside an obstacle the distance is 0.1 mm.

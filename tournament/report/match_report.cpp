@@ -88,7 +88,7 @@ Lines matchLines(const TournamentState& state, const MatchFigures& figures) {
   return state.sprt ? testLines(state, figures) : seriesLines(state, figures);
 }
 
-std::string matchReportText(const TournamentState& state, std::optional<double> wall) {
+std::string matchReportText(const TournamentState& state) {
   const MatchFigures figures = matchFigures(state);
   std::string text = matchTitle(state, figures) + '\n';
   if (!state.sprt) text += rulesLine(state.plan) + "\n\n";
@@ -96,7 +96,7 @@ std::string matchReportText(const TournamentState& state, std::optional<double> 
   for (const auto& [label, value] : matchLines(state, figures)) {
     text += fmt::format("  {:<{}}{}\n", label, width, value);
   }
-  return state.sprt ? text : text + '\n' + speedLine(figures.simulated, wall.value_or(0.0));
+  return state.sprt ? text : text + '\n' + speedLine(figures.simulated, 0.0);
 }
 
 }  // namespace fulbito

@@ -34,10 +34,10 @@ std::string matchTitle(const TournamentState& state, const MatchFigures& figures
 std::vector<std::pair<std::string, std::string>> matchLines(const TournamentState& state,
                                                             const MatchFigures& figures);
 
-/// @{ The report as text, and as a JSON object with a line end (docs/results-format.md). `wall` is the
-/// measured time [s]; without it the report tells no times. Each match of a series is in the JSON.
-std::string matchReportText(const TournamentState& state, std::optional<double> wall = {});
-std::string matchReportJson(const TournamentState& state, std::optional<double> wall = {});
+/// @{ The report as text, and as a JSON object with a line end (docs/results-format.md). Each
+/// match of a series is in the JSON.
+std::string matchReportText(const TournamentState& state);
+std::string matchReportJson(const TournamentState& state);
 /// @}
 
 }  // namespace fulbito

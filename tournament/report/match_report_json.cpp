@@ -55,7 +55,7 @@ void addConfig(Json& json, const TournamentState& state) {
   json["build"] = buildJson();
 }
 
-Json seriesJson(const TournamentState& state, const MatchFigures& figures, std::optional<double> wall) {
+Json seriesJson(const TournamentState& state, const MatchFigures& figures) {
   Json json{{"schema_version", kMatchSchemaVersion},
             {"teams", {{"a", nameOfTeam(state, 0)}, {"b", nameOfTeam(state, 1)}}},
             {"pairs", figures.fixtures.size()},
@@ -76,7 +76,6 @@ Json seriesJson(const TournamentState& state, const MatchFigures& figures, std::
   json["matches"] = Json::array();
   addConfig(json, state);
   json["simulated_s"] = figures.simulated;
-  if (wall) json["x_realtime"] = *wall > 0.0 ? figures.simulated / *wall : 0.0;
   return json;
 }
 
@@ -102,10 +101,9 @@ Json testJson(const TournamentState& state, const MatchFigures& figures) {
 
 }  // namespace
 
-std::string matchReportJson(const TournamentState& state, std::optional<double> wall) {
+std::string matchReportJson(const TournamentState& state) {
   const MatchFigures figures = matchFigures(state);
-  Json json = state.sprt ? testJson(state, figures) : seriesJson(state, figures, wall);
-  if (wall) json["wall_s"] = *wall;
+  Json json = state.sprt ? testJson(state, figures) : seriesJson(state, figures);
   std::string text = indented(json, 0) + '\n';
   if (state.sprt) return text;
   // No string can contain the mark: JSON escapes line ends.

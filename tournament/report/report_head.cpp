@@ -55,7 +55,9 @@ ReportHead headOf(const TournamentState& state, const TournamentTable& table) {
 }
 
 std::string shownName(const TournamentState& state, std::size_t entrant) {
-  return shownText(state.plan.entrants[entrant].name, kNameColumns);
+  const std::string name = shownText(state.plan.entrants[entrant].name, kNameColumns);
+  const bool blank = name.find_first_not_of(' ') == std::string::npos;
+  return blank ? fmt::format("entrant {}", entrant + 1) : name;
 }
 
 std::string eloText(const Interval& interval) {

@@ -18,7 +18,7 @@ struct ReportHead {
 };
 ReportHead headOf(const TournamentState& state, const TournamentTable& table);
 
-/// A team's name in a table.
+/// A team's name in a table; its number from 1 if nothing of the name can be shown.
 std::string shownName(const TournamentState& state, std::size_t entrant);
 /// "+210 (+180 to +240)"; "-" without a match.
 std::string eloText(const Interval& interval);

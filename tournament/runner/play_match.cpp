@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "match/play/foul_goals.hpp"
+#include "match/report/foul_goals.hpp"
 #include "referee/rules/clauses.hpp"
 
 namespace fulbito {

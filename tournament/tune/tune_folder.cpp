@@ -15,12 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kTuneFileVersion = 1;
-constexpr std::size_t kLargestTuneFile = 16 << 20;  // [bytes]
+constexpr int kSchemaVersion = 1;
+constexpr std::size_t kLargestRecord = 16 << 20;  // [bytes]
 
 std::string tuneFile(const std::string& folder) { return folder + "/tune.json"; }
 
-bool isThere(const std::string& file) {
+bool exists(const std::string& file) {
   std::error_code ignored;
   return std::filesystem::exists(file, ignored);
 }
@@ -38,14 +38,14 @@ Json settingsJson(const TunePlan& plan) {
           {"parameters", parameters}};
 }
 
-std::string tuneFileText(const TunePlan& plan, const MatchIdentity& identity) {
-  const Json json{{"schema_version", kTuneFileVersion},
+std::string recordText(const TunePlan& plan, const MatchIdentity& identity) {
+  const Json json{{"schema_version", kSchemaVersion},
                   {"tune", settingsJson(plan)},
                   {"matches", Json::parse(toJson(PlanRecord{plan.base, identity}))}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::string keyName(std::string path) {
+std::string nameOf(std::string path) {
   for (char& c : path) c = c == '/' ? '.' : c;
   return path.substr(1);
 }
@@ -55,33 +55,33 @@ std::vector<std::string> changesOf(const Json& before, const Json& after) {
   std::vector<std::string> changes;
   for (const auto& [key, value] : old_values.items()) {
     const Json now = new_values.value(key, Json("none"));
-    if (now != value) changes.push_back(fmt::format("{}: {} -> {}", keyName(key), value.dump(), now.dump()));
+    if (now != value) changes.push_back(fmt::format("{}: {} -> {}", nameOf(key), value.dump(), now.dump()));
   }
   for (const auto& [key, value] : new_values.items()) {
     if (!old_values.contains(key))
-      changes.push_back(fmt::format("{}: none -> {}", keyName(key), value.dump()));
+      changes.push_back(fmt::format("{}: none -> {}", nameOf(key), value.dump()));
   }
   return changes;
 }
 
 /// What was kept of the last run.
-struct OldTuning {
+struct OldRecord {
   Json settings;
   PlanRecord matches;
 };
 
-Result<OldTuning> readTuneFile(const std::string& folder) {
+Result<OldRecord> readRecord(const std::string& folder) {
   const std::string file = tuneFile(folder);
-  const auto text = readTextFile(file, kLargestTuneFile);
+  const auto text = readTextFile(file, kLargestRecord);
   if (!text) return tl::unexpected<Error>(text.error());
   try {
     const Json json = Json::parse(*text);
-    if (json.at("schema_version") != kTuneFileVersion) {
+    if (json.at("schema_version") != kSchemaVersion) {
       return fail(ErrorCode::kBadInput, file + ": written by another version of this program");
     }
     auto matches = parsePlanRecord(json.at("matches").dump(), file);
     if (!matches) return tl::unexpected<Error>(matches.error());
-    return OldTuning{json.at("tune"), std::move(*matches)};
+    return OldRecord{json.at("tune"), std::move(*matches)};
   } catch (const Json::exception& error) {
     return fail(ErrorCode::kBadInput,
                 fmt::format("{}: not the settings of a tuning: {}", file, error.what()));
@@ -89,9 +89,9 @@ Result<OldTuning> readTuneFile(const std::string& folder) {
 }
 
 /// What has changed besides the settings. Errors: kUsage if a setting has changed.
-Result<std::vector<std::string>> compareTuning(const std::string& folder, const TunePlan& plan,
-                                               const MatchIdentity& identity) {
-  const auto old = readTuneFile(folder);
+Result<std::vector<std::string>> compare(const std::string& folder, const TunePlan& plan,
+                                         const MatchIdentity& identity) {
+  const auto old = readRecord(folder);
   if (!old) return tl::unexpected<Error>(old.error());
   std::vector<std::string> changes = changesOf(old->settings, settingsJson(plan));
   for (std::string& change : changesOf(old->matches.plan, plan.base)) changes.push_back(std::move(change));
@@ -107,11 +107,11 @@ Result<std::vector<std::string>> compareTuning(const std::string& folder, const 
 Result<TuneFolder> TuneFolder::open(const std::string& path, const TunePlan& plan,
                                     const MatchIdentity& identity) {
   TuneFolder folder;
-  if (isThere(path + "/plan.json")) {
+  if (exists(path + "/plan.json")) {
     return fail(ErrorCode::kUsage, path + " holds a tournament; name another folder");
   }
-  if (isThere(tuneFile(path))) {
-    auto changed = compareTuning(path, plan, identity);
+  if (exists(tuneFile(path))) {
+    auto changed = compare(path, plan, identity);
     if (!changed) return tl::unexpected<Error>(changed.error());
     folder.changed = std::move(*changed);
   } else if (auto made = prepareFolder(path); !made) {
@@ -121,7 +121,7 @@ Result<TuneFolder> TuneFolder::open(const std::string& path, const TunePlan& pla
   if (!log) return tl::unexpected<Error>(log.error());
   folder.log = std::move(*log);
   // Only once the log is locked: another run may be using the folder.
-  if (auto written = writeFile(tuneFile(path), tuneFileText(plan, identity)); !written) {
+  if (auto written = writeFile(tuneFile(path), recordText(plan, identity)); !written) {
     return tl::unexpected<Error>(written.error());
   }
   return folder;

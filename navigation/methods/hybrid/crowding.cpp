@@ -34,13 +34,19 @@ class Surroundings {
   double jump_;
 };
 
-bool hasNarrowGap(const Surroundings& around, double widest) {
-  bool narrow = false;
+/// Calls `work(edge of one obstacle, edge of the next)` for every gap between neighbours.
+template <typename Work>
+void forGaps(const Surroundings& around, const Work& work) {
   const SectorHit* last = nullptr;
   around.forPoints([&](const SectorHit& hit, int, bool begins) {
-    narrow = narrow || (begins && last != nullptr && distance(hit.point, last->point) < widest);
+    if (begins && last != nullptr) work(last->point, hit.point);
     last = &hit;
   });
+}
+
+bool hasNarrowGap(const Surroundings& around, double widest) {
+  bool narrow = false;
+  forGaps(around, [&](Vec2 left, Vec2 right) { narrow = narrow || distance(left, right) < widest; });
   return narrow;
 }
 
@@ -67,6 +73,14 @@ bool touchesAnother(const Surroundings& around, const FrontOrbit& orbit, double 
 }
 
 }  // namespace
+
+void narrowGaps(const SectorCircle& circle, std::span<const SectorHit> hits, const CrowdingRule& rule,
+                std::vector<NarrowGap>& gaps) {
+  gaps.clear();
+  forGaps(Surroundings(circle, hits, rule.radius), [&](Vec2 left, Vec2 right) {
+    if (distance(left, right) < rule.widest_gap) gaps.push_back({left, right});
+  });
+}
 
 bool isCrowded(const SectorCircle& circle, std::span<const SectorHit> hits,
                const std::optional<FrontOrbit>& orbit, const CrowdingRule& rule) {

@@ -18,13 +18,8 @@ constexpr double kTurnMargin = 0.045;  // [m] kept from the corners of a turning
 constexpr double kPassage = 0.2;       // [m] something so near on both sides is a passage
 constexpr double kPassageTurn = 0.2;   // [rad] largest change of direction in a passage
 constexpr double kCentring = 6.0;      // [rad/m] turn toward its middle
+constexpr double kGuidedShare = 0.2;   // of the top speed, in a passage between fitted edges
 constexpr double kHullMargin = 0.04;   // [m] room of the emergency rules, likewise
-
-EchoMap::Settings mapSettings(const HybridParams& params) {
-  EchoMap::Settings settings;
-  settings.memory = params.memory;
-  return settings;
-}
 
 /// The playing rectangle with its corner triangles, counter-clockwise; goals count as closed.
 std::array<Vec2, 8> playingContour(const FieldGeometry& field) {
@@ -45,13 +40,14 @@ Hybrid::Hybrid(const Params& params, bool with_diagram)
     : params_(params),
       with_diagram_(with_diagram),
       circle_(kSectors),
-      map_(mapSettings(params)),
+      sight_(params.memory),
       seen_(kSectors),
       diagram_(kSectors) {}
 
 void Hybrid::reset() {
-  map_.reset();
+  sight_.reset();
   balance_.reset();
+  guide_.reset();
   mode_ = HybridMode::kGoal;
   mode_since_ = orbit_last_ = std::numeric_limits<Tick>::min() / 2;
 }
@@ -63,26 +59,26 @@ Guidance Hybrid::plan(const NavigationScene& scene) {
   const bool keeps_side = static_cast<double>(scene.tick - orbit_last_) * scene.dt < params_.side_hold;
   if (wanted != mode_ && may_change) changeMode(wanted, situation, scene.tick, keeps_side);
   if (mode_ == HybridMode::kAhead) orbit_last_ = scene.tick;
-  const Way way = wayOf(situation, scene);
-  const NearnessHull hull{scene.robot->length, scene.robot->width, kTurnMargin * situation.scale};
-  direction_ = math::wrapAngle(scene.self.pose.heading + roomToTurn(seen_, hull, way.direction));
+  guide_.update(sight_.circles(), sight_.gaps(), scene, situation.widest_gap, mode_ == HybridMode::kCrowded);
+  const Way way = guide_.isActive() ? guidedWay(situation, scene) : wayOf(situation, scene);
+  direction_ = math::wrapAngle(scene.self.pose.heading + way.direction);
   Guidance guidance = guidanceBy(*this);
   guidance.speed_cap = std::min(way.speed_share * scene.robot->maxSpeed(), brakingSpeed(scene));
   return guidance;
 }
 
-void Hybrid::listen(const NavigationScene& scene, double scale) {
+void Hybrid::listen(const NavigationScene& scene, const Situation& situation) {
   if (scene.ranges.empty()) {
     readIdeally(scene);
     scanScene(circle_, scene, seen_);
   } else {
     readings_.assign(scene.ranges.begin(), scene.ranges.end());
-    map_.update(scene);
-    map_.scan(circle_, scene.self.pose, kFarAway, seen_);
+    sight_.look(scene, situation.widest_gap, circle_, seen_);
   }
   constexpr SectorHit kEmpty{std::numeric_limits<double>::infinity(), {}};
-  std::transform(seen_.begin(), seen_.end(), diagram_.begin(),
-                 [&](const SectorHit& hit) { return hit.distance <= params_.range * scale ? hit : kEmpty; });
+  std::transform(seen_.begin(), seen_.end(), diagram_.begin(), [&](const SectorHit& hit) {
+    return hit.distance <= params_.range * situation.scale ? hit : kEmpty;
+  });
 }
 
 void Hybrid::readIdeally(const NavigationScene& scene) {
@@ -131,7 +127,8 @@ Hybrid::Situation Hybrid::situationOf(const NavigationScene& scene) {
   now.scale = pioneerScale(*scene.robot);
   const double radius = scene.robot->circumradius();
   now.goal = intoFrame(math::unit(scene.self.pose.heading), scene.goal.position - scene.self.pose.position);
-  listen(scene, now.scale);
+  now.widest_gap = 2.0 * (radius + params_.orbit_margin * now.scale) * params_.crowding;
+  listen(scene, now);
   balance_.update(readings_, kPassage * now.scale);
   placeEchoes(norm(now.goal));
   const auto section =
@@ -139,8 +136,7 @@ Hybrid::Situation Hybrid::situationOf(const NavigationScene& scene) {
   if (section)
     now.orbit = FrontOrbit{*section, section->width() / 2 + radius + params_.orbit_margin * now.scale};
   if (with_diagram_) {
-    const double gap = 2.0 * (radius + params_.orbit_margin * now.scale) * params_.crowding;
-    now.crowded = isCrowded(circle_, diagram_, now.orbit, {radius, gap}) ||
+    now.crowded = isCrowded(circle_, diagram_, now.orbit, {radius, now.widest_gap}) ||
                   nearestToBody(scene) < params_.near_zone * now.scale;
   }
   std::array<double, kTableSonars> ranges;
@@ -173,7 +169,15 @@ bool Hybrid::passesLeft(const Situation& situation) const {
   return excess != 0.0 ? excess > 0.0 : situation.goal.y >= 0.0;
 }
 
+/// The mode's way, as far as the body has room to turn.
 Hybrid::Way Hybrid::wayOf(const Situation& situation, const NavigationScene& scene) const {
+  const NearnessHull hull{scene.robot->length, scene.robot->width, kTurnMargin * situation.scale};
+  Way way = modeWay(situation, scene);
+  way.direction = roomToTurn(seen_, hull, way.direction);
+  return way;
+}
+
+Hybrid::Way Hybrid::modeWay(const Situation& situation, const NavigationScene& scene) const {
   if (mode_ == HybridMode::kCrowded) return diagramWay(situation, scene);
   if (mode_ == HybridMode::kAhead && situation.orbit) {
     const FrontOrbit& orbit = *situation.orbit;
@@ -181,6 +185,11 @@ Hybrid::Way Hybrid::wayOf(const Situation& situation, const NavigationScene& sce
   }
   if (mode_ != HybridMode::kGoal && situation.beside) return {*situation.beside};
   return {math::angleOf(situation.goal)};
+}
+
+Hybrid::Way Hybrid::guidedWay(const Situation& situation, const NavigationScene& scene) const {
+  const Pose2& pose = scene.self.pose;
+  return {math::wrapAngle(guide_.direction(pose.position, situation.scale) - pose.heading), kGuidedShare};
 }
 
 Hybrid::Way Hybrid::diagramWay(const Situation& situation, const NavigationScene& scene) const {

@@ -8,9 +8,10 @@
 #include "navigation/interface/parameters.hpp"
 #include "navigation/methods/hybrid/avoidance_table.hpp"
 #include "navigation/methods/hybrid/crowding.hpp"
+#include "navigation/methods/hybrid/gap_sight.hpp"
+#include "navigation/methods/hybrid/passage.hpp"
 #include "navigation/methods/hybrid/side_balance.hpp"
 #include "navigation/methods/reactive/nearness_motion.hpp"
-#include "navigation/obstacles/echo_map.hpp"
 
 namespace fulbito {
 
@@ -46,11 +47,11 @@ struct HybridParams {
 /// nearness diagram where obstacles stand densely, with eight ultrasonic sensors in front.
 ///
 /// The vector field sees the present readings only. Limit cycle and nearness diagram also see a short memory
-/// of them (`EchoMap`), since eight cones show no gap at once. A robot without range sensors computes what
+/// of them (`GapSight`), since eight cones show no gap at once. A robot without range sensors computes what
 /// ideal ones would read among the known obstacles and walls, and its diagram shows these exactly.
 ///
-/// Ours: the arbitration's thresholds, the memory, the hold of sides, `roomToTurn`, `SideBalance`, and
-/// braking before what lies straight ahead.
+/// Ours: the arbitration's thresholds, the memory, the hold of sides, `roomToTurn`, `SideBalance`,
+/// `PassageGuide`, and braking before what lies straight ahead.
 class Hybrid : public Navigator, public HeadingField {
  public:
   using Params = HybridParams;
@@ -70,6 +71,7 @@ class Hybrid : public Navigator, public HeadingField {
     double scale = 1.0;
     Vec2 goal;
     std::optional<FrontOrbit> orbit;
+    double widest_gap = 0.0;       ///< [m] gaps below it are narrow
     bool crowded = false;          ///< narrow, or something is very near
     std::optional<double> beside;  ///< [rad] direction past what is beside
   };
@@ -79,7 +81,7 @@ class Hybrid : public Navigator, public HeadingField {
     double speed_share = 1.0;  ///< of the top speed
   };
 
-  void listen(const NavigationScene& scene, double scale);
+  void listen(const NavigationScene& scene, const Situation& situation);
   void readIdeally(const NavigationScene& scene);
   void placeEchoes(double goal_range);
   double nearestToBody(const NavigationScene& scene) const;
@@ -87,15 +89,16 @@ class Hybrid : public Navigator, public HeadingField {
   HybridMode wantedMode(const Situation& situation) const;
   void changeMode(HybridMode wanted, const Situation& situation, Tick tick, bool keeps_side);
   bool passesLeft(const Situation& situation) const;
+  Way modeWay(const Situation& situation, const NavigationScene& scene) const;
   Way wayOf(const Situation& situation, const NavigationScene& scene) const;
-  Way orbitWay(const Situation& situation) const;
+  Way guidedWay(const Situation& situation, const NavigationScene& scene) const;
   Way diagramWay(const Situation& situation, const NavigationScene& scene) const;
   double brakingSpeed(const NavigationScene& scene) const;
 
   Params params_;
   bool with_diagram_;
   SectorCircle circle_;
-  EchoMap map_;
+  GapSight sight_;
   EchoScene known_;
   std::vector<SonarSpec> sonars_;       ///< of the ideal readings
   Vec2 sonars_body_;                    ///< [m] length and width of the body that they are on
@@ -104,6 +107,7 @@ class Hybrid : public Navigator, public HeadingField {
   std::vector<SectorHit> seen_;
   std::vector<SectorHit> diagram_;  ///< of that, what lies within d_max
   SideBalance balance_;
+  PassageGuide guide_;
   HybridMode mode_ = HybridMode::kGoal;
   Tick mode_since_ = 0;
   bool clockwise_ = true;   ///< of the present orbit

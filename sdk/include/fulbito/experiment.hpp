@@ -36,8 +36,9 @@ struct TrialConfig {
   /// The robot knows its pose and goal, and of all else only what its eight front sonars hear
   /// (docs/suites.md); it knows no walls.
   bool sonars_only = false;
-  std::uint64_t seed = 1;   ///< seed of its random numbers
-  std::uint64_t index = 0;  ///< number of the trial in its suite, for its random streams
+  double sonar_noise = 0.005;  ///< [m] standard deviation of a sonar's range, where it knows only these
+  std::uint64_t seed = 1;      ///< seed of its random numbers
+  std::uint64_t index = 0;     ///< number of the trial in its suite, for its random streams
 };
 
 /// One control tick of a trial.

@@ -35,6 +35,9 @@ struct Scoreboard {
   double play_seconds = 0.0;  ///< [s] elapsed play time in that period
 };
 
+/// A foul paid off if its team scores within this time of play [s].
+inline constexpr double kFoulPaysWithin = 5.0;
+
 /// One call of the referee, with its measured value.
 struct GameEvent {
   Tick tick = 0;                      ///< tick of the match

@@ -16,9 +16,6 @@
 
 namespace fulbito {
 
-/// A foul paid off if its team scores within this time of play [s].
-inline constexpr double kFoulPaysWithin = 5.0;
-
 /// One goal of a match.
 struct GoalRecord {
   double seconds = 0.0;         ///< [s] of the match, stoppages included

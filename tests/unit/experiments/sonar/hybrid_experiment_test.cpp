@@ -38,6 +38,7 @@ TEST_CASE("experiment hybrid: the same bytes on one and two threads; rows are sh
   CHECK(figure(*one, "gap-1.3-map") == 100.0);
   CHECK(figure(*one, "gap-1.3-map-contact") == 0.0);
   CHECK(figure(*one, "gap-1.6-sonars") == 100.0);
+  CHECK(figure(*one, "gap-1.3-fine-sonars") >= 80.0);
 }
 
 TEST_CASE("experiment hybrid: a wrong setting is named", "[unit]") {

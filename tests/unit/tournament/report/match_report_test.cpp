@@ -110,12 +110,11 @@ TEST_CASE("the report of a test that passes", "[unit]") {
   CHECK(text.find("\n  matches                " + pairs + " won, " + pairs + " drawn, 0 lost, goals ") !=
         std::string::npos);
   CHECK(text.find("simulated") == std::string::npos);
-  const auto json = nlohmann::json::parse(matchReportJson(maker.state(), 2.5));
+  const auto json = nlohmann::json::parse(matchReportJson(maker.state()));
   CHECK(json["verdict"] == "pass");
   CHECK(json["complete"] == true);
   CHECK(json["most_pairs"] == 30);
   CHECK(json["pairs"] == maker.state().counted);
-  CHECK(json["wall_s"] == 2.5);
   CHECK(json["bounds"] == nlohmann::json{-50.0, 0.0});
 }
 

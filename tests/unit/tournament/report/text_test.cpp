@@ -105,6 +105,12 @@ TEST_CASE("a format of two teams prints the report of its series or test", "[uni
   CHECK(textOf(maker.state()).starts_with("alpha against beta: inconclusive, no verdict after 2 pairs\n"));
 }
 
+TEST_CASE("a name without a visible character becomes a number", "[unit]") {
+  const StateMaker maker = madeUpRoundRobin({"alpha", "\xff\xe2\x80\xae"});
+  CHECK(shownName(maker.state(), 0) == "alpha");
+  CHECK(shownName(maker.state(), 1) == "entrant 2");
+}
+
 TEST_CASE("the name of zero has no sign of its own", "[unit]") {
   CHECK(eloText({-0.3, -10.2, 9.6}) == "+0 (-10 to +10)");
   const double infinite = std::numeric_limits<double>::infinity();

@@ -36,7 +36,7 @@ MatchRow unusualRow() {
   row.seed = std::numeric_limits<std::uint64_t>::max();
   row.result.hash = 1;  // leading zeros
   row.result.ticks = std::numeric_limits<Tick>::max();
-  row.result.score = {std::numeric_limits<int>::max(), 0};
+  row.result.score = {std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
   row.result.outcome = MatchOutcome::kForfeit;
   row.result.winner.reset();
   TeamFaults& faults = row.result.faults.teams[1];

@@ -1,6 +1,6 @@
-#include "match/play/foul_goals.hpp"
+#include "match/report/foul_goals.hpp"
 
-#include "fulbito/statistics.hpp"
+#include "fulbito/referee.hpp"
 #include "referee/rules/clauses.hpp"
 
 namespace fulbito {

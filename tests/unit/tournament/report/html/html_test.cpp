@@ -4,7 +4,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/unit/tournament/report/markup.hpp"
 #include "tests/unit/tournament/report/samples.hpp"
-#include "tournament/report/html_parts.hpp"
+#include "tournament/report/html/html_parts.hpp"
 #include "tournament/report/report.hpp"
 
 using namespace fulbito;

@@ -1,6 +1,6 @@
 #include "engine/core/base/xml_text.hpp"
 #include "replays/html/page_form.hpp"
-#include "tournament/report/html_parts.hpp"
+#include "tournament/report/html/html_parts.hpp"
 #include "tournament/report/report.hpp"
 #include "tournament/report/sections.hpp"
 

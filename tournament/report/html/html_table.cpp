@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/base/xml_text.hpp"
-#include "tournament/report/html_parts.hpp"
+#include "tournament/report/html/html_parts.hpp"
 
 namespace fulbito {
 namespace {
