@@ -21,9 +21,8 @@ double clamped(double share) { return std::clamp(share, 0.0, 1.0); }
 /// 1 or -1 for each parameter.
 std::vector<double> directionOf(const Spsa& spsa, int iteration) {
   Rng rng(spsa.seed, Stream::kPerturbation, static_cast<std::uint64_t>(iteration));
-  std::vector<double> direction;
-  for (std::size_t i = 0; i < spsa.parameters.size(); ++i)
-    direction.push_back(rng.below(2) == 0 ? -1.0 : 1.0);
+  std::vector<double> direction(spsa.parameters.size());
+  for (double& sign : direction) sign = rng.below(2) == 0 ? -1.0 : 1.0;
   return direction;
 }
 

@@ -29,16 +29,35 @@ std::string finalText(const FinalResult& final) {
                      tuneInterval(estimate.normalized_elo));
 }
 
-std::string judgementText(const TuneOutcome& outcome) {
-  switch (improvementOf(estimateElo(outcome.finals.front().counts))) {
+/// Of both teams on the same starts: what they have in common cancels.
+std::string gainText(const Interval& gain) {
+  const std::string line = fmt::format(
+      "  tuned less start, both against the opponent: {:+.3f} points per match ({:+.3f} to {:+.3f})\n",
+      gain.value, gain.low, gain.high);
+  switch (improvementOf(gain)) {
     case Improvement::kShown:
-      return "The tuned team is stronger than the start: its 95 % interval is above 0.\n";
+      return line +
+             "Against the opponent the tuned team does better than the start: its 95 % interval is above "
+             "0.\n";
     case Improvement::kNotShown:
-      return "No improvement is shown: the 95 % interval contains 0. Keep the start, or play more pairs.\n";
+      return line + "No improvement against the opponent is shown: the 95 % interval contains 0.\n";
     case Improvement::kWorse:
       break;
   }
-  return "The tuned team is weaker than the start: its 95 % interval is below 0. Keep the start.\n";
+  return line +
+         "Against the opponent the tuned team does worse than the start: its 95 % interval is below 0.\n";
+}
+
+std::string directText(const FinalResult& direct) {
+  switch (improvementOf(estimateElo(direct.counts).elo)) {
+    case Improvement::kShown:
+      return "The tuned team is stronger than the start: its 95 % interval is above 0.\n";
+    case Improvement::kNotShown:
+      return "No improvement over the start is shown: the 95 % interval contains 0.\n";
+    case Improvement::kWorse:
+      break;
+  }
+  return "The tuned team is weaker than the start: its 95 % interval is below 0.\n";
 }
 
 std::string parameterTable(const TunePlan& plan, const TunePoint& end) {
@@ -72,7 +91,7 @@ Json finalJson(const FinalResult& final) {
           {"elo", intervalJson(estimate.elo)},
           {"normalized_elo", intervalJson(estimate.normalized_elo)},
           {"superiority", estimate.superiority},
-          {"improvement", nameOf(improvementOf(estimate))}};
+          {"improvement", nameOf(improvementOf(estimate.elo))}};
 }
 
 }  // namespace
@@ -82,9 +101,16 @@ std::string_view nameOf(Improvement improvement) {
   return kNames[static_cast<std::size_t>(improvement)];
 }
 
-Improvement improvementOf(const EloEstimate& estimate) {
-  if (estimate.elo.low > 0.0) return Improvement::kShown;
-  return estimate.elo.high < 0.0 ? Improvement::kWorse : Improvement::kNotShown;
+Improvement improvementOf(const Interval& difference) {
+  if (difference.low > 0.0) return Improvement::kShown;
+  return difference.high < 0.0 ? Improvement::kWorse : Improvement::kNotShown;
+}
+
+std::optional<Interval> gainOf(const TuneOutcome& outcome) {
+  if (outcome.finals.size() < 3) return std::nullopt;
+  std::vector<double> gains = outcome.finals[1].points;
+  for (std::size_t i = 0; i < gains.size(); ++i) gains[i] -= outcome.finals[2].points[i];
+  return meanInterval(gains);
 }
 
 std::string tuneText(const TunePlan& plan, const TuneOutcome& outcome) {
@@ -100,7 +126,9 @@ std::string tuneText(const TunePlan& plan, const TuneOutcome& outcome) {
   if (outcome.finals.empty()) return text;
   text += "On starts that the tuning did not use:\n";
   for (const FinalResult& final : outcome.finals) text += finalText(final);
-  return text + judgementText(outcome);
+  text += directText(outcome.finals.front());
+  if (const auto gain = gainOf(outcome); gain && plan.final_pairs > 1) text += gainText(*gain);
+  return text;
 }
 
 std::string tuneJson(const TunePlan& plan, const TuneOutcome& outcome) {
@@ -122,6 +150,8 @@ std::string tuneJson(const TunePlan& plan, const TuneOutcome& outcome) {
     json["parameters"].push_back(tunedJson(plan.spsa.parameters[i], path.front()[i], path.back()[i]));
   }
   for (const FinalResult& final : outcome.finals) json["finals"].push_back(finalJson(final));
+  const auto gain = gainOf(outcome);
+  json["gain"] = gain ? intervalJson(*gain) : Json(nullptr);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

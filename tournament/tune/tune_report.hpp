@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,12 @@ enum class Improvement : std::uint8_t {
 };
 /// "shown", "not shown", "worse".
 std::string_view nameOf(Improvement improvement);
-/// The judgement of an estimate.
-Improvement improvementOf(const EloEstimate& estimate);
+/// The judgement of a difference with its interval.
+Improvement improvementOf(const Interval& difference);
+
+/// What the tuned team wins against the opponent and the start does not: the mean difference of their points
+/// per match over the same starts, with Student's interval. Empty without an opponent or its results.
+std::optional<Interval> gainOf(const TuneOutcome& outcome);
 
 /// The report for people: parameters, the tuned team's specification, final match-ups. Also of a tuning that
 /// goes on.

@@ -83,8 +83,11 @@ Result<void> TuneRun::judge() {
     const auto state = play(final.plan);
     if (!state) return tl::unexpected<Error>(state.error());
     if (!*state) return {};
-    FinalResult result{final.first, final.second, {}};
-    for (const auto& pair : (*state)->results) result.counts.add(pair->points());
+    FinalResult result{final.first, final.second, {}, {}};
+    for (const auto& pair : (*state)->results) {
+      result.counts.add(pair->points());
+      result.points.push_back(pair->points());
+    }
     outcome_.finals.push_back(std::move(result));
   }
   return {};

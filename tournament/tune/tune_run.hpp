@@ -22,7 +22,8 @@ struct TuneOptions {
 /// The result of a final match-up.
 struct FinalResult {
   std::string first, second;
-  PairCounts counts;  ///< of the first
+  PairCounts counts;           ///< of the first
+  std::vector<double> points;  ///< of the first by start: share of the pair's points, 0 ... 1
 };
 
 /// What a tuning has so far.

@@ -218,19 +218,43 @@ TEST_CASE("a folder of something else is refused", "[unit]") {
   CHECK(tournament.error().code == ErrorCode::kUsage);
 }
 
+TEST_CASE("with an opponent the gain is a difference over the same starts", "[unit]") {
+  const TunePlan plan = planOf(true);
+  TuneOutcome outcome;
+  outcome.results = {0.0, 0.0, 0.0, 0.0};
+  CHECK_FALSE(gainOf(outcome));
+  // The starts differ more than the teams do: only the paired difference shows the gain.
+  const std::vector<double> start{0.0, 0.25, 0.5, 0.75, 0.0, 0.5, 0.25, 0.75};
+  std::vector<double> tuned = start;
+  for (std::size_t i = 0; i < tuned.size(); ++i) tuned[i] += i == 2 ? 0.0 : 0.25;
+  outcome.finals = {{"tuned", "start", {{1, 1, 1, 1, 1}}, {}},
+                    {"tuned", "opponent", {}, tuned},
+                    {"start", "opponent", {}, start}};
+  const auto gain = gainOf(outcome);
+  REQUIRE(gain);
+  CHECK(gain->value == Approx(0.25 * 7 / 8));
+  CHECK(improvementOf(*gain) == Improvement::kShown);
+  CHECK(tuneText(plan, outcome).find("does better than the start") != std::string::npos);
+  CHECK(Json::parse(tuneJson(plan, outcome))["gain"]["value"] == gain->value);
+  std::swap(outcome.finals[1].points, outcome.finals[2].points);
+  CHECK(tuneText(plan, outcome).find("does worse than the start") != std::string::npos);
+  outcome.finals[1].points = outcome.finals[2].points;
+  CHECK(tuneText(plan, outcome).find("No improvement against the opponent") != std::string::npos);
+}
+
 TEST_CASE("reports say what improved, and what did not", "[unit]") {
   const TunePlan plan = planOf();
   TuneOutcome outcome;
   outcome.results = {1.0, -0.5, 0.25, 0.0};
   const auto with = [&](std::array<std::int64_t, kPairScores> counts) {
-    outcome.finals = {{"tuned", "start", {counts}}};
+    outcome.finals = {{"tuned", "start", {counts}, {}}};
     return tuneText(plan, outcome);
   };
   const auto contains = [](const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
   };
   CHECK(contains(with({2, 3, 10, 30, 55}), "stronger than the start"));
-  CHECK(contains(with({20, 20, 20, 20, 20}), "No improvement is shown"));
+  CHECK(contains(with({20, 20, 20, 20, 20}), "No improvement over the start is shown"));
   CHECK(contains(with({55, 30, 10, 3, 2}), "weaker than the start"));
   const std::string tuned = plan.team.at(plan.spsa.parameters, pathOf(plan.spsa, outcome.results).back());
   CHECK(contains(with({1, 1, 1, 1, 1}), tuned));
