@@ -54,6 +54,23 @@ for navigator in straight vector-field univector tangent-field limit-cycle nearn
   "$program" replay export way.fbr --force --trails "$images/navigator-$navigator.png" --size 480
 done
 
+# The two that look at no obstacle, on a free field; the second with an arrival heading.
+cat >single-curvature.toml <<'END'
+[layout]
+name = "free"
+field = "vsss-3v3"
+[start]
+position = [-0.45, -0.25]
+heading_deg = 75.0
+[goal]
+position = [0.40, 0.15]
+END
+{ cat single-curvature.toml && echo 'heading_deg = 75.0'; } >double-curvature.toml
+for navigator in single-curvature double-curvature; do
+  "$program" run --navigator "$navigator" --layout "$navigator.toml" --record way.fbr --force >/dev/null
+  "$program" replay export way.fbr --force --trails "$images/navigator-$navigator.png" --size 480
+done
+
 # The pictures of docs/papers.md.
 mkdir -p "$images/papers"
 "$program" experiment hybrid --out papers >/dev/null

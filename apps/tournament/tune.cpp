@@ -18,9 +18,9 @@
 namespace fulbito::app {
 namespace {
 
-constexpr std::uint64_t kMostPairs = 100'000;
+constexpr std::uint64_t kMostTunePairs = 100'000;
 constexpr std::uint64_t kMostIterations = 1'000'000;
-constexpr int kUsualPairs = 8;
+constexpr int kUsualTunePairs = 8;
 
 /// r_end if no flag gives it: a parameter that wins every match would travel about four times its range.
 double usualStep(double perturbation, int iterations) {
@@ -90,7 +90,7 @@ Result<void> openFolder(const TuneCommand& options, const TunePlan& plan, Keep& 
   return {};
 }
 
-Result<TuneOutcome> play(const TuneCommand& options, const TunePlan& plan) {
+Result<TuneOutcome> playTuning(const TuneCommand& options, const TunePlan& plan) {
   Keep keep;
   if (auto opened = openFolder(options, plan, keep); !opened) return tl::unexpected<Error>(opened.error());
   ProgressLine line(plan.base.name);
@@ -102,7 +102,7 @@ Result<TuneOutcome> play(const TuneCommand& options, const TunePlan& plan) {
   return runTune(plan, catalogueOf(options.settings.match.outside), run);
 }
 
-void noteOutcome(const TuneCommand& options, const TuneOutcome& outcome) {
+void noteTuning(const TuneCommand& options, const TuneOutcome& outcome) {
   if (!options.out.empty()) {
     note("{} matches played, {} were there already\n", outcome.played, outcome.taken);
   }
@@ -116,7 +116,7 @@ void noteOutcome(const TuneCommand& options, const TuneOutcome& outcome) {
   }
 }
 
-int exitCodeOf(const TuneOutcome& outcome) {
+int exitCodeOfTuning(const TuneOutcome& outcome) {
   if (!outcome.mismatches.empty()) return kDifferent;
   return outcome.interrupted ? interruptedCode() : kOk;
 }
@@ -149,9 +149,9 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
               kMostIterations)
       ->capture_default_str();
   PlanSettings& settings = options.settings;
-  settings.pairs = kUsualPairs;
+  settings.pairs = kUsualTunePairs;
   wholeNumber(command->add_option("-n,--pairs", settings.pairs, "pairs of matches per iteration"), 1,
-              kMostPairs)
+              kMostTunePairs)
       ->capture_default_str();
   number(command->add_option("--c-end", options.perturbation,
                              "last perturbation of all parameters, as share of their ranges"))
@@ -164,7 +164,7 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
       ->capture_default_str();
   wholeNumber(command->add_option("--final-pairs", options.final_pairs,
                                   "pairs of the tuned team against the start; 0: none"),
-              0, kMostPairs)
+              0, kMostTunePairs)
       ->capture_default_str();
   addStarts(*command, settings);
   addMatchSettings(*command, settings.match, "TEAM,OPPONENT");
@@ -183,9 +183,9 @@ int tune(const TuneCommand& options) {
     return report(checked.error());
   const auto plan = tunePlanOf(options);
   if (!plan) return report(plan.error());
-  const auto outcome = play(options, *plan);
+  const auto outcome = playTuning(options, *plan);
   if (!outcome) return report(outcome.error());
-  noteOutcome(options, *outcome);
+  noteTuning(options, *outcome);
   if (options.json) {
     writeOut(tuneJson(*plan, *outcome));
   } else {
@@ -194,7 +194,7 @@ int tune(const TuneCommand& options) {
   if (!options.png.empty()) {
     if (auto drawn = writeTuneChart(*plan, *outcome, options.png); !drawn) return report(drawn.error());
   }
-  return exitCodeOf(*outcome);
+  return exitCodeOfTuning(*outcome);
 }
 
 }  // namespace fulbito::app

@@ -91,6 +91,7 @@ void AbiCodec::begin(std::uint64_t id, const MatchInfo& info, std::string& out) 
   seen_ = {};
   const std::size_t begin = beginFrame(static_cast<std::uint16_t>(FrameKind::kBegin), id, out);
   appendBytes(toAbi(info), out);
+  appendBytes(wideningToAbi(info.robot), out);
   appendText(toToml(info.rules), out);
   endFrame(begin, out);
 }

@@ -14,7 +14,7 @@ LibraryTeam::LibraryTeam(std::unique_ptr<PluginTeam> team) : team_(std::move(tea
 void LibraryTeam::begin(const MatchInfo& info) {
   seen_ = {};
   navigators_.clear();
-  team_->begin(toAbi(info), toToml(info.rules));
+  team_->begin(toAbi(info), wideningToAbi(info.robot), toToml(info.rules));
   for (const std::string& name : team_->navigatorNames()) {
     navigators_.push_back(navigatorFor(name, parseNavigator));
   }

@@ -87,7 +87,9 @@ bool PluginTeam::succeeded(const char* function, std::int32_t code) {
   return false;
 }
 
-bool PluginTeam::begin(const fulbito_match_info& info, std::string rules_text) {
+bool PluginTeam::begin(const fulbito_match_info& info, const fulbito_curve_widening& widening,
+                       std::string rules_text) {
+  host_->know(widening);
   host_->begin(info.seed, std::move(rules_text));
   return succeeded("begin", callForeign(kThrown, [&] { return table().begin(self_, &info); }));
 }

@@ -39,7 +39,7 @@ class PluginTeam {
   ~PluginTeam();
 
   /// @{ The functions of the interface. @return false after a failure
-  bool begin(const fulbito_match_info& info, std::string rules_text);
+  bool begin(const fulbito_match_info& info, const fulbito_curve_widening& widening, std::string rules_text);
   bool decide(const fulbito_observation& seen, fulbito_team_command& command);
   bool place(const fulbito_placement_request& request, fulbito_placement& placement);
   bool stopped(const fulbito_stop& stop);

@@ -90,9 +90,10 @@ bool TeamHost::handle(FrameReader& frame, std::string& out) {
 
 bool TeamHost::begin(FrameReader& frame, std::string& out) {
   fulbito_match_info info{};
+  fulbito_curve_widening widening{};
   std::string_view rules;
-  if (!frame.take(info) || !frame.takeText(rules)) return false;
-  team_->begin(info, std::string(rules));
+  if (!frame.take(info) || !frame.take(widening) || !frame.takeText(rules)) return false;
+  team_->begin(info, widening, std::string(rules));
   const std::vector<std::string> names = team_->navigatorNames();
   const std::size_t start = beginReply(frame.header(), out);
   appendBytes(NamesBody{static_cast<std::uint32_t>(names.size()), 0}, out);

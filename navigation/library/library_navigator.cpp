@@ -52,6 +52,7 @@ class LibraryNavigator final : public Navigator {
 
   Guidance plan(const NavigationScene& scene) override {
     const fulbito_scene seen = sceneOf(scene);
+    host_->know(wideningToAbi(*scene.robot));
     fulbito_guidance given{};
     given.speed_cap = std::numeric_limits<double>::infinity();
     const int32_t failed = callForeign(-1, [&] { return table_.plan(self_, &seen, &given); });

@@ -31,8 +31,9 @@ PluginHost::PluginHost(std::string owner, PluginLog log) : owner_(std::move(owne
   };
   table_.random = [](const fulbito_host* table) { return hostOf(table).rng_.bits64(); };
   table_.get_extension = [](const fulbito_host* table, const char* name) -> const void* {
-    const bool rules = name != nullptr && std::string_view(name) == FULBITO_EXT_RULES_TEXT;
-    return rules ? hostOf(table).rules_text_.c_str() : nullptr;
+    const std::string_view wanted = name == nullptr ? "" : name;
+    if (wanted == FULBITO_EXT_RULES_TEXT) return hostOf(table).rules_text_.c_str();
+    return wanted == FULBITO_EXT_CURVE_WIDENING ? &hostOf(table).widening_ : nullptr;
   };
 }
 

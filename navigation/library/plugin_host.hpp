@@ -23,6 +23,8 @@ class PluginHost {
 
   /// A match begins: the random stream starts anew, and the text of the rules is known.
   void begin(std::uint64_t seed, std::string rules_text);
+  /// The slip in curves of the present robots.
+  void know(const fulbito_curve_widening& widening) { widening_ = widening; }
   /// The table for the library. It lives as long as this object.
   const fulbito_host* table() const { return &table_; }
   /// Logs a line.
@@ -35,6 +37,7 @@ class PluginHost {
   PluginLog log_;
   std::string last_line_;
   std::string rules_text_;
+  fulbito_curve_widening widening_{};
   Rng rng_{0, Stream::kLibraryTeam};
   fulbito_host table_{};
 };

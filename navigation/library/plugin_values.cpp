@@ -67,4 +67,8 @@ fulbito_robot_model toAbi(const RobotModel& robot) {
   return to;
 }
 
+fulbito_curve_widening wideningToAbi(const RobotModel& robot) {
+  return {robot.curve_widening, robot.curve_widening_rise};
+}
+
 }  // namespace fulbito

@@ -19,6 +19,7 @@ inline fulbito_wheels toAbi(WheelSpeeds wheels) { return {wheels.left, wheels.ri
 fulbito_robot toAbi(const RobotState& robot);  ///< a robot that is present
 fulbito_field toAbi(const FieldGeometry& field);
 fulbito_robot_model toAbi(const RobotModel& robot);
+fulbito_curve_widening wideningToAbi(const RobotModel& robot);
 /// @}
 
 /// @{ From the C interface.

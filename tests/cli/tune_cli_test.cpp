@@ -5,7 +5,8 @@ using namespace fulbito::test;
 
 namespace {
 
-const std::string kTiny = "tune random --half-seconds 3 --iterations 3 --pairs 2 --final-pairs 2";
+const std::string kTiny =
+    "tune classic:strike_speed=0.4 --half-seconds 10 --iterations 3 --pairs 2 --final-pairs 2";
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -18,11 +19,11 @@ TEST_CASE("tune prints the way of the parameters and the tuned team, which plays
   const Output output = box.run(kTiny + " --png path.png --jobs 1");
   REQUIRE(output.code == 0);
   CHECK(contains(output.out, "3 of 3 iterations"));
-  CHECK(contains(output.out, "memory"));
-  CHECK(contains(output.out, "share"));
+  CHECK(contains(output.out, "strike_speed"));
+  CHECK(contains(output.out, "support"));
   CHECK(contains(output.out, "2 pairs, Elo"));
   CHECK(contentOf(box.path / "path.png").starts_with("\x89PNG"));
-  const std::size_t tuned = output.out.find("  random:memory=");
+  const std::size_t tuned = output.out.find("  classic:strike_speed=");
   REQUIRE(tuned != std::string::npos);
   const std::string team = output.out.substr(tuned + 2, output.out.find('\n', tuned) - tuned - 2);
   CHECK(box.run("match " + team + " idle --half-seconds 1").code == 0);
@@ -44,7 +45,7 @@ TEST_CASE("tune prints the same for any number of jobs, with and without an oppo
 TEST_CASE("tune continues after a kill and a signal to the same end", "[cli]") {
   const Sandbox box;
   const std::string command =
-      "tune random --half-seconds 60 --iterations 4 --pairs 3 --final-pairs 2 --json --jobs 1";
+      "tune classic --half-seconds 60 --iterations 4 --pairs 3 --final-pairs 2 --json --jobs 1";
   const Output whole = box.run(command);
   REQUIRE(whole.code == 0);
   const auto stopped = [&](const std::string& signal, const std::string& lines) {

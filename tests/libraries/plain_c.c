@@ -14,6 +14,7 @@ struct team {
   uint64_t first_random;
   int64_t stops, readies, ends, rules_length;
   double dt;
+  const fulbito_curve_widening* slip;
 };
 
 static const char* const kStyles[] = {"calm", "wild"};
@@ -49,6 +50,7 @@ static int32_t begin(void* self, const fulbito_match_info* info) {
   team->first_random = team->host->random(team->host);
   team->rules_length = rules == NULL ? -1 : (int64_t)strlen(rules);
   team->dt = info->dt;
+  team->slip = team->host->get_extension(team->host, FULBITO_EXT_CURVE_WIDENING);
   team->host->log(team->host, "ready");
   return team->host->get_extension(team->host, "fulbito.unknown/1") == NULL ? 0 : 1;
 }
@@ -63,6 +65,8 @@ static int32_t decide(void* self, const fulbito_observation* seen, fulbito_team_
   command->robots[1].twist.angular = (double)(team->first_random % 1000u);
   command->robots[2].kind = FULBITO_BY_GO_TO;
   command->robots[2].go_to.position = seen->own[2].position;
+  if (team->slip != NULL && team->slip->curve_widening > 0.0)
+    command->robots[2].go_to.tolerance = team->slip->curve_widening + 10.0 * team->slip->curve_widening_rise;
   command->robots[0].role = (uint32_t)team->offset;
   if (command->drawing_capacity > 0) {
     fulbito_drawing* drawing = &command->drawings[command->drawing_count++];

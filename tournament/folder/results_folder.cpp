@@ -92,16 +92,14 @@ Result<MergedFolders> mergeFolders(const std::vector<std::string>& folders, cons
     }
     logs.push_back(logFile(folder));
   }
+  // Locks the log against a run in the folder until all is there, and writes the plan.
+  const auto locked = ResultsFolder::open(into, *first);
+  if (!locked) return tl::unexpected<Error>(locked.error());
   auto merged = mergeLogs(logs);
   if (!merged) return tl::unexpected<Error>(merged.error());
   if (!merged->conflicts.empty()) return MergedFolders{0, std::move(merged->conflicts)};
-  {
-    // Locks the log against a run in the folder, and writes the plan.
-    const auto locked = ResultsFolder::open(into, *first);
-    if (!locked) return tl::unexpected<Error>(locked.error());
-    if (auto written = writeMatchLog(logFile(into), merged->rows); !written) {
-      return tl::unexpected<Error>(written.error());
-    }
+  if (auto written = writeMatchLog(logFile(into), merged->rows); !written) {
+    return tl::unexpected<Error>(written.error());
   }
   return MergedFolders{merged->rows.size(), {}};
 }

@@ -37,7 +37,7 @@ Result<FolderState> readFolder(const std::string& path);
 /// What became of a merge.
 struct MergedFolders {
   std::size_t matches = 0;               ///< in the new folder
-  std::vector<MatchConflict> conflicts;  ///< if there are any, nothing was written
+  std::vector<MatchConflict> conflicts;  ///< if there are any, no match was written
 };
 
 /// Unions the folders of shards of one plan into a folder, with what that folder holds of the plan already.

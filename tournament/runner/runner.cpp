@@ -171,7 +171,8 @@ Result<MatchResult> Run::attempt(const Task& task, const std::function<bool()>& 
 }
 
 Result<void> Run::keep(const Task& task, const MatchResult& result) {
-  const MatchRow row = rowOf(task, result);
+  // As a report reads it back.
+  const MatchRow row = storedForm(rowOf(task, result));
   auto added = options_.log->add(row);
   if (!added) return tl::unexpected<Error>(added.error());
   if (options_.cache != nullptr && repeatable(fixtureOf(task)) && !late(result)) {
@@ -184,7 +185,7 @@ Result<void> Run::keep(const Task& task, const MatchResult& result) {
   ++outcome_.played;
   ++progress_.done;
   if (result.outcome >= MatchOutcome::kCrash) ++progress_.failures;
-  course_.take(task.fixture, task.leg, result);
+  course_.take(task.fixture, task.leg, row.result);
   return {};
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 // Spall's practical exponents of the gains, and the share of the iterations that damps the first moves.
 constexpr double kMoveExponent = 0.602, kPerturbationExponent = 0.101, kDamping = 0.1;
-constexpr int kMostIterations = 1'000'000;
-constexpr std::size_t kMostParameters = 1000;
+constexpr int kMostMoves = 1'000'000;
+constexpr std::size_t kMostTuned = 1000;
 
 double clamped(double share) { return std::clamp(share, 0.0, 1.0); }
 
@@ -98,11 +98,11 @@ std::vector<TunePoint> pathOf(const Spsa& spsa, std::span<const double> results)
 }
 
 Result<void> validate(const Spsa& spsa) {
-  if (spsa.parameters.empty() || spsa.parameters.size() > kMostParameters) {
-    return fail(ErrorCode::kUsage, fmt::format("a tuning needs 1 ... {} parameters", kMostParameters));
+  if (spsa.parameters.empty() || spsa.parameters.size() > kMostTuned) {
+    return fail(ErrorCode::kUsage, fmt::format("a tuning needs 1 ... {} parameters", kMostTuned));
   }
-  if (spsa.iterations < 1 || spsa.iterations > kMostIterations) {
-    return fail(ErrorCode::kUsage, fmt::format("a tuning has 1 ... {} iterations", kMostIterations));
+  if (spsa.iterations < 1 || spsa.iterations > kMostMoves) {
+    return fail(ErrorCode::kUsage, fmt::format("a tuning has 1 ... {} iterations", kMostMoves));
   }
   for (auto p = spsa.parameters.begin(); p != spsa.parameters.end(); ++p) {
     if (auto checked = validate(*p); !checked) return checked;

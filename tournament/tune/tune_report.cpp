@@ -11,22 +11,22 @@ namespace fulbito {
 namespace {
 
 /// Version of the object; a higher one means that a key changed its meaning or went.
-constexpr int kSchemaVersion = 1;
+constexpr int kTuneReportVersion = 1;
 
-std::string eloText(double elo) {
+std::string tuneElo(double elo) {
   if (std::isinf(elo)) return elo > 0.0 ? "+inf" : "-inf";
   return fmt::format("{:+.0f}", elo);
 }
 
-std::string intervalText(const Interval& interval) {
-  return fmt::format("{} ({} to {})", eloText(interval.value), eloText(interval.low), eloText(interval.high));
+std::string tuneInterval(const Interval& interval) {
+  return fmt::format("{} ({} to {})", tuneElo(interval.value), tuneElo(interval.low), tuneElo(interval.high));
 }
 
 std::string finalText(const FinalResult& final) {
   const EloEstimate estimate = estimateElo(final.counts);
   return fmt::format("  {} against {:<9} {} pairs, Elo {}, normalized Elo {}\n", final.first,
-                     final.second + ":", final.counts.pairs(), intervalText(estimate.elo),
-                     intervalText(estimate.normalized_elo));
+                     final.second + ":", final.counts.pairs(), tuneInterval(estimate.elo),
+                     tuneInterval(estimate.normalized_elo));
 }
 
 std::string judgementText(const TuneOutcome& outcome) {
@@ -55,7 +55,7 @@ std::string parameterTable(const TunePlan& plan, const TunePoint& end) {
   return text;
 }
 
-Json parameterJson(const TunedParameter& p, double start, double end) {
+Json tunedJson(const TunedParameter& p, double start, double end) {
   const auto number = [&p](double share) { return Json::parse(valueText(p, share)); };
   return {{"name", p.name},          {"type", p.whole ? "integer" : "number"},
           {"minimum", p.low},        {"maximum", p.high},
@@ -105,7 +105,7 @@ std::string tuneText(const TunePlan& plan, const TuneOutcome& outcome) {
 
 std::string tuneJson(const TunePlan& plan, const TuneOutcome& outcome) {
   const std::vector<TunePoint> path = pathOf(plan.spsa, outcome.results);
-  Json json{{"schema_version", kSchemaVersion},
+  Json json{{"schema_version", kTuneReportVersion},
             {"team", plan.base.entrants[0].team.text},
             {"opponent", plan.opponent ? Json(plan.base.entrants[1].team.text) : Json(nullptr)},
             {"tuned", plan.team.at(plan.spsa.parameters, path.back())},
@@ -119,7 +119,7 @@ std::string tuneJson(const TunePlan& plan, const TuneOutcome& outcome) {
             {"path", path},
             {"finals", Json::array()}};
   for (std::size_t i = 0; i < plan.spsa.parameters.size(); ++i) {
-    json["parameters"].push_back(parameterJson(plan.spsa.parameters[i], path.front()[i], path.back()[i]));
+    json["parameters"].push_back(tunedJson(plan.spsa.parameters[i], path.front()[i], path.back()[i]));
   }
   for (const FinalResult& final : outcome.finals) json["finals"].push_back(finalJson(final));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

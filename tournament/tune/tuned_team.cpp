@@ -22,7 +22,7 @@ bool isNumeric(const ParameterSpec& spec) {
 }
 
 /// The value of a text that is a number as a whole.
-std::optional<double> numberOf(std::string_view text) {
+std::optional<double> numberIn(std::string_view text) {
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
   if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
@@ -86,7 +86,7 @@ class WordReader {
     if (specs.empty() && fields) {
       TunedParameter p{name, false, NAN, NAN, NAN, perturbation_, step_};
       if (const Setting* setting = findSetting(parts_.settings, name)) {
-        p.start = numberOf(setting->value).value_or(NAN);
+        p.start = numberIn(setting->value).value_or(NAN);
       }
       return p;
     }
@@ -109,7 +109,7 @@ class WordReader {
     for (std::size_t at = 0; at <= text.size(); ++field) {
       const std::size_t end = std::min(text.find(':', at), text.size());
       const std::string_view part = text.substr(at, end - at);
-      const auto value = numberOf(part);
+      const auto value = numberIn(part);
       if (field >= std::size(fields) || (!part.empty() && !value)) {
         return fail(ErrorCode::kUsage,
                     fmt::format("parameter '{}': '{}' is not START:LOW:HIGH[:C_END[:R_END]]", p.name, text));
@@ -197,7 +197,7 @@ std::string valueText(const TunedParameter& parameter, double share) {
   const double range = parameter.high - parameter.low, value = parameter.low + share * range;
   if (parameter.whole) return fmt::format("{:.0f}", std::floor(value + 0.5));
   const std::string text = withoutZeros(fmt::format("{:.{}f}", value, decimalsOf(range)));
-  const double read = numberOf(text).value_or(value);
+  const double read = numberIn(text).value_or(value);
   const double held = std::clamp(read, parameter.low, parameter.high);
   return held == read ? text : fmt::format("{}", held);
 }

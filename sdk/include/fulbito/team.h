@@ -453,6 +453,17 @@ FULBITO_SIZE(fulbito_host, 48);
  * `begin` on; it lives until the next `begin`. */
 #define FULBITO_EXT_RULES_TEXT "fulbito.rules-text/1"
 
+/** Extension of the host: `fulbito_curve_widening`. Known to a team from `begin` on and to a navigator from
+ * its first `plan` on; it lives as long as the host. */
+#define FULBITO_EXT_CURVE_WIDENING "fulbito.curve-widening/1"
+/** Slip in curves of the robots, in addition to `fulbito_robot_model`: at speed v they drive a curve that is
+ * wider than commanded by v (curve_widening + curve_widening_rise v). */
+typedef struct fulbito_curve_widening {
+  double curve_widening;      /**< [s] radius that a curve gains, over the speed; 0: none */
+  double curve_widening_rise; /**< [s^2/m] by which `curve_widening` rises with the speed */
+} fulbito_curve_widening;
+FULBITO_SIZE(fulbito_curve_widening, 16);
+
 /** A library: its description, its team, and its extensions. The table and all that it points at live as long
  * as the library is loaded. */
 typedef struct fulbito_library {

@@ -17,6 +17,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -127,6 +128,10 @@ struct RobotModel {
   double spin_fast_ratio = 0.0;     ///< the same at `spin_fast_speed` and above; linear between
   double friction = 0.0;            ///< of the body
   double restitution = 0.0;         ///< of the body
+  /// [s] Radius that a curve gains by slip, over the speed; 0: none.
+  double curve_widening = 0.0;
+  /// [s^2/m] By which `curve_widening` rises with the speed.
+  double curve_widening_rise = 0.0;
 
   /// [m/s] Largest speed straight ahead.
   double maxSpeed() const { return max_wheel_speed * wheel_radius; }
@@ -441,62 +446,27 @@ struct Parameter {
   std::function<void(double)> set;   ///< takes a checked value; of a choice: its index
 };
 
-/// A team. The simulator calls `begin` first and `ended` last. For each play it calls `place`, `ready`,
-/// `decide` once per tick, and `stopped`. Calls of one instance never overlap; two instances may run at the
-/// same time. Exceptions are caught and reported, and count as a crash of the team.
-///
-/// For the same observations, give the same commands: use `random`, no clock, and no other source of chance.
-class Team {
+/// What teams and navigators have in common: their description, their parameters, and a way to say something.
+class Described {
  public:
-  /// Describes the team: a name for tables, its version, and one line about it.
-  explicit Team(std::string name, std::string version = "", std::string summary = "")
-      : name_(std::move(name)), version_(std::move(version)), summary_(std::move(summary)) {}
-  virtual ~Team() = default;
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  virtual ~Described() = default;
+  Described(const Described&) = delete;
+  Described& operator=(const Described&) = delete;
 
-  /// A new match begins: reset all memory. `info()` and `random()` are ready.
-  virtual void begin(const Info&) {}
-  /// The decision for one control tick; called once per tick. Read no clock and allocate nothing once warm.
-  virtual Commands decide(const Observation& observation) = 0;
-  /// Specifications of the simulator's navigators that `GoTo::navigator` indexes, e.g. "bezier". Called after
-  /// `begin`. The default: the one that `takesNavigator` asks for.
-  virtual std::vector<std::string> navigators() {
-    return navigator_.empty() ? std::vector<std::string>{} : std::vector<std::string>{navigator_};
-  }
-  /// The team's placement at a restart; empty: no wishes.
-  virtual std::optional<Placement> place(const PlacementRequest&) { return std::nullopt; }
-  /// Play is stopped. Called before the placement requests of the restart.
-  virtual void stopped(const Stop&) {}
-  /// The new play is placed. Called before its first decision, with exact poses.
-  virtual void ready(const Observation&) {}
-  /// The match is over; no call follows.
-  virtual void ended(const End&) {}
-  /// One tick of an exercise; empty if the team lacks the skill.
-  virtual std::optional<ExerciseReply> exercise(const Observation&, const Exercise&) { return std::nullopt; }
-
-  /// @{ For runners (`FULBITO_TEAM` and programs); a team's author needs none of them.
+  /// @{ For runners (the macros at the end and programs); an author needs none of them.
   const std::string& name() const { return name_; }
-  const std::string& version() const { return version_; }
   const std::string& summary() const { return summary_; }
   const std::vector<Parameter>& parameters() const { return parameters_; }
-  /// Default of the setting `navigator`; empty: the team takes none.
-  const std::string& defaultNavigator() const { return default_navigator_; }
-  /// Takes the setting `name=value`. @return what is wrong with it; empty: it is taken
-  std::string set(std::string_view name, std::string_view value);
   /// The function that receives the lines of `log`.
   void logTo(std::function<void(std::string_view)> sink) { sink_ = std::move(sink); }
-  /// Keeps `info`, seeds the random stream, then calls `begin`.
-  void start(const Info& info) {
-    info_ = info;
-    random_ = Random(info.seed);
-    begin(info_);
-  }
   /// @}
 
  protected:
+  Described(std::string name, std::string summary) : name_(std::move(name)), summary_(std::move(summary)) {}
+
   /// @{ Parameters, declared in the constructor: `number("aggression", aggression_, 0, 1, "", "how ...")`.
-  /// The member's present value is the default. `value` must live as long as the team: a member of its class.
+  /// The member's present value is the default. `value` must live as long as the object: a member of its
+  /// class.
   void number(std::string name, double& value, double minimum, double maximum, std::string unit,
               std::string doc) {
     parameters_.push_back({std::move(name),
@@ -544,16 +514,7 @@ class Team {
                            std::move(doc),
                            [&value](double v) { value = static_cast<int>(v); }});
   }
-  /// The team takes the setting `navigator=NAME`, with this default.
-  void takesNavigator(std::string by_default) {
-    default_navigator_ = std::move(by_default);
-    navigator_ = default_navigator_;
-  }
   /// @}
-  /// What the team knows since `begin`.
-  const Info& info() const { return info_; }
-  /// The team's random stream: the same numbers in each match with the same seed.
-  Random& random() { return random_; }  // determinism-ok: seeded
   /// Says something to the user; without a runner, on standard error.
   void log(std::string_view line) const {  // determinism-ok: a message
     if (sink_) {
@@ -564,12 +525,136 @@ class Team {
   }
 
  private:
-  std::string name_, version_, summary_;
+  std::string name_, summary_;
   std::vector<Parameter> parameters_;
-  std::string default_navigator_, navigator_;
   std::function<void(std::string_view)> sink_;
+};
+
+/// A team. The simulator calls `begin` first and `ended` last. For each play it calls `place`, `ready`,
+/// `decide` once per tick, and `stopped`. Calls of one instance never overlap; two instances may run at the
+/// same time. Exceptions are caught and reported, and count as a crash of the team.
+///
+/// For the same observations, give the same commands: use `random`, no clock, and no other source of chance.
+class Team : public Described {
+ public:
+  /// Describes the team: a name for tables, its version, and one line about it.
+  explicit Team(std::string name, std::string version = "", std::string summary = "")
+      : Described(std::move(name), std::move(summary)), version_(std::move(version)) {}
+
+  /// A new match begins: reset all memory. `info()` and `random()` are ready.
+  virtual void begin(const Info&) {}
+  /// The decision for one control tick; called once per tick. Read no clock and allocate nothing once warm.
+  virtual Commands decide(const Observation& observation) = 0;
+  /// Specifications of the simulator's navigators that `GoTo::navigator` indexes, e.g. "bezier". Called after
+  /// `begin`. The default: the one that `takesNavigator` asks for.
+  virtual std::vector<std::string> navigators() {
+    return navigator_.empty() ? std::vector<std::string>{} : std::vector<std::string>{navigator_};
+  }
+  /// The team's placement at a restart; empty: no wishes.
+  virtual std::optional<Placement> place(const PlacementRequest&) { return std::nullopt; }
+  /// Play is stopped. Called before the placement requests of the restart.
+  virtual void stopped(const Stop&) {}
+  /// The new play is placed. Called before its first decision, with exact poses.
+  virtual void ready(const Observation&) {}
+  /// The match is over; no call follows.
+  virtual void ended(const End&) {}
+  /// One tick of an exercise; empty if the team lacks the skill.
+  virtual std::optional<ExerciseReply> exercise(const Observation&, const Exercise&) { return std::nullopt; }
+
+  /// @{ For runners (`FULBITO_TEAM` and programs); a team's author needs none of them.
+  const std::string& version() const { return version_; }
+  /// Default of the setting `navigator`; empty: the team takes none.
+  const std::string& defaultNavigator() const { return default_navigator_; }
+  /// Takes the setting `name=value`. @return what is wrong with it; empty: it is taken
+  std::string set(std::string_view name, std::string_view value);
+  /// Keeps `info`, seeds the random stream, then calls `begin`.
+  void start(const Info& info) {
+    info_ = info;
+    random_ = Random(info.seed);
+    begin(info_);
+  }
+  /// @}
+
+ protected:
+  /// The team takes the setting `navigator=NAME`, with this default.
+  void takesNavigator(std::string by_default) {
+    default_navigator_ = std::move(by_default);
+    navigator_ = default_navigator_;
+  }
+  /// What the team knows since `begin`.
+  const Info& info() const { return info_; }
+  /// The team's random stream: the same numbers in each match with the same seed.
+  Random& random() { return random_; }  // determinism-ok: seeded
+
+ private:
+  std::string version_;
+  std::string default_navigator_, navigator_;
   Info info_;
   Random random_;
+};
+
+/// A round obstacle for a navigator. Discs also cover the boxes.
+struct Disc {
+  Vec2 position;        ///< [m] its centre now
+  Vec2 velocity;        ///< [m/s]
+  double radius = 0.0;  ///< [m] the obstacle's own radius, not inflated by the robot
+};
+
+/// A navigator's knowledge at one control tick.
+struct NavigationScene {
+  std::int64_t tick = 0;               ///< counts control ticks; never goes back within a trial
+  double dt = 1.0 / 60.0;              ///< [s] control period
+  Robot self;                          ///< the robot
+  Vec2 goal;                           ///< [m] target of the robot's centre
+  std::optional<double> goal_heading;  ///< [rad] on arrival; empty: any
+  double tolerance = 0.0;              ///< [m] distance that counts as arrival
+  double heading_tolerance = 0.0;      ///< [rad] difference that counts as the wanted heading
+  bool stop = false;                   ///< stop at the goal; otherwise the robot may pass it at speed
+  std::vector<Disc> obstacles;         ///< the other bodies, in any order
+  Field field;                         ///< its size
+  RobotModel robot;                    ///< its max_wheel_speed is the speed limit of this trial
+};
+
+/// A navigator's output. All numbers are finite, except `speed_cap`.
+struct Guidance {
+  /// The forms of guidance.
+  enum class Kind : std::uint8_t { kField, kPath, kTimedPath, kWheels };
+  Kind kind = Kind::kWheels;
+  std::vector<Vec2> path;      ///< [m] for both kinds of paths: from robot to goal, at least 2 points
+  std::vector<double> speeds;  ///< [m/s] for kTimedPath: speed at each point of the path
+  std::uint64_t revision = 0;  ///< changes whenever `path` or `speeds` do
+  Wheels wheels;               ///< [rad/s] for kWheels
+  double speed_cap = std::numeric_limits<double>::infinity();  ///< [m/s] present speed limit
+};
+
+/// One navigation method. An instance belongs to one robot and keeps its memory between ticks. Exceptions are
+/// caught and reported, and stop the robot.
+class Navigator : public Described {
+ public:
+  /// Describes the method: its name in specifications, one line about it, and where it is from.
+  /// @param plans_speed  it gives its own speeds or wheel speeds; tables mark it
+  explicit Navigator(std::string name, std::string summary = "", std::string source = "",
+                     bool plans_speed = false)
+      : Described(std::move(name), std::move(summary)),
+        source_(std::move(source)),
+        plans_speed_(plans_speed) {}
+
+  /// Resets all memory: the next call starts a new trial.
+  virtual void reset() {}
+  /// Plans the motion in the present scene; called once per control tick. Read no clock and allocate nothing
+  /// once warm. `guidance` keeps its memory between the calls; its `speed_cap` is preset to infinity.
+  virtual void plan(const NavigationScene& scene, Guidance& guidance) = 0;
+  /// Direction of travel [rad] at a point, after `plan` gave kField. Called many times per tick.
+  virtual double heading(Vec2) const { return 0.0; }
+
+  /// @{ For runners.
+  const std::string& source() const { return source_; }
+  bool plansSpeed() const { return plans_speed_; }
+  /// @}
+
+ private:
+  std::string source_;
+  bool plans_speed_;
 };
 
 namespace detail {
@@ -624,7 +709,7 @@ inline std::string Team::set(std::string_view name, std::string_view value) {
     navigator_ = value;
     return {};
   }
-  for (const Parameter& parameter : parameters_) {
+  for (const Parameter& parameter : parameters()) {
     if (parameter.name != name) continue;
     const auto number = detail::valueOf(parameter, value);
     if (!number) {
@@ -634,7 +719,7 @@ inline std::string Team::set(std::string_view name, std::string_view value) {
     parameter.set(*number);
     return {};
   }
-  return "'" + name_ + "' has no parameter '" + std::string(name) + "'";
+  return "'" + this->name() + "' has no parameter '" + std::string(name) + "'";
 }
 
 // The rest joins the class to the C interface; a team's author needs only the macro at the end. It is hidden:
@@ -691,6 +776,15 @@ inline RobotModel from(const fulbito_robot_model& r) {
           r.spin_fast_ratio,
           r.friction,
           r.restitution};
+}
+
+/// The part of the model that the host gives as an extension. A simulator before it gives none.
+inline void takeCurveWidening(const fulbito_host& host, RobotModel& robot) {
+  const void* found = host.get_extension(&host, FULBITO_EXT_CURVE_WIDENING);
+  if (found == nullptr) return;
+  const auto& widening = *static_cast<const fulbito_curve_widening*>(found);
+  robot.curve_widening = widening.curve_widening;
+  robot.curve_widening_rise = widening.curve_widening_rise;
 }
 
 inline BallModel from(const fulbito_ball_model& b) {
@@ -907,14 +1001,10 @@ inline void give(const Placement& placement, fulbito_placement& out) {
 }
 /// @}
 
-/// Description of a team in the words of the C interface; it keeps the texts alive.
+/// Description of a team or navigator in the words of the C interface; it keeps the texts alive.
 struct Description {
-  explicit Description(const Team& team)
-      : name(team.name()),
-        version(team.version()),
-        summary(team.summary()),
-        navigator(team.defaultNavigator()),
-        parameters(team.parameters()) {
+  explicit Description(const Described& described)
+      : name(described.name()), summary(described.summary()), parameters(described.parameters()) {
     for (const Parameter& parameter : parameters) {
       choices.emplace_back();
       for (const std::string& choice : parameter.choices) choices.back().push_back(choice.c_str());
@@ -926,7 +1016,14 @@ struct Description {
                        p.default_value, p.minimum, p.maximum});
     }
   }
-  std::string name, version, summary, navigator;
+  explicit Description(const Team& team) : Description(static_cast<const Described&>(team)) {
+    version = team.version(), navigator = team.defaultNavigator();
+  }
+  explicit Description(const Navigator& method) : Description(static_cast<const Described&>(method)) {
+    source = method.source(), plans_speed = method.plansSpeed() ? 1 : 0;
+  }
+  std::string name, version, summary, navigator, source;
+  std::uint32_t plans_speed = 0;
   std::vector<Parameter> parameters;
   std::vector<std::vector<const char*>> choices;
   std::vector<fulbito_parameter> table;
@@ -945,9 +1042,9 @@ inline void logTo(const fulbito_host* host, std::string_view line) {
 }
 
 /// Runs `call`; an exception becomes a line of the log and a failure.
-template <typename Call>
+template <typename Self = Instance, typename Call>
 std::int32_t guarded(void* self, const Call& call) {
-  Instance& instance = *static_cast<Instance*>(self);
+  Self& instance = *static_cast<Self*>(self);
   try {
     return call(instance);
   } catch (const std::exception& error) {
@@ -958,29 +1055,42 @@ std::int32_t guarded(void* self, const Call& call) {
   return 1;
 }
 
+/// An object of the class `T` with its parameters set.
+template <typename T>
+std::unique_ptr<T> made(const fulbito_host* host, const double* values) {
+  auto object = std::make_unique<T>();
+  object->logTo([host](std::string_view line) { logTo(host, line); });
+  for (std::size_t i = 0; i < object->parameters().size(); ++i) object->parameters()[i].set(values[i]);
+  return object;
+}
+
 template <typename T>
 std::unique_ptr<Instance> makeInstance(const fulbito_host* host, const double* values,
                                        const char* navigator) {
   auto instance = std::make_unique<Instance>();
   instance->host = host;
-  instance->team = std::make_unique<T>();
+  instance->team = made<T>(host, values);
   Team& team = *instance->team;
-  team.logTo([host](std::string_view line) { logTo(host, line); });
-  for (std::size_t i = 0; i < team.parameters().size(); ++i) team.parameters()[i].set(values[i]);
   if (navigator != nullptr) team.set("navigator", navigator);
   return instance;
 }
 
-template <typename T>
-void* create(const fulbito_host* host, const double* values, const char* navigator) {
+/// Gives away what `make` makes; null after an exception, which becomes a line of the log.
+template <typename Make>
+void* released(const fulbito_host* host, const Make& make) {
   try {
-    return makeInstance<T>(host, values, navigator).release();
+    return make().release();
   } catch (const std::exception& error) {
     logTo(host, error.what());
   } catch (...) {
     logTo(host, "an exception of an unknown type");
   }
   return nullptr;
+}
+
+template <typename T>
+void* create(const fulbito_host* host, const double* values, const char* navigator) {
+  return released(host, [&] { return makeInstance<T>(host, values, navigator); });
 }
 
 inline void destroy(void* self) { delete static_cast<Instance*>(self); }
@@ -990,6 +1100,7 @@ inline std::int32_t begin(void* self, const fulbito_match_info* info) {
     Info known = from(*info);
     const void* text = instance.host->get_extension(instance.host, FULBITO_EXT_RULES_TEXT);
     if (text != nullptr) known.rules.text = static_cast<const char*>(text);
+    takeCurveWidening(*instance.host, known.robot);
     instance.seen = {};
     instance.team->start(known);
     instance.navigators = instance.team->navigators();
@@ -1085,6 +1196,141 @@ const fulbito_library* libraryOf() try {
   return nullptr;
 }
 
+/// A navigator behind the C interface.
+struct Guide {
+  const fulbito_host* host;
+  std::unique_ptr<Navigator> method;
+  NavigationScene scene;           ///< of the present tick
+  Guidance guidance;               ///< likewise
+  std::vector<fulbito_vec2> path;  ///< of the guidance
+};
+
+inline void take(const fulbito_scene& from_scene, const fulbito_host& host, NavigationScene& to) {
+  const fulbito_scene& s = from_scene;
+  to.tick = s.tick;
+  to.dt = s.dt;
+  to.self = from(s.self);
+  to.goal = from(s.goal);
+  to.goal_heading = s.has_heading != 0 ? std::optional(s.goal_heading) : std::nullopt;
+  to.tolerance = s.tolerance;
+  to.heading_tolerance = s.heading_tolerance;
+  to.stop = s.stop != 0;
+  to.obstacles.clear();
+  for (std::uint64_t i = 0; i < s.obstacle_count; ++i)
+    to.obstacles.push_back(
+        {from(s.obstacles[i].position), from(s.obstacles[i].velocity), s.obstacles[i].radius});
+  to.field = from(*s.field);
+  to.robot = from(*s.robot);
+  takeCurveWidening(host, to.robot);
+}
+
+inline void give(Guide& guide, fulbito_guidance& out) {
+  const Guidance& guidance = guide.guidance;
+  if (guidance.kind == Guidance::Kind::kTimedPath && guidance.speeds.size() < guidance.path.size())
+    throw std::length_error("a path has more points than speeds");
+  guide.path.clear();
+  for (const Vec2 point : guidance.path) guide.path.push_back(to(point));
+  out.kind = static_cast<std::uint32_t>(guidance.kind);
+  out.point_count = static_cast<std::uint32_t>(guide.path.size());
+  out.path = guide.path.data();
+  out.speeds = guidance.speeds.data();
+  out.revision = guidance.revision;
+  out.wheels = {guidance.wheels.left, guidance.wheels.right};
+  out.speed_cap = guidance.speed_cap;
+}
+
+template <typename N>
+void* createGuide(const fulbito_host* host, const double* values) {
+  return released(host, [&] {
+    auto guide = std::make_unique<Guide>();
+    guide->host = host;
+    guide->method = made<N>(host, values);
+    return guide;
+  });
+}
+
+inline void destroyGuide(void* self) { delete static_cast<Guide*>(self); }
+
+inline void resetGuide(void* self) {
+  guarded<Guide>(self, [](Guide& guide) {
+    guide.method->reset();
+    return 0;
+  });
+}
+
+inline std::int32_t planGuide(void* self, const fulbito_scene* scene, fulbito_guidance* guidance) {
+  return guarded<Guide>(self, [&](Guide& guide) {
+    take(*scene, *guide.host, guide.scene);
+    guide.guidance.speed_cap = guidance->speed_cap;
+    guide.method->plan(guide.scene, guide.guidance);
+    give(guide, *guidance);
+    return 0;
+  });
+}
+
+inline double headingOfGuide(void* self, fulbito_vec2 point) {
+  double heading = std::numeric_limits<double>::quiet_NaN();
+  guarded<Guide>(self, [&](Guide& guide) {
+    heading = guide.method->heading(from(point));
+    return 0;
+  });
+  return heading;
+}
+
+template <typename N>
+const Description& descriptionOf() {
+  static const Description description{N{}};
+  return description;
+}
+
+template <typename N>
+fulbito_navigator navigatorOf() {
+  const Description& d = descriptionOf<N>();
+  return {d.name.c_str(),
+          d.summary.c_str(),
+          d.source.c_str(),
+          d.table.data(),
+          static_cast<std::uint32_t>(d.table.size()),
+          d.plans_speed,
+          createGuide<N>,
+          destroyGuide,
+          resetGuide,
+          planGuide,
+          headingOfGuide};
+}
+
+/// The extension that lists the navigators `N`.
+template <typename... N>
+const void* navigatorsOf(const char* name) {
+  static const std::array<fulbito_navigator, sizeof...(N)> table{navigatorOf<N>()...};
+  static const fulbito_navigators navigators{table.data(), static_cast<std::uint32_t>(table.size()), 0};
+  return std::string_view(name) == FULBITO_EXT_NAVIGATORS ? &navigators : nullptr;
+}
+
+/// The table of a library with the navigators `First` and `N`, without a team; null if a constructor throws.
+template <typename First, typename... N>
+const fulbito_library* navigatorLibraryOf() try {
+  const Description& first = descriptionOf<First>();
+  navigatorsOf<First, N...>("");
+  static const fulbito_library library{FULBITO_ABI,
+                                       sizeof(fulbito_library),
+                                       first.name.c_str(),
+                                       nullptr,
+                                       first.summary.c_str(),
+                                       nullptr,
+                                       0,
+                                       0,
+                                       nullptr,
+                                       nullptr,
+                                       nullptr,
+                                       nullptr,
+                                       nullptr,
+                                       navigatorsOf<First, N...>};
+  return &library;
+} catch (...) {
+  return nullptr;
+}
+
 }  // namespace detail
 #pragma GCC visibility pop
 }  // namespace fulbito::team
@@ -1095,4 +1341,11 @@ const fulbito_library* libraryOf() try {
 #define FULBITO_TEAM(TEAM)                                                       \
   extern "C" FULBITO_EXPORT const fulbito_library* fulbito_library_entry(void) { \
     return fulbito::team::detail::libraryOf<TEAM>();                             \
+  }
+
+/// Makes the shared library's one symbol for navigators: classes with a default constructor, separated by
+/// commas. Built as a team's library. `fulbito run --navigator ./mine.so:NAME` uses one.
+#define FULBITO_NAVIGATORS(...)                                                  \
+  extern "C" FULBITO_EXPORT const fulbito_library* fulbito_library_entry(void) { \
+    return fulbito::team::detail::navigatorLibraryOf<__VA_ARGS__>();             \
   }

@@ -89,6 +89,19 @@ std::vector<std::string> someReplies() {
 
 }  // namespace
 
+TEST_CASE("the slip in curves reaches a team behind the codec", "[unit]") {
+  Conversation talk;
+  talk.greet();
+  MatchInfo info;
+  info.robot.curve_widening = 0.25;
+  info.robot.curve_widening_rise = 0.5;
+  talk.codec.begin(3, info, talk.out);
+  talk.ask();
+  talk.codec.decide(4, someObservation(), talk.out);
+  talk.ask();
+  CHECK(talk.reply.command.robots[2].go_to.tolerance == 5.25);
+}
+
 TEST_CASE("a hosted team gives the replies of the same team in this process", "[unit]") {
   Conversation talk({{"gain", "0.5"}, {"offset", "3"}});
   talk.codec.hello(7, {"fulbito 0", {{"gain", "0.75"}, {"navigator", "univector"}}}, talk.out);

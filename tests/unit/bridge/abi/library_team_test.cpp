@@ -143,6 +143,8 @@ TEST_CASE("a team in plain C gets all and gives all", "[unit]") {
                            lines.log());
   MatchInfo info;
   info.seed = 7;
+  info.robot.curve_widening = 0.25;
+  info.robot.curve_widening_rise = 0.5;
   team->begin(info);
   CHECK(lines.text == "plain-c: ready\n");
   REQUIRE(team->navigators().size() == 1);
@@ -157,6 +159,7 @@ TEST_CASE("a team in plain C gets all and gives all", "[unit]") {
   CHECK(command.robots[1].twist.linear == 0.125);
   const double drawn = command.robots[1].twist.angular;
   CHECK(command.robots[2].go_to.position == Vec2{0.25, 0.5});
+  CHECK(command.robots[2].go_to.tolerance == 5.25);
   CHECK(command.roles[0] == 7);
   CHECK(command.drawings.empty());
   seen.wants_drawings = true;

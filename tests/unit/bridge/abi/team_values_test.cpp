@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "fulbito/team.hpp"
+#include "navigation/library/plugin_host.hpp"
 #include "navigation/library/plugin_values.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/field_count.hpp"
@@ -135,12 +136,26 @@ FieldGeometry someField(Counter& next) {
 RobotModel someRobot(Counter& next) {
   RobotModel robot;
   robot.name = "a robot";
-  for (double* member :
-       {&robot.length, &robot.width, &robot.mass, &robot.wheel_radius, &robot.axle_track,
-        &robot.max_wheel_speed, &robot.wheel_acceleration, &robot.wheel_braking, &robot.yaw_acceleration,
-        &robot.rolling_drag, &robot.longitudinal_grip, &robot.lateral_grip, &robot.spin_slow_speed,
-        &robot.spin_slow_ratio, &robot.spin_fast_speed, &robot.spin_fast_ratio, &robot.friction,
-        &robot.restitution}) {
+  for (double* member : {&robot.length,
+                         &robot.width,
+                         &robot.mass,
+                         &robot.wheel_radius,
+                         &robot.axle_track,
+                         &robot.max_wheel_speed,
+                         &robot.wheel_acceleration,
+                         &robot.wheel_braking,
+                         &robot.yaw_acceleration,
+                         &robot.rolling_drag,
+                         &robot.longitudinal_grip,
+                         &robot.lateral_grip,
+                         &robot.spin_slow_speed,
+                         &robot.spin_slow_ratio,
+                         &robot.spin_fast_speed,
+                         &robot.spin_fast_ratio,
+                         &robot.friction,
+                         &robot.restitution,
+                         &robot.curve_widening,
+                         &robot.curve_widening_rise}) {
     *member = next.number();
   }
   return robot;
@@ -167,6 +182,8 @@ void checkSame(const RobotModel& from, const team::RobotModel& to) {
   CHECK(to.spin_fast_ratio == from.spin_fast_ratio);
   CHECK(to.friction == from.friction);
   CHECK(to.restitution == from.restitution);
+  CHECK(to.curve_widening == from.curve_widening);
+  CHECK(to.curve_widening_rise == from.curve_widening_rise);
   CHECK(to.maxSpeed() == from.maxSpeed());
   CHECK(to.circumradius() == Approx(from.circumradius()));
 }
@@ -247,7 +264,8 @@ TEST_CASE("no member of a team's values lacks its place in the C interface", "[u
   CHECK(fieldCount<MatchInfo>() == 13);
   CHECK(fieldCount<DecisionTime>() == 5);  // a team has no use for `start` and `failures`
   CHECK(fieldCount<FieldGeometry>() == 16);
-  // Two members for the slip in curves are not in fulbito/team.h, whose structs are fixed.
+  // The structs of fulbito/team.h are fixed: two members for the slip in curves are in an extension of the
+  // host.
   CHECK(fieldCount<RobotModel>() == 19 + 2);
   CHECK(fieldCount<BallModel>() == 10);
   CHECK(fieldCount<PhysicsProfile>() == 10);
@@ -282,7 +300,10 @@ TEST_CASE("what a team knows before the match arrives whole", "[unit]") {
   info.dropout = next.number();
   info.decision_time = DecisionTime{next.number(), next.number(), next.whole()};
   info.seed = 0xfedcba9876543210u;
-  const team::Info known = team::detail::from(toAbi(info));
+  team::Info known = team::detail::from(toAbi(info));
+  PluginHost host("a test", {});
+  host.know(wideningToAbi(info.robot));
+  team::detail::takeCurveWidening(*host.table(), known.robot);
   CHECK(known.colour == team::Colour::kYellow);
   CHECK_FALSE(known.left);
   checkSame(info.field, known.field);

@@ -2,12 +2,15 @@
 
 #include <cmath>
 
+#include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {
 namespace {
 
 const std::string kLibrary = FULBITO_TEST_LIBRARIES "/navigators.so";
+const std::string kWrapped = FULBITO_TEST_LIBRARIES "/cpp_navigators.so";
+const std::string kExample = FULBITO_TEST_LIBRARIES "/detour.so";
 
 /// A robot at the origin that wants to stop half a metre ahead, near one obstacle.
 struct Scene {
@@ -24,8 +27,9 @@ struct Scene {
   NavigationScene scene;
 };
 
-std::unique_ptr<Navigator> made(const std::string& name, const std::vector<Setting>& settings = {}) {
-  const auto choice = parseNavigator(kLibrary + ":" + name);
+std::unique_ptr<Navigator> made(const std::string& name, const std::vector<Setting>& settings = {},
+                                const std::string& library = kLibrary) {
+  const auto choice = parseNavigator(library + ":" + name);
   REQUIRE(choice);
   return std::move(*choice->info->make(settings));
 }
@@ -139,6 +143,56 @@ TEST_CASE("a choice keeps the library loaded", "[unit]") {
   }
   Scene s;
   CHECK(pilot->drive(s.scene).left > 0.0);
+}
+
+TEST_CASE("a navigator in C++ knows the scene, its settings and the robot's slip in curves", "[unit]") {
+  Scene s;
+  s.robot.curve_widening = 1.5;
+  s.robot.curve_widening_rise = 0.25;
+  s.scene.goal.heading = 0.5;
+  const auto navigator = made("echo", {{"laps", "3"}}, kWrapped);
+  navigator->reset();
+  const Guidance guidance = navigator->plan(s.scene);
+  REQUIRE(guidance.kind == GuidanceKind::kWheels);
+  CHECK(guidance.wheels.left == Approx(1.5 + 2.5));
+  CHECK(guidance.wheels.right == Approx(1.0 + 30.0 + 100.0 + 500.0));
+  CHECK(guidance.speed_cap == 0.25);
+  CHECK(parseNavigator(kWrapped + ":echo")->info->plans_speed);
+  CHECK(parseNavigator(kWrapped + ":echo")->info->source == "none");
+  s.scene.goal.heading.reset();
+  CHECK(navigator->plan(s.scene).wheels.right == Approx(1.0 + 30.0 + 100.0));
+}
+
+TEST_CASE("a timed path in C++ needs a speed for each point; an exception stops the robot", "[unit]") {
+  Scene s;
+  const auto timed = made("timed", {}, kWrapped);
+  const Guidance guidance = timed->plan(s.scene);
+  REQUIRE(guidance.kind == GuidanceKind::kTimedPath);
+  REQUIRE(guidance.path.size() == 2);
+  CHECK(guidance.path[1] == Vec2{0.5, 0.0});
+  CHECK(guidance.speeds[1] == 0.5);
+  for (const char* wrong : {"short", "throwing"}) {
+    const auto navigator = made(wrong, {}, kWrapped);
+    const Guidance stopped = navigator->plan(s.scene);
+    CHECK(stopped.kind == GuidanceKind::kWheels);
+    CHECK(stopped.wheels.left == 0.0);
+    CHECK(stopped.wheels.right == 0.0);
+  }
+}
+
+TEST_CASE("the example's navigators: round the first disc on the way, and a field", "[unit]") {
+  Scene s;
+  const auto detour = made("detour", {{"margin", "0.03"}}, kExample);
+  CHECK(detour->plan(s.scene).path.size() == 2);
+  s.obstacle.position = {0.25, 0.02};
+  const Guidance round = detour->plan(s.scene);
+  REQUIRE(round.path.size() == 3);
+  CHECK(round.path[1].x == Approx(0.25));
+  CHECK(round.path[1].y == Approx(0.02 - 0.05 - s.robot.circumradius() - 0.03));
+  const auto homing = made("homing", {}, kExample);
+  const Guidance field = homing->plan(s.scene);
+  REQUIRE(field.kind == GuidanceKind::kField);
+  CHECK(field.field->heading({0.5, 0.5}) == Approx(-math::kPi / 2));
 }
 
 }  // namespace fulbito

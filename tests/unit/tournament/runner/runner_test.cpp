@@ -16,7 +16,7 @@ namespace {
 using namespace fulbito::test;
 
 TournamentPlan planWith(std::vector<TeamChoice> teams, int pairs, double half_seconds,
-                      TournamentFormat format = TournamentFormat::kMatch) {
+                        TournamentFormat format = TournamentFormat::kMatch) {
   TournamentPlan plan;
   plan.format = format;
   plan.match = shortMatch("chaser", "chaser", half_seconds);

@@ -14,6 +14,7 @@
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <unistd.h>
 #include <vector>
 
@@ -196,6 +197,8 @@ std::string told(const Case& c) {
   const ssize_t size = ::read(pipe[0], text.data(), text.size());
   ::close(pipe[0]);
   REQUIRE(::waitpid(child, nullptr, 0) == child);
+  std::error_code missing;
+  fs::permissions(scratch.path() / "sub", fs::perms::all, missing);  // so that it can be removed
   return text.substr(0, static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
 }
 

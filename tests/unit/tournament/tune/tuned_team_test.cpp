@@ -122,7 +122,7 @@ TEST_CASE("values play as short texts within their limits", "[unit]") {
     CHECK((value >= third.low && value <= third.high));
     CHECK(std::abs(value - (third.low + (third.high - third.low) * i / 1000.0)) <= 1e-5 / 3.0);
   }
-  CHECK(valueText({"p", false, 0.0, 0.0, 1e-6, 0.1, 0.1}, 0.123456) == "0.00000012346");
+  CHECK(valueText({"p", false, 0.0, 0.0, 2e-6, 0.1, 0.1}, 0.123456) == "0.00000024691");
   CHECK(valueText({"p", false, 0.0, -1e9, 1e9, 0.1, 0.1}, 0.75) == "500000000");
   CHECK(valueText({"p", false, 0.0, -1.0, 1.0, 0.1, 0.1}, 0.5) == "0");
 }

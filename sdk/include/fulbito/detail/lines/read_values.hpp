@@ -210,6 +210,8 @@ inline void readRobotModel(Reader& in, RobotModel& r) {
                  {"spin_slow_ratio", &r.spin_slow_ratio},
                  {"spin_fast_speed", &r.spin_fast_speed},
                  {"spin_fast_ratio", &r.spin_fast_ratio},
+                 {"curve_widening", &r.curve_widening},
+                 {"curve_widening_rise", &r.curve_widening_rise},
                  {"friction", &r.friction},
                  {"restitution", &r.restitution}});
 }

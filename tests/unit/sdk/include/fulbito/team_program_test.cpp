@@ -7,6 +7,8 @@
 
 #include "bridge/abi/team_values.hpp"
 #include "bridge/lines/line_codec.hpp"
+#include "navigation/library/plugin_host.hpp"
+#include "navigation/library/plugin_values.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/piped_team.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -109,8 +111,8 @@ auto membersOf(const t::Field& v) {
   return std::make_tuple(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p.x, p.y);
 }
 auto membersOf(const t::RobotModel& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = v;
-  return std::make_tuple(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s);
+  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = v;
+  return std::make_tuple(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
 }
 auto membersOf(const t::BallModel& v) {
   const auto& [a, b, c, d, e, f, g, h, i, j] = v;
@@ -151,11 +153,17 @@ TEST_CASE("a team knows the same of a match as a program and as a shared library
   match.heading_noise = 0.2;
   match.decision_time = DecisionTime{0.25, 3.0, 12};
   match.seed = 123456789012345678u;
+  match.robot.curve_widening = 1.25;
+  match.robot.curve_widening_rise = 0.75;
   for (const std::string& name : rulesPresetNames()) {
     CAPTURE(name);
     match.rules = *loadRules(name);
     match.field = *loadField(match.rules.field);
-    const t::Info program = throughLines(match), library = t::detail::from(toAbi(match));
+    const t::Info program = throughLines(match);
+    t::Info library = t::detail::from(toAbi(match));
+    PluginHost host("a test", {});
+    host.know(wideningToAbi(match.robot));
+    t::detail::takeCurveWidening(*host.table(), library.robot);
     CHECK(membersOf(program.field) == membersOf(library.field));
     CHECK(membersOf(program.robot) == membersOf(library.robot));
     CHECK(membersOf(program.ball) == membersOf(library.ball));
