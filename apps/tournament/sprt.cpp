@@ -26,7 +26,7 @@ void addSprt(CLI::App& app, SprtCommand& options) {
       "  fulbito sprt libero classic --half-seconds 30\n"
       "  fulbito sprt ./new.so ./old.so --bounds 0,25 --pairs 5000   is it stronger?\n"
       "  fulbito sprt ./new.so ./old.so --out test --html test.html  keeps results; continues after a stop\n"
-      "More: docs/tournaments.md.");
+      "More: docs/statistics.md, docs/tournaments.md.");
   command->add_option("new", options.fresh, "the new team")->required();
   command->add_option("base", options.base, "the team that it must not be weaker than")->required();
   PlanSettings& settings = options.settings;

@@ -134,7 +134,7 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
       "  fulbito tune classic:support=0.8 --parameters support,strike_speed --out tuning\n"
       "  fulbito tune classic --opponent libero --iterations 200 --pairs 16\n"
       "  fulbito tune 'cmd:./team.py' --parameters gain=1:0:5,reach=0.2:0.05:1\n"
-      "More: docs/tournaments.md.");
+      "More: docs/tuning.md.");
   command->add_option("team", options.team, "the team, from the values of its specification")->required();
   command
       ->add_option(
