@@ -271,6 +271,20 @@ TEST_CASE("recordings are kept by policy, and the report links pages that exist"
   CHECK_FALSE(contains(contentOf(box.path / "none.html"), "none-matches"));
 }
 
+TEST_CASE("reports may go into the folder of the results", "[cli]") {
+  const Sandbox box;
+  const std::string run = "tournament run chaser random --half-seconds 2 --out ";
+  CHECK(box.run(run + "o --html o/report.html --csv ./o/matches.csv").code == 0);
+  CHECK(fs::file_size(box.path / "o/report.html") > 100);
+  CHECK(fs::file_size(box.path / "o/matches.csv") > 100);
+  CHECK(box.run("tournament merge o --out m/ --html m/report.html").code == 0);
+  CHECK(fs::exists(box.path / "m/report.html"));
+  CHECK(box.run("sprt chaser random --half-seconds 2 --pairs 1 --out s --markdown s/summary.txt").code == 6);
+  CHECK(fs::exists(box.path / "s/summary.txt"));
+  CHECK(box.run(run + "p --html q/report.html").code == 5);
+  CHECK_FALSE(fs::exists(box.path / "p"));
+}
+
 TEST_CASE("upsets of merged shards are recorded afterwards", "[cli]") {
   const Sandbox box;
   box.write("plan.toml", planOf("pairs = 2"));
