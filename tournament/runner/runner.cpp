@@ -71,6 +71,7 @@ class Run {
   const TournamentPlan& plan_;
   const MatchIdentity& identity_;
   const RunnerOptions& options_;
+  Turns turns_{coreCount()};
   std::size_t looked_up_ = 0;   // fixtures
   std::vector<Task> compared_;  // matches from log or cache to play again
   std::mutex mutex_;            // of all below
