@@ -85,7 +85,11 @@ if cmp -s "$work/matches.csv" "$folder/matches.csv" && cmp -s "$work/table.txt" 
   exit 0
 fi
 {
-  echo "check-ladder: the built-in teams do not play as committed in $folder:"
+  if cmp -s "$work/matches.csv" "$folder/matches.csv"; then
+    echo "check-ladder: all matches are as committed in $folder, but not the table:"
+  else
+    echo "check-ladder: the built-in teams do not play as committed in $folder:"
+  fi
   explain "$folder/matches.csv" "$work/matches.csv"
   diff -u --label 'table as committed' --label 'table now' "$folder/table.txt" "$work/table.txt" | head -n 40 || true
   echo "Is the change meant? Then commit its results with it: scripts/check-ladder.sh --update ${program#"$PWD/"}"

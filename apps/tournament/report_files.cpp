@@ -1,5 +1,8 @@
 #include "apps/tournament/report_files.hpp"
 
+#include <filesystem>
+#include <vector>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -24,6 +27,15 @@ bool printsOn(const ReportFiles& files) {
   return files.annotations || files.csv == kStdout || files.markdown == kStdout || files.junit == kStdout;
 }
 
+/// Whether a file goes into a folder that does not exist yet.
+bool goesInto(const std::string& file, const std::string& folder) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  return !folder.empty() && !fs::exists(folder, ignored) &&
+         fs::path(file).parent_path().lexically_normal() ==
+             (fs::path(folder) / "").lexically_normal().parent_path();
+}
+
 }  // namespace
 
 void addReportFiles(CLI::App& command, ReportFiles& files) {
@@ -39,15 +51,16 @@ void addReportFiles(CLI::App& command, ReportFiles& files) {
       ->group("Reports");
 }
 
-Result<void> checkReportFiles(const ReportFiles& files) {
+Result<void> checkReportFiles(const ReportFiles& files, const std::string& made) {
   int printed = files.json + files.annotations;
   for (const std::string& name : {files.csv, files.markdown, files.junit}) printed += name == kStdout ? 1 : 0;
   if (printed > 1) return fail(ErrorCode::kUsage, "only one report can be printed on stdout");
-  return mayWriteAll({{"--csv", files.csv, Dash::kStdout},
-                      {"--markdown", files.markdown, Dash::kStdout},
-                      {"--junit", files.junit, Dash::kStdout},
-                      {"--html", files.html}},
-                     {}, true);
+  std::vector<NamedFile> outputs{{"--csv", files.csv, Dash::kStdout},
+                                 {"--markdown", files.markdown, Dash::kStdout},
+                                 {"--junit", files.junit, Dash::kStdout},
+                                 {"--html", files.html}};
+  std::erase_if(outputs, [&made](const NamedFile& output) { return goesInto(output.file, made); });
+  return mayWriteAll(outputs, {}, true);
 }
 
 Result<void> writeReports(const TournamentState& state, const TournamentTable& table,

@@ -26,7 +26,8 @@ void addReportFiles(CLI::App& command, ReportFiles& files);
 
 /// Checks that the files may be written; they are replaced, as they are the newest state. Errors: kUsage;
 /// kIo.
-Result<void> checkReportFiles(const ReportFiles& files);
+/// @param made  a folder that the command makes: files may go into it before it exists; may be empty
+Result<void> checkReportFiles(const ReportFiles& files, const std::string& made = {});
 
 /// Writes the files and prints the report.
 /// @param recordings  folder of recordings; may be missing

@@ -123,7 +123,8 @@ int print(const TournamentState& state, const ReportFiles& files, const std::str
 }
 
 int run(TournamentRun& options) {
-  if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
+  if (auto checked = checkReportFiles(options.files, options.flags.out); !checked)
+    return report(checked.error());
   const auto plan = planOf(options);
   if (!plan) return report(plan.error());
   if (options.dry) return printSchedule(*plan);
@@ -144,7 +145,7 @@ int reportFolder(const TournamentReport& options) {
 }
 
 int merge(const TournamentMerge& options) {
-  if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
+  if (auto checked = checkReportFiles(options.files, options.out); !checked) return report(checked.error());
   const auto merged = mergeFolders(options.folders, options.out);
   if (!merged) return report(merged.error());
   for (const MatchConflict& conflict : merged->conflicts) {

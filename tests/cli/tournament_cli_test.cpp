@@ -8,7 +8,7 @@ using namespace fulbito::test;
 namespace {
 
 constexpr const char* kFiles =
-    " --html report.html --csv matches.csv --markdown report.md --junit report.xml";
+    " --html report.html --csv matches.csv --markdown summary.txt --junit report.xml";
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -32,7 +32,7 @@ std::string reportsOf(const Sandbox& box, const std::string& arguments) {
   INFO(arguments << "\n" << output.err);
   CHECK((output.code == 0 || output.code == 6));
   std::string all = output.out;
-  for (const char* file : {"report.html", "matches.csv", "report.md", "report.xml"}) {
+  for (const char* file : {"report.html", "matches.csv", "summary.txt", "report.xml"}) {
     CHECK(fs::file_size(box.path / file) > 100);
     all += contentOf(box.path / file);
   }
@@ -187,7 +187,7 @@ TEST_CASE("merging tells missing shards and runs that differ by the exit code", 
   const Output different = box.run("tournament merge a b --out c --html c.html");
   CHECK(different.code == 7);
   CHECK(contains(different.err, "two runs of one match differ"));
-  CHECK_FALSE(fs::exists(box.path / "c"));
+  CHECK(linesOf(box.path / "c/matches.jsonl") == 1);  // the heading
   CHECK_FALSE(fs::exists(box.path / "c.html"));
 }
 
@@ -269,6 +269,20 @@ TEST_CASE("recordings are kept by policy, and the report links pages that exist"
   }
   CHECK(links == some.size());
   CHECK_FALSE(contains(contentOf(box.path / "none.html"), "none-matches"));
+}
+
+TEST_CASE("reports may go into the folder of the results", "[cli]") {
+  const Sandbox box;
+  const std::string run = "tournament run chaser random --half-seconds 2 --out ";
+  CHECK(box.run(run + "o --html o/report.html --csv ./o/matches.csv").code == 0);
+  CHECK(fs::file_size(box.path / "o/report.html") > 100);
+  CHECK(fs::file_size(box.path / "o/matches.csv") > 100);
+  CHECK(box.run("tournament merge o --out m/ --html m/report.html").code == 0);
+  CHECK(fs::exists(box.path / "m/report.html"));
+  CHECK(box.run("sprt chaser random --half-seconds 2 --pairs 1 --out s --markdown s/summary.txt").code == 6);
+  CHECK(fs::exists(box.path / "s/summary.txt"));
+  CHECK(box.run(run + "p --html q/report.html").code == 5);
+  CHECK_FALSE(fs::exists(box.path / "p"));
 }
 
 TEST_CASE("upsets of merged shards are recorded afterwards", "[cli]") {

@@ -38,11 +38,13 @@ fi
 # The last character of a line is of the final hash.
 sed -i '2s/.$/x/' "$folder/matches.csv"
 expect 1 'chaser and idle: 1 of 4 matches; first chaser against idle from kick-off:0: ' 'another match'
+expect 1 'do not play as committed' 'another match'
 expect 1 'by other moves' 'the same score'
 expect 1 '--update' 'what to do'
 expect 0 'wrote' 'meant' --update
 sed -i '1s/^/once /' "$folder/table.txt"
 expect 1 '-once ' 'another table'
+expect 1 'all matches are as committed' 'another table of the same matches'
 expect 0 'wrote' 'meant' --update
 sed -i 's/pairs = 2/pairs = 1/' "$folder/plan.toml"
 expect 1 '2 matches are gone' 'a shorter plan'

@@ -87,8 +87,9 @@ Json planJson(const TournamentPlan& plan) {
             {"starts", startsJson(plan.book)},
             {"entrants", Json::array()}};
   for (const Entrant& entrant : plan.entrants) {
-    json["entrants"].push_back(
-        {{"name", entrant.name}, {"team", entrant.team.text}, {"files", entrant.files}});
+    Json one{{"name", entrant.name}, {"team", entrant.team.text}};
+    if (!entrant.files.empty()) one["files"] = entrant.files;
+    json["entrants"].push_back(std::move(one));
   }
   if (plan.sprt) {
     json["sprt"] = {{"weak", plan.sprt->weak},
@@ -162,7 +163,7 @@ Result<TournamentPlan> readPlan(const Json& json, const std::string& origin) {
     Entrant read;
     read.name = entrant.at("name").get<std::string>();
     read.team.text = entrant.at("team").get<std::string>();
-    read.files = entrant.at("files").get<std::vector<std::string>>();
+    if (entrant.contains("files")) read.files = entrant["files"].get<std::vector<std::string>>();
     plan.entrants.push_back(std::move(read));
   }
   if (json.contains("sprt")) {

@@ -1,6 +1,7 @@
 #include "tournament/runner/play_match.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "match/report/foul_goals.hpp"
 #include "referee/rules/clauses.hpp"
@@ -9,6 +10,7 @@ namespace fulbito {
 namespace {
 
 constexpr Tick kTicksBetweenLooks = 4096;  // about a minute of play
+constexpr Tick kTicksPerTurn = 64;         // so that changes of turns cost little
 
 /// Hears whether the lead of the rules ended the match.
 class MercyWatch final : public MatchObserver {
@@ -41,7 +43,10 @@ MatchOutcome outcomeOf(const MatchFaults& faults, bool walk_over, bool mercy) {
 }
 
 Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock,
-                              const std::function<bool()>& goes_on, MatchObserver* observer) {
+                              const std::function<bool()>& goes_on, MatchObserver* observer, Turns* turns) {
+  // From the start of the teams on: that has a limit too.
+  std::optional<Turn> turn;
+  if (turns != nullptr) turn.emplace(*turns);
   auto match = Match::create(config, clock);
   if (!match) return tl::unexpected<Error>(match.error());
   FoulGoalCounter fouls;
@@ -52,6 +57,10 @@ Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock
   while (match->step()) {
     if (match->tick() % kTicksBetweenLooks == 0 && !goes_on()) {
       return fail(ErrorCode::kInterrupted, "interrupted");
+    }
+    if (turn && match->tick() % kTicksPerTurn == 0) {
+      turn.reset();  // first, so that another match may take it
+      turn.emplace(*turns);
     }
   }
   MatchFaults faults = match->faults();

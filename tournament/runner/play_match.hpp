@@ -4,6 +4,7 @@
 
 #include "fulbito/match.hpp"
 #include "tournament/results/results.hpp"
+#include "tournament/runner/turns.hpp"
 
 namespace fulbito {
 
@@ -11,7 +12,8 @@ namespace fulbito {
 /// may be null. Errors: as `Match::create`; kInterrupted when `goes_on` said no; kBadInput if the match was
 /// abandoned.
 Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock,
-                              const std::function<bool()>& goes_on, MatchObserver* observer);
+                              const std::function<bool()>& goes_on, MatchObserver* observer,
+                              Turns* turns = nullptr);
 
 /// How the match ended, by its faults; `mercy`: by the lead that the rules name.
 MatchOutcome outcomeOf(const MatchFaults& faults, bool walk_over, bool mercy);

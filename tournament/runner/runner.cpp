@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kMostJobs = 1024;
 
+int coreCount() { return threadsFor(0, kMostJobs); }
+
 bool late(const MatchResult& result) {
   return result.faults.teams[0].late > 0 || result.faults.teams[1].late > 0;
 }
@@ -56,6 +58,7 @@ class Run {
   Result<void> keep(const Task& task, const MatchResult& result);
   Result<void> playAgain(const Task& task, const std::function<bool()>& goes_on);
   Mismatch mismatchOf(const Task& task, const MatchRow& row) const;
+  bool crowded(const MatchConfig& config) const;
   bool sampled(const MatchId& id) const;
   bool repeatable(const Fixture& fixture) const;
   bool decided();
@@ -68,6 +71,7 @@ class Run {
   const TournamentPlan& plan_;
   const MatchIdentity& identity_;
   const RunnerOptions& options_;
+  Turns turns_{coreCount()};
   std::size_t looked_up_ = 0;   // fixtures
   std::vector<Task> compared_;  // matches from log or cache to play again
   std::mutex mutex_;            // of all below
@@ -155,7 +159,13 @@ Result<MatchResult> Run::once(const Task& task, const MatchConfig& config,
     if (!made) return tl::unexpected<Error>(made.error());
     observer = std::move(*made);
   }
-  return playMatch(config, options_.clock, goes_on, observer.get());
+  return playMatch(config, options_.clock, goes_on, observer.get(), crowded(config) ? &turns_ : nullptr);
+}
+
+/// Whether other matches could make a team outside the program late.
+bool Run::crowded(const MatchConfig& config) const {
+  const bool outside = config.teams[0].info->outside || config.teams[1].info->outside;
+  return outside && options_.jobs > coreCount();
 }
 
 // A match that the machine failed is no result: it is played again.

@@ -55,8 +55,7 @@ class MyTeam : public Team {
     const Field& field = info().field;
     const double reach = field.goal_width / 2;
     GoTo target;
-    target.position = {-field.length / 2 + info().robot.length,
-                       std::clamp(seen.ball.position.y, -reach, reach)};
+    target.position = {-field.length / 2 + info().robot.length, std::clamp(seen.ball.position.y, -reach, reach)};
     target.stop = true;
     target.avoid_mates = target.avoid_opponents = false;
     commands.goTo(i, target);
@@ -67,7 +66,7 @@ class MyTeam : public Team {
     const Vec2 ball = seen.ball.position, goal{info().field.length / 2, 0.0};
     const Vec2 way = (goal - ball) / std::max(distance(goal, ball), 1e-6);
     const Vec2 from = ball - robot(seen, i).position;
-    const double behind = from.x * way.x + from.y * way.y;            // [m] along the way to the goal
+    const double behind = from.x * way.x + from.y * way.y;           // [m] along the way to the goal
     const double beside = std::abs(from.x * way.y - from.y * way.x);  // [m] off that way
     GoTo target;
     target.heading = angleOf(way);
@@ -94,4 +93,4 @@ class MyTeam : public Team {
   double margin_ = 0.03;
 };
 
-@MACRO @(MyTeam)
+@MACRO@(MyTeam)

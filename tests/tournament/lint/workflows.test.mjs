@@ -49,6 +49,6 @@ for (const [what, [right, wrong]] of Object.entries(faults)) {
 }
 
 test("shellcheck finds a fault in a script", () => {
-  const text = textOf("tournament.yml").replace('cat report.md >> "$GITHUB_STEP_SUMMARY"', "if true; then echo");
-  assert.notDeepEqual(scriptComplaints(text), []);
+  const text = textOf("tournament.yml");
+  assert.notDeepEqual(scriptComplaints(text.replace("chmod -R", "if true; then chmod -R")), []);
 });

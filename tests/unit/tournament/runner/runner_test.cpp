@@ -3,6 +3,7 @@
 #include <atomic>
 #include <mutex>
 #include <set>
+#include <thread>
 
 #include "fulbito/statistics.hpp"
 #include "tests/support/catch.hpp"
@@ -291,6 +292,29 @@ TEST_CASE("the lead that the rules name is told apart from a match played out", 
   const auto played = run(plan);
   REQUIRE(played);
   CHECK(played->state.results[0]->legs[0].outcome == MatchOutcome::kMercy);
+}
+
+TEST_CASE("turns let only so many work at a time, and everyone in the end", "[unit]") {
+  Turns turns(2);
+  std::atomic<int> working{0}, most{0}, done{0};
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i) {
+    threads.emplace_back([&] {
+      for (int round = 0; round < 50; ++round) {
+        const Turn turn(turns);
+        const int now = ++working;
+        int before = most;
+        while (before < now && !most.compare_exchange_weak(before, now)) {
+        }
+        std::this_thread::yield();
+        --working;
+        ++done;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  CHECK(done == 400);
+  CHECK(most <= 2);
 }
 
 TEST_CASE("seeds of starts: the first is the tournament's own, none twice", "[unit]") {
