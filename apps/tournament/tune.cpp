@@ -137,9 +137,8 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
       "More: docs/tuning.md.");
   command->add_option("team", options.team, "the team, from the values of its specification")->required();
   command
-      ->add_option(
-          "--parameters", options.parameters,
-          "NAME or NAME=START:LOW:HIGH[:C_END[:R_END]] (default: all numbers that the team declares)")
+      ->add_option("--parameters", options.parameters,
+                   "NAME or NAME=START:LOW:HIGH[:C_END[:R_END]] (default: all declared)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("NAME[,NAME...]");

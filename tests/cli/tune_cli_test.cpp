@@ -89,6 +89,26 @@ TEST_CASE("tune starts from the values of the specification, within the given li
   CHECK(contains(json["tuned"], ",spin=off,keeper_depth="));
 }
 
+TEST_CASE("tune takes the parameters of a library, or those that flags give to a program", "[cli]") {
+  const Sandbox box;
+  const std::string tiny = " --half-seconds 2 --iterations 2 --pairs 1 --final-pairs 1 --json";
+  const Output library = box.run("tune " FULBITO_TEST_LIBRARIES "/plain_c.so --isolate none" + tiny);
+  INFO(library.err);
+  REQUIRE(library.code == 0);
+  const Json parameters = Json::parse(library.out)["parameters"];
+  REQUIRE(parameters.size() == 2);
+  CHECK(parameters[1]["name"] == "offset");
+  CHECK(parameters[1]["type"] == "integer");
+
+  REQUIRE(box.run("new-team python mine").code == 0);
+  const std::string program = "tune 'cmd:python3 mine/team.py :margin=0.1' --parameters margin";
+  CHECK(contains(box.run(program + tiny).err, "margin=START:LOW:HIGH"));
+  const Output tuned = box.run(program + "=:0:0.3" + tiny);
+  INFO(tuned.err);
+  REQUIRE(tuned.code == 0);
+  CHECK(Json::parse(tuned.out)["tuned"].get<std::string>().starts_with("cmd:python3 mine/team.py :margin="));
+}
+
 TEST_CASE("tune tells which parameters it leaves alone", "[cli]") {
   const Sandbox box;
   const Output output =

@@ -29,6 +29,14 @@ std::string finalText(const FinalResult& final) {
                      tuneInterval(estimate.normalized_elo));
 }
 
+/// A specification as a word of a shell: command lines have spaces.
+std::string shellWord(const std::string& text) {
+  if (text.find_first_of(" '\"\\$") == std::string::npos) return text;
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
 /// Of both teams on the same starts: what they have in common cancels.
 std::string gainText(const Interval& gain) {
   const std::string line = fmt::format(
@@ -121,7 +129,7 @@ std::string tuneText(const TunePlan& plan, const TuneOutcome& outcome) {
       outcome.results.size(), plan.spsa.iterations, plan.base.pairs,
       plan.opponent ? "against " + opponent.team.text : "versions against each other", plan.base.seed);
   text += parameterTable(plan, end);
-  text += fmt::format("Tuned team:\n  {}\n", plan.team.at(plan.spsa.parameters, end));
+  text += fmt::format("Tuned team:\n  {}\n", shellWord(plan.team.at(plan.spsa.parameters, end)));
   if (outcome.failures > 0) text += fmt::format("A team failed in {} matches.\n", outcome.failures);
   if (outcome.finals.empty()) return text;
   text += "On starts that the tuning did not use:\n";

@@ -258,6 +258,9 @@ TEST_CASE("reports say what improved, and what did not", "[unit]") {
   CHECK(contains(with({55, 30, 10, 3, 2}), "weaker than the start"));
   const std::string tuned = plan.team.at(plan.spsa.parameters, pathOf(plan.spsa, outcome.results).back());
   CHECK(contains(with({1, 1, 1, 1, 1}), tuned));
+  TunePlan program = plan;
+  program.team = {"cmd:./team.py 'one word'", true, {}};
+  CHECK(contains(tuneText(program, outcome), "  'cmd:./team.py '\\''one word'\\'' :"));
   const Json json = Json::parse(tuneJson(plan, outcome));
   CHECK(json["tuned"] == tuned);
   CHECK(json["path"].size() == 5);
