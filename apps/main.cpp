@@ -303,8 +303,8 @@ int mainWithoutCatch(int argc, char** argv) {
       "  fulbito list teams\n"
       "Exit codes: 0 success, 1 a check failed, 2 wrong usage, 3 bad input file, 4 a team failed "
       "(--strict),\n"
-      "5 cannot read or write, 6 no verdict, 7 a recording or match differs, 70 internal error, 129, 130, "
-      "143 ended by a signal.");
+      "5 cannot read or write, 6 no verdict, 7 a recording or match differs, 70 internal error,\n"
+      "129, 130, 143 ended by a signal.");
   app.set_version_flag("--version", buildInfo().version);
   app.require_subcommand(1);
   app.get_formatter()->column_width(36);

@@ -321,5 +321,6 @@ TEST_CASE("drills and series show how far they are, with --json too", "[cli]") {
     return contentOf(box.path / "tty.txt");
   };
   CHECK(shown("drill chaser --drill 3 --trials 400").find("drills of chaser [") != std::string::npos);
-  CHECK(shown("match chaser chaser -n 20 --half-seconds 20").find("chaser v chaser [") != std::string::npos);
+  CHECK(shown("match chaser chaser -n 20 --half-seconds 20").find("chaser against chaser: ") !=
+        std::string::npos);
 }

@@ -191,7 +191,7 @@ TEST_CASE("merging tells missing shards and runs that differ by the exit code", 
   CHECK_FALSE(fs::exists(box.path / "c.html"));
 }
 
-TEST_CASE("--verify plays matches again, and 7 tells that they differ", "[cli]") {
+TEST_CASE("the flag --verify plays matches again, and 7 tells that they differ", "[cli]") {
   const Sandbox box;
   const Output same = box.run("tournament run chaser random --half-seconds 3 --out same --verify 100%");
   CHECK(same.code == 0);
@@ -217,7 +217,7 @@ TEST_CASE("a cache saves matches between tournaments, but not those that vary", 
   CHECK(fs::is_empty(box.path / "d"));
 }
 
-TEST_CASE("--strict fails a run in which a team crashed", "[cli]") {
+TEST_CASE("the flag --strict fails a run in which a team crashed", "[cli]") {
   const Sandbox box;
   writeTeam(box, "crashing", "if self.count > 30: os._exit(1)");
   const std::string run =
@@ -229,7 +229,7 @@ TEST_CASE("--strict fails a run in which a team crashed", "[cli]") {
   CHECK(contains(contentOf(box.path / "o/matches.jsonl"), "\"outcome\":\"forfeit\""));
 }
 
-TEST_CASE("--dry-run prints the schedule and plays nothing", "[cli]") {
+TEST_CASE("the flag --dry-run prints the schedule and plays nothing", "[cli]") {
   const Sandbox box;
   const Output output = box.run("tournament run classic chaser random --pairs 2 --out o --dry-run");
   CHECK(output.code == 0);
@@ -299,7 +299,7 @@ TEST_CASE("upsets of merged shards are recorded afterwards", "[cli]") {
   CHECK(contentOf(box.path / "report.html") == whole);
 }
 
-TEST_CASE("--shard auto reads the variables of Slurm and Kubernetes", "[cli]") {
+TEST_CASE("the flag --shard auto reads the variables of Slurm and Kubernetes", "[cli]") {
   const Sandbox box;
   const auto shard = [&](const std::string& variables, const std::string& flag) {
     fs::remove_all(box.path / "o");

@@ -92,6 +92,12 @@ Result<MergedFolders> mergeFolders(const std::vector<std::string>& folders, cons
     }
     logs.push_back(logFile(folder));
   }
+  if (!holdsTournament(into)) {
+    // Runs that differ leave no new folder.
+    auto merged = mergeLogs(logs);
+    if (!merged) return tl::unexpected<Error>(merged.error());
+    if (!merged->conflicts.empty()) return MergedFolders{0, std::move(merged->conflicts)};
+  }
   // Locks the log against a run in the folder until all is there, and writes the plan.
   const auto locked = ResultsFolder::open(into, *first);
   if (!locked) return tl::unexpected<Error>(locked.error());

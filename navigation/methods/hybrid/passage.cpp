@@ -37,7 +37,7 @@ Passage passageBetween(const EchoCircles::Tracked& left, const EchoCircles::Trac
   return {(first + second) / 2,
           perp(across),
           dot(second - first, across),
-          std::hypot(a.surfaceDeviation(across), b.surfaceDeviation(-across)),
+          norm({a.surfaceDeviation(across), b.surfaceDeviation(-across)}),
           left.name,
           right.name};
 }

@@ -55,7 +55,7 @@ TEST_CASE("what differs between plans is named", "[unit]") {
   const std::vector<std::string> changes = changesOf(before.plan, after.plan);
   REQUIRE(changes.size() == 3);
   CHECK(changes[0] == "entrants.2.team: classic:navigator=bezier -> libero");
-  CHECK(changes[1] == "match.rules [periods] half_seconds: 12.5 -> 30");
+  CHECK(changes[1] == "match.rules [periods] half_seconds: 12.5 -> 30.0");
   CHECK(changes[2] == "pairs: 3 -> 5");
   std::vector<TeamIdentity> teams = before.identity.teams();
   teams[1].hash = "three";
