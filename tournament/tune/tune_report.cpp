@@ -6,9 +6,13 @@
 #include <fmt/format.h>
 
 #include "tournament/report/json_parts.hpp"
+#include "tournament/statistics/sprt.hpp"
 
 namespace fulbito {
 namespace {
+
+/// Bounds of "is it stronger?" that a few hundred pairs can decide (docs/statistics.md).
+constexpr SprtBounds kStronger{0.0, 50.0, 0.05, 0.05};
 
 /// Version of the object; a higher one means that a key changed its meaning or went.
 constexpr int kTuneReportVersion = 1;
@@ -27,6 +31,21 @@ std::string finalText(const FinalResult& final) {
   return fmt::format("  {} against {:<9} {} pairs, Elo {}, normalized Elo {}\n", final.first,
                      final.second + ":", final.counts.pairs(), tuneInterval(estimate.elo),
                      tuneInterval(estimate.normalized_elo));
+}
+
+/// A sequential test of the first team: is it stronger? It ends at its verdict, in the order of the schedule.
+Sprt testOf(const FinalResult& final) {
+  Sprt test(kStronger);
+  for (const double points : final.points) test.add(points);
+  return test;
+}
+
+std::string testText(const Sprt& test) {
+  const std::string bounds =
+      fmt::format("{:+g} and {:+g} normalized Elo", test.bounds().weak, test.bounds().strong);
+  const char* const end = test.verdict() == SprtVerdict::kInconclusive ? "no verdict" : "a verdict";
+  return fmt::format("  sequential test between {}: {}, {} after {} pairs\n", bounds, nameOf(test.verdict()),
+                     end, test.counts().pairs());
 }
 
 /// A specification as a word of a shell: command lines have spaces.
@@ -92,6 +111,7 @@ Json tunedJson(const TunedParameter& p, double start, double end) {
 
 Json finalJson(const FinalResult& final) {
   const EloEstimate estimate = estimateElo(final.counts);
+  const Sprt test = testOf(final);
   return {{"first", final.first},
           {"second", final.second},
           {"pairs", final.counts.pairs()},
@@ -99,7 +119,11 @@ Json finalJson(const FinalResult& final) {
           {"elo", intervalJson(estimate.elo)},
           {"normalized_elo", intervalJson(estimate.normalized_elo)},
           {"superiority", estimate.superiority},
-          {"improvement", nameOf(improvementOf(estimate.elo))}};
+          {"improvement", nameOf(improvementOf(estimate.elo))},
+          {"test",
+           {{"bounds", {test.bounds().weak, test.bounds().strong}},
+            {"verdict", nameOf(test.verdict())},
+            {"pairs", test.counts().pairs()}}}};
 }
 
 }  // namespace
@@ -134,6 +158,7 @@ std::string tuneText(const TunePlan& plan, const TuneOutcome& outcome) {
   if (outcome.finals.empty()) return text;
   text += "On starts that the tuning did not use:\n";
   for (const FinalResult& final : outcome.finals) text += finalText(final);
+  text += testText(testOf(outcome.finals.front()));
   text += directText(outcome.finals.front());
   if (const auto gain = gainOf(outcome); gain && plan.final_pairs > 1) text += gainText(*gain);
   return text;

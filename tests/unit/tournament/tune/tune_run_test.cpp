@@ -256,6 +256,11 @@ TEST_CASE("reports say what improved, and what did not", "[unit]") {
   CHECK(contains(with({2, 3, 10, 30, 55}), "stronger than the start"));
   CHECK(contains(with({20, 20, 20, 20, 20}), "No improvement over the start is shown"));
   CHECK(contains(with({55, 30, 10, 3, 2}), "weaker than the start"));
+  outcome.finals = {{"tuned", "start", {{0, 0, 0, 0, 200}}, std::vector<double>(200, 1.0)}};
+  const Json test = Json::parse(tuneJson(plan, outcome))["finals"][0]["test"];
+  CHECK(test["verdict"] == "pass");
+  CHECK(test["pairs"] < 200);
+  CHECK(contains(tuneText(plan, outcome), "between +0 and +50 normalized Elo: pass, a verdict after"));
   const std::string tuned = plan.team.at(plan.spsa.parameters, pathOf(plan.spsa, outcome.results).back());
   CHECK(contains(with({1, 1, 1, 1, 1}), tuned));
   TunePlan program = plan;
