@@ -46,7 +46,7 @@ void addReportFiles(CLI::App& command, ReportFiles& files) {
   file("--csv", files.csv, "a line per match; - for stdout");
   file("--markdown", files.markdown, "summary for a build server's page; - for stdout");
   file("--junit", files.junit, "JUnit XML, a test case per match; - for stdout");
-  file("--html", files.html, "one page that needs no network; recorded matches have pages beside it");
+  file("--html", files.html, "a page for browsers, with pages of recorded matches");
   command.add_flag("--annotations", files.annotations, "print GitHub annotations, at most 10")
       ->group("Reports");
 }
