@@ -108,6 +108,7 @@ PlanSettings settingsOf(PlanFile file, bool test) {
 
 Result<std::vector<StartKind>> kindsOf(const std::vector<std::string>& names) {
   std::vector<std::string> all;
+  all.reserve(kStartKinds);
   for (std::size_t i = 0; i < kStartKinds; ++i) all.emplace_back(nameOf(static_cast<StartKind>(i)));
   std::vector<StartKind> kinds;
   for (const std::string& name : names) {
@@ -124,6 +125,7 @@ Result<std::vector<StartKind>> kindsOf(const std::vector<std::string>& names) {
 Result<TournamentFormat> formatNamed(const std::string& name) {
   if (const auto format = formatOf(name)) return *format;
   std::vector<std::string> all;
+  all.reserve(kTournamentFormats);
   for (std::size_t i = 0; i < kTournamentFormats; ++i)
     all.emplace_back(nameOf(static_cast<TournamentFormat>(i)));
   return fail(ErrorCode::kUsage, fmt::format("--format: there is no format '{}'.{} Formats: {}", name,

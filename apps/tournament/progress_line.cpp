@@ -28,7 +28,7 @@ std::string ratioBar(const Sprt& sprt) {
 
 std::string timeText(double seconds) {
   if (seconds < 0.0) return "";
-  const auto whole = static_cast<long>(seconds + 0.5);
+  const auto whole = std::lround(seconds);
   if (whole < 60) return fmt::format(", {} s left", whole);
   if (whole < 3600) return fmt::format(", {} min left", (whole + 30) / 60);
   return fmt::format(", {:.1f} h left", static_cast<double>(whole) / 3600);
