@@ -215,12 +215,13 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, st
     std::size_t i = 0;
     for (const auto& [key, value] : json.items()) {
       const std::string name = json.is_array() ? fmt::format("{}", ++i) : key;
-      flatten(value, path.empty() ? name : path + "." + name, values);
+      flatten(value, path.empty() ? name : fmt::format("{}.{}", path, name), values);
     }
     return;
   }
   if (json.is_string() && json.get_ref<const std::string&>().find('\n') != std::string::npos) {
-    for (const auto& [key, value] : keysOfToml(json.get<std::string>())) values[path + " " + key] = value;
+    for (const auto& [key, value] : keysOfToml(json.get<std::string>()))
+      values[fmt::format("{} {}", path, key)] = value;
     return;
   }
   values[path] = json.is_string() ? json.get<std::string>() : json.dump();

@@ -54,6 +54,7 @@ class Search {
     sortWorstFirst(faults_);
     sortWorstFirst(upsets_);
     std::vector<Candidate> losses;
+    losses.reserve(worst_loss_.size());
     for (const auto& [team, loss] : worst_loss_) losses.push_back(loss);
     sortWorstFirst(losses);
     take(faults_, kMostFaults);

@@ -71,6 +71,7 @@ std::string eloText(const Interval& interval) {
 
 std::vector<std::size_t> ranking(const TournamentTable& table) {
   std::vector<std::size_t> order;
+  order.reserve(table.standings.size());
   for (const Standing& standing : table.standings) order.push_back(standing.entrant);
   return order;
 }

@@ -58,6 +58,7 @@ class Meetings {
   /// By their entrants, so that the order of play does not matter.
   std::vector<MeetingCounts> sorted() const {
     std::vector<MeetingCounts> list;
+    list.reserve(meetings_.size());
     for (const auto& [teams, meeting] : meetings_) list.push_back(meeting);
     return list;
   }

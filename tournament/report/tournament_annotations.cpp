@@ -54,14 +54,14 @@ void annotateTest(const TournamentState& state, std::vector<Annotation>& list) {
 void annotateTeam(const TournamentState& state, const TournamentTable& table, std::size_t entrant,
                   std::vector<Annotation>& list) {
   struct Kind {
-    MatchOutcome outcome;
     const char* did;
     int severity;
+    MatchOutcome outcome;
   };
-  constexpr Kind kKinds[] = {{MatchOutcome::kForfeit, "forfeited", 1},
-                             {MatchOutcome::kCrash, "crashed in", 2},
-                             {MatchOutcome::kIllegal, "gave illegal commands in", 4},
-                             {MatchOutcome::kSlow, "was late in", 5}};
+  constexpr Kind kKinds[] = {{"forfeited", 1, MatchOutcome::kForfeit},
+                             {"crashed in", 2, MatchOutcome::kCrash},
+                             {"gave illegal commands in", 4, MatchOutcome::kIllegal},
+                             {"was late in", 5, MatchOutcome::kSlow}};
   const FaultSummary& faults = table.faults[entrant];
   for (const Kind& kind : kKinds) {
     const int matches = faults.of(kind.outcome);

@@ -44,6 +44,7 @@ void addLine(std::string& text, const TournamentState& state, const std::vector<
 
 std::string tournamentCsv(const TournamentState& state) {
   std::vector<std::string> names;
+  names.reserve(state.plan.entrants.size());
   for (const Entrant& entrant : state.plan.entrants) names.push_back(field(entrant.name));
   std::string text = kHeading;
   for (std::size_t i = 0; i < std::min(state.results.size(), state.schedule.fixtures.size()); ++i) {

@@ -83,6 +83,7 @@ CourseLine lineOf(const CourseFrame& frame, const std::vector<double>& course, c
 /// Moves names apart, in the order of their lines' ends, and back into the frame.
 void spreadLabels(std::vector<CourseLine>& lines) {
   std::vector<CourseLine*> order;
+  order.reserve(lines.size());
   for (CourseLine& line : lines) order.push_back(&line);
   std::stable_sort(order.begin(), order.end(), [](auto* a, auto* b) { return a->end < b->end; });
   double next = CourseFrame::kTop;
@@ -137,6 +138,7 @@ std::vector<CourseLine> linesOf(const TournamentState& state, const TournamentTa
   }
   frame.reach = reach.elo();
   std::vector<CourseLine> lines;
+  lines.reserve(best.size());
   for (const std::size_t entrant : best) {
     lines.push_back(
         lineOf(frame, table.course[entrant], shownText(state.plan.entrants[entrant].name, kLabelColumns)));
