@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fulbito/detail/build_info.hpp"
+#include "replays/html/scene_columns.hpp"
 #include "replays/recording/call_words.hpp"
 
 namespace fulbito {
