@@ -313,6 +313,8 @@ TEST_CASE("a full disk keeps what was kept, and freed room lets the work go on",
        }},
       {"no more open files", cannot("write", "Too many open files"),
        [&](auto& f) {
+         // A sanitizer's first check of a virtual call opens a pipe: the first error comes before the limit.
+         static_cast<void>(filled(f + "/none/log"));
          limit(RLIMIT_NOFILE, 0);
          return filled(log(f));
        }},
