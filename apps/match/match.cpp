@@ -22,7 +22,6 @@ namespace fulbito::app {
 namespace {
 
 constexpr Tick kTicksBetweenChecks = 64;  // match ticks between looks at the clock and for signals
-constexpr std::uint64_t kMostPairs = 100'000;
 constexpr const char* kStdout = "-";
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }

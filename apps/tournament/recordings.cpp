@@ -1,6 +1,8 @@
 #include "apps/tournament/recordings.hpp"
 
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -23,20 +25,36 @@ bool exists(const std::string& file) {
   return std::filesystem::exists(file, ignored);
 }
 
+/// A recording whose file appears once it is complete.
+struct WholeRecording {
+  OutputFile file;
+  std::optional<MatchRecorder> recorder;  ///< writes into the file
+
+  Result<void> finish() { return recorder->written() ? file.commit(false) : recorder->written(); }
+};
+
+Result<std::shared_ptr<WholeRecording>> recordInto(const std::string& file, const MatchConfig& match) {
+  auto out = OutputFile::create(file);
+  if (!out) return tl::unexpected<Error>(out.error());
+  auto recording = std::make_shared<WholeRecording>(WholeRecording{std::move(*out), std::nullopt});
+  const auto sink = [whole = recording.get()](std::string_view bytes) { return whole->file.write(bytes); };
+  auto recorder = MatchRecorder::create(sink, match);
+  if (!recorder) return tl::unexpected<Error>(recorder.error());
+  recording->recorder.emplace(std::move(*recorder));
+  return recording;
+}
+
 Result<void> recordAgain(const TournamentState& state, const NotableMatch& match, const std::string& file) {
   const Fixture& fixture = state.schedule.fixtures[match.fixture];
   const auto config = matchOf(state.plan, fixture, match.leg);
   if (!config) return tl::unexpected<Error>(config.error());
-  auto recorder = MatchRecorder::create(file, *config);
-  if (!recorder) return tl::unexpected<Error>(recorder.error());
-  const auto result = playMatch(*config, now, [] { return !interrupted(); }, &*recorder);
+  const auto recording = recordInto(file, *config);
+  if (!recording) return tl::unexpected<Error>(recording.error());
+  const auto result = playMatch(*config, now, [] { return !interrupted(); }, &*(*recording)->recorder);
   if (!result) return tl::unexpected<Error>(result.error());
-  if (!recorder->written()) return recorder->written();
-  if (result->hash == state.results[match.fixture]->legs[match.leg].hash) return {};
+  if (result->hash == state.results[match.fixture]->legs[match.leg].hash) return (*recording)->finish();
   note("note: the match '{}' does not repeat itself; it is not recorded (--recordings all records at once)\n",
        match.why);
-  std::error_code ignored;
-  std::filesystem::remove(file, ignored);
   return {};
 }
 
@@ -49,11 +67,11 @@ Result<KeptRecordings> keptOf(const std::string& name) {
   return fail(ErrorCode::kUsage, fmt::format("--recordings: want none, upsets or all, not '{}'", name));
 }
 
-Result<std::unique_ptr<MatchObserver>> recorderOf(const std::string& folder, const MatchConfig& match,
-                                                  const MatchId& id) {
-  auto recorder = MatchRecorder::create(recordingOf(folder, id), match);
-  if (!recorder) return tl::unexpected<Error>(recorder.error());
-  return std::make_unique<MatchRecorder>(std::move(*recorder));
+Result<MatchWatch> recordingWatch(const std::string& folder, const MatchConfig& match, const MatchId& id) {
+  auto recording = recordInto(recordingOf(folder, id), match);
+  if (!recording) return tl::unexpected<Error>(recording.error());
+  return MatchWatch{std::shared_ptr<MatchObserver>(*recording, &*(*recording)->recorder),
+                    [recording = *recording] { return recording->finish(); }};
 }
 
 Result<void> recordNotable(const TournamentState& state, const std::vector<NotableMatch>& notable,

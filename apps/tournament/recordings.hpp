@@ -10,12 +10,18 @@
 
 namespace fulbito::app {
 
+/// The recordings that a tournament keeps.
+enum class KeptRecordings : std::uint8_t {
+  kNone,
+  kUpsets,  ///< of the matches to look at in its reports: upsets, the worst losses, failed teams
+  kAll
+};
+
 /// The policy of that name. Errors: kUsage.
 Result<KeptRecordings> keptOf(const std::string& name);
 
-/// A recorder for a match of a tournament: `folder`/ID.fbr.
-Result<std::unique_ptr<MatchObserver>> recorderOf(const std::string& folder, const MatchConfig& match,
-                                                  const MatchId& id);
+/// Records a match of a tournament into `folder`/ID.fbr, which appears once the match has ended. Errors: kIo.
+Result<MatchWatch> recordingWatch(const std::string& folder, const MatchConfig& match, const MatchId& id);
 
 /// Plays the notable matches of a finished tournament again and records those that `folder` lacks. A match
 /// that does not repeat is left out, with a note. Errors: of a match; kIo.

@@ -45,22 +45,12 @@ Result<void> checkRepeats(const TournamentPlan& plan, MatchIdentity& identity) {
   return {};
 }
 
-std::size_t failedMatches(const TournamentState& state) {
-  std::size_t failed = 0;
-  for (std::size_t i = 0; i < state.counted; ++i) {
-    if (!state.results[i]) continue;
-    for (const MatchResult& leg : state.results[i]->legs)
-      failed += leg.outcome >= MatchOutcome::kCrash ? 1 : 0;
-  }
-  return failed;
-}
-
 /// What a run needs besides the plan.
 struct Tools {
   MatchMemory memory;
-  std::optional<ResultsFolder> folder;
+  LogFolder folder;
   std::optional<MatchCache> cache;
-  MatchStore& log() { return folder ? static_cast<MatchStore&>(*folder->log) : memory; }
+  MatchStore& log() { return folder.log ? static_cast<MatchStore&>(*folder.log) : memory; }
 };
 
 Result<void> openTools(const RunFlags& flags, PlanRecord& record, Tools& tools) {
@@ -71,24 +61,53 @@ Result<void> openTools(const RunFlags& flags, PlanRecord& record, Tools& tools) 
     if (auto checked = checkRepeats(record.plan, record.identity); !checked) return checked;
   }
   if (flags.out.empty()) return {};
-  auto folder = ResultsFolder::open(flags.out, record);
+  auto folder = openResultsFolder(flags.out, record);
   if (!folder) return tl::unexpected<Error>(folder.error());
   tools.folder = std::move(*folder);
-  for (const std::string& change : tools.folder->changed)
+  for (const std::string& change : tools.folder.changed)
     note("note: {}: what it played is played again\n", change);
   return {};
 }
 
-Result<KeptRecordings> checkedRecordings(const RunFlags& flags) {
-  auto kept = keptOf(flags.recordings);
-  if (kept && *kept != KeptRecordings::kNone && flags.out.empty()) {
+/// What the flags say, read.
+struct Choices {
+  Shard shard;
+  double verify = 0.0;
+  KeptRecordings kept = KeptRecordings::kNone;
+};
+
+/// Errors: kUsage naming the flag.
+Result<Choices> choicesOf(const RunFlags& flags) {
+  const auto shard = shardOf(flags.shard);
+  if (!shard) return tl::unexpected<Error>(shard.error());
+  const auto verify = shareOf(flags.verify);
+  if (!verify) return tl::unexpected<Error>(verify.error());
+  const auto kept = keptOf(flags.recordings);
+  if (!kept) return tl::unexpected<Error>(kept.error());
+  if (*kept != KeptRecordings::kNone && flags.out.empty()) {
     return fail(ErrorCode::kUsage, "--recordings: recordings need a folder: --out");
   }
-  return kept;
+  return Choices{*shard, *verify, *kept};
+}
+
+RunnerOptions optionsOf(const RunFlags& flags, const Choices& choices, Tools& tools) {
+  RunnerOptions options;
+  options.jobs = flags.jobs;
+  options.shard = choices.shard;
+  options.clock = now;
+  options.log = &tools.log();
+  options.cache = tools.cache ? &*tools.cache : nullptr;
+  options.verify = choices.verify;
+  if (choices.kept == KeptRecordings::kAll) {
+    options.watch = [folder = recordingsOf(flags.out)](const MatchConfig& match, const MatchId& id) {
+      return recordingWatch(folder, match, id);
+    };
+  }
+  return options;
 }
 
 /// Records upsets once all results are known.
-Result<void> finishRecordings(const RunOutcome& outcome, const std::string& folder) {
+Result<void> recordUpsets(const RunOutcome& outcome, const std::string& folder) {
   if (outcome.interrupted || !outcome.state.finished()) return {};
   return recordNotable(outcome.state, tableOf(outcome.state).notable, folder);
 }
@@ -121,43 +140,29 @@ Result<PlayedPlan> runPlan(const TournamentPlan& plan, const RunFlags& flags) {
   if (const auto foreign = findForeignPlaces(plan.match.rules, plan.match.field, plan.match.robot.robot)) {
     note("note: {}\n", *foreign);
   }
-  auto shard = shardOf(flags.shard);
-  if (!shard) return tl::unexpected<Error>(shard.error());
-  const auto verify = shareOf(flags.verify);
-  if (!verify) return tl::unexpected<Error>(verify.error());
-  const auto kept = checkedRecordings(flags);
-  if (!kept) return tl::unexpected<Error>(kept.error());
+  const auto choices = choicesOf(flags);
+  if (!choices) return tl::unexpected<Error>(choices.error());
   auto identity = MatchIdentity::create(plan);
   if (!identity) return tl::unexpected<Error>(identity.error());
-  PlayedPlan played{{plan, std::move(*identity)}, {}, *shard};
+  PlayedPlan played{{plan, std::move(*identity)}, {}, choices->shard};
   Tools tools;
-  if (auto opened = openTools(flags, played.record, tools); !opened)
+  if (auto opened = openTools(flags, played.record, tools); !opened) {
     return tl::unexpected<Error>(opened.error());
-
-  RunnerOptions options;
-  options.jobs = flags.jobs;
-  options.shard = *shard;
-  options.clock = now;
-  options.log = &tools.log();
-  options.cache = tools.cache ? &*tools.cache : nullptr;
-  options.verify = *verify;
-  const std::string recordings = ResultsFolder::recordingsOf(flags.out);
-  if (*kept != KeptRecordings::kNone) {
+  }
+  const std::string recordings = recordingsOf(flags.out);
+  if (choices->kept != KeptRecordings::kNone) {
     if (auto made = prepareFolder(recordings); !made) return tl::unexpected<Error>(made.error());
   }
-  if (*kept == KeptRecordings::kAll) {
-    options.observe = [&](const Fixture&, std::size_t, const MatchConfig& match, const MatchId& id) {
-      return recorderOf(recordings, match, id);
-    };
-  }
+  RunnerOptions options = optionsOf(flags, *choices, tools);
   ProgressLine line(plan.name);
   options.progress = [&line](const RunProgress& progress) { return line.update(progress); };
   auto outcome = runTournament(plan, played.record.identity, options);
   if (!outcome) return tl::unexpected<Error>(outcome.error());
   played.outcome = std::move(*outcome);
-  if (*kept == KeptRecordings::kUpsets) {
-    if (auto done = finishRecordings(played.outcome, recordings); !done)
+  if (choices->kept == KeptRecordings::kUpsets) {
+    if (auto done = recordUpsets(played.outcome, recordings); !done) {
       return tl::unexpected<Error>(done.error());
+    }
   }
   return played;
 }

@@ -10,7 +10,6 @@
 namespace fulbito::app {
 namespace {
 
-constexpr std::uint64_t kMostPairs = 100'000;
 constexpr int kUsualPairs = 1000;
 
 }  // namespace

@@ -10,7 +10,6 @@
 namespace fulbito::app {
 namespace {
 
-constexpr std::uint64_t kMostPairs = 100'000;
 constexpr const char* kFolder = "fulbito-tournament";
 constexpr std::size_t kShownFixtures = 20;
 
@@ -132,7 +131,7 @@ int run(TournamentRun& options) {
   const auto played = runPlan(*plan, options.flags);
   if (!played) return report(played.error());
   noteOutcome(*played, options.flags);
-  const std::string recordings = ResultsFolder::recordingsOf(options.flags.out);
+  const std::string recordings = recordingsOf(options.flags.out);
   if (const int code = print(played->outcome.state, options.files, recordings); code != kOk) return code;
   return exitCodeOf(*played, options.flags);
 }
@@ -141,7 +140,7 @@ int reportFolder(const TournamentReport& options) {
   if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
   const auto folder = readFolder(options.folder);
   if (!folder) return report(folder.error());
-  return print(folder->state, options.files, ResultsFolder::recordingsOf(options.folder));
+  return print(folder->state, options.files, recordingsOf(options.folder));
 }
 
 int merge(const TournamentMerge& options) {
@@ -158,8 +157,7 @@ int merge(const TournamentMerge& options) {
   note("{} matches in {}\n", merged->matches, options.out);
   const auto folder = readFolder(options.out);
   if (!folder) return report(folder.error());
-  if (const int code = print(folder->state, options.files, ResultsFolder::recordingsOf(options.out));
-      code != kOk) {
+  if (const int code = print(folder->state, options.files, recordingsOf(options.out)); code != kOk) {
     return code;
   }
   if (folder->state.finished()) return exitCodeOf(folder->state);

@@ -18,7 +18,6 @@
 namespace fulbito::app {
 namespace {
 
-constexpr std::uint64_t kMostTunePairs = 100'000;
 constexpr std::uint64_t kMostIterations = 1'000'000;
 constexpr int kUsualTunePairs = 8;
 
@@ -73,7 +72,7 @@ Result<TunePlan> tunePlanOf(const TuneCommand& options) {
 /// Where the matches are kept.
 struct Keep {
   MatchMemory memory;
-  TuneFolder folder;
+  LogFolder folder;
   MatchStore& log() { return folder.log ? static_cast<MatchStore&>(*folder.log) : memory; }
 };
 
@@ -81,7 +80,7 @@ Result<void> openFolder(const TuneCommand& options, const TunePlan& plan, Keep& 
   if (options.out.empty()) return {};
   const auto identity = MatchIdentity::create(plan.base);
   if (!identity) return tl::unexpected<Error>(identity.error());
-  auto folder = TuneFolder::open(options.out, plan, *identity);
+  auto folder = openTuneFolder(options.out, plan, *identity);
   if (!folder) return tl::unexpected<Error>(folder.error());
   keep.folder = std::move(*folder);
   for (const std::string& change : keep.folder.changed) {
@@ -150,7 +149,7 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
   PlanSettings& settings = options.settings;
   settings.pairs = kUsualTunePairs;
   wholeNumber(command->add_option("-n,--pairs", settings.pairs, "pairs of matches per iteration"), 1,
-              kMostTunePairs)
+              kMostPairs)
       ->capture_default_str();
   number(command->add_option("--c-end", options.perturbation,
                              "last perturbation of all parameters, as share of their ranges"))
@@ -163,7 +162,7 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
       ->capture_default_str();
   wholeNumber(command->add_option("--final-pairs", options.final_pairs,
                                   "pairs of the tuned team against the start; 0: none"),
-              0, kMostTunePairs)
+              0, kMostPairs)
       ->capture_default_str();
   addStarts(*command, settings);
   addMatchSettings(*command, settings.match, "TEAM,OPPONENT");

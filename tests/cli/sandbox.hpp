@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/scratch_folder.hpp"
+
 /// The program under test, run in folders of its own.
 namespace fulbito::test {
 
@@ -21,11 +23,6 @@ struct Output {
   std::string out;
   std::string err;
 };
-
-inline std::string contentOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A folder of its own for each test, in which the program runs.
 struct Sandbox {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tournament/results/results.hpp"
+#include "tournament/store/match_line.hpp"
 
 namespace fulbito::test {
 
@@ -26,6 +27,13 @@ inline MatchRow matchRow(std::uint64_t number) {
   row.result.faults.teams[0].saturated = static_cast<std::int64_t>(number % 1000);
   row.result.faults.teams[1].saturated = static_cast<std::int64_t>(number % 900);
   return row;
+}
+
+/// The text of a log with the matches 0 ... count - 1.
+inline std::string logText(std::uint64_t count) {
+  std::string text(logHeader());
+  for (std::uint64_t i = 0; i < count; ++i) text += toLine(matchRow(i));
+  return text;
 }
 
 }  // namespace fulbito::test

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -15,6 +16,12 @@ inline std::filesystem::path memoryPlace() {
   return std::filesystem::is_directory(memory, unknown) && ::access(memory.c_str(), W_OK) == 0
              ? memory
              : std::filesystem::temp_directory_path();
+}
+
+/// All bytes of a file; empty if there is none.
+inline std::string contentOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// A folder of its own for a test, removed at the end.

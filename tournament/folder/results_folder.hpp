@@ -1,29 +1,21 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "tournament/folder/log_folder.hpp"
 #include "tournament/folder/plan_record.hpp"
 #include "tournament/runner/runner.hpp"
-#include "tournament/store/match_log.hpp"
 #include "tournament/store/merge.hpp"
 
 namespace fulbito {
 
-/// The folder of a tournament: `plan.json`, `matches.jsonl`, `recordings`.
-struct ResultsFolder {
-  std::string path;
-  std::unique_ptr<MatchLog> log;     ///< open for writing
-  std::vector<std::string> changed;  ///< what has changed since the last run, see `changesOf`
+/// Creates the folder of a tournament, or continues it. Errors: kUsage naming what differs, if it belongs to
+/// another plan, or if it holds a tuning; kIo; kBadInput; as `MatchLog::open`.
+Result<LogFolder> openResultsFolder(const std::string& folder, const PlanRecord& record);
 
-  /// Creates the folder, or continues it. Errors: kUsage naming what differs, if it belongs to another plan;
-  /// kIo; kBadInput; as `MatchLog::open`.
-  static Result<ResultsFolder> open(const std::string& path, const PlanRecord& record);
-
-  /// The folder of its recordings.
-  static std::string recordingsOf(const std::string& path) { return path + "/recordings"; }
-};
+/// The folder of a tournament's recordings.
+std::string recordingsOf(const std::string& folder);
 
 /// What a folder has, also while a tournament is running in it.
 struct FolderState {
@@ -32,7 +24,7 @@ struct FolderState {
 };
 
 /// Reads a folder. Errors: kIo; kBadInput.
-Result<FolderState> readFolder(const std::string& path);
+Result<FolderState> readFolder(const std::string& folder);
 
 /// What became of a merge.
 struct MergedFolders {

@@ -5,7 +5,6 @@
 namespace fulbito {
 namespace {
 
-constexpr int kMostPairs = 100000;
 constexpr std::int64_t kMostFixtures = 1'000'000;
 
 tl::unexpected<Error> usage(std::string message) { return fail(ErrorCode::kUsage, std::move(message)); }

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "match/report/match_json.hpp"
 #include "tournament/navigators/navigator_tournament.hpp"
+#include "tournament/report/json_parts.hpp"
 
 namespace fulbito {
 namespace {
@@ -75,12 +75,6 @@ std::string meetingsText(const NavigatorTournament& tournament) {
                     pText(row.p_holm), row.both, signedInterval(row.time, 3), signedInterval(row.length, 3));
   }
   return text;
-}
-
-Json intervalJson(const Interval& interval) {
-  return {{"value", numberOrNull(interval.value)},
-          {"low", numberOrNull(interval.low)},
-          {"high", numberOrNull(interval.high)}};
 }
 
 Json standingsJson(const NavigatorTournament& tournament) {

@@ -34,19 +34,15 @@ struct Entrant {
   std::vector<std::string> files;  ///< what determines a team outside the program, besides its specification
 };
 
-/// The recordings that a tournament keeps.
-enum class KeptRecordings : std::uint8_t {
-  kNone,
-  kUpsets,  ///< of matches that the lower-rated team won, and of the starts that a team lost worst
-  kAll
-};
+/// Most pairs per meeting of two entrants.
+inline constexpr int kMostPairs = 100'000;
 
 /// A tournament: everything that determines its results. A plain value.
 struct TournamentPlan {
   std::string name = "tournament";
   TournamentFormat format = TournamentFormat::kRoundRobin;
   std::vector<Entrant> entrants;  ///< in the order of seeding: the strongest first, if known
-  int pairs = 1;                  ///< pairs of matches per meeting of two entrants, 1 ... 100000
+  int pairs = 1;                  ///< pairs of matches per meeting of two entrants, 1 ... kMostPairs
   int rounds = 0;                 ///< of a Swiss tournament or ladder; 0: as many as the format needs
   int groups = 1;  ///< of a round robin; entrants are dealt to groups in serpentine order of seeding
   /// What all matches share. Teams, start and seed are replaced; `vision` of blue belongs to the first

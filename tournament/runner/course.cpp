@@ -49,6 +49,17 @@ TournamentState Course::state() && {
   return state;
 }
 
+std::size_t failedMatches(const TournamentState& state) {
+  std::size_t failed = 0;
+  for (std::size_t i = 0; i < state.counted; ++i) {
+    if (!state.results[i]) continue;
+    for (const MatchResult& leg : state.results[i]->legs) {
+      failed += leg.outcome >= MatchOutcome::kCrash ? 1 : 0;
+    }
+  }
+  return failed;
+}
+
 bool TournamentState::finished() const {
   if (sprt && sprt->verdict() != SprtVerdict::kInconclusive) return true;
   if (!schedule.complete) return false;

@@ -52,9 +52,8 @@ class Run {
   std::vector<Task> tasks() const;
   Result<void> playAll(const std::vector<Task>& tasks);
   Result<void> play(const Task& task, WorkProgress& progress);
-  Result<MatchResult> once(const Task& task, const MatchConfig& config, const std::function<bool()>& goes_on,
-                           bool observed);
-  Result<MatchResult> attempt(const Task& task, const std::function<bool()>& goes_on, bool observed);
+  Result<MatchResult> once(const Task& task, const MatchConfig& config, const std::function<bool()>& goes_on);
+  Result<MatchResult> attempt(const Task& task, const std::function<bool()>& goes_on);
   Result<void> keep(const Task& task, const MatchResult& result);
   Result<void> playAgain(const Task& task, const std::function<bool()>& goes_on);
   Mismatch mismatchOf(const Task& task, const MatchRow& row) const;
@@ -152,14 +151,15 @@ RunProgress Run::progress() {
 }
 
 Result<MatchResult> Run::once(const Task& task, const MatchConfig& config,
-                              const std::function<bool()>& goes_on, bool observed) {
-  std::unique_ptr<MatchObserver> observer;
-  if (observed && options_.observe) {
-    auto made = options_.observe(fixtureOf(task), task.leg, config, idOf(task));
-    if (!made) return tl::unexpected<Error>(made.error());
-    observer = std::move(*made);
-  }
-  return playMatch(config, options_.clock, goes_on, observer.get(), crowded(config) ? &turns_ : nullptr);
+                              const std::function<bool()>& goes_on) {
+  Turns* const turns = crowded(config) ? &turns_ : nullptr;
+  if (task.again || !options_.watch) return playMatch(config, options_.clock, goes_on, nullptr, turns);
+  const auto watch = options_.watch(config, idOf(task));
+  if (!watch) return tl::unexpected<Error>(watch.error());
+  auto result = playMatch(config, options_.clock, goes_on, watch->observer.get(), turns);
+  if (!result) return result;
+  if (auto finished = watch->finish(); !finished) return tl::unexpected<Error>(finished.error());
+  return result;
 }
 
 /// Whether other matches could make a team outside the program late.
@@ -169,11 +169,11 @@ bool Run::crowded(const MatchConfig& config) const {
 }
 
 // A match that the machine failed is no result: it is played again.
-Result<MatchResult> Run::attempt(const Task& task, const std::function<bool()>& goes_on, bool observed) {
+Result<MatchResult> Run::attempt(const Task& task, const std::function<bool()>& goes_on) {
   const auto config = matchOf(plan_, fixtureOf(task), task.leg);
   if (!config) return tl::unexpected<Error>(config.error());
   for (int attempt = 0;; ++attempt) {
-    auto result = once(task, *config, goes_on, observed);
+    auto result = once(task, *config, goes_on);
     if (result || result.error().code != ErrorCode::kIo || attempt >= options_.retries) return result;
     const std::lock_guard lock(mutex_);
     ++outcome_.retried;
@@ -209,7 +209,7 @@ Mismatch Run::mismatchOf(const Task& task, const MatchRow& row) const {
 }
 
 Result<void> Run::playAgain(const Task& task, const std::function<bool()>& goes_on) {
-  auto second = attempt(task, goes_on, false);
+  auto second = attempt({task.fixture, task.leg, true}, goes_on);
   if (!second) return tl::unexpected<Error>(second.error());
   const std::lock_guard lock(mutex_);
   const MatchResult& first = *course_.result(task.fixture, task.leg);
@@ -224,7 +224,7 @@ Result<void> Run::play(const Task& task, WorkProgress& progress) {
   if (task.again) return playAgain(task, [&] { return progress.goesOn(); });
   const auto goes_on = [&] { return !decided() && progress.goesOn(); };
   if (decided()) return fail(ErrorCode::kInterrupted, "decided");
-  auto result = attempt(task, goes_on, true);
+  auto result = attempt(task, goes_on);
   if (!result) return tl::unexpected<Error>(result.error());
   if (auto kept = keep(task, *result); !kept) return kept;
   if (sampled(idOf(task)) && !late(*result)) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct TournamentState {
   bool finished() const;
 };
 
+/// Matches with results, of those that count, in which a team crashed or forfeited.
+std::size_t failedMatches(const TournamentState& state);
+
 /// A match that was played twice with different results.
 struct Mismatch {
   Fixture fixture;
@@ -51,6 +55,13 @@ struct RunProgress {
   std::optional<Sprt> sprt;  ///< of a plan with a test
 };
 
+/// What watches a match of a tournament.
+struct MatchWatch {
+  std::shared_ptr<MatchObserver> observer;
+  /// Called when the match has ended, before its result is kept. kIo: the match is played again.
+  std::function<Result<void>()> finish;
+};
+
 /// How a tournament is run. None of this affects its results.
 struct RunnerOptions {
   int jobs = 0;  ///< matches at once; 0: one per core
@@ -62,10 +73,8 @@ struct RunnerOptions {
   int retries = 2;                    ///< further attempts of a match that the machine failed
   /// Called with each finished match, from one thread at a time. False stops the run.
   std::function<bool(const RunProgress&)> progress;
-  /// Called before each match is played, with an observer of its own to return, or null.
-  std::function<Result<std::unique_ptr<MatchObserver>>(const Fixture&, std::size_t leg, const MatchConfig&,
-                                                       const MatchId&)>
-      observe;
+  /// Called before each match is played. Empty: nothing watches.
+  std::function<Result<MatchWatch>(const MatchConfig&, const MatchId&)> watch;
 };
 
 /// The result of a run.

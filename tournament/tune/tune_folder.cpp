@@ -1,13 +1,9 @@
 #include "tournament/tune/tune_folder.hpp"
 
-#include <filesystem>
-#include <system_error>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/system/output_file.hpp"
-#include "engine/core/system/text_file.hpp"
+#include "tournament/folder/json_changes.hpp"
 #include "tournament/folder/plan_record.hpp"
 
 namespace fulbito {
@@ -16,14 +12,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSchemaVersion = 1;
-constexpr std::size_t kLargestRecord = 16 << 20;  // [bytes]
-
-std::string tuneFile(const std::string& folder) { return folder + "/tune.json"; }
-
-bool exists(const std::string& file) {
-  std::error_code ignored;
-  return std::filesystem::exists(file, ignored);
-}
 
 /// The settings that the plan of the matches does not have.
 Json settingsJson(const TunePlan& plan) {
@@ -45,25 +33,6 @@ std::string recordText(const TunePlan& plan, const MatchIdentity& identity) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-std::string nameOf(std::string path) {
-  for (char& c : path) c = c == '/' ? '.' : c;
-  return path.substr(1);
-}
-
-std::vector<std::string> changesOf(const Json& before, const Json& after) {
-  const Json old_values = before.flatten(), new_values = after.flatten();
-  std::vector<std::string> changes;
-  for (const auto& [key, value] : old_values.items()) {
-    const Json now = new_values.value(key, Json("none"));
-    if (now != value) changes.push_back(fmt::format("{}: {} -> {}", nameOf(key), value.dump(), now.dump()));
-  }
-  for (const auto& [key, value] : new_values.items()) {
-    if (!old_values.contains(key))
-      changes.push_back(fmt::format("{}: none -> {}", nameOf(key), value.dump()));
-  }
-  return changes;
-}
-
 /// What was kept of the last run.
 struct OldRecord {
   Json settings;
@@ -71,8 +40,8 @@ struct OldRecord {
 };
 
 Result<OldRecord> readRecord(const std::string& folder) {
-  const std::string file = tuneFile(folder);
-  const auto text = readTextFile(file, kLargestRecord);
+  const std::string file = recordFile(folder, FolderWork::kTuning);
+  const auto text = readRecordText(folder, FolderWork::kTuning);
   if (!text) return tl::unexpected<Error>(text.error());
   try {
     const Json json = Json::parse(*text);
@@ -97,34 +66,17 @@ Result<std::vector<std::string>> compare(const std::string& folder, const TunePl
   for (std::string& change : changesOf(old->matches.plan, plan.base)) changes.push_back(std::move(change));
   if (changes.empty()) return changesOf(old->matches, PlanRecord{plan.base, identity});
   return fail(ErrorCode::kUsage,
-              fmt::format("{} holds a tuning with other settings; name another folder, or go back to its "
-                          "settings. What differs:\n  {}",
-                          folder, fmt::join(changes, "\n  ")));
+              listed(folder + " holds a tuning with other settings; name another folder, or go back "
+                              "to its settings.",
+                     changes));
 }
 
 }  // namespace
 
-Result<TuneFolder> TuneFolder::open(const std::string& path, const TunePlan& plan,
-                                    const MatchIdentity& identity) {
-  TuneFolder folder;
-  if (exists(path + "/plan.json")) {
-    return fail(ErrorCode::kUsage, path + " holds a tournament; name another folder");
-  }
-  if (exists(tuneFile(path))) {
-    auto changed = compare(path, plan, identity);
-    if (!changed) return tl::unexpected<Error>(changed.error());
-    folder.changed = std::move(*changed);
-  } else if (auto made = prepareFolder(path); !made) {
-    return tl::unexpected<Error>(made.error());
-  }
-  auto log = MatchLog::open(path + "/matches.jsonl");
-  if (!log) return tl::unexpected<Error>(log.error());
-  folder.log = std::move(*log);
-  // Only once the log is locked: another run may be using the folder.
-  if (auto written = writeFile(tuneFile(path), recordText(plan, identity)); !written) {
-    return tl::unexpected<Error>(written.error());
-  }
-  return folder;
+Result<LogFolder> openTuneFolder(const std::string& folder, const TunePlan& plan,
+                                 const MatchIdentity& identity) {
+  return openLogFolder(folder, FolderWork::kTuning, recordText(plan, identity),
+                       [&] { return compare(folder, plan, identity); });
 }
 
 }  // namespace fulbito

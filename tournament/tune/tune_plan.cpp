@@ -10,7 +10,6 @@ namespace fulbito {
 namespace {
 
 constexpr int kFinal = 0;  // in the place of an iteration
-constexpr int kMostFinalPairs = 100'000;
 
 std::uint64_t seedOf(const TunePlan& plan, int iteration) {
   // Exact as a number in JSON.
@@ -52,9 +51,9 @@ void addEntrant(const Entrant& entrant, const char* name, TournamentPlan& own) {
 
 Result<void> validate(const TunePlan& plan) {
   if (auto checked = validate(plan.spsa); !checked) return checked;
-  if (plan.final_pairs < 0 || plan.final_pairs > kMostFinalPairs) {
+  if (plan.final_pairs < 0 || plan.final_pairs > kMostPairs) {
     return fail(ErrorCode::kUsage,
-                fmt::format("--final-pairs: {} is outside 0 ... {}", plan.final_pairs, kMostFinalPairs));
+                fmt::format("--final-pairs: {} is outside 0 ... {}", plan.final_pairs, kMostPairs));
   }
   return {};
 }

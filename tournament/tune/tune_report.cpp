@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tournament/report/json_parts.hpp"
+#include "tournament/report/sections.hpp"
 #include "tournament/statistics/sprt.hpp"
 
 namespace fulbito {
@@ -17,20 +18,11 @@ constexpr SprtBounds kStronger{0.0, 50.0, 0.05, 0.05};
 /// Version of the object; a higher one means that a key changed its meaning or went.
 constexpr int kTuneReportVersion = 1;
 
-std::string tuneElo(double elo) {
-  if (std::isinf(elo)) return elo > 0.0 ? "+inf" : "-inf";
-  return fmt::format("{:+.0f}", elo);
-}
-
-std::string tuneInterval(const Interval& interval) {
-  return fmt::format("{} ({} to {})", tuneElo(interval.value), tuneElo(interval.low), tuneElo(interval.high));
-}
-
 std::string finalText(const FinalResult& final) {
   const EloEstimate estimate = estimateElo(final.counts);
   return fmt::format("  {} against {:<9} {} pairs, Elo {}, normalized Elo {}\n", final.first,
-                     final.second + ":", final.counts.pairs(), tuneInterval(estimate.elo),
-                     tuneInterval(estimate.normalized_elo));
+                     final.second + ":", final.counts.pairs(), eloText(estimate.elo),
+                     eloText(estimate.normalized_elo));
 }
 
 /// A sequential test of the first team: is it stronger? It ends at its verdict, in the order of the schedule.

@@ -33,11 +33,7 @@ void TuneRun::count(RunOutcome& outcome) {
   outcome_.played += outcome.played;
   outcome_.taken += outcome.taken;
   std::move(outcome.mismatches.begin(), outcome.mismatches.end(), std::back_inserter(outcome_.mismatches));
-  for (const auto& pair : outcome.state.results) {
-    if (!pair) continue;
-    for (const MatchResult& leg : pair->legs)
-      outcome_.failures += leg.outcome >= MatchOutcome::kCrash ? 1 : 0;
-  }
+  outcome_.failures += failedMatches(outcome.state);
   done_ += outcome.played + outcome.taken;
 }
 

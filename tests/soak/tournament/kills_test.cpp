@@ -24,17 +24,6 @@ constexpr int kKills = 500;
 constexpr std::uint64_t kRows = 60;
 constexpr std::chrono::microseconds kLongestLife(60000);
 
-std::string textOf(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string logText() {
-  std::string text(logHeader());
-  for (std::uint64_t i = 0; i < kRows; ++i) text += toLine(matchRow(i));
-  return text;
-}
-
 /// What a tournament does: takes what is there, adds the rest, and knows of each match that it is kept.
 int fill(const std::string& file, std::uint64_t& kept) {
   const auto log = MatchLog::open(file);
@@ -90,9 +79,9 @@ TEST_CASE("kill -9 at random moments loses and doubles no match", "[soak]") {
     const Harm now = harmIn(file, kept[0]);
     harm = {harm.lost + now.lost, harm.doubled + now.doubled};
     kills += killed ? 1 : 0;
-    torn += killed && !textOf(file).ends_with('\n') ? 1 : 0;
+    torn += killed && !contentOf(file).ends_with('\n') ? 1 : 0;
     if (killed) continue;
-    CHECK(textOf(file) == logText());
+    CHECK(contentOf(file) == logText(kRows));
     ++logs;
     kept[0] = 0;
     std::filesystem::remove(file);

@@ -32,11 +32,6 @@ std::string undisturbed(std::uint64_t matches) {
   return text;
 }
 
-std::string textOf(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// What a merge costs.
 struct Cost {
   double read = 0, write = 0;  ///< [s] of computing
@@ -111,7 +106,7 @@ TEST_CASE("shards with failures, retries and duplicates merge to the same bytes"
       std::printf("%6zu %7.1f %6zu %8.1f %9.0f %7.2f %8.2f %7.2f %10.0f\n", shards, trouble,
                   simulation.files().size(), megabytes(simulation.files()), cost.repeated, cost.read,
                   cost.write, cost.wall, cost.memory);
-      CHECK(textOf(folder + "/merged") == expected);
+      CHECK(contentOf(folder + "/merged") == expected);
       CHECK(cost.memory < 100);
       if (shards < 1000 || trouble == 0.0) continue;
       const ShardTroubles& troubles = simulation.troubles();

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "replays/html/scene_columns.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/html/sample_scene.hpp"
 

@@ -1,6 +1,7 @@
 #include "tournament/folder/results_folder.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -29,7 +30,7 @@ std::string in(const ScratchFolder& scratch, const std::string& name) {
 }
 
 RunOutcome runIn(const std::string& path, const PlanRecord& record, Shard shard = {}) {
-  auto folder = ResultsFolder::open(path, record);
+  auto folder = openResultsFolder(path, record);
   REQUIRE(folder);
   RunnerOptions options;
   options.jobs = 2;
@@ -68,10 +69,22 @@ TEST_CASE("a folder continues its tournament and can be read without its teams",
 TEST_CASE("a folder of another plan is refused, with what differs", "[unit]") {
   const ScratchFolder scratch;
   runIn(in(scratch, "results"), recordOf(1));
-  const auto other = ResultsFolder::open(in(scratch, "results"), recordOf(2));
+  const auto other = openResultsFolder(in(scratch, "results"), recordOf(2));
   REQUIRE_FALSE(other);
   CHECK(other.error().code == ErrorCode::kUsage);
   CHECK(other.error().message.find("pairs: 1 -> 2") != std::string::npos);
+}
+
+TEST_CASE("a folder that keeps a tuning takes no tournament", "[unit]") {
+  const ScratchFolder scratch;
+  scratch.write("results/tune.json", "{}");
+  runIn(in(scratch, "whole"), recordOf(1));
+  for (const std::string& text :
+       {openResultsFolder(in(scratch, "results"), recordOf(1)).error().message,
+        mergeFolders({in(scratch, "whole")}, in(scratch, "results")).error().message}) {
+    CHECK(text == in(scratch, "results") + " holds a tuning; name another folder");
+  }
+  CHECK_FALSE(std::filesystem::exists(scratch.path() / "results/plan.json"));
 }
 
 TEST_CASE("matches of a team that has changed are played again", "[unit]") {
@@ -82,7 +95,7 @@ TEST_CASE("matches of a team that has changed are played again", "[unit]") {
   teams[2].hash = "two";
   record.identity = *MatchIdentity::restore(record.plan, "engine", "00000000000000000000000000000001", teams);
   {
-    const auto folder = ResultsFolder::open(in(scratch, "results"), record);
+    const auto folder = openResultsFolder(in(scratch, "results"), record);
     REQUIRE(folder);
     CHECK(folder->changed == std::vector<std::string>{"random has changed"});
   }
@@ -128,7 +141,7 @@ TEST_CASE("shards of other plans or teams are refused, and runs that differ are 
 
   const PlanRecord record = recordOf(1);
   {
-    const auto folder = ResultsFolder::open(in(scratch, "d"), record);
+    const auto folder = openResultsFolder(in(scratch, "d"), record);
     REQUIRE(folder);
     const auto rows = readMatchStore(in(scratch, "a") + "/matches.jsonl");
     REQUIRE(rows);

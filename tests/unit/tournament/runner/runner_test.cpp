@@ -1,5 +1,6 @@
 #include "tournament/runner/runner.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <set>
@@ -242,32 +243,68 @@ TEST_CASE("matches of the log that do not repeat are found and told apart from t
 
 TEST_CASE("what the machine fails is played again and never counted", "[unit]") {
   const TournamentPlan plan = planOf({"chaser", "idle"}, 2, 2.0);
+  const auto full = [] { return fail(ErrorCode::kIo, "no space left"); };
+  std::mutex mutex;
+  std::set<MatchId> seen;
+  // A recorder that the machine has no room for fails the attempt: before the match, or after it.
+  const auto watchFailing = [&](bool before, bool always) {
+    return [&, before, always](const MatchConfig&, const MatchId& id) -> Result<MatchWatch> {
+      const std::lock_guard lock(mutex);
+      const bool fails = seen.insert(id).second || always;
+      if (fails && before) return full();
+      return MatchWatch{std::make_shared<StatisticsObserver>(),
+                        [&, fails]() -> Result<void> { return fails ? full() : Result<void>(); }};
+    };
+  };
+  for (const bool before : {true, false}) {
+    INFO(before);
+    seen.clear();
+    MatchMemory memory;
+    RunnerOptions options;
+    options.jobs = 2;
+    options.log = &memory;
+    options.watch = watchFailing(before, false);
+    const auto played = runTournament(plan, identityOf(plan), options);
+    REQUIRE(played);
+    CHECK(played->state.finished());
+    CHECK(played->played == 4);
+    CHECK(played->retried == 4);
+    MatchMemory none;
+    options.log = &none;
+    options.watch = watchFailing(before, true);
+    const auto failed = runTournament(plan, identityOf(plan), options);
+    REQUIRE_FALSE(failed);
+    CHECK(failed.error().message == "no space left");
+    CHECK_FALSE(none.find(identityOf(plan).of({0, 1, 0, 0}, 0)));
+  }
+}
+
+TEST_CASE("each match is watched once, and a match that is only compared is not", "[unit]") {
+  const TournamentPlan plan = planOf({"chaser", "idle"}, 2, 2.0);
   MatchMemory memory;
   std::mutex mutex;
-  int calls = 0;
+  std::vector<std::string> begun, ended;
   RunnerOptions options;
   options.jobs = 2;
   options.log = &memory;
-  // A recorder that the machine has no room for fails the attempt.
-  options.observe = [&](const Fixture&, std::size_t, const MatchConfig&,
-                        const MatchId&) -> Result<std::unique_ptr<MatchObserver>> {
+  options.verify = 1.0;
+  options.watch = [&](const MatchConfig&, const MatchId& id) -> Result<MatchWatch> {
     const std::lock_guard lock(mutex);
-    if (++calls % 2 == 1) return fail(ErrorCode::kIo, "no space left");
-    return std::make_unique<StatisticsObserver>();
+    begun.push_back(id.text());
+    return MatchWatch{std::make_shared<StatisticsObserver>(), [&, text = id.text()]() -> Result<void> {
+                        const std::lock_guard at_end(mutex);
+                        ended.push_back(text);
+                        return {};
+                      }};
   };
   const auto played = runTournament(plan, identityOf(plan), options);
   REQUIRE(played);
-  CHECK(played->state.finished());
-  CHECK(played->retried >= 1);
-  options.observe = [](const Fixture&, std::size_t, const MatchConfig&,
-                       const MatchId&) -> Result<std::unique_ptr<MatchObserver>> {
-    return fail(ErrorCode::kIo, "no space left");
-  };
-  MatchMemory none;
-  options.log = &none;
-  const auto failed = runTournament(plan, identityOf(plan), options);
-  REQUIRE_FALSE(failed);
-  CHECK(failed.error().message == "no space left");
+  CHECK(played->verified == 4);
+  std::sort(begun.begin(), begun.end());
+  std::sort(ended.begin(), ended.end());
+  CHECK(begun.size() == 4);
+  CHECK(std::adjacent_find(begun.begin(), begun.end()) == begun.end());
+  CHECK(begun == ended);
 }
 
 TEST_CASE("outcomes by the worst fault", "[unit]") {

@@ -18,18 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string textOf(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// The text of a log with the matches 0 ... count - 1.
-std::string logText(std::uint64_t count) {
-  std::string text(logHeader());
-  for (std::uint64_t i = 0; i < count; ++i) text += toLine(matchRow(i));
-  return text;
-}
-
 /// How many matches a log has; negative: it has an error.
 int matchesIn(const std::string& file) {
   const auto rows = readMatchLog(file);
@@ -85,12 +73,12 @@ TEST_CASE("a log is a header and a line per match, in the order of adding", "[un
   {
     const auto log = MatchLog::open(folder.file);
     REQUIRE(log);
-    CHECK(textOf(folder.file) == "{\"schema_version\":1,\"content\":\"matches\"}\n");
+    CHECK(contentOf(folder.file) == "{\"schema_version\":1,\"content\":\"matches\"}\n");
     addAll(**log, 0, 3);
-    CHECK(textOf(folder.file) == logText(3));  // also while it is open
+    CHECK(contentOf(folder.file) == logText(3));  // also while it is open
   }
   folder.addOne(3);
-  CHECK(textOf(folder.file) == logText(4));
+  CHECK(contentOf(folder.file) == logText(4));
   const auto log = MatchLog::open(folder.file);
   CHECK((*log)->size() == 4);
   CHECK_FALSE((*log)->wasTorn());
@@ -106,7 +94,7 @@ TEST_CASE("a match that is there is not written again", "[unit]") {
   MatchRow other = matchRow(0);
   other.result.score[0] += 1;
   CHECK((*log)->add(other) == Added::kDifferent);
-  CHECK(textOf(folder.file) == logText(1));
+  CHECK(contentOf(folder.file) == logText(1));
 }
 
 TEST_CASE("a second writer is refused until the first ends", "[unit]") {
@@ -131,14 +119,14 @@ TEST_CASE("a log that was torn at any byte keeps its whole lines", "[unit]") {
     const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size), '\n');
     const int whole = std::max(0, static_cast<int>(lines) - 1);
     CHECK(matchesIn(folder.file) == whole);
-    CHECK(textOf(folder.file).size() == size);  // reading changes nothing
-    continue;                                   // opening waits for the disk
+    CHECK(contentOf(folder.file).size() == size);  // reading changes nothing
+    continue;                                      // opening waits for the disk
     const auto log = MatchLog::open(folder.file);
     REQUIRE(log);
     CHECK((*log)->size() == static_cast<std::size_t>(whole));
     CHECK((*log)->wasTorn() == (size > 0 && text[size - 1] != '\n'));
     addAll(**log, static_cast<std::uint64_t>(whole), 3);
-    CHECK(textOf(folder.file) == text);
+    CHECK(contentOf(folder.file) == text);
   }
 }
 
@@ -150,7 +138,7 @@ TEST_CASE("a last line of zeros or rubbish is cut off too", "[unit]") {
     folder.write(logText(2) + tail);
     CHECK(matchesIn(folder.file) == 2);
     folder.addOne(2);
-    CHECK(textOf(folder.file) == logText(3));
+    CHECK(contentOf(folder.file) == logText(3));
   }
 }
 
@@ -165,7 +153,7 @@ TEST_CASE("a damaged line in the middle is an error with its place, and changes 
   REQUIRE_FALSE(log);
   CHECK(log.error().code == ErrorCode::kBadInput);
   CHECK(log.error().message == expected);
-  CHECK(textOf(folder.file) == text);
+  CHECK(contentOf(folder.file) == text);
 }
 
 TEST_CASE("a match with two results in a log is an error with its place", "[unit]") {
@@ -199,7 +187,7 @@ TEST_CASE("a file that is no log is refused and stays as it is", "[unit]") {
     CHECK(log.error().code == ErrorCode::kBadInput);
     CHECK(log.error().message.starts_with(folder.file + ":1: "));
     CHECK(readMatchLog(folder.file).error().message == log.error().message);
-    CHECK(textOf(folder.file) == text);
+    CHECK(contentOf(folder.file) == text);
   }
 }
 
@@ -239,7 +227,7 @@ TEST_CASE("threads add to one log", "[unit]") {
     CHECK((*log)->size() == 100);
   }
   CHECK(matchesIn(folder.file) == 100);
-  const std::string text = textOf(folder.file);
+  const std::string text = contentOf(folder.file);
   CHECK(std::count(text.begin(), text.end(), '\n') == 101);
 }
 
@@ -263,9 +251,9 @@ TEST_CASE("a log that another program removes, replaces or changes gets no more 
     fs::remove(folder.file);
     folder.write("new");
   });
-  CHECK(textOf(folder.file) == "new");
+  CHECK(contentOf(folder.file) == "new");
   after("another program changed it", [&] { std::ofstream(folder.file, std::ios::app) << "tail"; });
-  CHECK(textOf(folder.file) == logText(2) + "tail");
+  CHECK(contentOf(folder.file) == logText(2) + "tail");
 }
 
 TEST_CASE("a link to a log is followed", "[unit]") {
@@ -274,7 +262,7 @@ TEST_CASE("a link to a log is followed", "[unit]") {
   fs::create_symlink("far/log", folder.file);
   folder.addOne(0);
   CHECK(fs::is_symlink(folder.file));
-  CHECK(textOf((folder.scratch.path() / "far/log").string()) == logText(1));
+  CHECK(contentOf((folder.scratch.path() / "far/log").string()) == logText(1));
 }
 
 }  // namespace fulbito::test

@@ -19,18 +19,13 @@ std::string logOf(const std::vector<MatchRow>& rows) {
   return text;
 }
 
-std::string textOf(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// The bytes of the merged log of these files.
 std::string mergedText(const ScratchFolder& scratch, const std::vector<std::string>& files) {
   const std::string out = (scratch.path() / "merged.jsonl").string();
   const auto merged = mergeLogs(files);
   REQUIRE(merged);
   REQUIRE(writeMatchLog(out, merged->rows));
-  return textOf(out);
+  return contentOf(out);
 }
 
 }  // namespace

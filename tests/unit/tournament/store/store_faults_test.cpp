@@ -31,17 +31,6 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kRows = 20;
 constexpr std::uint64_t kMergedRows = 900;  // more than one block
 
-std::string textOf(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::string logText(std::uint64_t count) {
-  std::string text(logHeader());
-  for (std::uint64_t i = 0; i < count; ++i) text += toLine(matchRow(i));
-  return text;
-}
-
 /// A piece of work that writes, in a folder of its own, and can be done again after it failed.
 struct Work {
   const char* name;
@@ -82,7 +71,7 @@ void checkLog(const std::string& folder, std::uint64_t kept) {
   REQUIRE(rows);
   CHECK(rows->size() >= kept);
   // All whole lines are those of an undisturbed run, in their order.
-  CHECK(logText(kRows).starts_with(textOf(folder + "/log")));
+  CHECK(logText(kRows).starts_with(contentOf(folder + "/log")));
 }
 
 Result<void> fillCache(const std::string& folder, std::uint64_t& kept) {
@@ -304,11 +293,11 @@ TEST_CASE("a line that cannot even be cut off is cut by the next run", "[unit]")
       REQUIRE_FALSE(done);
       CHECK(done.error().message == "cannot write '" + folder.path + "/log': No space left on device");
     }
-    const std::string text = textOf(folder.path + "/log");
+    const std::string text = contentOf(folder.path + "/log");
     CHECK_FALSE(text.ends_with('\n'));
     log.check(folder.path, kept);
     folder.checkCompletes();
-    CHECK(textOf(folder.path + "/log") == logText(kRows));
+    CHECK(contentOf(folder.path + "/log") == logText(kRows));
   }
 }
 

@@ -62,8 +62,8 @@ struct Folder {
   ~Folder() { std::filesystem::remove_all(path); }
 };
 
-Result<TuneFolder> opened(const std::string& path, const TunePlan& plan) {
-  return TuneFolder::open(path, plan, *MatchIdentity::create(plan.base));
+Result<LogFolder> opened(const std::string& path, const TunePlan& plan) {
+  return openTuneFolder(path, plan, *MatchIdentity::create(plan.base));
 }
 
 }  // namespace

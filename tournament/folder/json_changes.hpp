@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace fulbito {
+
+/// What differs between two JSON values, for people: "plan.pairs: 2 -> 5". Members of arrays count from 1;
+/// texts in TOML are compared key by key.
+std::vector<std::string> changesOf(const nlohmann::ordered_json& before, const nlohmann::ordered_json& after);
+
+}  // namespace fulbito
