@@ -59,7 +59,8 @@ Guidance Hybrid::plan(const NavigationScene& scene) {
   const bool keeps_side = static_cast<double>(scene.tick - orbit_last_) * scene.dt < params_.side_hold;
   if (wanted != mode_ && may_change) changeMode(wanted, situation, scene.tick, keeps_side);
   if (mode_ == HybridMode::kAhead) orbit_last_ = scene.tick;
-  guide_.update(sight_.circles(), sight_.gaps(), scene, situation.widest_gap, mode_ == HybridMode::kCrowded);
+  guide_.update(sight_.circles(), seen_, sight_.gaps(), scene, situation.widest_gap,
+                mode_ == HybridMode::kCrowded);
   const Way way = guide_.isActive() ? guidedWay(situation, scene) : wayOf(situation, scene);
   direction_ = math::wrapAngle(scene.self.pose.heading + way.direction);
   Guidance guidance = guidanceBy(*this);

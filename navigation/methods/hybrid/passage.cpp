@@ -18,6 +18,26 @@ constexpr double kMouth = 0.25;     // [m] before the narrowest place, where the
 constexpr double kClear = 0.06;     // [m] behind it, beyond which the rear corners are free to swing
 constexpr double kSure = 0.12;      // [m] standard deviation of the width, at most, to begin
 constexpr double kFacing = 0.5;     // cosine between the robot's heading and the axis, at least, to begin
+constexpr double kMiddle =
+    0.8;  // of the robot's width: what has to be free; echoes of the edges reach farther in
+
+/// How far [m] along the axis the robot's centre is when its rear corners are free.
+double exitOf(const RobotModel& robot) { return robot.length / 2 + kClear * pioneerScale(robot); }
+
+/// Whether something stands in the middle of the way out. Where one edge is no round body but a wall, the
+/// axis between both circles leads into it.
+bool isBlocked(const Passage& passage, std::span<const SectorHit> hits, const NavigationScene& scene) {
+  const RobotModel& robot = *scene.robot;
+  const Pose2& pose = scene.self.pose;
+  const Vec2 ahead = math::unit(pose.heading);
+  const double from = passage.along(pose.position), to = exitOf(robot) + robot.length / 2;
+  return std::any_of(hits.begin(), hits.end(), [&](const SectorHit& hit) {
+    if (hit.isEmpty()) return false;
+    const Vec2 place = pose.position + outOfFrame(ahead, hit.point);
+    const double along = passage.along(place);
+    return along > from && along < to && std::abs(passage.aside(place)) < kMiddle * robot.width / 2;
+  });
+}
 
 bool mayBegin(const Passage& passage, const NavigationScene& scene, double widest) {
   const double scale = pioneerScale(*scene.robot), along = passage.along(scene.self.pose.position);
@@ -42,9 +62,10 @@ Passage passageBetween(const EchoCircles::Tracked& left, const EchoCircles::Trac
           right.name};
 }
 
-void PassageGuide::update(const EchoCircles& circles, std::span<const NarrowGap> gaps,
-                          const NavigationScene& scene, double widest, bool may_start) {
-  passage_ = present(circles, scene);
+void PassageGuide::update(const EchoCircles& circles, std::span<const SectorHit> hits,
+                          std::span<const NarrowGap> gaps, const NavigationScene& scene, double widest,
+                          bool may_start) {
+  passage_ = present(circles, hits, scene);
   if (passage_ || !may_start) return;
   const Pose2& pose = scene.self.pose;
   const Vec2 ahead = math::unit(pose.heading);
@@ -53,22 +74,22 @@ void PassageGuide::update(const EchoCircles& circles, std::span<const NarrowGap>
     const auto* right = circles.at(pose.position + outOfFrame(ahead, gap.right));
     if (left == nullptr || right == nullptr || left == right) continue;
     const Passage passage = passageBetween(*left, *right);
-    if (!mayBegin(passage, scene, widest)) continue;
+    if (!mayBegin(passage, scene, widest) || isBlocked(passage, hits, scene)) continue;
     passage_ = passage;
     return;
   }
 }
 
-/// Empty once the robot is through, a circle is gone, or the passage turns out too narrow.
-std::optional<Passage> PassageGuide::present(const EchoCircles& circles, const NavigationScene& scene) const {
+/// Empty once the robot is through, a circle is gone, or the passage turns out too narrow or blocked.
+std::optional<Passage> PassageGuide::present(const EchoCircles& circles, std::span<const SectorHit> hits,
+                                             const NavigationScene& scene) const {
   if (!passage_) return {};
   const auto *left = circles.named(passage_->left), *right = circles.named(passage_->right);
   if (left == nullptr || right == nullptr) return {};
   const Passage passage = passageBetween(*left, *right);
   const RobotModel& robot = *scene.robot;
-  const bool is_through =
-      passage.along(scene.self.pose.position) > robot.length / 2 + kClear * pioneerScale(robot);
-  if (is_through || passage.width < robot.width) return {};
+  const bool is_through = passage.along(scene.self.pose.position) > exitOf(robot);
+  if (is_through || passage.width < robot.width || isBlocked(passage, hits, scene)) return {};
   return passage;
 }
 

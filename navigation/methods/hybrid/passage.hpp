@@ -30,18 +30,20 @@ class PassageGuide {
  public:
   void reset() { passage_.reset(); }
   /// Follows the circles of the present passage, or else starts with one of `gaps` that lies right ahead.
-  /// @param gaps  robot frame
+  /// Gives up where something stands in its middle.
+  /// @param hits, gaps  what the robot sees, robot frame
   /// @param widest  [m] wider passages need no guide
   /// @param may_start  whether a new passage may be taken
-  void update(const EchoCircles& circles, std::span<const NarrowGap> gaps, const NavigationScene& scene,
-              double widest, bool may_start);
+  void update(const EchoCircles& circles, std::span<const SectorHit> hits, std::span<const NarrowGap> gaps,
+              const NavigationScene& scene, double widest, bool may_start);
   bool isActive() const { return passage_.has_value(); }
   /// Direction [rad, world frame] toward the axis ahead of `place`; only while active.
   /// @param scale  of the robot, see `pioneerScale`
   double direction(Vec2 place, double scale) const;
 
  private:
-  std::optional<Passage> present(const EchoCircles& circles, const NavigationScene& scene) const;
+  std::optional<Passage> present(const EchoCircles& circles, std::span<const SectorHit> hits,
+                                 const NavigationScene& scene) const;
 
   std::optional<Passage> passage_;
 };

@@ -1,5 +1,8 @@
 #include "navigation/methods/hybrid/passage.hpp"
 
+#include <limits>
+#include <vector>
+
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 
@@ -31,12 +34,23 @@ class Gap {
     const Vec2 ahead = math::unit(pose.heading);
     const NarrowGap gap{intoFrame(ahead, Vec2{0.1, 0.04875} - pose.position),
                         intoFrame(ahead, Vec2{0.1, -0.04875} - pose.position)};
-    guide.update(circles, {&gap, 1}, scene, 0.2, may_start);
+    guide.update(circles, hits(pose), {&gap, 1}, scene, 0.2, may_start);
     return guide.isActive();
   }
   EchoCircles circles{EchoCircles::Settings{}};
   NavigationScene scene;
   PassageGuide guide;
+  std::vector<Vec2> echoes;  ///< what stands elsewhere, world frame
+
+ private:
+  std::vector<SectorHit> hits(const Pose2& pose) const {
+    std::vector<SectorHit> seen(1, {std::numeric_limits<double>::infinity(), {}});
+    for (const Vec2 echo : echoes) {
+      const Vec2 place = intoFrame(math::unit(pose.heading), echo - pose.position);
+      seen.push_back({norm(place), place});
+    }
+    return seen;
+  }
 };
 
 }  // namespace
@@ -69,6 +83,23 @@ TEST_CASE("the guide leads along the axis until the rear corners are out", "[uni
   CHECK(gap.guide.direction({0.1, 0.0}, kScale) == Approx(0.0).margin(1e-9));
   CHECK(gap.leads({{0.15, 0.0}, 0.0}));
   CHECK_FALSE(gap.leads({{0.153, 0.0}, 0.0}));
+}
+
+TEST_CASE("the guide leads nowhere where something stands in the way out", "[unit]") {
+  const Pose2 pose{{0.0, 0.0}, 0.0};
+  const auto leads = [&](Vec2 echo) {
+    Gap gap;
+    gap.echoes = {echo};
+    return gap.leads(pose);
+  };
+  CHECK_FALSE(leads({0.16, -0.02}));
+  CHECK(leads({0.16, -0.035}));  // an edge
+  CHECK(leads({0.20, -0.02}));   // behind where the robot is out
+  CHECK(leads({-0.01, 0.01}));   // behind the robot
+  Gap gap;
+  REQUIRE(gap.leads(pose));
+  gap.echoes = {{0.16, 0.0}};
+  CHECK_FALSE(gap.leads(pose));
 }
 
 TEST_CASE("the guide gives up where a circle goes", "[unit]") {
