@@ -29,7 +29,7 @@ std::vector<double> differences(const std::string& team, int matches) {
 
 }  // namespace
 
-TEST_CASE("neither side is better: equal teams score alike on both", "[long]") {
+TEST_CASE("neither side is better: equal teams score alike on both", "[soak]") {
   // Kick-offs, physics and referee see blue first; a lean would show in every comparison that is not paired.
   for (const std::string team : {"chaser", "classic", "libero"}) {
     const std::vector<double> values = differences(team, 60);

@@ -52,7 +52,7 @@ struct Tally {
 
 }  // namespace
 
-TEST_CASE("every prefix and every flipped bit of half a million is noticed", "[long]") {
+TEST_CASE("every prefix and every flipped bit of half a million is noticed", "[soak]") {
   Tally tally;
   tally.damage(golden());
   RecordingHeader recipe = test::sampleHeader(RecordingLevel::kRecipe);
