@@ -1,15 +1,16 @@
-"""rovers: the team at the end of docs/write-a-team.md. It comes near to `classic`.
+"""rovers: the team at the end of docs/write-a-team.md. It beats `classic`.
 
     fulbito match "cmd:python3 examples/teams/rovers.py" classic -n 10 --half-seconds 60
 
-Units are SI. The team's own goal is at -x, whatever the colour.
+Units are SI, and a way is an angle [rad]. The team's own goal is at -x, whatever the colour.
 """
 
 import math
 from typing import List, Optional, Tuple
 
 from fulbito_team import (
-    Commands, GoTo, MatchInfo, Observation, Opponent, Parameter, Placement, PlacementRequest, Pose, Robot, Team, Twist, run)
+    Command, Commands, GoTo, MatchInfo, Observation, Opponent, Parameter, Placement, PlacementRequest, Point, Pose,
+    Robot, Team, Twist, run)
 
 KEEPER, ATTACKER, SUPPORTER = 1, 2, 3
 NAMES = {KEEPER: "keeper", ATTACKER: "attacker", SUPPORTER: "supporter"}
@@ -23,263 +24,344 @@ def wrap(angle: float) -> float:
     return math.remainder(angle, 2.0 * math.pi)
 
 
+def sign(value: float) -> float:
+    return math.copysign(1.0, value)
+
+
+def turned(x: float, y: float, way: float) -> Tuple[float, float]:
+    """How far a vector leads along a way, and how far to its left."""
+    c, s = math.cos(way), math.sin(way)
+    return x * c + y * s, y * c - x * s
+
+
 class Rovers(Team):
     name = "rovers"
-    version = "1.0"
+    version = "2.0"
     default_navigator = "univector:follower=classic"
-    parameters = {"margin": Parameter(0.03, 0.0, 0.3, "[m] how far behind the ball the attacker starts its run")}
+    parameters = {"round": Parameter(0.09, 0.06, 0.2, "[m] circle on which the attacker comes round the ball")}
 
     def begin(self, info: MatchInfo) -> None:
-        self.attacker = 1
-        self.lined_up = False
+        self.attacker = min(1, info.team_size - 1)
         self.still = [0.0] * info.team_size  # [s] how long each robot has not moved
-        self.free = [0.0] * info.team_size  # [s] how long each still backs off
+        self.free = [0.0] * info.team_size  # [s] how long each still frees itself
+        self.untouched = [0.0] * info.team_size  # [s] since each touched the ball
+        self.half_length, self.half_width = info.field.length / 2, info.field.width / 2
+        self.post, self.radius = info.field.goal_width / 2, info.ball.radius
+        self.half, self.corner = info.robot.length / 2, math.hypot(info.robot.length, info.robot.width) / 2
+        self.top, self.pace = info.robot.max_speed, info.robot.wheel_acceleration
 
     # ---- Where things will be ----------------------------------------------------------------------------
 
+    def inside(self, x: float, y: float, room: float) -> Tuple[float, float]:
+        """The nearest place with that much room to the walls and to the cut corners."""
+        x, y = clamp(x, self.half_length - room), clamp(y, self.half_width - room)
+        limit = self.half_length + self.half_width - self.info.field.corner - math.sqrt(2.0) * room
+        over = max(0.0, abs(x) + abs(y) - limit) / 2
+        return x - over * sign(x), y - over * sign(y)
+
     def ball_at(self, seen: Observation, time: float) -> Tuple[float, float]:
-        """The ball after a time [s], slowed by rolling, inside the walls."""
-        ball, model, field = seen.ball, self.info.ball, self.info.field
+        """The ball after a time [s]: rolling slows it, and walls hold it."""
+        ball, slowing = seen.ball, max(self.info.ball.roll_deceleration, 1e-6)
         speed = math.hypot(ball.vx, ball.vy)
         if speed > 0.0:
-            rolling = min(time, speed / max(model.roll_deceleration, 1e-6))
-            time = rolling - model.roll_deceleration * rolling * rolling / (2.0 * speed)
-        return (clamp(ball.x + ball.vx * time, field.length / 2 - model.radius),
-                clamp(ball.y + ball.vy * time, field.width / 2 - model.radius))
+            rolling = min(time, speed / slowing)
+            time = rolling - slowing * rolling * rolling / (2.0 * speed)
+        return self.inside(ball.x + ball.vx * time, ball.y + ball.vy * time, self.radius)
+
+    def time_to(self, robot: Opponent, x: float, y: float) -> float:
+        """A turn of the nearer end, then the way from the present speed up to top speed [s]."""
+        dx, dy = x - robot.x, y - robot.y
+        far = max(1e-6, math.hypot(dx, dy))
+        turn = abs(wrap(math.atan2(dy, dx) - robot.heading))
+        turn = min(turn, math.pi - turn) * min(1.0, far / self.half)
+        time = 1.4 * math.sqrt(turn * self.info.robot.axle_track / (2.0 * self.pace))
+        speed = min(self.top, (robot.vx * dx + robot.vy * dy) / far)
+        if speed < 0.0:
+            time, far, speed = time - speed / self.pace, far + speed * speed / (2.0 * self.pace), 0.0
+        ramp = (self.top * self.top - speed * speed) / (2.0 * self.pace)
+        reached = math.sqrt(speed * speed + 2.0 * self.pace * min(far, ramp))
+        return time + (reached - speed) / self.pace + max(0.0, far - ramp) / self.top
 
     def meeting(self, seen: Observation, robot: Robot) -> Tuple[float, float, float]:
-        """When [s] and where the robot can be at the ball."""
-        time, step = 0.0, 0.05
+        """When [s] and where the robot can be behind the ball. A step of half of what it lacks never passes that."""
+        time = 0.0
         while True:
             x, y = self.ball_at(seen, time)
-            if self.time_to(robot.x, robot.y, robot.heading, x, y) <= time or time > 2.0:
-                return time, x, y
-            time += step
-
-    def time_to(self, x: float, y: float, heading: float, to_x: float, to_y: float) -> float:
-        """A turn of the nearer end, then the way at top speed [s]."""
-        turn = abs(wrap(math.atan2(to_y - y, to_x - x) - heading))
-        turn = min(turn, math.pi - turn)
-        way = max(0.0, math.hypot(to_x - x, to_y - y) - self.info.robot.length / 2 - self.info.ball.radius)
-        return way / self.info.robot.max_speed + 0.1 * turn
+            back = self.half / math.hypot(self.half_length - x, y)
+            needed = self.time_to(robot, x - back * (self.half_length - x), y + back * y)
+            if needed <= time or time > 2.0:
+                return max(time, needed), x, y
+            time += max(seen.dt, 0.5 * (needed - time))
 
     # ---- The whole team ----------------------------------------------------------------------------------
 
     def decide(self, seen: Observation) -> Commands:
         commands = Commands()
-        if not seen.playing:
-            self.lined_up = False
         self.choose_attacker(seen)
         for number, robot in enumerate(seen.own):
             if robot is None:
                 continue
             if number == 0:
-                commands.roles[number] = KEEPER
-                self.keep(seen, robot, commands)
-            elif number == self.attacker:
-                commands.roles[number] = ATTACKER
-                self.attack(seen, number, robot, commands)
+                role, command = KEEPER, self.keep(seen, robot)
+            elif number == self.attacker and not self.is_keepers(seen):
+                role, command = ATTACKER, self.attack(seen, robot, commands)
             else:
-                commands.roles[number] = SUPPORTER
-                self.support(seen, number, commands)
-            self.unstick(seen, number, robot, commands)
+                role, command = SUPPORTER, self.support(seen, number)
+            if number != 0:
+                command = self.unstuck(seen, number, robot, command)
+                command = self.legal(seen, number, robot, command)
+            commands.robots[number], commands.roles[number] = command, role
             if seen.wants_drawings:
-                commands.text(robot.x, robot.y - self.info.robot.length, NAMES[commands.roles[number]])
+                commands.text(robot.x, robot.y - self.info.robot.length, NAMES[role])
         return commands
 
     def choose_attacker(self, seen: Observation) -> None:
-        """The field player that is first at the ball. One in front of the ball has to go round it; a change must
-        pay, or two robots would take turns at hesitating."""
+        """The field player that is first behind the ball. One in front of the ball has to go round it. A change
+        must pay, or two robots would take turns at hesitating."""
         best, least = self.attacker, math.inf
         for number, robot in enumerate(seen.own):
             if robot is None or number == 0:
                 continue
-            time, x, _ = self.meeting(seen, robot)
-            cost = time + (0.5 if robot.x > x else 0.0) - (0.2 if number == self.attacker else 0.0)
+            cost, x, _ = self.meeting(seen, robot)
+            cost += (0.3 if robot.x > x else 0.0) - (0.2 if seen.playing and number == self.attacker else 0.0)
             if cost < least:
                 best, least = number, cost
-        if best != self.attacker:
-            self.attacker, self.lined_up = best, False
+        self.attacker = best
 
-    def drive(self, robot: Robot, x: float, y: float, speed: float) -> Twist:
-        """Straight at a place, with whichever end is nearer, slower the less it faces it."""
-        error = wrap(math.atan2(y - robot.y, x - robot.x) - robot.heading)
-        if abs(error) > math.pi / 2:
+    def is_keepers(self, seen: Observation) -> bool:
+        """Whether the ball is or comes where only the keeper may play."""
+        x, y = self.ball_at(seen, 0.3)
+        return seen.own[0] is not None and self.in_area(-x, y, self.corner)
+
+    def drive(self, robot: Robot, way: float, speed: float) -> Twist:
+        """Along a way with the nearer end, slower the less it points there. A moving robot keeps its end longer."""
+        error = wrap(way - robot.heading)
+        forward, _ = turned(robot.vx, robot.vy, robot.heading)
+        if abs(error) > math.pi / 2 + clamp(forward, 0.3):
             error, speed = wrap(error + math.pi), -speed
-        return Twist(speed * max(0.0, math.cos(error)), 10.0 * error)
+        return Twist(speed * max(0.0, math.cos(error)) ** 2, clamp(16.0 * error, 24.0))
 
-    def unstick(self, seen: Observation, number: int, robot: Robot, commands: Commands) -> None:
-        """A robot that has not moved for half a second although it was told to backs off for a moment."""
-        command = commands.robots.get(number)
-        meant = isinstance(command, Twist) and abs(command.linear) > 0.1 or (
-            isinstance(command, GoTo) and math.hypot(command.x - robot.x, command.y - robot.y) > 0.1)
-        slow = math.hypot(robot.vx, robot.vy) < 0.05 and abs(robot.omega) < 1.0
+    def drive_to(self, robot: Robot, x: float, y: float) -> Twist:
+        return self.drive(robot, math.atan2(y - robot.y, x - robot.x), self.top)
+
+    def unstuck(self, seen: Observation, number: int, robot: Robot, command: Command) -> Command:
+        """A robot that stands still against its will drives off for a moment. It stays at a ball far from their goal."""
+        meant = not isinstance(command, GoTo) or math.hypot(command.x - robot.x, command.y - robot.y) > 0.1
+        slow = math.hypot(robot.vx, robot.vy) < 0.1 and abs(robot.omega) < 1.0
         self.still[number] = self.still[number] + seen.dt if seen.playing and meant and slow else 0.0
-        if self.still[number] > 0.5:
-            self.still[number], self.free[number] = 0.0, 0.25
-        if self.free[number] > 0.0:
-            self.free[number] -= seen.dt
-            back = -1.0 if robot.left + robot.right >= 0.0 and robot.sent_left + robot.sent_right >= 0.0 else 1.0
-            commands.twist(number, 0.6 * back, 4.0)
+        if self.still[number] > 0.35 and (seen.ball.x > self.half_length / 2 or not self.touches(robot, seen)):
+            self.still[number], self.free[number] = 0.0, 0.3
+        self.free[number] -= seen.dt
+        to_middle, _ = turned(-robot.x, -robot.y, robot.heading)
+        return Twist(0.5 * sign(to_middle), 4.0) if self.free[number] > 0.0 else command
 
-    # ---- Roles -------------------------------------------------------------------------------------------
+    # ---- Keeper ------------------------------------------------------------------------------------------
 
-    def keep(self, seen: Observation, robot: Robot, commands: Commands) -> None:
-        """On a line in front of the goal, where the ball will cross it; out to a slow ball in the area."""
-        field, ball, top = self.info.field, seen.ball, self.info.robot.max_speed
-        line = -field.length / 2 + self.info.robot.length + self.info.ball.radius
-        slow = math.hypot(ball.vx, ball.vy) < 0.3
-        in_front = ball.x > robot.x + 0.02
-        if slow and in_front and self.in_area(-ball.x, ball.y) and self.first_at_ball(seen, robot, 0.1):
-            if self.touches(robot, ball.x, ball.y) and self.at_wall(ball.x, ball.y):
-                commands.robots[0] = self.spin(robot, ball.x, ball.y, 0.5, math.copysign(1.0, ball.y))
-            else:
-                commands.robots[0] = self.drive(robot, ball.x, ball.y, top)
-            return
-        y = clamp(self.crossing(seen, line), field.goal_width / 2 - 0.02)
-        if abs(line - robot.x) > 0.06:
-            commands.go_to(0, GoTo(line, y, math.pi / 2, stop=True))
-            return
-        # Sideways along the line: a lean leads back onto it, and a turn comes before the way.
-        up = 1.0 if math.sin(robot.heading) >= 0.0 else -1.0
-        off = y - robot.y
-        lean = clamp(6.0 * (line - robot.x), 0.35) * math.copysign(1.0, -off) if abs(off) > 0.01 else 0.0
-        error = wrap(up * math.pi / 2 + lean - robot.heading)
-        speed = up * clamp(9.0 * off, top) if abs(error) < 0.6 else 0.0
-        commands.twist(0, speed, 8.0 * error)
+    def keep(self, seen: Observation, robot: Robot) -> Command:
+        """Out to a ball that it reaches first, out along the end wall, or to where the ball will cross the line."""
+        line = -self.half_length + self.half + 0.005
+        if self.comes_out(seen, robot):
+            return self.drive_to(robot, *self.ball_at(seen, 0.1))
+        if self.meets_along_wall(seen, robot):
+            return self.drive_to(robot, line, seen.ball.y + 0.1 * sign(seen.ball.y))
+        # Sideways along the line, as fast as it can still stop. A lean leads back onto the line.
+        off_x, off_y = line - robot.x, clamp(self.crossing(seen, line), self.post - self.radius) - robot.y
+        if abs(off_x) > 0.06 or abs(off_y) > 2.0 * self.post:
+            return GoTo(line, robot.y + off_y, math.pi / 2, stop=True)
+        speed = min(self.top, math.sqrt(1.6 * self.pace * abs(off_y)), 20.0 * abs(off_y))
+        lean = clamp(6.0 * off_x, 0.4) * min(1.0, speed / 0.2)
+        return self.drive(robot, math.pi / 2 - lean * sign(off_y), speed * sign(off_y))
+
+    def comes_out(self, seen: Observation, robot: Robot) -> bool:
+        """Whether the keeper leaves its line: to meet a penalty, and for a slow ball that nobody reaches before."""
+        ball = seen.ball
+        if seen.restart == "penalty" and not seen.restart_is_ours and seen.since_restart < 0.8:
+            return True
+        x, y = self.ball_at(seen, 0.1)
+        if math.hypot(ball.vx, ball.vy) > 0.5 or ball.x < robot.x + 0.02 or not self.in_area(-x, y, self.corner):
+            return False
+        mine = self.time_to(robot, ball.x, ball.y)
+        return all(other is None or self.time_to(other, ball.x, ball.y) > mine for other in seen.opponents)
+
+    def meets_along_wall(self, seen: Observation, robot: Robot) -> bool:
+        """Whether the ball lies or comes along the end wall to a keeper that stands in its way."""
+        ball, side = seen.ball, sign(seen.ball.y)
+        return (ball.x < -self.half_length + self.radius + 0.04 and self.post < abs(ball.y) < 2.75 * self.post
+                and -ball.vy * side < self.top and robot.x < -self.half_length + 2.4 * self.half
+                and robot.y * side < abs(ball.y) - 0.03)
 
     def crossing(self, seen: Observation, line: float) -> float:
         """Where the ball will pass the keeper's line; otherwise the place with equal gaps to both posts."""
-        field, ball = self.info.field, seen.ball
+        ball, front = seen.ball, line + self.radius
         for step in range(1, 41):
-            x, y = self.ball_at(seen, 0.05 * step)
-            if x <= line < ball.x:
+            x, y = self.ball_at(seen, 0.03 * step)
+            if x <= front < ball.x:
                 # On the straight way to that place.
-                y = ball.y + (y - ball.y) * (ball.x - line) / (ball.x - x)
-                if abs(y) < field.goal_width / 2 + 0.05:
+                y = ball.y + (y - ball.y) * (ball.x - front) / (ball.x - x)
+                if abs(y) < self.post + 0.05:
                     return y
                 break
-        back = ball.x + field.length / 2
-        left, right = math.atan2(field.goal_width / 2 - ball.y, back), math.atan2(-field.goal_width / 2 - ball.y, back)
+        back = max(0.01, ball.x + self.half_length)
+        left, right = math.atan2(self.post - ball.y, back), math.atan2(-self.post - ball.y, back)
         return ball.y + (ball.x - line) * math.tan((left + right) / 2)
 
-    def attack(self, seen: Observation, number: int, robot: Robot, commands: Commands) -> None:
-        """Behind the ball first, then through it toward the goal."""
-        field, size, ball = self.info.field, self.info.robot.length, seen.ball
-        time, x, y = self.meeting(seen, robot)
-        if self.in_area(-x, y) and seen.own[0] is not None:
-            # The keeper's ball: a second defender in the area costs a penalty.
-            commands.go_to(number, GoTo(-field.length / 2 + field.goal_area_depth + 0.12, y))
-            return
-        if self.in_area(ball.x, ball.y) and any(o and self.touches(o, ball.x, ball.y) for o in seen.opponents):
-            # To charge a keeper in its area is a foul: wait where the ball may come out.
-            commands.go_to(number, GoTo(field.length / 2 - 0.35, -math.copysign(0.2, ball.y)))
-            return
-        if self.touches(robot, ball.x, ball.y) and self.at_wall(ball.x, ball.y):
-            commands.robots[number] = self.spin(robot, ball.x, ball.y, 1.0, -math.copysign(0.3, ball.y))
-            return
-        way_x, way_y = self.shot(seen, x, y)
-        to_x, to_y = ball.x - robot.x, ball.y - robot.y
-        behind, beside = to_x * way_x + to_y * way_y, abs(to_x * way_y - to_y * way_x)
-        self.lined_up = behind > 0.0 and beside < (size if self.lined_up else size / 2)
-        target = GoTo(x - (size + self.settings["margin"]) * way_x, y - (size + self.settings["margin"]) * way_y,
-                            math.atan2(way_y, way_x), avoid_ball=behind < 0.0)
-        if self.lined_up:
-            commands.robots[number] = self.drive(robot, ball.x + 0.2 * way_x, ball.y + 0.2 * way_y,
-                                                 self.info.robot.max_speed)
-        elif to_x > 0.02 and not self.first_at_ball(seen, robot, 0.2):
-            # An opponent is there before the run could begin: meet the ball straight, as long as it goes upfield.
-            commands.robots[number] = self.drive(robot, x + 0.1, y, self.info.robot.max_speed)
+    # ---- Attacker ----------------------------------------------------------------------------------------
+
+    def attack(self, seen: Observation, robot: Robot, commands: Commands) -> Command:
+        """Round the ball, then through it: toward the goal, or along the wall at which it lies."""
+        ball = seen.ball
+        if self.rushes(seen):
+            return self.drive_to(robot, ball.x, ball.y)
+        _, x, y = self.meeting(seen, robot)
+        if self.touches(robot, seen):
+            x, y = ball.x + 0.03 * ball.vx, ball.y + 0.03 * ball.vy
+        along = self.along_wall(x, y)
+        if along is None:
+            way = self.blow(seen, self.shot(seen, x, y))
         else:
-            close = math.hypot(to_x, to_y) < 0.25
-            target.avoid_opponents = target.avoid_mates = not close
-            target.x = clamp(target.x, field.length / 2 - 0.04)
-            target.y = clamp(target.y, field.width / 2 - 0.04)
-            commands.go_to(number, target)
+            way, (x, y) = along, self.inside(x, y, self.half + 0.003)
         if seen.wants_drawings:
-            commands.line(x, y, x + 0.3 * way_x, y + 0.3 * way_y)
+            commands.line(x, y, x + 0.3 * math.cos(way), y + 0.3 * math.sin(way))
             commands.circle(x, y, 0.03)
+        return self.strike(robot, x, y, way)
 
-    def support(self, seen: Observation, number: int, commands: Commands) -> None:
-        """Between ball and goal in the own half; behind the ball and nearer the middle in the other."""
-        field = self.info.field
-        x, y = self.ball_at(seen, 0.3)
-        edge = -field.length / 2 + field.goal_area_depth + 0.12
-        if x < 0.0:
-            share = 0.5
-            goal = -field.length / 2
-            place = (max(edge, goal + share * (x - goal)), y * share)
-        else:
-            place = (min(x - 0.3, field.length / 2 - field.goal_area_depth - 0.2),
-                     clamp(y - math.copysign(0.15, y), field.width / 2 - 0.2))
-        if seen.own[0] is None:
-            place = (edge - 0.1, clamp(y, field.goal_width / 2))
-        commands.go_to(number, GoTo(place[0], place[1], stop=True, avoid_ball=True))
+    def rushes(self, seen: Observation) -> bool:
+        """Right after a restart the first touch counts more than its direction."""
+        until = {"kick-off": 0.4, "free-ball": 1.0, "penalty": 0.5 if seen.restart_is_ours else 0.0}
+        return seen.since_restart < until.get(seen.restart, 0.0)
 
-    def shot(self, seen: Observation, x: float, y: float) -> Tuple[float, float]:
-        """The unit way on which the ball shall go: at the widest free part of the goal."""
-        field = self.info.field
-        goal_x, aim, widest = field.length / 2, 0.0, -1.0
-        if field.width / 2 - abs(y) < self.info.ball.radius + 0.03:
-            return 1.0, 0.0
-        for share in (-0.7, -0.35, 0.0, 0.35, 0.7):
-            goal_y = share * field.goal_width / 2
-            far = math.hypot(goal_x - x, goal_y - y)
-            gap = 0.15 - 0.02 * abs(share)
+    def shot(self, seen: Observation, x: float, y: float) -> float:
+        """The way to the widest free part of the goal; of equals, to the one nearest to its middle."""
+        aim, best = 0.0, -math.inf
+        for share in (0.0, -0.33, 0.33, -0.67, 0.67, -1.0, 1.0):
+            goal_y = share * (self.post - self.radius - 0.015)
+            way = math.atan2(goal_y - y, self.half_length - x)
+            free = 0.10
             for opponent in seen.opponents:
-                if opponent is None or opponent.x < x:
-                    continue
-                along = ((opponent.x - x) * (goal_x - x) + (opponent.y - y) * (goal_y - y)) / max(far, 1e-6)
-                off = abs((opponent.x - x) * (goal_y - y) - (opponent.y - y) * (goal_x - x)) / max(far, 1e-6)
-                if 0.0 < along < far + 0.05:
-                    gap = min(gap, off)
-            if gap > widest:
-                aim, widest = goal_y, gap
-        far = max(math.hypot(goal_x - x, aim - y), 1e-6)
-        return (goal_x - x) / far, (aim - y) / far
+                if opponent is not None and x < opponent.x:
+                    _, aside = turned(opponent.x - x, opponent.y - y, way)
+                    free = min(free, abs(aside) - self.half - self.radius)
+            if free - 0.06 * abs(goal_y) > best:
+                aim, best = way, free - 0.06 * abs(goal_y)
+        return aim
 
-    def touches(self, robot: Opponent, x: float, y: float) -> bool:
-        return math.hypot(x - robot.x, y - robot.y) < self.info.robot.length / 2 + self.info.ball.radius + 0.02
+    def along_wall(self, x: float, y: float) -> Optional[float]:
+        """The way of a ball at a wall: along it up the field, a little into it, so that the ball cannot escape."""
+        in_x, in_y = self.inside(x, y, self.radius + 0.03)
+        if abs(y) < self.post or (in_x == x and in_y == y):
+            return None
+        off_wall = math.atan2(in_y - y, in_x - x)
+        _, left = turned(1.0, -sign(x * y), off_wall)
+        return off_wall + (math.pi / 2 + 0.15) * sign(left)
 
-    def at_wall(self, x: float, y: float) -> bool:
-        """No robot gets between ball and wall."""
-        field, room = self.info.field, self.info.ball.radius + 0.05
-        return field.width / 2 - abs(y) < room or (
-            field.length / 2 - abs(x) < room and abs(y) > field.goal_width / 2)
+    def blow(self, seen: Observation, way: float) -> float:
+        """The blow that makes a rolling ball run along a way: it also stops what the ball has across."""
+        along, across = turned(seen.ball.vx, seen.ball.vy, way)
+        return way - math.atan2(across, max(0.7 * self.top, 1.1 * self.top - along))
 
-    def spin(self, robot: Robot, x: float, y: float, way_x: float, way_y: float) -> Twist:
-        """Turns on the spot, so that the ball leaves along the way."""
-        return Twist(0.0, math.copysign(30.0, (x - robot.x) * way_y - (y - robot.y) * way_x))
+    def strike(self, robot: Robot, x: float, y: float, way: float) -> Twist:
+        """Through a place along a way: first on a circle round it, then on the line that leads through it."""
+        here_x, here_y = robot.x + 0.045 * robot.vx, robot.y + 0.045 * robot.vy
+        behind, left = turned(x - here_x, y - here_y, way)
+        if behind < 0.03 or abs(left) > 0.35 * behind:
+            far, circle = math.hypot(behind, left), float(self.settings["round"])
+            off = math.atan2(left, behind)
+            most = math.asin(circle / far) if far > circle else math.pi / 2 + 1.5 * (1.0 - far / circle)
+            return self.drive(robot, way + off + clamp(2.7 * off, most), self.top)
+        # Slow enough to be on the line and to face along it before the touch.
+        gap = max(0.0, behind - self.half - self.radius)
+        skew = abs(math.remainder(way - robot.heading, math.pi))
+        speed = min(self.top, 0.5 + (gap + 0.025) / max(skew / 8.0 + abs(left) / 0.35, 0.01))
+        return self.drive(robot, way + math.atan2(left, max(0.045, 0.5 * gap)), speed)
 
-    def first_at_ball(self, seen: Observation, robot: Robot, lead: float) -> bool:
-        mine = self.time_to(robot.x, robot.y, robot.heading, seen.ball.x, seen.ball.y)
-        return all(o is None or self.time_to(o.x, o.y, o.heading, seen.ball.x, seen.ball.y) > mine + lead
-                   for o in seen.opponents)
+    # ---- Supporter ---------------------------------------------------------------------------------------
 
-    def in_area(self, x: float, y: float) -> bool:
-        """Whether a place lies in the goal area at +x; with -x it asks for the own one."""
+    def support(self, seen: Observation, number: int) -> GoTo:
+        """Between ball and goal in the own half, ready for rebounds in the other, out of the way of the keeper."""
+        field, (x, y) = self.info.field, self.ball_at(seen, 0.15)
+        edge = -self.half_length + field.goal_area_depth + field.goal_area_arc_depth + 0.09
+        if self.is_keepers(seen):
+            x, y = edge + 0.2, 0.4 * sign(y if number == self.attacker else -y)
+        elif x > 0.15:
+            x, y = min(x - 0.2, self.half_length - 0.35), -0.18 * sign(y)
+        else:
+            back = max(edge, x - 0.35)
+            y *= clamp((back + self.half_length) / max(0.05, x + self.half_length), 1.0)
+            x, y = back, clamp(y, 0.25 if x < edge + 0.1 else self.half_width - 0.06)
+        return GoTo(x, y, stop=True, avoid_ball=True)
+
+    # ---- Rules -------------------------------------------------------------------------------------------
+
+    def legal(self, seen: Observation, number: int, robot: Robot, command: Command) -> Command:
+        """Turns a robot away in time, before braking could no longer keep it from a foul."""
+        self.untouched[number] = 0.0 if self.touches(robot, seen) else self.untouched[number] + seen.dt
+        time = seen.dt + math.hypot(robot.vx, robot.vy) / (2.0 * self.pace)
+        x, y = robot.x + robot.vx * time, robot.y + robot.vy * time
+        if seen.own[0] is not None and self.in_area(-x, y, 0.015):
+            return self.drive(robot, 0.0, self.top)
+        if self.in_area(x, y, self.corner) and not self.may_enter(seen, number, robot):
+            return self.drive(robot, math.pi, self.top)
+        for other in seen.opponents:
+            if (other is not None and self.untouched[number] > 0.15 and self.in_area(other.x, other.y)
+                    and math.hypot(other.x - x, other.y - y) < 3.0 * self.half):
+                return self.round_keeper(seen, robot, other)
+        return command
+
+    def may_enter(self, seen: Observation, number: int, robot: Robot) -> bool:
+        """Their area is the attacker's alone, once the one before it has left."""
+        mates = [mate for mate in seen.own if mate is not None and mate is not robot]
+        return number == self.attacker and (
+            self.in_area(robot.x, robot.y, self.corner)
+            or not any(self.in_area(mate.x, mate.y, self.corner) for mate in mates))
+
+    def round_keeper(self, seen: Observation, robot: Robot, keeper: Opponent) -> Twist:
+        """To charge a keeper is a foul: round it on the side of the ball, or out of the goal's mouth."""
+        off = math.atan2(robot.y - keeper.y, robot.x - keeper.x)
+        x, y = (0.0, 0.0) if robot.x > self.half_length - self.corner else (seen.ball.x, seen.ball.y)
+        _, left = turned(x - robot.x, y - robot.y, off)
+        return self.drive(robot, off + 1.2 * sign(left), self.top)
+
+    def touches(self, robot: Opponent, seen: Observation) -> bool:
+        """Whether the ball lies at the robot's outline."""
+        ahead, aside = turned(seen.ball.x - robot.x, seen.ball.y - robot.y, robot.heading)
+        return math.hypot(max(0.0, abs(ahead) - self.half), max(0.0, abs(aside) - self.half)) < self.radius + 0.005
+
+    def in_area(self, x: float, y: float, margin: float = 0.0) -> bool:
+        """Whether a place lies in the goal area at +x or so near to it; with -x it asks for the own one."""
         field = self.info.field
-        return x > field.length / 2 - field.goal_area_depth and abs(y) < field.goal_area_width / 2
+        arc = field.goal_area_arc_depth if abs(y) < field.goal_area_arc_width / 2 else 0.0
+        return (x > self.half_length - field.goal_area_depth - arc - margin
+                and abs(y) < field.goal_area_width / 2 + margin)
 
     # ---- Restarts ----------------------------------------------------------------------------------------
 
     def place(self, request: PlacementRequest) -> Optional[Placement]:
         """Kick-offs and penalties at an angle, past whoever waits on the straight line."""
-        if not request.ours or request.kind not in ("kick-off", "penalty"):
+        if request.kind == "kick-off" and not request.ours:
+            return self.await_kick_off(request)
+        taker = self.nearest(request.defaults, request.ball)
+        if taker is None or not request.ours or request.kind not in ("kick-off", "penalty"):
             return None
-        taker: Optional[int] = None
-        least = math.inf
-        for number, pose in enumerate(request.defaults):
-            if pose is None:
-                continue
-            far = math.hypot(pose.x - request.ball.x, pose.y - request.ball.y)
-            if far < least:
-                taker, least = number, far
-        if taker is None:
-            return None
-        angle = 0.35 if request.kind == "penalty" else 0.6
-        return Placement({taker: Pose(request.ball.x - least * math.cos(angle),
-                                      request.ball.y - least * math.sin(angle), angle)})
+        angle, back = (0.1, 0.3) if request.kind == "penalty" else (0.6, 0.085)
+        x, y = request.ball.x - back * math.cos(angle), request.ball.y - back * math.sin(angle)
+        return Placement({taker: Pose(x, y, angle)})
+
+    def await_kick_off(self, request: PlacementRequest) -> Placement:
+        """A robot on either side of the line along which the taker will kick, as its place tells."""
+        number = self.nearest(request.opponents or [], request.ball)
+        taker = request.opponents[number] if request.opponents and number is not None else None
+        line = math.atan2(taker.y, taker.x) if taker is not None else 0.0
+        circle, places = self.info.field.centre_circle_radius + 0.001, {}
+        for robot, far, turn in ((1, circle, -0.5 * sign(line)), (2, circle + 0.14, 0.87 * sign(line))):
+            x, y = -far * math.cos(line + turn), -far * math.sin(line + turn)
+            if robot < self.info.team_size:
+                places[robot] = Pose(min(x, -self.corner), y, math.atan2(-y, -x))
+        return Placement(places)
+
+    def nearest(self, poses: List[Optional[Pose]], ball: Point) -> Optional[int]:
+        """The number of the robot nearest to the ball."""
+        ways = {i: math.hypot(pose.x - ball.x, pose.y - ball.y) for i, pose in enumerate(poses) if pose is not None}
+        return min(ways, key=lambda i: ways[i]) if ways else None
 
 
 if __name__ == "__main__":
