@@ -40,7 +40,7 @@ Result<std::string> readRecordText(const std::string& folder, FolderWork work) {
   return readTextFile(recordFile(folder, work), kLargestRecord);
 }
 
-std::string listed(const std::string& head, const std::vector<std::string>& changes) {
+std::string withChanges(const std::string& head, const std::vector<std::string>& changes) {
   std::string text = head + " What differs:";
   for (std::size_t i = 0; i < changes.size() && i < kMostChanges; ++i) text += "\n  " + changes[i];
   if (changes.size() > kMostChanges) text += fmt::format("\n  and {} more", changes.size() - kMostChanges);

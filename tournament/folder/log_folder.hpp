@@ -30,8 +30,8 @@ bool keeps(const std::string& folder, FolderWork work);
 /// The text of the record of a folder. Errors: kIo; kBadInput if it is too long.
 Result<std::string> readRecordText(const std::string& folder, FolderWork work);
 
-/// "HEAD What differs:", and the first changes, a line each.
-std::string listed(const std::string& head, const std::vector<std::string>& changes);
+/// A message: "HEAD What differs:", and the first changes, a line each.
+std::string withChanges(const std::string& head, const std::vector<std::string>& changes);
 
 /// Creates a folder, or continues it: then `compare` says what has changed since, or an error if the folder
 /// belongs to other work. Errors: kUsage if it keeps work of another kind; of `compare`; kIo; as

@@ -20,9 +20,9 @@ Result<std::vector<std::string>> compare(const std::string& folder, const PlanRe
   const auto changes = changesOf(old->plan, record.plan);
   if (changes.empty()) return changesOf(*old, record);
   return fail(ErrorCode::kUsage,
-              listed(folder + " holds a tournament with another plan; name another folder, or go "
-                              "back to its plan.",
-                     changes));
+              withChanges(folder + " holds a tournament with another plan; name another folder, or go "
+                                   "back to its plan.",
+                          changes));
 }
 
 }  // namespace
@@ -52,9 +52,9 @@ Result<MergedFolders> mergeFolders(const std::vector<std::string>& folders, cons
     auto changed = compare(folder, *first);
     if (!changed) return tl::unexpected<Error>(changed.error());
     if (!changed->empty()) {
-      return fail(ErrorCode::kUsage,
-                  listed(fmt::format("{} and {} were not played by the same teams.", folders.front(), folder),
-                         *changed));
+      return fail(ErrorCode::kUsage, withChanges(fmt::format("{} and {} were not played by the same teams.",
+                                                             folders.front(), folder),
+                                                 *changed));
     }
     logs.push_back(logFile(folder));
   }

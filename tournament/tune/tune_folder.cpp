@@ -66,9 +66,9 @@ Result<std::vector<std::string>> compare(const std::string& folder, const TunePl
   for (std::string& change : changesOf(old->matches.plan, plan.base)) changes.push_back(std::move(change));
   if (changes.empty()) return changesOf(old->matches, PlanRecord{plan.base, identity});
   return fail(ErrorCode::kUsage,
-              listed(folder + " holds a tuning with other settings; name another folder, or go back "
-                              "to its settings.",
-                     changes));
+              withChanges(folder + " holds a tuning with other settings; name another folder, or go back "
+                                   "to its settings.",
+                          changes));
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ constexpr double kMouth = 0.25;     // [m] before the narrowest place, where the
 constexpr double kClear = 0.06;     // [m] behind it, beyond which the rear corners are free to swing
 constexpr double kSure = 0.12;      // [m] standard deviation of the width, at most, to begin
 constexpr double kFacing = 0.5;     // cosine between the robot's heading and the axis, at least, to begin
-constexpr double kMiddle =
-    0.8;  // of the robot's width: what has to be free; echoes of the edges reach farther in
+// Of the robot's width: what has to be free. Echoes of the edges reach into the rest.
+constexpr double kMiddle = 0.8;
 
 /// How far [m] along the axis the robot's centre is when its rear corners are free.
 double exitOf(const RobotModel& robot) { return robot.length / 2 + kClear * pioneerScale(robot); }
