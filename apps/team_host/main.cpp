@@ -4,7 +4,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
+#include <poll.h>
+#include <sched.h>
 #include <string>
 #include <string_view>
 #include <unistd.h>
@@ -17,6 +20,17 @@ namespace fulbito {
 namespace {
 
 constexpr int kUsage = 2, kBadInput = 3, kIo = 5;  // exit codes, as those of the program `fulbito`
+
+// How long to wait awake. Two teams that take turns need some microseconds, other work takes longer.
+constexpr double kAwake = 1e-4;       // [s] for one request, at most
+constexpr double kOthersWork = 2e-5;  // [s] without the processor: others need it
+constexpr int kAsleep = 16;           // requests, before it tries again
+
+double now() {
+  timespec time{};
+  clock_gettime(CLOCK_MONOTONIC, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 int say(const Error& error) {
   std::fprintf(stderr, "fulbito-team-host: %s\n", error.message.c_str());
@@ -33,6 +47,8 @@ struct Ends {
 
 Ends moveEnds() {
   const int least = STDERR_FILENO + 1;
+  // Of this end only: the match has a description of its own.
+  fcntl(STDIN_FILENO, F_SETFL, fcntl(STDIN_FILENO, F_GETFL) | O_NONBLOCK);
   const Ends ends{fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, least), fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, least)};
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (nothing >= 0) dup2(nothing, STDIN_FILENO);
@@ -58,12 +74,15 @@ class Inbox {
 
   /// Waits for more. @return false at the end
   bool receive() {
-    ssize_t n = 0;
-    do {
-      n = read(from_, bytes_.data() + filled_, bytes_.size() - filled_);
-    } while (n < 0 && errno == EINTR);
-    if (n > 0) filled_ += static_cast<std::size_t>(n);
-    return n > 0;
+    const double since = now();
+    if (crowded_ > 0) --crowded_;
+    for (;;) {
+      const ssize_t n = read(from_, bytes_.data() + filled_, bytes_.size() - filled_);
+      if (n > 0) filled_ += static_cast<std::size_t>(n);
+      if (n >= 0) return n > 0;
+      if (errno != EAGAIN && errno != EINTR) return false;
+      rest(since);
+    }
   }
   std::string_view waiting() const { return {bytes_.data(), filled_}; }
   /// Removes the first `size` bytes. There is always room for a whole message, so `receive` never stalls.
@@ -73,9 +92,23 @@ class Inbox {
   }
 
  private:
+  /// Waits a little. The next request of a fast match comes sooner than a sleeping processor wakes up, so
+  /// this stays awake, but where others need the processor it sleeps.
+  void rest(double since) {
+    if (crowded_ == 0 && now() - since < kAwake) {
+      const double before = now();
+      sched_yield();
+      if (now() - before > kOthersWork) crowded_ = kAsleep;
+      return;
+    }
+    pollfd wait{from_, POLLIN, 0};
+    poll(&wait, 1, -1);
+  }
+
   int from_;
   std::vector<char> bytes_;
   std::size_t filled_ = 0;
+  int crowded_ = 0;  ///< for so many requests the processor is left to others
 };
 
 /// Answers all whole messages of the inbox and removes them.

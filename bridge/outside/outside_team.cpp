@@ -16,6 +16,9 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kFarewell = 0.5;  // [s] for a program to end by itself after the match
+// [s] Between looks at standard error while all replies come at once. Waits look at it, too, so that a
+// program that prints much never stands still for long.
+constexpr double kErrorsEvery = 0.05;
 
 }  // namespace
 
@@ -59,6 +62,7 @@ struct OutsideTeam::Impl {
   double start_end = 0.0;         // [s]
   double allowed = kUnlimited;    // [s]
   double asked_at = 0.0;          // [s]
+  double shown_at = 0.0;          // [s] when standard error was looked at
   std::int64_t stale_before = 0;  // of earlier conversations
   TeamWelcome welcome;
 };
@@ -133,9 +137,12 @@ void OutsideTeam::Impl::noteFailure() {
 void OutsideTeam::Impl::settle(State state, double since) {
   noteFailure();
   if (!lost()) condition.state = talk && stage == Stage::kPlaying ? state : State::kDown;
-  condition.seconds = now() - since;
+  const double time = now();
+  condition.seconds = time - since;
   condition.stale = stale_before + (talk ? talk->stale() : 0);
-  if (talk) talk->showErrors();
+  if (!talk || time - shown_at < kErrorsEvery) return;
+  shown_at = time;
+  talk->showErrors();
 }
 
 void OutsideTeam::Impl::sendDecision(const Observation& observation) {

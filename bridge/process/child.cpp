@@ -234,10 +234,12 @@ Child::Received Child::receive(std::string& into, double seconds) {
   timespec left = timeOf(seconds);
   // A quick reply is there sooner than a sleeping processor wakes up. Yielding lets the child run on this
   // one.
-  for (int round = 0; seconds > 0.0 && round < kYields && child.out.isOpen(); ++round) {
+  for (int round = 0; child.out.isOpen(); ++round) {
     if (const Received got = child.readOutput(into); got != Received::kNothing) return got;
+    if (!(seconds > 0.0) || round == kYields) break;
     ::sched_yield();
   }
+  if (child.out.isOpen() && !(seconds > 0.0) && child.sent == child.waiting.size()) return Received::kNothing;
   for (;;) {
     if (!child.out.isOpen()) return Received::kClosed;
     std::array<pollfd, 3> waits{{{child.out.number(), POLLIN, 0},
