@@ -16,7 +16,7 @@ cd "$(dirname "$0")/.."
 
 # Link-time optimisation also finds names that mean one thing in one file and another in another.
 lto="-flto=2 -Werror=odr"
-sanitizers="-O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all"
+sanitizers="-O1 -g1 -fsanitize=address,undefined -fno-sanitize=object-size,vptr -fno-sanitize-recover=all"
 # name | compiler | flags | what is built | preset with the same programs. All compile files in groups, but gcc-O0 each on its
 # own and the whole program, which finds includes that are missing.
 builds=(
