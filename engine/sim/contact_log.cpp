@@ -84,6 +84,7 @@ void ContactLog::PreSolve(b2Contact* contact, const b2Manifold*) {
 }
 
 void ContactLog::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
+  solved_ = true;
   const std::size_t first = numberOf(contact->GetFixtureA()), second = numberOf(contact->GetFixtureB());
   const std::size_t a = std::min(first, second), b = std::max(first, second);
   Pair& pair = pairs_[a * bodies_.size() + b];

@@ -26,11 +26,15 @@ class ContactLog final : public b2ContactListener {
 
   void startTick(Tick tick);
   void startStep() { wall_hits_.clear(); }
+  /// Before each step of the engine, of which a physics step may have several.
+  void startPart() { solved_ = false; }
   /// Sorts the tick's events.
   void finishTick();
 
   std::span<const ContactEvent> events() const { return events_; }
   std::span<const WallHit> wallHits() const { return wall_hits_; }
+  /// Whether the engine's last step solved any contact: without one, no velocity has changed.
+  bool solved() const { return solved_; }
 
   void BeginContact(b2Contact* contact) override;
   void PreSolve(b2Contact* contact, const b2Manifold* before) override;
@@ -50,6 +54,7 @@ class ContactLog final : public b2ContactListener {
   std::vector<ContactEvent> events_;
   std::vector<WallHit> wall_hits_;
   Tick tick_ = 0;
+  bool solved_ = false;
 };
 
 }  // namespace fulbito

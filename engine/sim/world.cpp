@@ -203,8 +203,9 @@ void World::Impl::collide() {
     last_part = part;
     engine.SetContinuousPhysics(plan.continuous);
     if (contacts_do_no_work) contact_work.remember();
+    contacts.startPart();
     engine.Step(part, config.physics.velocity_iterations, config.physics.position_iterations);
-    if (contacts_do_no_work) contact_work.takeBack();
+    if (contacts_do_no_work && (contacts.solved() || !rods.empty())) contact_work.takeBack();
     for (const Robot& robot : robots) unwindAngle(*robot.body);
     for (CarriedRod& rod : rods) rod.addImpulses();
     left -= part;

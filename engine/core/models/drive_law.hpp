@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "fulbito/models.hpp"
 
 namespace fulbito {
@@ -49,5 +52,41 @@ class DriveLaw {
   double widening_;  // [s/m] of the rims' difference: yaw rates count as rim speeds here
   double rise_;      // [s^2/m^2]
 };
+
+// What follows runs once per robot and physics step: a call would cost as much as the work.
+
+// Coulomb: against the motion, or against the motion that is about to begin.
+inline double DriveLaw::drag(double forward, double forward_target) const {
+  if (forward != 0.0) return -std::clamp(forward, -drag_, drag_);
+  return forward_target == 0.0 ? 0.0 : -std::copysign(drag_, forward_target);
+}
+
+inline RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const {
+  const double lost = drag((ground.left + ground.right) / 2, (target.left + target.right) / 2);
+  const RimSpeeds lack{target.left - ground.left - lost, target.right - ground.right - lost};
+  RimSpeeds pull{own_ * lack.left + other_ * lack.right, own_ * lack.right + other_ * lack.left};
+  if (std::abs(pull.left) <= limits.left && std::abs(pull.right) <= limits.right) return pull;
+  // If one motor is at its limit, the other one only controls its own rim.
+  const auto limited = [&](double rim_lack, double other_pull, double limit) {
+    return std::clamp((rim_lack - felt_ * other_pull) * per_pull_, -limit, limit);
+  };
+  if (std::abs(pull.left) * limits.right >= std::abs(pull.right) * limits.left) {
+    pull.right = limited(lack.right, std::clamp(pull.left, -limits.left, limits.left), limits.right);
+    pull.left = limited(lack.left, pull.right, limits.left);
+  } else {
+    pull.left = limited(lack.left, std::clamp(pull.right, -limits.right, limits.right), limits.left);
+    pull.right = limited(lack.right, pull.left, limits.right);
+  }
+  return pull;
+}
+
+inline RimSpeeds DriveLaw::change(RimSpeeds ground, RimSpeeds target, RimSpeeds pulls) const {
+  const double forward = (ground.left + ground.right) / 2;
+  const double raw = (pulls.left + pulls.right) / 2 + drag(forward, (target.left + target.right) / 2);
+  const double most = raw * forward < 0.0 ? loss_ : gain_;
+  const double common = std::clamp(raw, -most, most);
+  const double turn = turn_ * (pulls.right - pulls.left) / 2;
+  return {common - turn, common + turn};
+}
 
 }  // namespace fulbito
