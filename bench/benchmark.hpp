@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace CLI {
 class App;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "apps/replay/replay.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito::app {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/team.h"
-#include "fulbito/values.hpp"
 
 /// The messages between the simulator and a process that hosts a team of a shared library: a header, then a
 /// structure of `fulbito/team.h`, then texts or drawings. Both run on the same machine, so structures travel

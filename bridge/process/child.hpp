@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fulbito/detail/child_limits.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/models/drive_law.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

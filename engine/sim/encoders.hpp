@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "engine/core/math/random.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

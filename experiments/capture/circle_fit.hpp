@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito::capture {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito::capture {
 

@@ -5,8 +5,8 @@
 
 #include "engine/core/math/random.hpp"
 #include "experiments/capture/capture_plan.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito::capture {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito::localization {
 

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "experiments/transport/part_path.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

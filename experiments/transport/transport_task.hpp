@@ -1,7 +1,7 @@
 #pragma once
 
 #include "experiments/transport/part_path.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

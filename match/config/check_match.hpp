@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/match.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -3,8 +3,8 @@
 #include <array>
 
 #include "engine/core/models/sensor.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/match.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "fulbito/detail/field_geometry.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

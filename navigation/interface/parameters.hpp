@@ -6,8 +6,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/navigation.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

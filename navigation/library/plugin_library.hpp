@@ -4,8 +4,8 @@
 #include <string>
 
 #include "engine/core/base/float_mode.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/team.h"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

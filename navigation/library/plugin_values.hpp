@@ -2,9 +2,9 @@
 
 #include <string_view>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
 #include "fulbito/team.h"
-#include "fulbito/values.hpp"
 
 /// Conversions of shared values to the C interface and back.
 namespace fulbito {

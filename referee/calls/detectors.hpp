@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/referee.hpp"
-#include "fulbito/values.hpp"
 #include "referee/calls/calls.hpp"
 #include "referee/geometry/areas.hpp"
 #include "referee/rules/clauses.hpp"

@@ -6,8 +6,8 @@
 
 #include "engine/core/models/goal_area.hpp"
 #include "fulbito/detail/detector_rules.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 #include "referee/state/match_view.hpp"
 
 namespace fulbito {

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/referee.hpp"
-#include "fulbito/values.hpp"
 #include "referee/geometry/placed_body.hpp"
 
 /// The zones in which a robot may stand at a restart. All in the taker's frame: x is mirrored if needed so

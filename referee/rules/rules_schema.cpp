@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 #include "referee/rules/detector_schema.hpp"
 
 namespace fulbito {

@@ -7,8 +7,8 @@
 #include "fulbito/detail/field_geometry.hpp"
 #include "fulbito/detail/layout.hpp"
 #include "fulbito/detail/trial_score.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/recording.hpp"
-#include "fulbito/values.hpp"
 #include "replays/coding/byte_io.hpp"
 
 namespace fulbito {

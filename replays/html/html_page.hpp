@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 #include "replays/html/page_scene.hpp"
 
 namespace fulbito {

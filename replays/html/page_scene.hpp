@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/recording.hpp"
-#include "fulbito/values.hpp"
 
 /// The content of the HTML viewer (docs/viewer.md) as plain values, for both recordings and races of
 /// navigators.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/recording.hpp"
-#include "fulbito/values.hpp"
 #include "replays/html/page_scene.hpp"
 
 namespace fulbito {

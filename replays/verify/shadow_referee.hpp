@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/recording.hpp"
 #include "fulbito/referee.hpp"
-#include "fulbito/values.hpp"
 
 /// Shadow referees: two rules profiles judge the same recorded plays. Each play is judged from its recorded
 /// start, clock and score up to the tick at which the recording's own referee stopped it. Later calls are

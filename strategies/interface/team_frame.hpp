@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fulbito/detail/math.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/referee.hpp"
-#include "fulbito/values.hpp"
 
 /// A team's frame: its own goal is at -x. For the team that defends the left goal it is the world frame. For
 /// the other team it is the world frame rotated by 180 degrees, never reflected, which would swap the wheels.

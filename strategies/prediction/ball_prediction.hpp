@@ -4,8 +4,8 @@
 #include <optional>
 #include <span>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 #include "strategies/prediction/ball_walls.hpp"
 
 namespace fulbito {

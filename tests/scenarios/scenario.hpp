@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/referee.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito::test {
 

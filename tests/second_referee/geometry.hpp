@@ -3,7 +3,7 @@
 #include <array>
 
 #include "fulbito/detail/field_geometry.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 /// The second referee's own geometry. Nothing of `referee/` is used: areas are integrated slice by slice
 /// instead of cut, so that a mistake of one is not a mistake of the other.

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/match.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 #include "tests/second_referee/geometry.hpp"
 
 /// What the second referee looks at: all that happened since the play began, tick by tick.

@@ -92,7 +92,6 @@ const std::vector<Library> kLibraries = {
 };
 
 const std::vector<PublicHeader> kPublicHeaders = {
-    {"fulbito/values.hpp", "engine/core/base"},
     {"fulbito/models.hpp", "engine/core/models"},
     {"fulbito/world.hpp", "engine/sim"},
     {"fulbito/navigation.hpp", "navigation/interface"},
@@ -117,6 +116,7 @@ const std::vector<PublicHeader> kPublicHeaders = {
     {"fulbito/outside.hpp", "bridge/outside"},
     {"fulbito/detail/child_limits.hpp", "bridge/process"},
     {"fulbito/detail/decision_time.hpp", "referee/rules"},
+    {"fulbito/detail/values.hpp", "engine/core/base"},
     {"fulbito/detail/vec2.hpp", "engine/core/base"},
     {"fulbito/detail/state_hash.hpp", "engine/core/base"},
     {"fulbito/detail/build_info.hpp", "engine/core/base"},

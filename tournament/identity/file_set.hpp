@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/core/base/wide_hash.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

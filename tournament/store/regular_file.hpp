@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

@@ -6,7 +6,7 @@
 
 #include "engine/core/config/schema.hpp"
 #include "engine/core/config/toml_reader.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/core/config/toml_reader.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/detail/vec2.hpp"
-#include "fulbito/values.hpp"
 
 /// The keys of configuration tables as data: one list per struct drives reading, range checks, errors for
 /// unknown keys, and printing.

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

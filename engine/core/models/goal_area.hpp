@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fulbito/detail/field_geometry.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

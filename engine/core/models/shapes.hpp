@@ -4,8 +4,8 @@
 #include <span>
 
 #include "fulbito/detail/layout.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

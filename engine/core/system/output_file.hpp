@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

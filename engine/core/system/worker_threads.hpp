@@ -4,7 +4,7 @@
 #include <functional>
 #include <mutex>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

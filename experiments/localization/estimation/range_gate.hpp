@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito::localization {
 

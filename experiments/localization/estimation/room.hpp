@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "fulbito/detail/math.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 /// A robot that finds its place in a room of known size by ultrasonic sensors (Jeong et al.). Room frame: the
 /// room is [0, x] x [0, y], the origin is a corner.

@@ -9,7 +9,7 @@
 #include <SDL_ttf.h>
 
 #include "fulbito/detail/canvas.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fulbito/detail/canvas.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 struct libdeflate_compressor;
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fulbito/detail/canvas.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 #include "replays/render/colours/palette.hpp"
 
 namespace fulbito {

@@ -12,9 +12,9 @@
 #include "fulbito/detail/interval.hpp"
 #include "fulbito/detail/layout.hpp"
 #include "fulbito/detail/trial_score.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
 #include "fulbito/navigation.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

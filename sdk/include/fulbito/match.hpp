@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
 #include "fulbito/referee.hpp"
 #include "fulbito/strategy.hpp"
-#include "fulbito/values.hpp"
 #include "fulbito/world.hpp"
 
 namespace fulbito {

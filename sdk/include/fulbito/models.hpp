@@ -10,7 +10,7 @@
 #include "fulbito/detail/field_geometry.hpp"
 #include "fulbito/detail/layout.hpp"
 #include "fulbito/detail/math.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

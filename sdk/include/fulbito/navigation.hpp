@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

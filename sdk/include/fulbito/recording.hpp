@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "fulbito/detail/build_info.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -13,8 +13,8 @@
 #include "fulbito/detail/field_geometry.hpp"
 #include "fulbito/detail/period_rules.hpp"
 #include "fulbito/detail/restart_rules.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -15,10 +15,10 @@
 
 #include "fulbito/detail/decision_time.hpp"
 #include "fulbito/detail/field_geometry.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
 #include "fulbito/navigation.hpp"
 #include "fulbito/referee.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

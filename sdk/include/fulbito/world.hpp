@@ -10,8 +10,8 @@
 #include "fulbito/detail/field_geometry.hpp"
 #include "fulbito/detail/layout.hpp"
 #include "fulbito/detail/state_hash.hpp"
+#include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/detail/vec2.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

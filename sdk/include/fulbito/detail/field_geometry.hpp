@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "fulbito/detail/values.hpp"
 #include "fulbito/detail/vec2.hpp"
-#include "fulbito/values.hpp"
 
 namespace fulbito {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fulbito/detail/field_geometry.hpp"
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito {
 

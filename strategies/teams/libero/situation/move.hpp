@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "fulbito/values.hpp"
+#include "fulbito/detail/values.hpp"
 
 namespace fulbito::libero {
 
