@@ -24,7 +24,8 @@ namespace {
 
 constexpr std::size_t kMostWaiting = std::size_t{1} << 24;  // [bytes]
 constexpr std::size_t kReadAtOnce = 65536;                  // [bytes] what a pipe holds
-constexpr int kErrorReads = 16;                             // per wait, so that a flood does not hold us
+constexpr int kErrorReads = 16;                             // at once, so that a flood does not hold us
+constexpr std::size_t kMostErrors = std::size_t{1} << 22;   // [bytes] per wait, then the flood itself waits
 
 /// Writing into a pipe that nobody reads raises SIGPIPE in this thread. It must not reach the program that
 /// uses the library, and the library must not change how that program takes signals.
@@ -87,7 +88,8 @@ struct Child::Impl {
 
   /// Sends what waits, as far as the pipe takes it.
   bool flush();
-  void drainErrors();
+  /// Returns how many bytes it has read.
+  std::size_t drainErrors();
   Received readOutput(std::string& into);
   void stop();
   std::string end();
@@ -137,16 +139,19 @@ bool Child::Impl::flush() {
   return true;
 }
 
-void Child::Impl::drainErrors() {
+std::size_t Child::Impl::drainErrors() {
+  std::size_t bytes = 0;
   for (int round = 0; round < kErrorReads && errors.isOpen(); ++round) {
     const ssize_t got = ::read(errors.number(), buffer.data(), buffer.size());
     if (got > 0) {
       errors_kept.add({buffer.data(), static_cast<std::size_t>(got)});
+      bytes += static_cast<std::size_t>(got);
     } else if (got == 0 || errno != EINTR) {
       if (got == 0 || errno != EAGAIN) errors.close();
-      return;
+      break;
     }
   }
+  return bytes;
 }
 
 Child::Received Child::Impl::readOutput(std::string& into) {
@@ -240,16 +245,18 @@ Child::Received Child::receive(std::string& into, double seconds) {
     ::sched_yield();
   }
   if (child.out.isOpen() && !(seconds > 0.0) && child.sent == child.waiting.size()) return Received::kNothing;
-  for (;;) {
+  // The system takes only the time asleep out of `left`. Reading errors takes time, too: a bound keeps it
+  // short.
+  for (std::size_t errors = 0;;) {
     if (!child.out.isOpen()) return Received::kClosed;
     std::array<pollfd, 3> waits{{{child.out.number(), POLLIN, 0},
-                                 {child.errors.number(), POLLIN, 0},
+                                 {errors < kMostErrors ? child.errors.number() : -1, POLLIN, 0},
                                  {child.sent < child.waiting.size() ? child.in.number() : -1, POLLOUT, 0}}};
     const int ready = pollFor(waits.data(), waits.size(), left);
     if (ready < 0 && errno != EINTR) return Received::kClosed;
     if (ready == 0) return Received::kNothing;
     if (ready < 0) continue;
-    if (waits[1].revents != 0) child.drainErrors();
+    if (waits[1].revents != 0) errors += child.drainErrors();
     if (waits[2].revents != 0) child.flush();
     if (waits[0].revents != 0) {
       if (const Received got = child.readOutput(into); got != Received::kNothing) return got;

@@ -119,6 +119,15 @@ TEST_CASE("a wait for output ends in time", "[unit]") {
   }
 }
 
+TEST_CASE("a flood of errors does not lengthen a wait for output", "[unit]") {
+  Child child = launched(shell("cat /dev/zero >&2; echo ended"));
+  std::string text;
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 10; ++i) CHECK(child.receive(text, 0.05) == Child::Received::kNothing);
+  // Without a bound, a wait lasts until the moments between the complaints add up.
+  CHECK(secondsSince(begin) < 5.0);
+}
+
 TEST_CASE("standard error is kept up to a bound", "[unit]") {
   Child little = launched(shell("echo first >&2; echo second >&2"));
   CHECK(allOutput(little) == "");
