@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "navigation/library/mapped_length.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -34,6 +36,11 @@ Result<void> checkReadable(const std::string& file, const std::string& path) {
   std::error_code code;
   if (!std::filesystem::is_regular_file(file, code)) {
     return fail(ErrorCode::kBadInput, fmt::format("the library '{}' is no regular file", path));
+  }
+  const std::uintmax_t length = std::filesystem::file_size(file, code), needed = mappedLength(file);
+  if (!code && length < needed) {
+    return fail(ErrorCode::kBadInput,
+                fmt::format("the library '{}' is cut: it has {} of {} bytes", path, length, needed));
   }
   return {};
 }

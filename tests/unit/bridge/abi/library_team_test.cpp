@@ -4,6 +4,8 @@
 #include <thread>
 #include <xmmintrin.h>
 
+#include <fmt/format.h>
+
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/test_teams.hpp"
@@ -100,6 +102,21 @@ TEST_CASE("a file that is no library is refused", "[unit]") {
   const auto of_folder = loadTeamLibrary(folder.path().string());
   REQUIRE_FALSE(of_folder);
   CHECK(of_folder.error().message.find("is no regular file") != std::string::npos);
+}
+
+TEST_CASE("a library that was cut is refused, wherever the cut is", "[unit]") {
+  const ScratchFolder folder;
+  const std::string whole = contentOf(libraryFile("plain_c"));
+  REQUIRE(loadTeamLibrary(folder.write("whole.so", whole)));
+  for (const std::size_t kept : {std::size_t{100}, std::size_t{1000}, whole.size() / 4, whole.size() / 2}) {
+    const auto info = loadTeamLibrary(folder.write("cut.so", whole.substr(0, kept)));
+    REQUIRE_FALSE(info);
+    CHECK(info.error().code == ErrorCode::kBadInput);
+    CHECK(info.error().message.find(fmt::format("is cut: it has {} of ", kept)) != std::string::npos);
+  }
+  const auto header = loadTeamLibrary(folder.write("header.so", whole.substr(0, 30)));
+  REQUIRE_FALSE(header);
+  CHECK(header.error().message.find("cannot load the library") == 0);
 }
 
 TEST_CASE("a team that refuses to be made says why", "[unit]") {
