@@ -37,12 +37,12 @@ TEST_CASE("experiment refuses unknown names and settings with a suggestion", "[c
 TEST_CASE("experiment writes the same files for any number of jobs", "[cli]") {
   const Sandbox box;
   const auto run = [&](const std::string& jobs, const std::string& folder) {
-    return box.run("experiment transport --json --jobs " + jobs + " --out " + folder);
+    return box.run("experiment hybrid --set rows=4 --set gaps=4 --json --jobs " + jobs + " --out " + folder);
   };
   const Output alone = run("1", "alone"), together = run("2", "together");
   REQUIRE(alone.code == 0);
   CHECK(alone.out == together.out);
-  CHECK(Json::parse(alone.out)["experiment"] == "transport");
+  CHECK(Json::parse(alone.out)["experiment"] == "hybrid");
   CHECK(std::system(
             ("diff -r " + (box.path / "alone").string() + " " + (box.path / "together").string()).c_str()) ==
         0);
