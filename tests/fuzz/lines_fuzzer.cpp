@@ -17,6 +17,19 @@ namespace {
   std::abort();
 }
 
+/// By another reader, which evaluates all numbers: it refuses those that no double holds, also where nobody
+/// reads them, and does not say what it thinks of the rest.
+bool isJson(std::string_view text) {
+  try {
+    (void)nlohmann::json::parse(text);
+    return true;
+  } catch (const nlohmann::json::out_of_range&) {
+    return true;
+  } catch (const nlohmann::json::parse_error&) {
+    return false;
+  }
+}
+
 /// As the simulator takes bytes from a pipe: line by line.
 void readReplies(std::string_view bytes) {
   LineCodec codec;
@@ -27,7 +40,7 @@ void readReplies(std::string_view bytes) {
     if (*length > bytes.size()) flaw("a message is longer than what was received");
     const std::string_view line = bytes.substr(0, *length);
     const auto read = codec.read(line, reply);
-    if (read && !nlohmann::json::accept(line)) flaw("a reply is taken that is not JSON");
+    if (read && !isJson(line)) flaw("a reply is taken that is not JSON");
     if (!read && read.error().message.empty()) flaw("a reply is refused without a reason");
     bytes.remove_prefix(*length);
   }
