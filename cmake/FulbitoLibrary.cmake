@@ -8,7 +8,9 @@ function(fulbito_options target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   target_compile_options(${target} PRIVATE
     -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-    $<$<BOOL:${FULBITO_WERROR}>:-Werror>)
+    $<$<BOOL:${FULBITO_WERROR}>:-Werror>
+    # Nobody replaces our functions at load time, so g++ may inline them, as clang does.
+    $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   if(CMAKE_UNITY_BUILD)
     fulbito_unity_groups(${target})
     # Of types in a header that use unnamed namespaces; g++ takes the files of a group for headers.

@@ -61,9 +61,13 @@ BodyMotion Drive::step(const BodyMotion& motion) {
   const double turn = motion.yaw * half_track_;
   const RimSpeeds ground{motion.forward - turn, motion.forward + turn};
   RimSpeeds pulls = law_.pulls(ground, target_, {law_.limit(), law_.limit()});
-  const double left = slippingLimit(pulls.left, target_.left, ground.left, rim_.left, left_slips_);
-  const double right = slippingLimit(pulls.right, target_.right, ground.right, rim_.right, right_slips_);
-  if (left_slips_ || right_slips_) pulls = law_.pulls(ground, target_, {left, right});
+  if (std::abs(pulls.left) <= max_grip_ && std::abs(pulls.right) <= max_grip_) {
+    left_slips_ = right_slips_ = false;
+  } else {
+    const double left = slippingLimit(pulls.left, target_.left, ground.left, rim_.left, left_slips_);
+    const double right = slippingLimit(pulls.right, target_.right, ground.right, rim_.right, right_slips_);
+    pulls = law_.pulls(ground, target_, {left, right});
+  }
   const RimSpeeds change = law_.change(ground, target_, pulls);
   return {(change.left + change.right) / 2, -std::clamp(motion.sideways, -max_lateral_, max_lateral_),
           (change.right - change.left) / (2 * half_track_)};

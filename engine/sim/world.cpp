@@ -111,6 +111,7 @@ World::Impl::Impl(const WorldConfig& from)
       approach(units::length(from.physics.contact_depth), from.physics.bullet_ball) {
   reserveContacts(engine, config.robots.size() + config.balls.size() + config.obstacles.size());
   engine.SetAllowSleeping(false);
+  engine.SetAutoClearForces(false);  // no forces are applied, only impulses
   engine.SetContactListener(&contacts);
   std::size_t number = 0;
   addWalls(engine, config, number++);
