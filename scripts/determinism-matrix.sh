@@ -5,9 +5,8 @@
 #
 #   scripts/determinism-matrix.sh            all builds
 #   scripts/determinism-matrix.sh gcc-O2     only those named
-#   scripts/determinism-matrix.sh --reuse    takes the programs of build/ci and build/asan for gcc-O2 and
-#                                            clang-sanitizers, where those presets have been built, and
-#                                            compiles in groups only
+#   scripts/determinism-matrix.sh --reuse    takes the programs of build/ci, build/tsan and build/asan for gcc-O2 and
+#                                            those with sanitizers, where those presets have been built; leaves out gcc-O0
 #   UPDATE_GOLDEN=1 scripts/determinism-matrix.sh   writes the golden files from the first build, then compares
 #
 # Exit code 0: all equal; 1: some differ; 2: a build failed.
@@ -16,7 +15,8 @@ cd "$(dirname "$0")/.."
 
 # Link-time optimisation also finds names that mean one thing in one file and another in another.
 lto="-flto=2 -Werror=odr"
-sanitizers="-O1 -g1 -fsanitize=address,undefined -fno-sanitize=object-size,vptr -fno-sanitize-recover=all"
+addresses="-O1 -g1 -fsanitize=address,undefined -fno-sanitize=object-size,vptr -fno-sanitize-recover=all"
+threads="-O1 -g1 -fsanitize=thread"
 # name | compiler | flags | what is built | preset with the same programs. All compile files in groups, but gcc-O0 each on its
 # own and the whole program, which finds includes that are missing.
 builds=(
@@ -24,7 +24,8 @@ builds=(
   "gcc-O0|g++|-O0|program|"
   "gcc-O3|g++|-O3 -DNDEBUG $lto|groups|"
   "clang-O2|clang++-19|-O2 -DNDEBUG|groups|"
-  "clang-sanitizers|clang++-19|$sanitizers|groups|asan"
+  "gcc-threads|g++|$threads|groups|tsan"
+  "clang-addresses|clang++-19|$addresses|groups|asan"
 )
 
 reuse=false
@@ -87,9 +88,9 @@ printf '%-16s %-12s %-10s %-10s\n' build what plain "without FMA"
 for entry in "${builds[@]}"; do
   IFS='|' read -r name compiler flags what preset <<< "$entry"
   if [ $# -gt 0 ] && [[ " $* " != *" $name "* ]]; then continue; fi
+  if $reuse && [ "$what" = program ]; then continue; fi
   folder=build/$preset/tests/determinism
   if ! $reuse || [ ! -x "$folder/match_hash_program" ] || [ ! -x "$folder/hash_program" ]; then
-    if $reuse; then what=groups; fi
     if ! build "$name" "$compiler" "$flags" "$what"; then
       tail -n 20 "build/matrix/$name.log" >&2
       echo "determinism-matrix: $name does not build" >&2

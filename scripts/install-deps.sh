@@ -23,7 +23,7 @@ packages=(
   python3 mypy python3-jsonschema
 )
 ci_packages=(
-  clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev shellcheck
+  clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev lld-19 shellcheck
   ffmpeg chromium-headless-shell xvfb xdotool
   slurmctld slurmd slurm-client munge parallel python3-yaml
 )

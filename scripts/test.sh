@@ -13,4 +13,5 @@ shift || true
 scripts/install-deps.sh
 cmake --preset "$preset" -DFULBITO_BUILD_TESTS=ON
 cmake --build --preset "$preset"
-ctest --preset "$preset" --no-tests=error -j "$(nproc)" "$@"
+# One test more than there are cores: some wait.
+ctest --preset "$preset" --no-tests=error -j "$(($(nproc) + 1))" "$@"
