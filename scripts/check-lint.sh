@@ -39,7 +39,7 @@ changed_files() {
 
 # Those named on standard input, and all files that include them, directly or not. Public headers by their name in #include.
 with_users() {
-  awk 'NR == FNR { queue[++last] = $0; hit[$0]; next }
+  awk 'FILENAME == ARGV[1] { queue[++last] = $0; hit[$0]; next }
     { split($0, part, ":"); split(part[2], quoted, "\""); users[quoted[2]] = users[quoted[2]] " " part[1] }
     END {
       for (i = 1; i <= last; ++i) {
@@ -69,7 +69,7 @@ affected_since() {
   local file affected
   affected=$(changed_files "$1" | with_users)
   while IFS= read -r file; do
-    if parts "$file" | grep -qxF -- "$affected"; then echo "$file"; fi
+    if parts "$file" | grep -xF -f <(echo "$affected") >/dev/null; then echo "$file"; fi
   done < <(compiled)
 }
 
@@ -77,7 +77,7 @@ base=$(scripts/base-commit.sh)
 options=(-p "$build" --quiet)
 if $all; then
   files=$(compiled)
-elif [ -z "$base" ] || changed_files "$base" | grep -qE '^(\.clang-tidy|scripts/check-lint\.sh)$'; then
+elif [ -z "$base" ] || changed_files "$base" | grep -E '^(\.clang-tidy|scripts/check-lint\.sh)$' >/dev/null; then
   files=$(compiled)
   options+=(--checks=-performance-unnecessary-value-param)  # takes a third of the time
 else
