@@ -67,6 +67,7 @@ void ContactLog::BeginContact(b2Contact* contact) {
 }
 
 void ContactLog::PreSolve(b2Contact* contact, const b2Manifold*) {
+  ++unsolved_;
   const bool wall_first = numberOf(contact->GetFixtureA()) == 0;
   if (!wall_first && numberOf(contact->GetFixtureB()) != 0) return;
   b2Fixture& wall = *(wall_first ? contact->GetFixtureA() : contact->GetFixtureB());
@@ -75,6 +76,7 @@ void ContactLog::PreSolve(b2Contact* contact, const b2Manifold*) {
   const Vec2 push{static_cast<double>(normal.x), static_cast<double>(normal.y)};
   if (!pushesInward(walls_[wall.GetUserData().pointer], push)) {
     contact->SetEnabled(false);
+    --unsolved_;
     return;
   }
   const Surface& surface = surfaces_[body.GetUserData().pointer];
@@ -85,12 +87,17 @@ void ContactLog::PreSolve(b2Contact* contact, const b2Manifold*) {
 
 void ContactLog::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
   solved_ = true;
-  const std::size_t first = numberOf(contact->GetFixtureA()), second = numberOf(contact->GetFixtureB());
+  record(*contact, *impulse);
+  if (--unsolved_ == 0 && on_solved_) on_solved_();
+}
+
+void ContactLog::record(b2Contact& contact, const b2ContactImpulse& impulse) {
+  const std::size_t first = numberOf(contact.GetFixtureA()), second = numberOf(contact.GetFixtureB());
   const std::size_t a = std::min(first, second), b = std::max(first, second);
   Pair& pair = pairs_[a * bodies_.size() + b];
 
   double sum = 0.0;
-  for (int i = 0; i < impulse->count; ++i) sum += static_cast<double>(impulse->normalImpulses[i]);
+  for (int i = 0; i < impulse.count; ++i) sum += static_cast<double>(impulse.normalImpulses[i]);
   if (!(sum > 0.0)) {  // close, but without force: at most the end of an earlier contact
     if (pair.touched >= tick_ - 1) pair.touched = tick_;
     return;
@@ -99,7 +106,7 @@ void ContactLog::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) 
   const bool is_new = pair.event_tick != tick_;
   if (is_new || wall_hit) {
     b2WorldManifold manifold;
-    contact->GetWorldManifold(&manifold);
+    contact.GetWorldManifold(&manifold);
     const double sign = first == a ? 1.0 : -1.0;
     const Vec2 normal{sign * static_cast<double>(manifold.normal.x),
                       sign * static_cast<double>(manifold.normal.y)};

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <box2d/b2_world_callbacks.h>
@@ -24,10 +26,14 @@ class ContactLog final : public b2ContactListener {
   /// @param walls  unit vectors into the field, by number of the walls' fixtures
   ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces, std::vector<Vec2> walls);
 
+  /// Sets what to call within the engine's step once it has solved all contacts that touched at its start.
+  /// Bodies that touch nothing may not have moved yet.
+  void onSolved(std::function<void()> call) { on_solved_ = std::move(call); }
+
   void startTick(Tick tick);
   void startStep() { wall_hits_.clear(); }
   /// Before each step of the engine, of which a physics step may have several.
-  void startPart() { solved_ = false; }
+  void startPart() { solved_ = false, unsolved_ = 0; }
   /// Sorts the tick's events.
   void finishTick();
 
@@ -47,6 +53,8 @@ class ContactLog final : public b2ContactListener {
     std::size_t event = 0;
   };
 
+  void record(b2Contact& contact, const b2ContactImpulse& impulse);
+
   std::vector<BodyId> bodies_;
   std::vector<Surface> surfaces_;
   std::vector<Vec2> walls_;
@@ -55,6 +63,8 @@ class ContactLog final : public b2ContactListener {
   std::vector<WallHit> wall_hits_;
   Tick tick_ = 0;
   bool solved_ = false;
+  int unsolved_ = 0;  // contacts that wait for the solver
+  std::function<void()> on_solved_;
 };
 
 }  // namespace fulbito

@@ -38,10 +38,10 @@ double Drive::rimTarget(double wheel_speed) const {
 void Drive::setCommand(WheelSpeeds command) {
   const double left = rimTarget(command.left), right = rimTarget(command.right);
   const double common = (left + right) / 2, half_difference = (right - left) / 2;
-  const double in_place = std::abs(half_difference) - std::abs(common);  // 0 if one wheel stands still
-  double turn = half_difference;
-  if (in_place > 0.0)
-    turn += (spin_ratio_.at(std::abs(half_difference)) - 1.0) * std::copysign(in_place, turn);
+  // None beside a wheel that stands still.
+  const double in_place = std::max(std::abs(half_difference) - std::abs(common), 0.0);
+  const double scrubbed = (spin_ratio_.at(std::abs(half_difference)) - 1.0) * in_place;
+  const double turn = half_difference + std::copysign(1.0, half_difference) * scrubbed;
   target_ = law_.reached({common - turn, common + turn});
 }
 
@@ -57,20 +57,10 @@ double Drive::slippingLimit(double pull, double target, double ground, double& r
   return max_grip_;
 }
 
-BodyMotion Drive::step(const BodyMotion& motion) {
-  const double turn = motion.yaw * half_track_;
-  const RimSpeeds ground{motion.forward - turn, motion.forward + turn};
-  RimSpeeds pulls = law_.pulls(ground, target_, {law_.limit(), law_.limit()});
-  if (std::abs(pulls.left) <= max_grip_ && std::abs(pulls.right) <= max_grip_) {
-    left_slips_ = right_slips_ = false;
-  } else {
-    const double left = slippingLimit(pulls.left, target_.left, ground.left, rim_.left, left_slips_);
-    const double right = slippingLimit(pulls.right, target_.right, ground.right, rim_.right, right_slips_);
-    pulls = law_.pulls(ground, target_, {left, right});
-  }
-  const RimSpeeds change = law_.change(ground, target_, pulls);
-  return {(change.left + change.right) / 2, -std::clamp(motion.sideways, -max_lateral_, max_lateral_),
-          (change.right - change.left) / (2 * half_track_)};
+RimSpeeds Drive::slippingPulls(RimSpeeds ground, RimSpeeds pulls) {
+  const double left = slippingLimit(pulls.left, target_.left, ground.left, rim_.left, left_slips_);
+  const double right = slippingLimit(pulls.right, target_.right, ground.right, rim_.right, right_slips_);
+  return law_.pulls(ground, target_, {left, right});
 }
 
 WheelSpeeds Drive::encoders(double forward, double yaw) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/core/models/drive_law.hpp"
 #include "fulbito/detail/values.hpp"
@@ -52,6 +53,7 @@ class Drive {
  private:
   double rimTarget(double wheel_speed) const;
   double slippingLimit(double pull, double target, double ground, double& rim, bool& slips) const;
+  RimSpeeds slippingPulls(RimSpeeds ground, RimSpeeds pulls);
 
   DriveLaw law_;
   SpinRatio spin_ratio_;
@@ -68,5 +70,19 @@ class Drive {
   bool left_slips_ = false;
   bool right_slips_ = false;
 };
+
+inline BodyMotion Drive::step(const BodyMotion& motion) {
+  const double turn = motion.yaw * half_track_;
+  const RimSpeeds ground{motion.forward - turn, motion.forward + turn};
+  RimSpeeds pulls = law_.pulls(ground, target_, {law_.limit(), law_.limit()});
+  if (std::abs(pulls.left) <= max_grip_ && std::abs(pulls.right) <= max_grip_) {
+    left_slips_ = right_slips_ = false;
+  } else {
+    pulls = slippingPulls(ground, pulls);
+  }
+  const RimSpeeds change = law_.change(ground, target_, pulls);
+  return {(change.left + change.right) / 2, -std::clamp(motion.sideways, -max_lateral_, max_lateral_),
+          (change.right - change.left) / (2 * half_track_)};
+}
 
 }  // namespace fulbito

@@ -9,7 +9,6 @@
 #include <box2d/b2_world.h>
 
 #include "engine/core/base/float_mode.hpp"
-#include "engine/sim/approach.hpp"
 #include "engine/sim/ball_motion.hpp"
 #include "engine/sim/bodies.hpp"
 #include "engine/sim/check_config.hpp"
@@ -20,6 +19,8 @@
 #include "engine/sim/obstacle_motion.hpp"
 #include "engine/sim/reserve.hpp"
 #include "engine/sim/rod.hpp"
+#include "engine/sim/steps/approach.hpp"
+#include "engine/sim/steps/clearance.hpp"
 #include "engine/sim/units.hpp"
 #include "engine/sim/walls.hpp"
 #include "fulbito/detail/math.hpp"
@@ -62,6 +63,8 @@ struct World::Impl {
   void driveRobots();
   void rollBalls();
   void moveObstacles(double time);
+  void planSearch(bool search, float part);
+  void decideSearch();
   void collide();
   void settleSpins();
   void watchMovers();
@@ -76,6 +79,9 @@ struct World::Impl {
   std::vector<CarriedRod> rods;
   ContactLog contacts;
   Approach approach;
+  Clearance clearance;
+  bool clearance_is_known = true;  // of all bodies that the engine can notice in time
+  bool searches = false;           // the engine's step may still search for contacts
   ContactWork contact_work;
   bool contacts_do_no_work = true;
   float last_part = 0.0f;  // [s] length of the engine's last step
@@ -108,11 +114,13 @@ World::Impl::Impl(const WorldConfig& from)
     : config(from),
       dt(from.physics.stepPeriod()),
       contacts(makeLog(from)),
-      approach(units::length(from.physics.contact_depth), from.physics.bullet_ball) {
+      approach(units::length(from.physics.contact_depth), from.physics.bullet_ball),
+      clearance(from.physics.bullet_ball) {
   reserveContacts(engine, config.robots.size() + config.balls.size() + config.obstacles.size());
   engine.SetAllowSleeping(false);
   engine.SetAutoClearForces(false);  // no forces are applied, only impulses
   engine.SetContactListener(&contacts);
+  contacts.onSolved([this] { decideSearch(); });
   std::size_t number = 0;
   addWalls(engine, config, number++);
   for (const RobotPlacement& robot : config.robots) {
@@ -138,16 +146,24 @@ void World::Impl::watchMovers() {
   const FieldGeometry& field = config.field;
   approach.setOpen(units::length(field.length / 2 - field.corner),
                    units::length(field.width / 2 - field.corner));
+  clearance.setField(units::length(field.length / 2), units::length(field.width / 2),
+                     units::length(field.corner));
   for (const WallOutline& wall : wallOutlines(field, 0.0)) {
     approach.addWall(units::vector(wall[0]), units::vector(wall[3]));
+    clearance.addWall(
+        {units::vector(wall[0]), units::vector(wall[1]), units::vector(wall[2]), units::vector(wall[3])});
   }
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const RobotModel& model = config.robots[i].model;
-    approach.addBox(robots[i].body, units::length(model.length / 2), units::length(model.width / 2));
+    const float half_length = units::length(model.length / 2), half_width = units::length(model.width / 2);
+    approach.addBox(robots[i].body, half_length, half_width);
+    clearance.addBox(robots[i].body, half_length, half_width);
     contact_work.add(robots[i].body);
   }
   for (std::size_t i = 0; i < balls.size(); ++i) {
-    approach.addDisc(balls[i], units::length(config.balls[i].model.radius));
+    const float radius = units::length(config.balls[i].model.radius);
+    approach.addDisc(balls[i], radius);
+    clearance.addDisc(balls[i], radius);
     contact_work.add(balls[i]);
   }
   if (!obstacles.empty()) approach.setAlwaysContinuous();
@@ -157,6 +173,7 @@ void World::Impl::watchMovers() {
     if (config.obstacles[i].motion == ObstacleMotion::kPushable) contact_work.add(obstacles[i]);
   }
   for (const CarriedRod& rod : rods) contact_work.add(&rod.body());
+  clearance_is_known = obstacles.empty() && rods.empty();
 }
 
 void World::Impl::driveRobots() {
@@ -190,6 +207,21 @@ void World::Impl::moveObstacles(double time) {
   }
 }
 
+// Contacts change how bodies move. So where there are some, it is known only when they are solved, before the
+// engine searches, whether it would find anything.
+void World::Impl::planSearch(bool search, float part) {
+  engine.SetContinuousPhysics(search);
+  searches = search && clearance_is_known && engine.GetContactCount() > 0;
+  if (!searches) return;
+  clearance.remember(part);
+  if (!contacts.solved()) engine.SetContinuousPhysics(!clearance.isKept());
+}
+
+void World::Impl::decideSearch() {
+  if (searches) engine.SetContinuousPhysics(!clearance.isKept());
+  searches = false;  // contacts that the search solves come after it
+}
+
 void World::Impl::collide() {
   const float least = static_cast<float>(dt / kMostParts);
   // Bodies that met in one part move differently in the next.
@@ -198,11 +230,11 @@ void World::Impl::collide() {
     // The engine starts from the impulses of the last step, scaled up if this one is longer. That is right
     // for lasting forces but far too much for impacts. Jammed bodies need these impulses to stay apart, so
     // all parts of a step have equal length.
-    float part = std::max(left / std::ceil(1.0f / plan.share), least);
+    float part = plan.share < 1.0f ? std::max(left / std::ceil(1.0f / plan.share), least) : left;
     if (left - part < least) part = left;
     engine.SetWarmStarting(part <= last_part);
     last_part = part;
-    engine.SetContinuousPhysics(plan.continuous);
+    planSearch(plan.continuous, part);
     if (contacts_do_no_work) contact_work.remember();
     contacts.startPart();
     engine.Step(part, config.physics.velocity_iterations, config.physics.position_iterations);

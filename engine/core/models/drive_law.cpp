@@ -22,8 +22,7 @@ DriveLaw::DriveLaw(const RobotModel& robot, double dt)
 // With T = widening + rise |v|, a curve of radius v / w becomes one of v / w + T v: w' = w / (1 + T w).
 double DriveLaw::widening(double forward) const { return widening_ + rise_ * std::abs(forward); }
 
-RimSpeeds DriveLaw::reached(RimSpeeds commanded) const {
-  if (widening_ == 0.0 && rise_ == 0.0) return commanded;
+RimSpeeds DriveLaw::reachedInCurve(RimSpeeds commanded) const {
   const double common = (commanded.left + commanded.right) / 2, turn = (commanded.right - commanded.left) / 2;
   // Beyond a wheel that stands, |turn| > |common|, the share that is lost stays as it is there.
   const double felt = std::min(std::abs(turn), std::abs(common));

@@ -31,7 +31,9 @@ class DriveLaw {
   /// The rims' speed over the ground [m/s] that a commanded one leads to. In a curve of radius R at speed v
   /// the wheels slip, and the body drives a curve of radius R + widening v + rise v^2 at the same speed (Choi
   /// & Lee 2005, Tables 5 and 6). Between a wheel that stands and a spin in place the effect fades to none.
-  RimSpeeds reached(RimSpeeds commanded) const;
+  RimSpeeds reached(RimSpeeds commanded) const {
+    return widening_ == 0.0 && rise_ == 0.0 ? commanded : reachedInCurve(commanded);
+  }
   /// The command for which `reached` gives `wanted` [m/s].
   RimSpeeds commandFor(RimSpeeds wanted) const;
   double limit() const { return limit_; }  ///< [m/s] of one motor
@@ -39,6 +41,7 @@ class DriveLaw {
  private:
   double drag(double forward, double forward_target) const;
   double widening(double forward) const;
+  RimSpeeds reachedInCurve(RimSpeeds commanded) const;
 
   double limit_;     // [m/s]
   double drag_;      // [m/s]

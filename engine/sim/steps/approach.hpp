@@ -3,9 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <box2d/b2_math.h>
-
-class b2Body;
+#include "engine/sim/steps/place.hpp"
 
 namespace fulbito {
 
@@ -40,10 +38,6 @@ class Approach {
   Plan plan(float dt);
 
  private:
-  struct Place {
-    b2Vec2 middle;
-    b2Vec2 ahead;  // unit
-  };
   struct Mover {
     const b2Body* body;
     float half_length;

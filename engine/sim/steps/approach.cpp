@@ -1,20 +1,13 @@
-#include "engine/sim/approach.hpp"
+#include "engine/sim/steps/approach.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include <box2d/b2_body.h>
-
 namespace fulbito {
 namespace {
 
-constexpr float kFarTurn =
-    0.25f;  // [rad] larger turns could move a corner through another body and out again
-
 // Share of a step: so small that turning hardly bends the ways of corners, and large enough for floats.
 constexpr float kSoon = 0.125f;
-
-b2Vec2 across(b2Vec2 ahead) { return {-ahead.y, ahead.x}; }
 
 }  // namespace
 
@@ -36,11 +29,8 @@ void Approach::addWall(b2Vec2 from, b2Vec2 to) {
 }
 
 // The place after a share of the step, for turns of up to kFarTurn.
-Approach::Place Approach::placeAfter(const Mover& mover, float share) {
-  const float angle = share * mover.angle, half = angle * angle / 2.0f;
-  const b2Vec2 ahead =
-      (1.0f - half) * mover.now.ahead + angle * (1.0f - half / 3.0f) * across(mover.now.ahead);
-  return {mover.now.middle + share * mover.change, ahead};
+Place Approach::placeAfter(const Mover& mover, float share) {
+  return {mover.now.middle + share * mover.change, turnedBy(mover.now.ahead, share * mover.angle)};
 }
 
 bool Approach::inReach(const Mover& a, const Mover& b) {
@@ -71,8 +61,7 @@ float Approach::gap(const Mover& box, const Place& at_box, const Mover& other, c
 // Updates place and motion of all bodies.
 void Approach::look(float dt) {
   for (Mover& mover : movers_) {
-    const b2Rot& turn = mover.body->GetTransform().q;
-    mover.now = {mover.body->GetPosition(), {turn.c, turn.s}};
+    mover.now = placeOf(*mover.body);
     mover.change = dt * mover.body->GetLinearVelocity();
     mover.angle = dt * mover.body->GetAngularVelocity();
     mover.travel = mover.change.Length();

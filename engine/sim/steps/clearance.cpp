@@ -1,0 +1,152 @@
+#include "engine/sim/steps/clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulbito {
+namespace {
+
+// The engine notices in time that two outlines overlap by 0.875 mm (units.hpp has the sizes of its shapes).
+// The rest is for rounding.
+constexpr float kNoticed = 0.008f;
+
+constexpr float kOtherEdges = 0.02f;  // more than the engine's edges of a wall, faces apart, lie beyond ours
+
+constexpr float kRootHalf = 0.70710678f;
+
+float length(b2Vec2 v) { return v.Length(); }
+
+}  // namespace
+
+void Clearance::addBox(const b2Body* body, float half_length, float half_width) {
+  const float reach = std::sqrt(half_length * half_length + half_width * half_width);
+  movers_.push_back({body, half_length, half_width, 0.0f, reach});
+  ++boxes_;
+}
+
+void Clearance::addDisc(const b2Body* body, float radius) {
+  movers_.push_back({body, 0.0f, 0.0f, radius, radius});
+}
+
+void Clearance::setField(float half_length, float half_width, float corner) {
+  field_ = {half_length, half_width};
+  diagonal_ = kRootHalf * (half_length + half_width - corner);
+  open_ = {half_length - corner, half_width - corner};
+}
+
+// Only faces make room for the engine's skin. Other edges, which few bodies ever come near, lie farther out.
+void Clearance::addWall(const std::array<b2Vec2, 4>& corners) {
+  const b2Vec2 middle = 0.25f * (corners[0] + corners[1] + corners[2] + corners[3]);
+  Wall wall;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const b2Vec2 from = corners[i], along = corners[(i + 1) % 4] - from;
+    b2Vec2 out = across(along);
+    if (b2Dot(out, from - middle) < 0.0f) out = -out;
+    out.Normalize();
+    wall[i] = {from, out, i == 3 ? kNoticed : -kOtherEdges};
+  }
+  std::swap(wall[0], wall[3]);  // the face first: it decides most often
+  walls_.push_back(wall);
+}
+
+void Clearance::remember(float dt) {
+  for (Mover& mover : movers_) {
+    mover.from = placeOf(*mover.body);
+    mover.angle = mover.body->GetAngle();
+    mover.drift = dt * mover.body->GetLinearVelocity();
+    mover.spin = dt * mover.body->GetAngularVelocity();
+  }
+}
+
+void Clearance::follow(Mover& mover) {
+  mover.to = placeOf(*mover.body);
+  float turn = mover.body->GetAngle() - mover.angle;
+  if (mover.to.middle == mover.from.middle && turn == 0.0f) {
+    turn = mover.spin;
+    mover.to = {mover.from.middle + mover.drift, turnedBy(mover.from.ahead, turn)};
+  }
+  mover.turn = std::abs(turn);
+}
+
+float Clearance::extent(const Mover& mover, const Place& at, b2Vec2 axis) {
+  return mover.half_length * std::abs(b2Dot(axis, at.ahead)) +
+         mover.half_width * std::abs(b2Cross(axis, at.ahead)) + mover.radius;
+}
+
+// Most that a turning corner leaves, between the two ends of its way, what it keeps to at both.
+float Clearance::bulge(const Mover& mover) { return mover.reach * mover.turn * mover.turn / 8.0f; }
+
+// Off along one edge at both ends of the way: then off on all of it, but for the bulge.
+bool Clearance::keepsOff(const Mover& mover, const Wall& wall) {
+  return std::any_of(wall.begin(), wall.end(), [&](const Edge& edge) {
+    const float least = bulge(mover) - edge.allowed;
+    return b2Dot(edge.out, mover.from.middle - edge.point) - extent(mover, mover.from, edge.out) > least &&
+           b2Dot(edge.out, mover.to.middle - edge.point) - extent(mover, mover.to, edge.out) > least;
+  });
+}
+
+// In the field without its goals, which is convex: up to `slack` beyond its walls.
+bool Clearance::isInside(const Mover& mover, const Place& at, float slack) const {
+  const b2Vec2 middle = b2Abs(at.middle), ahead = b2Abs(at.ahead);
+  const float x = middle.x + mover.half_length * ahead.x + mover.half_width * ahead.y + mover.radius;
+  const float y = middle.y + mover.half_length * ahead.y + mover.half_width * ahead.x + mover.radius;
+  if (x >= field_.x + slack || y >= field_.y + slack) return false;
+  const float out = kRootHalf * (middle.x + middle.y);
+  if (out + mover.reach < diagonal_ + slack) return true;
+  // A box has the same two extents along all diagonals: the larger one is safe.
+  const float sum = kRootHalf * (ahead.x + ahead.y), difference = kRootHalf * std::abs(ahead.x - ahead.y);
+  const float extent = std::max(mover.half_length * sum + mover.half_width * difference,
+                                mover.half_length * difference + mover.half_width * sum);
+  return out + extent + mover.radius < diagonal_ + slack;
+}
+
+bool Clearance::keepsOffWalls(const Mover& mover) const {
+  const b2Vec2 farthest = b2Max(b2Abs(mover.from.middle), b2Abs(mover.to.middle));
+  if (farthest.x + mover.reach < open_.x && farthest.y + mover.reach < open_.y) return true;
+  const float slack = kNoticed - bulge(mover);
+  if (isInside(mover, mover.from, slack) && isInside(mover, mover.to, slack)) return true;
+  return std::all_of(walls_.begin(), walls_.end(), [&](const Wall& wall) { return keepsOff(mover, wall); });
+}
+
+// In the box's frame, which turns, the disc's way bends off its chord by at most an eighth of its second
+// derivative: the square of the turn times the distance, and twice the turn times the way.
+bool Clearance::keepApart(const Mover& box, const Mover& disc) {
+  const b2Vec2 before = disc.from.middle - box.from.middle, after = disc.to.middle - box.to.middle;
+  const float way = length(after - before), apart = length(before);
+  const float reach = box.reach + disc.radius + way;
+  if (apart > reach) return true;
+  const float bend = box.turn * (box.turn * (apart + way) + 2.0f * way) / 8.0f;
+  const auto off = [](float first, float second) {  // of the middle, on one side of it all the way
+    return std::max(std::min(first, second), -std::max(first, second));
+  };
+  const float along = off(b2Dot(box.from.ahead, before), b2Dot(box.to.ahead, after)) - box.half_length;
+  const float beside = off(b2Cross(box.from.ahead, before), b2Cross(box.to.ahead, after)) - box.half_width;
+  return std::max(along, beside) - disc.radius - bend > -kNoticed;
+}
+
+bool Clearance::keepsOffOthers(std::size_t disc) const {
+  const Mover& mover = movers_[disc];
+  for (std::size_t i = 0; i < boxes_; ++i) {
+    if (!keepApart(movers_[i], mover)) return false;
+  }
+  for (std::size_t i = boxes_; i < disc; ++i) {
+    const b2Vec2 before = mover.from.middle - movers_[i].from.middle;
+    const float way = length(mover.to.middle - movers_[i].to.middle - before);
+    if (length(before) <= mover.radius + movers_[i].radius + way) return false;
+  }
+  return true;
+}
+
+bool Clearance::isKept() {
+  for (Mover& mover : movers_) {
+    follow(mover);
+    if (mover.turn > kFarTurn || !keepsOffWalls(mover)) return false;
+  }
+  if (!bullets_) return true;
+  for (std::size_t i = boxes_; i < movers_.size(); ++i) {
+    if (!keepsOffOthers(i)) return false;
+  }
+  return true;
+}
+
+}  // namespace fulbito

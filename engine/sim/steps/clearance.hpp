@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "engine/sim/steps/place.hpp"
+
+namespace fulbito {
+
+/// Proves that no body meets a wall or a disc within a step, where it can. Then the engine need not search
+/// for such contacts ("continuous"): it would find none. Nothing else depends on the answer: it may be no
+/// without need, never yes by mistake.
+class Clearance {
+ public:
+  /// @param bullets  the engine looks for contacts of discs with boxes too, not only for those of walls
+  explicit Clearance(bool bullets) : bullets_(bullets) {}
+
+  /// Adds a moving box. Add all boxes before the first disc.
+  void addBox(const b2Body* body, float half_length, float half_width);
+  void addDisc(const b2Body* body, float radius);
+  /// Adds a wall by its corners, of which the first and the last bound its face [Box2D units].
+  void addWall(const std::array<b2Vec2, 4>& corners);
+  /// Sets the half sizes of the field without its goals, and of what its walls cut off each corner along both
+  /// sides [Box2D units].
+  void setField(float half_length, float half_width, float corner);
+
+  /// Remembers where all bodies are. Call before the engine's step of `dt` [s].
+  void remember(float dt);
+  /// Whether no body meets a wall or disc on its way: to where it is now, or, if the engine has not moved it
+  /// yet, to where its velocity takes it. True only if that is certain.
+  bool isKept();
+
+ private:
+  struct Mover {
+    const b2Body* body;
+    float half_length;
+    float half_width;
+    float radius;  // added around the box: a disc is a point with a radius
+    float reach;   // largest distance of its outline from its centre
+    Place from{};
+    Place to{};
+    b2Vec2 drift{};      // displacement if nothing stops it
+    float spin = 0.0f;   // [rad] the same of its turn
+    float angle = 0.0f;  // [rad] before the step
+    float turn = 0.0f;   // [rad] absolute, of the step
+  };
+  struct Edge {
+    b2Vec2 point;
+    b2Vec2 out;     // unit, out of the wall
+    float allowed;  // overlap along `out` that the engine does not notice yet
+  };
+  using Wall = std::array<Edge, 4>;
+
+  static float extent(const Mover& mover, const Place& at, b2Vec2 axis);
+  static float bulge(const Mover& mover);
+  static void follow(Mover& mover);
+  static bool keepsOff(const Mover& mover, const Wall& wall);
+  static bool keepApart(const Mover& box, const Mover& disc);
+  bool isInside(const Mover& mover, const Place& at, float slack) const;
+  bool keepsOffWalls(const Mover& mover) const;
+  bool keepsOffOthers(std::size_t disc) const;
+
+  bool bullets_;
+  b2Vec2 field_{0.0f, 0.0f};  // half sizes
+  float diagonal_ = 0.0f;     // from the middle to the wall that cuts a corner off
+  b2Vec2 open_{0.0f, 0.0f};   // half sizes of a rectangle without walls
+  std::size_t boxes_ = 0;
+  std::vector<Mover> movers_;  // boxes, then discs
+  std::vector<Wall> walls_;
+};
+
+}  // namespace fulbito
