@@ -83,7 +83,8 @@ void addStep(const Ratings& ratings, const std::vector<char>& has_played,
 }
 
 /// Fills ratings and their course.
-void rateAll(const TournamentState& state, const std::vector<std::size_t>& counted, TournamentTable& table) {
+void rateAll(const TournamentState& state, const std::vector<std::size_t>& counted, std::size_t resamples,
+             TournamentTable& table) {
   const std::size_t entrants = state.plan.entrants.size();
   const std::size_t steps = std::min(kCourseSteps, counted.size());
   Meetings meetings;
@@ -100,7 +101,7 @@ void rateAll(const TournamentState& state, const std::vector<std::size_t>& count
     const bool last = step == steps;
     if (!last) addStep(rate(entrants, meetings.sorted(), state.plan.seed, 0), has_played, table.course);
   }
-  table.ratings = rate(entrants, meetings.sorted(), state.plan.seed);
+  table.ratings = rate(entrants, meetings.sorted(), state.plan.seed, resamples);
   if (steps > 0) addStep(table.ratings, has_played, table.course);
 }
 
@@ -122,13 +123,13 @@ void countFaults(const TournamentState& state, const std::vector<std::size_t>& c
 
 }  // namespace
 
-TournamentTable tableOf(const TournamentState& state) {
+TournamentTable tableOf(const TournamentState& state, std::size_t resamples) {
   TournamentTable table;
   const std::vector<std::size_t> counted = countedFixtures(state);
   table.standings = standingsOf(state.plan, state.schedule, state.results, state.counted);
   table.bracket = bracketOf(state.plan, state.results);
   countMeetings(state, counted, table);
-  rateAll(state, counted, table);
+  rateAll(state, counted, resamples, table);
   countFaults(state, counted, table);
   table.notable = notableMatches(state, counted, table);
   return table;

@@ -62,6 +62,7 @@ struct TournamentTable {
 };
 
 /// Computes the table of a tournament so far.
-TournamentTable tableOf(const TournamentState& state);
+/// @param resamples  from which intervals and superiority follow: see `rate`
+TournamentTable tableOf(const TournamentState& state, std::size_t resamples = 1000);
 
 }  // namespace fulbito

@@ -15,7 +15,8 @@ namespace {
 const std::vector<std::string> kNoEnd = {"meta", "link"};
 
 std::string pageOf(const TournamentState& state, const RecordingLinks& recordings = {}) {
-  return tournamentHtml(state, tableOf(state), recordings);
+  constexpr std::size_t kResamples = 20;  // the page's size does not depend on it, but its time does
+  return tournamentHtml(state, tableOf(state, kResamples), recordings);
 }
 
 /// The page without its style sheet, which is no markup.
