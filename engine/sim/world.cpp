@@ -214,11 +214,12 @@ void World::Impl::planSearch(bool search, float part) {
   searches = search && clearance_is_known && engine.GetContactCount() > 0;
   if (!searches) return;
   clearance.remember(part);
-  if (!contacts.solved()) engine.SetContinuousPhysics(!clearance.isKept());
+  // Where the last step solved contacts, this one probably does too, and asks then.
+  if (!contacts.solved()) engine.SetContinuousPhysics(!clearance.isKeptFreely());
 }
 
 void World::Impl::decideSearch() {
-  if (searches) engine.SetContinuousPhysics(!clearance.isKept());
+  if (searches) engine.SetContinuousPhysics(!clearance.isKeptSolved());
   searches = false;  // contacts that the search solves come after it
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <box2d/b2_contact.h>
+
 namespace fulbito {
 namespace {
 
@@ -15,6 +17,13 @@ constexpr float kOtherEdges = 0.02f;  // more than the engine's edges of a wall,
 constexpr float kRootHalf = 0.70710678f;
 
 float length(b2Vec2 v) { return v.Length(); }
+
+bool isHeld(const b2Body& body) {
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    if (edge->contact->IsTouching() && edge->contact->IsEnabled()) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -58,14 +67,20 @@ void Clearance::remember(float dt) {
   }
 }
 
+void Clearance::goFreely(Mover& mover) {
+  mover.to = {mover.from.middle + mover.drift, turnedBy(mover.from.ahead, mover.spin)};
+  mover.turn = std::abs(mover.spin);
+}
+
+// One that has not moved may be held by its contacts. Without any, it is still to move.
 void Clearance::follow(Mover& mover) {
-  mover.to = placeOf(*mover.body);
-  float turn = mover.body->GetAngle() - mover.angle;
-  if (mover.to.middle == mover.from.middle && turn == 0.0f) {
-    turn = mover.spin;
-    mover.to = {mover.from.middle + mover.drift, turnedBy(mover.from.ahead, turn)};
+  const float turn = mover.body->GetAngle() - mover.angle;
+  if (mover.body->GetPosition() == mover.from.middle && turn == 0.0f && !isHeld(*mover.body)) {
+    goFreely(mover);
+  } else {
+    mover.to = placeOf(*mover.body);
+    mover.turn = std::abs(turn);
   }
-  mover.turn = std::abs(turn);
 }
 
 float Clearance::extent(const Mover& mover, const Place& at, b2Vec2 axis) {
@@ -137,9 +152,8 @@ bool Clearance::keepsOffOthers(std::size_t disc) const {
   return true;
 }
 
-bool Clearance::isKept() {
-  for (Mover& mover : movers_) {
-    follow(mover);
+bool Clearance::isKept() const {
+  for (const Mover& mover : movers_) {
     if (mover.turn > kFarTurn || !keepsOffWalls(mover)) return false;
   }
   if (!bullets_) return true;
@@ -147,6 +161,16 @@ bool Clearance::isKept() {
     if (!keepsOffOthers(i)) return false;
   }
   return true;
+}
+
+bool Clearance::isKeptFreely() {
+  for (Mover& mover : movers_) goFreely(mover);
+  return isKept();
+}
+
+bool Clearance::isKeptSolved() {
+  for (Mover& mover : movers_) follow(mover);
+  return isKept();
 }
 
 }  // namespace fulbito

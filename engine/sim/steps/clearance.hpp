@@ -26,9 +26,12 @@ class Clearance {
 
   /// Remembers where all bodies are. Call before the engine's step of `dt` [s].
   void remember(float dt);
-  /// Whether no body meets a wall or disc on its way: to where it is now, or, if the engine has not moved it
-  /// yet, to where its velocity takes it. True only if that is certain.
-  bool isKept();
+  /// Before the engine's step: whether no body meets a wall or disc on the way that its velocity takes it.
+  /// True only if that is certain. Holds if no bodies touch, as contacts change velocities.
+  bool isKeptFreely();
+  /// The same within the step, once the engine has solved the contacts of its start and moved the bodies that
+  /// have any. The others may still have to move.
+  bool isKeptSolved();
 
  private:
   struct Mover {
@@ -53,12 +56,14 @@ class Clearance {
 
   static float extent(const Mover& mover, const Place& at, b2Vec2 axis);
   static float bulge(const Mover& mover);
+  static void goFreely(Mover& mover);
   static void follow(Mover& mover);
   static bool keepsOff(const Mover& mover, const Wall& wall);
   static bool keepApart(const Mover& box, const Mover& disc);
   bool isInside(const Mover& mover, const Place& at, float slack) const;
   bool keepsOffWalls(const Mover& mover) const;
   bool keepsOffOthers(std::size_t disc) const;
+  bool isKept() const;
 
   bool bullets_;
   b2Vec2 field_{0.0f, 0.0f};  // half sizes

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <box2d/b2_circle_shape.h>
+#include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_polygon_shape.h>
 #include <box2d/b2_time_of_impact.h>
@@ -53,10 +54,20 @@ class RobotAndBall {
     ball_->SetLinearVelocity(units::vector(ball));
   }
 
+  /// Adds a fixed square that the clearance does not know.
+  void block(Vec2 middle, double half_side) {
+    b2BodyDef body;
+    body.position = units::vector(middle);
+    b2PolygonShape square;
+    const float half = units::length(half_side - units::kPolygonInset);
+    square.SetAsBox(half, half);
+    engine_.CreateBody(&body)->CreateFixture(&square, 0.0f);
+  }
+
   /// The clearance's answer before the bodies move.
   bool isKeptAhead() {
     clearance_.remember(kStep);
-    return clearance_.isKept();
+    return clearance_.isKeptFreely();
   }
   /// Its answer when they have moved. They go back then.
   bool isKeptBehind() {
@@ -64,10 +75,35 @@ class RobotAndBall {
     const b2Sweep robot = sweep(*robot_), ball = sweep(*ball_);
     robot_->SetTransform(robot.c, robot.a);
     ball_->SetTransform(ball.c, 0.0f);
-    const bool kept = clearance_.isKept();
+    const bool kept = clearance_.isKeptSolved();
     robot_->SetTransform(robot.c0, robot.a0);
     ball_->SetTransform(ball.c0, 0.0f);
     return kept;
+  }
+  /// Steps the engine, which searches. Returns what the clearance says once contacts are solved, and whether
+  /// the search then found that robot and ball meet.
+  struct Step {
+    bool kept = false;
+    bool met = false;
+  };
+  Step step() {
+    struct Listener : b2ContactListener {
+      Clearance& clearance;
+      Step seen;
+      explicit Listener(Clearance& of) : clearance(of) {}
+      void BeginContact(b2Contact* contact) override {
+        seen.met |= contact->GetFixtureA()->GetBody()->GetType() == b2_dynamicBody &&
+                    contact->GetFixtureB()->GetBody()->GetType() == b2_dynamicBody;
+      }
+      void PostSolve(b2Contact*, const b2ContactImpulse*) override {
+        if (!seen.met) seen.kept = clearance.isKeptSolved();
+      }
+    } listener(clearance_);
+    engine_.SetContactListener(&listener);
+    clearance_.remember(kStep);
+    engine_.Step(kStep, 8, 3);
+    engine_.SetContactListener(nullptr);
+    return listener.seen;
   }
   /// Whether the engine's own search finds a contact.
   bool findsContact() const {
@@ -142,4 +178,19 @@ TEST_CASE("what keeps clear of walls and balls is what the engine finds no conta
   CHECK(found > 500);
   CAPTURE(kept, free);
   CHECK(kept > free / 4);
+}
+
+TEST_CASE("a body that its contacts hold where it is stays in the way", "[unit]") {
+  constexpr double kGap = 0.0002;  // [m] near enough to touch, and too far to be moved apart
+  constexpr double kHalfBlock = 0.05;
+  RobotAndBall scene{FieldGeometry{}};
+  const RobotPreset preset = vsssPreset();
+  const Vec2 robot{-preset.robot.length / 2 - preset.ball.radius - 0.03, 0.0};
+  scene.place({robot, 0.0}, {});
+  scene.block({preset.ball.radius + kGap + kHalfBlock, 0.0}, kHalfBlock);
+  // The robot comes 3 mm too far for the ball as it lies, but not for one that rolls on.
+  scene.push({0.033 / static_cast<double>(kStep), 0.0}, 0.0, {1.0, 0.0});
+  const auto step = scene.step();
+  CHECK(step.met);
+  CHECK_FALSE(step.kept);
 }
