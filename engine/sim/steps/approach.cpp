@@ -12,15 +12,12 @@ constexpr float kSoon = 0.125f;
 }  // namespace
 
 void Approach::addBox(const b2Body* body, float half_length, float half_width) {
-  const float reach = std::sqrt(half_length * half_length + half_width * half_width);
-  movers_.push_back({body, half_length, half_width, 0.0f, reach});
+  movers_.push_back({boxOf(body, half_length, half_width)});
   ++boxes_;
   met_.reserve(boxes_);
 }
 
-void Approach::addDisc(const b2Body* body, float radius) {
-  movers_.push_back({body, 0.0f, 0.0f, radius, radius});
-}
+void Approach::addDisc(const b2Body* body, float radius) { movers_.push_back({discOf(body, radius)}); }
 
 void Approach::addWall(b2Vec2 from, b2Vec2 to) {
   b2Vec2 along = to - from;

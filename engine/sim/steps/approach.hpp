@@ -38,12 +38,7 @@ class Approach {
   Plan plan(float dt);
 
  private:
-  struct Mover {
-    const b2Body* body;
-    float half_length;
-    float half_width;
-    float radius;  // added around the box: a disc is a point with a radius
-    float reach;   // largest distance of its outline from its centre
+  struct Mover : Outline {
     Place now{};
     b2Vec2 change{};       // displacement of its centre in the step, if nothing stops it
     float angle = 0.0f;    // [rad] turned in the step

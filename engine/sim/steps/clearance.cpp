@@ -28,14 +28,11 @@ bool isHeld(const b2Body& body) {
 }  // namespace
 
 void Clearance::addBox(const b2Body* body, float half_length, float half_width) {
-  const float reach = std::sqrt(half_length * half_length + half_width * half_width);
-  movers_.push_back({body, half_length, half_width, 0.0f, reach});
+  movers_.push_back({boxOf(body, half_length, half_width)});
   ++boxes_;
 }
 
-void Clearance::addDisc(const b2Body* body, float radius) {
-  movers_.push_back({body, 0.0f, 0.0f, radius, radius});
-}
+void Clearance::addDisc(const b2Body* body, float radius) { movers_.push_back({discOf(body, radius)}); }
 
 void Clearance::setField(float half_length, float half_width, float corner) {
   field_ = {half_length, half_width};

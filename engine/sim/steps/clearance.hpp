@@ -34,12 +34,7 @@ class Clearance {
   bool isKeptSolved();
 
  private:
-  struct Mover {
-    const b2Body* body;
-    float half_length;
-    float half_width;
-    float radius;  // added around the box: a disc is a point with a radius
-    float reach;   // largest distance of its outline from its centre
+  struct Mover : Outline {
     Place from{};
     Place to{};
     b2Vec2 drift{};      // displacement if nothing stops it

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <box2d/b2_body.h>
 #include <box2d/b2_math.h>
 
@@ -10,6 +12,22 @@ struct Place {
   b2Vec2 middle;
   b2Vec2 ahead;  ///< unit
 };
+
+/// A body's outline: a box, or a disc, which is a point with a radius around it.
+struct Outline {
+  const b2Body* body;
+  float half_length;
+  float half_width;
+  float radius;  ///< added around the box
+  float reach;   ///< largest distance of the outline from the body's centre
+};
+
+inline Outline boxOf(const b2Body* body, float half_length, float half_width) {
+  return {body, half_length, half_width, 0.0f,
+          std::sqrt(half_length * half_length + half_width * half_width)};
+}
+
+inline Outline discOf(const b2Body* body, float radius) { return {body, 0.0f, 0.0f, radius, radius}; }
 
 inline Place placeOf(const b2Body& body) {
   const b2Rot& turn = body.GetTransform().q;
