@@ -1,6 +1,8 @@
 #include "engine/sim/drive.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -35,13 +37,21 @@ double Drive::rimTarget(double wheel_speed) const {
   return static_cast<double>(steps) * command_step_ * radius_;
 }
 
-void Drive::setCommand(WheelSpeeds command) {
-  const double left = rimTarget(command.left), right = rimTarget(command.right);
-  const double common = (left + right) / 2, half_difference = (right - left) / 2;
+// Half the difference of the rims' speeds that the floor leaves of what the command asks for.
+double Drive::spun(double common, double half_difference) const {
+  if (spin_ratio_.isOne()) return half_difference;
   // None beside a wheel that stands still.
   const double in_place = std::max(std::abs(half_difference) - std::abs(common), 0.0);
   const double scrubbed = (spin_ratio_.at(std::abs(half_difference)) - 1.0) * in_place;
-  const double turn = half_difference + std::copysign(1.0, half_difference) * scrubbed;
+  return half_difference + std::copysign(1.0, half_difference) * scrubbed;
+}
+
+void Drive::setCommand(WheelSpeeds command) {
+  using Bits = std::array<std::uint64_t, 2>;  // as 0 and -0 ask for rims that differ
+  if (std::bit_cast<Bits>(command) == std::bit_cast<Bits>(command_)) return;
+  command_ = command;
+  const double left = rimTarget(command.left), right = rimTarget(command.right);
+  const double common = (left + right) / 2, turn = spun(common, (right - left) / 2);
   target_ = law_.reached({common - turn, common + turn});
 }
 
@@ -61,13 +71,6 @@ RimSpeeds Drive::slippingPulls(RimSpeeds ground, RimSpeeds pulls) {
   const double left = slippingLimit(pulls.left, target_.left, ground.left, rim_.left, left_slips_);
   const double right = slippingLimit(pulls.right, target_.right, ground.right, rim_.right, right_slips_);
   return law_.pulls(ground, target_, {left, right});
-}
-
-WheelSpeeds Drive::encoders(double forward, double yaw) const {
-  const double turn = yaw * half_track_;
-  const double left = left_slips_ ? rim_.left : forward - turn;
-  const double right = right_slips_ ? rim_.right : forward + turn;
-  return {left * per_radius_, right * per_radius_};
 }
 
 }  // namespace fulbito

@@ -21,6 +21,7 @@ struct BodyMotion {
 class SpinRatio {
  public:
   explicit SpinRatio(const RobotModel& robot);
+  bool isOne() const { return slow_ == 1.0 && slope_ == 0.0; }  ///< At all speeds.
   /// @param rim_speed  [m/s] >= 0
   double at(double rim_speed) const { return slow_ + slope_ * std::clamp(rim_speed - from_, 0.0, span_); }
 
@@ -52,6 +53,7 @@ class Drive {
 
  private:
   double rimTarget(double wheel_speed) const;
+  double spun(double common, double half_difference) const;
   double slippingLimit(double pull, double target, double ground, double& rim, bool& slips) const;
   RimSpeeds slippingPulls(RimSpeeds ground, RimSpeeds pulls);
 
@@ -65,11 +67,19 @@ class Drive {
   double per_radius_;        // [1/m]
   double max_grip_;          // [m/s] in one step, along the wheels
   double max_lateral_;       // [m/s] in one step, across
-  RimSpeeds target_;
-  RimSpeeds rim_;  // valid only while the wheel slips
+  WheelSpeeds command_;      // [rad/s] as it came
+  RimSpeeds target_;         // what it asks for
+  RimSpeeds rim_;            // valid only while the wheel slips
   bool left_slips_ = false;
   bool right_slips_ = false;
 };
+
+inline WheelSpeeds Drive::encoders(double forward, double yaw) const {
+  const double turn = yaw * half_track_;
+  const double left = left_slips_ ? rim_.left : forward - turn;
+  const double right = right_slips_ ? rim_.right : forward + turn;
+  return {left * per_radius_, right * per_radius_};
+}
 
 inline BodyMotion Drive::step(const BodyMotion& motion) {
   const double turn = motion.yaw * half_track_;

@@ -39,16 +39,6 @@ Pose2 poseOf(const b2Body& body) {
   return {units::metres(body.GetPosition()), math::wrapAngle(static_cast<double>(body.GetAngle()))};
 }
 
-// Box2D's angle is a float that accumulates turns. Without wrapping, a robot that spins for minutes would
-// lose precision of its heading. Also, from about 17 rad on, the C library's sinf and cosf, which Box2D
-// calls, differ in the last bit for a few arguments on processors with fused multiply-add.
-void unwindAngle(b2Body& body) {
-  constexpr float kLargestAngle = 8.0f;
-  if (std::abs(body.GetAngle()) < kLargestAngle) return;
-  body.SetTransform(body.GetPosition(),
-                    static_cast<float>(math::wrapAngle(static_cast<double>(body.GetAngle()))));
-}
-
 }  // namespace
 
 struct World::Impl {
@@ -66,6 +56,8 @@ struct World::Impl {
   void planSearch(bool search, float part);
   void decideSearch();
   void collide();
+  bool isAnyPair() const;
+  void unwindAngle(b2Body& body);
   void settleSpins();
   void watchMovers();
   void readState();
@@ -82,6 +74,7 @@ struct World::Impl {
   Clearance clearance;
   bool clearance_is_known = true;  // of all bodies that the engine can notice in time
   bool searches = false;           // the engine's step may still search for contacts
+  bool pairs_are_known = false;    // no body was placed since the engine looked for near ones
   ContactWork contact_work;
   bool contacts_do_no_work = true;
   float last_part = 0.0f;  // [s] length of the engine's last step
@@ -211,7 +204,7 @@ void World::Impl::moveObstacles(double time) {
 // engine searches, whether it would find anything.
 void World::Impl::planSearch(bool search, float part) {
   engine.SetContinuousPhysics(search);
-  searches = search && clearance_is_known && engine.GetContactCount() > 0;
+  searches = search && clearance_is_known;
   if (!searches) return;
   clearance.remember(part);
   // Where the last step solved contacts, this one probably does too, and asks then.
@@ -221,6 +214,20 @@ void World::Impl::planSearch(bool search, float part) {
 void World::Impl::decideSearch() {
   if (searches) engine.SetContinuousPhysics(!clearance.isKeptSolved());
   searches = false;  // contacts that the search solves come after it
+}
+
+// Near bodies, of which the engine makes pairs at the end of a step, or at the start if a body was placed.
+bool World::Impl::isAnyPair() const { return !pairs_are_known || engine.GetContactCount() > 0; }
+
+// Box2D's angle is a float that accumulates turns. Without wrapping, a robot that spins for minutes would
+// lose precision of its heading. Also, from about 17 rad on, the C library's sinf and cosf, which Box2D
+// calls, differ in the last bit for a few arguments on processors with fused multiply-add.
+void World::Impl::unwindAngle(b2Body& body) {
+  constexpr float kLargestAngle = 8.0f;
+  if (std::abs(body.GetAngle()) < kLargestAngle) return;
+  body.SetTransform(body.GetPosition(),
+                    static_cast<float>(math::wrapAngle(static_cast<double>(body.GetAngle()))));
+  pairs_are_known = false;
 }
 
 void World::Impl::collide() {
@@ -238,7 +245,11 @@ void World::Impl::collide() {
     planSearch(plan.continuous, part);
     if (contacts_do_no_work) contact_work.remember();
     contacts.startPart();
-    engine.Step(part, config.physics.velocity_iterations, config.physics.position_iterations);
+    // Bodies that are alone in the step leave nothing to iterate over.
+    const bool alone = !isAnyPair() && !engine.GetContinuousPhysics() && rods.empty();
+    engine.Step(part, alone ? 0 : config.physics.velocity_iterations,
+                alone ? 0 : config.physics.position_iterations);
+    pairs_are_known = true;
     if (contacts_do_no_work && (contacts.solved() || !rods.empty())) contact_work.takeBack();
     for (const Robot& robot : robots) unwindAngle(*robot.body);
     for (CarriedRod& rod : rods) rod.addImpulses();

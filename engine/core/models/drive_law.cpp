@@ -9,8 +9,7 @@ namespace fulbito {
 DriveLaw::DriveLaw(const RobotModel& robot, double dt)
     : limit_(robot.motorPull() * dt),
       drag_(robot.rolling_drag * dt),
-      gain_(robot.wheel_acceleration * dt),
-      loss_(robot.wheel_braking * dt),
+      most_{robot.wheel_acceleration * dt, robot.wheel_braking * dt},
       turn_(robot.turnShare()),
       own_((1.0 + turn_) / (2.0 * turn_)),
       other_((turn_ - 1.0) / (2.0 * turn_)),

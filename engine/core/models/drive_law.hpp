@@ -45,8 +45,7 @@ class DriveLaw {
 
   double limit_;     // [m/s]
   double drag_;      // [m/s]
-  double gain_;      // [m/s] largest forward change when speeding up
-  double loss_;      // [m/s] the same when slowing down
+  double most_[2];   // [m/s] largest forward change: speeding up, slowing down
   double turn_;      // rims' change in place over the pull that makes it
   double own_;       // pull for a change of the wheel's own rim, if neither motor is at its limit
   double other_;     // the same for the other rim's change
@@ -86,7 +85,7 @@ inline RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds l
 inline RimSpeeds DriveLaw::change(RimSpeeds ground, RimSpeeds target, RimSpeeds pulls) const {
   const double forward = (ground.left + ground.right) / 2;
   const double raw = (pulls.left + pulls.right) / 2 + drag(forward, (target.left + target.right) / 2);
-  const double most = raw * forward < 0.0 ? loss_ : gain_;
+  const double most = most_[raw * forward < 0.0 ? 1 : 0];
   const double common = std::clamp(raw, -most, most);
   const double turn = turn_ * (pulls.right - pulls.left) / 2;
   return {common - turn, common + turn};

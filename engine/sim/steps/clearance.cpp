@@ -124,9 +124,10 @@ bool Clearance::keepsOffWalls(const Mover& mover) const {
 // derivative: the square of the turn times the distance, and twice the turn times the way.
 bool Clearance::keepApart(const Mover& box, const Mover& disc) {
   const b2Vec2 before = disc.from.middle - box.from.middle, after = disc.to.middle - box.to.middle;
-  const float way = length(after - before), apart = length(before);
-  const float reach = box.reach + disc.radius + way;
-  if (apart > reach) return true;
+  const b2Vec2 ways = b2Abs(after - before);
+  const float far = box.reach + disc.radius + ways.x + ways.y;
+  if (before.LengthSquared() > far * far) return true;
+  const float way = length(ways), apart = length(before);
   const float bend = box.turn * (box.turn * (apart + way) + 2.0f * way) / 8.0f;
   const auto off = [](float first, float second) {  // of the middle, on one side of it all the way
     return std::max(std::min(first, second), -std::max(first, second));

@@ -105,6 +105,18 @@ TEST_CASE("a robot that stands near something without touching gives no event", 
   }
 }
 
+TEST_CASE("bodies that touch from the beginning act on each other in the first step", "[unit]") {
+  WorldConfig config = loneRobot(vsssPreset().robot, standardPhysics());
+  config.physics.substeps = 1;
+  const double gap = 0.0002, speed = 0.02;  // so slow that the step is neither split nor searched
+  const BallModel ball = vsssPreset().ball;
+  config.balls.push_back({ball, {0.0375 + ball.radius + gap, 0.0}, {-speed, 0.0}, {-speed, 0.0}});
+  World world = makeWorld(config);
+  run(world, {}, 1);
+  CHECK(world.contacts().size() == 1);
+  CHECK(std::abs(world.state().balls[0].velocity.x) < speed / 2);
+}
+
 TEST_CASE("events come in the order of their bodies, each pair once, with unit normals", "[unit]") {
   WorldConfig config = matchConfig(vsssPreset(), standardPhysics(), 5, largeField());
   for (double y : {-0.5, 0.5}) config.obstacles.push_back(discAt({0.0, y}, ObstacleMotion::kPushable));

@@ -1,5 +1,7 @@
 #include "engine/sim/drive.hpp"
 
+#include <limits>
+
 #include "tests/support/catch.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -171,6 +173,20 @@ TEST_CASE("commands are limited, then rounded to the nearest step, away from zer
   CHECK(reached(0.1) == 0.0);
   CHECK(reached(1e9) == Approx(100.0));
   CHECK(reached(-1e300) == Approx(-100.0));
+}
+
+TEST_CASE("a command holds until another one comes, and NaN is none", "[unit]") {
+  Drive drive(plainRobot(), kStep, 0.0);
+  const double push = 5.0 * kStep, nan = std::numeric_limits<double>::quiet_NaN();
+  const auto pushed = [&](double left, double right) {
+    drive.setCommand({left, right});
+    return drive.step({}).forward;
+  };
+  for (double sense : {1.0, 1.0, -1.0, -1.0, 1.0})
+    CHECK(pushed(50.0 * sense, 50.0 * sense) == Approx(push * sense));
+  for (int i = 0; i < 2; ++i) CHECK(pushed(nan, nan) == 0.0);
+  CHECK(pushed(50.0, nan) == Approx(pushed(50.0, 0.0)));
+  CHECK(pushed(50.0, 50.0) == Approx(push));
 }
 
 TEST_CASE("a robot pushed sideways stops within the distance its grip gives", "[unit]") {

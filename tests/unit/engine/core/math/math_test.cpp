@@ -195,6 +195,8 @@ TEST_CASE("a wrapped angle lies in [-pi, pi) for every finite angle", "[unit]") 
   for (int i = 0; i < 20000; ++i) {
     const double size = std::ldexp(1.0, static_cast<int>(rng.below(1030)) - 7);
     angles.push_back(rng.uniform(-size, size));
+    angles.push_back(rng.uniform(-10.0, 10.0));
+    angles.push_back(2 * kPi + std::ldexp(rng.uniform(-1.0, 1.0), -static_cast<int>(rng.below(50))));
   }
   for (double angle : angles) {
     const double wrapped = math::wrapAngle(angle);
