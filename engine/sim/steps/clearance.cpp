@@ -67,6 +67,7 @@ void Clearance::remember(float dt) {
 void Clearance::goFreely(Mover& mover) {
   mover.to = {mover.from.middle + mover.drift, turnedBy(mover.from.ahead, mover.spin)};
   mover.turn = std::abs(mover.spin);
+  mover.most = std::abs(mover.drift.x) + std::abs(mover.drift.y);
 }
 
 // One that has not moved may be held by its contacts. Without any, it is still to move.
@@ -77,6 +78,8 @@ void Clearance::follow(Mover& mover) {
   } else {
     mover.to = placeOf(*mover.body);
     mover.turn = std::abs(turn);
+    const b2Vec2 way = b2Abs(mover.to.middle - mover.from.middle);
+    mover.most = way.x + way.y;
   }
 }
 
@@ -124,10 +127,7 @@ bool Clearance::keepsOffWalls(const Mover& mover) const {
 // derivative: the square of the turn times the distance, and twice the turn times the way.
 bool Clearance::keepApart(const Mover& box, const Mover& disc) {
   const b2Vec2 before = disc.from.middle - box.from.middle, after = disc.to.middle - box.to.middle;
-  const b2Vec2 ways = b2Abs(after - before);
-  const float far = box.reach + disc.radius + ways.x + ways.y;
-  if (before.LengthSquared() > far * far) return true;
-  const float way = length(ways), apart = length(before);
+  const float way = length(after - before), apart = length(before);
   const float bend = box.turn * (box.turn * (apart + way) + 2.0f * way) / 8.0f;
   const auto off = [](float first, float second) {  // of the middle, on one side of it all the way
     return std::max(std::min(first, second), -std::max(first, second));
@@ -139,13 +139,11 @@ bool Clearance::keepApart(const Mover& box, const Mover& disc) {
 
 bool Clearance::keepsOffOthers(std::size_t disc) const {
   const Mover& mover = movers_[disc];
-  for (std::size_t i = 0; i < boxes_; ++i) {
-    if (!keepApart(movers_[i], mover)) return false;
-  }
-  for (std::size_t i = boxes_; i < disc; ++i) {
-    const b2Vec2 before = mover.from.middle - movers_[i].from.middle;
-    const float way = length(mover.to.middle - movers_[i].to.middle - before);
-    if (length(before) <= mover.radius + movers_[i].radius + way) return false;
+  for (std::size_t i = 0; i < disc; ++i) {
+    const Mover& other = movers_[i];
+    const float far = other.reach + other.most + mover.reach + mover.most;
+    if ((mover.from.middle - other.from.middle).LengthSquared() > far * far) continue;
+    if (i >= boxes_ || !keepApart(other, mover)) return false;
   }
   return true;
 }
