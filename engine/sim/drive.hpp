@@ -21,7 +21,8 @@ struct BodyMotion {
 class SpinRatio {
  public:
   explicit SpinRatio(const RobotModel& robot);
-  bool isOne() const { return slow_ == 1.0 && slope_ == 0.0; }  ///< At all speeds.
+  /// Whether it is 1 at all speeds.
+  bool isOne() const { return slow_ == 1.0 && slope_ == 0.0; }
   /// @param rim_speed  [m/s] >= 0
   double at(double rim_speed) const { return slow_ + slope_ * std::clamp(rim_speed - from_, 0.0, span_); }
 

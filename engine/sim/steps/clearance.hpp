@@ -41,7 +41,7 @@ class Clearance {
     float spin = 0.0f;   // [rad] the same of its turn
     float angle = 0.0f;  // [rad] before the step
     float turn = 0.0f;   // [rad] absolute, of the step
-    float most = 0.0f;   // at least as long as the way, of the step
+    float most = 0.0f;   // at least the length of the way, of the step
   };
   struct Edge {
     b2Vec2 point;
