@@ -19,7 +19,6 @@ void ContactWork::takeBack() {
                  inertia = static_cast<double>(m.body->GetInertia());
     const b2Vec2 change = m.body->GetLinearVelocity() - m.velocity;
     const double turn = static_cast<double>(m.body->GetAngularVelocity() - m.spin);
-    if (change.x == 0.0f && change.y == 0.0f && turn == 0.0) continue;
     a += (mass * static_cast<double>(change.LengthSquared()) + inertia * turn * turn) / 2;
     b += mass * static_cast<double>(b2Dot(m.velocity, change)) + inertia * static_cast<double>(m.spin) * turn;
   }

@@ -37,8 +37,8 @@ double Drive::rimTarget(double wheel_speed) const {
   return static_cast<double>(steps) * command_step_ * radius_;
 }
 
-// Half the difference of the rims' speeds that the floor leaves of what the command asks for.
-double Drive::spun(double common, double half_difference) const {
+// What tyres that scrub leave of half the difference of the commanded rims' speeds.
+double Drive::scrubbedTurn(double common, double half_difference) const {
   if (spin_ratio_.isOne()) return half_difference;
   // None beside a wheel that stands still.
   const double in_place = std::max(std::abs(half_difference) - std::abs(common), 0.0);
@@ -51,7 +51,7 @@ void Drive::setCommand(WheelSpeeds command) {
   if (std::bit_cast<Bits>(command) == std::bit_cast<Bits>(command_)) return;
   command_ = command;
   const double left = rimTarget(command.left), right = rimTarget(command.right);
-  const double common = (left + right) / 2, turn = spun(common, (right - left) / 2);
+  const double common = (left + right) / 2, turn = scrubbedTurn(common, (right - left) / 2);
   target_ = law_.reached({common - turn, common + turn});
 }
 

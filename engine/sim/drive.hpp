@@ -54,7 +54,7 @@ class Drive {
 
  private:
   double rimTarget(double wheel_speed) const;
-  double spun(double common, double half_difference) const;
+  double scrubbedTurn(double common, double half_difference) const;
   double slippingLimit(double pull, double target, double ground, double& rim, bool& slips) const;
   RimSpeeds slippingPulls(RimSpeeds ground, RimSpeeds pulls);
 

@@ -216,7 +216,8 @@ void World::Impl::decideSearch() {
   searches = false;  // contacts that the search solves come after it
 }
 
-// Near bodies, of which the engine makes pairs at the end of a step, or at the start if a body was placed.
+// Whether two bodies may be near. The engine looks for near pairs at the end of a step, and also at the start
+// if a body was placed.
 bool World::Impl::isAnyPair() const { return !pairs_are_known || engine.GetContactCount() > 0; }
 
 // Box2D's angle is a float that accumulates turns. Without wrapping, a robot that spins for minutes would

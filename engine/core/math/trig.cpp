@@ -69,10 +69,10 @@ double tan(double x) {
 
 double wrapAngle(double angle) {
   if (angle >= -kPi && angle < kPi) return angle;
-  // Most angles are at most one turn off. The first difference is exact, so there is one rounding. Close to a
-  // whole turn, two doubles are too few for 2 pi.
+  // Most angles are one turn off. The first difference is exact, so there is one rounding. Close to a whole
+  // turn, two doubles are too few for 2 pi.
   const double size = std::abs(angle), beyond = size - 2.0 * kPi;
-  if (size > kPi && size < 8.0 && std::abs(beyond) > 0x1p-12)
+  if (size > kPi && size < 2.5 * kPi && std::abs(beyond) > 0x1p-12)
     return std::copysign(1.0, angle) * (beyond - 2.0 * kPiLow);
   const auto [quadrant, rest] = reduceAngle(angle);
   double whole = 0.0, whole_low = 0.0;

@@ -67,7 +67,6 @@ void Clearance::remember(float dt) {
 void Clearance::goFreely(Mover& mover) {
   mover.to = {mover.from.middle + mover.drift, turnedBy(mover.from.ahead, mover.spin)};
   mover.turn = std::abs(mover.spin);
-  mover.most = std::abs(mover.drift.x) + std::abs(mover.drift.y);
 }
 
 // One that has not moved may be held by its contacts. Without any, it is still to move.
@@ -78,8 +77,6 @@ void Clearance::follow(Mover& mover) {
   } else {
     mover.to = placeOf(*mover.body);
     mover.turn = std::abs(turn);
-    const b2Vec2 way = b2Abs(mover.to.middle - mover.from.middle);
-    mover.most = way.x + way.y;
   }
 }
 
@@ -90,6 +87,12 @@ float Clearance::extent(const Mover& mover, const Place& at, b2Vec2 axis) {
 
 // Most that a turning corner leaves, between the two ends of its way, what it keeps to at both.
 float Clearance::bulge(const Mover& mover) { return mover.reach * mover.turn * mover.turn / 8.0f; }
+
+// At least the length of the way, without a root.
+float Clearance::mostWay(const Mover& mover) {
+  const b2Vec2 way = b2Abs(mover.to.middle - mover.from.middle);
+  return way.x + way.y;
+}
 
 // Off along one edge at both ends of the way: then off on all of it, but for the bulge.
 bool Clearance::keepsOff(const Mover& mover, const Wall& wall) {
@@ -139,9 +142,10 @@ bool Clearance::keepApart(const Mover& box, const Mover& disc) {
 
 bool Clearance::keepsOffOthers(std::size_t disc) const {
   const Mover& mover = movers_[disc];
+  const float own = mover.reach + mostWay(mover);
   for (std::size_t i = 0; i < disc; ++i) {
     const Mover& other = movers_[i];
-    const float far = other.reach + other.most + mover.reach + mover.most;
+    const float far = own + other.reach + mostWay(other);
     if ((mover.from.middle - other.from.middle).LengthSquared() > far * far) continue;
     if (i >= boxes_ || !keepApart(other, mover)) return false;
   }

@@ -41,7 +41,6 @@ class Clearance {
     float spin = 0.0f;   // [rad] the same of its turn
     float angle = 0.0f;  // [rad] before the step
     float turn = 0.0f;   // [rad] absolute, of the step
-    float most = 0.0f;   // at least the length of the way, of the step
   };
   struct Edge {
     b2Vec2 point;
@@ -52,6 +51,7 @@ class Clearance {
 
   static float extent(const Mover& mover, const Place& at, b2Vec2 axis);
   static float bulge(const Mover& mover);
+  static float mostWay(const Mover& mover);
   static void goFreely(Mover& mover);
   static void follow(Mover& mover);
   static bool keepsOff(const Mover& mover, const Wall& wall);
