@@ -10,6 +10,7 @@
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
 #include "apps/common/sensor_options.hpp"
+#include "apps/common/stack.hpp"
 #include "apps/match/drill.hpp"
 #include "apps/match/match.hpp"
 #include "apps/match/rules.hpp"
@@ -23,6 +24,7 @@
 #include "apps/tournament/tune.hpp"
 #include "engine/core/base/float_mode.hpp"
 #include "engine/core/config/suggest.hpp"
+#include "engine/core/system/machine_room.hpp"
 #include "fulbito/detail/build_info.hpp"
 
 namespace fulbito::app {
@@ -303,7 +305,8 @@ int mainWithoutCatch(int argc, char** argv) {
       "  fulbito list teams\n"
       "Exit codes: 0 success, 1 a check failed, 2 wrong usage, 3 bad input file, 4 a team failed "
       "(--strict),\n"
-      "5 cannot read or write, 6 no verdict, 7 a recording or match differs, 70 internal error,\n"
+      "5 cannot read or write, 6 no verdict or not all played, 7 a recording or match differs, 70 internal "
+      "error,\n"
       "129, 130, 143 ended by a signal.");
   app.set_version_flag("--version", buildInfo().version);
   app.require_subcommand(1);
@@ -337,12 +340,20 @@ int mainWithoutCatch(int argc, char** argv) {
   return dispatch(app, *run_command, *compare_command, options);
 }
 
-/// Runs the program. Running out of memory is not an internal error.
+/// Runs the program. What the machine lacks is not an internal error.
 int codeOf(int argc, char** argv) {
   try {
     return mainWithoutCatch(argc, argv);
-  } catch (const std::bad_alloc&) {
-    return report({ErrorCode::kIo, "not enough memory; try fewer --jobs or a smaller --size"});
+  } catch (const std::exception&) {
+    Error error = machineError();
+    error.message += "; try fewer --jobs or a smaller --size";
+    return report(error);
+  }
+}
+
+int codeOrBug(int argc, char** argv) {
+  try {
+    return codeOf(argc, argv);
   } catch (const std::exception& error) {
     note("fulbito: internal error: {}\n", error.what());
     return kInternal;
@@ -356,5 +367,6 @@ int main(int argc, char** argv) {
   const fulbito::FloatMode floats;
   fulbito::app::openStandardDescriptors();
   fulbito::app::catchSignals();
-  return fulbito::app::finishOutput(fulbito::app::codeOf(argc, argv));
+  return fulbito::app::finishOutput(
+      fulbito::app::withAmpleStack([&] { return fulbito::app::codeOrBug(argc, argv); }));
 }

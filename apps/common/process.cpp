@@ -50,6 +50,8 @@ int report(const Error& error) {
       return kBadInput;
     case ErrorCode::kIo:
       return kIo;
+    case ErrorCode::kMachine:
+      return kInconclusive;
     case ErrorCode::kInterrupted:
       return interruptedCode();
   }

@@ -50,7 +50,7 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
       "All drills take about five minutes on one core; drills 18 and 21, which are whole matches, take most "
       "of\n"
       "it. stderr shows the progress. --drill and --trials shorten the run.\n"
-      "Exit codes: 0 success, 1 with --check: a drill failed.");
+      "Exit codes: 0 success, 1 with --check: a drill failed, 6 the machine cannot run a team.");
   command->add_option("team", options.teams, "team, e.g. classic; several teams print one table");
   command
       ->add_option("--drill", options.drills, "drills by number or name, separated by commas (default: all)")

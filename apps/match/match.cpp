@@ -12,6 +12,7 @@
 #include "apps/common/team_flags.hpp"
 #include "apps/match/live_line.hpp"
 #include "apps/tournament/two_teams.hpp"
+#include "engine/core/system/machine_room.hpp"
 #include "engine/core/system/output_file.hpp"
 #include "fulbito/match.hpp"
 #include "fulbito/recorder.hpp"
@@ -23,6 +24,7 @@ namespace {
 
 constexpr Tick kTicksBetweenChecks = 64;  // match ticks between looks at the clock and for signals
 constexpr const char* kStdout = "-";
+constexpr int kMostAttempts = 3;  // at a match that the machine cuts
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
 
@@ -164,7 +166,7 @@ Result<void> play(Match& match, std::optional<ViewWindow>& window, const MatchCo
 int exitCode(const MatchReport& report, bool closed) {
   if (report.faults.abandoned) {
     return app::report(
-        {ErrorCode::kBadInput, "the match was abandoned: " + report.faults.abandoned->message});
+        {report.faults.abandoned->code, "the match was abandoned: " + report.faults.abandoned->message});
   }
   return report.complete || (closed && !interrupted()) ? kOk : interruptedCode();
 }
@@ -178,12 +180,25 @@ void noteContainment(const MatchConfig& config) {
   }
 }
 
-int playOne(const MatchCommand& options, const MatchConfig& config) {
+int reportUnplayed(Error error) {
+  if (error.code == ErrorCode::kMachine) error.message = "the match was not played: " + error.message;
+  return report(error);
+}
+
+/// Whether to play a match again that the machine cut. What went to stdout or a window cannot be taken back.
+bool worthAnother(const MatchCommand& options, const MatchReport& report) {
+  return report.faults.abandoned && report.faults.abandoned->code == ErrorCode::kMachine && !options.view &&
+         options.events != kStdout;
+}
+
+/// @param last  whether this attempt counts even if the machine cuts the match
+/// @return the exit code; empty: the match is to be played again
+std::optional<int> attempt(const MatchCommand& options, const MatchConfig& config, bool last) {
   // Opens before any output file, so that a failure leaves no file.
   auto window = windowOf(options);
   if (!window) return report(window.error());
-  auto made = Match::create(config, now);
-  if (!made) return report(made.error());
+  auto made = MachineRoom().run([&] { return Match::create(config, now); });
+  if (!made) return reportUnplayed(made.error());
   noteContainment(made->config());
   Watchers watchers;
   if (auto attached = watchers.attach(options, *made); !attached) return report(attached.error());
@@ -194,11 +209,22 @@ int playOne(const MatchCommand& options, const MatchConfig& config) {
   MatchReport summary = reportOf(*made, watchers.statistics, watchers.log);
   summary.wall = secondsSince(begin);
   if (options.profile) summary.profile = profile;
+  if (!last && worthAnother(options, summary)) {
+    note("note: the match was abandoned: {}; it is played again\n", summary.faults.abandoned->message);
+    return std::nullopt;
+  }
   print(options, summary);
   if (auto written = watchers.finish(); !written) return report(written.error());
   if (!options.record.empty()) note("recording: {}\n", options.record);
   if (!played) return report(played.error());
   return exitCode(summary, options.view);
+}
+
+int playOne(MatchCommand options, const MatchConfig& config) {
+  for (int attempts = 1;; ++attempts) {
+    if (const auto code = attempt(options, config, attempts == kMostAttempts)) return *code;
+    options.force = true;  // over the files of the last attempt
+  }
 }
 
 int playPairs(const MatchCommand& options) {

@@ -69,7 +69,7 @@ Result<std::vector<std::string>> pictureFiles(const ExportRequest& request, cons
 
 Result<void> deliverPng(const std::string& file, const Canvas& canvas, PngEffort effort) {
   const std::string bytes = canvas.png(effort);
-  if (bytes.empty()) return fail(ErrorCode::kIo, "not enough memory for " + file);
+  if (bytes.empty()) return fail(ErrorCode::kMachine, "not enough memory for " + file);
   return deliver(file, bytes);
 }
 

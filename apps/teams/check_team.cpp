@@ -42,7 +42,8 @@ CLI::App* addCheckTeam(CLI::App& app, CheckTeamCommand& options) {
       "  fulbito check-team ./team.so --junit check.xml\n"
       "The team plays scripted situations: all restarts, corners, missing robots, five robots. Then it gets\n"
       "recorded situations twice, in the other seat and mirrored. docs/check-team.md explains each check.\n"
-      "Exit codes: 0 no check failed, 1 a check failed, 2 the team does not start.");
+      "Exit codes: 0 no check failed, 1 a check failed, 2 the team does not start, 6 the machine cannot run "
+      "it.");
   command->add_option("team", options.team, "team, e.g. classic, ./team.so or 'cmd:python3 team.py'")
       ->required();
   wholeNumber(command->add_option("--seed", options.seed, "random seed (situations, drills)"))

@@ -181,6 +181,10 @@ void noteOutcome(const PlayedPlan& played, const RunFlags& flags) {
          mismatch.leg + 1, mismatch.first.score[0], mismatch.first.score[1], mismatch.second.score[0],
          mismatch.second.score[1]);
   }
+  if (!outcome.state.unplayed.empty()) {
+    note("{} matches not played, as the machine failed; the same command plays them\n",
+         outcome.state.unplayed.size());
+  }
   if (outcome.interrupted && !flags.out.empty()) note("stopped; the same command continues\n");
   if (played.shard.count > 1) {
     note("this is shard {} of {}; unite them with: fulbito tournament merge FOLDER... --out FOLDER\n",
@@ -205,6 +209,7 @@ int exitCodeOf(const PlayedPlan& played, const RunFlags& flags) {
   if (!played.outcome.mismatches.empty()) return kDifferent;
   if (flags.strict && failedMatches(played.outcome.state) > 0) return kTeamFailed;
   if (played.outcome.interrupted) return interruptedCode();
+  if (!played.outcome.state.unplayed.empty()) return kInconclusive;
   return played.shard.count > 1 ? kOk : exitCodeOf(played.outcome.state);
 }
 

@@ -43,7 +43,7 @@ Result<PlayedPlan> runPlan(const TournamentPlan& plan, const RunFlags& flags);
 void noteOutcome(const PlayedPlan& played, const RunFlags& flags);
 
 /// The exit code of a run: 7 for matches that differ, 4 for failed teams where that counts, that of a signal,
-/// then that of the test if there is one.
+/// 6 for matches that the machine failed, then that of the test if there is one.
 int exitCodeOf(const PlayedPlan& played, const RunFlags& flags);
 /// The exit code of the test of a tournament; 0 without one.
 int exitCodeOf(const TournamentState& state);

@@ -109,7 +109,7 @@ void noteTuning(const TuneCommand& options, const TuneOutcome& outcome) {
     note("{} matches differ from those of another run; a team or the machine is not deterministic\n",
          outcome.mismatches.size());
   }
-  if (outcome.interrupted) {
+  if (outcome.interrupted || !outcome.unplayed.empty()) {
     note("stopped; {}\n",
          options.out.empty() ? "with --out, the same command could continue" : "the same command continues");
   }
@@ -117,7 +117,8 @@ void noteTuning(const TuneCommand& options, const TuneOutcome& outcome) {
 
 int exitCodeOfTuning(const TuneOutcome& outcome) {
   if (!outcome.mismatches.empty()) return kDifferent;
-  return outcome.interrupted ? interruptedCode() : kOk;
+  if (outcome.interrupted) return interruptedCode();
+  return outcome.unplayed.empty() ? kOk : kInconclusive;
 }
 
 }  // namespace
@@ -127,7 +128,8 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
   command->footer(
       "SPSA: each iteration moves all parameters up or down at random, lets both versions play pairs of\n"
       "matches and follows the winner. The path does not depend on --jobs. At the end the tuned team meets\n"
-      "the start on starts that the tuning did not use. The exit code is 0 even if nothing got better.\n"
+      "the start on starts that the tuning did not use. The exit code is 0 even if nothing got better,\n"
+      "and 6 if the machine failed a match.\n"
       "Examples:\n"
       "  fulbito tune classic --half-seconds 20 --png path.png\n"
       "  fulbito tune classic:support=0.8 --parameters support,strike_speed --out tuning\n"

@@ -24,7 +24,8 @@ int playTwoTeams(const std::string& first, const std::string& second, const Plan
   if (!plan) return report(plan.error());
   const auto played = runPlan(*plan, flags);
   if (!played) return report(played.error());
-  if (!flags.out.empty() || !played->outcome.mismatches.empty()) noteOutcome(*played, flags);
+  const RunOutcome& outcome = played->outcome;
+  if (!flags.out.empty() || !outcome.mismatches.empty() || outcome.retried > 0) noteOutcome(*played, flags);
   const TournamentState& state = played->outcome.state;
   if (auto written = writeReports(state, tableOf(state), files, recordingsOf(flags.out)); !written) {
     return report(written.error());

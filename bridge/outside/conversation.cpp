@@ -19,12 +19,14 @@ constexpr const char* kStillRuns = "killed";  // Child::end of a program that di
 
 }  // namespace
 
-Conversation::Conversation(const OutsideTeamSetup& setup) : setup_(&setup), codec_(setup.codec()) {
+Conversation::Conversation(const OutsideTeamSetup& setup, BoundedLog& log)
+    : setup_(&setup), log_(&log), codec_(setup.codec()) {
   auto child = Child::launch(setup.child);
   if (child) {
     child_.emplace(std::move(*child));
   } else {
     failure_ = child.error().message;
+    code_ = child.error().code;
   }
 }
 
@@ -38,8 +40,11 @@ void Conversation::fail(std::string reason) {
   // What the program itself ended with says more than that it no longer answers.
   if (child_) {
     showErrors();
-    const std::string end = child_->end();
-    if (reason.empty()) reason = end == kStillRuns ? "it no longer reads and writes" : end;
+    const ChildEnd end = child_->end();
+    if (end.machine) code_ = ErrorCode::kMachine;
+    if (end.machine || reason.empty()) {
+      reason = end.reason == kStillRuns ? "it no longer reads and writes" : end.reason;
+    }
   }
   failure_ = std::move(reason);
   showErrors();
@@ -103,11 +108,11 @@ void Conversation::showErrors() {
   errors_ += child_->takeErrors();
   std::size_t begin = 0;
   for (std::size_t end = 0; (end = errors_.find('\n', begin)) != std::string::npos; begin = end + 1) {
-    if (setup_->log) setup_->log(std::string_view(errors_).substr(begin, end - begin));
+    log_->add(std::string_view(errors_).substr(begin, end - begin));
   }
   errors_.erase(0, begin);
   const bool last = !errors_.empty() && (!failure_.empty() || errors_.size() > kLongestErrorLine);
-  if (last && setup_->log) setup_->log(errors_);
+  if (last) log_->add(errors_);
   if (last) errors_.clear();
 }
 

@@ -13,8 +13,8 @@ namespace fulbito {
 /// The conversation with one run of a team's program. It is over as soon as `failure` is not empty.
 class Conversation {
  public:
-  /// Starts the program. It has failed at once if that is not possible.
-  explicit Conversation(const OutsideTeamSetup& setup);
+  /// Starts the program. It has failed at once if that is not possible. `log` takes standard error.
+  Conversation(const OutsideTeamSetup& setup, BoundedLog& log);
 
   /// Writes one message with the codec and sends it.
   /// @param write  called with the codec and the buffer to append to
@@ -39,6 +39,9 @@ class Conversation {
 
   /// Why the conversation is over; empty while it goes on.
   const std::string& failure() const { return failure_; }
+  /// Whether the machine failed it, and not the program: kMachine; kInterrupted; otherwise what the caller
+  /// or the program got wrong.
+  ErrorCode code() const { return code_; }
   /// Ignored replies so far.
   std::int64_t stale() const { return stale_; }
   /// The containment of the program; empty if it did not start.
@@ -52,6 +55,7 @@ class Conversation {
   double now() const { return static_cast<double>(setup_->clock()) * 1e-9; }
 
   const OutsideTeamSetup* setup_;
+  BoundedLog* log_;
   std::unique_ptr<TeamCodec> codec_;
   std::optional<Child> child_;
   std::string out_, in_, errors_;
@@ -60,6 +64,7 @@ class Conversation {
   std::uint64_t id_ = 0;
   std::int64_t stale_ = 0;
   std::string failure_;
+  ErrorCode code_ = ErrorCode::kUsage;
 };
 
 }  // namespace fulbito

@@ -27,10 +27,10 @@ struct OutsideTeam::Impl {
   using State = TeamCondition::State;
   enum class Stage : std::uint8_t { kHello, kBegin, kPlaying };
 
-  explicit Impl(OutsideTeamSetup from) : setup(std::move(from)) {}
+  explicit Impl(OutsideTeamSetup from) : setup(std::move(from)), log(setup.log) {}
 
   double now() const { return static_cast<double>(setup.clock()) * 1e-9; }
-  bool lost() const { return condition.state == State::kLost; }
+  bool lost() const { return condition.state == State::kLost || condition.state == State::kCut; }
   bool playing() const { return !lost() && talk && stage == Stage::kPlaying; }
   void launch();
   void continueStart(double seconds);
@@ -48,6 +48,7 @@ struct OutsideTeam::Impl {
   TeamReply* request(Kind kind, const Ask& write);
 
   OutsideTeamSetup setup;
+  BoundedLog log;
   MatchInfo info;
   DecisionTime limit;
   std::vector<NavigatorChoice> navigators;
@@ -69,7 +70,7 @@ struct OutsideTeam::Impl {
 
 // Both messages go out at once: a program that is up answers both without another wait.
 void OutsideTeam::Impl::launch() {
-  talk.emplace(setup);
+  talk.emplace(setup, log);
   stage = Stage::kHello;
   outdated = false;
   silent = 0;
@@ -117,10 +118,16 @@ void OutsideTeam::Impl::takeNavigators(const std::vector<std::string>& names) {
   navigator_names = names;
 }
 
-// Replaces a conversation that is over by a new one, or gives up.
+// Replaces a conversation that is over by a new one, or gives up. A new start after a failure of the machine
+// would not do: the team has lost what it knew.
 void OutsideTeam::Impl::noteFailure() {
   if (lost() || !talk || talk->failure().empty()) return;
   condition.reason = talk->failure();
+  if (talk->code() == ErrorCode::kMachine || talk->code() == ErrorCode::kInterrupted) {
+    condition.state = State::kCut;
+    talk.reset();
+    return;
+  }
   stale_before += talk->stale();
   ++condition.failures;
   if (!begun) navigators.clear();
@@ -185,7 +192,9 @@ void OutsideTeam::begin(const MatchInfo& info) {
   while (!team.lost() && team.stage != Impl::Stage::kPlaying) {
     team.continueStart(kUnlimited);
     team.noteFailure();
-    if (stopRequested()) break;
+    if (!stopRequested() || team.lost()) continue;
+    team.condition.state = TeamCondition::State::kCut;
+    team.condition.reason = "interrupted";
   }
   team.begun = true;
   team.settle(TeamCondition::State::kWell, team.now());

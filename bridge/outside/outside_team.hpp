@@ -9,14 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "bridge/outside/bounded_log.hpp"
 #include "bridge/process/child.hpp"
 #include "bridge/team_codec.hpp"
 #include "fulbito/strategy.hpp"
 
 namespace fulbito {
-
-/// Where the standard error of a team's program goes: one line at a time, without its end.
-using TeamLog = std::function<void(std::string_view line)>;
 
 /// A team in a child process, and how to talk to it.
 struct OutsideTeamSetup {
@@ -24,7 +22,7 @@ struct OutsideTeamSetup {
   std::function<std::unique_ptr<TeamCodec>()> codec;  ///< the encoding of the conversation
   std::vector<Setting> settings;                      ///< the team's settings
   std::function<std::int64_t()> clock;                ///< monotonic time [ns]
-  TeamLog log;                                        ///< empty: standard error is dropped
+  TeamLog log;  ///< empty: standard error is dropped; of each match it gets `BoundedLog::kMost`
 };
 
 /// A team in a child process. A team that ends, breaks the protocol or starts too late has failed: it starts

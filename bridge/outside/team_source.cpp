@@ -12,6 +12,8 @@
 #include "bridge/outside/conversation.hpp"
 #include "bridge/outside/outside_team.hpp"
 #include "bridge/outside/team_command.hpp"
+#include "engine/core/system/machine_room.hpp"
+#include "engine/core/system/stop_request.hpp"
 #include "fulbito/outside.hpp"
 
 namespace fulbito {
@@ -75,22 +77,24 @@ Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCom
 
 // Starts the team once, so that what keeps it from starting is said before a match begins.
 Result<TeamWelcome> tryStart(const OutsideTeamSetup& setup) {
-  Conversation talk(setup);
+  BoundedLog log(setup.log);
+  Conversation talk(setup, log);
   const std::uint64_t id = talk.next();
   const TeamHello hello{"fulbito", setup.settings};
   talk.send([&](TeamCodec& codec, std::string& out) { codec.hello(id, hello, out); });
   const double limit = DecisionTime{}.start;
   TeamReply* reply = talk.await(id, TeamReply::Kind::kHello, limit);
   if (reply != nullptr) return std::move(reply->welcome);
+  if (stopRequested()) return fail(ErrorCode::kInterrupted, "interrupted");
   talk.fail(fmt::format("no start within {} s", limit));
-  return fail(ErrorCode::kUsage, talk.failure());
+  return fail(talk.code(), talk.failure());
 }
 
 Result<TeamInfo> processInfo(const std::string& specification, const TeamCommandLine& line,
                              const OutsideOptions& options) {
   auto setup = setupOf(specification, line, options);
   if (!setup) return tl::unexpected<Error>(setup.error());
-  const auto welcome = tryStart(*setup);
+  const auto welcome = MachineRoom().run([&] { return tryStart(*setup); });
   if (!welcome) return tl::unexpected<Error>(welcome.error());
   TeamInfo info;
   info.name = specification;

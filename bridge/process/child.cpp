@@ -7,7 +7,6 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
-#include <filesystem>
 #include <poll.h>
 #include <sched.h>
 #include <sys/syscall.h>
@@ -24,6 +23,7 @@ namespace {
 
 constexpr std::size_t kMostWaiting = std::size_t{1} << 24;  // [bytes]
 constexpr std::size_t kReadAtOnce = 65536;                  // [bytes] what a pipe holds
+constexpr const char* kKilled = "killed";                   // whoever still ran
 constexpr int kErrorReads = 16;                             // at once, so that a flood does not hold us
 constexpr std::size_t kMostErrors = std::size_t{1} << 22;   // [bytes] per wait, then the flood itself waits
 
@@ -68,23 +68,21 @@ int pollFor(pollfd* waits, nfds_t count, timespec& left) {
   return static_cast<int>(::syscall(SYS_ppoll, waits, count, &left, nullptr, 0));
 }
 
-std::vector<std::string> linesOf(std::string_view text) {
-  std::vector<std::string> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size() - 1);
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(end + 1);
-  }
-  return lines;
+std::string statusText(int status) {
+  if (WIFEXITED(status)) return fmt::format("exit code {}", WEXITSTATUS(status));
+  const int signal = WTERMSIG(status);
+  const char* name = ::sigdescr_np(signal);
+  return fmt::format("signal {} ({})", signal, name == nullptr ? "unknown" : name);
 }
 
 }  // namespace
 
 struct Child::Impl {
-  explicit Impl(Launched&& started);
+  Impl() : buffer(kReadAtOnce, '\0') {}
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl() { end(); }
+  void take(Launched&& started);
 
   /// Sends what waits, as far as the pipe takes it.
   bool flush();
@@ -92,29 +90,30 @@ struct Child::Impl {
   std::size_t drainErrors();
   Received readOutput(std::string& into);
   void stop();
-  std::string end();
-  void removeLeftovers() const;
-  std::string howItEnded() const;
+  ChildEnd end();
+  ChildEnd howItEnded(int keeper_status) const;
+  /// The conversation cannot go on, for a reason of errno that is not the child's.
+  void machineFailed(const char* what);
 
   SharedPage page;
-  pid_t keeper;          ///< -1: has ended
+  pid_t keeper = -1;     ///< -1: none, or it has ended
   bool stopped = false;  ///< asked to end
   Descriptor in, out, errors;
   std::string waiting;   ///< for `in`
   std::size_t sent = 0;  ///< of `waiting`
   ErrorsKept errors_kept;
-  std::string buffer;  ///< for reads
-  std::string ended;   ///< why; empty: it runs
+  std::string buffer;   ///< for reads
+  std::string failure;  ///< what the machine failed; empty: nothing
+  ChildEnd ended;       ///< how; without a reason while it runs
   Containment containment;
 };
 
-Child::Impl::Impl(Launched&& started)
-    : page(std::move(started.page)),
-      keeper(started.keeper),
-      in(std::move(started.in)),
-      out(std::move(started.out)),
-      errors(std::move(started.errors)),
-      buffer(kReadAtOnce, '\0') {
+void Child::Impl::take(Launched&& started) {
+  page = std::move(started.page);
+  keeper = started.keeper;
+  in = std::move(started.in);
+  out = std::move(started.out);
+  errors = std::move(started.errors);
   containment.layers = linesOf(page->layers.view());
   containment.missing = linesOf(page->missing.view());
 }
@@ -129,7 +128,11 @@ bool Child::Impl::flush() {
     } else if (errno == EAGAIN) {
       return true;
     } else if (errno != EINTR) {
-      quiet.swallow();
+      if (errno == EPIPE) {
+        quiet.swallow();
+      } else {
+        machineFailed("write to it");
+      }
       in.close();
       return false;
     }
@@ -163,21 +166,26 @@ Child::Received Child::Impl::readOutput(std::string& into) {
     }
     if (got < 0 && errno == EAGAIN) return Received::kNothing;
     if (got == 0 || errno != EINTR) {
+      if (got < 0) machineFailed("read from it");
       out.close();
       return Received::kClosed;
     }
   }
 }
 
-std::string Child::Impl::howItEnded() const {
-  std::string reason(page->reason.view());
-  if (!reason.empty()) return reason;
-  if (!page->ended) return "killed";
-  const int status = page->wait_status;
-  if (WIFEXITED(status)) return fmt::format("exit code {}", WEXITSTATUS(status));
-  const int signal = WTERMSIG(status);
-  const char* name = ::sigdescr_np(signal);
-  return fmt::format("signal {} ({})", signal, name == nullptr ? "unknown" : name);
+void Child::Impl::machineFailed(const char* what) {
+  if (failure.empty()) failure = fmt::format("cannot {}: {}", what, std::strerror(errno));
+}
+
+/// A team reaches neither its keeper nor the first process of its namespace, so their end is not its fault.
+ChildEnd Child::Impl::howItEnded(int keeper_status) const {
+  if (!failure.empty()) return {failure, true};
+  if (const std::string_view reason = page->reason.view(); !reason.empty()) {
+    return {std::string(reason), page->machine_failed};
+  }
+  if (page->ended) return {statusText(page->wait_status), false};
+  if (keeper_status == 0) return {kKilled, false};
+  return {fmt::format("its keeper ended: {}", statusText(keeper_status)), true};
 }
 
 void Child::Impl::stop() {
@@ -185,30 +193,20 @@ void Child::Impl::stop() {
   stopped = true;
   page->output_closed = !out.isOpen();
   ::kill(keeper, SIGTERM);
+  ::kill(keeper, SIGCONT);  // should somebody have stopped it
 }
 
-/// What a keeper that was killed has left. Others have removed it themselves.
-void Child::Impl::removeLeftovers() const {
-  std::error_code ignored;
-  std::filesystem::remove_all(std::string(page->private_folder.view()), ignored);
-  for (const std::string& folder : linesOf(page->groups.view())) {
-    // Its members have been killed by then, and end any moment.
-    for (int attempt = 0; ::rmdir(folder.c_str()) != 0 && errno == EBUSY && attempt < 1000; ++attempt)
-      ::usleep(1000);
-  }
-}
-
-std::string Child::Impl::end() {
+ChildEnd Child::Impl::end() {
   if (keeper < 0) return ended;
   stop();
-  waitForKeeper(keeper);
+  const int keeper_status = waitForKeeper(keeper);
   keeper = -1;
   drainErrors();
   in.close();
   out.close();
   errors.close();
-  removeLeftovers();
-  return ended = howItEnded();
+  removeLeftovers(*page);
+  return ended = howItEnded(keeper_status);
 }
 
 Child::Child(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -217,9 +215,11 @@ Child& Child::operator=(Child&&) noexcept = default;
 Child::~Child() = default;
 
 Result<Child> Child::launch(const ChildOptions& options) {
+  auto child = std::make_unique<Impl>();  // first, as a child that has started must not be lost
   Result<Launched> started = launchTeam(options);
   if (!started) return tl::unexpected<Error>(started.error());
-  return Child(std::make_unique<Impl>(std::move(*started)));
+  child->take(std::move(*started));
+  return Child(std::move(child));
 }
 
 bool Child::send(std::string_view bytes) {
@@ -253,7 +253,10 @@ Child::Received Child::receive(std::string& into, double seconds) {
                                  {errors < kMostErrors ? child.errors.number() : -1, POLLIN, 0},
                                  {child.sent < child.waiting.size() ? child.in.number() : -1, POLLOUT, 0}}};
     const int ready = pollFor(waits.data(), waits.size(), left);
-    if (ready < 0 && errno != EINTR) return Received::kClosed;
+    if (ready < 0 && errno != EINTR) {
+      child.machineFailed("wait for it");
+      return Received::kClosed;
+    }
     if (ready == 0) return Received::kNothing;
     if (ready < 0) continue;
     if (waits[1].revents != 0) errors += child.drainErrors();
@@ -273,7 +276,7 @@ std::string Child::takeErrors() {
 
 void Child::stop() { impl_->stop(); }
 
-std::string Child::end() { return impl_->end(); }
+ChildEnd Child::end() { return impl_->end(); }
 
 const Containment& Child::containment() const { return impl_->containment; }
 

@@ -23,6 +23,13 @@ struct ChildOptions {
   bool sandbox_required = false;      ///< refuse to run if a layer is missing
 };
 
+/// How a child ended.
+struct ChildEnd {
+  /// Such as "exit code 3" or "signal 11 (Segmentation fault)"; "killed": it still ran.
+  std::string reason;
+  bool machine = false;  ///< the machine failed it, or somebody killed its keeper: not its own fault
+};
+
 /// The layers of containment that a child reached. docs/sandbox.md says what each contains.
 struct Containment {
   std::vector<std::string> layers;   ///< such as "process-group", "rlimits", "cgroup", "seccomp", "landlock"
@@ -39,7 +46,7 @@ class Child {
   enum class Received : std::uint8_t { kBytes, kNothing, kClosed };
 
   /// Errors: kUsage if the program does not exist or is not executable, or if a required layer is missing;
-  /// kIo.
+  /// kMachine for all that fails before the program begins; kInterrupted.
   static Result<Child> launch(const ChildOptions& options);
   Child(Child&&) noexcept;
   Child& operator=(Child&&) noexcept;
@@ -58,9 +65,9 @@ class Child {
   std::string takeErrors();
   /// Begins to end the child without a wait. To end one that holds much memory takes 0.1 s per GiB.
   void stop();
-  /// Why the child ended, such as "exit code 3" or "signal 11 (Segmentation fault)". Ends all its processes
-  /// if it still runs ("killed"). One that has closed its output gets 25 ms to end by itself.
-  std::string end();
+  /// How the child ended. Ends all its processes if it still runs. One that has closed its output gets 25 ms
+  /// to end by itself.
+  ChildEnd end();
   /// The containment that was reached.
   const Containment& containment() const;
 

@@ -16,6 +16,8 @@
 #include <fmt/format.h>
 
 #include "bridge/process/keeper_image.hpp"
+#include "engine/core/system/shortage.hpp"
+#include "engine/core/system/stop_request.hpp"
 
 namespace fulbito {
 namespace {
@@ -26,8 +28,9 @@ namespace fs = std::filesystem;
 constexpr int kStartMilliseconds = 30'000;
 constexpr const char* kUsualPath = "/usr/local/bin:/usr/bin:/bin";
 
+/// For all that this program and the keeper do before the team begins.
 tl::unexpected<Error> cannot(const std::string& what, int error) {
-  return fail(ErrorCode::kIo, fmt::format("cannot {}: {}", what, std::strerror(error)));
+  return fail(ErrorCode::kMachine, fmt::format("cannot {}: {}", what, std::strerror(error)));
 }
 
 tl::unexpected<Error> cannotRun(const std::string& program, const std::string& why) {
@@ -61,6 +64,16 @@ std::string absoluteFolders(const std::string& path) {
   return kept;
 }
 
+/// What a name stands for. Errors: kMachine, where asking fails for another reason than the name.
+Result<fs::file_type> kindOf(const std::string& file) {
+  std::error_code wrong;
+  const fs::file_type kind = fs::status(file, wrong).type();
+  if (kind == fs::file_type::none && (isShortage(wrong.value()) || wrong.value() == EIO)) {
+    return cannot(fmt::format("look at '{}'", file), wrong.value());
+  }
+  return kind;
+}
+
 bool isProgram(const std::string& file) {
   std::error_code wrong;
   return fs::is_regular_file(file, wrong) && ::access(file.c_str(), X_OK) == 0;
@@ -76,10 +89,16 @@ Result<std::string> findProgram(const std::string& name, const std::string& path
     if (found.empty()) return cannotRun(name, "no such program in PATH");
     return found;
   }
-  std::error_code wrong;
-  if (!fs::exists(name, wrong)) return cannotRun(name, "no such file");
-  if (!fs::is_regular_file(name, wrong)) return cannotRun(name, "not a file");
-  if (!isProgram(name)) return cannotRun(name, "it is not executable (chmod +x)");
+  const auto kind = kindOf(name);
+  if (!kind) return tl::unexpected<Error>(kind.error());
+  if (*kind == fs::file_type::none || *kind == fs::file_type::not_found) {
+    return cannotRun(name, "no such file");
+  }
+  if (*kind != fs::file_type::regular) return cannotRun(name, "not a file");
+  if (::access(name.c_str(), X_OK) != 0) {
+    if (errno != EACCES) return cannot(fmt::format("look at '{}'", name), errno);
+    return cannotRun(name, "it is not executable (chmod +x)");
+  }
   return absolute(name);
 }
 
@@ -89,9 +108,12 @@ Result<void> check(const ChildOptions& options) {
     if (word.find('\0') != std::string::npos)
       return cannotRun(options.command[0], "a word contains a zero byte");
   }
-  std::error_code wrong;
-  if (!options.own_folder.empty() && !fs::is_directory(options.own_folder, wrong)) {
-    return fail(ErrorCode::kUsage, fmt::format("'{}' is not a folder", options.own_folder));
+  if (!options.own_folder.empty()) {
+    const auto kind = kindOf(options.own_folder);
+    if (!kind) return tl::unexpected<Error>(kind.error());
+    if (*kind != fs::file_type::directory) {
+      return fail(ErrorCode::kUsage, fmt::format("'{}' is not a folder", options.own_folder));
+    }
   }
   const ChildLimits& limits = options.limits;
   if (limits.open_files < 8 || limits.processes < 1 || limits.cpu_seconds < 1 || limits.memory == 0 ||
@@ -198,14 +220,15 @@ int spawnKeeper(const Descriptor& image, const KeeperDescriptors& descriptors, p
   return wrong;
 }
 
-/// Whether the other end has closed within the time.
-bool waitForClose(const Descriptor& end) {
+/// Waits until the other end has closed. @return 0, or an errno: ETIMEDOUT; EINTR if the program is to stop
+int waitForClose(const Descriptor& end) {
   pollfd wait{end.number(), POLLIN, 0};
   int ready = 0;
   do {
     ready = ::poll(&wait, 1, kStartMilliseconds);
-  } while (ready < 0 && errno == EINTR);
-  return ready > 0;
+  } while (ready < 0 && errno == EINTR && !stopRequested());
+  if (ready < 0) return errno;
+  return ready > 0 ? 0 : ETIMEDOUT;
 }
 
 std::string lines(std::string_view text, std::string_view between) {
@@ -225,10 +248,15 @@ Error whyNot(const keeper::Page& page, const std::string& program) {
     return {ErrorCode::kUsage,
             fmt::format("the sandbox lacks what is required: {}", lines(page.missing.view(), "; "))};
   }
+  if (page.error == 0) {
+    return {ErrorCode::kMachine, fmt::format("cannot run '{}': its keeper ended", program)};
+  }
   const std::string step(page.step.view());
-  if (step != "run the program") {
-    return {ErrorCode::kIo,
-            fmt::format("cannot run '{}': cannot {}: {}", program, step, std::strerror(page.error))};
+  if (step != keeper::kRunProgram) {
+    return cannot(fmt::format("run '{}': cannot {}", program, step), page.error).value();
+  }
+  if (isShortage(page.error) || page.error == EIO) {
+    return cannot(fmt::format("run '{}'", program), page.error).value();
   }
   switch (page.error) {
     case ENOEXEC:
@@ -261,13 +289,41 @@ SharedPage::SharedPage(SharedPage&& other) noexcept : page_(other.page_), size_(
   other.page_ = nullptr;
 }
 
+SharedPage& SharedPage::operator=(SharedPage&& other) noexcept {
+  std::swap(page_, other.page_);
+  std::swap(size_, other.size_);
+  return *this;
+}
+
 SharedPage::~SharedPage() {
   if (page_ != nullptr) ::munmap(page_, size_);
 }
 
-void waitForKeeper(pid_t keeper) {
-  while (::waitpid(keeper, nullptr, 0) < 0 && errno == EINTR) {
+std::vector<std::string> linesOf(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end + 1);
   }
+  return lines;
+}
+
+void removeLeftovers(const keeper::Page& page) {
+  std::error_code ignored;
+  fs::remove_all(std::string(page.private_folder.view()), ignored);
+  for (const std::string& folder : linesOf(page.groups.view())) {
+    // Its members have been killed by then, and end any moment.
+    for (int attempt = 0; ::rmdir(folder.c_str()) != 0 && errno == EBUSY && attempt < 1000; ++attempt)
+      ::usleep(1000);
+  }
+}
+
+int waitForKeeper(pid_t keeper) {
+  int status = 0;
+  while (::waitpid(keeper, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
 }
 
 Result<Launched> launchTeam(const ChildOptions& options) {
@@ -300,11 +356,13 @@ Result<Launched> launchTeam(const ChildOptions& options) {
       launched.keeper);
   if (wrong != 0) return cannot("start the keeper of a team", wrong);
   for (Descriptor* end : {&in.read, &out.write, &errors.write, &start.write}) end->close();
-  const bool in_time = waitForClose(start.read);
-  if (!in_time || launched.page->error != 0) {
-    ::kill(launched.keeper, SIGTERM);
+  const int late = waitForClose(start.read);
+  if (late != 0 || launched.page->error != 0 || !launched.page->begins) {
+    ::kill(launched.keeper, late == ETIMEDOUT ? SIGKILL : SIGTERM);
     waitForKeeper(launched.keeper);
-    if (!in_time) return cannot("start the keeper of a team", ETIMEDOUT);
+    removeLeftovers(*launched.page);
+    if (late == EINTR) return fail(ErrorCode::kInterrupted, "interrupted");
+    if (late != 0) return cannot("start the keeper of a team", late);
     return tl::unexpected<Error>(whyNot(*static_cast<keeper::Page*>(memory), *program));
   }
   launched.in = std::move(in.write);

@@ -30,10 +30,11 @@ class SharedPage {
   SharedPage() = default;
   SharedPage(keeper::Page* page, std::size_t size) : page_(page), size_(size) {}
   SharedPage(SharedPage&& other) noexcept;
-  SharedPage& operator=(SharedPage&&) = delete;
+  SharedPage& operator=(SharedPage&& other) noexcept;
   ~SharedPage();
 
   keeper::Page* operator->() const { return page_; }
+  const keeper::Page& operator*() const { return *page_; }
 
  private:
   keeper::Page* page_ = nullptr;
@@ -52,7 +53,13 @@ struct Launched {
 /// Starts a keeper and waits until it has started the program. Errors: as Child::launch.
 Result<Launched> launchTeam(const ChildOptions& options);
 
-/// Waits for a keeper that ends.
-void waitForKeeper(pid_t keeper);
+/// Waits for a keeper that ends, and returns its status as waitpid gives it.
+int waitForKeeper(pid_t keeper);
+
+/// Removes what a keeper that was killed has left. Others have removed it themselves.
+void removeLeftovers(const keeper::Page& page);
+
+/// The lines of a text in which each ends with a line end.
+std::vector<std::string> linesOf(std::string_view text);
 
 }  // namespace fulbito

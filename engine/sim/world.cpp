@@ -16,6 +16,7 @@
 #include "engine/sim/contact_work.hpp"
 #include "engine/sim/drive.hpp"
 #include "engine/sim/engine_clock.hpp"
+#include "engine/sim/engine_memory.hpp"
 #include "engine/sim/obstacle_motion.hpp"
 #include "engine/sim/reserve.hpp"
 #include "engine/sim/rod.hpp"
@@ -109,6 +110,7 @@ World::Impl::Impl(const WorldConfig& from)
       contacts(makeLog(from)),
       approach(units::length(from.physics.contact_depth), from.physics.bullet_ball),
       clearance(from.physics.bullet_ball) {
+  useCheckedMemory();
   reserveContacts(engine, config.robots.size() + config.balls.size() + config.obstacles.size());
   engine.SetAllowSleeping(false);
   engine.SetAutoClearForces(false);  // no forces are applied, only impulses

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/core/system/stop_request.hpp"
 #include "match/check/command_numbers.hpp"
 #include "match/check/mirror.hpp"
 
@@ -108,6 +109,9 @@ Result<TeamAnswers> answersOf(const TeamChoice& team, const RecordedCalls& told)
     std::visit(tell, call);
     const TeamCondition& condition = asked.condition();
     if (condition.state == TeamCondition::State::kWell) continue;
+    if (condition.state == TeamCondition::State::kCut) {
+      return fail(stopRequested() ? ErrorCode::kInterrupted : ErrorCode::kMachine, condition.reason);
+    }
     answers.failure = condition.reason.empty() ? "no answer in time" : condition.reason;
     if (std::holds_alternative<DecideCall>(call)) answers.commands.pop_back();
     if (std::holds_alternative<PlacementRequest>(call)) answers.places.pop_back();

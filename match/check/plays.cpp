@@ -81,6 +81,7 @@ Result<void> playSituation(const CheckSituation& situation, const TeamChoice& te
   while (match->tick() < situation.ticks && !broken && match->step()) {
     broken = faults().late > most_late || faults().forfeited;
   }
+  if (const auto abandoned = match->faults().abandoned) return tl::unexpected<Error>(*abandoned);
   match->finish();
   broken = broken || faults().forfeited;
   findings.broken += broken ? 1 : 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/system/machine_room.hpp"
 #include "match/check/plays.hpp"
 #include "match/check/repeats.hpp"
 #include "match/check/situations.hpp"
@@ -46,7 +47,8 @@ class Run {
   Result<void> play() {
     for (const auto& situations : seats_) {
       for (const CheckSituation& situation : situations) {
-        auto played = playSituation(situation, options_.team, options_.clock, plays_);
+        auto played =
+            room_.run([&] { return playSituation(situation, options_.team, options_.clock, plays_); });
         if (played) played = advance();
         if (!played) return played;
       }
@@ -59,7 +61,7 @@ class Run {
     for (std::size_t i = 0; i < seats_[0].size(); ++i) {
       Result<void> repeated;
       if (!options_.quick || i % kQuickEvery == 0) {
-        repeated = repeatSituation(seats_[0][i], options_.team, repeats_);
+        repeated = room_.run([&] { return repeatSituation(seats_[0][i], options_.team, repeats_); });
       }
       if (repeated) repeated = advance();
       if (!repeated) return repeated;
@@ -112,6 +114,7 @@ class Run {
   }
 
   const TeamCheckOptions& options_;
+  MachineRoom room_;
   PerTeam<std::vector<CheckSituation>> seats_;
   PlayFindings plays_;
   AllRepeats repeats_;

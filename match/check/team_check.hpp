@@ -56,7 +56,8 @@ struct TeamCheckOptions {
 };
 
 /// Checks a team. All results but those of time repeat with the seed, if the team does. Errors: kUsage if the
-/// team or its navigators cannot be created; kInterrupted when `progress` returned false.
+/// team or its navigators cannot be created; kMachine when the machine fails it; kInterrupted when `progress`
+/// returned false.
 Result<TeamReport> checkTeam(const TeamCheckOptions& options);
 
 /// @{ The report as a table to read and as JSON.

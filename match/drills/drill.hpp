@@ -211,7 +211,7 @@ struct DrillOptions {
 
 /// Runs those of the drills whose numbers are asked for (all when none is), one after the other. The result
 /// does not depend on the number of jobs. Errors: kUsage and kBadInput of names, of starts that cannot be
-/// placed, of repeated drills that `drills` lacks; kInterrupted when `progress` returned false.
+/// placed, of repeated drills that `drills` lacks; kMachine; kInterrupted when `progress` returned false.
 Result<std::vector<DrillReport>> runDrills(const std::vector<Drill>& drills, const std::vector<int>& numbers,
                                            const DrillOptions& options, const DrillProgress& progress);
 

@@ -195,6 +195,7 @@ Result<DrillMatch> playDrillMatch(const DrillRun& run, const Drill& drill, const
   match->watch(statistics);
   while (match->step()) {
   }
+  if (const auto abandoned = match->faults().abandoned) return tl::unexpected<Error>(*abandoned);
   return tally.tally(match->referee(), statistics.statistics());
 }
 

@@ -18,7 +18,7 @@ Result<std::vector<DrillTrial>> playTrials(const DrillRun& run, const Drill& dri
   std::vector<DrillTrial> trials(static_cast<std::size_t>(trialsOf(run.options, drill)));
   const auto played =
       parallelFor(run.options.jobs, trials.size(), progress, [&](std::size_t i) -> Result<void> {
-        auto trial = playTrial(run, drill, *base, static_cast<int>(i));
+        auto trial = run.room.run([&] { return playTrial(run, drill, *base, static_cast<int>(i)); });
         if (!trial) return tl::unexpected<Error>(trial.error());
         trials[i] = *trial;
         return {};
@@ -49,7 +49,8 @@ Result<void> runMatches(const DrillRun& run, DrillReport& report, WorkProgress& 
   std::vector<DrillMatch> matches(static_cast<std::size_t>(trialsOf(run.options, report.drill)));
   const auto played =
       parallelFor(run.options.jobs, matches.size(), progress, [&](std::size_t i) -> Result<void> {
-        auto match = playDrillMatch(run, report.drill, *base, static_cast<int>(i));
+        auto match =
+            run.room.run([&] { return playDrillMatch(run, report.drill, *base, static_cast<int>(i)); });
         if (!match) return tl::unexpected<Error>(match.error());
         matches[i] = *match;
         return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/core/system/machine_room.hpp"
 #include "match/drills/drill.hpp"
 
 namespace fulbito {
@@ -9,6 +10,7 @@ struct DrillRun {
   const DrillOptions& options;
   RobotPreset robot;
   PhysicsProfile physics;
+  mutable MachineRoom room{};  ///< of the trials that play at once
 };
 
 /// The match that a drill's trials are played in, but for teams, seed and start.

@@ -76,6 +76,7 @@ struct Match::Impl {
   void sense();
   void decide();
   void watchOver(TeamId team, const GameEvent& now);
+  std::optional<Error> cut() const;
   void move();
   std::optional<RestartCall> judge();
   void report();
@@ -222,6 +223,7 @@ void Match::Impl::playTick() {
   events.clear();
   sense();
   decide();
+  if (const auto error = cut()) return abandon(*error);
   move();
   const auto call = judge();
   const bool over = referee.state().ended;
@@ -262,6 +264,16 @@ void Match::Impl::watchOver(TeamId team, const GameEvent& now) {
   const TeamCondition& condition = seat.strategy().condition();
   seat.policy().count(condition, now, events);
   if (condition.state == TeamCondition::State::kLost) referee.forfeit(team);
+}
+
+/// What the machine fails is no team's fault, so nobody wins by it.
+std::optional<Error> Match::Impl::cut() const {
+  for (const TeamId team : kTeams) {
+    if (const auto error = seats[indexOf(team)].cut()) {
+      return Error{error->code, std::string(nameOf(team)) + " team: " + error->message};
+    }
+  }
+  return std::nullopt;
 }
 
 void Match::Impl::move() {
@@ -319,6 +331,9 @@ void Match::Impl::stop(const RestartCall& call) {
 
 void Match::Impl::abandon(const Error& error) {
   abandoned = error;
+  if (error.code != ErrorCode::kMachine && error.code != ErrorCode::kInterrupted) {
+    abandoned->code = ErrorCode::kBadInput;
+  }
   GameEvent event = eventNow();
   event.clause = "match.abandoned";
   event.law = "policy";

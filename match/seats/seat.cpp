@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/core/system/stop_request.hpp"
 #include "strategies/interface/team_frame.hpp"
 
 namespace fulbito {
@@ -11,6 +12,12 @@ namespace {
 std::optional<DecisionTime> limitOf(const MatchConfig& config, TeamId team) {
   if (config.decision_time || !config.teams[indexOf(team)].info->outside) return config.decision_time;
   return config.rules.decision_time;
+}
+
+std::optional<Error> cutOf(const Strategy& strategy) {
+  const TeamCondition& condition = strategy.condition();
+  if (condition.state != TeamCondition::State::kCut) return std::nullopt;
+  return Error{stopRequested() ? ErrorCode::kInterrupted : ErrorCode::kMachine, condition.reason};
 }
 
 MatchInfo infoOf(const MatchConfig& config, TeamId team) {
@@ -53,6 +60,7 @@ Result<Seat> Seat::create(const MatchConfig& config, TeamId team) {
   if (!strategy) return tl::unexpected<Error>(strategy.error());
   const MatchInfo info = infoOf(config, team);
   (*strategy)->begin(info);
+  if (const auto error = cutOf(**strategy)) return tl::unexpected<Error>(*error);
   const std::span<const NavigatorChoice> navigators = (*strategy)->navigators();
   auto pilots = TeamPilots::create(info, navigators);
   if (!pilots) return tl::unexpected<Error>(pilots.error());
@@ -82,6 +90,8 @@ bool Seat::inTime(double seconds) {
   const bool late = time_ && time_->late(condition.seconds.value_or(seconds), observation_.period);
   return !late && condition.state == TeamCondition::State::kWell;
 }
+
+std::optional<Error> Seat::cut() const { return cutOf(*strategy_); }
 
 void Seat::fillRobots(const Moment& moment, std::span<const RobotState> robots, Side side,
                       Observation& seen) const {

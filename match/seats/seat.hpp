@@ -25,7 +25,7 @@ struct Moment {
 /// One seat of a match: a team with its vision, its navigation stage and the policy for its commands.
 class Seat {
  public:
-  /// Errors: of the team and its navigators.
+  /// Errors: of the team and its navigators; as `cut`.
   static Result<Seat> create(const MatchConfig& config, TeamId team);
 
   /// A new play begins in this world.
@@ -49,6 +49,8 @@ class Seat {
   /// Charges the team for an answer of `seconds`, unless it measured that itself.
   /// @return whether the answer counts: it came in time, from a team that is well
   bool inTime(double seconds);
+  /// Why the match cannot go on with the team, if the machine failed it: kMachine; kInterrupted.
+  std::optional<Error> cut() const;
   /// Wheel speeds of the team's robots by the decision in force, before clamping and rounding.
   std::array<WheelSpeeds, kMaxTeamSize> drive();
   /// Drawings of the navigators in the last `drive`; empty unless drawings are wanted.

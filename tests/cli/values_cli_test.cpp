@@ -170,7 +170,7 @@ TEST_CASE("where no thread starts or no memory is left the work is done, or the 
   }
   // In one thread and code of ours: libraries do not all look whether they were given memory.
   const Output large = box.shell("truncate -s 500M a.fbr; ulimit -v 200000; $F replay info a.fbr");
-  CHECK(large.code == 5);
+  CHECK(large.code == 6);
   CHECK(contains(large.err, "not enough memory"));
 }
 

@@ -14,6 +14,14 @@ Json sprtJson(const Sprt& sprt) {
           {"bounds", {bounds.weak, bounds.strong}}, {"alpha", bounds.alpha},     {"beta", bounds.beta}};
 }
 
+Json unplayedJson(const std::vector<UnplayedMatch>& unplayed) {
+  Json json = Json::array();
+  for (const UnplayedMatch& match : unplayed) {
+    json.push_back({{"pair", match.fixture}, {"leg", match.leg + 1}, {"reason", match.reason}});
+  }
+  return json;
+}
+
 std::string indented(const Json& json, std::size_t spaces) {
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
   std::string out;

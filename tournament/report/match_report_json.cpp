@@ -50,6 +50,7 @@ void addSums(Json& json, const MeetingSummary& sums) {
 }
 
 void addConfig(Json& json, const TournamentState& state) {
+  json["unplayed"] = unplayedJson(state.unplayed);
   json["seed"] = state.plan.seed;
   json["config"] = matchConfigJson(state.plan.match);
   json["build"] = buildJson();

@@ -191,4 +191,24 @@ Grid notableGrid(const TournamentState& state, const TournamentTable& table) {
   return grid;
 }
 
+Grid unplayedGrid(const TournamentState& state) {
+  constexpr std::size_t kMostShown = 20;
+  Grid grid{"Matches not played, as the machine failed",
+            {{"match", true}, {"blue", false, true}, {"yellow", false, true}, {"reason", false, true}},
+            {},
+            {}};
+  for (const UnplayedMatch& match : state.unplayed) {
+    if (grid.rows.size() == kMostShown) break;
+    const Fixture& fixture = state.schedule.fixtures[match.fixture];
+    grid.rows.push_back({cell(numberOf(match.fixture, match.leg)),
+                         cell(shownName(state, entrantAt(fixture, match.leg, 0))),
+                         cell(shownName(state, entrantAt(fixture, match.leg, 1))),
+                         cell(shownText(match.reason, 2 * kTextColumns))});
+  }
+  if (state.unplayed.size() > kMostShown) {
+    grid.note = fmt::format("{} more were not played.", state.unplayed.size() - kMostShown);
+  }
+  return grid;
+}
+
 }  // namespace fulbito

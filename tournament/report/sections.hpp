@@ -43,6 +43,8 @@ Grid startGrid(const TournamentState& state, const TournamentTable& table);
 /// Teams with faults.
 Grid faultGrid(const TournamentState& state, const TournamentTable& table);
 Grid notableGrid(const TournamentState& state, const TournamentTable& table);
+/// Matches that the machine failed.
+Grid unplayedGrid(const TournamentState& state);
 /// @}
 
 }  // namespace fulbito

@@ -149,6 +149,7 @@ Json tableJson(const TournamentState& state, const TournamentTable& table) {
   json["draw_share"] = table.ratings.draw_share;
   json["prior"] = table.ratings.prior;
   json["notable"] = listOf(table.notable, [&](const NotableMatch& m) { return notableJson(state, m); });
+  json["unplayed"] = unplayedJson(state.unplayed);
   json["seed"] = state.plan.seed;
   json["config"] = configJson(state.plan);
   return json;

@@ -68,7 +68,7 @@ class Junit {
       ++suite.skipped;
       return fmt::format("<skipped message=\"{}\"/>", escapedXml(why));
     };
-    suite.add("finished", state_.finished() ? "" : skip("matches are missing"));
+    suite.add("finished", state_.finished() ? "" : skip("matches are missing" + firstReason()));
     if (!state_.sprt) return suite;
     std::string inside;
     if (state_.sprt->verdict() == SprtVerdict::kFail) {
@@ -79,6 +79,13 @@ class Junit {
     }
     suite.add("sequential test", inside);
     return suite;
+  }
+
+  std::string firstReason() const {
+    if (state_.unplayed.empty()) return {};
+    const UnplayedMatch& first = state_.unplayed.front();
+    return fmt::format("; not played: {}, {}", numberOf(first.fixture, first.leg),
+                       shownText(first.reason, kMessageColumns));
   }
 
   Suite& suiteOf(const Fixture& fixture) {

@@ -7,8 +7,8 @@
 namespace fulbito {
 namespace {
 
-/// A CI summary holds 1 MiB. The tables are at most eight, since those of groups share one part.
-constexpr std::size_t kBytesPerTable = 112 * 1024;
+/// A CI summary holds 1 MiB. The tables are at most nine, since those of groups share one part.
+constexpr std::size_t kBytesPerTable = 96 * 1024;
 constexpr std::size_t kMostCrossed = 20;
 
 std::string headMarkdown(const TournamentState& state, const TournamentTable& table) {
@@ -48,8 +48,9 @@ std::string tournamentMarkdown(const TournamentState& state, const TournamentTab
   std::string text = headMarkdown(state, table);
   if (state.plan.format == TournamentFormat::kMatch) text += markdownOf(matchGrid(state), kBytesPerTable);
   text += standingsMarkdown(state, table);
-  for (const Grid& grid : {bracketGrid(state, table), crossGrid(state, table, kMostCrossed),
-                           startGrid(state, table), faultGrid(state, table), notableGrid(state, table)}) {
+  for (const Grid& grid :
+       {unplayedGrid(state), bracketGrid(state, table), crossGrid(state, table, kMostCrossed),
+        startGrid(state, table), faultGrid(state, table), notableGrid(state, table)}) {
     if (!grid.rows.empty()) text += markdownOf(grid, kBytesPerTable);
   }
   return text;

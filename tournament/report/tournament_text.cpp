@@ -35,6 +35,7 @@ std::string tablesText(const TournamentState& state, const TournamentTable& tabl
 std::string tournamentText(const TournamentState& state, const TournamentTable& table) {
   const bool match = state.plan.format == TournamentFormat::kMatch;
   std::string text = match ? matchReportText(state) : tablesText(state, table);
+  append(text, unplayedGrid(state));
   append(text, startGrid(state, table));
   append(text, faultGrid(state, table));
   // A series or test is a few lines, which a list of single matches would drown.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/core/system/stop_request.hpp"
 #include "match/report/foul_goals.hpp"
 #include "referee/rules/clauses.hpp"
 
@@ -29,6 +30,10 @@ bool anyFault(const MatchFaults& faults, bool (*has)(const TeamFaults&)) {
 }
 
 }  // namespace
+
+bool hasOutsideTeam(const MatchConfig& config) {
+  return config.teams[0].info->outside || config.teams[1].info->outside;
+}
 
 MatchOutcome outcomeOf(const MatchFaults& faults, bool walk_over, bool mercy) {
   if (walk_over || anyFault(faults, [](const TeamFaults& f) { return f.forfeited; })) {
@@ -65,8 +70,10 @@ Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock
   }
   MatchFaults faults = match->faults();
   if (faults.abandoned) {
-    return fail(ErrorCode::kBadInput, "the match was abandoned: " + faults.abandoned->message);
+    return fail(faults.abandoned->code, "the match was abandoned: " + faults.abandoned->message);
   }
+  // Waits for teams outside the program end early then, as if the teams were late.
+  if (hasOutsideTeam(config) && stopRequested()) return fail(ErrorCode::kInterrupted, "interrupted");
   const bool absent = !config.present[0] || !config.present[1];
   const MatchOutcome outcome = outcomeOf(faults, absent, mercy.heard());
   const RefereeState& referee = match->referee();

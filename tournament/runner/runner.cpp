@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "engine/core/system/machine_room.hpp"
 #include "engine/core/system/worker_threads.hpp"
 #include "match/config/check_match.hpp"
 #include "tournament/runner/course.hpp"
@@ -42,7 +45,7 @@ struct Task {
 class Run {
  public:
   Run(const TournamentPlan& plan, const MatchIdentity& identity, const RunnerOptions& options)
-      : plan_(plan), identity_(identity), options_(options), course_(plan) {}
+      : plan_(plan), identity_(identity), options_(options), room_(options.retries), course_(plan) {}
 
   Result<RunOutcome> all();
 
@@ -55,6 +58,8 @@ class Run {
   Result<MatchResult> once(const Task& task, const MatchConfig& config, const std::function<bool()>& goes_on);
   Result<MatchResult> attempt(const Task& task, const std::function<bool()>& goes_on);
   Result<void> keep(const Task& task, const MatchResult& result);
+  Result<void> leaveOut(const Task& task, const Error& error);
+  std::vector<UnplayedMatch> unplayed() const;
   Result<void> playAgain(const Task& task, const std::function<bool()>& goes_on);
   Mismatch mismatchOf(const Task& task, const MatchRow& row) const;
   bool crowded(const MatchConfig& config) const;
@@ -71,12 +76,14 @@ class Run {
   const MatchIdentity& identity_;
   const RunnerOptions& options_;
   Turns turns_{coreCount()};
+  MachineRoom room_;
   std::size_t looked_up_ = 0;   // fixtures
   std::vector<Task> compared_;  // matches from log or cache to play again
   std::mutex mutex_;            // of all below
   Course course_;
   RunOutcome outcome_;
   RunProgress progress_;
+  std::map<std::pair<std::size_t, std::size_t>, std::string> left_out_;  // reasons by fixture and leg
 };
 
 bool Run::sampled(const MatchId& id) const {
@@ -164,8 +171,7 @@ Result<MatchResult> Run::once(const Task& task, const MatchConfig& config,
 
 /// Whether other matches could make a team outside the program late.
 bool Run::crowded(const MatchConfig& config) const {
-  const bool outside = config.teams[0].info->outside || config.teams[1].info->outside;
-  return outside && options_.jobs > coreCount();
+  return hasOutsideTeam(config) && options_.jobs > coreCount();
 }
 
 // A match that the machine failed is no result: it is played again.
@@ -173,7 +179,7 @@ Result<MatchResult> Run::attempt(const Task& task, const std::function<bool()>& 
   const auto config = matchOf(plan_, fixtureOf(task), task.leg);
   if (!config) return tl::unexpected<Error>(config.error());
   for (int attempt = 0;; ++attempt) {
-    auto result = once(task, *config, goes_on);
+    auto result = room_.run([&] { return once(task, *config, goes_on); });
     if (result || result.error().code != ErrorCode::kIo || attempt >= options_.retries) return result;
     const std::lock_guard lock(mutex_);
     ++outcome_.retried;
@@ -195,8 +201,23 @@ Result<void> Run::keep(const Task& task, const MatchResult& result) {
   ++outcome_.played;
   ++progress_.done;
   if (result.outcome >= MatchOutcome::kCrash) ++progress_.failures;
+  left_out_.erase({task.fixture, task.leg});
   course_.take(task.fixture, task.leg, row.result);
   return {};
+}
+
+/// Other matches can do without it, but not a test, which counts them in their order.
+Result<void> Run::leaveOut(const Task& task, const Error& error) {
+  const std::lock_guard lock(mutex_);
+  left_out_[{task.fixture, task.leg}] = error.message;
+  return plan_.sprt ? fail(ErrorCode::kInterrupted, "a match is missing") : Result<void>();
+}
+
+std::vector<UnplayedMatch> Run::unplayed() const {
+  std::vector<UnplayedMatch> unplayed;
+  if (course_.decided()) return unplayed;  // those before the verdict have been played
+  for (const auto& [match, reason] : left_out_) unplayed.push_back({match.first, match.second, reason});
+  return unplayed;
 }
 
 /// Another run of the match kept another result in the meantime.
@@ -210,6 +231,7 @@ Mismatch Run::mismatchOf(const Task& task, const MatchRow& row) const {
 
 Result<void> Run::playAgain(const Task& task, const std::function<bool()>& goes_on) {
   auto second = attempt({task.fixture, task.leg, true}, goes_on);
+  if (!second && second.error().code == ErrorCode::kMachine) return {};  // nothing to compare
   if (!second) return tl::unexpected<Error>(second.error());
   const std::lock_guard lock(mutex_);
   const MatchResult& first = *course_.result(task.fixture, task.leg);
@@ -225,6 +247,7 @@ Result<void> Run::play(const Task& task, WorkProgress& progress) {
   const auto goes_on = [&] { return !decided() && progress.goesOn(); };
   if (decided()) return fail(ErrorCode::kInterrupted, "decided");
   auto result = attempt(task, goes_on);
+  if (!result && result.error().code == ErrorCode::kMachine) return leaveOut(task, result.error());
   if (!result) return tl::unexpected<Error>(result.error());
   if (auto kept = keep(task, *result); !kept) return kept;
   if (sampled(idOf(task)) && !late(*result)) {
@@ -256,7 +279,10 @@ Result<RunOutcome> Run::all() {
   if (!outcome_.interrupted && !compared_.empty()) {
     if (auto done = playAll(compared_); !done) return tl::unexpected<Error>(done.error());
   }
+  std::vector<UnplayedMatch> left_out = unplayed();
   outcome_.state = identified(std::move(course_).state(), identity_);
+  outcome_.state.unplayed = std::move(left_out);
+  outcome_.retried += room_.repeated();
   return std::move(outcome_);
 }
 

@@ -24,6 +24,13 @@ struct Shard {
   bool has(std::size_t fixture) const { return fixture % count == index; }
 };
 
+/// A match that the machine failed in all attempts. It has no result.
+struct UnplayedMatch {
+  std::size_t fixture = 0;
+  std::size_t leg = 0;
+  std::string reason;
+};
+
 /// The state of a tournament: the plan and what has been played of it.
 struct TournamentState {
   TournamentPlan plan;
@@ -33,6 +40,7 @@ struct TournamentState {
   std::optional<Sprt> sprt;  ///< fed with the results before the first gap; of a plan with a test
   /// Fixtures that count: all, or up to the verdict of the test.
   std::size_t counted = 0;
+  std::vector<UnplayedMatch> unplayed;  ///< of the run that ends here, in the order of the schedule
   /// Whether nothing is left to play.
   bool finished() const;
 };
@@ -58,7 +66,7 @@ struct RunProgress {
 /// What watches a match of a tournament.
 struct MatchWatch {
   std::shared_ptr<MatchObserver> observer;
-  /// Called when the match has ended, before its result is kept. kIo: the match is played again.
+  /// Called when the match has ended, before its result is kept. kIo, kMachine: the match is played again.
   std::function<Result<void>()> finish;
 };
 
@@ -70,7 +78,7 @@ struct RunnerOptions {
   MatchStore* log = nullptr;          ///< finished matches; required
   const MatchCache* cache = nullptr;  ///< matches of other tournaments; optional
   double verify = 0.0;                ///< share of the matches to play again and compare, 0 ... 1
-  int retries = 2;                    ///< further attempts of a match that the machine failed
+  int retries = 2;  ///< further attempts of a match that the machine failed while no other ran
   /// Called with each finished match, from one thread at a time. False stops the run.
   std::function<bool(const RunProgress&)> progress;
   /// Called before each match is played. Empty: nothing watches.
@@ -92,8 +100,9 @@ struct RunOutcome {
 Result<MatchConfig> matchOf(const TournamentPlan& plan, const Fixture& fixture, std::size_t leg);
 
 /// Plays what is missing. Matches that the log or the cache has are not played again; a team that is not
-/// deterministic never plays from the cache. Errors: kUsage of the plan; of a match; kIo of the log, with all
-/// results before it kept.
+/// deterministic never plays from the cache. Matches that the machine fails are played again while fewer
+/// others run; those that it fails in all attempts are left out, and end a test, which needs all results in
+/// their order. Errors: kUsage of the plan; of a match; kIo of the log, with all results before it kept.
 Result<RunOutcome> runTournament(const TournamentPlan& plan, const MatchIdentity& identity,
                                  const RunnerOptions& options);
 

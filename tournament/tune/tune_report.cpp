@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "tournament/report/counted_results.hpp"
 #include "tournament/report/json_parts.hpp"
 #include "tournament/report/sections.hpp"
 #include "tournament/statistics/sprt.hpp"
@@ -147,6 +148,10 @@ std::string tuneText(const TunePlan& plan, const TuneOutcome& outcome) {
   text += parameterTable(plan, end);
   text += fmt::format("Tuned team:\n  {}\n", shellWord(plan.team.at(plan.spsa.parameters, end)));
   if (outcome.failures > 0) text += fmt::format("A team failed in {} matches.\n", outcome.failures);
+  for (const UnplayedMatch& match : outcome.unplayed) {
+    text += fmt::format("Not played, as the machine failed: match {}, {}\n",
+                        numberOf(match.fixture, match.leg), match.reason);
+  }
   if (outcome.finals.empty()) return text;
   text += "On starts that the tuning did not use:\n";
   for (const FinalResult& final : outcome.finals) text += finalText(final);
@@ -167,6 +172,7 @@ std::string tuneJson(const TunePlan& plan, const TuneOutcome& outcome) {
             {"iterations_done", outcome.results.size()},
             {"pairs", plan.base.pairs},
             {"failures", outcome.failures},
+            {"unplayed", unplayedJson(outcome.unplayed)},
             {"parameters", Json::array()},
             {"results", outcome.results},
             {"path", path},

@@ -17,6 +17,7 @@ class TuneRun {
  private:
   Result<void> iterate();
   Result<void> judge();
+  bool stopped() const { return outcome_.interrupted || !outcome_.unplayed.empty(); }
   /// Plays a plan; empty after a stop.
   Result<std::optional<TournamentState>> play(const TournamentPlan& plan);
   void count(RunOutcome& outcome);
@@ -55,7 +56,8 @@ Result<std::optional<TournamentState>> TuneRun::play(const TournamentPlan& plan)
   if (!outcome) return tl::unexpected<Error>(outcome.error());
   count(*outcome);
   outcome_.interrupted = outcome->interrupted;
-  if (outcome->interrupted) return std::optional<TournamentState>();
+  outcome_.unplayed = outcome->state.unplayed;
+  if (stopped()) return std::optional<TournamentState>();
   return std::optional(std::move(outcome->state));
 }
 
@@ -91,10 +93,10 @@ Result<void> TuneRun::judge() {
 
 Result<TuneOutcome> TuneRun::all() {
   const auto iterations = static_cast<std::size_t>(plan_.spsa.iterations);
-  while (!outcome_.interrupted && outcome_.results.size() < iterations) {
+  while (!stopped() && outcome_.results.size() < iterations) {
     if (auto done = iterate(); !done) return tl::unexpected<Error>(done.error());
   }
-  if (!outcome_.interrupted) {
+  if (!stopped()) {
     if (auto done = judge(); !done) return tl::unexpected<Error>(done.error());
   }
   return std::move(outcome_);

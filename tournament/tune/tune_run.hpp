@@ -34,6 +34,8 @@ struct TuneOutcome {
   std::size_t taken = 0;             ///< from the log
   std::size_t failures = 0;          ///< matches in which a team crashed or forfeited
   std::vector<Mismatch> mismatches;  ///< matches that another run of the tuning played with another result
+  /// Matches that the machine failed: the tuning ends before its next step, which needs their results.
+  std::vector<UnplayedMatch> unplayed;
   bool interrupted = false;
 };
 

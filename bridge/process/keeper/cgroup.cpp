@@ -1,6 +1,7 @@
 #include "bridge/process/keeper/cgroup.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -63,6 +64,12 @@ std::string ownFolder(const std::string& controller) {
 }
 
 std::string groupName() { return "/fulbito-" + std::to_string(::getpid()); }
+
+/// The number after a key at the beginning of a line.
+unsigned long long counter(const std::string& text, const std::string& key) {
+  const std::size_t at = ("\n" + text).find("\n" + key);
+  return at == std::string::npos ? 0 : std::strtoull(text.c_str() + at + key.size(), nullptr, 10);
+}
 
 bool makeFolder(const std::string& folder) { return ::mkdir(folder.c_str(), 0755) == 0; }
 
@@ -129,12 +136,25 @@ bool Cgroup::add(pid_t process) const {
   return true;
 }
 
-bool Cgroup::ranOut() const {
+bool Cgroup::lostProcess() const {
   if (folders_.empty()) return false;
-  const std::string events =
-      readSmallFile(folders_.front() + (version2_ ? "/memory.events" : "/memory.oom_control"));
-  const std::size_t at = events.find("oom_kill ");
-  return at != std::string::npos && events[at + 9] != '0';
+  return counter(readSmallFile(folders_.front() + (version2_ ? "/memory.events" : "/memory.oom_control")),
+                 "oom_kill ") > 0;
 }
+
+/// The kernel counts a kill in the group of the killed, and the shortage in the group that has the limit. Of
+/// version 1 only the most that was used tells it: kernels do not count what the limit with swap refuses.
+bool Cgroup::reachedLimit() const {
+  const auto number = [this](const char* file, const char* key) {
+    return counter(readSmallFile(folders_.front() + file), key);
+  };
+  if (version2_) return number("/memory.events", "oom ") > 0;
+  constexpr unsigned long long kMargin = 1 << 20;  // [bytes] memory is charged in batches
+  return number("/memory.max_usage_in_bytes", "") + kMargin >= number("/memory.limit_in_bytes", "");
+}
+
+bool Cgroup::ranOut() const { return lostProcess() && reachedLimit(); }
+
+bool Cgroup::othersRanOut() const { return lostProcess() && !reachedLimit(); }
 
 }  // namespace fulbito::keeper

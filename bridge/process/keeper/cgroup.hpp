@@ -23,10 +23,14 @@ class Cgroup {
   const std::vector<std::string>& folders() const { return folders_; }
   /// Puts a process into the group.
   bool add(pid_t process) const;
-  /// Whether the group ended a process because memory ran out.
+  /// Whether a process was ended because the group reached its limit of memory.
   bool ranOut() const;
+  /// Whether a process was ended because memory ran out elsewhere: in a group around it, or on the machine.
+  bool othersRanOut() const;
 
  private:
+  bool lostProcess() const;
+  bool reachedLimit() const;
   bool makeVersion2(const Order& order, const std::string& parent);
   bool makeVersion1(const Order& order, const std::string& memory_parent, const std::string& pids_parent);
 

@@ -11,6 +11,7 @@
 #include <climits>
 
 #include "bridge/process/keeper/files.hpp"
+#include "engine/core/system/shortage.hpp"
 
 namespace fulbito::keeper {
 namespace {
@@ -124,12 +125,17 @@ class Rules {
   void allow(const std::string& path, std::uint64_t rights) {
     PathRule rule;
     rule.folder = ::open(path.c_str(), O_PATH | O_CLOEXEC);
-    if (rule.folder < 0) return;
+    if (rule.folder < 0) return noteShortage();
     struct stat status{};
     const bool folder = ::fstat(rule.folder, &status) == 0 && S_ISDIR(status.st_mode);
     rule.allowed = rights & handled_ & (folder ? ~std::uint64_t{0} : kOfFiles);
     if (::syscall(SYS_landlock_add_rule, set_, kPathRule, &rule, 0) != 0 && error_ == 0) error_ = errno;
     ::close(rule.folder);
+  }
+
+  /// A file that the machine does not open now is there all the same.
+  void noteShortage() {
+    if (error_ == 0 && (isShortage(errno) || errno == EIO)) error_ = errno;
   }
 
   int restrictSelf() const {
@@ -170,11 +176,12 @@ std::string findProgram(const std::string& name, const std::string& path) {
 }
 
 /// The words of a script's first line, without "#!".
-std::vector<std::string> interpreterOf(const std::string& program) {
+std::vector<std::string> interpreterOf(Rules& rules, const std::string& program) {
   std::vector<std::string> words;
   const int file = ::open(program.c_str(), O_RDONLY | O_CLOEXEC);
   std::array<char, 256> start{};
-  const ssize_t size = file < 0 ? 0 : ::read(file, start.data(), start.size());
+  const ssize_t size = file < 0 ? -1 : ::read(file, start.data(), start.size());
+  if (size < 0) rules.noteShortage();
   if (file >= 0) ::close(file);
   if (size < 2 || start[0] != '#' || start[1] != '!') return words;
   bool in_word = false;
@@ -191,14 +198,14 @@ std::vector<std::string> interpreterOf(const std::string& program) {
 /// virtual environment of Python and pyenv's stand-ins lead to an installation elsewhere.
 void allowSurroundings(Rules& rules, const Order& order, const std::string& program, int depth) {
   const std::string real = realPath(program);
-  if (real.empty()) return;
+  if (real.empty()) return rules.noteShortage();
   const std::string folder = parentOf(real), prefix = parentOf(folder);
   rules.allow(folder, kReading);
   if ((nameOf(folder) == "bin" || nameOf(folder) == "shims") && !prefix.empty())
     rules.allow(prefix, kReading);
   const std::string environment = parentOf(parentOf(program));
   if (::access((environment + "/pyvenv.cfg").c_str(), F_OK) == 0) rules.allow(environment, kReading);
-  const std::vector<std::string> words = interpreterOf(real);
+  const std::vector<std::string> words = interpreterOf(rules, real);
   if (words.empty() || depth == 0) return;
   allowSurroundings(rules, order, words.front(), depth - 1);
   if (nameOf(words.front()) != "env") return;

@@ -19,7 +19,9 @@
 #include "bridge/process/keeper/descendants.hpp"
 #include "bridge/process/keeper/files.hpp"
 #include "bridge/process/keeper/namespaces.hpp"
+#include "bridge/process/keeper/promise.hpp"
 #include "bridge/process/keeper/team.hpp"
+#include "engine/core/system/shortage.hpp"
 
 namespace fulbito::keeper {
 namespace {
@@ -125,6 +127,16 @@ bool receiveByte(int descriptor) {
   }
 }
 
+/// Lets the process at the other end go on, and waits until the first process of a namespace has started the
+/// team. @return 0, or an errno
+int exchange(const Order& order, int line, bool with_namespaces) {
+  if (::send(line, "g", 1, MSG_NOSIGNAL) != 1) return errno;
+  errno = 0;
+  if (!with_namespaces || receiveByte(line)) return 0;
+  if (order.page->error != 0) return order.page->error;
+  return errno != 0 ? errno : EIO;
+}
+
 /// What the keeper has started: the team, or the first process of its namespaces.
 struct Started {
   pid_t process = -1;
@@ -148,10 +160,10 @@ Started start(Order& order, const Cgroup& group, bool has_group, bool with_names
   if (started.process > 0) {
     started.grouped = order.page->grouped = has_group && group.add(started.process);
     reached(order, started.grouped ? "cgroup" : "memory-watch");
-    static_cast<void>(::send(line[0], "g", 1, MSG_NOSIGNAL));
-    if (with_namespaces && !receiveByte(line[0])) {
+    error = exchange(order, line[0], with_namespaces);
+    if (error != 0) {
+      ::kill(started.process, SIGKILL);
       ::waitpid(started.process, nullptr, 0);
-      error = order.page->error;
       started.process = -1;
     }
   }
@@ -165,8 +177,14 @@ Started startAsContainedAsPossible(Order& order, const Cgroup& group, bool has_g
   Started started = start(order, group, has_group, true);
   if (started.process > 0) return started;
   const int error = errno;
+  // A shortage passes: the next launch has all layers.
+  if (isShortage(error) || error == EIO) {
+    if (order.page->error == 0) failed(order, "start a process", error);
+    return started;
+  }
   order.own_pids = order.own_users = order.page->bounded_folder = false;
   order.page->error = 0;
+  order.page->begins = false;
   order.page->layers.set("");
   order.page->missing.set("");
   for (const char* layer : {"pid-namespace", "mount-namespace"})
@@ -212,7 +230,7 @@ struct Wakers {
   int launcher = -1;  ///< readable when the launcher has ended; -1: kernels before 5.3
 };
 
-Wakers openWakers(const Order& order) {
+Wakers openWakers(Order& order) {
   Wakers wakers;
   sigset_t set;
   sigemptyset(&set);
@@ -220,10 +238,17 @@ Wakers openWakers(const Order& order) {
   sigaddset(&set, SIGCHLD);
   ::sigprocmask(SIG_BLOCK, &set, nullptr);
   wakers.signals = ::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
+  if (wakers.signals < 0) giveUp(order, "watch for signals", errno);
   wakers.launcher = static_cast<int>(::syscall(SYS_pidfd_open, order.page->launcher, 0));
   // Asked after the descriptor is open: a number that another process has by now has another parent.
   if (::getppid() != order.page->launcher) ::_exit(125);
   return wakers;
+}
+
+/// Notes that the team ends by no fault of its own.
+void machineFailed(Order& order, const char* reason) {
+  order.page->reason.set(reason);
+  order.page->machine_failed = true;
 }
 
 /// Reaps what has ended. @return whether `process` is among it
@@ -233,9 +258,12 @@ bool reap(Order& order, pid_t process) {
   for (pid_t ended = 0; (ended = ::waitpid(-1, &status, WNOHANG)) > 0;) {
     if (ended != process) continue;
     found = true;
-    if (order.own_pids) continue;  // it has said how the team ended
-    order.page->wait_status = status;
-    order.page->ended = true;
+    if (!order.own_pids) {
+      order.page->wait_status = status;
+      order.page->ended = true;
+    } else if (!order.page->ended) {  // it has not said how the team ended
+      machineFailed(order, "somebody killed the first process of its namespace");
+    }
   }
   return found;
 }
@@ -294,6 +322,7 @@ void closeAllFrom(int first) {
 void keep(Order& order) {
   const Wakers wakers = openWakers(order);
   ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
+  if (!canKeepPromise(order)) return;
   order.user = chooseUser();
   order.group = ::geteuid() == 0 ? order.user : ::getegid();
   if (!makePrivateFolder(order)) return;
@@ -310,7 +339,12 @@ void keep(Order& order) {
     if (runs && order.own_pids) ::kill(started.process, SIGKILL);
   }
   killDescendants(kKillSeconds);
-  if (group.ranOut()) order.page->reason.set("out of memory");
+  if (group.ranOut()) {
+    order.page->reason.set("out of memory");
+    order.page->machine_failed = false;
+  } else if (group.othersRanOut()) {
+    machineFailed(order, "the machine is out of memory");
+  }
   removeTree(order.private_folder);
 }
 
@@ -320,7 +354,9 @@ void keep(Order& order) {
 int main() {
   using namespace fulbito::keeper;
   closeAllFrom(kStartDescriptor + 1);
-  for (const int descriptor : {kPageDescriptor, kStartDescriptor}) ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
+  for (const int descriptor : {kPageDescriptor, kStartDescriptor}) {
+    if (::fcntl(descriptor, F_SETFD, FD_CLOEXEC) != 0) return 125;
+  }
   Order order = readOrder();
   keep(order);
   return 0;

@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "engine/core/system/shortage.hpp"
+
 namespace fulbito::keeper {
 
 Order readOrder() {
@@ -37,6 +39,7 @@ Order readOrder() {
 void reached(Order& order, const char* layer) { order.page->layers.add(std::string(layer) + "\n"); }
 
 void lacks(Order& order, const char* layer, const std::string& why, int error) {
+  if (isShortage(error)) giveUp(order, ("contain it by " + std::string(layer)).c_str(), error);
   std::string text = std::string(layer) + ": " + why;
   if (error != 0) text += std::string(": ") + ::strerror(error);
   order.page->missing.add(text + "\n");

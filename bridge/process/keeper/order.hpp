@@ -8,6 +8,9 @@
 
 namespace fulbito::keeper {
 
+/// [bytes] stack of a team's first thread, and of others where they choose none
+inline constexpr std::uint64_t kStackSize = std::uint64_t{1} << 23;
+
 /// What the keeper is to run, read from the page, and what it learns on the way.
 struct Order {
   Page* page = nullptr;
@@ -33,7 +36,8 @@ Order readOrder();
 /// Notes a layer that the child has.
 void reached(Order& order, const char* layer);
 
-/// Notes that the child lacks a layer, with the text of `error`.
+/// Notes that the child lacks a layer, with the text of `error`. Where that is a shortage of the machine,
+/// which passes, it gives up instead.
 void lacks(Order& order, const char* layer, const std::string& why, int error);
 
 /// Notes why the launch fails.

@@ -11,6 +11,9 @@ inline constexpr int kPageDescriptor = 3;
 inline constexpr int kStartDescriptor = 4;  ///< closes when the team's program has begun, or cannot
 /// @}
 
+/// The last step of a launch: what fails in it may be the program's fault.
+inline constexpr const char* kRunProgram = "run the program";
+
 /// A text of the page. What does not fit is left out.
 template <std::size_t Size>
 struct Text {
@@ -48,7 +51,8 @@ struct Page {
 
   /// @{ The report. Before the start descriptor closes: how the launch went.
   std::int32_t error = 0;       ///< errno; 0: it runs
-  Text<64> step;                ///< that failed
+  Text<128> step;               ///< that failed
+  bool begins = false;          ///< the last step is reached
   bool lacks_layer = false;     ///< it gave up because a layer is missing
   Text<512> layers;             ///< each ends with a line end
   Text<2048> missing;           ///< each ends with a line end
@@ -61,6 +65,7 @@ struct Page {
   bool ended = false;            ///< by itself
   std::int32_t wait_status = 0;  ///< as of waitpid
   Text<128> reason;              ///< why the keeper ended it; empty: it was asked to
+  bool machine_failed = false;   ///< `reason` is not the team's fault
   /// @}
 };
 

@@ -65,6 +65,14 @@ bool limit(int resource, rlim_t most, rlim_t beyond = 0) {
   return ::setrlimit(static_cast<__rlimit_resource>(resource), &now) == 0;
 }
 
+/// The limit in force becomes `least`, or as much as may be, where it is lower.
+bool raise(int resource, rlim_t least) {
+  rlimit now{};
+  if (::getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return false;
+  now.rlim_cur = std::max(now.rlim_cur, std::min(now.rlim_max, least));
+  return ::setrlimit(static_cast<__rlimit_resource>(resource), &now) == 0;
+}
+
 /// No limit of address space: Go and Java reserve much more than they use. The signal at the soft limit of
 /// processor time says what the matter is, the kill at the hard one does not.
 void limitResources(Order& order) {
@@ -73,7 +81,8 @@ void limitResources(Order& order) {
                     limit(RLIMIT_NOFILE, static_cast<rlim_t>(page.open_files)) &&
                     limit(RLIMIT_CPU, static_cast<rlim_t>(page.cpu_seconds), 1) &&
                     limit(RLIMIT_DATA, page.memory) && limit(RLIMIT_MSGQUEUE, 0) && limit(RLIMIT_RTPRIO, 0) &&
-                    limit(RLIMIT_NICE, 0);
+                    limit(RLIMIT_NICE, 0) && raise(RLIMIT_AS, RLIM_INFINITY) &&
+                    raise(RLIMIT_STACK, kStackSize);
   if (done) {
     reached(order, "rlimits");
   } else {
@@ -145,8 +154,10 @@ void becomeTeam(Order& order, pid_t parent, pid_t keeper) {
     for (const std::string& place : order.readable) modules += (modules.back() == '=' ? "" : ":") + place;
     environment.push_back(std::move(modules));
   }
-  ::execve(order.program.c_str(), pointers(order.arguments).data(), pointers(environment).data());
-  giveUp(order, "run the program", errno);
+  std::vector<char*> arguments = pointers(order.arguments), variables = pointers(environment);
+  order.page->begins = true;
+  ::execve(order.program.c_str(), arguments.data(), variables.data());
+  giveUp(order, kRunProgram, errno);
 }
 
 }  // namespace fulbito::keeper

@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/system/shortage.hpp"
 #include "engine/core/system/stop_request.hpp"
 #include "engine/core/system/unfinished_work.hpp"
 
@@ -29,7 +30,9 @@ tl::unexpected<Error> ioError(const std::string& what, const std::string& file, 
 
 tl::unexpected<Error> cannotWrite(const std::string& file, int reason) {
   if (reason == EINTR) return fail(ErrorCode::kInterrupted, "interrupted");
-  return ioError("write", file, std::generic_category().message(reason));
+  auto error = ioError("write", file, std::generic_category().message(reason));
+  if (isShortage(reason)) error.value().code = ErrorCode::kMachine;
+  return error;
 }
 
 /// open(2) that keeps waiting for a pipe's reader, unless the process is asked to stop.

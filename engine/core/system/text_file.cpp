@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/system/shortage.hpp"
 #include "engine/core/system/stop_request.hpp"
 
 namespace fulbito {
@@ -37,7 +38,7 @@ auto waiting(const Call& call) {
 
 tl::unexpected<Error> cannotRead(const std::string& path, int reason) {
   if (reason == EINTR) return fail(ErrorCode::kInterrupted, "interrupted");
-  return fail(ErrorCode::kIo,
+  return fail(isShortage(reason) ? ErrorCode::kMachine : ErrorCode::kIo,
               fmt::format("cannot read '{}': {}", path, std::generic_category().message(reason)));
 }
 

@@ -94,7 +94,7 @@ Result<Canvas> Canvas::create(int width, int height, Colour background) {
   }
   auto impl = std::make_unique<Impl>(width, height);
   if (impl->surface == nullptr) {
-    return fail(ErrorCode::kIo, std::string("cannot make a picture: ") + SDL_GetError());
+    return fail(ErrorCode::kMachine, std::string("cannot make a picture: ") + SDL_GetError());
   }
   if (auto opened = impl->font.open(); !opened) return tl::unexpected(opened.error());
   SDL_FillRect(impl->surface, nullptr, packed(background));

@@ -102,7 +102,7 @@ std::string PngEncoder::encode(int width, int height, const void* pixels, int pi
 }
 
 Result<void> writePngFile(const std::string& file, const std::string& bytes) {
-  if (bytes.empty()) return fail(ErrorCode::kIo, "cannot write " + file + ": not enough memory");
+  if (bytes.empty()) return fail(ErrorCode::kMachine, "cannot write " + file + ": not enough memory");
   return writeFile(file, bytes);
 }
 

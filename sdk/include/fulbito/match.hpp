@@ -37,7 +37,8 @@ struct TeamFaults {
 /// The faults of a whole match.
 struct MatchFaults {
   PerTeam<TeamFaults> teams;  ///< faults of blue and yellow
-  /// The error that ended the match early: the state of a restart was not a valid world. Otherwise empty.
+  /// The error that ended the match early, which then has no result. kMachine: the machine failed a team
+  /// outside the program, so the match may be played again; kBadInput: a restart was not a valid world.
   std::optional<Error> abandoned;
 };
 
@@ -212,7 +213,7 @@ class Match {
   /// so that observers see them.
   /// @param clock  measures decisions if `config.decision_time` limits them; not read otherwise
   /// Errors: kUsage or kBadInput of teams, rules, models, ranges or the start state, or for a limit without a
-  /// clock.
+  /// clock; kMachine if the machine cannot start a team outside the program; kInterrupted.
   static Result<Match> create(const MatchConfig& config, const MatchClock& clock = {});
   /// A moved-from match can only be destroyed or assigned to.
   Match(Match&&) noexcept;

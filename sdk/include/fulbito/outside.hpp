@@ -38,7 +38,7 @@ struct OutsideOptions {
 ///     cmd:python3 myteam.py :speed=0.7
 ///
 /// Each team is started once when its specification is parsed. Errors: kUsage if the file does not exist, or
-/// if the team does not start.
+/// if the team does not start; kMachine if the machine cannot start it; kInterrupted.
 TeamCatalogue::Source outsideTeams(OutsideOptions options);
 
 }  // namespace fulbito

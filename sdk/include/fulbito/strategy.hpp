@@ -172,7 +172,7 @@ struct MatchEnd {
   /// Why a match ends.
   enum class Reason : std::uint8_t {
     kPlayed,       ///< its regular end by the rules
-    kAbandoned,    ///< the state of a restart was not a valid world
+    kAbandoned,    ///< it cannot go on: the machine failed, or a restart was not a valid world
     kInterrupted,  ///< the caller ended it
   };
   Reason reason = Reason::kPlayed;  ///< why this match ends
@@ -214,6 +214,7 @@ struct TeamCondition {
     kLate,  ///< not within the allowed time
     kDown,  ///< the team failed and starts again
     kLost,  ///< the team failed too often: it forfeits
+    kCut,   ///< the machine failed, not the team: the match cannot go on
   };
   State state = State::kWell;     ///< the answer of the last call
   std::optional<double> seconds;  ///< [s] wall time of that call; empty: the caller measures it

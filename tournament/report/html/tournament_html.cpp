@@ -21,6 +21,7 @@ std::string tableSection(const Grid& grid, const std::string& classes, const std
 std::string sectionsOf(const TournamentState& state, const TournamentTable& table,
                        const RecordingLinks& recordings) {
   std::string html = htmlMatch(state) + htmlBracket(state, table);
+  html += tableSection(unplayedGrid(state), "wide", "plain", recordings);
   for (const Grid& grid : standingGrids(state, table)) html += tableSection(grid, "wide", "", recordings);
   html += htmlRatings(state, table) + htmlCourse(state, table);
   html += tableSection(crossGrid(state, table, kMostCrossed), "wide", "cross", recordings);

@@ -20,6 +20,7 @@ enum class ErrorCode {
   kUsage,        ///< the caller gave an invalid name or value (exit 2)
   kBadInput,     ///< a file is readable but its content is wrong (exit 3)
   kIo,           ///< a file or folder cannot be read or written (exit 5)
+  kMachine,      ///< the machine lacks memory, processes, descriptors or room; later it may do (exit 6)
   kInterrupted,  ///< stopped by a signal before the end (exit 130)
 };
 

@@ -134,6 +134,7 @@ TEST_CASE("a match goes on to its verdict whatever a team does", "[unit][misbeha
     config.rules.decision_time.held = 3;
     const auto played = play(config);
     CHECK(played.referee.ended);
+    CHECK_FALSE(played.faults.abandoned);  // whatever limits of its own it meets
     const TeamFaults& faults = played.faults.teams[indexOf(TeamId::kYellow)];
     CHECK(played.faults.teams[indexOf(TeamId::kBlue)].rejected() == 0);
     CHECK((faults.failures > 0 || faults.not_finite > 0) == !harmless);

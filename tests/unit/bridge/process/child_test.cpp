@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <optional>
 #include <sys/resource.h>
@@ -62,8 +63,8 @@ TEST_CASE("a child hears and answers", "[unit]") {
       REQUIRE(child.send(line));
       CHECK(returned(child, line.size()) == line);
     }
-    CHECK(child.end() == "killed");
-    CHECK(child.end() == "killed");
+    CHECK(child.end().reason == "killed");
+    CHECK(child.end().reason == "killed");
     CHECK_FALSE(child.send("more"));
     std::string text;
     CHECK(child.receive(text, 1.0) == Child::Received::kClosed);
@@ -147,7 +148,9 @@ TEST_CASE("how a child ended is told", "[unit]") {
   const auto ending = [](const std::string& line) {
     Child child = launched(shell(line));
     allOutput(child);
-    return child.end();
+    const ChildEnd end = child.end();
+    CHECK_FALSE(end.machine);  // whatever it does to itself
+    return end.reason;
   };
   CHECK(ending("exit 0") == "exit code 0");
   CHECK(ending("exit 3") == "exit code 3");
@@ -235,7 +238,7 @@ TEST_CASE("a child can be stopped first and waited for later", "[unit]") {
   child.stop();
   std::string text;
   CHECK(child.receive(text, 20.0) == Child::Received::kClosed);
-  CHECK(child.end() == "killed");
+  CHECK(child.end().reason == "killed");
   child.stop();
 }
 
@@ -250,9 +253,62 @@ TEST_CASE("a child ends with its keeper", "[unit]") {
     leftovers.killKeepers();
     std::string text;
     CHECK(child.receive(text, 20.0) == Child::Received::kClosed);
-    CHECK(child.end() == "killed");
+    const ChildEnd end = child.end();
+    CHECK(end.reason == "its keeper ended: signal 9 (Killed)");
+    CHECK(end.machine);
   }
   CHECK(leftovers.found() == "");
+}
+
+TEST_CASE("a child is not started where the machine leaves less than it may have", "[unit]") {
+  struct Lack {
+    int resource;
+    rlim_t left;
+    const char* flag;
+  };
+  for (const Lack& lack :
+       {Lack{RLIMIT_NOFILE, 31, "ulimit -n"}, Lack{RLIMIT_AS, rlim_t{900} << 20, "ulimit -v"},
+        Lack{RLIMIT_DATA, rlim_t{900} << 20, "ulimit -d"}, Lack{RLIMIT_STACK, rlim_t{1} << 20, "ulimit -s"},
+        Lack{RLIMIT_FSIZE, rlim_t{8} << 20, "ulimit -f"}, Lack{RLIMIT_NPROC, 30, "ulimit -u"}}) {
+    INFO(lack.flag);
+    const pid_t limited = ::fork();
+    if (limited == 0) {
+      const rlimit limit{lack.left, lack.left};
+      ::setrlimit(static_cast<__rlimit_resource>(lack.resource), &limit);
+      const Result<Child> child = Child::launch(cat());
+      const bool named = !child && child.error().code == ErrorCode::kMachine &&
+                         child.error().message.find(lack.flag) != std::string::npos;
+      ::_exit(named ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(limited, &status, 0);
+    CHECK(status == 0);
+  }
+}
+
+TEST_CASE("memory that runs out around a child is not its fault", "[unit]") {
+  namespace fs = std::filesystem;
+  // Of version 1, as a group of version 2 with processes has no groups of its own.
+  const fs::path group = "/sys/fs/cgroup/memory/fulbito-test-" + std::to_string(::getpid());
+  std::error_code refused;
+  if (!fs::exists("/sys/fs/cgroup/memory/memory.limit_in_bytes") || !fs::create_directory(group, refused))
+    return;
+  std::ofstream(group / "memory.limit_in_bytes") << (rlim_t{96} << 20);
+  const pid_t small = ::fork();
+  if (small == 0) {
+    std::ofstream(group / "cgroup.procs") << ::getpid();
+    ChildOptions options;
+    options.command = {misbehavingTeam(), "shared-memory-bomb"};
+    auto child = Child::launch(options);
+    if (!child) ::_exit(2);
+    allOutput(*child);
+    const ChildEnd end = child->end();
+    ::_exit(end.machine && end.reason == "the machine is out of memory" ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(small, &status, 0);
+  CHECK(status == 0);
+  fs::remove(group, refused);
 }
 
 TEST_CASE("children end with the program that launched them, however it ends", "[unit]") {

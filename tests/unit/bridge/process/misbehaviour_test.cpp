@@ -108,7 +108,9 @@ void misbehave(const Expected& expected) {
     leftovers.noteKeepers();
     listen(child, expected.ends_itself ? kPatience : kDeadline);
     const auto begin = std::chrono::steady_clock::now();
-    ending = child.end();
+    const ChildEnd end = child.end();
+    ending = end.reason;
+    CHECK_FALSE(end.machine);
     seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     CHECK(child.takeErrors().size() < 70'000);
   }

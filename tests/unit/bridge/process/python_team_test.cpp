@@ -68,7 +68,7 @@ Outcome outcomeOf(const std::string& kind, const std::string& mark) {
     allOutput(child, kPatience);
     ::usleep(500'000);
   }
-  outcome.ending = child.end();
+  outcome.ending = child.end().reason;
   outcome.errors = child.takeErrors();
   return outcome;
 }

@@ -52,7 +52,7 @@ std::string outputOf(const std::vector<std::string>& command) {
   Child child = launched(options);
   const std::string text = allOutput(child);
   INFO(child.takeErrors());
-  CHECK(child.end() == "exit code 0");
+  CHECK(child.end().reason == "exit code 0");
   return text;
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("processor time is limited", "[unit][sandbox]") {
   options.limits.cpu_seconds = 1;
   Child child = launched(options);
   allOutput(child, 60.0);
-  CHECK(child.end() == "signal 24 (CPU time limit exceeded)");
+  CHECK(child.end().reason == "signal 24 (CPU time limit exceeded)");
 }
 
 TEST_CASE("a team reads its own files and no others", "[unit][sandbox]") {

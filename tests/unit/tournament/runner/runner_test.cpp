@@ -279,6 +279,104 @@ TEST_CASE("what the machine fails is played again and never counted", "[unit]") 
   }
 }
 
+/// A machine that has room for so many teams at once. Its teams stand still.
+struct SmallMachine {
+  int room = 0;
+  std::atomic<int> running{0};
+  std::atomic<int> cuts{0};  ///< teams to fail at their third decision
+
+  TeamChoice team() {
+    return TeamChoice::own("small", [this] { return std::make_unique<Team>(*this); });
+  }
+
+  class Team final : public Strategy {
+   public:
+    explicit Team(SmallMachine& machine) : machine_(machine) {
+      if (++machine.running > machine.room) cut("no process is left");
+    }
+    Team(const Team&) = delete;
+    Team& operator=(const Team&) = delete;
+    ~Team() override { --machine_.running; }
+    void begin(const MatchInfo&) override {}
+    TeamCommand decide(const Observation&) override {
+      if (++decisions_ == 3 && machine_.cuts-- > 0) cut("its keeper ended");
+      return {};
+    }
+    const TeamCondition& condition() const override { return condition_; }
+
+   private:
+    void cut(const char* reason) {
+      condition_.state = TeamCondition::State::kCut;
+      condition_.reason = reason;
+    }
+    SmallMachine& machine_;
+    TeamCondition condition_;
+    int decisions_ = 0;
+  };
+};
+
+TEST_CASE("matches that the machine has no room for wait, and count no fault", "[unit]") {
+  SmallMachine machine;
+  machine.room = 2;  // of one match
+  const TournamentPlan plan = planWith({machine.team(), machine.team()}, 6, 2.0);
+  MatchMemory memory;
+  const auto played = run(plan, memory, 8);
+  REQUIRE(played);
+  CHECK(played->state.finished());
+  CHECK(played->state.unplayed.empty());
+  CHECK(played->played == 12);
+  CHECK(failedMatches(played->state) == 0);
+}
+
+TEST_CASE("a match that the machine cuts is played again, whole", "[unit]") {
+  SmallMachine machine;
+  machine.room = 100;
+  machine.cuts = 3;
+  const TournamentPlan plan = planWith({machine.team(), machine.team()}, 4, 2.0);
+  MatchMemory memory;
+  const auto played = run(plan, memory, 1);
+  REQUIRE(played);
+  CHECK(played->state.finished());
+  CHECK(played->retried > 0);
+  CHECK(failedMatches(played->state) == 0);
+}
+
+TEST_CASE("a match that the machine always fails is named and not kept; the same run plays it later",
+          "[unit]") {
+  SmallMachine machine;
+  machine.room = 1;  // of half a match
+  TournamentPlan plan =
+      planWith({machine.team(), *parseTeam("idle"), machine.team()}, 1, 2.0, TournamentFormat::kRoundRobin);
+  MatchMemory memory;
+  const auto first = run(plan, memory, 1);
+  REQUIRE(first);
+  CHECK_FALSE(first->state.finished());
+  CHECK(first->played == 4);
+  REQUIRE(first->state.unplayed.size() == 2);
+  CHECK_THAT(first->state.unplayed[0].reason, Catch::Contains("no process is left"));
+  for (const UnplayedMatch& match : first->state.unplayed) {
+    CHECK_FALSE(memory.find(first->state.ids[match.fixture][match.leg]));
+  }
+  machine.room = 2;
+  const auto second = run(plan, memory, 1);
+  REQUIRE(second);
+  CHECK(second->state.finished());
+  CHECK(second->state.unplayed.empty());
+  CHECK(second->played == 2);
+}
+
+TEST_CASE("a test ends without a verdict at a match that the machine fails", "[unit]") {
+  SmallMachine machine;
+  TournamentPlan plan = planWith({machine.team(), *parseTeam("idle")}, 400, 2.0);
+  plan.sprt = SprtBounds{0.0, 50.0, 0.05, 0.05};
+  MatchMemory memory;
+  const auto ended = run(plan, memory, 1);
+  REQUIRE(ended);
+  CHECK(ended->played == 0);
+  CHECK(ended->state.unplayed.size() == 1);
+  CHECK_FALSE(ended->state.finished());
+}
+
 TEST_CASE("each match is watched once, and a match that is only compared is not", "[unit]") {
   const TournamentPlan plan = planOf({"chaser", "idle"}, 2, 2.0);
   MatchMemory memory;
