@@ -26,7 +26,7 @@ int playTwoTeams(const std::string& first, const std::string& second, const Plan
   if (!played) return report(played.error());
   if (!flags.out.empty() || !played->outcome.mismatches.empty()) noteOutcome(*played, flags);
   const TournamentState& state = played->outcome.state;
-  if (auto written = writeReports(state, tableOf(state), files, recordingsOf(flags.out)); !written) {
+  if (auto written = writeReports(state, files, flags.out); !written) {
     return report(written.error());
   }
   return exitCodeOf(*played, flags);
