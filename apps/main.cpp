@@ -95,8 +95,8 @@ void addMap(CLI::App& command, CompareOptions& compare) {
   MapConfig& config = compare.map;
   CLI::Option* map = command.add_flag(
       "--map", compare.mapped, "compare the Bezier method with limit-cycle rings of many sizes instead");
-  for (const char* other :
-       {"--navigators", "--only", "--pictures", "--ways", "--record", "--tune", "--tune-evaluations", "--html"}) {
+  for (const char* other : {"--navigators", "--only", "--pictures", "--ways", "--record", "--tune",
+                            "--tune-evaluations", "--html"}) {
     map->excludes(command.get_option(other));
   }
   command.add_option("--radii", config.radii, "with --map: radii of the rings [m]")

@@ -32,8 +32,8 @@ void write(const char* words) {
   if (::write(STDERR_FILENO, words, std::strlen(words)) < 0) return;
 }
 
-/// One line on standard error, by calls that are allowed in a handler of signals. The library is unknown where
-/// a thread of its own ends the program.
+/// One line on standard error, by calls that are allowed in a handler of signals. The library is unknown
+/// where a thread of its own ends the program.
 void sayHow(const char* how) {
   const char* library = libraryOfThisThread();
   write(library != nullptr ? "fulbito: the library '" : "fulbito: a library");

@@ -40,9 +40,9 @@ Result<void> LibraryTeam::takeNavigators() {
 }
 
 void LibraryTeam::failed(const std::string& reason) {
+  condition_.reason = failureText(reason);  // it may be the team's, which goes now
   team_.reset();
   if (!begun_) navigators_.clear();
-  condition_.reason = failureText(reason);
   const int most = info_.decision_time ? info_.decision_time->failures : 1;
   condition_.state = ++condition_.failures >= most ? State::kLost : State::kDown;
 }

@@ -177,7 +177,7 @@ Result<void> writePathPicture(const std::string& file, const Comparison& compari
   const std::vector<std::size_t> drawn = drawnWays(comparison, b, figure);
   if (figure == nullptr && drawn.size() < block.navigators.size()) {
     picture.caption =
-        fmt::format("{} of {} ways: the methods of Jung & Lee (2015), then the fastest over all trials.",
+        fmt::format("{} of {} ways: the methods of Jung & Lee (2015), then the fastest. --ways 0 draws all.",
                     drawn.size(), block.navigators.size());
   }
   for (std::size_t n : drawn) {

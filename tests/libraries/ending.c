@@ -102,8 +102,12 @@ static const void* extension(const char* name) {
   return strcmp(name, FULBITO_EXT_RESTARTS) == 0 ? &restarts : NULL;
 }
 
-static const fulbito_library kLibrary = {
-    FULBITO_ABI, sizeof(fulbito_library), "ending", NULL,  NULL,   kParameters, 3, 0,
-    NULL,        create,                  destroy,  begin, decide, extension};
+static const fulbito_library kLibrary = {FULBITO_ABI, sizeof(fulbito_library),
+                                         "ending",    NULL,
+                                         NULL,        kParameters,
+                                         3,           0,
+                                         NULL,        create,
+                                         destroy,     begin,
+                                         decide,      extension};
 
 FULBITO_EXPORT const fulbito_library* fulbito_library_entry(void) { return &kLibrary; }

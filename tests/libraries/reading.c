@@ -1,6 +1,6 @@
-/* A team that logs which of the files in "paths.txt", in its working directory, it can read. */
+/* A team that logs which of the files in "paths.txt", in its working directory, it can read, and then
+ * refuses. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "fulbito/team.h"
@@ -24,10 +24,10 @@ static void* create(const fulbito_host* host, const double* values, const char* 
     tell(host, path);
   }
   fclose(paths);
-  return malloc(1);
+  return NULL;
 }
 
-static void destroy(void* team) { free(team); }
+static void destroy(void* team) { (void)team; }
 
 static int32_t begin(void* team, const fulbito_match_info* info) {
   (void)team;
@@ -42,8 +42,12 @@ static int32_t decide(void* team, const fulbito_observation* seen, fulbito_team_
   return 0;
 }
 
-static const fulbito_library kLibrary = {FULBITO_ABI, sizeof(fulbito_library), "reading", NULL, NULL,
-                                         NULL,        0,                       0,         NULL, create,
-                                         destroy,     begin,                   decide,    NULL};
+static const fulbito_library kLibrary = {FULBITO_ABI, sizeof(fulbito_library),
+                                         "reading",   NULL,
+                                         NULL,        NULL,
+                                         0,           0,
+                                         NULL,        create,
+                                         destroy,     begin,
+                                         decide,      NULL};
 
 FULBITO_EXPORT const fulbito_library* fulbito_library_entry(void) { return &kLibrary; }

@@ -189,9 +189,7 @@ Grid notableGrid(const TournamentState& state, const TournamentTable& table) {
                          cell(fmt::format("{}", pair.seed))});
   }
   if (!table.recorded) {
-    grid.note =
-        "To watch them: fulbito tournament report FOLDER --recordings upsets --html FILE, with the folder of "
-        "the results.";
+    grid.note = "To watch them: fulbito tournament report FOLDER --recordings upsets --html FILE";
   }
   return grid;
 }

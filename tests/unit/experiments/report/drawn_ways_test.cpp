@@ -41,8 +41,8 @@ std::vector<std::string> shown(const std::vector<Timed>& timed, int ways) {
 }  // namespace
 
 TEST_CASE("a picture shows the paper's methods first, then the fastest", "[unit]") {
-  const std::vector<Timed> timed{{"straight", 8.0},    {"univector", 1.3}, {"dwa", 1.15},
-                                 {"limit-cycle", 1.2}, {"bezier", 1.4},    {kTunedField, 1.25},
+  const std::vector<Timed> timed{{"straight", 8.0},    {"univector", 1.3},  {"dwa", 1.15},
+                                 {"limit-cycle", 1.2}, {"bezier", 1.4},     {kTunedField, 1.25},
                                  {"hermite", 1.1},     {kUntunedField, 3.0}};
   CHECK(shown(timed, 5) == std::vector<std::string>{"bezier", kUntunedField, kTunedField, "hermite", "dwa"});
   CHECK(shown(timed, 2) == std::vector<std::string>{"bezier", kUntunedField});

@@ -137,9 +137,9 @@ TEST_CASE("ratings beyond 700 are shown as such, with a note", "[unit]") {
   table.ratings.elo[1] = {-803.0, -1234.0, -640.0};
   CHECK(noted());
   CHECK(tournamentJson(maker.state(), table).find("\"elo_beyond_scale\": true") != std::string::npos);
-  for (const std::string& report : {tournamentText(maker.state(), table),
-                                    tournamentMarkdown(maker.state(), table),
-                                    tournamentHtml(maker.state(), table)}) {
+  for (const std::string& report :
+       {tournamentText(maker.state(), table), tournamentMarkdown(maker.state(), table),
+        tournamentHtml(maker.state(), table)}) {
     CHECK(report.find("1234") == std::string::npos);
     CHECK(report.find("803") == std::string::npos);
     CHECK(report.find("-640") != std::string::npos);
