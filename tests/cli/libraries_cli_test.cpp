@@ -53,7 +53,7 @@ TEST_CASE("a library that ends the program is named, and the program does not sa
     return box.run("match ./ending.so:how=" + how + ",where=" + where +
                    " idle --half-seconds 1 --record kept.fbr --force --isolate " + isolation);
   };
-  const std::string named = "the library './ending.so' ends this program: ";
+  const std::string named = "/ending.so' ends this program: ";
   for (const auto& [how, where] : {std::pair{"exit", "decide"},
                                    {"exit", "ready"},
                                    {"exit", "destroy"},
