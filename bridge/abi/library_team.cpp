@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "bridge/abi/frames.hpp"
 #include "fulbito/referee.hpp"
 #include "navigation/library/plugin_values.hpp"
 
