@@ -8,6 +8,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
+#include "apps/common/library_ends.hpp"
 #include "apps/common/option_values.hpp"
 #include "apps/common/sensor_options.hpp"
 #include "apps/common/stack.hpp"
@@ -96,8 +97,8 @@ void addMap(CLI::App& command, CompareOptions& compare) {
   MapConfig& config = compare.map;
   CLI::Option* map = command.add_flag(
       "--map", compare.mapped, "compare the Bezier method with limit-cycle rings of many sizes instead");
-  for (const char* other :
-       {"--navigators", "--only", "--pictures", "--record", "--tune", "--tune-evaluations", "--html"}) {
+  for (const char* other : {"--navigators", "--only", "--pictures", "--ways", "--record", "--tune",
+                            "--tune-evaluations", "--html"}) {
     map->excludes(command.get_option(other));
   }
   command.add_option("--radii", config.radii, "with --map: radii of the rings [m]")
@@ -148,6 +149,10 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   wholeNumber(command->add_option("--only", options.only, "run only this layout of the suite"))
       ->type_name("NUMBER");
   command->add_option("--pictures", config.pictures, "layouts to draw per suite and speed")
+      ->capture_default_str();
+  command
+      ->add_option("--ways", config.ways,
+                   "ways per picture: the methods of Jung & Lee, then the best of the suite; 0: all")
       ->capture_default_str();
   command->add_option("--record", config.record, "write recordings of the drawn layouts to this folder")
       ->type_name("FOLDER");
@@ -367,6 +372,9 @@ int main(int argc, char** argv) {
   const fulbito::FloatMode floats;
   fulbito::app::openStandardDescriptors();
   fulbito::app::catchSignals();
-  return fulbito::app::finishOutput(
+  fulbito::app::watchLibraries();
+  const int code = fulbito::app::finishOutput(
       fulbito::app::withAmpleStack([&] { return fulbito::app::codeOrBug(argc, argv); }));
+  fulbito::app::endOfMain();
+  return code;
 }

@@ -2,6 +2,8 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 get_property(libraries GLOBAL PROPERTY FULBITO_LIBRARIES)
+# `cmake --install` works after `--target fulbito`, too: the program links all of them but few.
+add_dependencies(fulbito ${libraries})
 install(TARGETS ${libraries} EXPORT fulbitoTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS fulbito RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 # The program starts it for each team of a shared library; people do not call it.

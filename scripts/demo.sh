@@ -27,6 +27,11 @@ echo
 echo "The comparison: 400 layouts unless told otherwise, three speeds, and the paper's own runs"
 "$fulbito" compare --out "$out" "$@"
 echo
+echo "A first version of a team of your own, in C, as a shared library"
+[ -e "$out/my-team" ] || "$fulbito" new-team c "$out/my-team" >/dev/null
+make -s -C "$out/my-team"
+"$fulbito" match "$out/my-team/team.so" idle --half-seconds 10
+echo
 echo "A match: two halves of five minutes, recorded"
 "$fulbito" match libero classic --seed 7 --record "$out/match.fbr" --force
 "$fulbito" replay export "$out/match.fbr" --force --png "$out/match.png" --at 60 --contact-sheet "$out/match-sheet.png" \
@@ -34,5 +39,5 @@ echo "A match: two halves of five minutes, recorded"
 "$fulbito" replay export "$out/match.fbr" --html "$out/match.html" --force
 echo
 echo "The match as pictures: $out/match.png, $out/match-sheet.png, $out/match.gif"
-echo "Pictures: $out/*.png (time.png and distance.png sum up; corner-0-1.0.png shows every method's way)"
+echo "Pictures: $out/*.png (time.png and distance.png sum up; corner-0-1.0.png shows the paper's methods and the best)"
 echo "To look at in a browser: $out/match.html (the match) and $out/races.html (all methods on the first layouts)"

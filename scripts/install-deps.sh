@@ -18,7 +18,7 @@ packages=(
   libbox2d-dev libeigen3-dev libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core libpng-dev libdeflate-dev libcgif-dev
   libfmt-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
   librandom123-dev libxxhash-dev libzstd-dev zlib1g-dev
-  libseccomp-dev libeigen3-dev
+  libseccomp-dev
   libxml2-utils catch2 libmpfr-dev libgmp-dev
   python3 mypy python3-jsonschema
 )

@@ -20,6 +20,7 @@ namespace fulbito {
 namespace {
 
 constexpr int kUsage = 2, kBadInput = 3, kIo = 5;  // exit codes, as those of the program `fulbito`
+constexpr std::size_t kLongestReason = 2000;       // [bytes] a pipe takes it at once
 
 // How long to wait awake. Two teams that take turns need some microseconds, other work takes longer.
 constexpr double kAwake = 1e-4;       // [s] for one request, at most
@@ -32,10 +33,14 @@ double now() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-int say(const Error& error) {
-  std::fprintf(stderr, "fulbito-team-host: %s\n", error.message.c_str());
+int codeOf(const Error& error) {
   if (error.code == ErrorCode::kUsage) return kUsage;
   return error.code == ErrorCode::kIo ? kIo : kBadInput;
+}
+
+int say(const Error& error) {
+  std::fprintf(stderr, "fulbito-team-host: %s\n", error.message.c_str());
+  return codeOf(error);
 }
 
 /// The two ends of the conversation, moved away from the standard descriptors: the team gets an empty input,
@@ -65,6 +70,16 @@ bool writeAll(int to, const std::string& bytes) {
     done += static_cast<std::size_t>(n);
   }
   return true;
+}
+
+/// Tells the simulator why this program ends.
+int tell(const Error& error, Ends ends) {
+  std::string message;
+  const std::string reason = error.message.substr(0, kLongestReason);
+  const std::size_t begin = beginFrame(static_cast<std::uint16_t>(FrameKind::kFailed), 0, message);
+  message.append(reason.c_str(), std::strlen(reason.c_str()) + 1);
+  endFrame(begin, message);
+  return writeAll(ends.out, message) ? codeOf(error) : say(error);
 }
 
 /// What has arrived and is not answered yet.
@@ -131,7 +146,7 @@ int serve(TeamHost& host, Ends ends) {
   std::string replies;
   while (inbox.receive()) {
     replies.clear();
-    if (const auto done = answerAll(host, inbox, replies); !done) return say(done.error());
+    if (const auto done = answerAll(host, inbox, replies); !done) return tell(done.error(), ends);
     if (!writeAll(ends.out, replies)) return 0;  // the simulator has ended the match
   }
   return 0;
@@ -153,7 +168,7 @@ int run(const std::vector<std::string>& arguments) {
   const Ends ends = moveEnds();
   if (ends.in < 0 || ends.out < 0) return say({ErrorCode::kIo, "standard input or output is closed"});
   const auto library = TeamLibrary::open(arguments.front());
-  if (!library) return say(library.error());
+  if (!library) return tell(library.error(), ends);
   TeamHost host(*library, std::move(settings), {});
   return serve(host, ends);
 }

@@ -1,5 +1,6 @@
 #include "apps/tournament/recordings.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -82,6 +83,11 @@ Result<void> recordNotable(const TournamentState& state, const std::vector<Notab
     if (auto recorded = recordAgain(state, match, file); !recorded) return recorded;
   }
   return {};
+}
+
+bool areRecorded(const std::vector<NotableMatch>& notable, const std::string& folder) {
+  return std::all_of(notable.begin(), notable.end(),
+                     [&](const NotableMatch& match) { return exists(recordingOf(folder, match.id)); });
 }
 
 Result<std::map<std::string, std::string>> writePages(const std::vector<NotableMatch>& notable,

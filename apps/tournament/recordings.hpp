@@ -23,10 +23,13 @@ Result<KeptRecordings> keptOf(const std::string& name);
 /// Records a match of a tournament into `folder`/ID.fbr, which appears once the match has ended. Errors: kIo.
 Result<MatchWatch> recordingWatch(const std::string& folder, const MatchConfig& match, const MatchId& id);
 
-/// Plays the notable matches of a finished tournament again and records those that `folder` lacks. A match
+/// Plays the notable matches of a tournament again and records those that `folder` lacks. A match
 /// that does not repeat is left out, with a note. Errors: of a match; kIo.
 Result<void> recordNotable(const TournamentState& state, const std::vector<NotableMatch>& notable,
                            const std::string& folder);
+
+/// Whether `folder` has recordings of all notable matches.
+bool areRecorded(const std::vector<NotableMatch>& notable, const std::string& folder);
 
 /// Writes pages with the viewer for notable matches that have recordings, into a folder beside the report.
 /// @return names of the pages relative to the report, by the text of the match id. Errors: kIo.

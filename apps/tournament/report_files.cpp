@@ -1,6 +1,8 @@
 #include "apps/tournament/report_files.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +12,7 @@
 #include "apps/common/output_names.hpp"
 #include "apps/tournament/recordings.hpp"
 #include "engine/core/system/output_file.hpp"
+#include "tournament/folder/results_folder.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -25,6 +28,18 @@ Result<void> writeText(const std::string& file, const std::string& text) {
 
 bool printsOn(const ReportFiles& files) {
   return files.annotations || files.csv == kStdout || files.markdown == kStdout || files.junit == kStdout;
+}
+
+/// A word as a shell takes it.
+std::string shellWord(const std::string& text) {
+  const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("/._-+,:=@%").find(c) != std::string_view::npos;
+  });
+  if (plain) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
 }
 
 /// Whether a file goes into a folder that does not exist yet.
@@ -63,8 +78,10 @@ Result<void> checkReportFiles(const ReportFiles& files, const std::string& made)
   return mayWriteAll(outputs, {}, true);
 }
 
-Result<void> writeReports(const TournamentState& state, const TournamentTable& table,
-                          const ReportFiles& files, const std::string& recordings) {
+Result<void> writeReports(const TournamentState& state, const ReportFiles& files, const std::string& folder) {
+  TournamentTable table = tableOf(state);
+  const std::string recordings = recordingsOf(folder);
+  table.recorded = areRecorded(table.notable, recordings);
   if (files.json) writeOut(tournamentJson(state, table));
   if (files.annotations) writeOut(tournamentAnnotations(state, table));
   if (!files.json && !printsOn(files)) printOut(tournamentText(state, table));
@@ -77,6 +94,10 @@ Result<void> writeReports(const TournamentState& state, const TournamentTable& t
   if (files.html.empty()) return {};
   const auto pages = writePages(table.notable, recordings, files.html);
   if (!pages) return tl::unexpected<Error>(pages.error());
+  if (!table.recorded && !folder.empty()) {
+    note("to watch the matches to look at: fulbito tournament report {} --recordings upsets --html {}\n",
+         shellWord(folder), shellWord(files.html));
+  }
   return writeFile(files.html, tournamentHtml(state, table, *pages));
 }
 

@@ -29,10 +29,9 @@ void addReportFiles(CLI::App& command, ReportFiles& files);
 /// @param made  a folder that the command makes: files may go into it before it exists; may be empty
 Result<void> checkReportFiles(const ReportFiles& files, const std::string& made = {});
 
-/// Writes the files and prints the report.
-/// @param recordings  folder of recordings; may be missing
-/// @param text  the report for people, unless one on stdout replaces it
-Result<void> writeReports(const TournamentState& state, const TournamentTable& table,
-                          const ReportFiles& files, const std::string& recordings);
+/// Writes the files and prints the report for people, unless one on stdout replaces it. With a page of
+/// matches that are not recorded, says on stderr the command that records them.
+/// @param folder  of the results, with the recordings; may be empty
+Result<void> writeReports(const TournamentState& state, const ReportFiles& files, const std::string& folder);
 
 }  // namespace fulbito::app

@@ -6,6 +6,9 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
+#include "apps/common/team_flags.hpp"
+#include "apps/tournament/recordings.hpp"
+#include "engine/core/system/output_file.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -57,8 +60,15 @@ void addReport(CLI::App& tournament, TournamentReport& options) {
       "Examples:\n"
       "  fulbito tournament report results\n"
       "  fulbito tournament report results --html report.html --junit report.xml\n"
+      "  fulbito tournament report results --recordings upsets --html report.html     with matches to watch\n"
       "  fulbito tournament report results --markdown - >> \"$GITHUB_STEP_SUMMARY\"");
   command->add_option("folder", options.folder, "folder of `tournament run --out`")->required();
+  command
+      ->add_option("--recordings", options.recordings,
+                   "'upsets': record the matches to look at, by playing them again; 'none'")
+      ->check(CLI::IsMember({"none", "upsets"}))
+      ->capture_default_str();
+  addTeamFlags(*command, options.outside);
   addReportFiles(*command, options.files);
 }
 
@@ -115,10 +125,22 @@ int printSchedule(const TournamentPlan& plan) {
   return kOk;
 }
 
-int print(const TournamentState& state, const ReportFiles& files, const std::string& recordings) {
-  if (auto written = writeReports(state, tableOf(state), files, recordings); !written)
-    return report(written.error());
+int print(const TournamentState& state, const ReportFiles& files, const std::string& folder) {
+  if (auto written = writeReports(state, files, folder); !written) return report(written.error());
   return kOk;
+}
+
+/// Plays the matches to look at again, with the teams that the plan names.
+Result<void> recordUpsets(TournamentState& state, const TeamFlags& outside, const std::string& folder) {
+  const TeamCatalogue catalogue = catalogueOf(outside);
+  for (Entrant& entrant : state.plan.entrants) {
+    auto team = catalogue.parse(entrant.team.text);
+    if (!team) return tl::unexpected<Error>(team.error());
+    entrant.team = std::move(*team);
+  }
+  const std::string recordings = recordingsOf(folder);
+  if (auto made = prepareFolder(recordings); !made) return made;
+  return recordNotable(state, tableOf(state).notable, recordings);
 }
 
 int run(TournamentRun& options) {
@@ -131,16 +153,21 @@ int run(TournamentRun& options) {
   const auto played = runPlan(*plan, options.flags);
   if (!played) return report(played.error());
   noteOutcome(*played, options.flags);
-  const std::string recordings = recordingsOf(options.flags.out);
-  if (const int code = print(played->outcome.state, options.files, recordings); code != kOk) return code;
+  if (const int code = print(played->outcome.state, options.files, options.flags.out); code != kOk)
+    return code;
   return exitCodeOf(*played, options.flags);
 }
 
 int reportFolder(const TournamentReport& options) {
   if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
-  const auto folder = readFolder(options.folder);
+  auto folder = readFolder(options.folder);
   if (!folder) return report(folder.error());
-  return print(folder->state, options.files, recordingsOf(options.folder));
+  if (options.recordings == "upsets") {
+    if (auto done = recordUpsets(folder->state, options.outside, options.folder); !done) {
+      return report(done.error());
+    }
+  }
+  return print(folder->state, options.files, options.folder);
 }
 
 int merge(const TournamentMerge& options) {
@@ -157,9 +184,7 @@ int merge(const TournamentMerge& options) {
   note("{} matches in {}\n", merged->matches, options.out);
   const auto folder = readFolder(options.out);
   if (!folder) return report(folder.error());
-  if (const int code = print(folder->state, options.files, recordingsOf(options.out)); code != kOk) {
-    return code;
-  }
+  if (const int code = print(folder->state, options.files, options.out); code != kOk) return code;
   if (folder->state.finished()) return exitCodeOf(folder->state);
   note("matches are missing: run the shards again, or `fulbito tournament run` with --out {}\n", options.out);
   return kInconclusive;

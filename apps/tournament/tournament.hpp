@@ -27,6 +27,8 @@ struct TournamentRun {
 /// Options of `fulbito tournament report`.
 struct TournamentReport {
   std::string folder;
+  std::string recordings = "none";  ///< or "upsets"
+  TeamFlags outside;                ///< for the matches that are recorded
   ReportFiles files;
 };
 

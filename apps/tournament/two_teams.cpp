@@ -27,7 +27,7 @@ int playTwoTeams(const std::string& first, const std::string& second, const Plan
   const RunOutcome& outcome = played->outcome;
   if (!flags.out.empty() || !outcome.mismatches.empty() || outcome.retried > 0) noteOutcome(*played, flags);
   const TournamentState& state = played->outcome.state;
-  if (auto written = writeReports(state, tableOf(state), files, recordingsOf(flags.out)); !written) {
+  if (auto written = writeReports(state, files, flags.out); !written) {
     return report(written.error());
   }
   return exitCodeOf(*played, flags);

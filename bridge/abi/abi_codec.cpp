@@ -174,6 +174,11 @@ bool AbiCodec::readBody(FrameReader& frame, TeamReply& reply) {
 Result<void> AbiCodec::read(std::string_view message, TeamReply& reply) {
   auto frame = FrameReader::open(message);
   if (!frame) return tl::unexpected<Error>(frame.error());
+  if (frame->header().kind == static_cast<std::uint16_t>(FrameKind::kFailed)) {
+    std::string_view reason;
+    const bool told = frame->takeText(reason) && !reason.empty();
+    return fail(ErrorCode::kBadInput, told ? failureText(reason) : "it fails without a reason");
+  }
   const auto kind = replyKind(frame->header().kind);
   if (!kind) {
     return fail(ErrorCode::kBadInput, fmt::format("a message of the unknown kind {}", frame->header().kind));

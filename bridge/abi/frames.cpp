@@ -2,7 +2,14 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/system/error_text.hpp"
+
 namespace fulbito {
+
+std::string failureText(std::string_view reason) {
+  constexpr std::size_t kLongest = 2000;
+  return terminalText(shortened(reason, kLongest));
+}
 
 Result<std::size_t> frameLength(std::string_view received) {
   if (received.size() < sizeof(FrameHeader)) return std::size_t{0};

@@ -23,7 +23,8 @@ enum class FrameKind : std::uint16_t {
   kExercise = 5,  ///< ExerciseBody; reply: ExerciseReplyBody and drawings
   kStopped = 6,   ///< fulbito_stop; no reply
   kReady = 7,     ///< fulbito_observation; no reply
-  kEnded = 8      ///< fulbito_end; no reply
+  kEnded = 8,     ///< fulbito_end; no reply
+  kFailed = 9     ///< from the host, before it ends: the reason, a text
 };
 inline constexpr std::uint16_t kReplyOffset = 0x80;     ///< from a request's kind to its reply's
 inline constexpr std::size_t kLargestFrame = 1u << 18;  ///< [bytes]
@@ -82,6 +83,9 @@ struct ExerciseReplyBody {
   CommandBody command;      ///< command of its robot
 };
 static_assert(sizeof(ExerciseReplyBody) == 1000);
+
+/// A failure in words that come from a team: safe for a terminal, at most about 2000 bytes.
+std::string failureText(std::string_view reason);
 
 /// Appends a structure as bytes.
 template <typename T>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,11 +12,17 @@
 
 namespace fulbito {
 
-/// A team of a shared library that runs in this process. After a failure of `decide`, the robots stop for
-/// that tick. `decide` allocates nothing, unless drawings are wanted.
+/// A team of a shared library that runs in this process. It plays the match that it plays in a process of its
+/// own (`OutsideTeam`), as long as its functions return: after a failure of one, a new team starts with the
+/// next decision, until it has failed too often (`DecisionTime::failures`). `decide` allocates nothing,
+/// unless drawings are wanted.
 class LibraryTeam final : public Strategy {
  public:
-  explicit LibraryTeam(std::unique_ptr<PluginTeam> team);
+  /// Makes a team, anew for each start.
+  using Make = std::function<Result<std::unique_ptr<PluginTeam>>()>;
+
+  /// @param first  the team of the first start
+  LibraryTeam(std::unique_ptr<PluginTeam> first, Make make);
 
   void begin(const MatchInfo& info) override;
   std::span<const NavigatorChoice> navigators() const override { return navigators_; }
@@ -25,13 +32,26 @@ class LibraryTeam final : public Strategy {
   void ready(const Observation& observation) override;
   void ended(const MatchEnd& end) override;
   std::optional<ExerciseReply> exercise(const Observation& observation, const Exercise& exercise) override;
-
-  /// The team itself, for its failures.
-  const PluginTeam& team() const { return *team_; }
+  const TeamCondition& condition() const override { return condition_; }
+  std::vector<Setting> origin() const override;
 
  private:
-  std::unique_ptr<PluginTeam> team_;
+  using State = TeamCondition::State;
+  Result<void> start();
+  Result<void> takeNavigators();
+  void failed(const std::string& reason);
+  bool settle();
+  /// Whether the team can be asked. A notice that failed is a failure of the next request.
+  bool playing() const { return team_ != nullptr && condition_.state != State::kLost; }
+
+  Make make_;
+  std::unique_ptr<PluginTeam> team_;  ///< null after a failure, until the next start
+  MatchInfo info_;
+  std::string name_, version_;
+  bool begun_ = false;  ///< the first start is over
+  TeamCondition condition_;
   std::vector<NavigatorChoice> navigators_;
+  std::vector<std::string> navigator_names_;
   CommandRoom room_;
   fulbito_observation seen_{};  ///< of the present tick
 };

@@ -23,11 +23,6 @@ const char* takeNavigatorName(const fulbito_library& table, std::vector<Setting>
   return memory.c_str();
 }
 
-bool powerOfTen(std::int64_t n) {
-  while (n >= 10 && n % 10 == 0) n /= 10;
-  return n == 1;
-}
-
 }  // namespace
 
 Result<std::shared_ptr<const TeamLibrary>> TeamLibrary::open(const std::string& path) {
@@ -65,8 +60,8 @@ Result<std::unique_ptr<PluginTeam>> PluginTeam::create(std::shared_ptr<const Tea
   auto host = std::make_unique<PluginHost>(table.name, std::move(log));
   std::unique_ptr<PluginTeam> team(new PluginTeam(std::move(library), std::move(host)));
   const fulbito_host* services = team->host_->table();
-  team->self_ =
-      callForeign<void*>(nullptr, [&] { return table.create(services, values->data(), navigator); });
+  team->self_ = callForeign<void*>(*team->library_->library, nullptr,
+                                   [&] { return table.create(services, values->data(), navigator); });
   if (team->self_ == nullptr) {
     const std::string& reason = team->host_->lastLine();
     return fail(ErrorCode::kUsage, fmt::format("the team of '{}' refuses to be made{}{}", name,
@@ -76,14 +71,14 @@ Result<std::unique_ptr<PluginTeam>> PluginTeam::create(std::shared_ptr<const Tea
 }
 
 PluginTeam::~PluginTeam() {
-  if (self_ != nullptr) callForeign(0, [this] { return table().destroy(self_), 0; });
+  if (self_ != nullptr) callForeign(*library_->library, 0, [this] { return table().destroy(self_), 0; });
 }
 
 bool PluginTeam::succeeded(const char* function, std::int32_t code) {
   if (code == 0) return true;
-  last_failure_ = code == kThrown ? fmt::format("'{}' throws", function)
-                                  : fmt::format("'{}' fails with {}", function, code);
-  if (powerOfTen(++failures_)) host_->log(fmt::format("{} (failure {})", last_failure_, failures_));
+  const std::string what = code == kThrown ? fmt::format("'{}' throws", function)
+                                           : fmt::format("'{}' fails with {}", function, code);
+  failure_ = fmt::format("{}: {}", table().name, what);
   return false;
 }
 
@@ -91,36 +86,41 @@ bool PluginTeam::begin(const fulbito_match_info& info, const fulbito_curve_widen
                        std::string rules_text) {
   host_->know(widening);
   host_->begin(info.seed, std::move(rules_text));
-  return succeeded("begin", callForeign(kThrown, [&] { return table().begin(self_, &info); }));
+  return succeeded("begin",
+                   callForeign(*library_->library, kThrown, [&] { return table().begin(self_, &info); }));
 }
 
 bool PluginTeam::decide(const fulbito_observation& seen, fulbito_team_command& command) {
-  return succeeded("decide", callForeign(kThrown, [&] { return table().decide(self_, &seen, &command); }));
+  return succeeded("decide", callForeign(*library_->library, kThrown,
+                                         [&] { return table().decide(self_, &seen, &command); }));
 }
 
 bool PluginTeam::place(const fulbito_placement_request& request, fulbito_placement& placement) {
   const auto* functions = library_->restarts;
   if (functions == nullptr || functions->place == nullptr) return true;
-  return succeeded("place",
-                   callForeign(kThrown, [&] { return functions->place(self_, &request, &placement); }));
+  return succeeded("place", callForeign(*library_->library, kThrown,
+                                        [&] { return functions->place(self_, &request, &placement); }));
 }
 
 bool PluginTeam::stopped(const fulbito_stop& stop) {
   const auto* functions = library_->restarts;
   if (functions == nullptr || functions->stopped == nullptr) return true;
-  return succeeded("stopped", callForeign(kThrown, [&] { return functions->stopped(self_, &stop); }));
+  return succeeded(
+      "stopped", callForeign(*library_->library, kThrown, [&] { return functions->stopped(self_, &stop); }));
 }
 
 bool PluginTeam::ready(const fulbito_observation& seen) {
   const auto* functions = library_->restarts;
   if (functions == nullptr || functions->ready == nullptr) return true;
-  return succeeded("ready", callForeign(kThrown, [&] { return functions->ready(self_, &seen); }));
+  return succeeded("ready",
+                   callForeign(*library_->library, kThrown, [&] { return functions->ready(self_, &seen); }));
 }
 
 bool PluginTeam::ended(const fulbito_end& end) {
   const auto* functions = library_->restarts;
   if (functions == nullptr || functions->ended == nullptr) return true;
-  return succeeded("ended", callForeign(kThrown, [&] { return functions->ended(self_, &end); }));
+  return succeeded("ended",
+                   callForeign(*library_->library, kThrown, [&] { return functions->ended(self_, &end); }));
 }
 
 bool PluginTeam::exercise(const fulbito_observation& seen, const fulbito_exercise& task,
@@ -128,8 +128,9 @@ bool PluginTeam::exercise(const fulbito_observation& seen, const fulbito_exercis
   const auto* functions = library_->exercises;
   has_skill = functions != nullptr && functions->exercise != nullptr;
   if (!has_skill) return true;
-  const std::int32_t code =
-      callForeign(kThrown, [&] { return functions->exercise(self_, &seen, &task, &command, &answer); });
+  const std::int32_t code = callForeign(*library_->library, kThrown, [&] {
+    return functions->exercise(self_, &seen, &task, &command, &answer);
+  });
   has_skill = code != FULBITO_NO_SKILL;
   return !has_skill || succeeded("exercise", code);
 }
@@ -139,7 +140,8 @@ std::vector<std::string> PluginTeam::navigatorNames() {
   const auto* functions = library_->navigator_names;
   if (functions == nullptr || functions->name == nullptr) return names;
   for (std::uint32_t i = 0; i < kMostNavigators; ++i) {
-    const char* name = callForeign<const char*>(nullptr, [&] { return functions->name(self_, i); });
+    const char* name =
+        callForeign<const char*>(*library_->library, nullptr, [&] { return functions->name(self_, i); });
     if (name == nullptr) break;
     names.emplace_back(name);
   }

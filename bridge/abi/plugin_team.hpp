@@ -28,7 +28,7 @@ struct TeamLibrary {
 };
 
 /// One team of a library. Every call runs in the expected floating-point mode and restores the thread's; what
-/// the library lacks succeeds without effect. A failure is counted; its first, tenth ... is logged.
+/// the library lacks succeeds without effect. After a failure, only another team can play on.
 class PluginTeam {
  public:
   /// Errors: kUsage for unknown settings, values out of range, or if the library refuses.
@@ -51,10 +51,8 @@ class PluginTeam {
   /// @}
   /// Specifications of the navigators that the team uses, at most 256.
   std::vector<std::string> navigatorNames();
-  /// Failures so far.
-  std::int64_t failures() const { return failures_; }
-  /// The last failure in words; empty: none.
-  const std::string& lastFailure() const { return last_failure_; }
+  /// The last failure in words, with the team's name; empty: none.
+  const std::string& failure() const { return failure_; }
   /// The library's table.
   const fulbito_library& table() const { return library_->table(); }
 
@@ -66,8 +64,7 @@ class PluginTeam {
   std::shared_ptr<const TeamLibrary> library_;
   std::unique_ptr<PluginHost> host_;
   void* self_ = nullptr;
-  std::int64_t failures_ = 0;
-  std::string last_failure_;
+  std::string failure_;
 };
 
 }  // namespace fulbito

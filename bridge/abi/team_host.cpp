@@ -51,10 +51,9 @@ Result<void> TeamHost::answer(std::string_view message, std::string& out) {
   if (!frame) return tl::unexpected<Error>(frame.error());
   if (frame->header().kind == static_cast<std::uint16_t>(FrameKind::kHello)) return hello(*frame, out);
   if (team_ == nullptr) return fail(ErrorCode::kBadInput, "a request before the first message");
-  const std::int64_t failures = team_->failures();
   if (!handle(*frame, out) || !frame->rest().empty()) return wrong(frame->header());
-  if (team_->failures() == failures) return {};
-  return fail(ErrorCode::kBadInput, fmt::format("{}: {}", team_->table().name, team_->lastFailure()));
+  if (team_->failure().empty()) return {};
+  return fail(ErrorCode::kBadInput, team_->failure());
 }
 
 Result<void> TeamHost::hello(FrameReader& frame, std::string& out) {

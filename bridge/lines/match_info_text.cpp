@@ -1,5 +1,7 @@
 #include "bridge/lines/match_info_text.hpp"
 
+#include <cmath>
+
 #include "engine/core/base/overloaded.hpp"
 #include "engine/core/config/schemas.hpp"
 #include "fulbito/detail/lines/json_text.hpp"
@@ -78,7 +80,7 @@ void appendRules(std::string& out, Rules rules) {
 
 void appendTime(std::string& out, const std::optional<DecisionTime>& time) {
   out += R"(,"decision_time":)";
-  if (!time) {
+  if (!time || !std::isfinite(time->decision)) {  // JSON has no infinity
     out += "null";
     return;
   }

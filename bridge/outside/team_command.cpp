@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kProgram = "cmd:";
 constexpr std::string_view kLibraryEnding = ".so";
+constexpr std::string_view kPrograms = "bin";               // the folder of installed programs
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // [bytes]
 
 std::string_view fileOf(std::string_view specification) {
@@ -125,17 +126,19 @@ Result<TeamCommandLine> parseProgram(std::string_view text) {
     line.settings = std::move(*settings);
     words->pop_back();
   }
-  const bool own = words->front().find('/') != std::string::npos;
+  line.from_path = words->front().find('/') == std::string::npos;
   auto program = programOf(words->front());
   if (!program) return tl::unexpected<Error>(program.error());
+  const fs::path folder = fs::path(*program).parent_path();
+  const bool installed = line.from_path || folder.filename() == kPrograms;
+  if (!installed) line.folder = folder.string();
   line.command.push_back(std::move(*program));
-  line.from_path = !own;
-  if (own) line.folder = fs::path(line.command.front()).parent_path().string();
   for (std::size_t i = 1; i < words->size(); ++i) {
     const bool file = isFile((*words)[i]);
     line.command.push_back(file ? absolute((*words)[i]) : (*words)[i]);
     if (file && line.folder.empty()) line.folder = fs::path(line.command.back()).parent_path().string();
   }
+  if (line.folder.empty() && !line.from_path) line.folder = folder.string();
   return line;
 }
 

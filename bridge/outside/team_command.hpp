@@ -14,9 +14,11 @@ struct TeamCommandLine {
   std::vector<std::string>
       command;                    ///< the library, or the program and its arguments; files by absolute paths
   std::vector<Setting> settings;  ///< the team's settings
-  std::string folder;             ///< the folder of the team's files
-  bool from_path = false;         ///< the program was found in PATH: it is the machine's, not the team's
-  std::string hash;               ///< hash of the content of all files of the command, 16 hexadecimal digits
+  /// The team's own folder: of a library, and of a program by its path unless that lies in a folder `bin`.
+  /// Otherwise of the first argument that is a file; without one, of the program by its path, or empty.
+  std::string folder;
+  bool from_path = false;  ///< the program was found in PATH: it is the machine's, not the team's
+  std::string hash;        ///< hash of the content of all files of the command, 16 hexadecimal digits
 };
 
 /// Whether a specification names a file or a program, not a team of the catalogue.

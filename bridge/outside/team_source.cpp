@@ -59,6 +59,7 @@ Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCom
     setup.child.command.insert(setup.child.command.begin(), std::move(*host));
   }
   setup.child.own_folder = line.folder;
+  setup.child.program_alone = line.library;
   if (!line.library) setup.child.readable = modules();
   setup.child.limits = options.limits;
   setup.child.sandbox_required = options.sandbox_required;
@@ -73,6 +74,18 @@ Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCom
     setup.log = [show = options.log, specification](std::string_view text) { show(specification, text); };
   }
   return setup;
+}
+
+// The word of a command that names no file but looks as if it should: an interpreter's script, above all.
+std::string missingFile(const TeamCommandLine& line) {
+  for (std::size_t i = 1; i < line.command.size(); ++i) {
+    const std::string& word = line.command[i];
+    const bool named = word.find_first_of("./") != std::string::npos &&
+                       word.find_first_of(" \t\n=") == std::string::npos && !word.starts_with('-');
+    std::error_code error;
+    if (named && !fs::exists(word, error)) return word;
+  }
+  return {};
 }
 
 // Starts the team once, so that what keeps it from starting is said before a match begins.
@@ -90,12 +103,21 @@ Result<TeamWelcome> tryStart(const OutsideTeamSetup& setup) {
   return fail(talk.code(), talk.failure());
 }
 
+Error explained(Error error, const TeamCommandLine& line) {
+  const std::string missing = line.library ? "" : missingFile(line);
+  if (missing.empty()) return error;
+  std::error_code unknown;
+  error.message += fmt::format("; there is no file '{}'", missing);
+  if (!missing.starts_with('/')) error.message += fmt::format(" in {}", fs::current_path(unknown).string());
+  return error;
+}
+
 Result<TeamInfo> processInfo(const std::string& specification, const TeamCommandLine& line,
                              const OutsideOptions& options) {
   auto setup = setupOf(specification, line, options);
   if (!setup) return tl::unexpected<Error>(setup.error());
   const auto welcome = MachineRoom().run([&] { return tryStart(*setup); });
-  if (!welcome) return tl::unexpected<Error>(welcome.error());
+  if (!welcome) return tl::unexpected<Error>(explained(welcome.error(), line));
   TeamInfo info;
   info.name = specification;
   info.summary = fmt::format("{} {}", welcome->name, welcome->version);

@@ -15,12 +15,15 @@ namespace fulbito {
 /// What to run, and how it is contained.
 struct ChildOptions {
   std::vector<std::string> command;  ///< program, found by PATH unless it contains '/', and its arguments
-  /// Folder of the team's files: readable, not writable, and the working directory. Empty: the program's
-  /// folder is readable, and the private folder is the working directory.
+  /// Folder of the team's files: readable, not writable, and the working directory. Empty: the working
+  /// directory is the private folder.
   std::string own_folder;
   std::vector<std::string> readable;  ///< further folders that it may read: its PYTHONPATH
-  ChildLimits limits;                 ///< limits of the process and its descendants
-  bool sandbox_required = false;      ///< refuse to run if a layer is missing
+  /// Of the program it may read the file alone, not the installation around it. Files that the command names
+  /// by absolute paths are readable always.
+  bool program_alone = false;
+  ChildLimits limits;             ///< limits of the process and its descendants
+  bool sandbox_required = false;  ///< refuse to run if a layer is missing
 };
 
 /// How a child ended.

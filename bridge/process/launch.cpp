@@ -136,6 +136,7 @@ Words wordsOf(const ChildOptions& options, const std::string& program, const std
   words.add(absolute(variable("TMPDIR", "/tmp")));
   words.add(path);
   words.add(variable("LANG", "C.UTF-8"));
+  words.add(variable("HOME", ""));
   for (const std::string& folder : options.readable) words.add(absolute(folder));
   for (const std::string& argument : options.command) words.add(argument);
   return words;
@@ -154,6 +155,7 @@ void fill(keeper::Page& page, const ChildOptions& options, const Words& words) {
   page.arguments = static_cast<std::uint32_t>(options.command.size());
   page.text_size = static_cast<std::uint32_t>(words.text.size());
   page.network = limits.network;
+  page.program_alone = options.program_alone;
   page.all_layers = options.sandbox_required;
   std::memcpy(&page + 1, words.text.data(), words.text.size());
 }

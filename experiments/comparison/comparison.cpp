@@ -49,6 +49,7 @@ Result<void> checkRanges(const ComparisonConfig& config) {
     return fail(ErrorCode::kUsage,
                 fmt::format("--trials: {} is outside 1 ... {}", config.trials, kMaxTrials));
   }
+  if (config.ways < 0) return fail(ErrorCode::kUsage, fmt::format("--ways: {} is below 0", config.ways));
   if (config.pictures < 0 || config.pictures > kMaxTrials) {
     return fail(ErrorCode::kUsage,
                 fmt::format("--pictures: {} is outside 0 ... {}", config.pictures, kMaxTrials));

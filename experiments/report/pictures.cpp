@@ -8,6 +8,7 @@
 
 #include "experiments/comparison/comparison_parts.hpp"
 #include "experiments/comparison/paper_figures.hpp"
+#include "experiments/report/drawn_ways.hpp"
 #include "experiments/report/field_arrows.hpp"
 #include "fulbito/picture.hpp"
 #include "replays/render/field/bar_chart.hpp"
@@ -134,22 +135,6 @@ Result<void> addArrows(FieldPicture& picture, const TrialConfig& config) {
   return {};
 }
 
-/// The runs of a block that a picture shows: for a figure's case, its method and the others named with it;
-/// all if the block lacks that method.
-std::vector<std::size_t> drawnNavigators(const ComparisonBlock& block, const FigureClaim* figure) {
-  std::vector<std::size_t> all, chosen;
-  bool own = false;
-  for (std::size_t n = 0; n < block.navigators.size(); ++n) {
-    const std::string& text = block.navigators[n].text;
-    all.push_back(n);
-    if (figure == nullptr) continue;
-    own = own || text == figure->method;
-    const bool other = std::find(figure->others.begin(), figure->others.end(), text) != figure->others.end();
-    if (text == figure->method || other) chosen.push_back(n);
-  }
-  return own ? chosen : all;
-}
-
 /// A bar per navigator with at least one success; a text for the others.
 BarChart chartOf(const Comparison& comparison, const std::string& title, const std::string& axis,
                  double SummaryRow::* ratio) {
@@ -189,7 +174,13 @@ Result<void> writePathPicture(const std::string& file, const Comparison& compari
   if (!config) return tl::unexpected<Error>(config.error());
   FieldPicture picture = pictureOf(*config);
   const FigureClaim* figure = figureOf(config->layout.name);
-  for (std::size_t n : drawnNavigators(block, figure)) {
+  const std::vector<std::size_t> drawn = drawnWays(comparison, b, figure);
+  if (figure == nullptr && drawn.size() < block.navigators.size()) {
+    picture.caption =
+        fmt::format("{} of {} ways: the methods of Jung & Lee (2015), then the fastest. --ways 0 draws all.",
+                    drawn.size(), block.navigators.size());
+  }
+  for (std::size_t n : drawn) {
     for (const TrialRecord& record : recordsOf(comparison, b, n)) {
       if (record.index != index) continue;
       picture.paths.push_back(

@@ -212,8 +212,9 @@ std::string valueOf(const std::vector<Setting>& origin, std::string_view name) {
 
 TeamCheck containmentVerdict(const PlayFindings& plays, bool outside) {
   TeamCheck check{"containment", CheckVerdict::kOk, "none: the team runs in this process", {}};
-  if (!outside) return check;
-  std::istringstream words(valueOf(plays.notes.origin, "containment"));
+  const std::string reached = valueOf(plays.notes.origin, "containment");
+  if (!outside || reached == "none") return check;
+  std::istringstream words(reached);
   const std::vector<std::string> layers{std::istream_iterator<std::string>(words), {}};
   check.figures = {{"layers", double(layers.size())}};
   check.finding = layers.empty() ? "none: the team runs without containment"

@@ -71,7 +71,6 @@ Result<Seat> Seat::create(const MatchConfig& config, TeamId team) {
 void Seat::reset(const Moment& moment) {
   pilots_.reset();
   policy_.reset();
-  observation_.sent = {};
   observation_.sent.fill({});
   if (vision_) vision_->reset(*moment.world);
 }

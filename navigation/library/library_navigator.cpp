@@ -19,13 +19,15 @@ constexpr std::uint32_t kMostNavigators = 256;
 /// The field of a library's navigator.
 class LibraryField final : public HeadingField {
  public:
-  LibraryField(const fulbito_navigator& table, void* self) : table_(table), self_(self) {}
+  LibraryField(const PluginLibrary& library, const fulbito_navigator& table, void* self)
+      : library_(library), table_(table), self_(self) {}
   double heading(Vec2 p) const override {
-    const double angle = callForeign(0.0, [&] { return table_.heading(self_, toAbi(p)); });
+    const double angle = callForeign(library_, 0.0, [&] { return table_.heading(self_, toAbi(p)); });
     return std::isfinite(angle) ? angle : 0.0;
   }
 
  private:
+  const PluginLibrary& library_;
   const fulbito_navigator& table_;
   void* self_;
 };
@@ -39,15 +41,15 @@ class LibraryNavigator final : public Navigator {
         host_(std::move(host)),
         table_(table),
         self_(self),
-        field_(table, self) {}
+        field_(*library_, table, self) {}
   LibraryNavigator(const LibraryNavigator&) = delete;
   LibraryNavigator& operator=(const LibraryNavigator&) = delete;
   ~LibraryNavigator() override {
-    callForeign(0, [&] { return table_.destroy(self_), 0; });
+    callForeign(*library_, 0, [&] { return table_.destroy(self_), 0; });
   }
 
   void reset() override {
-    callForeign(0, [&] { return table_.reset(self_), 0; });
+    callForeign(*library_, 0, [&] { return table_.reset(self_), 0; });
   }
 
   Guidance plan(const NavigationScene& scene) override {
@@ -55,7 +57,7 @@ class LibraryNavigator final : public Navigator {
     host_->know(wideningToAbi(*scene.robot));
     fulbito_guidance given{};
     given.speed_cap = std::numeric_limits<double>::infinity();
-    const int32_t failed = callForeign(-1, [&] { return table_.plan(self_, &seen, &given); });
+    const int32_t failed = callForeign(*library_, -1, [&] { return table_.plan(self_, &seen, &given); });
     Guidance guidance;
     if (failed != 0) return stopped("'plan' fails");
     if (const char* flaw = take(given, guidance); *flaw != '\0') return stopped(flaw);
@@ -164,7 +166,8 @@ Result<std::unique_ptr<Navigator>> make(const std::shared_ptr<const PluginLibrar
   const auto values = pluginValues(parameters, settings, name);
   if (!values) return tl::unexpected<Error>(values.error());
   auto host = std::make_unique<PluginHost>(name, PluginLog{});
-  void* self = callForeign<void*>(nullptr, [&] { return table.create(host->table(), values->data()); });
+  void* self =
+      callForeign<void*>(*library, nullptr, [&] { return table.create(host->table(), values->data()); });
   if (self == nullptr) {
     return fail(ErrorCode::kUsage, fmt::format("the navigator '{}' refuses to be made{}{}", name,
                                                host->lastLine().empty() ? "" : ": ", host->lastLine()));

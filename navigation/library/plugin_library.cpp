@@ -14,6 +14,8 @@
 namespace fulbito {
 namespace {
 
+thread_local const char* library_of_this_thread = nullptr;
+
 /// The reason of the last failure of the loader, without the file's name, which it often puts first.
 std::string loaderReason(const std::string& file) {
   const char* reason = dlerror();
@@ -47,12 +49,20 @@ Result<void> checkReadable(const std::string& file, const std::string& path) {
 
 }  // namespace
 
+const char* libraryOfThisThread() { return library_of_this_thread; }
+
+LibraryCall::LibraryCall(const std::string& path) : before_(library_of_this_thread) {
+  library_of_this_thread = path.c_str();
+}
+
+LibraryCall::~LibraryCall() { library_of_this_thread = before_; }
+
 Result<std::shared_ptr<const PluginLibrary>> PluginLibrary::open(const std::string& path) {
   const std::string file = fileOf(path);
   if (auto readable = checkReadable(file, path); !readable) return tl::unexpected<Error>(readable.error());
   void* handle = nullptr;
   {
-    const ForeignCall mode;  // start-up code of -ffast-math changes the mode of the thread that loads
+    const LibraryCall running(path);  // start-up code of -ffast-math changes the thread's mode
     handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   }
   if (handle == nullptr) {
@@ -65,7 +75,7 @@ Result<std::shared_ptr<const PluginLibrary>> PluginLibrary::open(const std::stri
 }
 
 PluginLibrary::~PluginLibrary() {
-  const ForeignCall mode;
+  const LibraryCall running(path_);
   dlclose(handle_);
 }
 
@@ -76,7 +86,7 @@ Result<void> PluginLibrary::takeTable() {
   using Entry = const fulbito_library* (*)();
   const auto entry = reinterpret_cast<Entry>(dlsym(handle_, FULBITO_ENTRY_NAME));
   if (entry == nullptr) return bad("has no symbol '" FULBITO_ENTRY_NAME "': it is no team of this simulator");
-  table_ = callForeign<const fulbito_library*>(nullptr, entry);
+  table_ = callForeign<const fulbito_library*>(*this, nullptr, entry);
   if (table_ == nullptr) return bad("gives no table: '" FULBITO_ENTRY_NAME "' returns null or throws");
   if (table_->abi_version != FULBITO_ABI) {
     return bad(fmt::format("has version {} of the interface; this simulator takes version {}",
@@ -92,7 +102,7 @@ Result<void> PluginLibrary::takeTable() {
 
 const void* PluginLibrary::extensionNamed(const char* name) const {
   if (table_->get_extension == nullptr) return nullptr;
-  return callForeign<const void*>(nullptr, [&] { return table_->get_extension(name); });
+  return callForeign<const void*>(*this, nullptr, [&] { return table_->get_extension(name); });
 }
 
 }  // namespace fulbito

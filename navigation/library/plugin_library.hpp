@@ -39,11 +39,29 @@ class PluginLibrary {
   const fulbito_library* table_ = nullptr;
 };
 
-/// Calls a function of a library in the expected floating-point mode and restores the thread's afterwards.
-/// An exception, which the interface forbids, becomes `otherwise`.
+/// The file of the library whose code this thread runs now; null: none. For handlers of signals and of
+/// `exit`.
+const char* libraryOfThisThread();
+
+/// While it lives, this thread runs code of a library, in the expected floating-point mode. The destructor
+/// restores the thread's mode.
+class LibraryCall {
+ public:
+  /// @param path  the library's file; it outlives the call
+  explicit LibraryCall(const std::string& path);
+  ~LibraryCall();
+  LibraryCall(const LibraryCall&) = delete;
+  LibraryCall& operator=(const LibraryCall&) = delete;
+
+ private:
+  const char* before_;
+  ForeignCall mode_;
+};
+
+/// Calls a function of a library. An exception, which the interface forbids, becomes `otherwise`.
 template <typename R, typename Call>
-R callForeign(R otherwise, const Call& call) {
-  const ForeignCall mode;
+R callForeign(const PluginLibrary& library, R otherwise, const Call& call) {
+  const LibraryCall running(library.path());
   try {
     return call();
   } catch (...) {

@@ -99,6 +99,22 @@ test('the events are a table with headers, the field has a name, goals have a po
   await page.quiet();
 });
 
+test('the panels take the room beside the field: events need few lines, and the field stays as high as it can be', async () => {
+  for (const [width, height] of [[1280, 800], [1366, 768], [1600, 900]]) {
+    const page = await open('calls', { viewport: { width, height } });
+    const lines = await page.$$eval('#events tbody tr', (rows) => rows.map((row) => {
+      const text = document.createRange();
+      text.selectNodeContents(row.children[1]);
+      return new Set([...text.getClientRects()].map(({ top }) => Math.round(top))).size;
+    }));
+    assert.ok(lines.length > 30);
+    assert.ok(Math.max(...lines) <= 4, `${Math.max(...lines)} lines at ${width} px`);
+    const [high, most] = await page.$eval('#stage', (stage) => [stage.clientHeight, parseFloat(getComputedStyle(stage).maxHeight)]);
+    assert.ok(high >= most - 1, `the field is ${high} px high, ${most} have room`);
+    await page.quiet();
+  }
+});
+
 test('print: light, all events, no buttons', async () => {
   const page = await open('short', { colorScheme: 'dark' });
   await page.emulateMedia({ media: 'print' });

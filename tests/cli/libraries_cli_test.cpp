@@ -44,3 +44,34 @@ TEST_CASE("errors of a library of navigators name the file", "[cli]") {
   check("./none.so:path", 5, "cannot read the library './none.so'");
   check("./text.so:path", 3, "cannot load the library './text.so'");
 }
+
+TEST_CASE("a library that ends the program is named, and the program does not say that all went well",
+          "[cli]") {
+  const Sandbox box;
+  fs::copy(FULBITO_TEST_LIBRARIES "/ending.so", box.path / "ending.so");
+  const auto end = [&](const std::string& how, const std::string& where, const std::string& isolation) {
+    return box.run("match ./ending.so:how=" + how + ",where=" + where +
+                   " idle --half-seconds 1 --record kept.fbr --force --isolate " + isolation);
+  };
+  const std::string named = "/ending.so' ends this program: ";
+  for (const auto& [how, where] : {std::pair{"exit", "decide"},
+                                   {"exit", "ready"},
+                                   {"exit", "destroy"},
+                                   {"quick-exit", "decide"},
+                                   {"thread", "decide"}}) {
+    INFO(how << " in " << where);
+    const Output output = end(how, where, "none");
+    CHECK(output.code == 4);
+    const std::string by = how == std::string("thread") ? "a library ends this program: " : named;
+    CHECK(output.err.find(by + "it calls exit") != std::string::npos);
+  }
+  for (const auto& [how, words] : {std::pair{"abort", "signal 6 (Aborted)"}, {"crash", "signal 11 "}}) {
+    const Output output = end(how, "decide", "none");
+    CHECK(output.code >= 128);
+    CHECK(output.err.find(named + words) != std::string::npos);
+  }
+  // In a process of its own it forfeits.
+  const Output apart = end("exit", "decide", "process");
+  CHECK(apart.code == 0);
+  CHECK(apart.out.find("exit code 0") != std::string::npos);
+}

@@ -246,7 +246,8 @@ TEST_CASE("recordings are kept by policy, and the report links pages that exist"
     return files;
   };
   const std::string run = "tournament run classic chaser idle --half-seconds 8 ";
-  REQUIRE(box.run(run + "--out none --html none.html").code == 0);
+  const Output without = box.run(run + "--out none --html none.html");
+  REQUIRE(without.code == 0);
   CHECK(recordings("none").empty());
   REQUIRE(box.run(run + "--out all --recordings all --html all.html").code == 0);
   CHECK(recordings("all").size() == 6);
@@ -269,6 +270,20 @@ TEST_CASE("recordings are kept by policy, and the report links pages that exist"
   }
   CHECK(links == some.size());
   CHECK_FALSE(contains(contentOf(box.path / "none.html"), "none-matches"));
+  CHECK(contains(contentOf(box.path / "none.html"), "To watch them: fulbito tournament report"));
+  CHECK_FALSE(contains(page, "To watch them"));
+
+  // The command that the run has named records them now.
+  const std::string named = "tournament report none --recordings upsets --html none.html";
+  CHECK(contains(without.err, "to watch the matches to look at: fulbito " + named + "\n"));
+  REQUIRE(box.run(named).code == 0);
+  CHECK(recordings("none").size() == some.size());
+  for (const fs::path& file : some) {
+    CHECK(contentOf(file) == contentOf(box.path / "none/recordings" / file.filename()));
+  }
+  const std::string later = contentOf(box.path / "none.html");
+  CHECK(contains(later, "none-matches"));
+  CHECK_FALSE(contains(later, "To watch them"));
 }
 
 TEST_CASE("reports may go into the folder of the results", "[cli]") {

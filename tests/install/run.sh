@@ -2,7 +2,7 @@
 # Installs a build into a temporary prefix, looks at what got there, builds outside projects against it and runs them:
 # one that needs no picture, recording or JSON, and the examples.
 set -euo pipefail
-build=$1 source=$2 compiler=$3
+build=$1 source=$2 compiler=$3 libraries=$4 port=$5
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 prefix=$work/prefix
@@ -25,6 +25,26 @@ configure() {
 
 quietly cmake --install "$build" --prefix "$prefix"
 "$prefix/bin/fulbito" version
+
+# The README builds target `fulbito` and nothing else: whatever is installed must come from it.
+if [ -f "$build/build.ninja" ]; then
+  ninja -C "$build" -t inputs fulbito >"$work/inputs"
+  find "$prefix" -type f \( -name '*.a' -o -path '*/bin/*' -o -path '*/libexec/*' \) -printf '%f\n' |
+    grep -vx fulbito >"$work/built"
+  [ "$(wc -l <"$work/built")" -gt 5 ] || fail 'nearly nothing was installed'
+  while read -r file; do
+    grep -qE "(^|/)$file\$" "$work/inputs" || fail "target fulbito does not build $file, which is installed"
+  done <"$work/built"
+fi
+
+# Each kind of team plays from the installed tree. Python finds the installed module.
+"$prefix/bin/fulbito" new-team python "$work/rover" >/dev/null
+rm "$work/rover/fulbito_team.py"
+for team in chaser "$libraries/plain_c.so" "$libraries/ported_chaser.so" "cmd:python3 $work/rover/team.py" "cmd:$port"; do
+  "$prefix/bin/fulbito" match "$team" idle --half-seconds 1 --time unlimited --json >"$work/match.json" ||
+    fail "the installed program does not play with $team"
+  [ "$(grep -c '"failures": 0' "$work/match.json")" -eq 2 ] || fail "$team fails when the installed program plays it"
+done
 
 # Headers: those of sdk/include and no others, each whole on its own.
 diff -r "$source/sdk/include" "$prefix/include" || fail 'the installed headers are not those of sdk/include'

@@ -1,6 +1,8 @@
 #include <arpa/inet.h>
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <dirent.h>
@@ -149,12 +151,48 @@ void gainRights(const Scene& scene) {
     tell("a device", ::mknod((scene.victim + "-device").c_str(), S_IFCHR, 0x103) == 0);
 }
 
+/// How others get the processor, the disk and memory, and signals by other ways than `kill`. What it asks for
+/// is what they have already.
+void meddleWithOthers(const Scene&) {
+  constexpr int kDiskOfProcess = 1, kDiskOfUser = 3;  // IOPRIO_WHO_PROCESS, IOPRIO_WHO_USER
+  forOtherProcesses([](pid_t process) {
+    if (process == 1 || ::getppid() == 1) return;  // of its own namespace
+    const sched_param none{0};
+    cpu_set_t processors;
+    ::sched_getaffinity(0, sizeof processors, &processors);
+    const std::array<std::uint64_t, 6> plain{48};  // its size; SCHED_OTHER
+    tell("another's scheduler", ::sched_setscheduler(process, SCHED_OTHER, &none) == 0);
+    tell("another's scheduling", ::sched_setparam(process, &none) == 0);
+    tell("another's attributes", ::syscall(SYS_sched_setattr, process, plain.data(), 0) == 0);
+    tell("another's processors", ::sched_setaffinity(process, sizeof processors, &processors) == 0);
+    tell("another's priority", ::setpriority(PRIO_PROCESS, static_cast<id_t>(process), 0) == 0);
+    tell("another's disk", ::syscall(SYS_ioprio_set, kDiskOfProcess, process, 0) == 0);
+    tell("another's memory", ::syscall(SYS_migrate_pages, process, 0, nullptr, nullptr) == 0);
+    const int folder = ::open(("/proc/" + std::to_string(process)).c_str(), O_DIRECTORY | O_CLOEXEC);
+    tell("a signal by /proc", ::syscall(SYS_pidfd_send_signal, folder, 0, nullptr, 0) == 0);
+    tell("a descriptor's signals", ::fcntl(STDIN_FILENO, F_SETOWN, process) == 0);
+    ::close(folder);
+  });
+  if (::getppid() > 1) {
+    tell("the user's priority", ::setpriority(PRIO_USER, ::geteuid(), 0) == 0);
+    tell("the user's disk", ::syscall(SYS_ioprio_set, kDiskOfUser, 0, 0) == 0);
+  }
+  // What runtimes ask for themselves must go on working.
+  const sched_param none{0};
+  cpu_set_t processors;
+  ::sched_getaffinity(0, sizeof processors, &processors);
+  const bool own = ::sched_setaffinity(0, sizeof processors, &processors) == 0 &&
+                   ::sched_setscheduler(0, SCHED_OTHER, &none) == 0 && ::setpriority(PRIO_PROCESS, 0, 1) == 0;
+  tell("no say in its own scheduling", !own);
+}
+
 constexpr Kind kAttacks[] = {
     {"signal-others", "signals its parent and all processes that it sees", signalOthers, true},
     {"trace-others", "traces its parent and reads memory of others", traceOthers, true},
     {"write-outside", "writes to the match's files and other folders", writeOutside, true},
     {"read-secrets", "reads others' files", readSecrets, true},
     {"network", "connects to services", useNetwork, true},
+    {"meddle-with-others", "changes how other processes are scheduled", meddleWithOthers, true},
     {"raise-limits", "raises its limits", raiseLimits, true},
     {"leave-shared-memory", "leaves what outlives a process", leaveSharedThings, true},
     {"gain-rights", "gets rights that it lacks", gainRights, true},

@@ -84,7 +84,7 @@ void converse(const Kind& kind, Scene scene, long at) {
 }
 
 int usage() {
-  std::fputs("usage: misbehaving_team KIND [--at DECISION] [--victim FILE] | --list\n", stderr);
+  std::fputs("usage: misbehaving_team KIND [--at DECISION] [--victim-in FOLDER] | --list\n", stderr);
   return 2;
 }
 
@@ -104,7 +104,8 @@ int run(int argc, char** argv) {
   for (int k = 2; k + 1 < argc; k += 2) {
     const std::string_view option = argv[k];
     if (option == "--at") at = std::strtol(argv[k + 1], nullptr, 10);
-    if (option == "--victim") scene.victim = argv[k + 1];
+    // A file that the command names whole would be the team's to read.
+    if (option == "--victim-in") scene.victim = std::string(argv[k + 1]) + "/recording";
   }
   if (kind == nullptr || argc % 2 != 0) return usage();
   if (at > 0) {

@@ -5,6 +5,7 @@
 
 #include "tournament/navigators/navigator_tournament.hpp"
 #include "tournament/report/json_parts.hpp"
+#include "tournament/report/sections.hpp"
 
 namespace fulbito {
 namespace {
@@ -54,10 +55,10 @@ std::string standingsText(const NavigatorTournament& tournament) {
                   "Elo (95 %)", "arrived (95 %)", "won-drawn-lost", "time [s]", "length [m]");
   int rank = 0;
   for (const NavigatorStanding& row : tournament.table.standings) {
-    text += fmt::format("{:>2}  {:{}}  {:>22}  {:>18}  {:>15}  {:>8}  {:>10}\n", ++rank,
-                        nameOf(tournament, row.navigator), width, signedInterval(row.elo, 0),
-                        percentInterval(row.arrived), resultsText(row.won, row.drawn, row.lost),
-                        figure(row.time, 3), figure(row.length, 3));
+    text +=
+        fmt::format("{:>2}  {:{}}  {:>22}  {:>18}  {:>15}  {:>8}  {:>10}\n", ++rank,
+                    nameOf(tournament, row.navigator), width, eloText(row.elo), percentInterval(row.arrived),
+                    resultsText(row.won, row.drawn, row.lost), figure(row.time, 3), figure(row.length, 3));
   }
   return text;
 }

@@ -24,6 +24,20 @@ std::string progressOf(const TournamentState& state) {
   return text;
 }
 
+std::string shownElo(double elo) {
+  if (elo > kMostShownElo) return fmt::format(">{:+.0f}", kMostShownElo);
+  if (elo < -kMostShownElo) return fmt::format("<{:+.0f}", -kMostShownElo);
+  return fmt::format("{:+.0f}", std::round(elo) + 0.0);  // without the sum, -0.3 reads as -0
+}
+
+bool goesBeyond(const TournamentTable& table) {
+  for (std::size_t i = 0; i < table.totals.size(); ++i) {
+    const Interval& elo = table.ratings.elo[i];
+    if (table.totals[i].pairs > 0 && (elo.high > kMostShownElo || elo.low < -kMostShownElo)) return true;
+  }
+  return false;
+}
+
 std::vector<std::string> notesOf(const TournamentTable& table) {
   std::vector<std::string> notes;
   const auto& component = table.ratings.component;
@@ -35,6 +49,11 @@ std::vector<std::string> notesOf(const TournamentTable& table) {
   if (table.ratings.prior) {
     notes.emplace_back(
         "A team, or a group of teams, won or lost everything: a prior keeps its rating finite.");
+  }
+  if (goesBeyond(table)) {
+    notes.push_back(
+        fmt::format("Elo beyond {:g} has no figure: where a team wins nearly all, single matches decide it.",
+                    kMostShownElo));
   }
   return notes;
 }
@@ -61,12 +80,12 @@ std::string shownName(const TournamentState& state, std::size_t entrant) {
 }
 
 std::string eloText(const Interval& interval) {
-  // Without this, -0.3 reads as -0.
-  const auto whole = [](double elo) { return std::round(elo) + 0.0; };
   if (!std::isfinite(interval.value) && !std::isfinite(interval.low) && !std::isfinite(interval.high))
     return "-";
-  return fmt::format("{:+.0f} ({:+.0f} to {:+.0f})", whole(interval.value), whole(interval.low),
-                     whole(interval.high));
+  const bool beyond = interval.low > kMostShownElo || interval.high < -kMostShownElo;
+  if (beyond) return shownElo(interval.value);
+  return fmt::format("{} ({} to {})", shownElo(interval.value), shownElo(interval.low),
+                     shownElo(interval.high));
 }
 
 std::vector<std::size_t> ranking(const TournamentTable& table) {

@@ -188,6 +188,9 @@ Grid notableGrid(const TournamentState& state, const TournamentTable& table) {
                          cell(bookEntry(state.plan.book, fixture.start).name),
                          cell(fmt::format("{}", pair.seed))});
   }
+  if (!table.recorded) {
+    grid.note = "To watch them: fulbito tournament report FOLDER --recordings upsets --html FILE";
+  }
   return grid;
 }
 

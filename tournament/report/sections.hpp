@@ -20,7 +20,12 @@ ReportHead headOf(const TournamentState& state, const TournamentTable& table);
 
 /// A team's name in a table; its number from 1 if nothing of the name can be shown.
 std::string shownName(const TournamentState& state, std::size_t entrant);
-/// "+210 (+180 to +240)"; "-" without a match.
+/// Figures beyond this [Elo] are shown as such. Without draws they mean that the weaker side gets less than 1
+/// of 57 points, so a single lost match decides how far beyond. A series of any length has such a limit; this
+/// one belongs to those of about a hundred matches.
+inline constexpr double kMostShownElo = 700.0;
+/// "+210 (+180 to +240)", ">+700 (+650 to >+700)", ">+700" if the interval lies beyond, too; "-" without a
+/// match.
 std::string eloText(const Interval& interval);
 /// Entrants, best first.
 std::vector<std::size_t> ranking(const TournamentTable& table);

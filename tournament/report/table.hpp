@@ -56,6 +56,7 @@ struct TournamentTable {
   std::vector<MeetingSummary> totals;               ///< by entrant: all its matches
   std::vector<FaultSummary> faults;                 ///< by entrant
   std::vector<NotableMatch> notable;                ///< worst first, at most `kMostNotable`
+  bool recorded = false;                            ///< all of `notable` have recordings
   /// [entrant][step]: Elo after each twentieth of the fixtures that count; NaN before its first match. Fewer
   /// fixtures than `kCourseSteps` give as many steps.
   std::vector<std::vector<double>> course;

@@ -2,6 +2,7 @@
 #include "tournament/report/json_parts.hpp"
 #include "tournament/report/match_report.hpp"
 #include "tournament/report/report.hpp"
+#include "tournament/report/sections.hpp"
 
 namespace fulbito {
 namespace {
@@ -60,11 +61,16 @@ Json startsJson(const TournamentState& state, const std::vector<MeetingSummary>&
 }
 
 Json entrantJson(const TournamentState& state, const TournamentTable& table, std::size_t entrant) {
-  return {
-      {"name", state.plan.entrants[entrant].name},       {"team", state.plan.entrants[entrant].team.text},
-      {"elo", intervalJson(table.ratings.elo[entrant])}, {"compares_with", table.ratings.component[entrant]},
-      {"total", meetingJson(table.totals[entrant])},     {"starts", startsJson(state, table.starts[entrant])},
-      {"faults", faultsJson(table.faults[entrant])},     {"course", courseJson(table.course[entrant])}};
+  const bool beyond = std::abs(table.ratings.elo[entrant].value) > kMostShownElo;
+  return {{"elo_beyond_scale", beyond},
+          {"name", state.plan.entrants[entrant].name},
+          {"team", state.plan.entrants[entrant].team.text},
+          {"elo", intervalJson(table.ratings.elo[entrant])},
+          {"compares_with", table.ratings.component[entrant]},
+          {"total", meetingJson(table.totals[entrant])},
+          {"starts", startsJson(state, table.starts[entrant])},
+          {"faults", faultsJson(table.faults[entrant])},
+          {"course", courseJson(table.course[entrant])}};
 }
 
 Json standingJson(const Standing& s) {

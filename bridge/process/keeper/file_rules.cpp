@@ -162,6 +162,12 @@ std::string realPath(const std::string& path) {
   return ::realpath(path.c_str(), real.data()) != nullptr ? std::string(real.data()) : std::string();
 }
 
+/// Whether a word is the absolute path of a file.
+bool isFile(const std::string& word) {
+  struct stat status{};
+  return word.starts_with('/') && ::stat(word.c_str(), &status) == 0 && S_ISREG(status.st_mode);
+}
+
 /// The file of a program by PATH.
 std::string findProgram(const std::string& name, const std::string& path) {
   if (name.find('/') != std::string::npos) return name;
@@ -194,15 +200,22 @@ std::vector<std::string> interpreterOf(Rules& rules, const std::string& program)
   return words;
 }
 
-/// The folder of a program, and that of an installation's prefix, such as /opt/python for /opt/python/bin. A
-/// virtual environment of Python and pyenv's stand-ins lead to an installation elsewhere.
+/// The prefix of an installation, such as /opt/python. A user's home is none: of programs in ~/bin only what
+/// they are installed with.
+void allowPrefix(Rules& rules, const Order& order, const std::string& prefix) {
+  if (prefix != realPath(order.home)) return rules.allow(prefix, kReading);
+  for (const char* part : {"/lib", "/lib64", "/libexec", "/share"}) rules.allow(prefix + part, kReading);
+}
+
+/// The folder of a program, and the prefix if that folder is /opt/python/bin, for example. A virtual
+/// environment of Python and pyenv's stand-ins lead to an installation elsewhere.
 void allowSurroundings(Rules& rules, const Order& order, const std::string& program, int depth) {
   const std::string real = realPath(program);
   if (real.empty()) return rules.noteShortage();
   const std::string folder = parentOf(real), prefix = parentOf(folder);
   rules.allow(folder, kReading);
   if ((nameOf(folder) == "bin" || nameOf(folder) == "shims") && !prefix.empty())
-    rules.allow(prefix, kReading);
+    allowPrefix(rules, order, prefix);
   const std::string environment = parentOf(parentOf(program));
   if (::access((environment + "/pyvenv.cfg").c_str(), F_OK) == 0) rules.allow(environment, kReading);
   const std::vector<std::string> words = interpreterOf(rules, real);
@@ -230,7 +243,14 @@ int restrictFiles(const Order& order, std::string& why) {
   for (const std::string& path : order.readable) rules.allow(path, kReading);
   if (!order.own_folder.empty()) rules.allow(order.own_folder, kReading);
   constexpr int kScriptsInterpretedByScripts = 3;
-  allowSurroundings(rules, order, order.program, kScriptsInterpretedByScripts);
+  if (order.page->program_alone) {
+    rules.allow(order.program, kReading);
+  } else {
+    allowSurroundings(rules, order, order.program, kScriptsInterpretedByScripts);
+  }
+  for (const std::string& argument : order.arguments) {
+    if (isFile(argument)) rules.allow(argument, kReading);
+  }
   rules.allow(order.private_folder, ~(kMakeCharacterDevice | kMakeBlockDevice));
   why = "the kernel refuses";
   return rules.restrictSelf();

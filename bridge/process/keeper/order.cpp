@@ -31,6 +31,7 @@ Order readOrder() {
   order.base_folder = word();
   order.path = word();
   order.language = word();
+  order.home = word();
   for (std::uint32_t k = 0; k < order.page->readable; ++k) order.readable.push_back(word());
   for (std::uint32_t k = 0; k < order.page->arguments; ++k) order.arguments.push_back(word());
   return order;

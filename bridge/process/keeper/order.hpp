@@ -19,6 +19,7 @@ struct Order {
   std::string base_folder;  ///< where the private folder is made
   std::string path;         ///< PATH
   std::string language;     ///< LANG
+  std::string home;         ///< HOME of whoever plays the match; the team has another
   std::vector<std::string> readable;
   std::vector<std::string> arguments;  ///< the first is the program's name
 

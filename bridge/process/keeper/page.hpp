@@ -29,8 +29,8 @@ struct Text {
 
 /// What the launching program and the keeper of a child share: the order, and how it went. Both are the same
 /// build. A word list with `text_size` bytes follows the struct: the program's file, the team's folder, the
-/// folder for temporary files, PATH, LANG, then `readable` folders, then the arguments. Each ends with a
-/// zero.
+/// folder for temporary files, PATH, LANG, the user's home, then `readable` folders, then the arguments. Each
+/// ends with a zero.
 struct Page {
   /// @{ The order, see ChildLimits.
   std::uint64_t memory = 0;       ///< [bytes]
@@ -44,7 +44,8 @@ struct Page {
   std::uint32_t arguments = 0;
   std::uint32_t text_size = 0;  ///< [bytes]
   bool network = false;
-  bool all_layers = false;  ///< give up if one is missing
+  bool all_layers = false;     ///< give up if one is missing
+  bool program_alone = false;  ///< its file is readable, not the installation around it
   /// Later, with the request to end: the team has closed its output, so it may be about to end by itself.
   bool output_closed = false;
   /// @}

@@ -1,10 +1,13 @@
 #include "bridge/process/keeper/syscall_filter.hpp"
 
+#include <asm/sockios.h>
 #include <cerrno>
+#include <fcntl.h>
 #include <linux/sched.h>
 #include <sched.h>
 #include <seccomp.h>
 #include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 
 namespace fulbito::keeper {
@@ -108,6 +111,30 @@ void refuseSignals(Filter& filter, pid_t process) {
   filter.refuse("kill", EPERM, SCMP_A0(SCMP_CMP_MASKED_EQ, kPid, all));
 }
 
+/// Without a namespace of its own the team could change how a user's other processes get the processor, the
+/// disk and memory, and send them signals by ways that `refuseSignals` cannot see. 0 is the calling thread,
+/// or its group.
+void refuseMeddling(Filter& filter) {
+  for (const char* name : {"sched_setscheduler", "sched_setparam", "sched_setattr", "sched_setaffinity",
+                           "migrate_pages", "move_pages"}) {
+    filter.refuse(name, EPERM, SCMP_A0(SCMP_CMP_NE, 0));
+  }
+  constexpr scmp_datum_t kInt = 0xffffffff, kAllOfUser = PRIO_USER, kDisksAllOfUser = 3;  // IOPRIO_WHO_USER
+  filter.refuse("setpriority", EPERM, SCMP_A1(SCMP_CMP_NE, 0));
+  filter.refuse("setpriority", EPERM, SCMP_A0(SCMP_CMP_MASKED_EQ, kInt, kAllOfUser));
+  filter.refuse("ioprio_set", EPERM, SCMP_A1(SCMP_CMP_NE, 0));
+  filter.refuse("ioprio_set", EPERM, SCMP_A0(SCMP_CMP_MASKED_EQ, kInt, kDisksAllOfUser));
+  // A folder of /proc is as good as what pidfd_open gives.
+  filter.refuse("pidfd_send_signal", EPERM);
+  // The owner of a descriptor gets signals, and which ones its process chooses.
+  for (const scmp_datum_t command : {F_SETOWN, F_SETOWN_EX}) {
+    filter.refuse("fcntl", EPERM, SCMP_A1(SCMP_CMP_MASKED_EQ, kInt, command));
+  }
+  for (const scmp_datum_t request : {FIOSETOWN, SIOCSPGRP}) {
+    filter.refuse("ioctl", EPERM, SCMP_A1(SCMP_CMP_MASKED_EQ, kInt, request));
+  }
+}
+
 }  // namespace
 
 int filterSyscalls(const Order& order, pid_t keeper) {
@@ -132,6 +159,7 @@ int filterSyscalls(const Order& order, pid_t keeper) {
   if (!order.own_pids) {
     refuseSignals(filter, keeper);
     refuseSignals(filter, order.page->launcher);
+    refuseMeddling(filter);
   }
   return filter.load();
 }

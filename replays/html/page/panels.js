@@ -76,9 +76,9 @@ class EventList {
     this.rows = scene.marks.map((event) => {
       const button = element('button', clockText(event.seconds), { type: 'button' });
       button.addEventListener('click', () => this.viewer.seek(event.seconds));
-      const what = element('td', null, {}, element('span', eventText(event)), element('small', eventDetail(event)));
-      const row = element('tr', null, { class: event.goal ? 'goal' : event.restart ? 'restart' : 'call' },
-        element('td', null, {}, button), what, element('td', event.goal ? scene.score(event.tick).join('–') : ''));
+      const what = element('td', null, event.goal ? {} : { colspan: 2 }, element('span', eventText(event)), element('small', eventDetail(event)));
+      const row = element('tr', null, { class: event.goal ? 'goal' : event.restart ? 'restart' : 'call' }, element('td', null, {}, button), what);
+      if (event.goal) row.append(element('td', scene.score(event.tick).join('–')));
       if (event.favours !== undefined) row.dataset.team = event.favours;
       return row;
     });

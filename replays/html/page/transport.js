@@ -62,6 +62,8 @@ class Viewer {
     const split = this.scene.race && this.options.split;
     $('#stage').classList.toggle('split', split);
     $('#stage').style.aspectRatio = `${wide} / ${high}`;
+    // Beside a field that cannot grow higher, the panels get the rest.
+    $('#main').style.setProperty('--shape', split ? 9 : wide / high);
   }
 
   seek(seconds) {

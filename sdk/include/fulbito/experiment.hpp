@@ -113,6 +113,7 @@ struct ComparisonConfig {
   SensorModel sensors;                  ///< quality of observations
   std::optional<std::uint64_t> only;    ///< only this layout of each block
   int pictures = 8;                     ///< layouts per block with traces for pictures
+  int ways = 6;                         ///< most ways per picture, the paper's methods first; 0: all
   std::string record;                   ///< folder for recordings of these layouts; empty: none
 };
 

@@ -206,7 +206,7 @@ struct ExerciseReply {
   Vec2 answer;          ///< [m] predicted ball position, for kPredictBall
 };
 
-/// The condition of a team after a call. Teams in this program are always well.
+/// The condition of a team after a call. Teams that are no files or programs are always well.
 struct TeamCondition {
   /// Whether the last call has an answer.
   enum class State : std::uint8_t {
@@ -271,7 +271,7 @@ struct TeamInfo {
   std::string default_navigator;          ///< default of `navigator`; empty if the team takes none
   /// Creates the team from settings, `navigator` included. Errors: kUsage.
   std::function<Result<std::unique_ptr<Strategy>>(const std::vector<Setting>&)> make;
-  bool outside = false;  ///< runs in another process: the rules limit its time unless the match does
+  bool outside = false;  ///< a file or a program: the rules limit its time unless the match does
 };
 
 /// A team and its settings, for a seat of a match. The entry lives as long as any choice of it.

@@ -15,13 +15,14 @@ namespace {
 constexpr std::size_t kMostBars = 100;
 constexpr std::size_t kMostLines = 10;
 
-/// The largest of some ratings on either side of 0, rounded up to a step of the axis [Elo].
+/// The largest of some ratings on either side of 0, rounded up to a step of the axis [Elo], but no more than
+/// reports show.
 class Reach {
  public:
   void take(double elo) {
     if (std::isfinite(elo)) most_ = std::max(most_, std::abs(elo));
   }
-  double elo() const { return std::max(kStep, kStep * std::ceil(most_ / kStep)); }
+  double elo() const { return std::clamp(kStep * std::ceil(most_ / kStep), kStep, kMostShownElo); }
 
  private:
   static constexpr double kStep = 100.0;
@@ -66,7 +67,9 @@ struct CourseFrame {
     return steps < 2 ? kRight
                      : kLeft + (kRight - kLeft) * static_cast<double>(step) / static_cast<double>(steps - 1);
   }
-  double y(double elo) const { return (kTop + kBottom) / 2 - (kBottom - kTop) / 2 * elo / reach; }
+  double y(double elo) const {
+    return (kTop + kBottom) / 2 - (kBottom - kTop) / 2 * std::clamp(elo / reach, -1.0, 1.0);
+  }
 };
 
 CourseLine lineOf(const CourseFrame& frame, const std::vector<double>& course, const std::string& name) {
@@ -188,7 +191,7 @@ std::string htmlRatings(const TournamentState& state, const TournamentTable& tab
     const Interval& elo = table.ratings.elo[entrant];
     html += fmt::format(
         "<tr><th scope=\"row\"><bdi>{}</bdi></th><td class=\"bar\">{}</td><td class=\"n\">{}</td></tr>\n",
-        escapedXml(shownName(state, entrant)), barOf(elo, reach.elo()), eloText(elo));
+        escapedXml(shownName(state, entrant)), barOf(elo, reach.elo()), escapedXml(eloText(elo)));
   }
   return htmlSection("", "Ratings", htmlScroll("Ratings", html + "</tbody></table>\n"));
 }

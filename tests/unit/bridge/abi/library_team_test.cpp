@@ -42,6 +42,14 @@ std::unique_ptr<Strategy> teamOf(
   return std::move(*team);
 }
 
+/// A match in which a team may fail so often.
+MatchInfo limited(int failures) {
+  MatchInfo info;
+  info.decision_time = DecisionTime{};
+  info.decision_time->failures = failures;
+  return info;
+}
+
 Observation threeRobots() {
   Observation seen;
   for (std::size_t i = 0; i < 3; ++i) seen.own[i].present = true;
@@ -252,40 +260,47 @@ TEST_CASE("exceptions of a team are caught, counted and logged", "[unit]") {
     CAPTURE(where);
     Lines lines;
     const auto team = teamOf("throwing", {{"where", where}}, lines.log());
-    team->begin({});
+    team->begin(limited(1));
     team->decide(threeRobots());
     team->place({});
     team->stopped({});
     team->exercise({}, {});
     team->ended({});
-    CHECK(lines.text ==
-          "throwing: exception: out of ideas\nthrowing: '" + where + "' fails with 1 (failure 1)\n");
-    CHECK(dynamic_cast<LibraryTeam&>(*team).team().failures() == 1);
+    CHECK(lines.text == "throwing: exception: out of ideas\n");
+    const bool notice = where == "stopped" || where == "ended";
+    CHECK(team->condition().failures == (where == "ended" ? 0 : 1));
+    if (where == "ended") continue;
+    CHECK(team->condition().reason == "throwing: '" + where + "' fails with 1");
+    CHECK(team->condition().state == TeamCondition::State::kLost);
+    CHECK((notice || team->navigators().empty()));
   }
   Lines lines;
   const auto odd = teamOf("throwing", {{"where", "decide"}, {"odd", "on"}}, lines.log());
-  odd->begin({});
+  odd->begin(limited(1));
   odd->decide(threeRobots());
   CHECK(lines.text.find("an exception of an unknown type") != std::string::npos);
 }
 
-TEST_CASE("after a failed decision the robots stand still until the next one", "[unit]") {
+TEST_CASE("after a failed decision a new team starts with the next one", "[unit]") {
   const auto team = teamOf("throwing", {{"where", "decide"}});
-  team->begin({});
+  team->begin(limited(3));
   Observation seen = threeRobots();
   CHECK(team->decide(seen).robots[0].wheels.right == 0.0);
+  CHECK(team->condition().state == TeamCondition::State::kDown);
   seen.tick = 1;
   CHECK(team->decide(seen).robots[0].wheels.right == 2.0);
+  CHECK(team->condition().state == TeamCondition::State::kWell);
+  CHECK(team->condition().failures == 1);
 }
 
-TEST_CASE("failures are logged the first, the tenth, the hundredth time", "[unit]") {
-  Lines lines;
-  const auto team = teamOf("broken_decision", {}, lines.log());
-  team->begin({});
-  for (int i = 0; i < 100; ++i) team->decide(threeRobots());
-  CHECK(lines.text ==
-        "broken: 'decide' fails with 42 (failure 1)\nbroken: 'decide' fails with 42 (failure 10)\n"
-        "broken: 'decide' fails with 42 (failure 100)\n");
+TEST_CASE("a team that fails too often is asked no more", "[unit]") {
+  const auto team = teamOf("broken_decision");
+  team->begin(limited(4));
+  for (int i = 0; i < 10; ++i) team->decide(threeRobots());
+  CHECK(team->condition().state == TeamCondition::State::kLost);
+  CHECK(team->condition().failures == 4);
+  CHECK(team->condition().reason == "broken: 'decide' fails with 42");
+  CHECK_FALSE(team->place({}));
 }
 
 TEST_CASE("a team that moves its room for drawings away draws nothing", "[unit]") {

@@ -52,7 +52,7 @@ class HostProcess {
     const AbiCodec codec;
     while (*codec.firstMessage(reply) == 0) {
       const ssize_t n = read(out_, piece.data(), piece.size());
-      if (n <= 0) return {};
+      if (n <= 0) return reply;
       reply.append(piece.data(), static_cast<std::size_t>(n));
     }
     return reply;
@@ -108,18 +108,24 @@ TEST_CASE("fulbito-team-host plays for a library; what the team prints goes to s
   CHECK(errors.find("nothing to read\n") != std::string::npos);
 }
 
-TEST_CASE("fulbito-team-host names what is wrong and gives the program's exit codes", "[unit]") {
-  const auto run = [](std::vector<std::string> arguments, int code, const std::string& words) {
+TEST_CASE("fulbito-team-host says what is wrong and gives the program's exit codes", "[unit]") {
+  // Before there is a conversation on standard error, then as its message.
+  const auto run = [](std::vector<std::string> arguments, int code, const std::string& words, bool told) {
+    CAPTURE(words);
     HostProcess process(std::move(arguments));
+    AbiCodec codec;
+    TeamReply reply;
+    const auto read = codec.read(process.ask(""), reply);
     CHECK(process.end() == code);
-    const std::string errors = process.errors();
-    CAPTURE(errors);
-    CHECK(errors.find(words) != std::string::npos);
+    REQUIRE_FALSE(read);
+    const std::string said = told ? read.error().message : process.errors();
+    CAPTURE(said);
+    CHECK(said.find(words) != std::string::npos);
   };
-  run({}, 2, "usage: fulbito-team-host LIBRARY");
-  run({kLibraries + "/plain_c.so", "gain"}, 2, "'gain' is not of the form name=value");
-  run({kLibraries + "/none.so"}, 5, "cannot read the library");
-  run({kLibraries + "/broken_version.so"}, 3, "version 77");
+  run({}, 2, "usage: fulbito-team-host LIBRARY", false);
+  run({kLibraries + "/plain_c.so", "gain"}, 2, "'gain' is not of the form name=value", false);
+  run({kLibraries + "/none.so"}, 5, "cannot read the library", true);
+  run({kLibraries + "/broken_version.so"}, 3, "version 77", true);
 }
 
 TEST_CASE("fulbito-team-host ends with the reason when its team fails or refuses", "[unit]") {
@@ -132,13 +138,29 @@ TEST_CASE("fulbito-team-host ends with the reason when its team fails or refuses
   HostProcess failing({kLibraries + "/throwing.so", "where=decide"});
   REQUIRE(codec.read(failing.ask(hello), reply));
   REQUIRE(codec.read(failing.ask(begin), reply));
-  CHECK(failing.ask(decide).empty());
+  const auto failed = codec.read(failing.ask(decide), reply);
+  REQUIRE_FALSE(failed);
+  CHECK(failed.error().message == "throwing: 'decide' fails with 1");
   CHECK(failing.end() == 3);
-  CHECK(failing.errors().find("throwing: 'decide' fails with 1") != std::string::npos);
   HostProcess refusing({kLibraries + "/broken_refusal.so"});
-  CHECK(refusing.ask(hello).empty());
+  const auto refused = codec.read(refusing.ask(hello), reply);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message.find("not today") != std::string::npos);
   CHECK(refusing.end() == 2);
-  CHECK(refusing.errors().find("not today") != std::string::npos);
+}
+
+TEST_CASE("a reason of a host is safe to print and never endless", "[unit]") {
+  std::string message;
+  beginFrame(static_cast<std::uint16_t>(FrameKind::kFailed), 0, message);
+  message += "\x1b[2J\xff" + std::string(10'000, 'x');
+  message += '\0';
+  endFrame(0, message);
+  AbiCodec codec;
+  TeamReply reply;
+  const auto read = codec.read(message, reply);
+  REQUIRE_FALSE(read);
+  CHECK(read.error().message.starts_with("\\x1b[2J\\xff"));
+  CHECK(read.error().message.size() < 2100);
 }
 
 }  // namespace fulbito

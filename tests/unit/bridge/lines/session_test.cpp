@@ -2,6 +2,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,19 @@ std::string answerOf(const PipedProgram& program, const std::string& line) {
 }
 
 }  // namespace
+
+TEST_CASE("a match without a limit of time has none in the protocol, which has no infinity", "[unit]") {
+  const auto limitFor = [](double seconds) {
+    MatchInfo info;
+    info.decision_time = DecisionTime{};
+    info.decision_time->decision = seconds;
+    std::string line;
+    LineCodec().begin(1, info, line);
+    return nlohmann::json::parse(line)["decision_time"];
+  };
+  CHECK(limitFor(std::numeric_limits<double>::infinity()).is_null());
+  CHECK(limitFor(0.25)["decision"] == 0.25);
+}
 
 TEST_CASE("the simulator says what the sample session says, byte for byte", "[unit]") {
   INFO(

@@ -50,8 +50,9 @@ MatchConfig configOf(const TeamChoice& blue, const TeamChoice& yellow, double ha
   return *config;
 }
 
-TeamChoice chosen(const std::string& specification) {
-  auto choice = catalogue().parse(specification);
+TeamChoice chosen(const std::string& specification,
+                  OutsideOptions::Isolation isolation = OutsideOptions::Isolation::kProcess) {
+  auto choice = catalogue(isolation).parse(specification);
   INFO((choice ? "" : choice.error().message));
   REQUIRE(choice);
   return *choice;
@@ -99,11 +100,60 @@ TEST_CASE("a program plays the match of the built-in team that it is a port of",
   for (const TeamFaults& faults : outside.faults.teams) CHECK(faults.rejected() + faults.failures == 0);
 }
 
+// Those that the loader refuses, or that end their process, are no teams for this.
+const std::vector<std::string> kLibraries = {
+    "ported_chaser.so",
+    "plain_c.so:gain=0.5,style=calm",
+    "printing.so",
+    "float_modes.so",
+    "broken_kind.so",
+    "broken_drawings.so",
+    "broken_decision.so",
+    "throwing.so:where=begin",
+    "throwing.so:where=decide",
+    "throwing.so:where=decide,odd=on",
+    "throwing.so:where=place",
+    "throwing.so:where=stopped",
+    "throwing.so:where=ended",
+    "ending.so:how=fail,where=decide,at=40",
+    "ending.so:how=fail,where=ready",
+    "ending.so:how=fail,where=place,at=2",
+};
+
+TEST_CASE("a library plays the same match in this process and in its own, whatever its functions return",
+          "[unit]") {
+  std::set<std::string> failures;
+  for (const std::string& library : kLibraries) {
+    INFO(library);
+    const std::string specification = FULBITO_TEST_LIBRARIES "/" + library;
+    std::vector<Played> played;
+    for (const auto isolation : {OutsideOptions::Isolation::kProcess, OutsideOptions::Isolation::kNone}) {
+      auto config = configOf(chosen(specification, isolation), chosen("chaser"), 1.5);
+      config.seed = 11;
+      config.rules.decision_time.decision = 10.0;  // whatever else this machine does
+      played.push_back(play(config));
+    }
+    const TeamFaults &apart = played[0].faults.teams[0], &within = played[1].faults.teams[0];
+    CHECK(played[0].hash == played[1].hash);
+    CHECK(played[0].events == played[1].events);
+    CHECK(played[0].referee.score == played[1].referee.score);
+    CHECK(played[0].referee.winner == played[1].referee.winner);
+    CHECK(apart.failures == within.failures);
+    CHECK(apart.failure == within.failure);
+    CHECK(apart.forfeited == within.forfeited);
+    CHECK(apart.rejected() == within.rejected());
+    CHECK(apart.saturated == within.saturated);
+    if (within.forfeited) failures.insert(within.failure);
+  }
+  CHECK(failures.contains("broken: 'decide' fails with 42"));
+  CHECK(failures.size() >= 4);
+}
+
 // These answer well, whatever else they try, or what they answer does no harm.
 const std::set<std::string> kHarmless = {
-    "signal-others",  "trace-others", "write-outside",     "read-secrets",
-    "network",        "raise-limits", "gain-rights",       "leave-shared-memory",
-    "unasked-answer", "many-answers", "duplicate-answers", "huge-numbers"};
+    "signal-others", "trace-others",      "write-outside",       "read-secrets",       "network",
+    "raise-limits",  "gain-rights",       "leave-shared-memory", "meddle-with-others", "unasked-answer",
+    "many-answers",  "duplicate-answers", "huge-numbers"};
 
 std::vector<std::string> kindsOfMisbehaviour() {
   std::vector<std::string> kinds;

@@ -57,6 +57,29 @@ TEST_CASE("arguments that name files become absolute, and the team's folder is t
   CHECK(line->folder == std::filesystem::absolute(std::filesystem::path(line->command[1]).parent_path()));
 }
 
+TEST_CASE("the folder of a program by its path is the team's, unless it is installed in a folder `bin`",
+          "[unit]") {
+  const ScratchFolder folder;
+  namespace fs = std::filesystem;
+  fs::create_directories(folder.path() / "bin");
+  fs::create_directories(folder.path() / "data");
+  const std::string own = folder.write("team", "#!/bin/sh\n"),
+                    installed = folder.write("bin/run", "#!/bin/sh\n");
+  const std::string file = folder.write("data/net", "1");
+  for (const std::string& program : {own, installed}) fs::permissions(program, fs::perms::owner_all);
+  const auto folderOf = [](const std::string& command) {
+    const auto line = parseTeamCommand("cmd:" + command);
+    REQUIRE(line);
+    return line->folder;
+  };
+  const std::string root = fs::absolute(folder.path()).string();
+  CHECK(folderOf(own) == root);
+  CHECK(folderOf(own + " " + file) == root);
+  CHECK(folderOf(installed + " --fast " + file) == root + "/data");
+  CHECK(folderOf(installed) == root + "/bin");
+  CHECK(folderOf("sh -c true").empty());
+}
+
 TEST_CASE("the hash of a team is that of its files", "[unit]") {
   const ScratchFolder folder;
   std::string file = folder.write("team.py", "print(0)\n");

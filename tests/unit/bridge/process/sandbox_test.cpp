@@ -133,6 +133,30 @@ TEST_CASE("a team reads its own files and no others", "[unit][sandbox]") {
   CHECK(allOutput(child) == (landlockVersion() < 1 ? everything : "content\ncontent\n"));
 }
 
+TEST_CASE("of a program in the user's own bin a team reads the installation, not the home",
+          "[unit][sandbox]") {
+  if (landlockVersion() < 1) return;
+  const ScratchFolder scratch;
+  const std::filesystem::path home = scratch.path();
+  for (const char* folder : {"bin", "lib", "mail"}) std::filesystem::create_directories(home / folder);
+  for (const char* file : {"lib/module", "mail/letter", "key"}) scratch.write(file, std::string(file) + "\n");
+  const std::string program =
+      scratch.write("bin/run", "#!/bin/sh\ncd \"$1\" && cat lib/module mail/letter key\n");
+  std::filesystem::permissions(home / "bin" / "run", std::filesystem::perms(0755));
+  const auto seen = [&](const char* as_home) {
+    const std::string before = std::getenv("HOME") != nullptr ? std::getenv("HOME") : "";
+    ::setenv("HOME", as_home, 1);
+    ChildOptions options;
+    options.command = {program, home.string()};
+    Child child = launched(options);
+    const std::string text = allOutput(child);
+    ::setenv("HOME", before.c_str(), 1);
+    return text;
+  };
+  CHECK(seen(home.c_str()) == "lib/module\n");
+  CHECK(seen("/nowhere") == "lib/module\nmail/letter\nkey\n");
+}
+
 TEST_CASE("folders that are nested too deep for a path are removed", "[unit][sandbox]") {
   Leftovers leftovers("fulbito-no-such-mark");
   {
@@ -158,12 +182,13 @@ TEST_CASE("attacks are refused", "[unit][sandbox]") {
   ::chmod(folder.path().c_str(), 0777);
   const std::string victim = folder.write("recording", "content");
   ::chmod(victim.c_str(), 0666);
-  for (const std::string kind : {"signal-others", "trace-others", "write-outside", "read-secrets", "network",
-                                 "raise-limits", "leave-shared-memory", "gain-rights"}) {
-    const std::string errors = errorsOf({misbehavingTeam(), kind, "--victim", victim});
+  for (const std::string kind :
+       {"signal-others", "trace-others", "write-outside", "read-secrets", "network", "meddle-with-others",
+        "raise-limits", "leave-shared-memory", "gain-rights"}) {
+    const std::string errors = errorsOf({misbehavingTeam(), kind, "--victim-in", folder.path().string()});
     CHECK(errors.find("GOT THROUGH") == std::string::npos);
     // In a PID namespace nobody is there to be signalled.
-    if (kind != "signal-others" && kind != "trace-others") CHECK_THAT(errors, Catch::Contains("refused"));
+    if (kind.find("others") == std::string::npos) CHECK_THAT(errors, Catch::Contains("refused"));
     std::string content;
     std::ifstream(victim) >> content;
     CHECK(content == "content");

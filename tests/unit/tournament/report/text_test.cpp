@@ -116,3 +116,32 @@ TEST_CASE("the name of zero has no sign of its own", "[unit]") {
   const double infinite = std::numeric_limits<double>::infinity();
   CHECK(eloText({infinite, -infinite, infinite}) == "-");
 }
+
+TEST_CASE("ratings beyond 700 are shown as such, with a note", "[unit]") {
+  CHECK(eloText({966.0, 701.0, 2060.0}) == ">+700");
+  CHECK(eloText({966.0, 650.4, 2060.0}) == ">+700 (+650 to >+700)");
+  CHECK(eloText({-640.0, -900.2, -300.0}) == "-640 (<-700 to -300)");
+  CHECK(eloText({-900.0, -2000.0, -701.0}) == "<-700");
+  CHECK(eloText({700.0, 690.0, 700.0}) == "+700 (+690 to +700)");
+
+  const StateMaker maker = madeUpRoundRobin({"alpha", "beta", "gamma"});
+  TournamentTable table = tableOf(maker.state());
+  const auto noted = [&] {
+    const std::vector<std::string> notes = headOf(maker.state(), table).notes;
+    return std::any_of(notes.begin(), notes.end(),
+                       [](const std::string& note) { return note.find("beyond 700") != std::string::npos; });
+  };
+  for (Interval& elo : table.ratings.elo) elo = {0.0, -80.0, 120.0};
+  CHECK_FALSE(noted());
+  CHECK(tournamentJson(maker.state(), table).find("\"elo_beyond_scale\": true") == std::string::npos);
+  table.ratings.elo[1] = {-803.0, -1234.0, -640.0};
+  CHECK(noted());
+  CHECK(tournamentJson(maker.state(), table).find("\"elo_beyond_scale\": true") != std::string::npos);
+  for (const std::string& report :
+       {tournamentText(maker.state(), table), tournamentMarkdown(maker.state(), table),
+        tournamentHtml(maker.state(), table)}) {
+    CHECK(report.find("1234") == std::string::npos);
+    CHECK(report.find("803") == std::string::npos);
+    CHECK(report.find("-640") != std::string::npos);
+  }
+}
