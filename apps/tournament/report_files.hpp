@@ -21,13 +21,12 @@ struct ReportFiles {
   bool annotations = false;  ///< GitHub annotations on stdout
 };
 
-/// Adds --json, --csv, --markdown, --junit, --html and --annotations.
+/// Adds --json, --csv, --markdown, --junit, --html, --annotations and --force. The files replace those of
+/// their kind, as they are the newest state.
 void addReportFiles(CLI::App& command, ReportFiles& files);
 
-/// Checks that the files may be written; they are replaced, as they are the newest state. Errors: kUsage;
-/// kIo.
-/// @param made  a folder that the command makes: files may go into it before it exists; may be empty
-Result<void> checkReportFiles(const ReportFiles& files, const std::string& made = {});
+/// Checks that at most one report goes to stdout. Errors: kUsage.
+Result<void> checkReportFiles(const ReportFiles& files);
 
 /// Writes the files and prints the report.
 /// @param recordings  folder of recordings; may be missing
