@@ -123,6 +123,24 @@ void addMap(CLI::App& command, CompareOptions& compare) {
       ->capture_default_str();
 }
 
+void addCompareOutputs(CLI::App& command, CompareOptions& compare) {
+  CLI::Option* recordings = command
+                                .add_option("--record", compare.config.record,
+                                            "write recordings of the drawn layouts to this folder")
+                                ->type_name("FOLDER");
+  markFolder(recordings, compare.config.record, FolderUse::kProducts);
+  CLI::Option* out =
+      command.add_option("--out", compare.out, "folder for results.json, trials.csv and the pictures")
+          ->capture_default_str();
+  markFolder(out, compare.out, FolderUse::kProducts);
+  markOutput(command
+                 .add_option("--html", compare.html,
+                             "write an HTML page in which the methods race on the drawn layouts")
+                 ->type_name("FILE"),
+             {OutputKind::kPage});
+  addForce(command, "replace existing files, of other kinds too");
+}
+
 CLI::App* addCompare(CLI::App& app, Options& options) {
   CompareOptions& compare = options.compare;
   ComparisonConfig& config = compare.config;
@@ -153,10 +171,6 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       ->type_name("NUMBER");
   command->add_option("--pictures", config.pictures, "layouts to draw per suite and speed")
       ->capture_default_str();
-  CLI::Option* recordings =
-      command->add_option("--record", config.record, "write recordings of the drawn layouts to this folder")
-          ->type_name("FOLDER");
-  markFolder(recordings, config.record, FolderUse::kProducts);
   command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
   addSensors(*command, config.sensors);
@@ -168,16 +182,7 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
                    "with --tune: number of parameter sets to try")
       ->needs(tune)
       ->capture_default_str();
-  CLI::Option* out =
-      command->add_option("--out", compare.out, "folder for results.json, trials.csv and the pictures")
-          ->capture_default_str();
-  markFolder(out, compare.out, FolderUse::kProducts);
-  markOutput(command
-                 ->add_option("--html", compare.html,
-                              "write an HTML page in which the methods race on the drawn layouts")
-                 ->type_name("FILE"),
-             {OutputKind::kPage});
-  addForce(*command, "replace existing files, of other kinds too");
+  addCompareOutputs(*command, compare);
   addMap(*command, compare);
   command->add_flag("--json", compare.json, "print the results as JSON instead of tables");
   return command;

@@ -199,6 +199,27 @@ int playPairs(const MatchCommand& options) {
   return playTwoTeams(options.settings.blue, options.settings.yellow, settings, options.series, files);
 }
 
+void addMatchOutputs(CLI::App& command, MatchCommand& options) {
+  CLI::Option* record =
+      command.add_option("--record", options.record, "write a recording")->type_name("FILE");
+  markOutput(record, {OutputKind::kRecording});
+  CLI::Option* recipe =
+      command
+          .add_flag("--recipe", options.record_recipe,
+                    "with --record: omit sampled states (recomputed when read); about a third smaller")
+          ->needs(record);
+  command
+      .add_flag("--drawings", options.drawings,
+                "with --record: also record the teams' drawings, 10 times per second, for pictures")
+      ->needs(record)
+      ->excludes(recipe);
+  markOutput(command
+                 .add_option("--events", options.events,
+                             "events as JSON lines, written during the match; - for stdout")
+                 ->type_name("FILE"),
+             {OutputKind::kJsonLines, Dash::kStdout});
+}
+
 }  // namespace
 
 CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
@@ -220,24 +241,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
   command->add_option("yellow", options.settings.yellow, "team that defends the right goal")
       ->capture_default_str();
   addMatchSettings(*command, options.settings);
-  CLI::Option* record =
-      command->add_option("--record", options.record, "write a recording")->type_name("FILE");
-  markOutput(record, {OutputKind::kRecording});
-  CLI::Option* recipe =
-      command
-          ->add_flag("--recipe", options.record_recipe,
-                     "with --record: omit sampled states (recomputed when read); about a third smaller")
-          ->needs(record);
-  command
-      ->add_flag("--drawings", options.drawings,
-                 "with --record: also record the teams' drawings, 10 times per second, for pictures")
-      ->needs(record)
-      ->excludes(recipe);
-  markOutput(command
-                 ->add_option("--events", options.events,
-                              "events as JSON lines, written during the match; - for stdout")
-                 ->type_name("FILE"),
-             {OutputKind::kJsonLines, Dash::kStdout});
+  addMatchOutputs(*command, options);
   wholeNumber(
       command->add_option("-n,--pairs", options.pairs, "swapped pairs of a series (teams change colours)"), 1,
       kMostPairs)

@@ -120,6 +120,19 @@ int exitCodeOfTuning(const TuneOutcome& outcome) {
   return outcome.interrupted ? interruptedCode() : kOk;
 }
 
+void addTuneOutputs(CLI::App& command, TuneCommand& options) {
+  CLI::Option* out =
+      command
+          .add_option("--out", options.out,
+                      "folder that keeps the matches; the same command continues what it holds")
+          ->type_name("FOLDER");
+  markFolder(out, options.out, FolderUse::kResults);
+  addJobs(command, options.jobs, "matches at once");
+  markOutput(command.add_option("--png", options.png, "draw the path of the parameters")->type_name("FILE"),
+             {OutputKind::kPng, Dash::kRefused, Existing::kReplaced});
+  addForce(command, "with --png: replace an existing file of another kind");
+}
+
 }  // namespace
 
 CLI::App* addTune(CLI::App& app, TuneCommand& options) {
@@ -166,16 +179,7 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
       ->capture_default_str();
   addStarts(*command, settings);
   addMatchSettings(*command, settings.match, "TEAM,OPPONENT");
-  CLI::Option* out =
-      command
-          ->add_option("--out", options.out,
-                       "folder that keeps the matches; the same command continues what it holds")
-          ->type_name("FOLDER");
-  markFolder(out, options.out, FolderUse::kResults);
-  addJobs(*command, options.jobs, "matches at once");
-  markOutput(command->add_option("--png", options.png, "draw the path of the parameters")->type_name("FILE"),
-             {OutputKind::kPng, Dash::kRefused, Existing::kReplaced});
-  addForce(*command, "with --png: replace an existing file of another kind");
+  addTuneOutputs(*command, options);
   command->add_flag("--json", options.json, "print JSON instead of text");
   return command;
 }

@@ -77,12 +77,12 @@ TEST_CASE("names of a plan steer no report and are no formulas", "[cli]") {
             "[match]\nhalf_seconds = 1\n[[team]]\nteam = 'idle'\nname = \"@SUM(A1)\\u009b\\u2028x\"\n"
             "[[team]]\nteam = 'idle'\nname = \"-2+3\\u202e\"\n");
   const Output played =
-      box.run("tournament run plan.toml --csv r.csv --html r.html --markdown r.md --junit r.xml");
+      box.run("tournament run plan.toml --csv r.csv --html r.html --markdown r.txt --junit r.xml");
   INFO(played.err);
   REQUIRE(played.code == 0);
   CHECK_FALSE(isWild(played.out + played.err));
   CHECK_FALSE(isWild(box.run("tournament report fulbito-tournament --json").out));
-  for (const char* file : {"r.csv", "r.html", "r.md", "r.xml"}) {
+  for (const char* file : {"r.csv", "r.html", "r.txt", "r.xml"}) {
     INFO(file);
     CHECK_FALSE(isWild(contentOf(box.path / file)));
   }

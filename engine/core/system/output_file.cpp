@@ -53,14 +53,17 @@ bool isStreamAt(const std::string& file) {
 /// A descriptor's name, through which it gets another name or is opened again.
 std::string nameOf(int descriptor) { return fmt::format("/proc/{}/fd/{}", ::getpid(), descriptor); }
 
-/// A file without a name in the folder of `file`: whatever ends the process, nothing is left of it. -1 where
-/// the file system or the machine cannot do that.
+/// A file without a name in the folder of `file`: whatever ends the process, nothing is left of it. -1: errno
+/// says why, EOPNOTSUPP where the file system or the machine knows no such files.
 int openNameless(const std::string& file) {
   fs::path folder = fs::path(file).parent_path();
   if (folder.empty()) folder = ".";
-  const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kMode);
+  const int descriptor = openWaiting(folder.string(), O_TMPFILE | O_RDWR);
+  // Kernels and file systems that do not know the flag see a folder that is opened for writing.
+  if (descriptor < 0 && (errno == EISDIR || errno == EINVAL)) errno = EOPNOTSUPP;
   if (descriptor < 0 || ::access(nameOf(descriptor).c_str(), F_OK) == 0) return descriptor;
   ::close(descriptor);
+  errno = EOPNOTSUPP;
   return -1;
 }
 
@@ -146,6 +149,7 @@ bool OutputFile::Impl::underNewName(const Make& make) {
 Result<void> OutputFile::Impl::openTemporary() {
   descriptor = openNameless(target);
   nameless = descriptor >= 0;
+  if (!nameless && errno != EOPNOTSUPP) return failWith(errno);
   if (nameless) place = nameOf(descriptor);
   const auto open = [&] {
     descriptor = openWaiting(place, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW);
