@@ -10,6 +10,7 @@
 #include "apps/common/console.hpp"
 #include "apps/common/library_ends.hpp"
 #include "apps/common/option_values.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/common/sensor_options.hpp"
 #include "apps/common/stack.hpp"
 #include "apps/match/drill.hpp"
@@ -77,16 +78,21 @@ CLI::App* addRun(CLI::App& app, Options& options) {
   wholeNumber(command->add_option("--seed", run.seed, "random seed (layout, sensor noise)"))
       ->capture_default_str();
   addSensors(*command, run.sensors);
-  command->add_option("--png", options.run_png, "write a PNG picture (without FILE: named after the layout)")
-      ->expected(0, 1)
-      ->type_name("[FILE]");
+  markOutput(
+      command
+          ->add_option("--png", options.run_png, "write a PNG picture (without FILE: named after the layout)")
+          ->expected(0, 1)
+          ->type_name("[FILE]"),
+      {OutputKind::kPng});
   CLI::Option* record = command->add_option("--record", run.record, "write a recording")->type_name("FILE");
+  markOutput(record, {OutputKind::kRecording});
   command
       ->add_flag("--drawings", run.drawings,
                  "with --record: also record the planned path or field, 10 times per second")
       ->needs(record);
-  command->add_option("--trace", run.trace, "write CSV, one line per control tick; - for stdout")
-      ->type_name("FILE");
+  markOutput(command->add_option("--trace", run.trace, "write CSV, one line per control tick; - for stdout")
+                 ->type_name("FILE"),
+             {OutputKind::kCsv, Dash::kStdout});
   command->add_flag("--force", run.force, "replace existing files");
   command->add_flag("--json", run.json, "print the score as JSON");
   return command;
@@ -118,6 +124,24 @@ void addMap(CLI::App& command, CompareOptions& compare) {
   command.add_option("--seeds", config.seeds, "with --map: number of layout seeds, counted up from --seed")
       ->needs(map)
       ->capture_default_str();
+}
+
+void addCompareOutputs(CLI::App& command, CompareOptions& compare) {
+  CLI::Option* recordings = command
+                                .add_option("--record", compare.config.record,
+                                            "write recordings of the drawn layouts to this folder")
+                                ->type_name("FOLDER");
+  markFolder(recordings, compare.config.record, FolderUse::kProducts);
+  CLI::Option* out =
+      command.add_option("--out", compare.out, "folder for results.json, trials.csv and the pictures")
+          ->capture_default_str();
+  markFolder(out, compare.out, FolderUse::kProducts);
+  markOutput(command
+                 .add_option("--html", compare.html,
+                             "write an HTML page in which the methods race on the drawn layouts")
+                 ->type_name("FILE"),
+             {OutputKind::kPage});
+  addForce(command, "replace existing files, of other kinds too");
 }
 
 CLI::App* addCompare(CLI::App& app, Options& options) {
@@ -154,8 +178,6 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
       ->add_option("--ways", config.ways,
                    "ways per picture: the methods of Jung & Lee, then the best of the suite; 0: all")
       ->capture_default_str();
-  command->add_option("--record", config.record, "write recordings of the drawn layouts to this folder")
-      ->type_name("FOLDER");
   command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
   command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
   addSensors(*command, config.sensors);
@@ -167,13 +189,7 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
                    "with --tune: number of parameter sets to try")
       ->needs(tune)
       ->capture_default_str();
-  command->add_option("--out", compare.out, "folder for results.json, trials.csv and the pictures")
-      ->capture_default_str();
-  command
-      ->add_option("--html", compare.html,
-                   "write an HTML page in which the methods race on the drawn layouts")
-      ->type_name("FILE");
-  command->add_flag("--force", compare.force, "with --html: replace an existing file");
+  addCompareOutputs(*command, compare);
   addMap(*command, compare);
   command->add_flag("--json", compare.json, "print the results as JSON instead of tables");
   return command;
@@ -270,6 +286,12 @@ Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<ch
                                          message, name, name.empty() ? "" : " ")};
 }
 
+/// The command that was named, within its groups.
+const CLI::App& commandOf(const CLI::App& app) {
+  const auto named = app.get_subcommands();
+  return named.empty() ? app : commandOf(*named.front());
+}
+
 int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& compare_command,
              Options& options) {
   if (app.got_subcommand("run")) {
@@ -342,6 +364,7 @@ int mainWithoutCatch(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report(parseError(app, error, words));
   }
+  if (auto checked = checkOutputs(commandOf(app)); !checked) return report(checked.error());
   return dispatch(app, *run_command, *compare_command, options);
 }
 

@@ -46,7 +46,6 @@ struct CompareOptions {
   bool mapped = false;  ///< run the ring map instead
   MapConfig map;        ///< its base is `config`
   bool json = false;
-  bool force = false;  ///< replace an existing `html`
 };
 
 struct ListOptions {

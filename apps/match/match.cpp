@@ -8,7 +8,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
-#include "apps/common/output_names.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/common/team_flags.hpp"
 #include "apps/match/live_line.hpp"
 #include "apps/tournament/two_teams.hpp"
@@ -52,17 +52,6 @@ class LineFile {
   explicit LineFile(std::optional<OutputFile> file) : file_(std::move(file)) {}
   std::optional<OutputFile> file_;  ///< none: stdout; `finishOutput` reports its failures
 };
-
-Result<void> checkFiles(const MatchCommand& options) {
-  return mayWriteAll({{"--record", options.record},
-                      {"--events", options.events, Dash::kStdout},
-                      {"--screenshot", options.window.screenshot}},
-                     {{"--rules", options.settings.rules},
-                      {"--robot", options.settings.robot},
-                      {"--physics", options.settings.physics},
-                      {"--start", options.settings.start}},
-                     options.force);
-}
 
 /// Checks flags that apply to a single match only.
 Result<void> checkFlags(const MatchCommand& options) {
@@ -236,6 +225,27 @@ int playPairs(const MatchCommand& options) {
   return playTwoTeams(options.settings.blue, options.settings.yellow, settings, options.series, files);
 }
 
+void addMatchOutputs(CLI::App& command, MatchCommand& options) {
+  CLI::Option* record =
+      command.add_option("--record", options.record, "write a recording")->type_name("FILE");
+  markOutput(record, {OutputKind::kRecording});
+  CLI::Option* recipe =
+      command
+          .add_flag("--recipe", options.record_recipe,
+                    "with --record: omit sampled states (recomputed when read); about a third smaller")
+          ->needs(record);
+  command
+      .add_flag("--drawings", options.drawings,
+                "with --record: also record the teams' drawings, 10 times per second, for pictures")
+      ->needs(record)
+      ->excludes(recipe);
+  markOutput(command
+                 .add_option("--events", options.events,
+                             "events as JSON lines, written during the match; - for stdout")
+                 ->type_name("FILE"),
+             {OutputKind::kJsonLines, Dash::kStdout});
+}
+
 }  // namespace
 
 CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
@@ -257,30 +267,18 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
   command->add_option("yellow", options.settings.yellow, "team that defends the right goal")
       ->capture_default_str();
   addMatchSettings(*command, options.settings);
-  CLI::Option* record =
-      command->add_option("--record", options.record, "write a recording")->type_name("FILE");
-  CLI::Option* recipe =
-      command
-          ->add_flag("--recipe", options.record_recipe,
-                     "with --record: omit sampled states (recomputed when read); about a third smaller")
-          ->needs(record);
-  command
-      ->add_flag("--drawings", options.drawings,
-                 "with --record: also record the teams' drawings, 10 times per second, for pictures")
-      ->needs(record)
-      ->excludes(recipe);
-  command
-      ->add_option("--events", options.events, "events as JSON lines, written during the match; - for stdout")
-      ->type_name("FILE");
+  addMatchOutputs(*command, options);
   wholeNumber(
       command->add_option("-n,--pairs", options.pairs, "swapped pairs of a series (teams change colours)"), 1,
       kMostPairs)
       ->type_name("PAIRS");
   addJobs(*command, options.series.jobs, "matches of a series at once");
-  command
-      ->add_option("--out", options.series.out,
-                   "with -n: folder that keeps the results; the same command continues what it holds")
-      ->type_name("FOLDER");
+  CLI::Option* out =
+      command
+          ->add_option("--out", options.series.out,
+                       "with -n: folder that keeps the results; the same command continues what it holds")
+          ->type_name("FOLDER");
+  markFolder(out, options.series.out, FolderUse::kResults);
   command->add_flag("--force", options.force, "replace existing files");
   CLI::Option* view = command->add_flag("--view", options.view, "show the match in a window");
   addViewOptions(*command, options.window, view);
@@ -291,7 +289,6 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
 
 int match(const MatchCommand& options) {
   if (auto checked = checkFlags(options); !checked) return report(checked.error());
-  if (auto checked = checkFiles(options); !checked) return report(checked.error());
   if (options.pairs) return playPairs(options);
   const auto config = configOf(options.settings);
   if (!config) return report(config.error());

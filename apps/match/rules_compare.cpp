@@ -8,6 +8,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
+#include "engine/core/base/text_controls.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "replays/verify/shadow_referee.hpp"
 
@@ -167,8 +168,10 @@ int compareRules(const RulesCompareOptions& options) {
     if (interrupted()) return interruptedCode();
   }
   if (options.json) {
-    writeOut(toJson(comparison, sources, options.list).dump(2, ' ', false, Json::error_handler_t::replace) +
-             "\n");
+    writeOut(
+        escapedJson(
+            toJson(comparison, sources, options.list).dump(2, ' ', false, Json::error_handler_t::replace)) +
+        "\n");
     return kOk;
   }
   printTable(comparison);

@@ -12,9 +12,10 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
-#include "apps/common/output_names.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/view/match_stage.hpp"
 #include "apps/view/replay_stage.hpp"
+#include "engine/core/base/text_controls.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "replays/verify/expand.hpp"
 
@@ -101,7 +102,7 @@ void print(const ViewCommand& options, const Viewer& viewer, const ViewWindow& w
                   {"full_screen", settings.full_screen},
                   {"edited", viewer.stage().edited()},
                   {"frames", window.frames()}};
-  writeOut(json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  writeOut(escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n');
 }
 
 }  // namespace
@@ -126,8 +127,9 @@ void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed
   wholeNumber(
       add(command.add_option("--frames", options.frames, "exit after N frames, or when nothing moves")))
       ->type_name("N");
-  add(command.add_option("--screenshot", options.screenshot, "write the last frame as PNG"))
-      ->type_name("FILE");
+  markOutput(add(command.add_option("--screenshot", options.screenshot, "write the last frame as PNG"))
+                 ->type_name("FILE"),
+             {OutputKind::kPng});
 }
 
 CLI::App* addView(CLI::App& app, ViewCommand& options) {
@@ -145,7 +147,7 @@ CLI::App* addView(CLI::App& app, ViewCommand& options) {
   command->add_option("--from", options.from, "start at this time of the first recording [s]")
       ->capture_default_str();
   addViewOptions(*command, options.window);
-  command->add_flag("--force", options.force, "with --screenshot: replace an existing file");
+  addForce(*command, "with --screenshot: replace an existing file");
   command->add_flag("--json", options.json, "print the viewer's state as JSON on exit");
   return command;
 }
@@ -171,13 +173,6 @@ Result<void> playInWindow(Match& match, ViewWindow& window, const ViewOptions& o
 }
 
 int view(const ViewCommand& options) {
-  std::vector<NamedFile> recordings;
-  recordings.reserve(options.files.size());
-  for (const std::string& file : options.files) recordings.push_back({"the recording", file});
-  if (auto may = mayWriteAll({{"--screenshot", options.window.screenshot}}, recordings, options.force);
-      !may) {
-    return report(may.error());
-  }
   std::vector<std::unique_ptr<ViewStage>> stages;
   for (const std::string& file : options.files) {
     auto stage = stageOf(file, stages.empty() ? options.from : 0.0);

@@ -31,7 +31,6 @@ struct ViewCommand {
   std::vector<std::string> files;
   double from = 0.0;  ///< [s]
   bool json = false;
-  bool force = false;  ///< replace an existing screenshot
   ViewOptions window;
 };
 

@@ -1,10 +1,7 @@
-#include <filesystem>
-
 #include <fmt/format.h>
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
-#include "apps/common/output_names.hpp"
 #include "apps/common/progress.hpp"
 #include "apps/navigation/compare_map.hpp"
 #include "engine/core/system/output_file.hpp"
@@ -65,28 +62,6 @@ Result<void> writeRaces(const CompareOptions& options, const Comparison& compari
   return {};
 }
 
-/// Checks that --html does not name a file that the command itself writes.
-Result<void> checkPage(const CompareOptions& options) {
-  namespace fs = std::filesystem;
-  if (options.html.empty()) return {};
-  const fs::path page(options.html), folder = page.has_parent_path() ? page.parent_path() : fs::path(".");
-  const auto lies_in = [&](const std::string& other) {
-    std::error_code error;
-    return !other.empty() && fs::equivalent(folder, other, error);
-  };
-  if ((lies_in(options.out) && page.extension() == ".png") ||
-      (lies_in(options.config.record) && page.extension() == ".fbr")) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("--html: '{}' is also the name of another output", options.html));
-  }
-  return mayWriteAll({{"--html", options.html}},
-                     {{"--out", options.out + "/results.json"},
-                      {"--out", options.out + "/trials.csv"},
-                      {"--robot", options.config.robot},
-                      {"--physics", options.config.physics}},
-                     options.force);
-}
-
 }  // namespace
 
 int compare(const CompareOptions& options) {
@@ -99,8 +74,6 @@ int compare(const CompareOptions& options) {
   if (!config.record.empty()) {
     if (auto folder = prepareFolder(config.record); !folder) return report(folder.error());
   }
-  // The page may be in one of these two folders, so it is checked after them.
-  if (auto checked = checkPage(options); !checked) return report(checked.error());
   if (!options.tune.empty()) {
     if (auto tuned = tuneFirst(options, config); !tuned) return report(tuned.error());
   }

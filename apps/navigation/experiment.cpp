@@ -6,6 +6,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/common/progress.hpp"
 #include "apps/navigation/experiment_files.hpp"
 #include "engine/core/system/output_file.hpp"
@@ -125,8 +126,11 @@ void addExperiment(CLI::App& app, ExperimentCommand& command) {
       ->type_name("NAME=VALUE")
       ->expected(1)
       ->take_all();
-  sub->add_option("--out", command.out, "folder; each experiment writes to a folder of its own in it")
-      ->capture_default_str();
+  CLI::Option* out =
+      sub->add_option("--out", command.out, "folder; each experiment writes to a folder of its own in it")
+          ->capture_default_str();
+  markFolder(out, command.out, FolderUse::kProducts);
+  addForce(*sub, "replace existing files of other kinds");
   sub->add_flag("--json", command.json, "print JSON instead of tables");
 }
 

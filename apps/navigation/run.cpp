@@ -2,7 +2,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
-#include "apps/common/output_names.hpp"
+#include "apps/common/outputs.hpp"
 #include "engine/core/system/output_file.hpp"
 #include "experiments/comparison/comparison_parts.hpp"
 #include "experiments/report/pictures.hpp"
@@ -97,15 +97,6 @@ std::string pictureOf(const RunOptions& options, const TrialConfig& config) {
   return options.png->empty() ? config.layout.name + ".png" : *options.png;
 }
 
-Result<void> checkFiles(const RunOptions& options, const TrialConfig& config) {
-  return mayWriteAll(
-      {{"--png", pictureOf(options, config)},
-       {"--record", options.record},
-       {"--trace", options.trace, Dash::kStdout}},
-      {{"--layout", options.layout}, {"--robot", options.robot}, {"--physics", options.physics}},
-      options.force);
-}
-
 }  // namespace
 
 int run(const RunOptions& options) {
@@ -114,7 +105,9 @@ int run(const RunOptions& options) {
   }
   const auto config = configOf(options);
   if (!config) return report(config.error());
-  if (auto checked = checkFiles(options, *config); !checked) return report(checked.error());
+  if (auto may = mayWrite({"--png", pictureOf(options, *config), {OutputKind::kPng}}); !may) {
+    return report(may.error());
+  }
   std::optional<TrialRecorder> recorder;
   if (!options.record.empty()) {
     auto created = TrialRecorder::create(options.record, *config, options.force);

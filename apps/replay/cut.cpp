@@ -9,8 +9,9 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
-#include "apps/common/output_names.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/replay/replay.hpp"
+#include "engine/core/base/text_controls.hpp"
 #include "engine/core/system/output_file.hpp"
 
 namespace fulbito::app {
@@ -59,7 +60,7 @@ void print(const ReplayCutCommand& options, const PlayRange& plays, const Record
   const Json json{{"schema_version", 1},           {"file", options.file},        {"out", options.out},
                   {"first_play", plays.first + 1}, {"last_play", plays.last + 1}, {"ticks", cut.ticks()},
                   {"simulated_s", seconds},        {"bytes", cut.sizeInBytes()}};
-  writeOut(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  writeOut(escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n");
 }
 
 }  // namespace
@@ -72,22 +73,19 @@ CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options) {
       "  fulbito replay cut game.fbr goal.fbr --from 40 --to 50    all plays that overlap these seconds\n"
       "  fulbito replay cut game.fbr some.fbr --plays 3-5");
   command->add_option("file", options.file, "recording (.fbr)")->required();
-  command->add_option("out", options.out, "recording to write")->required();
+  markOutput(command->add_option("out", options.out, "recording to write")->required(),
+             {OutputKind::kRecording});
   number(command->add_option("--from", options.from, "keep plays from this time on [s] (default: the start)"))
       ->type_name("S");
   number(command->add_option("--to", options.to, "keep plays up to this time [s] (default: the end)"))
       ->type_name("S");
   command->add_option("--plays", options.plays, "keep plays A to B, counted from 1")->type_name("A-B");
-  command->add_flag("--force", options.force, "replace an existing file");
+  addForce(*command, "replace an existing file");
   command->add_flag("--json", options.json, "print JSON");
   return command;
 }
 
 int replayCut(const ReplayCutCommand& options) {
-  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force);
-      !may) {
-    return report(may.error());
-  }
   const auto recording = RecordingReader::open(options.file);
   if (!recording) return report(recording.error());
   const auto range = rangeOf(options, *recording);

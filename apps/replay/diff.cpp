@@ -9,6 +9,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/replay/replay.hpp"
+#include "engine/core/base/text_controls.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -88,7 +89,8 @@ int replayDiff(const ReplayDiffCommand& options) {
   if (!found) return report(found.error());
   const double dt = 1.0 / a->header().control_rate;
   if (options.json) {
-    writeOut(toJson(options, *found, dt).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    writeOut(escapedJson(toJson(options, *found, dt).dump(2, ' ', false, Json::error_handler_t::replace)) +
+             "\n");
   } else {
     say("A = {}, B = {}\n", options.a, options.b);
     for (const RecipeDifference& d : found->recipe) {

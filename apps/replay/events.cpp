@@ -7,6 +7,7 @@
 #include "apps/common/console.hpp"
 #include "apps/replay/replay.hpp"
 #include "engine/core/base/match_clock.hpp"
+#include "engine/core/base/text_controls.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "match/record/recorded_events.hpp"
 #include "replays/recording/call_words.hpp"
@@ -37,9 +38,9 @@ std::string lineOf(const ReplayEvent& event, double dt) {
   const RecordedEvent& call = event.call;
   return rowOf(clockText(static_cast<double>(call.tick) * dt), periodName(call.period),
                clockText(call.play_time), fmt::format("{} : {}", event.score[0], event.score[1]),
-               event.restart ? fmt::format("- {}", nameOf(*event.restart)) : call.clause, whoText(call),
-               fmt::format("({:+.3f}, {:+.3f})", call.place.x, call.place.y), call.law,
-               event.restart ? "" : measuredText(call));
+               event.restart ? fmt::format("- {}", nameOf(*event.restart)) : oneLine(call.clause),
+               whoText(call), fmt::format("({:+.3f}, {:+.3f})", call.place.x, call.place.y),
+               oneLine(call.law), event.restart ? "" : measuredText(call));
 }
 
 /// Whether the call only repeats the restart before it: a kick-off.

@@ -4,6 +4,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/option_values.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/replay/export_flags.hpp"
 #include "apps/replay/export_request.hpp"
 #include "apps/replay/replay.hpp"
@@ -14,54 +15,55 @@ namespace {
 /// A product and whether the user wants it.
 struct Product {
   bool wanted;
-  const std::string* file;  ///< null: not given
   Result<void> (*make)(const ExportRequest&);
 };
 
-const std::string* nameIn(const std::optional<std::string>& file) { return file ? &*file : nullptr; }
-
 std::vector<Product> productsOf(const ReplayExportCommand& options) {
-  const std::string* heat = options.heatmap.size() > 1 ? &options.heatmap[1] : nullptr;
-  return {{options.png.has_value(), nameIn(options.png), exportPng},
-          {options.contact_sheet.has_value(), nameIn(options.contact_sheet), exportContactSheet},
-          {options.trails.has_value(), nameIn(options.trails), exportTrails},
-          {!options.heatmap.empty(), heat, exportHeatMap},
-          {options.svg.has_value(), nameIn(options.svg), exportSvg},
-          {options.gif.has_value(), nameIn(options.gif), exportGif},
-          {options.mp4.has_value(), nameIn(options.mp4), exportMp4},
-          {options.webm.has_value(), nameIn(options.webm), exportWebm},
-          {options.csv.has_value(), nameIn(options.csv), exportCsv},
-          {options.jsonl.has_value(), nameIn(options.jsonl), exportJsonLines}};
+  return {{options.png.has_value(), exportPng},       {options.contact_sheet.has_value(), exportContactSheet},
+          {options.trails.has_value(), exportTrails}, {!options.heatmap.empty(), exportHeatMap},
+          {options.svg.has_value(), exportSvg},       {options.gif.has_value(), exportGif},
+          {options.mp4.has_value(), exportMp4},       {options.webm.has_value(), exportWebm},
+          {options.csv.has_value(), exportCsv},       {options.jsonl.has_value(), exportJsonLines}};
 }
 
+constexpr const char* kProducts = "Products (OUT: a file, - for stdout; default: named after the recording)";
+
 /// An option whose file name may be omitted: the product is then named after the recording.
-void addProduct(CLI::App& command, const char* flag, std::optional<std::string>& file, const char* what) {
-  command
-      .add_option_function<std::vector<std::string>>(
-          flag, [&file](const std::vector<std::string>& words) { file = words.empty() ? "" : words.front(); },
-          what)
-      ->expected(0, 1)
-      ->type_name("[OUT]")
-      ->group("Products (OUT: a file, - for stdout; default: named after the recording)");
+void addProduct(CLI::App& command, const char* flag, std::optional<std::string>& file, OutputKind kind,
+                const char* what, Existing existing = Existing::kRefused) {
+  CLI::Option* option = command.add_option_function<std::vector<std::string>>(
+      flag, [&file](const std::vector<std::string>& words) { file = words.empty() ? "" : words.front(); },
+      what);
+  option->expected(0, 1)->type_name("[OUT]")->group(kProducts);
+  markOutput(option, {kind, Dash::kStdout, existing});
 }
 
 void addProducts(CLI::App& command, ReplayExportCommand& options) {
-  addProduct(command, "--png", options.png,
-             "stills at --at or --around, at --fps from --from to --to, or of the last frame");
-  addProduct(command, "--contact-sheet", options.contact_sheet,
+  addProduct(command, "--png", options.png, OutputKind::kPng,
+             "stills at --at or --around, at --fps from --from to --to, or of the last frame",
+             Existing::kLater);
+  addProduct(command, "--contact-sheet", options.contact_sheet, OutputKind::kPng,
              "twelve small pictures in one, or one per event");
-  addProduct(command, "--trails", options.trails, "paths of all bodies over the field");
-  command
-      .add_option("--heatmap", options.heatmap, "heat map of the ball, blue, yellow or one robot (blue:1)")
-      ->expected(1, 2)
-      ->type_name("WHO [OUT]")
-      ->group("Products (OUT: a file, - for stdout; default: named after the recording)");
-  addProduct(command, "--svg", options.svg, "one moment as a scalable drawing");
-  addProduct(command, "--gif", options.gif, "an animation (480 px wide, 12.5 frames per second)");
-  addProduct(command, "--mp4", options.mp4, "a video (900 px wide, 30 frames per second; needs ffmpeg)");
-  addProduct(command, "--webm", options.webm, "the same video for web pages");
-  addProduct(command, "--csv", options.csv, "a table with one line per sample: clock, score, all poses");
-  addProduct(command, "--jsonl", options.jsonl, "the same and all events, one JSON object per line");
+  addProduct(command, "--trails", options.trails, OutputKind::kPng, "paths of all bodies over the field",
+             Existing::kLater);
+  markOutput(command
+                 .add_option("--heatmap", options.heatmap,
+                             "heat map of the ball, blue, yellow or one robot (blue:1)")
+                 ->expected(1, 2)
+                 ->type_name("WHO [OUT]")
+                 ->group(kProducts),
+             {OutputKind::kPng, Dash::kStdout, Existing::kRefused, 1});
+  addProduct(command, "--svg", options.svg, OutputKind::kSvg, "one moment as a scalable drawing",
+             Existing::kLater);
+  addProduct(command, "--gif", options.gif, OutputKind::kGif,
+             "an animation (480 px wide, 12.5 frames per second)");
+  addProduct(command, "--mp4", options.mp4, OutputKind::kMp4,
+             "a video (900 px wide, 30 frames per second; needs ffmpeg)");
+  addProduct(command, "--webm", options.webm, OutputKind::kWebm, "the same video for web pages");
+  addProduct(command, "--csv", options.csv, OutputKind::kCsv,
+             "a table with one line per sample: clock, score, all poses");
+  addProduct(command, "--jsonl", options.jsonl, OutputKind::kJsonLines,
+             "the same and all events, one JSON object per line");
 }
 
 void addWhen(CLI::App& command, ReplayExportCommand& options) {
@@ -96,22 +98,16 @@ void addLook(CLI::App& command, ReplayExportCommand& options) {
       ->capture_default_str()
       ->group("How");
   addJobs(command, options.jobs, "drawing threads")->group("How");
-  command.add_flag("--force", options.force, "replace existing files")->group("How");
+  addForce(command, "replace existing files")->group("How");
 }
 
 Result<void> checkProducts(const std::vector<Product>& products, const HtmlExport& html) {
-  int wanted = html.html.empty() ? 0 : 1, to_stdout = html.html == "-" ? 1 : 0;
-  for (const Product& product : products) {
-    wanted += product.wanted ? 1 : 0;
-    to_stdout += product.wanted && product.file != nullptr && *product.file == "-" ? 1 : 0;
-  }
-  if (wanted == 0) {
-    return fail(
-        ErrorCode::kUsage,
-        "export: needs a product: --png, --gif, --mp4, --html, --csv ... See fulbito replay export --help.");
-  }
-  if (to_stdout > 1) return fail(ErrorCode::kUsage, "export: only one product can go to stdout");
-  return {};
+  const bool wanted = !html.html.empty() || std::any_of(products.begin(), products.end(),
+                                                        [](const Product& p) { return p.wanted; });
+  if (wanted) return {};
+  return fail(
+      ErrorCode::kUsage,
+      "export: needs a product: --png, --gif, --mp4, --html, --csv ... See fulbito replay export --help.");
 }
 
 }  // namespace
@@ -144,8 +140,7 @@ int replayExport(const ReplayExportCommand& options) {
   if (auto good = checkProducts(products, options.html); !good) return report(good.error());
   if (auto good = checkExportFlags(options); !good) return report(good.error());
   if (!options.html.html.empty()) {
-    if (const int code = replayExportHtml(options.file, options.html, options.force); code != kOk)
-      return code;
+    if (const int code = replayExportHtml(options.file, options.html); code != kOk) return code;
   }
   if (std::none_of(products.begin(), products.end(), [](const Product& p) { return p.wanted; })) return kOk;
   const auto request = readRequest(options);

@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "apps/common/console.hpp"
 #include "apps/common/progress.hpp"
 #include "apps/replay/export_request.hpp"
 #include "replays/export/gif.hpp"
@@ -49,7 +51,9 @@ Result<void> film(const FrameJob& job, const char* what, const std::function<Fra
 
 Result<void> exportVideo(const ExportRequest& request, VideoFormat format, const std::string& given) {
   const bool mp4 = format == VideoFormat::kMp4;
-  const auto file = outputFile(request, given, mp4 ? ".mp4" : ".webm");
+  const ProductName name =
+      mp4 ? ProductName{"--mp4", OutputKind::kMp4, given} : ProductName{"--webm", OutputKind::kWebm, given};
+  const auto file = outputFile(request, name, mp4 ? ".mp4" : ".webm");
   if (!file) return tl::unexpected<Error>(file.error());
   const auto picture = MatchPicture::create(request.specOf(kVideoWidth));
   if (!picture) return tl::unexpected<Error>(picture.error());
@@ -97,6 +101,52 @@ Result<GifPalette> paletteOf(const FrameJob& job) {
   return GifPalette(all);
 }
 
+/// Frames of a film of which the rest is judged, and of those of one stretch.
+constexpr std::size_t kStretches = 3, kStretch = 8;
+
+/// The frames of a job as a GIF. `shown`: with a progress bar.
+Result<std::string> gifOf(const FrameJob& job, const GifPalette& palette, int delay, bool shown) {
+  auto gif = GifWriter::create(job.picture->spec().width, job.picture->spec().height, palette, delay);
+  if (!gif) return tl::unexpected<Error>(gif.error());
+  const auto packer = [&palette] {
+    return [indexer = GifIndexer(palette)](Canvas& canvas, std::string& out) mutable {
+      indexer.index(canvas, out);
+    };
+  };
+  const FrameSink add = [&](std::size_t, std::string& bytes) { return gif->add(bytes); };
+  if (auto done = shown ? film(job, "gif", packer, add) : forEachFrame(job, packer, add); !done) {
+    return tl::unexpected<Error>(done.error());
+  }
+  return gif->finish();
+}
+
+/// Says what a long GIF will weigh, by some stretches of it, and how to make a short one.
+Result<void> noteWeight(const ExportRequest& request, const FrameJob& job, const GifPalette& palette,
+                        int delay) {
+  const std::size_t frames = job.times.size();
+  const double fps = 100.0 / delay;
+  if (static_cast<double>(frames) <= kPatience * fps) return {};
+  double first = 0.0, all = 0.0;  // bytes of a lone frame, and of one with those that follow it
+  for (std::size_t i = 0; i < kStretches; ++i) {
+    FrameJob stretch = job;
+    const auto begin =
+        job.times.begin() + static_cast<std::ptrdiff_t>((2 * i + 1) * frames / (2 * kStretches));
+    for (const std::size_t length : {std::size_t{1}, kStretch + 1}) {
+      stretch.times.assign(begin, begin + static_cast<std::ptrdiff_t>(length));
+      const auto bytes = gifOf(stretch, palette, delay, false);
+      if (!bytes) return tl::unexpected<Error>(bytes.error());
+      (length == 1 ? first : all) += static_cast<double>(bytes->size()) / kStretches;
+    }
+  }
+  const double bytes = first + (all - first) / kStretch * static_cast<double>(frames - 1);
+  const auto events = request.timeline.events();
+  const bool goals = std::any_of(events.begin(), events.end(),
+                                 [](const RecordedEvent& event) { return event.clause == "goal"; });
+  note("--gif: {}, about {:.1f} MB; {} shows less\n", lengthText(frames, fps), bytes / 1e6,
+       goals ? "--around goals:1, or --from and --to," : "--from and --to");
+  return {};
+}
+
 }  // namespace
 
 Result<void> exportMp4(const ExportRequest& request) {
@@ -108,7 +158,7 @@ Result<void> exportWebm(const ExportRequest& request) {
 }
 
 Result<void> exportGif(const ExportRequest& request) {
-  const auto file = outputFile(request, *request.options->gif, ".gif");
+  const auto file = outputFile(request, {"--gif", OutputKind::kGif, *request.options->gif}, ".gif");
   if (!file) return tl::unexpected<Error>(file.error());
   // GIF delays are in hundredths of a second.
   const int delay =
@@ -119,22 +169,14 @@ Result<void> exportGif(const ExportRequest& request) {
   const FrameJob job = jobOf(request, *picture, fps);
   const auto palette = paletteOf(job);
   if (!palette) return tl::unexpected<Error>(palette.error());
-  auto gif = GifWriter::create(picture->spec().width, picture->spec().height, *palette, delay);
-  if (!gif) return tl::unexpected<Error>(gif.error());
-  const auto packer = [&palette] {
-    return [indexer = GifIndexer(*palette)](Canvas& canvas, std::string& out) mutable {
-      indexer.index(canvas, out);
-    };
-  };
-  auto done = film(job, "gif", packer, [&](std::size_t, std::string& bytes) { return gif->add(bytes); });
-  if (!done) return done;
-  const auto bytes = gif->finish();
+  if (auto said = noteWeight(request, job, *palette, delay); !said) return said;
+  const auto bytes = gifOf(job, *palette, delay, true);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   return deliver(*file, *bytes);
 }
 
 Result<void> exportCsv(const ExportRequest& request) {
-  const auto file = outputFile(request, *request.options->csv, ".csv");
+  const auto file = outputFile(request, {"--csv", OutputKind::kCsv, *request.options->csv}, ".csv");
   if (!file) return tl::unexpected<Error>(file.error());
   std::string text;
   writeCsv(request.timeline, request.whole.from, request.whole.to,
@@ -143,7 +185,8 @@ Result<void> exportCsv(const ExportRequest& request) {
 }
 
 Result<void> exportJsonLines(const ExportRequest& request) {
-  const auto file = outputFile(request, *request.options->jsonl, ".jsonl");
+  const auto file =
+      outputFile(request, {"--jsonl", OutputKind::kJsonLines, *request.options->jsonl}, ".jsonl");
   if (!file) return tl::unexpected<Error>(file.error());
   std::string text;
   writeJsonLines(request.timeline, request.whole.from, request.whole.to,

@@ -7,8 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include "apps/common/output_names.hpp"
-
 namespace fulbito::app {
 namespace {
 
@@ -41,30 +39,16 @@ const std::vector<Use>& uses() {
   return kUses;
 }
 
-Result<void> checkUses(const CLI::App& command) {
-  const auto given = [&](std::string_view flag) { return command.count(std::string(flag)) > 0; };
+}  // namespace
+
+Result<void> checkExportFlags(const ReplayExportCommand& options) {
+  const auto given = [&](std::string_view flag) { return options.command->count(std::string(flag)) > 0; };
   for (const Use& use : uses()) {
     if (!given(use.flag) || std::any_of(use.products.begin(), use.products.end(), given)) continue;
     return fail(ErrorCode::kUsage, fmt::format("{}: no requested product uses it; it applies to {}", use.flag,
                                                fmt::join(use.products, ", ")));
   }
   return {};
-}
-
-}  // namespace
-
-Result<void> checkExportFlags(const ReplayExportCommand& options) {
-  if (auto used = checkUses(*options.command); !used) return used;
-  const auto file = [](const char* flag, const std::optional<std::string>& name) {
-    return NamedFile{flag, name.value_or(""), Dash::kStdout};
-  };
-  const std::string heat = options.heatmap.size() > 1 ? options.heatmap[1] : std::string();
-  return mayWriteAll(
-      {file("--png", options.png), file("--contact-sheet", options.contact_sheet),
-       file("--trails", options.trails), file("--svg", options.svg), file("--gif", options.gif),
-       file("--mp4", options.mp4), file("--webm", options.webm), file("--csv", options.csv),
-       file("--jsonl", options.jsonl), file("--heatmap", heat), file("--html", options.html.html)},
-      {{"replay export", options.file}, {"--ghost", options.html.ghost}}, true);
 }
 
 }  // namespace fulbito::app

@@ -5,8 +5,7 @@
 
 namespace fulbito::app {
 
-/// Checks the combination of the flags of `replay export`: every flag applies to a requested product, and no
-/// two files are the same. Errors: kUsage naming the flags.
+/// Checks that every flag of `replay export` applies to a requested product. Errors: kUsage naming the flags.
 Result<void> checkExportFlags(const ReplayExportCommand& options);
 
 }  // namespace fulbito::app

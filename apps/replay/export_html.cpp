@@ -5,7 +5,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
-#include "apps/common/output_names.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/replay/export_request.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "engine/core/system/output_file.hpp"
@@ -60,19 +60,18 @@ Result<void> writePage(const std::string& file, const std::string& html) {
 }  // namespace
 
 void addHtmlOptions(CLI::App& command, HtmlExport& options) {
-  command.add_option("--html", options.html, "an HTML page with viewer and replay in one file; - for stdout")
-      ->type_name("OUT");
+  markOutput(
+      command
+          .add_option("--html", options.html, "an HTML page with viewer and replay in one file; - for stdout")
+          ->type_name("OUT"),
+      {OutputKind::kPage, Dash::kStdout});
   command.add_option("--ghost", options.ghost, "with --html: a second recording, drawn over the first")
       ->type_name("FILE");
 }
 
 Result<std::string> replayPage(const std::string& file) { return pageOf(file, {}); }
 
-int replayExportHtml(const std::string& file, const HtmlExport& options, bool force) {
-  const std::vector<NamedFile> inputs{{"replay export", file}, {"--ghost", options.ghost}};
-  if (auto may = mayWriteAll({{"--html", options.html, Dash::kStdout}}, inputs, force); !may) {
-    return report(may.error());
-  }
+int replayExportHtml(const std::string& file, const HtmlExport& options) {
   const auto html = pageOf(file, options.ghost);
   if (!html) return report(html.error());
   if (auto written = writePage(options.html, *html); !written) return report(written.error());

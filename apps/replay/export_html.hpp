@@ -22,7 +22,7 @@ void addHtmlOptions(CLI::App& command, HtmlExport& options);
 /// The page of a recording. Errors: as RecordingReader::open, with the file's name.
 Result<std::string> replayPage(const std::string& file);
 
-/// Writes the page of the recording `file`, over an old one only with `force`, and returns the exit code.
-int replayExportHtml(const std::string& file, const HtmlExport& options, bool force);
+/// Writes the page of the recording `file` and returns the exit code.
+int replayExportHtml(const std::string& file, const HtmlExport& options);
 
 }  // namespace fulbito::app

@@ -50,8 +50,9 @@ std::string numbered(const std::string& file, std::size_t index) {
 }
 
 /// The names of `count` pictures: numbered where there are several. Errors: as outputFile.
-Result<std::vector<std::string>> pictureFiles(const ExportRequest& request, const std::string& given,
+Result<std::vector<std::string>> pictureFiles(const ExportRequest& request, const ProductName& product,
                                               const std::string& ending, std::size_t count) {
+  const std::string& given = product.given;
   if (count > 1 && given == "-") {
     return fail(ErrorCode::kUsage,
                 fmt::format("{} pictures cannot be written to stdout; name a file", count));
@@ -59,8 +60,9 @@ Result<std::vector<std::string>> pictureFiles(const ExportRequest& request, cons
   std::vector<std::string> files;
   for (std::size_t i = 1; i <= count; ++i) {
     const bool many = count > 1;
-    auto file = outputFile(request, many && !given.empty() ? numbered(given, i) : given,
-                           many ? numbered(ending, i) : ending);
+    auto file =
+        outputFile(request, {product.flag, product.kind, many && !given.empty() ? numbered(given, i) : given},
+                   many ? numbered(ending, i) : ending);
     if (!file) return tl::unexpected<Error>(file.error());
     files.push_back(std::move(*file));
   }
@@ -74,7 +76,8 @@ Result<void> deliverPng(const std::string& file, const Canvas& canvas, PngEffort
 }
 
 Result<void> writeStills(const ExportRequest& request, const std::vector<Still>& stills) {
-  const auto files = pictureFiles(request, *request.options->png, ".png", stills.size());
+  const auto files =
+      pictureFiles(request, {"--png", OutputKind::kPng, *request.options->png}, ".png", stills.size());
   if (!files) return tl::unexpected<Error>(files.error());
   const auto picture = MatchPicture::create(request.specOf(kPictureWidth));
   if (!picture) return tl::unexpected<Error>(picture.error());
@@ -94,7 +97,8 @@ Result<void> writeSequence(const ExportRequest& request) {
   FrameJob job{&request.timeline, &*picture, request.overlays,
                filmTimes({request.whole}, options.fps.value_or(kStillFps), options.speed.value_or(1.0)),
                request.jobs};
-  const auto files = pictureFiles(request, *options.png, ".png", job.times.size());
+  const auto files =
+      pictureFiles(request, {"--png", OutputKind::kPng, *options.png}, ".png", job.times.size());
   if (!files) return tl::unexpected<Error>(files.error());
   ProgressBar progress("pictures", ::isatty(STDERR_FILENO) == 0);
   const auto packer = [] {
@@ -129,7 +133,8 @@ Result<void> exportPng(const ExportRequest& request) {
 }
 
 Result<void> exportContactSheet(const ExportRequest& request) {
-  const auto file = outputFile(request, *request.options->contact_sheet, "-sheet.png");
+  const auto file = outputFile(
+      request, {"--contact-sheet", OutputKind::kPng, *request.options->contact_sheet}, "-sheet.png");
   if (!file) return tl::unexpected<Error>(file.error());
   std::vector<double> times = request.options->at;
   for (const RecordedEvent& event : request.events) {
@@ -148,7 +153,8 @@ Result<void> exportContactSheet(const ExportRequest& request) {
 
 Result<void> exportTrails(const ExportRequest& request) {
   const std::vector<ReplayRange> ranges = request.ranges();
-  const auto files = pictureFiles(request, *request.options->trails, "-trails.png", ranges.size());
+  const auto files = pictureFiles(request, {"--trails", OutputKind::kPng, *request.options->trails},
+                                  "-trails.png", ranges.size());
   if (!files) return tl::unexpected<Error>(files.error());
   const auto picture = MatchPicture::create(request.specOf(kPictureWidth));
   if (!picture) return tl::unexpected<Error>(picture.error());
@@ -168,7 +174,8 @@ Result<void> exportTrails(const ExportRequest& request) {
 Result<void> exportSvg(const ExportRequest& request) {
   std::vector<Still> stills = stillsOf(request);
   if (stills.empty()) stills.push_back(stillAt(request, request.timeline.seconds()));
-  const auto files = pictureFiles(request, *request.options->svg, ".svg", stills.size());
+  const auto files =
+      pictureFiles(request, {"--svg", OutputKind::kSvg, *request.options->svg}, ".svg", stills.size());
   if (!files) return tl::unexpected<Error>(files.error());
   for (std::size_t i = 0; i < stills.size(); ++i) {
     const auto svg = matchSvg(request.specOf(kPictureWidth), stills[i].moment, stills[i].overlays);
@@ -217,7 +224,7 @@ Result<void> exportHeatMap(const ExportRequest& request) {
   std::string ending = "-heatmap-" + word + ".png";
   std::replace(ending.begin(), ending.end(), ':', '-');
   const std::string given = request.options->heatmap.size() > 1 ? request.options->heatmap[1] : std::string();
-  const auto file = outputFile(request, given, ending);
+  const auto file = outputFile(request, {"--heatmap", OutputKind::kPng, given}, ending);
   if (!file) return tl::unexpected<Error>(file.error());
   const auto map = drawHeatMap(request.timeline, request.specOf(kPictureWidth), *choice);
   if (!map) return tl::unexpected<Error>(map.error());

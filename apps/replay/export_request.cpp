@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "apps/common/console.hpp"
-#include "apps/common/output_names.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "engine/core/system/output_file.hpp"
 #include "engine/core/system/worker_threads.hpp"
@@ -182,12 +181,11 @@ Result<ExportRequest> readRequest(const ReplayExportCommand& options) {
   return request;
 }
 
-Result<std::string> outputFile(const ExportRequest& request, const std::string& given,
+Result<std::string> outputFile(const ExportRequest& request, const ProductName& product,
                                const std::string& ending) {
   const std::filesystem::path recording(request.options->file);
-  std::string file = given.empty() ? recording.stem().string() + ending : given;
-  auto may = mayWriteAll({{"export", file, Dash::kStdout}}, {{"replay export", request.options->file}},
-                         request.options->force);
+  std::string file = product.given.empty() ? recording.stem().string() + ending : product.given;
+  auto may = mayWrite({product.flag, file, {product.kind, Dash::kStdout}});
   if (!may) return tl::unexpected<Error>(may.error());
   return file;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/common/outputs.hpp"
 #include "apps/replay/replay.hpp"
 #include "fulbito/picture.hpp"
 #include "fulbito/recording.hpp"
@@ -31,9 +32,16 @@ struct ExportRequest {
 /// Errors: as RecordingReader::open and `expanded`; kUsage naming the flag and its range.
 Result<ExportRequest> readRequest(const ReplayExportCommand& options);
 
-/// The name of a product: `given`, or the recording's with `ending` ("-trails.png"). Errors: kUsage when the
-/// file exists and --force was not given.
-Result<std::string> outputFile(const ExportRequest& request, const std::string& given,
+/// A product and the name that was given for its file; empty: none.
+struct ProductName {
+  const char* flag = "";
+  OutputKind kind{};
+  std::string given;
+};
+
+/// The name of a product: the given one, or the recording's with `ending` ("-trails.png"). Errors: of
+/// `mayWrite`.
+Result<std::string> outputFile(const ExportRequest& request, const ProductName& product,
                                const std::string& ending);
 
 /// Writes the whole file or nothing; "-" is stdout. Names the file on stderr. Errors: kIo.

@@ -8,6 +8,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/replay/replay.hpp"
+#include "engine/core/base/text_controls.hpp"
 #include "fulbito/models.hpp"
 #include "fulbito/referee.hpp"
 #include "match/record/recorded_events.hpp"
@@ -150,7 +151,7 @@ Json toJson(const std::string& file, const RecordingReader& recording, const Tal
 std::string countsText(const std::map<std::string, int>& counts) {
   std::string text;
   for (const auto& [name, count] : counts) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", oneLine(name), count);
   }
   return text.empty() ? "none" : text;
 }
@@ -159,9 +160,10 @@ std::string whoText(const RecordingReader& recording) {
   const RecordingRecipe& recipe = recording.header().recipe;
   const auto& result = recording.result();
   if (recording.header().kind == RecordingKind::kTrial) {
-    return fmt::format("  navigator  {}{}\n", recipe.navigator, result ? ": " + result->outcome : "");
+    return fmt::format("  navigator  {}{}\n", oneLine(recipe.navigator),
+                       result ? ": " + oneLine(result->outcome) : "");
   }
-  const auto team = [&](std::size_t i) { return i < recipe.teams.size() ? recipe.teams[i] : "?"; };
+  const auto team = [&](std::size_t i) { return i < recipe.teams.size() ? oneLine(recipe.teams[i]) : "?"; };
   if (!result) return fmt::format("  teams      {} (blue), {} (yellow)\n", team(0), team(1));
   return fmt::format("  teams      {} (blue) {} : {} {} (yellow)\n", team(0), result->score[0],
                      result->score[1], team(1));
@@ -171,12 +173,12 @@ std::string recipeText(const RecordingHeader& header) {
   const RecordingRecipe& recipe = header.recipe;
   const RecipeNames names = namesOf(recipe);
   std::string text = "  recipe     ";
-  if (header.kind == RecordingKind::kMatch) text += fmt::format("rules {}, ", names.rules);
-  text += fmt::format("physics {}, robot {}, field {}, seed {}\n", names.physics, names.robot, names.field,
-                      recipe.seed);
+  if (header.kind == RecordingKind::kMatch) text += fmt::format("rules {}, ", oneLine(names.rules));
+  text += fmt::format("physics {}, robot {}, field {}, seed {}\n", oneLine(names.physics),
+                      oneLine(names.robot), oneLine(names.field), recipe.seed);
   for (const auto& [name, value] : visionWords(recipe)) text += fmt::format("  {}: {}\n", name, value);
   for (const auto& [name, value] : recipe.more) {
-    if (name.starts_with("cut_")) text += fmt::format("  {:<10} {}\n", name, value);
+    if (name.starts_with("cut_")) text += fmt::format("  {:<10} {}\n", oneLine(name), oneLine(value));
   }
   return text;
 }
@@ -193,8 +195,8 @@ void print(const std::string& file, const RecordingReader& recording, const Tall
     say("  restarts   {}\n  events     {}\n", countsText(tally.restarts), countsText(tally.calls));
   }
   if (recording.result()) say("  hash       {:016x}\n", recording.result()->final_hash);
-  say("  build      {}, {}, {}, Box2D {}\n", header.build.version, header.build.compiler, header.build.type,
-      header.build.box2d);
+  say("  build      {}, {}, {}, Box2D {}\n", oneLine(header.build.version), oneLine(header.build.compiler),
+      oneLine(header.build.type), oneLine(header.build.box2d));
   say("  size       {} bytes in {} chunks\n", recording.sizeInBytes(), recording.chunkCount());
   for (const RecordingPart& part : recording.sizeByPart()) {
     say("    {:<9}{:>10} {:>5.1f} %\n", part.name, part.bytes,
@@ -219,8 +221,10 @@ int replayInfo(const ReplayInfoCommand& options) {
   const auto tally = tallyOf(*recording);
   if (!tally) return report(tally.error());
   if (options.json) {
-    writeOut(toJson(options.file, *recording, *tally).dump(2, ' ', false, Json::error_handler_t::replace) +
-             "\n");
+    writeOut(
+        escapedJson(
+            toJson(options.file, *recording, *tally).dump(2, ' ', false, Json::error_handler_t::replace)) +
+        "\n");
   } else {
     print(options.file, *recording, *tally);
   }

@@ -9,8 +9,9 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
-#include "apps/common/output_names.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/replay/replay.hpp"
+#include "engine/core/base/text_controls.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "engine/core/system/output_file.hpp"
 
@@ -39,7 +40,9 @@ Json toJson(const ReplayRepairCommand& options, const Salvage& found, const std:
 
 void print(const ReplayRepairCommand& options, const Salvage& found, const std::optional<Repair>& repaired) {
   if (options.json) {
-    writeOut(toJson(options, found, repaired).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    writeOut(
+        escapedJson(toJson(options, found, repaired).dump(2, ' ', false, Json::error_handler_t::replace)) +
+        "\n");
     return;
   }
   if (!repaired) {
@@ -62,17 +65,14 @@ CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options) {
       "Example:\n"
       "  fulbito replay repair broken.fbr mended.fbr");
   command->add_option("file", options.file, "damaged recording (.fbr)")->required();
-  command->add_option("out", options.out, "recording to write")->required();
-  command->add_flag("--force", options.force, "replace an existing file");
+  markOutput(command->add_option("out", options.out, "recording to write")->required(),
+             {OutputKind::kRecording});
+  addForce(*command, "replace an existing file");
   command->add_flag("--json", options.json, "print JSON");
   return command;
 }
 
 int replayRepair(const ReplayRepairCommand& options) {
-  if (auto may = mayWriteAll({{"out", options.out}}, {{"the recording", options.file}}, options.force);
-      !may) {
-    return report(may.error());
-  }
   const auto found = salvage(options.file);
   if (!found) return report(found.error());
   if (found->whole) {

@@ -70,7 +70,6 @@ struct ReplayCutCommand {
   std::optional<double> from;  ///< [s] of the recording
   std::optional<double> to;    ///< [s]
   std::string plays;           ///< A-B, counted from 1
-  bool force = false;
   bool json = false;
 };
 
@@ -84,7 +83,6 @@ int replayCut(const ReplayCutCommand& options);
 struct ReplayRepairCommand {
   std::string file;
   std::string out;
-  bool force = false;
   bool json = false;
 };
 
@@ -112,7 +110,6 @@ struct ReplayExportCommand {
   bool no_banner = false, no_drawings = false;
   int jobs = 0;  ///< 0: all cores
   int quality = 22;
-  bool force = false;
 };
 
 /// Adds `export` to `replay`.

@@ -11,6 +11,7 @@
 #include "apps/common/option_values.hpp"
 #include "apps/common/progress.hpp"
 #include "apps/replay/replay.hpp"
+#include "engine/core/base/text_controls.hpp"
 #include "replays/verify/verify_many.hpp"
 
 namespace fulbito::app {
@@ -186,7 +187,7 @@ int replayVerify(const ReplayVerifyCommand& options) {
   if (!files) return report(files.error());
   const double wall = static_cast<double>(now() - begin) * 1e-9;
   if (options.json) {
-    writeOut(toJson(*files, wall).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    writeOut(escapedJson(toJson(*files, wall).dump(2, ' ', false, Json::error_handler_t::replace)) + "\n");
   } else if (files->size() == 1) {
     printOne(files->front());
   } else {

@@ -5,7 +5,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
-#include "apps/common/output_names.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/common/progress.hpp"
 #include "apps/teams/junit.hpp"
 #include "engine/core/system/output_file.hpp"
@@ -52,14 +52,15 @@ CLI::App* addCheckTeam(CLI::App& app, CheckTeamCommand& options) {
   command->add_flag("--quick", options.quick, "shorter situations, fewer drills");
   addTeamFlags(*command, options.outside);
   command->add_flag("--json", options.json, "print JSON");
-  command->add_option("--junit", options.junit, "also write a JUnit report: one test case per check")
-      ->type_name("FILE");
-  command->add_flag("--force", options.force, "with --junit: replace an existing file");
+  markOutput(
+      command->add_option("--junit", options.junit, "also write a JUnit report: one test case per check")
+          ->type_name("FILE"),
+      {OutputKind::kJunit});
+  addForce(*command, "with --junit: replace an existing file");
   return command;
 }
 
 int checkTeam(const CheckTeamCommand& options) {
-  if (auto may = mayWrite({"--junit", options.junit}, options.force); !may) return report(may.error());
   const auto result = checked(options);
   if (!result) return report(result.error());
   if (!options.junit.empty()) {

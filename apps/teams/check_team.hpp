@@ -19,8 +19,7 @@ struct CheckTeamCommand {
   int jobs = 0;
   bool quick = false;
   bool json = false;
-  std::string junit;   ///< file; empty: none
-  bool force = false;  ///< replace an existing `junit`
+  std::string junit;  ///< file; empty: none
   TeamFlags outside;
 };
 

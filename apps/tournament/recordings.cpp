@@ -34,7 +34,15 @@ struct WholeRecording {
   Result<void> finish() { return recorder->written() ? file.commit(false) : recorder->written(); }
 };
 
+/// What has the name of a file of ours must be a file: a pipe would wait for its reader.
+Result<void> checkPlain(const std::string& file) {
+  std::error_code ignored;
+  if (!exists(file) || std::filesystem::is_regular_file(file, ignored)) return {};
+  return fail(ErrorCode::kIo, fmt::format("cannot write '{}': it is not a regular file", file));
+}
+
 Result<std::shared_ptr<WholeRecording>> recordInto(const std::string& file, const MatchConfig& match) {
+  if (auto plain = checkPlain(file); !plain) return tl::unexpected<Error>(plain.error());
   auto out = OutputFile::create(file);
   if (!out) return tl::unexpected<Error>(out.error());
   auto recording = std::make_shared<WholeRecording>(WholeRecording{std::move(*out), std::nullopt});
@@ -105,9 +113,10 @@ Result<std::map<std::string, std::string>> writePages(const std::vector<NotableM
     if (auto made = prepareFolder((page_file.parent_path() / folder).string()); !made) {
       return tl::unexpected<Error>(made.error());
     }
-    if (auto written = writeFile((page_file.parent_path() / name).string(), *html, false); !written) {
-      return tl::unexpected<Error>(written.error());
-    }
+    const std::string page = (page_file.parent_path() / name).string();
+    auto written = checkPlain(page);
+    if (written) written = writeFile(page, *html, false);
+    if (!written) return tl::unexpected<Error>(written.error());
     names[match.id.text()] = name;
   }
   return names;

@@ -1,15 +1,13 @@
 #include "apps/tournament/report_files.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include "apps/common/console.hpp"
-#include "apps/common/output_names.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/tournament/recordings.hpp"
 #include "engine/core/system/output_file.hpp"
 #include "tournament/folder/results_folder.hpp"
@@ -42,40 +40,30 @@ std::string shellWord(const std::string& text) {
   return quoted + "'";
 }
 
-/// Whether a file goes into a folder that does not exist yet.
-bool goesInto(const std::string& file, const std::string& folder) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  return !folder.empty() && !fs::exists(folder, ignored) &&
-         fs::path(file).parent_path().lexically_normal() ==
-             (fs::path(folder) / "").lexically_normal().parent_path();
-}
-
 }  // namespace
 
 void addReportFiles(CLI::App& command, ReportFiles& files) {
-  const auto file = [&command](const char* flag, std::string& name, const char* what) {
-    command.add_option(flag, name, what)->type_name("FILE")->group("Reports");
+  const auto file = [&command](const char* flag, std::string& name, const char* what, OutputTraits traits) {
+    traits.existing = Existing::kReplaced;
+    markOutput(command.add_option(flag, name, what)->type_name("FILE")->group("Reports"), traits);
   };
   command.add_flag("--json", files.json, "print JSON instead of text")->group("Reports");
-  file("--csv", files.csv, "a line per match; - for stdout");
-  file("--markdown", files.markdown, "summary for a build server's page; - for stdout");
-  file("--junit", files.junit, "JUnit XML, a test case per match; - for stdout");
-  file("--html", files.html, "a page for browsers, with pages of recorded matches");
+  file("--csv", files.csv, "a line per match; - for stdout", {OutputKind::kCsv, Dash::kStdout});
+  file("--markdown", files.markdown, "summary for a build server's page; - for stdout",
+       {OutputKind::kMarkdown, Dash::kStdout});
+  file("--junit", files.junit, "JUnit XML, a test case per match; - for stdout",
+       {OutputKind::kJunit, Dash::kStdout});
+  file("--html", files.html, "a page for browsers, with pages of recorded matches", {OutputKind::kPage});
   command.add_flag("--annotations", files.annotations, "print GitHub annotations, at most 10")
       ->group("Reports");
+  addForce(command, "reports replace existing files of other kinds")->group("Reports");
 }
 
-Result<void> checkReportFiles(const ReportFiles& files, const std::string& made) {
+Result<void> checkReportFiles(const ReportFiles& files) {
   int printed = files.json + files.annotations;
   for (const std::string& name : {files.csv, files.markdown, files.junit}) printed += name == kStdout ? 1 : 0;
-  if (printed > 1) return fail(ErrorCode::kUsage, "only one report can be printed on stdout");
-  std::vector<NamedFile> outputs{{"--csv", files.csv, Dash::kStdout},
-                                 {"--markdown", files.markdown, Dash::kStdout},
-                                 {"--junit", files.junit, Dash::kStdout},
-                                 {"--html", files.html}};
-  std::erase_if(outputs, [&made](const NamedFile& output) { return goesInto(output.file, made); });
-  return mayWriteAll(outputs, {}, true);
+  if (printed <= 1) return {};
+  return fail(ErrorCode::kUsage, "only one report can be printed on stdout");
 }
 
 Result<void> writeReports(const TournamentState& state, const ReportFiles& files, const std::string& folder) {

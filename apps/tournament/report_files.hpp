@@ -21,13 +21,12 @@ struct ReportFiles {
   bool annotations = false;  ///< GitHub annotations on stdout
 };
 
-/// Adds --json, --csv, --markdown, --junit, --html and --annotations.
+/// Adds --json, --csv, --markdown, --junit, --html, --annotations and --force. The files replace those of
+/// their kind, as they are the newest state.
 void addReportFiles(CLI::App& command, ReportFiles& files);
 
-/// Checks that the files may be written; they are replaced, as they are the newest state. Errors: kUsage;
-/// kIo.
-/// @param made  a folder that the command makes: files may go into it before it exists; may be empty
-Result<void> checkReportFiles(const ReportFiles& files, const std::string& made = {});
+/// Checks that at most one report goes to stdout. Errors: kUsage.
+Result<void> checkReportFiles(const ReportFiles& files);
 
 /// Writes the files and prints the report for people, unless one on stdout replaces it. With a page of
 /// matches that are not recorded, says on stderr the command that records them.

@@ -8,6 +8,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/tournament/progress_line.hpp"
 #include "apps/tournament/recordings.hpp"
 #include "apps/tournament/shard.hpp"
@@ -115,16 +116,20 @@ Result<void> recordUpsets(const RunOutcome& outcome, const std::string& folder) 
 }  // namespace
 
 void addRunFlags(CLI::App& command, RunFlags& flags) {
-  command
-      .add_option("--out", flags.out,
-                  "folder that keeps the results; the same command continues what it holds")
-      ->type_name("FOLDER")
-      ->capture_default_str();
+  CLI::Option* out =
+      command
+          .add_option("--out", flags.out,
+                      "folder that keeps the results; the same command continues what it holds")
+          ->type_name("FOLDER")
+          ->capture_default_str();
+  markFolder(out, flags.out, FolderUse::kResults);
   addJobs(command, flags.jobs, "matches at once");
   command
       .add_option("--shard", flags.shard, "play only a part: i/N, or auto[/N] in a Slurm or Kubernetes job")
       ->type_name("i/N");
-  command.add_option("--cache", flags.cache, "folder of matches that tournaments share")->type_name("FOLDER");
+  markFolder(command.add_option("--cache", flags.cache, "folder of matches that tournaments share")
+                 ->type_name("FOLDER"),
+             flags.cache, FolderUse::kCache);
   command.add_option("--verify", flags.verify, "play this share of the matches twice and compare: 1%")
       ->type_name("PERCENT");
   command.add_flag("--strict", flags.strict, "exit code 4 if a team crashed or forfeited");

@@ -6,6 +6,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/common/team_flags.hpp"
 #include "apps/tournament/recordings.hpp"
 #include "engine/core/system/output_file.hpp"
@@ -62,7 +63,8 @@ void addReport(CLI::App& tournament, TournamentReport& options) {
       "  fulbito tournament report results --html report.html --junit report.xml\n"
       "  fulbito tournament report results --recordings upsets --html report.html     with matches to watch\n"
       "  fulbito tournament report results --markdown - >> \"$GITHUB_STEP_SUMMARY\"");
-  command->add_option("folder", options.folder, "folder of `tournament run --out`")->required();
+  markFolder(command->add_option("folder", options.folder, "folder of `tournament run --out`")->required(),
+             options.folder, FolderUse::kResults);
   command
       ->add_option("--recordings", options.recordings,
                    "'upsets': record the matches to look at, by playing them again; 'none'")
@@ -78,8 +80,12 @@ void addMerge(CLI::App& tournament, TournamentMerge& options) {
       "Exit codes: 7 if two runs of one match differ, 6 if matches are missing.\n"
       "Example:\n"
       "  fulbito tournament merge shard-1 shard-2 shard-3 --out results --html report.html");
-  command->add_option("folders", options.folders, "folders of the shards")->required();
-  command->add_option("--out", options.out, "folder of the united results")->required()->type_name("FOLDER");
+  markFolders(command->add_option("folders", options.folders, "folders of the shards")->required(),
+              options.folders, FolderUse::kResults);
+  markFolder(command->add_option("--out", options.out, "folder of the united results")
+                 ->required()
+                 ->type_name("FOLDER"),
+             options.out, FolderUse::kResults);
   addReportFiles(*command, options.files);
 }
 
@@ -144,8 +150,7 @@ Result<void> recordUpsets(TournamentState& state, const TeamFlags& outside, cons
 }
 
 int run(TournamentRun& options) {
-  if (auto checked = checkReportFiles(options.files, options.flags.out); !checked)
-    return report(checked.error());
+  if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
   const auto plan = planOf(options);
   if (!plan) return report(plan.error());
   if (options.dry) return printSchedule(*plan);
@@ -171,7 +176,7 @@ int reportFolder(const TournamentReport& options) {
 }
 
 int merge(const TournamentMerge& options) {
-  if (auto checked = checkReportFiles(options.files, options.out); !checked) return report(checked.error());
+  if (auto checked = checkReportFiles(options.files); !checked) return report(checked.error());
   const auto merged = mergeFolders(options.folders, options.out);
   if (!merged) return report(merged.error());
   for (const MatchConflict& conflict : merged->conflicts) {

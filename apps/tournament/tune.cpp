@@ -8,7 +8,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
-#include "apps/common/output_names.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/tournament/progress_line.hpp"
 #include "apps/tournament/tune_chart.hpp"
 #include "tournament/tune/tune_folder.hpp"
@@ -121,6 +121,19 @@ int exitCodeOfTuning(const TuneOutcome& outcome) {
   return outcome.unplayed.empty() ? kOk : kInconclusive;
 }
 
+void addTuneOutputs(CLI::App& command, TuneCommand& options) {
+  CLI::Option* out =
+      command
+          .add_option("--out", options.out,
+                      "folder that keeps the matches; the same command continues what it holds")
+          ->type_name("FOLDER");
+  markFolder(out, options.out, FolderUse::kResults);
+  addJobs(command, options.jobs, "matches at once");
+  markOutput(command.add_option("--png", options.png, "draw the path of the parameters")->type_name("FILE"),
+             {OutputKind::kPng, Dash::kRefused, Existing::kReplaced});
+  addForce(command, "with --png: replace an existing file of another kind");
+}
+
 }  // namespace
 
 CLI::App* addTune(CLI::App& app, TuneCommand& options) {
@@ -168,19 +181,12 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
       ->capture_default_str();
   addStarts(*command, settings);
   addMatchSettings(*command, settings.match, "TEAM,OPPONENT");
-  command
-      ->add_option("--out", options.out,
-                   "folder that keeps the matches; the same command continues what it holds")
-      ->type_name("FOLDER");
-  addJobs(*command, options.jobs, "matches at once");
-  command->add_option("--png", options.png, "draw the path of the parameters")->type_name("FILE");
+  addTuneOutputs(*command, options);
   command->add_flag("--json", options.json, "print JSON instead of text");
   return command;
 }
 
 int tune(const TuneCommand& options) {
-  if (auto checked = mayWriteAll({{"--png", options.png}}, {}, true); !checked)
-    return report(checked.error());
   const auto plan = tunePlanOf(options);
   if (!plan) return report(plan.error());
   const auto outcome = playTuning(options, *plan);

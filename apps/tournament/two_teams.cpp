@@ -19,7 +19,7 @@ PlanSettings settingsOf(const std::string& first, const std::string& second, Pla
 
 int playTwoTeams(const std::string& first, const std::string& second, const PlanSettings& settings,
                  const RunFlags& flags, const ReportFiles& files) {
-  if (auto checked = checkReportFiles(files, flags.out); !checked) return report(checked.error());
+  if (auto checked = checkReportFiles(files); !checked) return report(checked.error());
   const auto plan = planOf(settingsOf(first, second, settings));
   if (!plan) return report(plan.error());
   const auto played = runPlan(*plan, flags);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/base/text_controls.hpp"
 #include "experiments/map/paper_map.hpp"
 #include "fulbito/detail/build_info.hpp"
 
@@ -193,7 +194,7 @@ std::string mapJson(const PaperMap& map, double wall_seconds) {
   for (const MapFinding& finding : map.findings) json["findings"].push_back(findingJson(finding));
   json["safest"] = safestCells(map.cells);
   json["wall_seconds"] = number(wall_seconds);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace fulbito

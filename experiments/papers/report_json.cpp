@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/base/text_controls.hpp"
 #include "experiments/papers/report_output.hpp"
 #include "fulbito/detail/build_info.hpp"
 
@@ -65,7 +66,7 @@ std::string experimentJson(const ExperimentReport& report, const ExperimentReque
                   {"figures", figures},
                   {"tables", tables},
                   {"notes", report.notes}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace fulbito

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/base/text_controls.hpp"
 #include "experiments/comparison/paper_figures.hpp"
 #include "fulbito/detail/build_info.hpp"
 #include "fulbito/experiment.hpp"
@@ -121,7 +122,7 @@ std::string resultsJson(const Comparison& comparison, double wall_seconds) {
                                {"shows", row.verdict.shown}});
   }
   json["wall_seconds"] = numberOrNull(wall_seconds);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::string trialJson(const TrialConfig& config, const TrialResult& result) {
@@ -139,13 +140,13 @@ std::string trialJson(const TrialConfig& config, const TrialResult& result) {
                {"compute_us_p50", numberOrNull(quantile(compute, 0.5))},
                {"compute_us_p99", numberOrNull(quantile(compute, 0.99))},
                {"compute_us_max", numberOrNull(quantile(compute, 1.0))}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::string versionJson() {
   Json json = buildJson();
   json["schema_version"] = kSchemaVersion;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace fulbito

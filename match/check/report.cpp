@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/base/text_controls.hpp"
 #include "fulbito/detail/build_info.hpp"
 #include "match/check/team_check.hpp"
 #include "match/report/match_json.hpp"
@@ -39,7 +40,7 @@ std::string teamCheckJson(const TeamReport& report) {
                   {"quick", report.quick},
                   {"verdict", nameOf(report.verdict())},
                   {"checks", std::move(checks)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace fulbito

@@ -254,7 +254,7 @@ Result<std::vector<Drill>> loadDrills(const std::string& folder) {
   std::sort(files.begin(), files.end());
   std::vector<Drill> drills;
   for (const std::string& file : files) {
-    const auto text = readTextFile(file, kMaxTomlBytes);
+    const auto text = readFoundFile(file, kMaxTomlBytes);
     if (!text) return tl::unexpected<Error>(text.error());
     auto drill = parseDrill(*text, file);
     if (!drill) return tl::unexpected<Error>(drill.error());

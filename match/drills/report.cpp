@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/base/text_controls.hpp"
 #include "fulbito/detail/build_info.hpp"
 #include "match/drills/drill.hpp"
 
@@ -161,7 +162,7 @@ std::string drillJson(const std::vector<DrillReport>& reports, const DrillOption
                               {"verdict", verdictOf(report)},
                               {"bars", std::move(bars)}});
   }
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return escapedJson(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
 }  // namespace fulbito

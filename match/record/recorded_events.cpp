@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "engine/core/base/text_controls.hpp"
 #include "fulbito/models.hpp"
 #include "match/report/match_json.hpp"
 #include "replays/recording/recipe_words.hpp"
@@ -160,7 +161,7 @@ Result<void> writeEventLines(const RecordingReader& recording, const EventLines:
   if (!head) return tl::unexpected<Error>(head.error());
   const double dt = 1.0 / recording.header().control_rate;
   const auto write = [&sink](const Json& line) {
-    sink(line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n');
+    sink(escapedJson(line.dump(-1, ' ', false, Json::error_handler_t::replace)) + '\n');
   };
   write(*head);
   for (const ReplayEvent& event : *events) write(lineOf(event, dt));

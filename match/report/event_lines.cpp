@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "engine/core/base/text_controls.hpp"
 #include "fulbito/statistics.hpp"
 #include "match/report/match_json.hpp"
 
@@ -23,7 +24,7 @@ LoggedEvent restartEvent(const PlayStart& start, double dt) {
 }
 
 std::string lineOf(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return escapedJson(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include "engine/core/base/text_controls.hpp"
 #include "fulbito/statistics.hpp"
 #include "match/report/match_json.hpp"
 
@@ -139,7 +140,7 @@ std::string matchJson(const MatchReport& report) {
   if (Json origin = originJson(report.config); !origin.empty()) json["origin"] = std::move(origin);
   if (report.faults.abandoned) json["abandoned"] = report.faults.abandoned->message;
   if (report.profile) json["compute_profile"] = profileJson(*report.profile);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace fulbito

@@ -13,6 +13,8 @@
 
 namespace fulbito {
 
+enum class SectionId : std::uint8_t;
+
 /// What a chunk says of itself before its sections.
 struct ChunkHead {
   Tick first_tick = 0;
@@ -103,6 +105,9 @@ tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const Reco
 
 /// Bytes that its plays, events and drawings say they unpack to; 0 for a broken one.
 std::uint64_t listBytes(BytesView payload, const RecordingHeader& header);
+
+/// How many items the list of a section says it has; 0 for a broken one.
+std::uint64_t listLength(BytesView payload, const RecordingHeader& header, SectionId id);
 
 /// Bytes that one section takes in the file.
 struct SectionSize {

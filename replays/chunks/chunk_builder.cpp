@@ -156,8 +156,8 @@ void ChunkBuilder::event(const RecordedEvent& event) {
   out.byte(event.period);
   out.byte(event.team ? static_cast<std::uint8_t>(1 + indexOf(*event.team)) : 0);
   out.varint(event.robot ? 1u + *event.robot : 0u);
-  out.text(event.clause);
-  out.text(event.law);
+  out.text(std::string_view(event.clause).substr(0, kMaxClauseBytes));
+  out.text(std::string_view(event.law).substr(0, kMaxClauseBytes));
   writeNumbers({event.play_time, event.place.x, event.place.y, event.value, event.threshold, event.margin},
                out);
   ++events_.count;

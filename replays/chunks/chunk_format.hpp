@@ -21,6 +21,9 @@ enum class SectionId : std::uint8_t {
   kSamples
 };
 
+/// The most bytes of the clause or law of an event.
+inline constexpr std::size_t kMaxClauseBytes = 100;
+
 /// Columns of one body in the table of samples: a ball has no heading.
 constexpr std::size_t sampleColumns(BodyKind kind) { return kind == BodyKind::kBall ? 2 : 3; }
 inline std::size_t sampleColumns(const RecordingHeader& header) {

@@ -244,8 +244,8 @@ class ChunkParser {
       if (team > 0 && in.good()) event.team = static_cast<TeamId>(team - 1);
       const auto robot = in.varint(256);
       if (robot > 0) event.robot = static_cast<std::uint8_t>(robot - 1);
-      event.clause = in.text();
-      event.law = in.text();
+      event.clause = in.text(kMaxClauseBytes);
+      event.law = in.text(kMaxClauseBytes);
       readNumbers(
           {&event.play_time, &event.place.x, &event.place.y, &event.value, &event.threshold, &event.margin},
           in);
@@ -336,6 +336,19 @@ std::uint64_t listBytes(BytesView payload, const RecordingHeader& header) {
     if (list && section.raw <= kMaxListBytes) bytes += section.raw;
   }
   return bytes;
+}
+
+std::uint64_t listLength(BytesView payload, const RecordingHeader& header, SectionId id) {
+  const auto layout = layoutOf(payload, header);
+  if (!layout) return 0;
+  for (const Section& section : layout->sections) {
+    if (section.id != static_cast<std::uint8_t>(id)) continue;
+    // What does not unpack is refused when it is read.
+    const auto bytes =
+        section.raw <= kMaxListBytes ? unpack(section.codec, section.stored, section.raw) : std::nullopt;
+    return bytes ? ByteReader(*bytes).varint() : 0;
+  }
+  return 0;
 }
 
 tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header) {

@@ -4,12 +4,17 @@
 
 #include <fmt/format.h>
 
+#include "replays/chunks/chunk_format.hpp"
+
 namespace fulbito {
 namespace {
 
 constexpr std::uint64_t kRows = 4'000'000, kRowsPerByte = 64;
 constexpr std::uint64_t kStarts = 250'000, kStartsPerByte = 4;
 constexpr std::uint64_t kListBytes = 1'000'000, kListBytesPerByte = 100;
+constexpr std::uint64_t kPlays = 2'000, kBytesPerPlay = 8;
+constexpr std::uint64_t kEvents = 20'000, kBytesPerEvent = 16;
+constexpr std::uint64_t kDrawings = 100'000, kDrawingsPerByte = 1;
 
 /// False: there is not so much left.
 bool spend(std::uint64_t& left, std::uint64_t amount) {
@@ -23,7 +28,10 @@ bool spend(std::uint64_t& left, std::uint64_t amount) {
 DecodingBudget::DecodingBudget(std::size_t file_bytes)
     : rows_(kRows + kRowsPerByte * file_bytes),
       starts_(kStarts + kStartsPerByte * file_bytes),
-      list_bytes_(kListBytes + kListBytesPerByte * file_bytes) {}
+      list_bytes_(kListBytes + kListBytesPerByte * file_bytes),
+      plays_(kPlays + file_bytes / kBytesPerPlay),
+      events_(kEvents + file_bytes / kBytesPerEvent),
+      drawings_(kDrawings + kDrawingsPerByte * file_bytes) {}
 
 std::optional<std::string> DecodingBudget::take(const ChunkHead& head, BytesView payload,
                                                 const RecordingHeader& header) {
@@ -31,10 +39,15 @@ std::optional<std::string> DecodingBudget::take(const ChunkHead& head, BytesView
   const char* what = nullptr;
   if (!spend(rows_, bodies * static_cast<std::uint64_t>(head.ticks))) {
     what = "ticks";
-  } else if (!spend(starts_, bodies * static_cast<std::uint64_t>(head.plays))) {
+  } else if (!spend(starts_, bodies * static_cast<std::uint64_t>(head.plays)) ||
+             !spend(plays_, static_cast<std::uint64_t>(head.plays))) {
     what = "plays";
   } else if (!spend(list_bytes_, listBytes(payload, header))) {
     what = "plays, events and drawings";
+  } else if (!spend(events_, listLength(payload, header, SectionId::kEvents))) {
+    what = "events";
+  } else if (!spend(drawings_, listLength(payload, header, SectionId::kDrawings))) {
+    what = "drawings";
   }
   if (what == nullptr) return std::nullopt;
   return fmt::format("more {} than a file of this size can hold", what);

@@ -97,6 +97,8 @@ class ByteReader {
     return static_cast<std::int64_t>((value >> 1) ^ (~(value & 1) + 1));
   }
   BytesView text() { return bytes(static_cast<std::size_t>(varint(left_.size()))); }
+  /// A text of at most `most` bytes.
+  BytesView text(std::size_t most) { return bytes(static_cast<std::size_t>(varint(most))); }
 
  private:
   BytesView left_;

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/base/text_controls.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -114,7 +116,7 @@ Json headJson(const ReplayTimeline& timeline, const std::vector<std::string>& na
 }
 
 std::string lineOf(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return escapedJson(json.dump(-1, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace

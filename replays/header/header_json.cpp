@@ -106,6 +106,7 @@ constexpr std::uint64_t kMaxSampleTurn = 1'000'000;
 constexpr std::uint64_t kMaxModelSteps = 1'000'000'000;  // so that its products stay below 2^63
 constexpr std::uint64_t kMaxModelRatio = 131072;         // 2
 constexpr std::uint64_t kMost = 1'000'000'000'000;
+constexpr std::int64_t kMostGoals = 1'100'000;  // of a team; what a walk-over costs goes below zero as far
 
 std::string hexOf(std::uint64_t value) { return fmt::format("{:016x}", value); }
 
@@ -332,11 +333,13 @@ tl::expected<RecordingResult, std::string> resultFromJson(BytesView text) {
   fields.text("outcome", result.outcome);
   std::size_t team = 0;
   fields.list("score", 2, [&](const Json& goals, const std::string& where) {
-    if (goals.is_number_unsigned() && goals.get<std::uint64_t>() < 1'000'000) {
-      result.score[team++] = goals.get<int>();
-    } else {
-      fields.complain(where, "is not a number of goals");
+    const bool whole =
+        goals.is_number_integer() && (!goals.is_number_unsigned() || goals.get<std::uint64_t>() <= kMost);
+    const std::int64_t score = whole ? goals.get<std::int64_t>() : kMostGoals + 1;
+    if (score < -kMostGoals || score > kMostGoals) {
+      return fields.complain(where, fmt::format("is not a score of -{0} to {0}", kMostGoals));
     }
+    result.score[team++] = static_cast<int>(score);
   });
   fields.entries("figures", [&](const std::string& name, const Json& value) {
     result.figures.emplace_back(name, figureOf(value));

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/base/text_controls.hpp"
 #include "fulbito/detail/build_info.hpp"
 #include "replays/html/scene_columns.hpp"
 #include "replays/recording/call_words.hpp"
@@ -179,8 +180,18 @@ Json sceneJson(const PageScene& scene, std::size_t bytes) {
   return json;
 }
 
-/// Texts from outside may hold anything: what is no UTF-8 is replaced, and nothing may end the element.
-std::string dumped(const Json& json) {
+/// Texts from outside may hold anything: none may steer how the page is shown.
+void calm(Json& json) {
+  if (json.is_string()) {
+    json = oneLine(json.get_ref<const std::string&>());
+  } else if (json.is_structured()) {
+    for (Json& item : json) calm(item);
+  }
+}
+
+/// What is no UTF-8 is replaced, and nothing may end the element.
+std::string dumped(Json json) {
+  calm(json);
   const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
   std::string safe;
   safe.reserve(text.size());
@@ -202,13 +213,13 @@ std::string pageJson(const Page& page, const PagePayload& payload) {
   for (std::size_t i = 0; i < page.scenes.size(); ++i) {
     scenes.push_back(sceneJson(page.scenes[i], payload.sizes[i]));
   }
-  return dumped({{"format", kPageFormat},
-                 {"kind", kKinds[static_cast<std::size_t>(page.kind)]},
-                 {"title", page.title},
-                 {"build", buildInfo().version},
-                 {"steps", {kPagePlaceStep, kPageHeadingStep, kPageCommandStep}},
-                 {"payload", {{"packed", payload.packed}, {"raw", payload.raw}, {"crc", payload.crc}}},
-                 {"scenes", scenes}});
+  return dumped(Json{{"format", kPageFormat},
+                     {"kind", kKinds[static_cast<std::size_t>(page.kind)]},
+                     {"title", page.title},
+                     {"build", buildInfo().version},
+                     {"steps", {kPagePlaceStep, kPageHeadingStep, kPageCommandStep}},
+                     {"payload", {{"packed", payload.packed}, {"raw", payload.raw}, {"crc", payload.crc}}},
+                     {"scenes", scenes}});
 }
 
 }  // namespace fulbito

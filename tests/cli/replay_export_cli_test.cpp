@@ -123,7 +123,7 @@ TEST_CASE("what is not possible names the flag and what is", "[cli]") {
   refused("--heatmap referee", "--heatmap 'referee'");
   refused("--heatmap blue:9", "--heatmap 'blue:9'");
   refused("--mp4 --size 401x300", "--size 401x300: width and height of a video must be even");
-  refused("--png - --csv -", "only one product");
+  refused("--png - --csv -", "both write to stdout");
   refused("--png - --at 1 2", "2 pictures cannot be written to stdout");
   refused("--quality 99 --mp4", "--quality 99");
   CHECK(box.run("replay export none.fbr --png").code == 5);

@@ -365,3 +365,22 @@ TEST_CASE("tournament refuses what makes no sense and says why", "[cli]") {
   refused("", 2, "");
   CHECK_FALSE(fs::exists(box.path / "fulbito-tournament"));
 }
+
+TEST_CASE("matches that end by forfeit have recordings that verify, and pages", "[cli]") {
+  const Sandbox box;
+  writeTeam(box, "quits", "if self.count > 9: os._exit(3)");
+  const Output played = box.run(
+      "tournament run 'cmd:python3 quits/team.py' idle --pairs 1 --half-seconds 1 --recordings all --out o "
+      "--html r.html");
+  INFO(played.err);
+  REQUIRE(played.code == 0);
+  CHECK(contains(played.out, "forfeit"));
+  std::size_t pages = 0;
+  for (const auto& recording : fs::directory_iterator(box.path / "o/recordings")) {
+    ++pages;
+    const std::string page = "r-matches/" + recording.path().stem().string() + ".html";
+    CHECK(contains(contentOf(box.path / page), "\"score\":["));
+  }
+  CHECK(pages == 2);
+  CHECK(box.run("replay verify o/recordings").code == 0);
+}

@@ -177,6 +177,12 @@ int rename(const char* from, const char* to) noexcept {
   return static_cast<int>(made(Call::kRename, to, SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
 }
 
+// What gives a nameless file its name counts as a rename.
+int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) noexcept {
+  using namespace fulbito::test;
+  return static_cast<int>(made(Call::kRename, to, SYS_linkat, from_folder, from, to_folder, to, flags));
+}
+
 int ftruncate(int descriptor, off_t size) noexcept {
   using namespace fulbito::test;
   return static_cast<int>(made(Call::kTruncate, descriptor, SYS_ftruncate, descriptor, size));

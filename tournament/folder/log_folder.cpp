@@ -37,7 +37,7 @@ bool keeps(const std::string& folder, FolderWork work) {
 }
 
 Result<std::string> readRecordText(const std::string& folder, FolderWork work) {
-  return readTextFile(recordFile(folder, work), kLargestRecord);
+  return readFoundFile(recordFile(folder, work), kLargestRecord);
 }
 
 std::string withChanges(const std::string& head, const std::vector<std::string>& changes) {

@@ -125,8 +125,9 @@ Result<void> addCommand(const TeamCommandLine& line, TeamParts& parts) {
 /// The `team.toml` of the folder, without one its defaults.
 Result<TeamFile> teamFileOf(const std::string& folder) {
   const fs::path file = fs::path(folder) / kTeamFile;
-  if (folder.empty() || !isFile(file)) return TeamFile{};
-  const auto text = readTextFile(file.string(), kMaxTomlBytes);
+  std::error_code ignored;
+  if (folder.empty() || !fs::exists(fs::symlink_status(file, ignored))) return TeamFile{};
+  const auto text = readFoundFile(file.string(), kMaxTomlBytes);
   if (!text) return tl::unexpected<Error>(text.error());
   return parseTeamFile(*text, file.string());
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/base/text_controls.hpp"
 #include "tournament/navigators/navigator_tournament.hpp"
 #include "tournament/report/json_parts.hpp"
 #include "tournament/report/sections.hpp"
@@ -157,7 +158,7 @@ std::string navigatorTournamentJson(const NavigatorTournament& tournament) {
                   {"meetings", meetingsJson(tournament)},
                   {"config", configJson(tournament)},
                   {"build", buildJson()}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace fulbito

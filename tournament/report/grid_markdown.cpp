@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "engine/core/base/text_controls.hpp"
 #include "tournament/report/grid.hpp"
 
 namespace fulbito {
@@ -24,7 +25,7 @@ std::string headOf(const Grid& grid) {
 
 std::string escapedMarkdown(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : oneLine(text)) {
     if (c == '<') {
       out += "&lt;";
     } else if (c == '&') {

@@ -1,5 +1,7 @@
 #include "tournament/report/json_parts.hpp"
 
+#include "engine/core/base/text_controls.hpp"
+
 namespace fulbito {
 
 Json intervalJson(const Interval& interval) {
@@ -23,7 +25,7 @@ Json unplayedJson(const std::vector<UnplayedMatch>& unplayed) {
 }
 
 std::string indented(const Json& json, std::size_t spaces) {
-  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+  const std::string text = escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace));
   std::string out;
   for (const char c : text) {
     out += c;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/base/text_controls.hpp"
 #include "match/report/match_json.hpp"
 #include "tournament/report/counted_results.hpp"
 #include "tournament/report/report.hpp"
@@ -12,17 +13,6 @@ namespace {
 constexpr const char* kHeading =
     "pair,leg,counts,round,id,blue,yellow,start,seed,goals_blue,goals_yellow,winner,outcome,fault_blue,"
     "fault_yellow,goals_after_foul_blue,goals_after_foul_yellow,simulated_s,abandoned,final_hash\n";
-
-/// A field by RFC 4180. Line ends and other controls become spaces, so that a match stays one line.
-std::string field(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (c == '"') out += '"';
-    out += code < 32 || code == 127 ? ' ' : c;
-  }
-  return out + '"';
-}
 
 void addLine(std::string& text, const TournamentState& state, const std::vector<std::string>& names,
              std::size_t number, std::size_t leg) {
@@ -45,7 +35,7 @@ void addLine(std::string& text, const TournamentState& state, const std::vector<
 std::string tournamentCsv(const TournamentState& state) {
   std::vector<std::string> names;
   names.reserve(state.plan.entrants.size());
-  for (const Entrant& entrant : state.plan.entrants) names.push_back(field(entrant.name));
+  for (const Entrant& entrant : state.plan.entrants) names.push_back(csvField(entrant.name));
   std::string text = kHeading;
   for (std::size_t i = 0; i < std::min(state.results.size(), state.schedule.fixtures.size()); ++i) {
     if (!state.results[i]) continue;

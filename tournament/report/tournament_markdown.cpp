@@ -13,7 +13,7 @@ constexpr std::size_t kMostCrossed = 20;
 
 std::string headMarkdown(const TournamentState& state, const TournamentTable& table) {
   const ReportHead head = headOf(state, table);
-  std::string text = fmt::format("## {}\n\n{}  \n{}\n\n", escapedMarkdown(head.title),
+  std::string text = fmt::format("<!-- Fulbito -->\n\n## {}\n\n{}  \n{}\n\n", escapedMarkdown(head.title),
                                  escapedMarkdown(head.rules), escapedMarkdown(head.progress));
   for (const std::string& note : head.notes) text += escapedMarkdown(note) + "\n\n";
   return text;

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "tournament/store/repeat_call.hpp"
+#include "engine/core/system/repeat_call.hpp"
 
 namespace fulbito {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "tournament/store/regular_file.hpp"
+#include "engine/core/system/regular_file.hpp"
 
 namespace fulbito {
 

@@ -13,9 +13,9 @@
 #include <fmt/format.h>
 
 #include "engine/core/system/error_text.hpp"
+#include "engine/core/system/regular_file.hpp"
+#include "engine/core/system/repeat_call.hpp"
 #include "tournament/store/match_line.hpp"
-#include "tournament/store/regular_file.hpp"
-#include "tournament/store/repeat_call.hpp"
 
 namespace fulbito {
 namespace {

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "engine/core/system/output_file.hpp"
+#include "engine/core/system/regular_file.hpp"
 #include "tournament/store/log_reader.hpp"
 #include "tournament/store/match_line.hpp"
-#include "tournament/store/regular_file.hpp"
 
 namespace fulbito {
 namespace {
@@ -22,6 +22,15 @@ std::string folderOf(const std::string& folder, const MatchId& id) {
 
 std::string fileOf(const std::string& folder, const MatchId& id) {
   return fmt::format("{}/{}.jsonl", folderOf(folder, id), id.text());
+}
+
+/// Removes what has the name of an entry and is no file: a pipe, a device, a link that leads nowhere, an
+/// empty folder. Whether the name is free for a file then.
+bool makeRoom(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::is_regular_file(file, error) || !fs::exists(fs::symlink_status(file, error))) return true;
+  return fs::remove(file, error) && !error;
 }
 
 }  // namespace
@@ -44,6 +53,8 @@ Result<Added> MatchCache::add(const MatchRow& row) const {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return ioFailure("create the folder", folder, error.value());
+  // What cannot make room counts as missing for ever: the cache is only a help.
+  if (!makeRoom(fileOf(folder_, row.id))) return Added::kNew;
   const auto written = writeFile(fileOf(folder_, row.id), std::string(logHeader()) + toLine(row));
   return written.map([] { return Added::kNew; });
 }

@@ -13,9 +13,10 @@ class MatchCache {
  public:
   /// Creates the folder if it is missing. Errors: kIo.
   static Result<MatchCache> open(const std::string& folder);
-  /// The match, if it is there. A damaged or unreadable file counts as missing.
+  /// The match, if it is there. A damaged or unreadable file counts as missing, and so does what is no file.
   std::optional<MatchRow> find(const MatchId& id) const;
-  /// Keeps a match: its file appears complete or not at all, and replaces a damaged one. Errors: kIo.
+  /// Keeps a match: its file appears complete or not at all, and replaces a damaged one, and what is no file
+  /// but a folder with content. Errors: kIo.
   Result<Added> add(const MatchRow& row) const;
 
  private:

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "engine/core/system/output_file.hpp"
+#include "engine/core/system/regular_file.hpp"
 #include "tournament/store/log_reader.hpp"
 #include "tournament/store/match_line.hpp"
-#include "tournament/store/regular_file.hpp"
 
 namespace fulbito {
 namespace {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/base/text_controls.hpp"
 #include "tournament/report/counted_results.hpp"
 #include "tournament/report/json_parts.hpp"
 #include "tournament/report/sections.hpp"
@@ -183,7 +184,7 @@ std::string tuneJson(const TunePlan& plan, const TuneOutcome& outcome) {
   for (const FinalResult& final : outcome.finals) json["finals"].push_back(finalJson(final));
   const auto gain = gainOf(outcome);
   json["gain"] = gain ? intervalJson(*gain) : Json(nullptr);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + '\n';
 }
 
 }  // namespace fulbito

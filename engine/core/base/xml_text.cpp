@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/core/base/text_controls.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -47,9 +49,8 @@ std::string escapedXml(std::string_view utf8) {
     const std::size_t size = characterSize(utf8, i);
     const std::string_view character = utf8.substr(i, std::max<std::size_t>(size, 1));
     i += character.size();
-    const auto code = static_cast<unsigned char>(character[0]);
-    const bool bad =
-        size == 0 || code < 32 || code == 127 || character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";
+    const bool bad = size == 0 || steersText(characterAt(character, 0).code) || character == "\xEF\xBF\xBE" ||
+                     character == "\xEF\xBF\xBF";
     if (bad) {
       out += ' ';
     } else if (const char* entity = entityOf(character[0]); entity != nullptr) {

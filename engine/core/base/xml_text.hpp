@@ -10,7 +10,7 @@ namespace fulbito {
 std::size_t characterSize(std::string_view utf8, std::size_t i);
 
 /// For an attribute or text of XML or HTML: the five special characters escaped, and each byte or character
-/// that XML forbids, line ends too, replaced by a space.
+/// that XML forbids or that steers text (`steersText`), line ends too, replaced by a space.
 std::string escapedXml(std::string_view utf8);
 
 }  // namespace fulbito

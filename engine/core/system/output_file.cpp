@@ -1,5 +1,7 @@
 #include "engine/core/system/output_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <fcntl.h>
@@ -51,6 +53,28 @@ bool isStreamAt(const std::string& file) {
          kind != fs::file_type::not_found && kind != fs::file_type::none;
 }
 
+/// A descriptor's name, through which it gets another name or is opened again.
+std::string nameOf(int descriptor) { return fmt::format("/proc/{}/fd/{}", ::getpid(), descriptor); }
+
+/// A file without a name in the folder of `file`: whatever ends the process, nothing is left of it. -1: errno
+/// says why, EOPNOTSUPP where the file system or the machine knows no such files.
+int openNameless(const std::string& file) {
+  fs::path folder = fs::path(file).parent_path();
+  if (folder.empty()) folder = ".";
+  const int descriptor = openWaiting(folder.string(), O_TMPFILE | O_RDWR);
+  // Kernels and file systems that do not know the flag see a folder that is opened for writing.
+  if (descriptor < 0 && (errno == EISDIR || errno == EINVAL)) errno = EOPNOTSUPP;
+  if (descriptor < 0 || ::access(nameOf(descriptor).c_str(), F_OK) == 0) return descriptor;
+  ::close(descriptor);
+  errno = EOPNOTSUPP;
+  return -1;
+}
+
+ReplacementRule& replacementRule() {
+  static ReplacementRule rule;
+  return rule;
+}
+
 /// The target of a link, so that the link is kept.
 std::string withoutLink(const std::string& file) {
   std::error_code error;
@@ -71,7 +95,14 @@ struct OutputFile::Impl {
   }
 
   Result<void> openStream();
+  /// Opens what holds the bytes until the end, without a name where that can be.
   Result<void> openTemporary();
+  /// Calls `make` with new names for a temporary file, until one is free. False: errno says why.
+  template <typename Make>
+  bool underNewName(const Make& make);
+  Result<void> mayReplace();
+  /// Gives the temporary file its name in the end.
+  bool putInPlace();
   /// False: a file of that name exists.
   Result<bool> openNew();
   Result<void> append(std::string_view bytes);
@@ -90,7 +121,8 @@ struct OutputFile::Impl {
   std::string place;         ///< the file that holds the bytes
   int descriptor = -1;
   bool stream = false;
-  std::optional<TemporaryName> listed;  ///< of a temporary file
+  bool nameless = false;                ///< a temporary file that has no name before its end
+  std::optional<TemporaryName> listed;  ///< of a temporary file with a name
   off_t good = 0;                       ///< bytes of complete calls of `write`
   Result<void> state;
 };
@@ -102,19 +134,55 @@ Result<void> OutputFile::Impl::openStream() {
   return descriptor < 0 ? failWith(errno) : state;
 }
 
-Result<void> OutputFile::Impl::openTemporary() {
+template <typename Make>
+bool OutputFile::Impl::underNewName(const Make& make) {
   static std::atomic<unsigned> next{0};
   // An existing file or link of that name belongs to another process: never truncate or follow it.
-  for (int tries = 0; descriptor < 0 && tries < kMostNames; ++tries) {
+  for (int tries = 0; tries < kMostNames; ++tries) {
     place = fmt::format("{}.{}-{}.tmp", target, ::getpid(), next++);
-    descriptor = openWaiting(place, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
-    if (descriptor < 0 && errno != EEXIST) break;
+    if (make()) {
+      listed.emplace(place);
+      return true;
+    }
+    if (errno != EEXIST) break;
   }
-  if (descriptor < 0) return failWith(errno);
-  listed.emplace(place);
+  return false;
+}
+
+Result<void> OutputFile::Impl::openTemporary() {
+  descriptor = openNameless(target);
+  nameless = descriptor >= 0;
+  if (!nameless && errno != EOPNOTSUPP) return failWith(errno);
+  if (nameless) place = nameOf(descriptor);
+  const auto open = [&] {
+    descriptor = openWaiting(place, O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW);
+    return descriptor >= 0;
+  };
+  if (!nameless && !underNewName(open)) return failWith(errno);
   struct stat old{};
   if (::stat(target.c_str(), &old) == 0) ::fchmod(descriptor, old.st_mode & 0777u);
   return {};
+}
+
+Result<void> OutputFile::Impl::mayReplace() {
+  const ReplacementRule& rule = replacementRule();
+  if (!rule) return {};
+  std::array<char, kHeadOfFile> head{};
+  const ssize_t count = ::pread(descriptor, head.data(), head.size(), 0);
+  return rule(name, std::string_view(head.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))));
+}
+
+bool OutputFile::Impl::putInPlace() {
+  if (nameless) {
+    const std::string own = place;
+    const auto link = [&](const std::string& as) {
+      return ::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, as.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    };
+    if (link(target)) return true;
+    // It exists, and only a name can take the place of a name.
+    if (errno != EEXIST || !underNewName([&] { return link(place); })) return false;
+  }
+  return std::rename(place.c_str(), target.c_str()) == 0;
 }
 
 Result<bool> OutputFile::Impl::openNew() {
@@ -176,11 +244,13 @@ Result<void> OutputFile::commit(bool durable) {
   if (f.state && durable && ::fsync(f.descriptor) != 0 && errno != EINVAL && errno != EROFS) {
     f.failWith(errno);
   }
+  const bool temporary = f.nameless || f.listed;
+  if (f.state && temporary) f.state = f.mayReplace();
+  if (f.state && temporary && !f.putInPlace()) f.failWith(errno);
   if (::close(std::exchange(f.descriptor, -1)) != 0 && f.state) f.failWith(errno);
-  if (f.state && f.listed && std::rename(f.place.c_str(), f.target.c_str()) != 0) f.failWith(errno);
   if (f.state) {
     f.listed.reset();
-  } else if (f.listed || f.good == 0) {
+  } else if (f.listed || (!f.nameless && f.good == 0)) {
     discard();
   }
   return f.state;
@@ -189,8 +259,10 @@ Result<void> OutputFile::commit(bool durable) {
 void OutputFile::discard() {
   Impl& f = *impl_;
   if (f.descriptor >= 0) ::close(std::exchange(f.descriptor, -1));
-  if (!f.stream) f.removePlace();
+  if (!f.stream && (f.listed || !f.nameless)) f.removePlace();
 }
+
+void setReplacementRule(ReplacementRule rule) { replacementRule() = std::move(rule); }
 
 const std::string& OutputFile::place() const { return impl_->place; }
 bool OutputFile::isStream() const { return impl_->stream; }
@@ -201,7 +273,7 @@ Result<void> prepareFolder(const std::string& folder) {
   if (error) return ioError("create the folder", folder, error.message());
   if (!fs::is_directory(folder, error)) return ioError("write into", folder, "it is not a folder");
   // It is removed again, because it is not committed.
-  if (!OutputFile::create(folder + "/fulbito")) {
+  if (!OutputFile::create(folder + "/.fulbito-probe")) {
     return ioError("write into the folder", folder, "no permission or no space");
   }
   return {};

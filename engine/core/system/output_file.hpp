@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,11 +17,20 @@ Result<void> prepareFolder(const std::string& folder);
 /// Errors: kIo naming the problem.
 Result<void> checkOutputPath(const std::string& file);
 
+/// The most bytes of a file's beginning that a `ReplacementRule` gets.
+inline constexpr std::size_t kHeadOfFile = 4096;
+/// Whether a file may appear as `file`, which may exist. `head`: how the new file begins.
+using ReplacementRule = std::function<Result<void>(const std::string& file, std::string_view head)>;
+/// Sets the rule for all files that appear from now on; without one, any file may be replaced. Not while
+/// other threads write.
+void setReplacementRule(ReplacementRule rule);
+
 /// Writes all output files. Devices and pipes are written to directly; links are followed.
 class OutputFile {
  public:
-  /// Creates a file that appears complete or not at all: until `commit`, bytes go to a temporary file next to
-  /// it. Errors: kIo naming it; kInterrupted while waiting for a pipe's reader.
+  /// Creates a file that appears complete or not at all: until `commit`, bytes go to a file without a name in
+  /// its folder. Where the file system has none, they go to a temporary file, which stays if the process is
+  /// killed. Errors: kIo naming it; kInterrupted while waiting for a pipe's reader.
   static Result<OutputFile> create(const std::string& file);
   /// Creates a file that can be read while it grows. If the file exists: with `replace` the same as `create`,
   /// so that the old file stays until the new one is complete; otherwise an error. Errors: as `create`;
@@ -35,8 +45,8 @@ class OutputFile {
   /// Appends all bytes or none. After an error, further calls return the same error. Errors: kIo;
   /// kInterrupted while a pipe is full.
   Result<void> write(std::string_view bytes);
-  /// Completes the file under its name. `durable`: waits for the disk. Errors: kIo; the unfinished file is
-  /// then removed, unless it is a growing file with content.
+  /// Completes the file under its name. `durable`: waits for the disk. Errors: kIo; of the `ReplacementRule`.
+  /// The unfinished file is then removed, unless it is a growing file with content.
   Result<void> commit(bool durable = true);
   /// Removes the unfinished file.
   void discard();

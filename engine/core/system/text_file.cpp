@@ -4,11 +4,14 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <poll.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
 #include <fmt/format.h>
 
+#include "engine/core/system/regular_file.hpp"
 #include "engine/core/system/shortage.hpp"
 #include "engine/core/system/stop_request.hpp"
 
@@ -16,6 +19,8 @@ namespace fulbito {
 namespace {
 
 constexpr std::size_t kStep = std::size_t{1} << 18;  // [bytes] per read
+constexpr int kLook = 50;                            // [ms] between looks at a pipe that nobody writes into
+constexpr int kMostLooks = 100;
 
 struct Descriptor {
   int number;
@@ -47,22 +52,56 @@ bool mayGoOn(std::string_view text, std::string_view beginning) {
   return text.substr(0, known) == beginning.substr(0, known);
 }
 
-}  // namespace
+/// Reads an open file from which reads may find nothing yet, such as a pipe: then waits for more.
+class PatientReader {
+ public:
+  explicit PatientReader(int descriptor) : descriptor_(descriptor) {
+    struct stat found{};
+    pipe_ = ::fstat(descriptor, &found) == 0 && S_ISFIFO(found.st_mode);
+  }
 
-Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes, std::string_view beginning) {
-  // A name with a zero byte would silently open another file.
-  if (path.empty() || path.find('\0') != std::string::npos) return cannotRead(path, ENOENT);
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return cannotRead(path, EISDIR);
-  const Descriptor file(waiting([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }));
-  if (file.number < 0) return cannotRead(path, errno);
+  /// As read(2). A pipe that had no writer yet may get one; after some seconds it fails with ENODATA.
+  ssize_t read(char* to, std::size_t room) {
+    for (int looks = 0;;) {
+      const ssize_t count = waiting([&] { return ::read(descriptor_, to, room); });
+      if (count < 0 && errno != EAGAIN) return count;
+      if (count > 0 || (count == 0 && (written_ || !pipe_))) {
+        written_ = true;
+        return count;
+      }
+      written_ = written_ || count < 0;
+      if (count == 0 && ++looks > kMostLooks) {
+        errno = ENODATA;
+        return -1;
+      }
+      pollfd more{descriptor_, POLLIN, 0};
+      // Without a writer, the pipe may say at once that it has been hung up: then the time passes all the
+      // same.
+      const int waited = count < 0 ? ::poll(&more, 1, -1) : ::poll(nullptr, 0, kLook);
+      if (waited < 0 && (errno != EINTR || stopRequested())) return -1;
+    }
+  }
+
+ private:
+  int descriptor_;
+  bool pipe_ = false;
+  bool written_ = false;  ///< there was a writer
+};
+
+Result<std::string> readOpen(int descriptor, const std::string& path, std::size_t max_bytes,
+                             std::string_view beginning) {
+  PatientReader reader(descriptor);
   std::string text;
   while (text.size() <= max_bytes && mayGoOn(text, beginning)) {
     const std::size_t begin = text.size();
     const std::size_t room =
         std::min(begin < beginning.size() ? beginning.size() - begin : kStep, max_bytes + 1 - begin);
     text.resize(begin + room);
-    const ssize_t count = waiting([&] { return ::read(file.number, text.data() + begin, room); });
+    const ssize_t count = reader.read(text.data() + begin, room);
+    if (count < 0 && errno == ENODATA) {
+      return fail(ErrorCode::kIo,
+                  fmt::format("cannot read '{}': it is a pipe into which nobody writes", path));
+    }
     if (count < 0) return cannotRead(path, errno);
     text.resize(begin + static_cast<std::size_t>(count));
     if (count == 0) break;
@@ -71,6 +110,26 @@ Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes,
     return fail(ErrorCode::kBadInput, fmt::format("{}: larger than the limit of {} bytes", path, max_bytes));
   }
   return text;
+}
+
+}  // namespace
+
+Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes, std::string_view beginning) {
+  // A name with a zero byte would silently open another file.
+  if (path.empty() || path.find('\0') != std::string::npos) return cannotRead(path, ENOENT);
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return cannotRead(path, EISDIR);
+  const Descriptor file(
+      waiting([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); }));
+  if (file.number < 0) return cannotRead(path, errno);
+  return readOpen(file.number, path, max_bytes, beginning);
+}
+
+Result<std::string> readFoundFile(const std::string& path, std::size_t max_bytes,
+                                  std::string_view beginning) {
+  const auto file = RegularFile::open("read", path, O_RDONLY);
+  if (!file) return tl::unexpected<Error>(file.error());
+  return readOpen(file->descriptor(), path, max_bytes, beginning);
 }
 
 }  // namespace fulbito

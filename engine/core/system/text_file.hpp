@@ -8,10 +8,16 @@
 
 namespace fulbito {
 
-/// The whole content of a file. Reads at most `max_bytes` + 1 bytes, whatever size the file claims. Stops
-/// early if the file does not begin with `beginning`. Errors: kIo naming the file and the reason; kBadInput
-/// when it is larger than `max_bytes`; kInterrupted while it waits for a pipe.
+/// The whole content of a file that the user names. Reads at most `max_bytes` + 1 bytes, whatever size the
+/// file claims. Stops early if the file does not begin with `beginning`. Of a pipe it waits for a writer, for
+/// some seconds, and for the writer's end. Errors: kIo naming the file and the reason; kBadInput when it is
+/// larger than `max_bytes`; kInterrupted while it waits for a pipe.
 Result<std::string> readTextFile(const std::string& path, std::size_t max_bytes,
                                  std::string_view beginning = {});
+
+/// The same of a file that is found in a folder or has its name from the program. Never waits. Errors: as
+/// `readTextFile`; kIo also if it is no regular file.
+Result<std::string> readFoundFile(const std::string& path, std::size_t max_bytes,
+                                  std::string_view beginning = {});
 
 }  // namespace fulbito

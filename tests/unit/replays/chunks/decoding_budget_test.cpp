@@ -7,8 +7,8 @@
 namespace fulbito {
 namespace {
 
-/// A recording with so many equal events in its only tick.
-std::string withEvents(int count) {
+/// A recording with so many equal events or drawings in its only tick.
+std::string withMany(int count, bool drawings) {
   test::Told told;
   told.header = test::sampleHeader();
   {
@@ -17,7 +17,11 @@ std::string withEvents(int count) {
     RecordedEvent event;
     event.tick = 1;
     event.clause = "goal";
-    for (int i = 0; i < count; ++i) teller.writer().add(event);
+    RecordedDrawing drawing;
+    drawing.tick = 1;
+    for (int i = 0; i < count; ++i) {
+      drawings ? teller.writer().add(drawing) : teller.writer().add(event);
+    }
     REQUIRE(teller.finish(1));
   }
   return told.bytes;
@@ -26,8 +30,8 @@ std::string withEvents(int count) {
 }  // namespace
 
 TEST_CASE("a small file may not unpack to a large recording", "[unit]") {
-  CHECK(RecordingReader::parse(withEvents(2000), "some.fbr"));
-  const std::string bomb = withEvents(500000);
+  CHECK(RecordingReader::parse(withMany(2000, false), "some.fbr"));
+  const std::string bomb = withMany(500000, false);
   CHECK(bomb.size() < 20000);
   const auto refused = RecordingReader::parse(bomb, "bomb.fbr");
   REQUIRE_FALSE(refused);
@@ -36,6 +40,40 @@ TEST_CASE("a small file may not unpack to a large recording", "[unit]") {
   const auto salvaged = salvage(bomb, "bomb.fbr");
   REQUIRE_FALSE(salvaged);
   CHECK(salvaged.error().code == ErrorCode::kBadInput);
+}
+
+TEST_CASE("events and drawings are counted too, however short each is", "[unit]") {
+  for (const bool drawings : {false, true}) {
+    const int most = drawings ? 100'000 : 20'000;
+    CHECK(RecordingReader::parse(withMany(most, drawings), "many.fbr"));
+    const std::string more = withMany(most + most / 10, drawings);
+    REQUIRE(static_cast<int>(more.size()) < most / 10);
+    const auto refused = RecordingReader::parse(more, "more.fbr");
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().message.find(drawings ? "more drawings than" : "more events than") !=
+          std::string::npos);
+  }
+}
+
+TEST_CASE("what an event says is as short as a clause", "[unit]") {
+  test::Told told;
+  told.header = test::sampleHeader();
+  RecordedEvent event;
+  event.tick = 1;
+  event.clause = std::string(5000, 'c');
+  event.law = std::string(100, 'l');
+  {
+    test::Teller teller(told);
+    teller.tell(1, false);
+    teller.writer().add(event);
+    REQUIRE(teller.finish(1));
+  }
+  const auto reader = RecordingReader::parse(told.bytes, "long.fbr");
+  REQUIRE(reader);
+  const auto chunk = reader->chunk(0);
+  REQUIRE(chunk);
+  CHECK(chunk->events.back().clause == event.clause.substr(0, 100));
+  CHECK(chunk->events.back().law == event.law);
 }
 
 TEST_CASE("plays and ticks have budgets of their own", "[unit]") {
@@ -51,7 +89,7 @@ TEST_CASE("plays and ticks have budgets of their own", "[unit]") {
   DecodingBudget plays(10000);
   int chunks = 0;
   while (chunks < 10000 && !plays.take(head, {}, header)) ++chunks;
-  CHECK(chunks < 500);
+  CHECK(chunks < 15);
   head.plays = 0;
   header.bodies.resize(170);
   head.ticks = 6000;

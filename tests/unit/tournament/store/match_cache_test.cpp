@@ -1,6 +1,7 @@
 #include "tournament/store/match_cache.hpp"
 
 #include <filesystem>
+#include <sys/stat.h>
 #include <thread>
 #include <vector>
 
@@ -65,6 +66,27 @@ TEST_CASE("a damaged or foreign file in a cache counts as missing and is replace
     CHECK(c.cache.add(matchRow(1)) == Added::kNew);
     CHECK(c.cache.find(matchRow(1).id));
   }
+}
+
+TEST_CASE("what is no file in a cache counts as missing, at once, and makes room where it can", "[unit]") {
+  const CacheFolder c;
+  const MatchRow row = matchRow(5);
+  const std::string file = c.fileOf(row);
+  REQUIRE(c.cache.add(row) == Added::kNew);
+  for (const bool keeps : {true, false}) {
+    for (int kind = 0; kind < 4; ++kind) {
+      INFO("kind " << kind);
+      fs::remove_all(file);
+      if (kind == 0) REQUIRE(::mkfifo(file.c_str(), 0600) == 0);
+      if (kind == 1) fs::create_symlink("/dev/zero", file);
+      if (kind == 2) fs::create_symlink("nowhere/at/all", file);
+      if (kind == 3) fs::create_directories(keeps ? file : file + "/with/content");
+      CHECK_FALSE(c.cache.find(row.id));
+      CHECK(c.cache.add(row) == Added::kNew);
+      CHECK(c.cache.find(row.id).has_value() == (keeps || kind != 3));
+    }
+  }
+  CHECK(fs::exists(file + "/with/content"));
 }
 
 TEST_CASE("a cache that cannot be made or written is an error with its name", "[unit]") {

@@ -1,11 +1,14 @@
 #include "engine/core/system/output_file.hpp"
 
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 
 #include <fmt/format.h>
 
@@ -174,12 +177,63 @@ TEST_CASE("a file too large for the system is an error that leaves nothing, or w
 
 TEST_CASE("who ends in the middle of a file can remove what there is of it", "[unit]") {
   const TemporaryFolder folder;
-  auto out = OutputFile::create(folder.path / "film");
-  REQUIRE(out);
-  REQUIRE(out->write("half"));
+  const TemporaryName listed(folder.path / "half");
+  std::ofstream(folder.path / "half") << "half";
   CHECK(filesIn(folder.path) == 1);
   abandonUnfinishedWork();
   CHECK(filesIn(folder.path) == 0);
+}
+
+TEST_CASE("who is killed in the middle of a file leaves nothing, and the old one whole", "[unit]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path / "film", fresh = folder.path / "fresh";
+  REQUIRE(writeFile(file, "old"));
+  const int probe = ::open(folder.path.c_str(), O_TMPFILE | O_RDWR, 0600);
+  if (probe < 0) return;  // the file system has no files without a name
+  ::close(probe);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    auto first = OutputFile::create(file), second = OutputFile::create(fresh);
+    const bool written = first && second && first->write("half") && second->write("half");
+    if (written) ::kill(::getpid(), SIGKILL);
+    ::_exit(1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(WIFSIGNALED(status));
+  CHECK(filesIn(folder.path) == 1);
+  CHECK(contentOf(file) == "old");
+}
+
+TEST_CASE("another program can write a file before it has its name", "[unit]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path / "film";
+  auto out = OutputFile::create(file);
+  REQUIRE(out);
+  std::ofstream(out->place(), std::ios::trunc) << "frames";
+  CHECK_FALSE(fs::exists(file));
+  REQUIRE(out->commit());
+  CHECK(contentOf(file) == "frames");
+}
+
+TEST_CASE("a rule decides what is replaced, and sees how the new file begins", "[unit]") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path / "a", other = folder.path / "b";
+  REQUIRE(writeFile(file, "one"));
+  std::string seen;
+  setReplacementRule([&](const std::string& name, std::string_view head) -> Result<void> {
+    seen = name + " " + std::string(head);
+    if (name == file) return fail(ErrorCode::kUsage, "kept");
+    return {};
+  });
+  const auto refused = writeFile(file, "two");
+  CHECK(writeFile(other, "three"));
+  setReplacementRule({});
+  REQUIRE_FALSE(refused);
+  CHECK(refused.error().message == "kept");
+  CHECK(contentOf(file) == "one");
+  CHECK(seen == other + " three");
+  CHECK(filesIn(folder.path) == 2);
 }
 
 TEST_CASE("a probe of a folder harms no file in it", "[unit]") {

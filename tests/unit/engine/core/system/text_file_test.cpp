@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <filesystem>
+#include <poll.h>
 #include <sys/stat.h>
 #include <thread>
 #include <unistd.h>
@@ -24,6 +25,30 @@ TEST_CASE("a file is read whole, from a pipe too, or is too large", "[unit]") {
     ::close(descriptor);
   });
   CHECK(*readTextFile(pipe, 100, "fulb") == "fulbito");
+}
+
+TEST_CASE("a writer of a pipe may come later and take its time; no writer is an error, not a hang",
+          "[unit]") {
+  const test::ScratchFolder folder;
+  const std::string pipe = (folder.path() / "pipe").string();
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  {
+    std::jthread writer([&] {
+      ::poll(nullptr, 0, 120);
+      const int descriptor = ::open(pipe.c_str(), O_WRONLY);
+      ::poll(nullptr, 0, 120);
+      (void)!::write(descriptor, "late", 4);
+      ::close(descriptor);
+    });
+    CHECK(*readTextFile(pipe, 100) == "late");
+  }
+  const auto found = readFoundFile(pipe, 100);
+  REQUIRE_FALSE(found);
+  CHECK(found.error().code == ErrorCode::kIo);
+  CHECK(found.error().message.find("not a regular file") != std::string::npos);
+  CHECK_FALSE(readFoundFile("/dev/null", 100));
+  CHECK_FALSE(readFoundFile(folder.path().string(), 100));
+  CHECK(*readFoundFile(folder.write("plain", "text"), 100) == "text");
 }
 
 TEST_CASE("what does not begin as it must is not read on", "[unit]") {

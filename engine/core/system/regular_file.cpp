@@ -1,4 +1,4 @@
-#include "tournament/store/regular_file.hpp"
+#include "engine/core/system/regular_file.hpp"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "tournament/store/repeat_call.hpp"
+#include "engine/core/system/repeat_call.hpp"
 
 namespace fulbito {
 namespace {
