@@ -55,27 +55,28 @@ ReportTable timesTable() {
     const PaperTables::Single& one = PaperTables::kSingle[i];
     const PaperTables::Double& two = PaperTables::kDouble[i];
     const double way = wayIn(two.time, v);
-    table.rows.push_back({v, one.time, wayIn(one.time, v), one.distance, two.time, way, two.distance,
-                          way - two.distance});
+    table.rows.push_back(
+        {v, one.time, wayIn(one.time, v), one.distance, two.time, way, two.distance, way - two.distance});
   }
   return table;
 }
 
 ReportTable changeTable(const CaptureResults& results) {
-  ReportTable table{"table-6-changes",
-                    "Table 6 by the change between the curves: each wheel at 0.05 m/s^2 and full speed, or at "
-                    "once",
-                    {{"v_mps", 1},
-                     {"paper_time_s", 1},
-                     {"gradual_time_s", 1},
-                     {"instant_time_s", 1},
-                     {"paper_distance_m", 2},
-                     {"gradual_distance_m", 2},
-                     {"instant_distance_m", 2},
-                     {"paper_error_m", 2},
-                     {"gradual_error_m", 2},
-                     {"instant_error_m", 2}},
-                    {}};
+  ReportTable table{
+      "table-6-changes",
+      "Table 6 by the change between the curves: each wheel at 0.05 m/s^2 and full speed, or at "
+      "once",
+      {{"v_mps", 1},
+       {"paper_time_s", 1},
+       {"gradual_time_s", 1},
+       {"instant_time_s", 1},
+       {"paper_distance_m", 2},
+       {"gradual_distance_m", 2},
+       {"instant_distance_m", 2},
+       {"paper_error_m", 2},
+       {"gradual_error_m", 2},
+       {"instant_error_m", 2}},
+      {}};
   for (std::size_t i = 0; i < PaperTables::kSpeeds.size(); ++i) {
     const double v = PaperTables::kSpeeds[i];
     const PaperTables::Double& paper = PaperTables::kDouble[i];
@@ -100,16 +101,12 @@ double turnOfTime(double time) {
 }
 
 ReportTable planTable() {
-  ReportTable table{"plans",
-                    "Plans of Fig. 18 without slip by the first turn: the printed speed and the printed time "
-                    "exclude each other",
-                    {{"plan", 0},
-                     {"turn_1_deg", 2},
-                     {"time_1_s", 2},
-                     {"top_speed_mps", 3},
-                     {"time_s", 2},
-                     {"gap_m", 3}},
-                    {}};
+  ReportTable table{
+      "plans",
+      "Plans of Fig. 18 without slip by the first turn: the printed speed and the printed time "
+      "exclude each other",
+      {{"plan", 0}, {"turn_1_deg", 2}, {"time_1_s", 2}, {"top_speed_mps", 3}, {"time_s", 2}, {"gap_m", 3}},
+      {}};
   const auto add = [&](const char* name, double turn) {
     const auto plan = fig18Plan(turn);
     if (!plan) return;

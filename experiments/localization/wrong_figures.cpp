@@ -38,12 +38,8 @@ void warm(CleaningTask& task, double kelvin) { task.warming = kelvin; }
 void setAir(CleaningTask& task, double celsius) { task.celsius = celsius; }
 
 void addTold(std::vector<WrongCase>& cases, const char* what, bool filter_only, Apply apply) {
-  for (const auto& [amount, factor] : {std::pair{"x 1/8", 0.125},
-                                       {"x 1/4", 0.25},
-                                       {"x 1/2", 0.5},
-                                       {"x 2", 2.0},
-                                       {"x 4", 4.0},
-                                       {"x 8", 8.0}})
+  for (const auto& [amount, factor] :
+       {std::pair{"x 1/8", 0.125}, {"x 1/4", 0.25}, {"x 1/2", 0.5}, {"x 2", 2.0}, {"x 4", 4.0}, {"x 8", 8.0}})
     cases.push_back({what, amount, filter_only, apply, factor});
 }
 
@@ -77,14 +73,16 @@ std::vector<WrongCase> wrongCases() {
   addTold(cases, "gyro scale's spread told", true, tellGyroScale);
   addTold(cases, "all six told", false, tellAll);
   for (const double percent : {1.0, 2.0, 5.0, 10.0})
-    cases.push_back({"gyro reads too much", fmt::format("{:g} %", percent), false, scaleGyro, 1 + percent / 100});
+    cases.push_back(
+        {"gyro reads too much", fmt::format("{:g} %", percent), false, scaleGyro, 1 + percent / 100});
   for (const double percent : {2.0, 5.0, 10.0})
     cases.push_back(
         {"both wheels read too much", fmt::format("{:g} %", percent), false, scaleWheels, 1 + percent / 100});
   for (const double kelvin : {5.0, 10.0, 20.0})
     cases.push_back({"air warms after the first fix", fmt::format("{:g} K", kelvin), false, warm, kelvin});
   for (const double celsius : {0.0, 3.0, 37.0, 40.0})
-    cases.push_back({"air outside 5 to 35 degrees", fmt::format("{:g} degrees", celsius), false, setAir, celsius});
+    cases.push_back(
+        {"air outside 5 to 35 degrees", fmt::format("{:g} degrees", celsius), false, setAir, celsius});
   return cases;
 }
 
@@ -119,18 +117,18 @@ ReportTable wrongTable(const std::vector<WrongRuns>& runs) {
   table.name = "wrong-figures";
   table.title = "Noise figures told wrong, sensors worse than stated: share of runs within 50 mm and home";
   table.shown = 100;
-  table.columns = {{"what", 0},       {"amount", 0},     {"scheme", 0},    {"runs", 0},
-                   {"within_pct", 1}, {"home", 0},       {"hit_a_wall", 0}, {"refused", 0},
-                   {"wrong_axis", 0}, {"median_mm", 1},  {"worst_mm", 1},  {"nees", 2}};
+  table.columns = {{"what", 0},       {"amount", 0},    {"scheme", 0},     {"runs", 0},
+                   {"within_pct", 1}, {"home", 0},      {"hit_a_wall", 0}, {"refused", 0},
+                   {"wrong_axis", 0}, {"median_mm", 1}, {"worst_mm", 1},   {"nees", 2}};
   for (const WrongRuns& run : runs) {
     Tally tally(run.results);
     const auto count = static_cast<double>(run.results.size());
-    const double worst =
-        tally.deviations.empty() ? std::nan("") : *std::max_element(tally.deviations.begin(), tally.deviations.end());
+    const double worst = tally.deviations.empty()
+                             ? std::nan("")
+                             : *std::max_element(tally.deviations.begin(), tally.deviations.end());
     table.rows.push_back({run.wrong.what, run.wrong.amount, std::string(nameOf(run.scheme)), count,
-                          100 * tally.inside / count, tally.home, tally.wall, tally.refused,
-                          tally.wrong_axis, 1e3 * quantile(tally.deviations, 0.5), 1e3 * worst,
-                          mean(tally.squared_errors)});
+                          100 * tally.inside / count, tally.home, tally.wall, tally.refused, tally.wrong_axis,
+                          1e3 * quantile(tally.deviations, 0.5), 1e3 * worst, mean(tally.squared_errors)});
   }
   return table;
 }

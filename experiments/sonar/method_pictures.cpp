@@ -24,8 +24,8 @@ constexpr double kFarAway = std::numeric_limits<double>::infinity();
 constexpr int kSectors = 36;
 constexpr double kRange = 1.5, kSecurity = 0.8;
 constexpr AvoidanceRanges kTableRanges{0.3, 0.6};
-constexpr double kSide = 0.311;        // [m] of the square whose circumradius is the paper's 0.22 m
-constexpr double kArrow = 0.75;   // [m] of a direction as drawn
+constexpr double kSide = 0.311;  // [m] of the square whose circumradius is the paper's 0.22 m
+constexpr double kArrow = 0.75;  // [m] of a direction as drawn
 
 /// What a picture shows: a floor [m], and where the robot is on it.
 struct Frame {
@@ -156,7 +156,8 @@ ReportScene walkingArea() {
     still.direction("its direction", areaDirection(seen.view, area));
   }
   return still.finished(
-      "Rings: gaps, where the range jumps by more than the robot's diameter. The area is the region next to the "
+      "Rings: gaps, where the range jumps by more than the robot's diameter. The area is the region next to "
+      "the "
       "goal through which the robot fits: from its nearest sector S_rd to its farthest S_od.");
 }
 
@@ -174,9 +175,10 @@ ReportScene lowSafety(const char* name, const char* title, std::vector<DiscObsta
   still.direction("S_theta, the direction driven", motion.direction);
   const char* situation = motion.situation == NearnessSituation::kLs2 ? "LS2, obstacles on both sides"
                                                                       : "LS1, obstacles on one side";
-  return still.finished(fmt::format(
-      "Ring: the security zone of 0.8 m about the robot. Situation {} of the way; it turns by {:.0f} degrees.",
-      situation, math::wrapAngle(motion.direction - wanted) * 180 / math::kPi));
+  return still.finished(
+      fmt::format("Ring: the security zone of 0.8 m about the robot. Situation {} of the way; it turns by "
+                  "{:.0f} degrees.",
+                  situation, math::wrapAngle(motion.direction - wanted) * 180 / math::kPi));
 }
 
 /// What one of the paper's sonars hears in a picture.
@@ -219,9 +221,11 @@ std::vector<Vec2> echoesOf(const std::vector<Heard>& all) {
 
 /// A board across the way.
 std::vector<DiscObstacle> obstacleAhead() {
-  std::vector<DiscObstacle> discs;
-  for (int i = 0; i < 5; ++i) discs.push_back({{0.95, -0.14 + 0.1 * i}, 0.06});
-  return discs;
+  return {{{0.95, -0.14}, 0.06},
+          {{0.95, -0.04}, 0.06},
+          {{0.95, 0.06}, 0.06},
+          {{0.95, 0.16}, 0.06},
+          {{0.95, 0.26}, 0.06}};
 }
 
 ReportScene occupancyBoxes() {
@@ -239,7 +243,8 @@ ReportScene occupancyBoxes() {
     still.text(section->centre() + Vec2{-0.08, 0.0}, "C");
   }
   return still.finished(
-      "Boxes of 50 mm x 1.5 m ahead of the robot. Small rings: echoes, on the axes of the sonars that hear. The "
+      "Boxes of 50 mm x 1.5 m ahead of the robot. Small rings: echoes, on the axes of the sonars that hear. "
+      "The "
       "section runs between the outermost occupied boxes; C is its middle.");
 }
 
@@ -261,7 +266,8 @@ ReportScene limitCycle() {
     still.path(clockwise ? "clockwise" : "counter-clockwise", std::move(points), !clockwise);
   }
   return still.finished(
-      "Ring: the orbit about the section's middle, with half its length and the robot's radius. The robot goes "
+      "Ring: the orbit about the section's middle, with half its length and the robot's radius. The robot "
+      "goes "
       "to the side on which its sonars hear more room.");
 }
 
@@ -281,11 +287,12 @@ ReportScene avoidance(const char* name, const char* title, double distance) {
   const auto direction = avoidanceDirection(ranges, goal, kTableRanges);
   still.direction("toward the goal", goal, true);
   if (direction) still.direction("direction of the table", *direction);
-  return still.finished(fmt::format(
-      "Sonar {} hears the least range, S = {:.2f} m; I1 = {:.1f} m, I2 = {:.1f} m. {}", nearest,
-      ranges[nearest], kTableRanges.near, kTableRanges.far,
-      ranges[nearest] <= kTableRanges.near ? "The nearer, the farther the robot turns away, whatever the goal."
-                                           : "The direction lies between the table's and the goal's."));
+  return still.finished(
+      fmt::format("Sonar {} hears the least range, S = {:.2f} m; I1 = {:.1f} m, I2 = {:.1f} m. {}", nearest,
+                  ranges[nearest], kTableRanges.near, kTableRanges.far,
+                  ranges[nearest] <= kTableRanges.near
+                      ? "The nearer, the farther the robot turns away, whatever the goal."
+                      : "The direction lies between the table's and the goal's."));
 }
 
 }  // namespace

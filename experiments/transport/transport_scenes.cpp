@@ -70,8 +70,9 @@ ReportScene planScene(const std::string& name, const std::string& title, const T
   ReportScene scene = sceneOf(name, task, world, kRobotShare * task.rod);
   scene.page.title =
       fmt::format("{}: {} parts, {} exchanges of roles", title, task.path.size(), work.switches.size());
-  scene.caption = fmt::format("{:.1f} m of path in {:.0f} s; the rod has {:.0f} cm. Robots are points on the path.",
-                              task.path.length(), work.seconds, inCm(task.rod));
+  scene.caption =
+      fmt::format("{:.1f} m of path in {:.0f} s; the rod has {:.0f} cm. Robots are points on the path.",
+                  task.path.length(), work.seconds, inCm(task.rod));
   scene.page.rate = kRate;
   scene.roles.names = {"master", "slave", "rod"};
   scene.first_trail = scene.page.bodies.size();  // the robots' trails are the path
@@ -94,7 +95,8 @@ ReportScene planScene(const std::string& name, const std::string& title, const T
 void showSteps(const Carrying& work, ReportScene& scene) {
   for (const PaperStep& step : paperSteps(phasesOf(work), work.seconds))
     scene.moments.push_back({rowAt(scene, step.time), fmt::format("{}", step.number)});
-  scene.caption += " Steps 1 to 8 go the ways of Table 1 and Fig. 8, roles are ours; the last place is the end.";
+  scene.caption +=
+      " Steps 1 to 8 go the ways of Table 1 and Fig. 8, roles are ours; the last place is the end.";
 }
 
 void showEvery(double every, ReportScene& scene) {
