@@ -18,9 +18,7 @@ const ScenePath* pathOf(const ReportScene& scene, const std::string& label) {
 }
 
 /// The direction [rad] of a drawn arrow.
-double bearingOf(const ScenePath& arrow) {
-  return math::angleOf(arrow.points.back() - arrow.points.front());
-}
+double bearingOf(const ScenePath& arrow) { return math::angleOf(arrow.points.back() - arrow.points.front()); }
 
 }  // namespace
 
@@ -40,7 +38,8 @@ TEST_CASE("the figures of the method are drawn by its parts, one still picture e
   CHECK(pathOf(pictures[4], "clockwise") != nullptr);
   // Up to I1 the robot turns away from what is on its left; beyond, goal and table are averaged.
   for (const std::size_t i : {5U, 6U}) {
-    const ScenePath *goal = pathOf(pictures[i], "toward the goal"), *way = pathOf(pictures[i], "direction of the table");
+    const ScenePath *goal = pathOf(pictures[i], "toward the goal"),
+                    *way = pathOf(pictures[i], "direction of the table");
     REQUIRE(goal);
     REQUIRE(way);
     CHECK(bearingOf(*way) < bearingOf(*goal));
@@ -54,9 +53,9 @@ TEST_CASE("a scene of the hybrid shows the cones that its caption promises, and 
   CHECK(scene->caption.find("A gap") == std::string::npos);
   REQUIRE(scene->moments.size() == 1);
   const Tick shown = scene->page.rows[scene->moments.front().row].tick;
-  const auto cones = std::count_if(scene->page.drawings.begin(), scene->page.drawings.end(), [&](const auto& d) {
-    return d.tick <= shown && d.tick > shown - scene->page.drawing_ticks;
-  });
+  const auto cones = std::count_if(
+      scene->page.drawings.begin(), scene->page.drawings.end(),
+      [&](const auto& d) { return d.tick <= shown && d.tick > shown - scene->page.drawing_ticks; });
   CHECK(cones >= 3);  // lines of at least one cone
 }
 
