@@ -95,15 +95,18 @@ Result<void> writePictures(const ExperimentReport& report, Folder& folder) {
   for (const ReportScene& scene : report.scenes) {
     const ScenePicture picture(scene, kPictureWidth);
     if (auto written = folder.write(scene.name + ".png", picture.drawWhole()); !written) return written;
+    if (scene.isStill()) continue;
     if (auto written = folder.write(scene.name + ".gif", sceneGif(scene)); !written) return written;
   }
   return {};
 }
 
 Result<void> writePage(const ExperimentReport& report, Folder& folder) {
-  if (report.scenes.empty()) return {};
   Page page{PageKind::kRaces, report.title, {}};
-  for (const ReportScene& scene : report.scenes) page.scenes.push_back(scene.page);
+  for (const ReportScene& scene : report.scenes) {
+    if (!scene.isStill()) page.scenes.push_back(scene.page);
+  }
+  if (page.scenes.empty()) return {};
   return folder.write(report.name + ".html", htmlPage(page));
 }
 

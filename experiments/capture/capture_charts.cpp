@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "experiments/capture/capture_results.hpp"
 #include "experiments/capture/hall.hpp"
 #include "experiments/capture/paper_tables.hpp"
@@ -65,6 +67,20 @@ LineChart timeChart(const CurveTable& curves) {
   return chart;
 }
 
+LineChart radiusChart(const CaptureResults& results) {
+  LineChart chart = chartOf("Fig. 7: error of a curve over speed and radius", "", "error [m]");
+  chart.caption = fmt::format(
+      "After {:.1f} m, from where a robot without slip is. It grows with speed, and is larger on smaller "
+      "radii. The paper's figure is of another robot.",
+      kErrorWay);
+  for (const CurveError& error : results.curve_errors) {
+    const std::string label = fmt::format("radius {:g} m", error.radius);
+    if (chart.lines.empty() || chart.lines.back().label != label) chart.lines.push_back({label, {}, true});
+    chart.lines.back().points.push_back({error.speed, error.error});
+  }
+  return chart;
+}
+
 /// Speed of a trace over half a second.
 ChartLine speedLine(const char* label, const std::vector<Pose2>& trace) {
   ChartLine line;
@@ -118,7 +134,8 @@ LineChart estimateChart(const CaptureResults& results) {
 }  // namespace
 
 void addCharts(const CaptureResults& results, ExperimentReport& report) {
-  report.charts = {{"fig-17-error", errorChart(results.curves)},
+  report.charts = {{"fig-7-error", radiusChart(results)},
+                   {"fig-17-error", errorChart(results.curves)},
                    {"fig-17-distance", distanceChart(results.curves)},
                    {"fig-17-time", timeChart(results.curves)},
                    {"fig-18-speeds", captureChart(results)},

@@ -13,7 +13,8 @@ namespace capture {
 namespace {
 
 constexpr double kDegree = math::kPi / 180;
-constexpr int kDraws = 500;  // of each row of the study of estimators
+constexpr int kDraws = 500;         // of each row of the study of estimators
+constexpr std::size_t kAgain = 30;  // captures of Fig. 18, each with other errors of the sightings
 
 /// The settings as a struct of plain numbers, for the shared parser.
 struct Values {
@@ -87,8 +88,15 @@ Result<CaptureResults> resultsOf(const ExperimentRequest& request) {
   auto curves = driveCurves(results.robot, request.jobs, request.progress);
   if (!curves) return tl::unexpected<Error>(curves.error());
   results.curves = std::move(*curves);
+  auto errors = driveCurveErrors(results.robot);
+  if (!errors) return tl::unexpected<Error>(errors.error());
+  results.curve_errors = std::move(*errors);
   results.estimators = studyEstimators(request.seed, kDraws);
   if (auto driven = driveFig18(results, request.seed); !driven) return tl::unexpected<Error>(driven.error());
+  auto again = captureAgain(results.runs[kTracked].setup, kAgain, request.jobs, request.progress);
+  if (!again) return tl::unexpected<Error>(again.error());
+  std::erase_if(*again, [](const PursuitResult& run) { return !run.answer.plan; });
+  results.again = std::move(*again);
   auto random = captureAtRandom(results.robot, results.settings.gap, results.settings.noise, request.seed,
                                 results.settings.captures, request.jobs, request.progress);
   if (!random) return tl::unexpected<Error>(random.error());
@@ -104,6 +112,7 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
   report.title = "Choi & Lee (2005): capture of a moving object on curves of constant curvature";
   addFigures(*results, report);
   addTables(*results, report);
+  addChecks(*results, report);
   addCharts(*results, report);
   addScenes(*results, report);
   return report;

@@ -40,14 +40,17 @@ struct CaptureResults {
   std::uint64_t seed = 1;
   RobotModel robot;
   CurveTable curves;
+  std::vector<CurveError> curve_errors;
   std::vector<EstimatorRow> estimators;
-  std::vector<Fig18Run> runs;  ///< by Fig18Way
+  std::vector<Fig18Run> runs;        ///< by Fig18Way
+  std::vector<PursuitResult> again;  ///< kTracked with other errors of the sightings; all have a plan
   RandomCaptures random;
 };
 
 /// @{ Parts of the report.
 void addFigures(const CaptureResults& results, ExperimentReport& report);
 void addTables(const CaptureResults& results, ExperimentReport& report);
+void addChecks(const CaptureResults& results, ExperimentReport& report);  ///< tables: paper against itself
 void addCharts(const CaptureResults& results, ExperimentReport& report);
 void addScenes(const CaptureResults& results, ExperimentReport& report);
 /// @}

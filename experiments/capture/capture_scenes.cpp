@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "experiments/capture/capture_results.hpp"
+#include "experiments/capture/fig18.hpp"
 #include "experiments/capture/hall.hpp"
 #include "experiments/capture/paper_tables.hpp"
 #include "fulbito/detail/math.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::size_t kStride = 6;  // ticks between rows
 constexpr double kMargin = 0.6;     // [m] around all that is shown
+constexpr double kPoint = 0.045;    // [m] radius of a body that is shown as a point
 
 /// A body of a scene and its way.
 struct Actor {
@@ -21,6 +23,9 @@ struct Actor {
   RobotModel model;
   const std::vector<Pose2>* trace;
 };
+
+/// How bodies are shown.
+enum class Shown : std::uint8_t { kOutlines, kPoints };
 
 /// Moves everything so that its middle is the origin, and sets a field around it.
 void frame(ReportScene& scene) {
@@ -40,17 +45,24 @@ void frame(ReportScene& scene) {
   for (ScenePath& path : scene.paths) {
     for (Vec2& point : path.points) point -= middle;
   }
+  for (RecordedDrawing& drawing : scene.page.drawings) drawing.from -= middle;
   scene.page.field = hall();
   scene.page.field.length = high.x - low.x + 2 * kMargin;
   scene.page.field.width = high.y - low.y + 2 * kMargin;
 }
 
-void addActors(const std::vector<Actor>& actors, ReportScene& scene) {
-  std::size_t ticks = 0;
+PageBody bodyOf(const RobotModel& model, Shown shown) {
+  if (shown == Shown::kPoints) return {BodyKind::kRobot, {}, false, 0.0, 0.0, kPoint};
+  return {BodyKind::kRobot, {}, true, model.length, model.width, 0.0};
+}
+
+/// Until the first one's way ends, or, with `all`, the last one's.
+void addActors(const std::vector<Actor>& actors, Shown shown, bool all, ReportScene& scene) {
+  std::size_t ticks = actors.front().trace->size() - 1;
   for (const Actor& actor : actors) {
     scene.labels.push_back(actor.label);
-    scene.page.bodies.push_back({BodyKind::kRobot, {}, true, actor.model.length, actor.model.width, 0.0});
-    ticks = std::max(ticks, actor.trace->size() - 1);
+    scene.page.bodies.push_back(bodyOf(actor.model, shown));
+    if (all) ticks = std::max(ticks, actor.trace->size() - 1);
   }
   const auto row = [&](std::size_t tick) {
     PageRow at{static_cast<Tick>(tick), {}};
@@ -62,18 +74,35 @@ void addActors(const std::vector<Actor>& actors, ReportScene& scene) {
   row(ticks);
 }
 
-ReportScene sceneOf(std::string name, std::string title, std::string caption,
-                    const std::vector<Actor>& actors, std::vector<ScenePath> paths) {
+ReportScene emptyScene(std::string name, std::string title, std::string caption) {
   ReportScene scene;
   scene.name = std::move(name);
   scene.caption = std::move(caption);
   scene.page.title = std::move(title);
   scene.page.rate = hallPhysics().control_rate;
-  scene.paths = std::move(paths);
-  addActors(actors, scene);
-  frame(scene);
-  finishScene(scene);
   return scene;
+}
+
+/// The marks of the paper's figure: A, where the line begins, and B, where the last curve does.
+void markParts(const PursuitResult& run, ReportScene& scene) {
+  const auto mark = [&](const char* name, double time) {
+    const auto tick = static_cast<std::size_t>(std::lround(time * scene.page.rate));
+    RecordedDrawing ring;
+    ring.kind = RecordedDrawing::Kind::kCircle;
+    ring.from = run.robot[std::min(tick, run.robot.size() - 1)].position;
+    ring.radius = 2.2 * kPoint;
+    RecordedDrawing letter;
+    letter.kind = RecordedDrawing::Kind::kText;
+    letter.from = ring.from + Vec2{0.0, 0.16};
+    letter.text = name;
+    scene.page.drawings.push_back(ring);
+    scene.page.drawings.push_back(letter);
+  };
+  const CapturePlan& plan = run.driven;
+  const double last = plan.radius3 * std::abs(plan.turn3) / plan.motion.end().twist.linear;
+  mark("A", plan.time1);
+  mark("B", plan.motion.duration() - last);
+  scene.page.drawing_ticks = static_cast<Tick>(run.robot.size());  // all the time
 }
 
 std::vector<Vec2> points(const Arc& arc, std::vector<Vec2> path) {
@@ -89,14 +118,18 @@ ReportScene curveScene(const CaptureResults& results) {
   const Arc first{start, -1 / PaperTables::kDoubleRadius, PaperTables::kDoubleRadius * PaperTables::kTurn};
   const Arc second{endOf(first), 1 / PaperTables::kDoubleRadius,
                    PaperTables::kDoubleRadius * PaperTables::kTurn};
-  return sceneOf(
+  ReportScene scene = emptyScene(
       "fig-16", "Fig. 16: single and double curve at 0.5 m/s",
       "Both are set for the dashed curves. Slip makes every curve wider by the same length, which the "
-      "double curve has twice. Each robot drives in a world of its own.",
-      {{"single curve", results.robot, &results.curves.single[kSpeed].driven.trace},
-       {"double curve", results.robot, &results.curves.both[kSpeed].driven.trace}},
-      {{"single, without slip", points(single, {}), true},
-       {"double, without slip", points(second, points(first, {})), true}});
+      "double curve has twice. Each robot drives in a world of its own.");
+  scene.paths = {{"single, without slip", points(single, {}), true},
+                 {"double, without slip", points(second, points(first, {})), true}};
+  addActors({{"single curve", results.robot, &results.curves.single[kSpeed].driven.trace},
+             {"double curve", results.robot, &results.curves.both[kSpeed].driven.trace}},
+            Shown::kOutlines, true, scene);
+  frame(scene);
+  finishScene(scene);
+  return scene;
 }
 
 ScenePath planPath(const CapturePlan& plan) {
@@ -111,23 +144,39 @@ ScenePath planPath(const CapturePlan& plan) {
 ReportScene captureScene(const CaptureResults& results) {
   const PursuitResult& run = results.runs[kTracked].result;
   const PursuitResult& open = results.runs[kAsPlanned].result;
-  return sceneOf(
+  ReportScene scene = emptyScene(
       "fig-18", "Fig. 18: capture of a moving object",
-      "The robot tracks the plan and allows for its slip. One whose wheels only turn as planned misses. "
-      "The paper's gap is between the middles, so each body drives in a world of its own.",
-      {{"robot", results.robot, &run.robot},
-       {"object", objectModel(), &run.object},
-       {"robot, wheels as planned", results.robot, &open.robot}},
-      {planPath(run.driven)});
+      fmt::format(
+          "Middles of the bodies every 0.5 s, as in the paper. Curve to A, line to B, curve. The robot "
+          "ends {:.2f} m behind the object's middle, so each drives in a world of its own: the "
+          "bodies would overlap. One robot turns its wheels as planned only, and misses.",
+          run.gap));
+  scene.paths = {planPath(run.driven)};
+  scene.outlines_every = 0.5;
+  markParts(run, scene);
+  addActors({{"robot, tracks the plan", results.robot, &run.robot},
+             {"object", objectModel(), &run.object},
+             {"robot, wheels as planned", results.robot, &open.robot}},
+            Shown::kPoints, false, scene);
+  frame(scene);
+  finishScene(scene);
+  return scene;
 }
 
 ReportScene freeScene(const CaptureResults& results) {
   const PursuitResult& run = results.runs[kFree].result;
-  return sceneOf("fig-18-one-world", "Capture with both bodies in one world",
+  ReportScene scene =
+      emptyScene("fig-18-one-world", "Capture with both bodies in one world",
                  fmt::format("The robot ends {:.2f} m behind the object, which it must not touch on the way.",
-                             results.settings.gap),
-                 {{"robot", results.robot, &run.robot}, {"object", objectModel(), &run.object}},
-                 {planPath(run.driven)});
+                             run.gap - halfLengths(results.robot)));
+  scene.paths = {planPath(run.driven)};
+  markParts(run, scene);
+  addActors({{"robot", results.robot, &run.robot}, {"object", objectModel(), &run.object}}, Shown::kOutlines,
+            false, scene);
+  scene.labels.emplace_back();  // the plan has the same colour as in fig-18
+  frame(scene);
+  finishScene(scene);
+  return scene;
 }
 
 }  // namespace

@@ -68,6 +68,7 @@ ReportTable doubleTable(const CaptureResults& results) {
                      {"paper_radius_2_m", 2},
                      {"end_error_m", 3},
                      {"paper_error_m", 2},
+                     {"error_ratio", 2},
                      {"time_s", 2},
                      {"paper_time_s", 1},
                      {"distance_m", 3},
@@ -77,8 +78,9 @@ ReportTable doubleTable(const CaptureResults& results) {
     const CurveRow& row = results.curves.both[i];
     const PaperTables::Double& paper = PaperTables::kDouble[i];
     table.rows.push_back({PaperTables::kSpeeds[i], row.driven.radius1, paper.radius1, row.driven.radius2,
-                          paper.radius2, row.driven.end_error, paper.error, row.time(PaperTables::kSpeeds[i]),
-                          paper.time, row.driven.distance, paper.distance});
+                          paper.radius2, row.driven.end_error, paper.error,
+                          row.driven.end_error / paper.error, row.time(PaperTables::kSpeeds[i]), paper.time,
+                          row.driven.distance, paper.distance});
   }
   return table;
 }
@@ -163,23 +165,6 @@ ReportTable captureTable(const CaptureResults& results) {
   return table;
 }
 
-ReportTable planTable() {
-  ReportTable table{"plans",
-                    "Plans of Fig. 18 by the first turn: the paper gives T = 30.2 s and no gap",
-                    {{"turn_1_deg", 2}, {"time_1_s", 2}, {"top_speed_mps", 3}, {"time_s", 2}, {"gap_m", 3}},
-                    {}};
-  const CaptureLimits limits = fig18Limits();
-  const double most = limits.largestTurn(limits.least_radius1);
-  for (int i = 0; i < 4; ++i) {
-    const double turn = most * (1.0 - 0.05 * i);
-    const auto plan = capturePlan(limits, {fig18Robot(), fig18Object(), 0.0}, -1.0, limits.least_radius1,
-                                  turn, limits.least_radius3);
-    if (!plan) continue;
-    table.rows.push_back({turn / kDegree, plan->time1, plan->top_speed, plan->motion.duration(), plan->gap});
-  }
-  return table;
-}
-
 ReportTable randomTable(const CaptureResults& results) {
   ReportTable table{"random-captures",
                     "Random captures: both bodies in one world",
@@ -217,8 +202,7 @@ ReportTable refusalTable(const CaptureResults& results) {
 void addTables(const CaptureResults& results, ExperimentReport& report) {
   report.tables = {wheelTable(results),   singleTable(results), doubleTable(results),
                    startedTable(results), slipTable(),          estimatorTable(results),
-                   captureTable(results), planTable(),          randomTable(results),
-                   refusalTable(results)};
+                   captureTable(results), randomTable(results), refusalTable(results)};
 }
 
 }  // namespace fulbito::capture

@@ -30,7 +30,8 @@ class CurveDriver {
     if (stage_ == Stage::kChange) {
       // Each wheel changes by the acceleration, so their difference by twice that.
       const double step = 2.0 * setup_.acceleration * dt / (setup_.robot.axle_track * setup_.speed);
-      curvature_ = std::min(curvature_ + step, 1.0 / setup_.radius);
+      curvature_ =
+          setup_.instant_change ? 1.0 / setup_.radius : std::min(curvature_ + step, 1.0 / setup_.radius);
       if (curvature_ == 1.0 / setup_.radius) stage_ = Stage::kSecond;
     }
     return inverseKinematics(setup_.robot, {speed, speed * curvature_});

@@ -10,12 +10,13 @@ namespace fulbito::capture {
 /// One drive of Tables 5 and 6 of Choi & Lee (2005).
 struct CurveDriveSetup {
   RobotModel robot;
-  double speed = 0.1;          ///< [m/s]
-  double radius = 3.75;        ///< [m] for which the wheels are set
-  double turn = 1.913718;      ///< [rad] of each curve without slip
-  bool twice = false;          ///< a second curve to the other side follows
-  bool from_rest = false;      ///< speeds up at `acceleration` first; false: starts at speed
-  double acceleration = 0.05;  ///< [m/s^2] of the body from rest, and of each wheel between the curves
+  double speed = 0.1;           ///< [m/s]
+  double radius = 3.75;         ///< [m] for which the wheels are set
+  double turn = 1.913718;       ///< [rad] of each curve without slip
+  bool twice = false;           ///< a second curve to the other side follows
+  bool from_rest = false;       ///< speeds up at `acceleration` first; false: starts at speed
+  double acceleration = 0.05;   ///< [m/s^2] of the body from rest, and of each wheel between the curves
+  bool instant_change = false;  ///< the wheels change over between the curves within a tick
 };
 
 /// What it came to.

@@ -22,6 +22,22 @@ CaptureLimits fig18Limits() {
   return limits;
 }
 
+double fig18Turn(double top_speed) {
+  const CaptureLimits limits = fig18Limits();
+  // v = a t r / (r + b/2) and turn = a t^2 / 2 (r + b/2).
+  const double radius = limits.least_radius1, outer = radius + limits.track / 2;
+  const double time = top_speed * outer / (limits.acceleration * radius);
+  return limits.acceleration * time * time / (2 * outer);
+}
+
+std::optional<CapturePlan> fig18Plan(double turn) {
+  const CaptureLimits limits = fig18Limits();
+  return capturePlan(limits, {fig18Robot(), fig18Object(), 0.0}, -1.0, limits.least_radius1, turn,
+                     limits.least_radius3);
+}
+
+std::optional<CapturePlan> printedPlan() { return fig18Plan(fig18Turn(0.546)); }
+
 PursuitSetup fig18Setup(const RobotModel& robot, double gap, const SightingNoise& noise, std::uint64_t seed) {
   PursuitSetup setup;
   setup.robot = robot;

@@ -1,19 +1,11 @@
 #include "experiments/capture/hall.hpp"
 
+#include "experiments/papers/plain_floor.hpp"
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito::capture {
 
-FieldGeometry hall() {
-  FieldGeometry field;
-  field.name = "hall";
-  field.length = field.width = 20.0;
-  field.goal_width = field.goal_depth = field.corner = 0.0;
-  field.goal_area_width = field.goal_area_depth = field.goal_area_arc_width = field.goal_area_arc_depth = 0.0;
-  field.centre_circle_radius = field.penalty_mark = 0.0;
-  field.free_ball_mark = {};
-  return field;
-}
+FieldGeometry hall() { return plainFloor("hall", 20.0, 20.0); }
 
 PhysicsProfile hallPhysics() {
   PhysicsProfile physics;

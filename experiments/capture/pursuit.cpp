@@ -6,7 +6,6 @@
 
 #include "engine/core/models/drive_law.hpp"
 #include "experiments/capture/hall.hpp"
-#include "experiments/capture/tracker.hpp"
 #include "fulbito/detail/math.hpp"
 #include "fulbito/world.hpp"
 

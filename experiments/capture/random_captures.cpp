@@ -98,4 +98,20 @@ Result<RandomCaptures> captureAtRandom(const RobotModel& robot, double free_gap,
   return all;
 }
 
+Result<std::vector<PursuitResult>> captureAgain(const PursuitSetup& setup, std::size_t count, int jobs,
+                                                const Progress& progress) {
+  std::vector<PursuitResult> results(count);
+  WorkProgress work(progress, count);
+  const auto done = parallelFor(jobs, count, work, [&](std::size_t i) -> Result<void> {
+    PursuitSetup other = setup;
+    other.index += i;
+    auto result = pursue(other);
+    if (!result) return tl::unexpected<Error>(result.error());
+    results[i] = std::move(*result);
+    return {};
+  });
+  if (!done) return tl::unexpected<Error>(done.error());
+  return results;
+}
+
 }  // namespace fulbito::capture

@@ -48,4 +48,9 @@ PursuitSetup randomTask(const RobotModel& robot, double free_gap, const Sighting
 Result<RandomCaptures> captureAtRandom(const RobotModel& robot, double free_gap, const SightingNoise& noise,
                                        std::uint64_t seed, int count, int jobs, const Progress& progress);
 
+/// Drives the same capture again and again, each time with other errors of the sightings: `setup.index` and
+/// the numbers after it. Errors: of the world; kInterrupted.
+Result<std::vector<PursuitResult>> captureAgain(const PursuitSetup& setup, std::size_t count, int jobs,
+                                                const Progress& progress);
+
 }  // namespace fulbito::capture

@@ -42,14 +42,38 @@ SlipFit fitUndersteer(std::span<const DrivenRadius> radii) {
              [](const DrivenRadius& r) { return Eigen::Vector2d(0.0, r.commanded * r.speed * r.speed); });
 }
 
-std::vector<DrivenRadius> publishedRadii() {
+std::vector<DrivenRadius> radiiOfTable5() {
+  std::vector<DrivenRadius> radii;
+  for (std::size_t i = 0; i < PaperTables::kSpeeds.size(); ++i)
+    radii.push_back({PaperTables::kSpeeds[i], PaperTables::kSingleRadius, PaperTables::kSingle[i].radius});
+  return radii;
+}
+
+std::vector<DrivenRadius> radiiOfTable6() {
   std::vector<DrivenRadius> radii;
   for (std::size_t i = 0; i < PaperTables::kSpeeds.size(); ++i) {
-    radii.push_back({PaperTables::kSpeeds[i], PaperTables::kSingleRadius, PaperTables::kSingle[i].radius});
     radii.push_back({PaperTables::kSpeeds[i], PaperTables::kDoubleRadius, PaperTables::kDouble[i].radius1});
     radii.push_back({PaperTables::kSpeeds[i], PaperTables::kDoubleRadius, PaperTables::kDouble[i].radius2});
   }
   return radii;
+}
+
+std::vector<DrivenRadius> publishedRadii() {
+  std::vector<DrivenRadius> radii = radiiOfTable5();
+  for (const DrivenRadius& radius : radiiOfTable6()) radii.push_back(radius);
+  return radii;
+}
+
+SlipFit judgedOn(const SlipFit& law, std::span<const DrivenRadius> radii) {
+  SlipFit judged{law.tau0, law.tau1, 0.0, 0.0};
+  for (const DrivenRadius& radius : radii) {
+    const double v = radius.speed;
+    const double off = radius.driven - radius.commanded - law.tau0 * v - law.tau1 * v * v;
+    judged.rms += off * off / static_cast<double>(radii.size());
+    judged.worst = std::max(judged.worst, std::abs(off));
+  }
+  judged.rms = std::sqrt(judged.rms);
+  return judged;
 }
 
 }  // namespace fulbito::capture

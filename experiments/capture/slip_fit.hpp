@@ -27,7 +27,12 @@ SlipFit fitLinearWidening(std::span<const DrivenRadius> radii);
 /// R = R0 (1 + tau1 v^2): the understeer of a car, for comparison.
 SlipFit fitUndersteer(std::span<const DrivenRadius> radii);
 
-/// The 15 radii of Choi & Lee (2005), Tables 5 and 6.
+/// The 5 radii of Choi & Lee (2005), Table 5; the 10 of Table 6; all 15.
+std::vector<DrivenRadius> radiiOfTable5();
+std::vector<DrivenRadius> radiiOfTable6();
 std::vector<DrivenRadius> publishedRadii();
+
+/// What a law R = R0 + tau0 v + tau1 v^2 says of radii: the same `tau0` and `tau1`, with the errors there.
+SlipFit judgedOn(const SlipFit& law, std::span<const DrivenRadius> radii);
 
 }  // namespace fulbito::capture

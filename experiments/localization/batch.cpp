@@ -70,6 +70,9 @@ Result<Batch> runBatch(const BatchSize& size, std::uint64_t seed, int jobs, cons
   WorkProgress progress(watcher, work.size());
   auto done = parallelFor(jobs, work.size(), progress, [&](std::size_t i) { return run(work[i]); });
   if (!done) return tl::unexpected<Error>(done.error());
+  auto wrong = runWrongFigures(wrongCases(), size.wrong, seed, size.spread, jobs, watcher);
+  if (!wrong) return tl::unexpected<Error>(wrong.error());
+  batch.wrong = std::move(*wrong);
   return batch;
 }
 

@@ -5,6 +5,7 @@
 
 #include "engine/core/system/worker_threads.hpp"
 #include "experiments/localization/random_rooms.hpp"
+#include "experiments/localization/wrong_figures.hpp"
 
 namespace fulbito::localization {
 
@@ -23,6 +24,7 @@ struct Ground {
 struct BatchSize {
   std::size_t rooms = 200;  ///< random rooms
   std::size_t fields = 40;  ///< poses on each form of the soccer field
+  std::size_t wrong = 0;    ///< random rooms for each wrong figure; 0: none
   SensorSpread spread;
 };
 
@@ -32,6 +34,7 @@ struct Batch {
   std::vector<Ground> grounds;             ///< rooms first
   Ground example;                          ///< one run per scheme in one room, with its moments
   Ground field_example;                    ///< the same on the soccer field
+  std::vector<WrongRuns> wrong;            ///< by case and scheme; may be empty
 };
 
 /// Runs everything; the same for any number of jobs. Errors: kInterrupted.

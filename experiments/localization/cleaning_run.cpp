@@ -195,7 +195,7 @@ Result<CleaningResult> runCleaning(const CleaningTask& task, Scheme scheme, bool
   if (!rig) return tl::unexpected<Error>(rig.error());
   const Room room{task.field.length, task.field.width};
   CleaningResult result;
-  const auto fix = findStart(*rig, room);
+  const auto fix = findStart(*rig, room, task.spread.range_noise);
   if (!fix) {
     result.reason = fix.error().message;
     result.seconds = rig->seconds();
@@ -207,6 +207,7 @@ Result<CleaningResult> runCleaning(const CleaningTask& task, Scheme scheme, bool
   const CleaningRoute route = cleaningRoute(room, fix->start.pose, task.rover.margin, task.rover.spacing);
   result.route_length = lengthOf(route);
   const auto estimator = estimatorFor(scheme, task, *fix);
+  rig->setAir(task.celsius + task.warming);
   CleaningDrive drive(*rig, room, route.points, *estimator, result.echo_speed, result, with_moments);
   drive.run(rig->seconds() + kSlack * timeFor(route, task.rover.limits) + kSlackSeconds);
   return result;

@@ -27,6 +27,7 @@ struct CleaningTask {
   SensorSpread spread;    ///< as stated to the robot
   Pose2 start;            ///< room frame
   double celsius = 20.0;  ///< of the air
+  double warming = 0.0;   ///< [K] of the air when the robot begins to drive, after its first fix
   std::uint64_t seed = 1;
   std::uint64_t index = 0;
 };

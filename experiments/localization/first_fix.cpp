@@ -125,10 +125,10 @@ Result<void> align(Rig& rig, const SweepSensor& sensor, FirstFix& fix) {
 
 double meanSigma(double sigma) { return sigma / std::sqrt(static_cast<double>(kStandstillPings)); }
 
-Result<FirstFix> findStart(Rig& rig, const Room& room) {
+Result<FirstFix> findStart(Rig& rig, const Room& room, double range_noise) {
   const Rover& rover = rig.rover();
   const Body body = bodyOf(rover);
-  const double noise = std::max(kLeastNoise, rover.sonar.noise);
+  const double noise = std::max(kLeastNoise, range_noise);
   const SweepSensor sensor{rover.sonar.sonars.front().half_cone, reachOf(body, Beam::kFront),
                            kNominalEchoSpeed, noise};
   FirstFix fix;

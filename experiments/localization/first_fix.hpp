@@ -20,7 +20,8 @@ struct FirstFix {
 /// +-45 degrees, sweeps of +-40 degrees about the middle of the near-shortest echoes until it stays, a turn
 /// to the fitted perpendicular, and mean echoes at standstill. Errors: kBadInput if no wall answers, and as
 /// `locate`.
-Result<FirstFix> findStart(Rig& rig, const Room& room);
+/// @param range_noise  [m] of a range, as stated to the robot
+Result<FirstFix> findStart(Rig& rig, const Room& room, double range_noise);
 
 /// Echoes at standstill, and the deviation [m] of a mean distance for ranges of deviation `sigma`.
 inline constexpr int kStandstillPings = 20;

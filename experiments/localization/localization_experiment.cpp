@@ -40,10 +40,13 @@ Result<BatchSize> sizeOf(const ExperimentRequest& request) {
   if (!rooms) return tl::unexpected<Error>(rooms.error());
   const auto fields = numberOf(request, "fields", static_cast<double>(size.fields), {1, 10000, true});
   if (!fields) return tl::unexpected<Error>(fields.error());
+  const auto wrong = numberOf(request, "wrong", static_cast<double>(size.wrong), {0, 10000, true});
+  if (!wrong) return tl::unexpected<Error>(wrong.error());
   const auto noise = numberOf(request, "noise", size.spread.range_noise, {0.001, 0.05});
   if (!noise) return tl::unexpected<Error>(noise.error());
   size.rooms = static_cast<std::size_t>(*rooms);
   size.fields = static_cast<std::size_t>(*fields);
+  size.wrong = static_cast<std::size_t>(*wrong);
   size.spread.range_noise = *noise;
   return size;
 }
@@ -83,6 +86,7 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
   report.title = "Jeong et al.: absolute position by ultrasonic sensors and the map of a room";
   report.figures = runFigures(*batch);
   report.tables = runTables(*batch);
+  if (!batch->wrong.empty()) report.tables.push_back(wrongTable(batch->wrong));
   report.charts = runCharts(*batch);
   report.scenes.push_back(
       runScene(batch->example, Scheme::kThreshold, "room", "A cleaning robot in a room of known size"));
@@ -102,7 +106,8 @@ PaperExperiment localizationExperiment() {
           "Robot",
           {{"rooms", "200", "random rooms"},
            {"fields", "40", "starts on each form of the soccer field"},
-           {"noise", "0.008", "standard deviation of a range [m], 0.001 to 0.05"}},
+           {"noise", "0.008", "standard deviation of a range [m], 0.001 to 0.05"},
+           {"wrong", "0", "random rooms for each wrong noise figure told to the robot; 0: none"}},
           run};
 }
 

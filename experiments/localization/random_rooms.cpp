@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "experiments/localization/first_fix.hpp"
+#include "experiments/papers/plain_floor.hpp"
 
 namespace fulbito::localization {
 namespace {
@@ -32,17 +33,7 @@ void number(CleaningTask& task, std::uint64_t seed, std::uint64_t index) {
 
 }  // namespace
 
-FieldGeometry plainRoom(const Room& room) {
-  FieldGeometry field;
-  field.name = "room";
-  field.length = room.x;
-  field.width = room.y;
-  field.goal_width = field.goal_depth = field.corner = 0.0;
-  field.goal_area_width = field.goal_area_depth = field.goal_area_arc_width = field.goal_area_arc_depth = 0.0;
-  field.centre_circle_radius = field.penalty_mark = 0.0;
-  field.free_ball_mark = {};
-  return field;
-}
+FieldGeometry plainRoom(const Room& room) { return plainFloor("room", room.x, room.y); }
 
 RandomRooms randomRooms(std::size_t count, std::uint64_t seed, const SensorSpread& spread) {
   RandomRooms rooms;

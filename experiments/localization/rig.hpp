@@ -25,6 +25,8 @@ class Rig {
 
   /// Drives one tick. @return what encoders and gyro saw
   InnerMotion step(Twist wanted);
+  /// The air's temperature from now on.
+  void setAir(double celsius) { timer_ = EchoTimer(celsius); }
   /// Whether echoes are due after this tick; `ping` reads them.
   bool pingDue() const { return world_.state().tick % kTicksPerPing == 0; }
   EchoTimes ping();

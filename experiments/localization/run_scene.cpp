@@ -97,10 +97,7 @@ ReportScene runScene(const Ground& example, Scheme scheme, const std::string& na
   page.drawing_ticks = kMomentsPerRow * kTicksPerPing;
   page.bodies = {boxOf(task.rover.robot, 1.0), boxOf(task.rover.robot, kGhostSize)};
   page.seed = task.seed;
-  page.facts = {{"Robot 1", "the robot"},
-                {"Robot 2", "where it believes to be"},
-                {"Correction", std::string(nameOf(scheme))},
-                {"Ring", "around the believed place"}};
+  page.facts = {{"Correction", std::string(nameOf(scheme))}, {"Ring", "around the believed place"}};
   addRows(run, bodyOf(task.rover), frame, page);
   ScenePath path{"reference path", {}, true};
   for (const Vec2 point : run.route) path.points.push_back(frame.point(point));

@@ -76,13 +76,32 @@ struct ScenePath {
   bool dashed = false;
 };
 
+/// A moment that stands out in the picture of a whole scene.
+struct SceneMoment {
+  std::size_t row = 0;  ///< of the page
+  std::string label;    ///< in the middle of the moving bodies; may be empty
+};
+
+/// Colours of bodies that change on the way, e.g. of master and slave.
+struct SceneRoles {
+  std::vector<std::string> names;               ///< legend, in place of the bodies' labels; empty: none
+  std::vector<std::vector<std::uint8_t>> rows;  ///< per row of the page and body: index of `names`
+};
+
 /// An animated scene: NAME.png (paths of all bodies, and `paths`), NAME.gif, and one scene of the HTML page.
+/// With one row it is a still picture: NAME.png only.
 struct ReportScene {
   std::string name;
   std::string caption;  ///< one sentence or more for the picture
   PageScene page;       ///< bodies, rows and drawings; `plays` and `ticks` may be left to `finishScene`
   std::vector<ScenePath> paths;
   std::vector<std::string> labels;  ///< of the first bodies, for the legend; may be empty
+  SceneRoles roles = {};
+  std::vector<SceneMoment> moments = {};  ///< drawn in full in the picture of the whole scene
+  double outlines_every = 0.0;  ///< [s] between faint bodies on their way; 0: 24 of them; negative: none
+  std::size_t first_trail = 0;  ///< bodies before it leave no trail, e.g. since they would cover each other
+
+  bool isStill() const { return page.rows.size() == 1; }
 };
 
 /// Fills in what every scene of one play has alike: its play, its ticks, facts about robots and build.

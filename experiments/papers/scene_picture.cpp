@@ -36,14 +36,24 @@ struct Plan {
   std::vector<LegendEntry> legend;
 };
 
+/// What the bodies' colours mean: who a body is, or what its role is.
+const std::vector<std::string>& namesOf(const ReportScene& scene) {
+  return scene.roles.names.empty() ? scene.labels : scene.roles.names;
+}
+
+Colour pathColour(const ReportScene& scene, std::size_t path) {
+  return seriesColour(namesOf(scene).size() + path);
+}
+
 std::vector<LegendEntry> legendOf(const ReportScene& scene) {
   std::vector<LegendEntry> legend;
-  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
-    if (!scene.labels[i].empty()) legend.push_back({scene.labels[i], seriesColour(i), false});
+  const std::vector<std::string>& names = namesOf(scene);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!names[i].empty()) legend.push_back({names[i], seriesColour(i), false});
   }
   for (std::size_t i = 0; i < scene.paths.size(); ++i) {
     if (scene.paths[i].label.empty()) continue;
-    legend.push_back({scene.paths[i].label, seriesColour(scene.labels.size() + i), scene.paths[i].dashed});
+    legend.push_back({scene.paths[i].label, pathColour(scene, i), scene.paths[i].dashed});
   }
   return legend;
 }
@@ -73,7 +83,7 @@ Plan makePlan(const Canvas& measure, const ReportScene& scene, double width) {
 
 void drawTexts(Canvas& canvas, const Plan& plan, const ReportScene& scene, double seconds) {
   const double u = plan.unit, left = kMargin * u;
-  const std::string clock = fmt::format("{:.1f} s", seconds);
+  const std::string clock = scene.isStill() ? "" : fmt::format("{:.1f} s", seconds);
   canvas.text({plan.size.x - left, left + kTitle * u * 0.8}, clock, kText * u, theme::kDimText,
               TextAlign::kRight);
   const double room = plan.size.x - 2 * left - canvas.textWidth(clock, kText * u) - 12 * u;
@@ -95,6 +105,26 @@ void drawTexts(Canvas& canvas, const Plan& plan, const ReportScene& scene, doubl
     canvas.text({left + (kSample + 8) * u, y}, entry.text, kText * u, theme::kText);
     y += kLine * u;
   }
+}
+
+/// The longest bar of 1, 2 or 5 times a power of ten that takes at most a quarter of a length [m].
+double scaleBar(double length) {
+  double bar = 0.01;
+  for (const double step : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0}) {
+    if (step <= length / 4) bar = step;
+  }
+  return bar;
+}
+
+/// A bar with its length, below the field's right end.
+void drawScale(Canvas& canvas, const Plan& plan) {
+  const double u = plan.unit, bar = scaleBar(plan.field_size.x / plan.scale);
+  const Vec2 right = plan.field + plan.field_size + Vec2{0.0, (kMargin - 1) * u};
+  const Vec2 left = right - Vec2{bar * plan.scale, 0.0}, tick{0.0, 5 * u};
+  canvas.line(left, right, 1.6 * u, theme::kDimText);
+  for (const Vec2 end : {left, right}) canvas.line(end - tick, end + tick, 1.6 * u, theme::kDimText);
+  canvas.text(left - Vec2{8 * u, -5 * u}, fmt::format("{:g} m", bar), kText * u, theme::kDimText,
+              TextAlign::kRight);
 }
 
 /// The part of a drawing that lies on the canvas above the field.
@@ -143,7 +173,13 @@ void drawHeading(const FieldView& view, const PageBody& body, const Pose2& pose)
                    theme::kPage);
 }
 
-Colour colourOf(const ReportScene& scene, std::size_t body) {
+/// The number of a body's colour: of its role, or its own.
+std::size_t colourNumber(const ReportScene& scene, std::size_t body, std::size_t row) {
+  return scene.roles.names.empty() ? body : scene.roles.rows[row][body];
+}
+
+Colour colourOf(const ReportScene& scene, std::size_t body, std::size_t row) {
+  if (!scene.roles.names.empty()) return seriesColour(colourNumber(scene, body, row));
   return scene.page.bodies[body].kind == BodyKind::kObstacle && body >= scene.labels.size()
              ? theme::kTennisBall
              : seriesColour(body);
@@ -156,35 +192,76 @@ bool moves(const PageScene& page, std::size_t body) {
                      [&](const PageRow& row) { return distance(row.poses[body].position, first) > 1e-3; });
 }
 
-void drawTrail(const FieldView& view, const ReportScene& scene, std::size_t body, std::size_t row,
-               bool whole) {
-  const PageScene& page = scene.page;
-  const Colour colour = colourOf(scene, body);
-  std::vector<Vec2> trail;
-  trail.reserve(row + 1);
-  for (std::size_t r = 0; r <= row; ++r) trail.push_back(view.at(page.rows[r].poses[body].position));
-  if (whole) {
-    const std::size_t every = std::max<std::size_t>(1, row / kOutlines);
-    for (std::size_t r = 0; r < row; r += every) {
-      drawBody(view, page.bodies[body], page.rows[r].poses[body], withAlpha(colour, 40));
-    }
+/// Pieces in the colour that the body has there.
+void drawTrail(const FieldView& view, const ReportScene& scene, std::size_t body, std::size_t row) {
+  const std::vector<PageRow>& rows = scene.page.rows;
+  std::vector<Vec2> piece;
+  for (std::size_t r = 0; r <= row; ++r) {
+    piece.push_back(view.at(rows[r].poses[body].position));
+    if (r < row && colourNumber(scene, body, r + 1) == colourNumber(scene, body, r)) continue;
+    view.canvas.polyline(piece, kTrail * view.unit, withAlpha(colourOf(scene, body, r), 200));
+    piece.erase(piece.begin(), piece.end() - 1);
   }
-  view.canvas.polyline(trail, kTrail * view.unit, withAlpha(colour, 200));
 }
 
-void drawPaths(const FieldView& view, const ReportScene& scene) {
+/// A body on its way to `row`. Points are stronger than boxes, which cover each other.
+void drawOutlines(const FieldView& view, const ReportScene& scene, std::size_t body, std::size_t row) {
+  if (scene.outlines_every < 0.0) return;
+  const PageScene& page = scene.page;
+  const auto every = scene.outlines_every > 0.0
+                         ? static_cast<Tick>(std::lround(scene.outlines_every * page.rate))
+                         : page.rows[row].tick / kOutlines;
+  const unsigned char strength = page.bodies[body].box ? 40 : 150;
+  Tick next = 0;
+  for (std::size_t r = 0; r < row; ++r) {
+    if (page.rows[r].tick < next) continue;
+    next = page.rows[r].tick + std::max<Tick>(every, 1);
+    drawBody(view, page.bodies[body], page.rows[r].poses[body],
+             withAlpha(colourOf(scene, body, r), strength));
+  }
+}
+
+/// Dashed paths lie above the trails, which would hide them.
+void drawPaths(const FieldView& view, const ReportScene& scene, bool dashed) {
   for (std::size_t i = 0; i < scene.paths.size(); ++i) {
     const ScenePath& path = scene.paths[i];
+    if (path.dashed != dashed) continue;
     std::vector<Vec2> pixels;
     pixels.reserve(path.points.size());
     for (const Vec2 point : path.points) pixels.push_back(view.at(point));
-    const Colour colour = seriesColour(scene.labels.size() + i);
+    const Colour colour = pathColour(scene, i);
     if (path.dashed) {
       drawDashed(view.canvas, pixels, {9 * view.unit, 5 * view.unit}, 1.8 * view.unit, colour);
     } else {
       view.canvas.polyline(pixels, 1.8 * view.unit, colour);
     }
   }
+}
+
+void drawBodies(const FieldView& view, const ReportScene& scene, std::size_t row) {
+  const PageScene& page = scene.page;
+  for (std::size_t i = 0; i < page.bodies.size(); ++i) {
+    drawBody(view, page.bodies[i], page.rows[row].poses[i], colourOf(scene, i, row));
+    drawHeading(view, page.bodies[i], page.rows[row].poses[i]);
+  }
+}
+
+/// The middle of all bodies that move.
+Vec2 middleOf(const PageScene& page, std::size_t row) {
+  Vec2 sum;
+  double count = 0.0;
+  for (std::size_t i = 0; i < page.bodies.size(); ++i) {
+    if (moves(page, i)) sum += page.rows[row].poses[i].position, count += 1.0;
+  }
+  return count > 0.0 ? sum / count : sum;
+}
+
+void drawLabel(const FieldView& view, const ReportScene& scene, const SceneMoment& moment) {
+  if (moment.label.empty()) return;
+  const double u = view.unit, radius = 10 * u;
+  const Vec2 at = view.at(middleOf(scene.page, moment.row));
+  view.canvas.fillCircle(at, radius, theme::kPage);
+  view.canvas.text(at + Vec2{0.0, 0.45 * radius}, moment.label, 13 * u, theme::kText, TextAlign::kCentre);
 }
 
 /// Hides what was drawn beyond the walls.
@@ -211,16 +288,24 @@ Result<Canvas> ScenePicture::draw(std::size_t row, bool whole) const {
   const PageScene& page = scene_->page;
   const FieldView view{*canvas, plan.field + plan.field_size / 2, plan.scale, plan.unit};
   drawField(view, page.field);
-  drawPaths(view, *scene_);
+  drawPaths(view, *scene_, false);
   for (std::size_t i = 0; i < page.bodies.size(); ++i) {
-    if (moves(page, i)) drawTrail(view, *scene_, i, row, whole);
+    if (!moves(page, i)) continue;
+    if (whole) drawOutlines(view, *scene_, i, row);
+    if (i >= scene_->first_trail) drawTrail(view, *scene_, i, row);
   }
-  drawDrawings(view, page, page.rows[row].tick);
-  for (std::size_t i = 0; i < page.bodies.size(); ++i) {
-    drawBody(view, page.bodies[i], page.rows[row].poses[i], colourOf(*scene_, i));
-    drawHeading(view, page.bodies[i], page.rows[row].poses[i]);
+  drawPaths(view, *scene_, true);
+  if (whole) {
+    for (const SceneMoment& moment : scene_->moments) {
+      drawDrawings(view, page, page.rows[moment.row].tick);
+      drawBodies(view, *scene_, moment.row);
+    }
+    for (const SceneMoment& moment : scene_->moments) drawLabel(view, *scene_, moment);
   }
+  if (!whole || scene_->moments.empty()) drawDrawings(view, page, page.rows[row].tick);
+  drawBodies(view, *scene_, row);
   clearMargins(*canvas, plan);
+  drawScale(*canvas, plan);
   drawTexts(*canvas, plan, *scene_, static_cast<double>(page.rows[row].tick) / page.rate);
   return canvas;
 }

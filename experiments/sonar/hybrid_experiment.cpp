@@ -2,6 +2,7 @@
 
 #include "experiments/sonar/hybrid_figures.hpp"
 #include "experiments/sonar/hybrid_scenes.hpp"
+#include "experiments/sonar/method_pictures.hpp"
 #include "experiments/trials/suite_layouts.hpp"
 #include "navigation/interface/parameters.hpp"
 
@@ -35,6 +36,7 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
                          request.seed, 0, false);
   if (!gap) return tl::unexpected<Error>(gap.error());
   report.scenes = {std::move(*fig8), std::move(*gap)};
+  for (ReportScene& picture : methodPictures()) report.scenes.push_back(std::move(picture));
   return report;
 }
 

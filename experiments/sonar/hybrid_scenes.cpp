@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "experiments/trials/sonar_sight.hpp"
 #include "fulbito/detail/math.hpp"
 #include "fulbito/world.hpp"
@@ -10,8 +12,9 @@ namespace fulbito::sonar {
 namespace {
 
 constexpr Tick kMostTicks = 60 * 25;
-constexpr Tick kRowTicks = 2;      // ticks between rows: 30 Hz
-constexpr Tick kDrawingTicks = 6;  // ticks between drawn cones
+constexpr Tick kRowTicks = 2;        // ticks between rows: 30 Hz
+constexpr Tick kDrawingTicks = 6;    // ticks between drawn cones
+constexpr double kShownRoom = 0.15;  // [m] from an obstacle, where the picture shows the cones
 
 /// One robot's way, tick by tick, and what its sonars heard.
 struct Drive {
@@ -94,6 +97,19 @@ void addCones(const Drive& way, PageScene& page) {
   }
 }
 
+/// The first row in which the first body is within `room` [m] of an obstacle's rim; the last one if it never
+/// is.
+std::size_t firstRowNear(const PageScene& page, double room) {
+  for (std::size_t row = 0; row < page.rows.size(); ++row) {
+    const std::vector<Pose2>& poses = page.rows[row].poses;
+    for (std::size_t i = 1; i < page.bodies.size(); ++i) {
+      if (page.bodies[i].kind != BodyKind::kObstacle) continue;
+      if (distance(poses[0].position, poses[i].position) - page.bodies[i].radius < room) return row;
+    }
+  }
+  return page.rows.size() - 1;
+}
+
 }  // namespace
 
 Result<ReportScene> hybridScene(const std::string& name, const std::string& title, const Layout& layout,
@@ -111,7 +127,9 @@ Result<ReportScene> hybridScene(const std::string& name, const std::string& titl
   }
   ReportScene scene;
   scene.name = name;
-  scene.caption = title + ". The cones show what the sonars of the first robot hear.";
+  scene.caption =
+      fmt::format("The cones show what the sonars of the first robot hear {:.0f} mm from the next obstacle.",
+                  1e3 * kShownRoom);
   scene.labels = {"hybrid"};
   if (with_rival) scene.labels.emplace_back("hybrid-without-nd");
   scene.page.title = title;
@@ -122,6 +140,7 @@ Result<ReportScene> hybridScene(const std::string& name, const std::string& titl
   addBodies(shown, drives.size(), scene.page);
   addRows(shown, drives, scene.page);
   addCones(drives.front(), scene.page);
+  scene.moments = {{firstRowNear(scene.page, kShownRoom), ""}};
   finishScene(scene);
   return scene;
 }

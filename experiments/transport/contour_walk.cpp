@@ -10,7 +10,7 @@ namespace fulbito {
 namespace {
 
 /// Sides of a cell: at smaller and larger coordinates of the lead, then of the follower.
-enum Side : int { kLeadLow, kLeadHigh, kFollowerLow, kFollowerHigh };
+enum CellSide : int { kLeadLow, kLeadHigh, kFollowerLow, kFollowerHigh };
 
 struct Cell {
   std::int64_t lead = 0;

@@ -53,4 +53,12 @@ double PartPath::nearest(Vec2 point) const {
   return best;
 }
 
+std::vector<Vec2> pointsAlong(const PartPath& path, double stride, Vec2 origin) {
+  const double count = std::ceil(path.length() / stride);
+  std::vector<Vec2> points;
+  for (double i = 0.0; i <= count; i += 1.0)
+    points.push_back(path.pose(path.length() * i / count).position - origin);
+  return points;
+}
+
 }  // namespace fulbito

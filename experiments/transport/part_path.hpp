@@ -35,6 +35,9 @@ class PartPath {
   std::vector<double> from_{0.0};
 };
 
+/// Points along a path, at most `stride` [m] apart, in a frame whose origin is at `origin`.
+std::vector<Vec2> pointsAlong(const PartPath& path, double stride, Vec2 origin = {});
+
 /// Distance along `arc` of its point nearest to `point`, in [0, length].
 double nearestOn(const Arc& arc, Vec2 point);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/papers/plain_floor.hpp"
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito {
@@ -118,14 +119,7 @@ RodWorld rodWorldFor(const TransportTask& task) {
   }
   RodWorld world;
   world.centre = (low + high) / 2;
-  world.field.name = "floor";
-  world.field.length = high.x - low.x + 2 * kRoom;
-  world.field.width = high.y - low.y + 2 * kRoom;
-  world.field.goal_width = world.field.goal_depth = world.field.corner = 0.0;
-  world.field.goal_area_width = world.field.goal_area_depth = 0.0;
-  world.field.goal_area_arc_width = world.field.goal_area_arc_depth = 0.0;
-  world.field.centre_circle_radius = world.field.penalty_mark = 0.0;
-  world.field.free_ball_mark = {};
+  world.field = plainFloor("floor", high.x - low.x + 2 * kRoom, high.y - low.y + 2 * kRoom);
   RobotModel& robot = world.robot;
   robot.name = "carrier";
   robot.length = robot.width = 0.20;

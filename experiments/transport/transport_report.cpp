@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "experiments/transport/path_fit.hpp"
+#include "experiments/transport/phases.hpp"
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito {
@@ -35,51 +36,14 @@ const char* endName(StopReason reason) {
   return "";
 }
 
-/// A stretch of time in which roles and directions stay.
-struct Phase {
-  double from = 0.0;
-  CarrierId master = CarrierId::kLead;
-  bool lead_back = false;
-  bool follower_back = false;
-
-  bool same(const Phase& o) const {
-    return master == o.master && lead_back == o.lead_back && follower_back == o.follower_back;
+/// The numbers of the paper's steps that are in each phase, or "-".
+std::vector<std::string> stepNames(const std::vector<Phase>& phases, double end) {
+  std::vector<std::string> names(phases.size(), "-");
+  for (const PaperStep& step : paperSteps(phases, end)) {
+    std::string& name = names[step.phase];
+    name = name == "-" ? fmt::format("{}", step.number) : fmt::format("{}, {}", name, step.number);
   }
-};
-
-std::vector<Phase> phasesOf(const Carrying& work) {
-  std::vector<Phase> phases;
-  for (const CarryRow& row : work.rows) {
-    const Phase phase{row.time, row.master, row.lead_speed < 0.0, row.follower_speed < 0.0};
-    if (phases.empty() || !phases.back().same(phase)) phases.push_back(phase);
-  }
-  return phases;
-}
-
-/// The rows of Table 1: their numbers, roles and directions.
-struct PaperPhase {
-  const char* steps;
-  CarrierId master;
-  bool lead_back;
-  bool follower_back;
-};
-
-constexpr PaperPhase kTable1[] = {{"1, 2", CarrierId::kLead, false, false},
-                                  {"3", CarrierId::kLead, false, true},
-                                  {"4", CarrierId::kLead, false, false},
-                                  {"5 to 8", CarrierId::kFollower, true, false}};
-
-// The paper's rows in the order of our phases; rows that a phase does not match are not used up.
-std::vector<std::string> paperSteps(const std::vector<Phase>& phases) {
-  std::vector<std::string> steps(phases.size(), "-");
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < phases.size() && next < std::size(kTable1); ++i) {
-    const PaperPhase& row = kTable1[next];
-    if (!phases[i].same({0.0, row.master, row.lead_back, row.follower_back})) continue;
-    steps[i] = row.steps;
-    ++next;
-  }
-  return steps;
+  return names;
 }
 
 // Numbers of exchanges that are too near to each other stand together.
@@ -103,48 +67,6 @@ std::vector<ChartMark> marksOf(const Carrying& work) {
 }
 
 std::string roleOf(CarrierId id, CarrierId master) { return id == master ? "master" : "slave"; }
-
-std::vector<Vec2> pointsOf(const PartPath& path, double stride, Vec2 centre) {
-  std::vector<Vec2> points;
-  const auto count = static_cast<std::size_t>(std::ceil(path.length() / stride));
-  for (std::size_t i = 0; i <= count; ++i)
-    points.push_back(path.pose(path.length() * countOf(i) / countOf(count)).position - centre);
-  return points;
-}
-
-PageBody box(BodyKind kind, double length, double width) {
-  PageBody body;
-  body.kind = kind;
-  body.box = true;
-  body.length = length;
-  body.width = width;
-  return body;
-}
-
-constexpr double kRodWidth = 0.03;  // [m] as drawn
-
-ReportScene sceneOf(const std::string& name, const TransportTask& task, const RodWorld& world,
-                    double robot_length) {
-  ReportScene scene;
-  scene.name = name;
-  scene.page.field = world.field;
-  scene.page.bodies = {box(BodyKind::kRobot, robot_length, robot_length),
-                       box(BodyKind::kRobot, robot_length, robot_length),
-                       box(BodyKind::kObstacle, task.rod, kRodWidth)};
-  scene.labels = {"leading robot", "following robot", "middle of the rod"};
-  constexpr double kStride = 0.01;  // [m]
-  scene.paths.push_back({"path", pointsOf(task.path, kStride, world.centre), true});
-  return scene;
-}
-
-Pose2 moved(Pose2 pose, Vec2 by) {
-  pose.position += by;
-  return pose;
-}
-
-Pose2 rodBetween(const Pose2& lead, const Pose2& follower) {
-  return {(lead.position + follower.position) / 2, math::angleOf(lead.position - follower.position)};
-}
 
 std::vector<Vec2> sineWave() {
   std::vector<Vec2> points;
@@ -209,7 +131,7 @@ ReportTable phaseTable(const Carrying& work) {
                      {"follower_direction"}},
                     {}};
   const std::vector<Phase> phases = phasesOf(work);
-  const std::vector<std::string> steps = paperSteps(phases);
+  const std::vector<std::string> steps = stepNames(phases, work.seconds);
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const Phase& phase = phases[i];
     table.rows.push_back({phase.from, steps[i], roleOf(CarrierId::kLead, phase.master),
@@ -253,6 +175,31 @@ ReportTable stepTable(const std::vector<StepErrors>& steps) {
     table.rows.push_back({e.step, mm(e.euler.rod_error), mm(e.projected.rod_error),
                           countOf(e.projected.switches.size()), e.projected.seconds,
                           cm(e.projected.peak_speed)});
+  return table;
+}
+
+ReportTable printedTable(const TransportTask& task, const std::vector<PrintedRun>& printed,
+                         const Carrying& ours, double step) {
+  ReportTable table{
+      "fig-10-printed",
+      "The path of 43 parts by the printed rules, and by a master that slows down in an impasse",
+      {{"rules"},
+       {"projection"},
+       {"step_s", 2},
+       {"result"},
+       {"time_s", 1},
+       {"lead_m", 2},
+       {"path_m", 2},
+       {"exchanges", 0},
+       {"rod_error_mm", 3}},
+      {}};
+  const auto add = [&](const char* rules, bool project, double length, const Carrying& work) {
+    table.rows.push_back({std::string(rules), std::string(project ? "yes" : "no"), length,
+                          std::string(endName(work.end)), work.seconds, work.lead, task.path.length(),
+                          countOf(work.switches.size()), mm(work.rod_error)});
+  };
+  for (const PrintedRun& run : printed) add("as printed", run.project, run.step, run.work);
+  add("ours", true, step, ours);
   return table;
 }
 
@@ -333,7 +280,7 @@ ReportTable fitTable() {
                     "Polylines as lines and arcs, within 5 mm",
                     {{"polyline"}, {"points", 0}, {"parts", 0}, {"length_m", 3}, {"distance_mm", 3}},
                     {}};
-  table.rows.push_back(fitRow("S path, every 2 cm", pointsOf(s_path, 0.02, {})));
+  table.rows.push_back(fitRow("S path, every 2 cm", pointsAlong(s_path, 0.02)));
   table.rows.push_back(fitRow("sine wave of 0.3 m, every 2 cm", sineWave()));
   table.rows.push_back(fitRow("spiral, every 0.1 rad", spiral()));
   table.rows.push_back(fitRow("zigzag with five corners", zigzag()));
@@ -412,47 +359,6 @@ ReportChart forceChart(const std::vector<RealRun>& runs) {
     chart.lines.push_back(std::move(line));
   }
   return {"rod-force", chart};
-}
-
-ReportScene planScene(const std::string& name, const std::string& title, const TransportTask& task,
-                      const Carrying& work) {
-  constexpr double kRate = 10.0;       // [Hz]
-  constexpr Tick kEvery = 5;           // ticks between rows
-  constexpr double kRobotShare = 0.2;  // of the rod, as drawn: the robots are points
-  const RodWorld world = rodWorldFor(task);
-  ReportScene scene = sceneOf(name, task, world, kRobotShare * task.rod);
-  scene.page.title =
-      fmt::format("{}: {} parts, {} exchanges of roles", title, task.path.size(), work.switches.size());
-  scene.caption = fmt::format("{:.1f} m of path in {:.0f} s; the rod has {:.0f} cm.", task.path.length(),
-                              work.seconds, cm(task.rod));
-  scene.page.rate = kRate;
-  const auto references = referencesOf(task, work, static_cast<double>(kEvery) / kRate);
-  for (const RodReference& r : references) {
-    const Pose2 lead = moved(task.path.pose(r.lead.place.part, r.lead.place.q), -world.centre);
-    const Pose2 follower = moved(task.path.pose(r.follower.place.part, r.follower.place.q), -world.centre);
-    const auto tick = static_cast<Tick>(scene.page.rows.size()) * kEvery;
-    scene.page.rows.push_back({tick, {lead, follower, rodBetween(lead, follower)}});
-  }
-  finishScene(scene);
-  return scene;
-}
-
-ReportScene realScene(const std::string& name, const PathWork& work, const RealRun& run) {
-  constexpr std::size_t kEvery = 12;  // ticks between rows
-  ReportScene scene = sceneOf(name, work.task, work.world, work.world.robot.length);
-  scene.page.title = fmt::format("A real rod at up to {:.0f} cm/s", cm(run.pace));
-  scene.caption = fmt::format(
-      "The rod of 1 kg pulls with at most {:.2f} N; the robots stay within {:.1f} mm of the path.",
-      run.drive.peak_force, mm(run.drive.path_error));
-  scene.page.rate = work.world.physics.control_rate;
-  for (std::size_t i = 0; i < run.drive.frames.size(); i += kEvery) {
-    const RodFrame& f = run.drive.frames[i];
-    const Vec2 shift = -work.world.centre;
-    scene.page.rows.push_back(
-        {static_cast<Tick>(i), {moved(f.lead, shift), moved(f.follower, shift), moved(f.rod, shift)}});
-  }
-  finishScene(scene);
-  return scene;
 }
 
 }  // namespace fulbito

@@ -205,6 +205,23 @@ Result<std::vector<RandomRun>> randomRuns(const ExperimentRequest& request, std:
   return runs;
 }
 
+Result<std::vector<PrintedRun>> printedRuns(const TransportTask& task, const ExperimentRequest& request) {
+  std::vector<PrintedRun> runs;
+  for (const double step : {0.01, 0.05, 0.1}) {
+    for (const bool project : {false, true}) runs.push_back({step, project, {}});
+  }
+  WorkProgress progress(request.progress, runs.size());
+  auto done = parallelFor(request.jobs, runs.size(), progress, [&](std::size_t i) {
+    CarryPlan plan;
+    plan.step = runs[i].step;
+    plan.habits = {runs[i].project, false};
+    runs[i].work = carry(task, plan);
+    return Result<void>{};
+  });
+  if (!done) return tl::unexpected<Error>(done.error());
+  return runs;
+}
+
 std::vector<RodReference> referencesOf(const TransportTask& task, const Carrying& work, double tick) {
   std::vector<RodReference> references;
   const auto ticks = static_cast<std::size_t>(std::ceil(work.seconds / tick));

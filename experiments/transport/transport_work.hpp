@@ -32,6 +32,13 @@ struct RandomRun {
   bool right() const;
 };
 
+/// One run by the printed rules: a master that never slows down, without or with projection.
+struct PrintedRun {
+  double step = 0.0;  ///< [s]
+  bool project = false;
+  Carrying work;
+};
+
 /// One radio.
 struct RadioRun {
   std::string name;
@@ -70,6 +77,9 @@ Result<TransportSettings> transportSettings(const ExperimentRequest& request);
 /// Runs all of one path. Errors: kBadInput with the reason why the path is refused; kInterrupted.
 Result<PathWork> workOn(const TransportTask& task, const TransportSettings& settings,
                         const ExperimentRequest& request);
+
+/// The printed rules on a path, at several steps, without and with projection. Errors: kInterrupted.
+Result<std::vector<PrintedRun>> printedRuns(const TransportTask& task, const ExperimentRequest& request);
 
 /// `count` random paths of the request's seed. Errors: kInterrupted.
 Result<std::vector<RandomRun>> randomRuns(const ExperimentRequest& request, std::size_t count);

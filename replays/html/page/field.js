@@ -41,8 +41,11 @@ function paintField(ctx, view, field) {
   ctx.clip();
   ctx.strokeStyle = colours.line;
   ctx.lineWidth = Math.max(1, 0.005 * view.scale);
-  line(ctx, view, [[0, field.width], [0, -field.width]]);
-  ctx.stroke();
+  // A field without goals and circle is a room, which has no lines.
+  if (field.goalDepth || field.circle) {
+    line(ctx, view, [[0, field.width], [0, -field.width]]);
+    ctx.stroke();
+  }
   if (field.circle) {
     ctx.beginPath();
     ctx.arc(view.x(0), view.y(0), field.circle * view.scale, 0, 7);

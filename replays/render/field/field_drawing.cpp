@@ -137,6 +137,8 @@ FieldColours defaultFieldColours() {
   return {theme::kWall, theme::kFloor, goal, goal, theme::kFieldLine};
 }
 
+bool isPitch(const FieldGeometry& field) { return field.hasGoals() || field.centre_circle_radius > 0.0; }
+
 void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
   const double x = field.length / 2, y = field.width / 2, wall = kDrawnWall;
   const double g = field.goal_width / 2, d = field.goal_depth;
@@ -172,7 +174,7 @@ void drawFieldLines(const FieldView& view, const FieldGeometry& field, const Fie
 
 void drawField(const FieldView& view, const FieldGeometry& field, const FieldColours& colours) {
   drawFloorAndWalls(view, field, colours);
-  drawFieldLines(view, field, colours);
+  if (isPitch(field)) drawFieldLines(view, field, colours);
 }
 
 Colour obstacleColour(const ObstacleSpec& obstacle) {

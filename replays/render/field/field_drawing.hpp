@@ -16,7 +16,11 @@ inline constexpr double kDrawnWall = 0.025;
 /// Those of the pictures of trials.
 FieldColours defaultFieldColours();
 
-/// Floor, walls and lines.
+/// Whether a field is one of soccer: it has goals, or a centre circle. Rooms and halls are not, and have no
+/// lines.
+bool isPitch(const FieldGeometry& field);
+
+/// Floor, walls and, on a pitch, lines.
 void drawField(const FieldView& view, const FieldGeometry& field,
                const FieldColours& colours = defaultFieldColours());
 /// @{ The two parts of drawField.

@@ -183,7 +183,7 @@ Result<Canvas> drawHeatMap(const ReplayTimeline& timeline, const MatchPictureSpe
   const FieldView view = plan.view(*canvas);
   drawFloorAndWalls(view, spec.field, colours);
   paint(view, spec.field, grid, axis.high, heat);
-  drawFieldLines(view, spec.field, colours);
+  if (isPitch(spec.field)) drawFieldLines(view, spec.field, colours);
   drawBoard(*canvas, plan, spec, style);
   drawBoardNumbers(*canvas, plan, spec, timeline.at(choice.to), style);
   drawHeatLegend(*canvas, plan, axis, legendText(choice), heat, style);

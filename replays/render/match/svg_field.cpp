@@ -143,6 +143,7 @@ void SvgText::text(Vec2 baseline, const std::string& utf8, const TextStyle& styl
 
 void svgField(SvgText& svg, const MatchPlan& plan, const FieldGeometry& field, const FieldColours& colours) {
   svgWalls(svg, plan, field, colours);
+  if (!isPitch(field)) return;
   const LinePen pen(svg, plan, colours.line);
   const double y = field.width / 2;
   pen.through({{0.0, -y}, {0.0, y}});

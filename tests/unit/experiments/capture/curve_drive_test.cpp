@@ -116,6 +116,73 @@ TEST_CASE("the calibrated widening is the least-squares fit to Tables 5 and 6", 
   CHECK(fitUndersteer(publishedRadii()).rms > 0.28);
 }
 
+TEST_CASE("a change at once is shorter by what both wheels need to change, in time and way", "[unit]") {
+  for (const double speed : {0.25, 0.45}) {
+    CurveDriveSetup setup = setupOf(speed, true);
+    const auto gradual = driveCurve(setup);
+    setup.instant_change = true;
+    const auto instant = driveCurve(setup);
+    REQUIRE(gradual);
+    REQUIRE(instant);
+    CHECK(instant->time < gradual->time - 0.5);
+    CHECK(gradual->distance - instant->distance ==
+          Approx(speed * (gradual->time - instant->time)).epsilon(0.02));
+    CHECK(instant->radius1 == Approx(gradual->radius1).epsilon(1e-3));
+    CHECK(instant->end_error < gradual->end_error);
+  }
+}
+
+// The bands of Table 6: a radius 0.11 m larger makes the way 0.21 m longer and the end's error 0.28 m larger.
+TEST_CASE("the bands of distance and error of Table 6 follow from that of its radii", "[unit]") {
+  CurveDriveSetup setup = setupOf(0.1, true);
+  const auto driven = driveCurve(setup);
+  setup.robot.curve_widening += 0.11 / setup.speed;
+  const auto wider = driveCurve(setup);
+  REQUIRE(driven);
+  REQUIRE(wider);
+  CHECK(wider->radius1 - driven->radius1 == Approx(0.11).margin(0.002));
+  CHECK(wider->distance - driven->distance == Approx(0.21).margin(0.01));
+  CHECK(wider->end_error - driven->end_error == Approx(0.28).margin(0.01));
+}
+
+// Erratum: (t - v / 2a) v is the way of a robot at constant speed.
+TEST_CASE("times and distances agree in Table 5 and contradict each other in Table 6", "[unit]") {
+  for (std::size_t i = 0; i < PaperTables::kSpeeds.size(); ++i) {
+    const double v = PaperTables::kSpeeds[i];
+    const auto way = [&](double time) { return (time - v / 0.1) * v; };
+    CHECK(std::abs(way(PaperTables::kSingle[i].time) - PaperTables::kSingle[i].distance) < 0.08);
+    const double off = way(PaperTables::kDouble[i].time) - PaperTables::kDouble[i].distance;
+    CHECK((std::abs(off) < 0.2) == (v < 0.25));
+    if (v > 0.25) CHECK(off > 0.6);
+  }
+}
+
+TEST_CASE("a law is judged on radii that it has not seen", "[unit]") {
+  std::vector<DrivenRadius> made, unseen;
+  for (const double v : {0.15, 0.35, 0.6}) made.push_back({v, 1.0, 1.0 + 0.8 * v + 1.7 * v * v});
+  for (const double v : {0.22, 0.7}) unseen.push_back({v, 2.0, 2.0 + 0.8 * v + 1.7 * v * v});
+  const SlipFit law = fitWidening(made);
+  CHECK(judgedOn(law, unseen).worst < 1e-9);
+  unseen.push_back({0.5, 2.0, 2.0 + 0.8 * 0.5 + 1.7 * 0.25 - 0.3});
+  CHECK(judgedOn(law, unseen).worst == Approx(0.3));
+  CHECK(judgedOn(law, unseen).rms == Approx(0.3 / std::sqrt(3.0)));
+  // Judged on its own radii, a fit has the errors that it came with.
+  CHECK(judgedOn(fitWidening(radiiOfTable6()), radiiOfTable6()).worst ==
+        Approx(fitWidening(radiiOfTable6()).worst));
+}
+
+TEST_CASE("the error of a curve grows with the speed and with a smaller radius", "[unit]") {
+  const auto errors = driveCurveErrors(loadRobot("choi-lee-2005")->robot);
+  REQUIRE(errors);
+  const std::size_t speeds = PaperTables::kSpeeds.size();
+  REQUIRE(errors->size() == 4 * speeds);
+  for (std::size_t i = 0; i < errors->size(); ++i) {
+    const CurveError& error = (*errors)[i];
+    if (i % speeds > 0) CHECK(error.error > (*errors)[i - 1].error);
+    if (i >= speeds) CHECK(error.error < (*errors)[i - speeds].error);
+  }
+}
+
 TEST_CASE("a circle is fitted to points of an arc", "[unit]") {
   std::vector<Vec2> points;
   for (int i = 0; i < 20; ++i) points.push_back(Vec2{3.0, -1.0} + math::unit(0.05 * i) * 4.0);

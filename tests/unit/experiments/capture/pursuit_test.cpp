@@ -1,10 +1,10 @@
 #include "experiments/capture/pursuit.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/capture/fig18.hpp"
 #include "experiments/capture/random_captures.hpp"
-#include "experiments/capture/tracker.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 
@@ -50,6 +50,43 @@ TEST_CASE("the capture of Fig. 18 succeeds in the world", "[unit]") {
   CHECK(run->heading == Approx(40 * kDegree).margin(2 * kDegree));
   CHECK(std::abs(run->aside) < 0.05);
   CHECK(run->robot.size() == run->object.size());
+}
+
+TEST_CASE("the printed speed of Fig. 18 fixes turn, time and gap, and excludes the printed time", "[unit]") {
+  CHECK(fig18Turn(0.546) / kDegree == Approx(84.22).margin(0.01));
+  const auto printed = printedPlan();
+  REQUIRE(printed);
+  CHECK(printed->top_speed == Approx(0.546));
+  CHECK(printed->motion.duration() == Approx(27.235).margin(0.01));  // computed apart from this program
+  CHECK(printed->gap == Approx(0.153).margin(0.001));
+  // A smaller turn is slower, takes longer and ends farther behind.
+  double time = printed->motion.duration(), gap = printed->gap;
+  for (const double speed : {0.535, 0.52, 0.505}) {
+    const auto plan = fig18Plan(fig18Turn(speed));
+    REQUIRE(plan);
+    CHECK(plan->top_speed == Approx(speed));
+    CHECK(plan->motion.duration() > time + 1.0);
+    CHECK(plan->gap > gap + 0.05);
+    time = plan->motion.duration(), gap = plan->gap;
+  }
+}
+
+TEST_CASE("other errors of the sightings change the time of Fig. 18 by seconds, the gap by millimetres",
+          "[unit]") {
+  const auto runs = captureAgain(fig18Setup(paperRobot(), 0.26, kNoise, 4), 6, 1, {});
+  REQUIRE(runs);
+  REQUIRE(runs->size() == 6);
+  std::vector<double> times, gaps;
+  for (const PursuitResult& run : *runs) {
+    REQUIRE(run.answer.plan);
+    times.push_back(run.time), gaps.push_back(run.gap);
+  }
+  std::sort(times.begin(), times.end());
+  std::sort(gaps.begin(), gaps.end());
+  CHECK(times.back() - times.front() > 0.5);
+  CHECK(gaps.back() - gaps.front() < 0.03);
+  // The first is the capture itself.
+  CHECK(runs->front().time == pursue(fig18Setup(paperRobot(), 0.26, kNoise, 4))->time);
 }
 
 TEST_CASE("wheels that turn as planned follow the plan without slip and miss with it", "[unit]") {

@@ -95,6 +95,58 @@ TEST_CASE("a robot whose sensors hear nothing refuses to drive", "[unit]") {
   CHECK(run->reason == "no wall answers the front sensor in any direction");
 }
 
+TEST_CASE("what a robot is told changes what it believes, not its sensors", "[unit]") {
+  const CleaningTask task = randomRooms(1, 301, {}).tasks.front();
+  CleaningTask told = task;
+  told.spread.wheel_slip *= 3, told.spread.gyro_scale *= 3;
+  // Dead reckoning does not ask for these figures; the filter does.
+  CHECK(runCleaning(told, Scheme::kDeadReckoning)->max_deviation ==
+        runCleaning(task, Scheme::kDeadReckoning)->max_deviation);
+  CHECK_FALSE(runCleaning(told, Scheme::kEkf)->max_deviation ==
+              runCleaning(task, Scheme::kEkf)->max_deviation);
+}
+
+TEST_CASE("the first fix believes the stated noise of a range, whatever the sensor's is", "[unit]") {
+  CleaningTask task = randomRooms(1, 302, {}).tasks.front();
+  task.field = plainRoom({3.0, 3.32});
+  task.start = {{1.1, 1.2}, 0.7};
+  REQUIRE(runCleaning(task, Scheme::kEkf)->outcome == CleaningOutcome::kFinished);
+  task.spread.range_noise = 0.2;
+  const auto run = runCleaning(task, Scheme::kEkf);
+  CHECK(run->outcome == CleaningOutcome::kRefused);
+  CHECK(run->reason.find("either axis") == 0);
+}
+
+TEST_CASE("air that warms after the first fix makes echoes err", "[unit]") {
+  CleaningTask task = randomRooms(1, 303, {}).tasks.front();
+  const double before = runCleaning(task, Scheme::kThreshold)->final_error;
+  task.warming = 25.0;
+  CHECK(runCleaning(task, Scheme::kThreshold)->final_error > before + 0.02);
+}
+
+TEST_CASE("wrong figures: a row per case and scheme; the filter breaks down when told far too little noise",
+          "[unit]") {
+  std::vector<WrongCase> cases;
+  for (const WrongCase& wrong : wrongCases()) {
+    if (wrong.amount == "-" || (wrong.what == "all six told" && wrong.amount == "x 1/8"))
+      cases.push_back(wrong);
+  }
+  REQUIRE(cases.size() == 2);
+  const auto runs = runWrongFigures(cases, 2, 305, {}, 2, {});
+  REQUIRE(runs);
+  REQUIRE(runs->size() == 4);  // by case, the paper's scheme and the filter
+  const ReportTable table = wrongTable(*runs);
+  REQUIRE(table.rows.size() == 4);
+  for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
+  for (std::size_t room = 0; room < 2; ++room) {
+    CHECK((*runs)[1].results[room].inside(0.05));
+    CHECK((*runs)[1].results[room].squared_error < 20.0);
+    CHECK((*runs)[2].results[room].inside(0.05));
+    CHECK((*runs)[3].results[room].squared_error > 100.0);
+  }
+  CHECK(runWrongFigures(cases, 0, 305, {}, 1, {})->empty());
+}
+
 TEST_CASE("a start outside the room is an error", "[unit]") {
   CleaningTask task = someRooms().tasks.front();
   task.start.position = {-1.0, 1.0};
@@ -127,7 +179,9 @@ TEST_CASE("the experiment names a setting that is out of range, and stops when a
                                {"fields", "x"},
                                {"noise", "1"},
                                {"noise", "nan"},
-                               {"noise", "0.01 "}}) {
+                               {"noise", "0.01 "},
+                               {"wrong", "-1"},
+                               {"wrong", "0.5"}}) {
     ExperimentRequest request;
     request.settings = {wrong};
     const auto report = experiment.run(request);

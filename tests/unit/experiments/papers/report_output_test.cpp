@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "experiments/papers/plain_floor.hpp"
 #include "experiments/papers/scene_picture.hpp"
 #include "replays/html/html_page.hpp"
 #include "replays/render/colours/palette.hpp"
@@ -96,6 +97,48 @@ TEST_CASE("experiment scene: the body stands where its row says, the trail only 
   CHECK(pixelsOf(*first, seriesColour(1)) > 50);
   CHECK(first->width() == whole->width());
   CHECK(pixelsOf(*whole, theme::kFloor) < pixelsOf(*first, theme::kFloor));
+}
+
+TEST_CASE("experiment scene: a soccer field has lines, a floor has none") {
+  ReportScene scene = drivingScene();
+  const auto field = ScenePicture(scene, 600).draw(0);
+  scene.page.field = plainFloor("floor", 2.2, 1.1);
+  const auto floor = ScenePicture(scene, 600).draw(0);
+  REQUIRE(field);
+  REQUIRE(floor);
+  CHECK(pixelsOf(*field, theme::kFieldLine) > 500);
+  CHECK(pixelsOf(*floor, theme::kFieldLine) == 0);
+}
+
+TEST_CASE("experiment scene: a dashed path shows above the trail that covers it") {
+  ReportScene scene = drivingScene();
+  scene.page.field = plainFloor("floor", 2.0, 1.0);
+  scene.paths = {{"plan", {{-0.5, 0.0}, {0.5, 0.0}}, true}};
+  const auto whole = ScenePicture(scene, 600).drawWhole();
+  REQUIRE(whole);
+  scene.paths.front().points = {{-0.5, 0.3}, {0.5, 0.3}};
+  const auto apart = ScenePicture(scene, 600).drawWhole();
+  REQUIRE(apart);
+  // All but what the body covers at the end.
+  CHECK(pixelsOf(*whole, seriesColour(1)) > 0.7 * pixelsOf(*apart, seriesColour(1)));
+}
+
+TEST_CASE("experiment scene: moments stand out, in the colours of the roles that bodies have then") {
+  ReportScene scene = drivingScene();
+  scene.page.field = plainFloor("floor", 2.0, 1.0);
+  scene.outlines_every = -1.0;
+  scene.first_trail = 1;
+  const auto plain = ScenePicture(scene, 600).drawWhole();
+  scene.roles.names = {"master", "slave"};
+  for (std::size_t i = 0; i < scene.page.rows.size(); ++i)
+    scene.roles.rows.push_back({static_cast<std::uint8_t>(i < 5 ? 1 : 0)});
+  scene.moments = {{2, "1"}, {7, ""}};
+  const auto whole = ScenePicture(scene, 600).drawWhole();
+  REQUIRE(plain);
+  REQUIRE(whole);
+  const int body = pixelsOf(*plain, seriesColour(0));  // at the end, and in the legend
+  CHECK(pixelsOf(*whole, seriesColour(0)) > 1.6 * body);
+  CHECK(pixelsOf(*whole, seriesColour(1)) > 0.5 * body);
 }
 
 TEST_CASE("experiment scene: the viewer's page takes it") {

@@ -110,6 +110,21 @@ TEST_CASE("the long path of 43 parts is carried to its end", "[unit]") {
   CHECK(work.switches.size() > 43);
 }
 
+TEST_CASE("by the printed rules the long path ends in a deadlock, whatever the step", "[unit]") {
+  for (const double step : {0.03, 0.08}) {
+    for (const bool project : {false, true}) {
+      CarryPlan plan = withStep(step);
+      plan.habits = {project, false};
+      const TransportTask task = builtInTransport("maze");
+      const Carrying work = carry(task, plan);
+      CHECK(work.end == StopReason::kDeadlock);
+      CHECK(work.lead < 0.6 * task.path.length());
+      plan.habits.slow = true;
+      if (project) CHECK(carry(task, plan).end == StopReason::kArrived);
+    }
+  }
+}
+
 TEST_CASE("the S path as a polyline is fitted and carried", "[unit]") {
   TransportTask task = builtInTransport("s-path");
   std::vector<Vec2> points;

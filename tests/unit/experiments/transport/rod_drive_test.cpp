@@ -59,6 +59,24 @@ TEST_CASE("two robots carry a real rod along the S path", "[unit]") {
   CHECK(drive->peak_force < 5.0);
 }
 
+// docs/papers.md: why a centre is faster than the limit.
+TEST_CASE("only catching up makes a centre faster than the limit of its reference", "[unit]") {
+  const TransportTask task = builtInTransport("s-path");
+  const RodWorld world = rodWorldFor(task);
+  RodPace pace;
+  pace.speed = 0.25;
+  const auto references = profileAlong(task, traceCurve(task), world.robot, pace, kTick);
+  REQUIRE(references);
+  PathControl blind;
+  blind.along = 0.0;
+  const auto catching = driveRod(task, world, *references),
+             steady = driveRod(task, world, *references, blind);
+  REQUIRE(catching);
+  REQUIRE(steady);
+  CHECK(catching->peak_speed > 1.008 * pace.speed);
+  CHECK(steady->peak_speed < 1.005 * pace.speed);
+}
+
 TEST_CASE("the controller steers back to the path and goes ahead to its place", "[unit]") {
   const PartPath path({{{{0.0, 0.0}, 0.0}, 0.0, 5.0}});
   const PathControl control;

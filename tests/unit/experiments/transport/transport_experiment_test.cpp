@@ -30,18 +30,41 @@ double numberIn(const ReportTable& table, std::size_t row, const std::string& na
   return std::get<double>(table.rows[row][static_cast<std::size_t>(column - table.columns.begin())]);
 }
 
+/// The picture of the S path has the paper's eight steps, in order, and the roles' colours.
+void checkSteps(const ReportScene& scene) {
+  REQUIRE(scene.moments.size() == 8);
+  REQUIRE(scene.roles.rows.size() == scene.page.rows.size());
+  for (std::size_t i = 0; i < scene.moments.size(); ++i) {
+    CHECK(scene.moments[i].label == std::to_string(i + 1));
+    if (i > 0) CHECK(scene.moments[i].row > scene.moments[i - 1].row);
+    const auto& roles = scene.roles.rows[scene.moments[i].row];
+    CHECK(roles[0] + roles[1] == 1);  // one master, one slave
+  }
+  CHECK(scene.roles.rows[scene.moments[0].row][0] == 0);  // the lead is master first
+  CHECK(scene.roles.rows[scene.moments[3].row][0] == 0);
+  CHECK(scene.roles.rows[scene.moments[4].row][0] == 1);  // the one exchange of Table 1
+}
+
 }  // namespace
 
-TEST_CASE("all bars of the experiment hold, with the same bytes on one and two threads", "[unit]") {
+TEST_CASE("all bars of the experiment hold but for two, with the same bytes on one and two threads",
+          "[unit]") {
   const auto one = runWith({}, 1), two = runWith({}, 2);
   REQUIRE(one);
   REQUIRE(two);
   CHECK(experimentJson(*one, {}) == experimentJson(*two, {}));
   for (const PaperFigure& figure : one->figures) {
     CAPTURE(figure.id, figure.ours);
-    CHECK(figure.inside());
+    // What does not come out, with the reason on docs/papers.md.
+    const bool known = figure.id == "maze-printed" || figure.id == "real-centre-speed";
+    CHECK(figure.inside() != known);
   }
-  CHECK(one->scenes.size() == 3);
+  REQUIRE(one->scenes.size() == 3);
+  const ReportTable& printed = tableOf(*one, "fig-10-printed");
+  REQUIRE(printed.rows.size() == 7);
+  for (std::size_t row = 0; row < printed.rows.size(); ++row)
+    CHECK((numberIn(printed, row, "lead_m") == Approx(numberIn(printed, row, "path_m"))) == (row == 6));
+  checkSteps(one->scenes[0]);
   for (const ReportTable& table : one->tables) {
     CAPTURE(table.name);
     CHECK_FALSE(table.rows.empty());
