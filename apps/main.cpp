@@ -102,7 +102,7 @@ CLI::App* addRun(CLI::App& app, Options& options) {
 void addMap(CLI::App& command, CompareOptions& compare) {
   MapConfig& config = compare.map;
   CLI::Option* map = command.add_flag(
-      "--map", compare.mapped, "compare the Bezier method with limit-cycle rings of many sizes instead");
+      "--map", compare.mapped, "compare the Bezier method with vector-field rings of many sizes instead");
   for (const char* other : {"--navigators", "--only", "--pictures", "--ways", "--record", "--tune",
                             "--tune-evaluations", "--html"}) {
     map->excludes(command.get_option(other));
@@ -122,6 +122,12 @@ void addMap(CLI::App& command, CompareOptions& compare) {
       ->delimiter(',')
       ->needs(map);
   command.add_option("--seeds", config.seeds, "with --map: number of layout seeds, counted up from --seed")
+      ->needs(map)
+      ->capture_default_str();
+  command
+      .add_option(
+          "--fresh", config.fresh,
+          "with --map: layouts of each of three other seeds for the cells nearest to the paper; 0: none")
       ->needs(map)
       ->capture_default_str();
 }

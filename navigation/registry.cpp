@@ -49,13 +49,15 @@ const std::vector<ParameterSpec>& common() {
        "",
        "what turns the guidance into wheel speeds: the shared preview follower or the classic univector law"},
       {"wall_escape",
-       ParameterSpec::Type::kFlag,
-       1.0,
+       ParameterSpec::Type::kChoice,
        0.0,
-       1.0,
-       {},
+       0.0,
+       2.0,
+       {"on", "off", "zones"},
        "",
-       "a robot without room to turn at a wall first drives away from it"},
+       "on: a robot without room to turn at a wall first drives away from it; zones: the boundary rule of "
+       "Jung "
+       "& Lee (2015)"},
   };
   return specs;
 }
@@ -69,7 +71,7 @@ Result<bool> takeShared(const Setting& setting, NavigatorChoice& choice) {
     if (&spec == &common().front()) {
       choice.classic_follower = *value != 0.0;
     } else {
-      choice.wall_escape = *value != 0.0;
+      choice.wall_rule = static_cast<WallRule>(static_cast<int>(*value));
     }
     return true;
   }
@@ -144,7 +146,7 @@ Result<std::unique_ptr<Pilot>> makePilot(const NavigatorChoice& choice) {
   } else {
     follower = std::make_unique<PreviewFollower>();
   }
-  return std::make_unique<Pilot>(std::move(*navigator), std::move(follower), choice.wall_escape);
+  return std::make_unique<Pilot>(std::move(*navigator), std::move(follower), choice.wall_rule);
 }
 
 }  // namespace fulbito

@@ -79,9 +79,11 @@ for picture in fig-8 gap lengths; do
 done
 
 "$program" compare --suite jung-lee-2015 --trials 1 --out figures >/dev/null
-cp figures/fig1-abrupt-turns-1.0.png "$images/"
+cp figures/fig1-abrupt-turns-1.0.png figures/fig2a-ball-in-offset-1.0.png figures/fig5-corner-1.0.png "$images/"
+"$program" compare --suite jung-lee-2015 --trials 10 --out bars >/dev/null
+cp bars/fig28-time.png "$images/"
 "$program" compare --map --suite close-range --laws classic --speeds 1.0,1.2 --radii 0,0.02,0.04,0.06,0.08,0.10,0.12,0.14 \
-  --widths 0.10,0.15,0.20,0.25,0.30,0.35,0.40 --trials 40 --out map >/dev/null
+  --widths 0.10,0.15,0.20,0.25,0.30,0.35,0.40 --trials 40 --fresh 0 --out map >/dev/null
 cp map/map-close-range-classic.png "$images/"
 
 # The experiments of docs/papers.md.

@@ -9,18 +9,19 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 if [ "${1:-}" = "-h" ] || [ "${1:-}" = "--help" ]; then
-  echo "Usage: scripts/reproduction.sh [FOLDER]   about a quarter of an hour on two cores; FOLDER: reproduction-figures"
+  echo "Usage: scripts/reproduction.sh [FOLDER]   about twenty minutes on two cores; FOLDER: reproduction-figures"
   exit 0
 fi
-program=$PWD/build/release/fulbito
+root=$PWD
+program=$root/build/release/fulbito
 out=${1:-reproduction-figures}
 mkdir -p "$out"
 cd "$out"
 
 part() { printf '\n==== %s\n' "$*"; }
 
-# Rows of the table of docs/reproduction.md: id, run, paper, band, ours.
-rows() { awk -F' \\| ' '/^\| (distance|time|collisions)-/ { sub(/^\| /, "", $1); printf "| %s | %s | %s | %s | %s |\n", $1, $2, $3, $5, $4 }' "$1"; }
+# Rows of the table of docs/reproduction.md: id, run, paper, ours, off the paper, our band, inside our band.
+rows() { awk -F' \\| ' '/^\| (distance|time|collisions)-/ { sub(/^\| /, "", $1); printf "| %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, $3, $4, $5, $6, $7 }' "$1"; }
 
 training=(--seed 1002018 --seeds 2 --headings goal)
 rings=(--radii "0,0.02,0.04,0.06,0.08,0.10,0.12,0.14,0.16,0.18,0.20,0.22,0.24"
@@ -28,13 +29,13 @@ rings=(--radii "0,0.02,0.04,0.06,0.08,0.10,0.12,0.14,0.16,0.18,0.20,0.22,0.24"
 
 part "kTunedRing, kTunedCloseRing: rings under the classic law at 1.0 m/s (training layouts)"
 for suite in corner close-range; do
-  "$program" compare --map --suite "$suite" --laws classic --speeds 1.0 "${training[@]}" "${rings[@]}" --trials 100 --out "train-$suite" |
+  "$program" compare --map --suite "$suite" --laws classic --speeds 1.0 "${training[@]}" "${rings[@]}" --trials 100 --fresh 0 --out "train-$suite" |
     awk '/^\| (corner|close-range) / { print "safest: " $0 } /^- (corner|close-range): radius/ { print "least T/T* all: " $0 }'
 done
 
 part "VectorField::Params: one ring for both laws at 0.6, 1.0 and 2.6 m/s (training layouts)"
 "$program" compare --map --suite corner --speeds 0.6,1.0,2.6 "${training[@]}" --radii 0,0.02,0.04,0.06,0.08,0.10 \
-  --widths 0.05,0.10,0.15,0.18,0.20,0.22,0.25,0.30 --trials 50 --out train-default | awk '/^- corner: radius/'
+  --widths 0.05,0.10,0.15,0.18,0.20,0.22,0.25,0.30 --trials 50 --fresh 0 --out train-default | awk '/^- corner: radius/'
 
 part "The tangent field that the tuner finds now"
 "$program" compare --suite corner --tune tangent-field --speeds 1.0,2.6 --trials 1 --out tuned 2>&1 >/dev/null | grep tuned
@@ -42,7 +43,31 @@ part "The tangent field that the tuner finds now"
 part "The table of docs/reproduction.md"
 "$program" compare --out paper >paper.md
 rows paper.md
-awk '/^### The paper.s figures/ { on = 1 } on' paper.md
+awk '/^### Figs 28 and 29/ { on = 1 } on' paper.md
+
+part "The figures over what their drawings leave open"
+"$program" compare --suite sweeps --pictures 0 --out sweeps | awk '/^### (The paper|Fig)/ { on = 1 } on'
+
+part "A robot without inertia that moves once per 1 ms"
+presets=$root/engine/presets
+sed -e 's/^name = .*/name = "no-inertia"/' -e 's/^\(wheel_acceleration\|wheel_braking\|lateral_grip\) = [0-9.]*/\1 = 900.0/' \
+  -e 's/^longitudinal_grip = [0-9.]*/longitudinal_grip = 1000.0/' "$presets/robots/jung-lee-2015.toml" >no-inertia.toml
+sed -e 's/^name = .*/name = "1ms"/' -e 's/^control_rate = .*/control_rate = 1000/' -e 's/^substeps = .*/substeps = 1/' \
+  "$presets/physics/standard.toml" >1ms.toml
+for models in "jung-lee-2015 standard" "jung-lee-2015 1ms.toml" "no-inertia.toml 1ms.toml"; do
+  read -r robot physics <<<"$models"
+  "$program" compare --robot "$robot" --physics "$physics" --speeds 1.0 --trials 60 --pictures 0 --out models --navigators bezier \
+    bezier:follower=classic univector:goal=bearing,k0=0,d_min=0.09,delta=0.10 vector-field:offset=0.10,width=0.20,follower=classic >models.md
+  echo "robot $robot, physics $physics"
+  rows models.md
+done
+
+part "kRawCollisions: runs of the printed method that touch something, 20 seeds"
+for seed in $(seq 5001 5020); do
+  "$program" compare --suite corner --navigators bezier-raw --speeds 1.0 --seed "$seed" --pictures 0 --out raw >/dev/null
+  awk -F, -v seed="$seed" 'NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
+    { n++; hit += $column["obstacle_contacts"] + $column["wall_contacts"] > 0 } END { print seed, n, 100 * hit / n " %" }' raw/trials.csv
+done
 
 for seed in 777 31337 424242; do
   part "The same on seed $seed"
@@ -53,6 +78,12 @@ done
 part "The map"
 "$program" compare --map --out map >map.md
 cat map.md
+part "The cells that match the paper on short runs, on fresh layouts"
+for cell in "0.02 0.30 1.2 random" "0 0.35 1.0 goal"; do
+  read -r radius width speed heading <<<"$cell"
+  "$program" compare --map --suite close-range --laws classic --radii "$radius" --widths "$width" --speeds "$speed" --headings "$heading" \
+    --trials 40 --out cell | awk '/on fresh layouts/ { on = 1 } /^### The safest/ { on = 0 } on && /^\| close/'
+done
 part "The map on a finer grid around the nearest cells"
 "$program" compare --map --suite corner --laws classic --speeds 0.9,1.0,1.1,1.2 --radii 0.16,0.17,0.18,0.19,0.20,0.22,0.24 \
   --widths 0.005,0.01,0.015,0.02,0.03 --headings goal,random,away --trials 40 --out map-corner | awk '/^- |^  - /'

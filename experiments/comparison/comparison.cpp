@@ -5,6 +5,7 @@
 #include "engine/core/math/random.hpp"
 #include "engine/core/system/worker_threads.hpp"
 #include "experiments/comparison/comparison_parts.hpp"
+#include "experiments/comparison/paper_figures.hpp"
 #include "experiments/comparison/paper_plan.hpp"
 #include "experiments/comparison/summary.hpp"
 #include "experiments/trials/trial_recorder.hpp"
@@ -23,7 +24,8 @@ struct Task {
   std::uint64_t index;
 };
 
-std::vector<std::string> defaultNavigators() {
+std::vector<std::string> defaultNavigators(const Suite& suite) {
+  if (suite.always_traced) return figureMethods();  // what the suite is judged by
   std::vector<std::string> names;
   for (const NavigatorInfo& info : navigators()) names.push_back(info.name);
   return names;
@@ -66,7 +68,7 @@ Result<void> checkRanges(const ComparisonConfig& config) {
 Result<std::vector<ComparisonBlock>> plainBlocks(const ComparisonConfig& config) {
   const auto suite = findSuite(config.suite);
   if (!suite) return tl::unexpected<Error>(suite.error());
-  auto choices = parseAll(config.navigators.empty() ? defaultNavigators() : config.navigators);
+  auto choices = parseAll(config.navigators.empty() ? defaultNavigators(**suite) : config.navigators);
   if (!choices) return tl::unexpected<Error>(choices.error());
   std::vector<ComparisonBlock> blocks;
   for (double speed : config.speeds.empty() ? (*suite)->speeds : config.speeds) {
@@ -123,7 +125,7 @@ Result<TrialRecord> runTask(const Comparison& comparison, const Task& task, cons
   }
   TrialRecord record{task.block, task.navigator, task.index, result->score, result->final_hash, {}, {}, {}};
   record.compute_us.assign(result->compute_us.begin(), result->compute_us.end());
-  if (drawn) {
+  if (drawn || block.suite->always_traced) {
     record.trace = std::move(result->trace);
     record.touches = std::move(result->touches);
   }
@@ -158,6 +160,18 @@ std::size_t referenceOf(const ComparisonBlock& block) {
     if (block.navigators[n].text == "bezier") return n;
   }
   return 0;
+}
+
+std::optional<MethodPlace> findMethod(const Comparison& comparison, const std::string& suite, double speed,
+                                      const std::string& text) {
+  for (std::size_t b = 0; b < comparison.blocks.size(); ++b) {
+    const ComparisonBlock& block = comparison.blocks[b];
+    if (block.suite->name != suite || block.speed != speed) continue;
+    for (std::size_t n = 0; n < block.navigators.size(); ++n) {
+      if (block.navigators[n].text == text) return MethodPlace{b, n};
+    }
+  }
+  return std::nullopt;
 }
 
 Result<TrialConfig> trialConfig(const Comparison& comparison, const ComparisonBlock& block,

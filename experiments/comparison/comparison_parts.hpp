@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "fulbito/experiment.hpp"
 
 namespace fulbito {
@@ -9,6 +12,15 @@ Result<Comparison> prepareComparison(const ComparisonConfig& config);
 
 /// Index of the navigator with which the others are paired: `bezier` if present, else the first.
 std::size_t referenceOf(const ComparisonBlock& block);
+
+/// Where a method's runs are.
+struct MethodPlace {
+  std::size_t block;
+  std::size_t navigator;
+};
+/// The runs of the specification `text` on a suite at a top speed [m/s].
+std::optional<MethodPlace> findMethod(const Comparison& comparison, const std::string& suite, double speed,
+                                      const std::string& text);
 
 /// The robot of a block: the comparison's with its top speed set to the block's.
 RobotPreset robotAt(const RobotPreset& robot, double speed);

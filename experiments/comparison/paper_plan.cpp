@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 
+#include "experiments/comparison/comparison_parts.hpp"
 #include "experiments/comparison/paper_figures.hpp"
+#include "experiments/comparison/paper_results.hpp"
 #include "experiments/comparison/summary.hpp"
 
 namespace fulbito {
@@ -37,23 +38,6 @@ Result<ComparisonBlock> blockOf(const ComparisonConfig& config, const std::strin
   return block;
 }
 
-struct Place {
-  std::size_t block;
-  std::size_t navigator;
-};
-
-std::optional<Place> find(const Comparison& comparison, const std::string& suite, double speed,
-                          const std::string& text) {
-  for (std::size_t b = 0; b < comparison.blocks.size(); ++b) {
-    const ComparisonBlock& block = comparison.blocks[b];
-    if (block.suite->name != suite || block.speed != speed) continue;
-    for (std::size_t n = 0; n < block.navigators.size(); ++n) {
-      if (block.navigators[n].text == text) return Place{b, n};
-    }
-  }
-  return std::nullopt;
-}
-
 struct Band {
   double low;
   double high;
@@ -77,8 +61,7 @@ struct DifferenceClaim {
   const char* what;  ///< of the opponent, in the claim
   Band length;
   Band time;
-  const char* paper_length;
-  const char* paper_time;
+  const PaperTarget* paper;  ///< null: the paper compares with no such opponent
   const char* length_reason;
   const char* time_reason;
 };
@@ -91,10 +74,15 @@ void addRow(Comparison& comparison, const DifferenceClaim& claim, bool length,
   row.id = fmt::format("{}-{}{}", length ? "distance" : "time", claim.id, with_hung ? "-with-hung" : "");
   row.claim = fmt::format("{} of {} against {} at {:.1f} m/s, {} safe pairs", length ? "distance" : "time",
                           claim.bezier, claim.what, claim.speed, difference.pairs);
-  row.paper = length ? claim.paper_length : claim.paper_time;
+  row.paper = "not compared";
+  if (claim.paper != nullptr) {
+    const double printed = length ? claim.paper->length : claim.paper->time;
+    row.paper = fmt::format("{:+.1f} % ({})", 100 * printed, claim.paper->name);
+    row.off_paper = 100 * (measured.value - printed);
+  }
   row.ours = percent(measured);
-  row.band = bandText(band);
-  row.inside_band = band.contains(measured.value);
+  row.our_band = bandText(band);
+  row.inside_our_band = band.contains(measured.value);
   row.reason =
       with_hung ? "the same with the field's runs that hang before an obstacle for seconds and then come free"
                 : (length ? claim.length_reason : claim.time_reason);
@@ -102,8 +90,8 @@ void addRow(Comparison& comparison, const DifferenceClaim& claim, bool length,
 }
 
 void judgeDifference(Comparison& comparison, const DifferenceClaim& claim) {
-  const auto bezier = find(comparison, claim.suite, claim.speed, claim.bezier);
-  const auto opponent = find(comparison, claim.suite, claim.speed, claim.opponent);
+  const auto bezier = findMethod(comparison, claim.suite, claim.speed, claim.bezier);
+  const auto opponent = findMethod(comparison, claim.suite, claim.speed, claim.opponent);
   if (!bezier || !opponent) return;
   const auto difference_with = [&](double hung) {
     return compareSafePairs(comparison, bezier->block, bezier->navigator, opponent->navigator, hung);
@@ -116,12 +104,16 @@ void judgeDifference(Comparison& comparison, const DifferenceClaim& claim) {
   addRow(comparison, claim, false, all, true);
 }
 
+/// Share of the printed method's runs that touch something, over 20 seeds of 400 layouts (5001 ... 5020).
+/// Seeds differ as draws of as many layouts do: by 2.1 points, one standard deviation.
+constexpr double kRawCollisions = 0.813;
+
 /// How often the method as printed collides, and whether the guarded one does.
 void judgeCollisions(Comparison& comparison) {
-  const auto raw = find(comparison, "corner", 1.0, "bezier-raw");
-  const auto guarded = find(comparison, "corner", 1.0, "bezier");
+  const auto raw = findMethod(comparison, "corner", 1.0, "bezier-raw");
+  const auto guarded = findMethod(comparison, "corner", 1.0, "bezier");
   if (!raw || !guarded) return;
-  const auto rate = [&](Place place) {
+  const auto rate = [&](MethodPlace place) {
     int collided = 0;
     const auto records = recordsOf(comparison, place.block, place.navigator);
     for (const TrialRecord& r : records)
@@ -129,19 +121,23 @@ void judgeCollisions(Comparison& comparison) {
     return wilson(collided, static_cast<int>(records.size()));
   };
   const Interval raw_rate = rate(*raw), guarded_rate = rate(*guarded);
-  const Band raw_band{0.80, 0.90};
+  const double layouts = std::max<double>(1.0, comparison.blocks[raw->block].trials);
+  const double spread = 2.0 * std::sqrt(kRawCollisions * (1.0 - kRawCollisions) / layouts);
+  const Band raw_band{kRawCollisions - spread, std::min(1.0, kRawCollisions + spread)};
   const auto share = [](const Interval& i) {
     return fmt::format("{:.1f} % ({:.1f} ... {:.1f})", 100 * i.value, 100 * i.low, 100 * i.high);
   };
   comparison.reproduction.push_back(
       {"collisions-as-printed",
        "runs that touch something: bezier-raw, the method as printed, corner to corner", "not stated",
-       share(raw_rate), "80 ... 90 %", raw_band.contains(raw_rate.value),
+       share(raw_rate), std::nullopt,
+       fmt::format("{:.0f} ... {:.0f} %", 100 * raw_band.low, 100 * raw_band.high),
+       raw_band.contains(raw_rate.value),
        "the paper tests the curves for length only: the shortest of the 2^n curves alternates sides and cuts "
        "through the balls"});
   comparison.reproduction.push_back(
       {"collisions-guarded", "runs that touch something: bezier, with the collision test", "not stated",
-       share(guarded_rate), "0 %", guarded_rate.value == 0.0,
+       share(guarded_rate), std::nullopt, "0 %", guarded_rate.value == 0.0,
        "the guarded version keeps the robot's circle 2 cm away from every ball"});
 }
 
@@ -154,8 +150,7 @@ constexpr DifferenceClaim kClaims[] = {
      "the untuned univector field",
      {-0.13, -0.07},
      {-0.23, -0.15},
-     "-25.6 % (simulation)",
-     "-19.3 % (simulation)",
+     &kPaperTargets[0],
      "the field would have to drive 1.34 times the Bezier length; this one does not, wide rings under the "
      "classic law come near (fulbito compare --map)",
      "the field's bends cost speed; an untuned field loses as much time as the paper says"},
@@ -167,8 +162,7 @@ constexpr DifferenceClaim kClaims[] = {
      "the time-tuned tangent field",
      {-0.04, 0.04},
      {0.00, 0.12},
-     "not compared",
-     "not compared",
+     nullptr,
      "a tuned field drives as short as the Bezier curve",
      "at this speed the tuned field is faster: it passes the balls closer"},
     {"tuned-tangent-2.6",
@@ -179,8 +173,7 @@ constexpr DifferenceClaim kClaims[] = {
      "the time-tuned tangent field",
      {-0.04, 0.04},
      {-0.22, -0.12},
-     "-25.6 %",
-     "-19.3 %",
+     &kPaperTargets[0],
      "a tuned field drives as short as the Bezier curve",
      "at the robot's full speed the smooth curve can be driven faster even than the best field"},
     {"wide-ring",
@@ -191,8 +184,7 @@ constexpr DifferenceClaim kClaims[] = {
      "the untuned wide ring field, both under the classic law,",
      {-0.32, -0.21},
      {-0.34, -0.24},
-     "-27.3 % (experiment)",
-     "-23.5 % (experiment)",
+     &kPaperTargets[1],
      "the paper's 25.87 cm at 27.3 % implies runs of 0.69 against 0.95 m; at that range a wide untuned ring "
      "loses as much (tuned fields are another question: see the rows tuned-tangent)",
      "without the runs that hung; with them it is outside, see the row below"},
@@ -204,8 +196,7 @@ constexpr DifferenceClaim kClaims[] = {
      "the untuned wide ring field (classic law)",
      {-0.32, -0.21},
      {-0.34, -0.24},
-     "-27.3 % (experiment)",
-     "-23.5 % (experiment)",
+     &kPaperTargets[1],
      "ablation: the Bezier path driven by the preview follower instead of the field's own classic law",
      "ablation: the preview follower makes the Bezier method a few percent faster than the law that both "
      "would share"},
@@ -217,8 +208,7 @@ constexpr DifferenceClaim kClaims[] = {
      "the ring tuned for its own safety and time, both under the classic law,",
      {-0.276, -0.236},
      {-0.213, -0.173},
-     "-25.6 % (simulation)",
-     "-19.3 % (simulation)",
+     &kPaperTargets[0],
      "a ring chosen by its own safety and time turns the robot gently, and loses little on long runs",
      "the band is the paper's figure within 2 points"},
     {"tuned-ring-close-range",
@@ -229,8 +219,7 @@ constexpr DifferenceClaim kClaims[] = {
      "the ring tuned for its own safety and time on short runs, both under the classic law,",
      {-0.293, -0.253},
      {-0.255, -0.215},
-     "-27.3 % (experiment)",
-     "-23.5 % (experiment)",
+     &kPaperTargets[1],
      "on short runs a ring chosen by its own safety and time loses about as much as the paper says: see the "
      "map",
      "the band is the paper's figure within 2 points"},

@@ -16,7 +16,7 @@
 namespace fulbito {
 namespace {
 
-constexpr int kMostSeeds = 100;
+constexpr int kMostSeeds = 100, kMostFresh = 100000;
 constexpr std::size_t kMostValues = 40;      // most values of one list
 constexpr std::size_t kMapResamples = 1000;  // few, since there are thousands of intervals
 constexpr double kMostRing = 1.0;            // [m] the limit of the method's own parameters
@@ -61,6 +61,9 @@ Result<MapConfig> resolved(MapConfig config) {
   config.base.navigators.clear();
   if (config.seeds < 1 || config.seeds > kMostSeeds) {
     return fail(ErrorCode::kUsage, fmt::format("--seeds: {} is outside 1 ... {}", config.seeds, kMostSeeds));
+  }
+  if (config.fresh < 0 || config.fresh > kMostFresh) {
+    return fail(ErrorCode::kUsage, fmt::format("--fresh: {} is outside 0 ... {}", config.fresh, kMostFresh));
   }
   if (auto checked = checkLengths(config.radii, "--radii"); !checked) {
     return tl::unexpected<Error>(checked.error());
@@ -110,12 +113,6 @@ std::vector<std::size_t> blocksFrom(std::size_t first, int seeds) {
   std::vector<std::size_t> blocks(static_cast<std::size_t>(seeds));
   std::iota(blocks.begin(), blocks.end(), first);
   return blocks;
-}
-
-MapGap gapOf(const Comparison& comparison, std::span<const std::size_t> blocks, std::size_t ring,
-             double hung) {
-  const PairedDifference difference = compareSafePairs(comparison, blocks, 0, ring, hung, kMapResamples);
-  return {difference.pairs, difference.length, difference.time};
 }
 
 /// Safety and time of one method over some blocks.
@@ -182,6 +179,12 @@ Result<void> addBlocks(const MapConfig& config, const Axes& axes, const Suite& s
 
 }  // namespace
 
+MapGap gapOf(const Comparison& comparison, std::span<const std::size_t> blocks, std::size_t ring,
+             double hung) {
+  const PairedDifference difference = compareSafePairs(comparison, blocks, 0, ring, hung, kMapResamples);
+  return {difference.pairs, difference.length, difference.time};
+}
+
 Result<PaperMap> planMap(const MapConfig& asked) {
   auto config = resolved(asked);
   if (!config) return tl::unexpected<Error>(config.error());
@@ -196,7 +199,7 @@ Result<PaperMap> planMap(const MapConfig& asked) {
       return tl::unexpected<Error>(added.error());
     }
   }
-  return PaperMap{std::move(*config), std::move(*comparison), {}, {}};
+  return PaperMap{std::move(*config), std::move(*comparison), {}, {}, {}};
 }
 
 Result<void> runMap(PaperMap& map, const Progress& progress) {
@@ -210,7 +213,7 @@ Result<void> runMap(PaperMap& map, const Progress& progress) {
       }
     }
   }
-  return {};
+  return runFreshCells(map, progress);
 }
 
 double distanceTo(const PaperTarget& target, const MapGap& gap) {

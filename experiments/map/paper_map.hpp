@@ -1,24 +1,19 @@
 #pragma once
 
-#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "experiments/comparison/paper_results.hpp"
 #include "fulbito/experiment.hpp"
 
 namespace fulbito {
 
-/// The two numbers of one of the paper's results, as ratios: -0.256 is 25.6 % less.
-struct PaperTarget {
-  const char* name;  ///< name in the paper
-  double length;
-  double time;
-};
-/// The results of Jung & Lee (2015): simulation and experiment.
-inline constexpr std::array<PaperTarget, 2> kPaperTargets{
-    {{"simulation", -0.256, -0.193}, {"experiment", -0.273, -0.235}}};
 /// A cell matches a result if both numbers differ by at most this.
 inline constexpr double kTargetTolerance = 0.02;
+/// Number of fresh seeds, and what is added to the map's first seed for the first of them.
+inline constexpr int kFreshSeeds = 3;
+inline constexpr std::uint64_t kFreshSeedOffset = 7000003;
 /// Cells with fewer safe pairs are ignored: their means would depend on a few lucky runs.
 inline constexpr int kLeastMapPairs = 10;
 
@@ -26,8 +21,10 @@ inline constexpr int kLeastMapPairs = 10;
 struct MapConfig {
   /// Set by planMap: base.suite, or for the paper's comparison its long and its short runs.
   std::vector<std::string> suites;
-  ComparisonConfig base;              ///< suite, speeds, trials (layouts of each seed), first seed, robot ...
-  int seeds = 3;                      ///< number of layout seeds, counted up from base.seed
+  ComparisonConfig base;  ///< suite, speeds, trials (layouts of each seed), first seed, robot ...
+  int seeds = 3;          ///< number of layout seeds, counted up from base.seed
+  /// Layouts of each of `kFreshSeeds` other seeds on which the cells nearest to the paper run again; 0: none.
+  int fresh = 400;
   std::vector<double> radii;          ///< [m] `offset` of the ring
   std::vector<double> widths;         ///< [m] `width` of the ring
   std::vector<std::string> laws;      ///< `preview`, `classic`
@@ -67,12 +64,23 @@ struct MapFinding {
   double off = 0.0;                 ///< its larger difference; NaN: no cell has enough pairs
 };
 
+/// A cell that is nearest to one of the paper's results, on layouts that had no part in choosing it. Of many
+/// cells the nearest is partly luck, so its figures on its own layouts flatter it.
+struct FreshCell {
+  std::size_t cell = 0;         ///< index in `PaperMap::cells`
+  std::vector<MapGap> by_seed;  ///< per fresh seed, without hung runs
+  MapGap cut;                   ///< @{ of all fresh seeds, without and with hung runs
+  MapGap raw;                   ///< @}
+  Interval safe;                ///< share of the ring's runs that arrived without contact
+};
+
 /// The map: cells in the order suite, law, heading, speed, width, radius.
 struct PaperMap {
   MapConfig config;       ///< resolved
   Comparison comparison;  ///< all its trials
   std::vector<MapCell> cells;
   std::vector<MapFinding> findings;  ///< per suite and target, without and with hung runs
+  std::vector<FreshCell> fresh;      ///< the cells that findings name as nearest, each once
 };
 
 /// Checks names and ranges and plans the trials. Errors: kUsage, kIo, kBadInput.
@@ -80,6 +88,14 @@ Result<PaperMap> planMap(const MapConfig& config);
 
 /// Runs all trials and fills in cells and findings. Errors: as runComparison.
 Result<void> runMap(PaperMap& map, const Progress& progress);
+
+/// Bezier method against method `ring` of a comparison, over its blocks `blocks`; see kHung.
+MapGap gapOf(const Comparison& comparison, std::span<const std::size_t> blocks, std::size_t ring,
+             double hung);
+
+/// Runs the nearest cells of all findings on fresh layouts and fills in `map.fresh`. Errors: as
+/// runComparison.
+Result<void> runFreshCells(PaperMap& map, const Progress& progress);
 
 /// Distance of `gap` from the target: the larger of both differences; NaN if it has too few pairs.
 double distanceTo(const PaperTarget& target, const MapGap& gap);
@@ -102,7 +118,9 @@ struct RingRecord {
 /// The ring of a suite with the least mean `time_ratio_all`: one setting for all uses. Does not use the gap.
 RingRecord bestRing(const std::vector<MapCell>& cells, const std::string& suite);
 
-/// Text for people: the findings, and the safest ring per suite, law, heading and speed.
+/// Lines for people: the nearest cells on their own and on fresh layouts. Empty without fresh cells.
+std::string freshReport(const PaperMap& map);
+/// Text for people: the findings, the fresh layouts, and the safest ring per suite, law, heading and speed.
 std::string mapReport(const PaperMap& map);
 /// CSV with one line per cell and a header.
 std::string mapCsv(const PaperMap& map);

@@ -97,6 +97,16 @@ Json findingJson(const MapFinding& finding) {
   return json;
 }
 
+Json freshJson(const FreshCell& fresh) {
+  Json json = {{"cell", fresh.cell},
+               {"safe_share", fresh.safe.value},
+               {"cut", gapJson(fresh.cut)},
+               {"raw", gapJson(fresh.raw)},
+               {"cut_by_seed", Json::array()}};
+  for (const MapGap& gap : fresh.by_seed) json["cut_by_seed"].push_back(gapJson(gap));
+  return json;
+}
+
 }  // namespace
 
 std::string mapReport(const PaperMap& map) {
@@ -110,6 +120,7 @@ std::string mapReport(const PaperMap& map) {
       config.base.seed + static_cast<std::uint64_t>(config.seeds - 1), config.base.trials,
       map.comparison.robot.robot.name, map.comparison.physics.name, map.cells.size());
   for (const MapFinding& finding : map.findings) appendFinding(out, map, finding);
+  out += freshReport(map);
   out +=
       "\n### The safest ring per suite, law, start and speed (chosen by its own safety, then its "
       "time)\n\n"
@@ -178,6 +189,7 @@ std::string mapJson(const PaperMap& map, double wall_seconds) {
                {"config",
                 {{"seeds", config.seeds},
                  {"trials", config.base.trials},
+                 {"fresh", config.fresh},
                  {"radii_m", config.radii},
                  {"widths_m", config.widths},
                  {"laws", config.laws},
@@ -189,9 +201,11 @@ std::string mapJson(const PaperMap& map, double wall_seconds) {
                  {"noise_m", config.base.sensors.position_noise},
                  {"dropout", config.base.sensors.dropout}}},
                {"cells", Json::array()},
-               {"findings", Json::array()}};
+               {"findings", Json::array()},
+               {"fresh", Json::array()}};
   for (const MapCell& cell : map.cells) json["cells"].push_back(cellJson(cell));
   for (const MapFinding& finding : map.findings) json["findings"].push_back(findingJson(finding));
+  for (const FreshCell& fresh : map.fresh) json["fresh"].push_back(freshJson(fresh));
   json["safest"] = safestCells(map.cells);
   json["wall_seconds"] = number(wall_seconds);
   return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";

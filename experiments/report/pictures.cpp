@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include "experiments/comparison/comparison_parts.hpp"
+#include "experiments/comparison/paper_bars.hpp"
 #include "experiments/comparison/paper_figures.hpp"
+#include "experiments/comparison/paper_plan.hpp"
 #include "experiments/report/drawn_ways.hpp"
 #include "experiments/report/field_arrows.hpp"
 #include "fulbito/picture.hpp"
@@ -82,7 +84,7 @@ void shorten(ObstacleSpec& obstacle, double seconds) {
 /// Uses the title and window of the paper's figure if the layout belongs to one.
 FieldPicture pictureOf(const TrialConfig& config) {
   FieldPicture picture;
-  const FigureClaim* figure = figureOf(config.layout.name);
+  const FigureCase* figure = figureOf(config.layout.name);
   const double speed = config.robot.robot.maxSpeed();
   picture.title = figure != nullptr ? fmt::format("{}, top speed {:.1f} m/s", figure->title, speed)
                                     : fmt::format("Ways through layout {} at a top speed of {:.1f} m/s",
@@ -110,17 +112,10 @@ Result<void> save(Result<Canvas> canvas, const std::string& file) {
   return canvas->writePng(file);
 }
 
-/// The statement of the paper's figure and the verdict on the run; empty for other layouts.
-std::string captionOf(const Layout& layout, const std::string& method, const TrialRecord& run) {
-  const FigureClaim* figure = figureOf(layout.name);
-  if (figure == nullptr) return {};
-  const FigureVerdict verdict = figure->judge(layout, run);
-  const char* conclusion = "";
-  if (method == figure->method) {
-    conclusion = verdict.shown ? ": the weakness shows." : ": the figure does not reproduce.";
-  }
-  return fmt::format("Jung & Lee (2015): {}. Here {} {}{}", figure->sentence, method, verdict.measured,
-                     *conclusion != 0 ? conclusion : ".");
+/// The statement of the paper's figure, what a run must do to show it, and what `method` does.
+std::string captionOf(const FigureCase& figure, const std::string& method, const FigureVerdict& verdict) {
+  return fmt::format("Jung & Lee (2015): {}. To show it, a run {}. Here {} {}: it {}.", figure.sentence,
+                     ruleText(figure), method, verdict.measured, verdict.shown ? "shows it" : "does not");
 }
 
 /// Arrows of a field method over the shown part of the field.
@@ -165,6 +160,32 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
   return chart;
 }
 
+/// The first layouts of Fig. 28 or 29 as bars, as the paper draws them.
+BarChart barsChart(const PaperBars& bars, bool length) {
+  constexpr std::size_t kLayouts = 6;
+  BarChart chart;
+  chart.title = fmt::format("{} of Jung & Lee (2015) here, {} at {:.1f} m/s; the paper saves {:.1f} %",
+                            bars.paper->figure, bars.suite, bars.speed,
+                            -100 * (length ? bars.paper->length : bars.paper->time));
+  chart.axis = length ? "driven way [m]" : "time [s]";
+  const auto colour = [](const std::string& text) {
+    const auto choice = parseNavigator(text);
+    return choice ? colourOf(*choice) : 0;
+  };
+  for (std::size_t i = 0; i < std::min(kLayouts, bars.pairs.size()); ++i) {
+    const LayoutPair& p = bars.pairs[i];
+    BarGroup group{fmt::format("layout {}", p.index), {}};
+    const double field = length ? p.field_length : p.field_time,
+                 bezier = length ? p.bezier_length : p.bezier_time;
+    group.bars.push_back({bars.field, field, 0.0, 0.0, "", colour(bars.field), false});
+    group.bars.push_back({bars.bezier, bezier, 0.0, 0.0,
+                          fmt::format("{:+.1f} %", 100 * (bezier / field - 1.0)), colour(bars.bezier),
+                          false});
+    chart.groups.push_back(std::move(group));
+  }
+  return chart;
+}
+
 }  // namespace
 
 Result<void> writePathPicture(const std::string& file, const Comparison& comparison, std::size_t b,
@@ -173,7 +194,7 @@ Result<void> writePathPicture(const std::string& file, const Comparison& compari
   const auto config = trialConfig(comparison, block, 0, index);
   if (!config) return tl::unexpected<Error>(config.error());
   FieldPicture picture = pictureOf(*config);
-  const FigureClaim* figure = figureOf(config->layout.name);
+  const FigureCase* figure = figureOf(config->layout.name);
   const std::vector<std::size_t> drawn = drawnWays(comparison, b, figure);
   if (figure == nullptr && drawn.size() < block.navigators.size()) {
     picture.caption =
@@ -185,8 +206,9 @@ Result<void> writePathPicture(const std::string& file, const Comparison& compari
       if (record.index != index) continue;
       picture.paths.push_back(
           drawnPath(block.navigators[n], record.score, record.trace, record.touches, false));
-      if (figure == nullptr || block.navigators[n].text != figure->method) continue;
-      picture.caption = captionOf(config->layout, figure->method, record);
+      const FigureRun* run = figure == nullptr ? nullptr : runOf(*figure, block.navigators[n].text);
+      if (run == nullptr || !run->judged || !picture.caption.empty()) continue;
+      picture.caption = captionOf(*figure, run->navigator, judgeRun(*figure, config->layout, record));
       const auto own = trialConfig(comparison, block, n, index);
       if (!own) return tl::unexpected<Error>(own.error());
       if (auto added = addArrows(picture, *own); !added) return added;
@@ -202,7 +224,9 @@ Result<void> writeTrialPicture(const std::string& file, const TrialConfig& confi
   FieldPicture picture = pictureOf(config);
   TrialRecord run;
   run.score = result.score, run.trace = result.trace, run.touches = result.touches;
-  picture.caption = captionOf(config.layout, config.navigator.text, run);
+  if (const FigureCase* figure = figureOf(config.layout.name)) {
+    picture.caption = captionOf(*figure, config.navigator.text, judgeRun(*figure, config.layout, run));
+  }
   if (auto added = addArrows(picture, config); !added) return added;
   picture.paths.push_back(drawnPath(config.navigator, result.score, result.trace, result.touches, true));
   limitMotion(picture, config.physics.controlPeriod());
@@ -232,6 +256,9 @@ Result<std::vector<std::string>> writePictures(const Comparison& comparison, con
     for (std::size_t i = 0; i < layouts; ++i) {
       if (recordsOf(comparison, b, 0)[i].trace.empty()) continue;
       const std::uint64_t index = recordsOf(comparison, b, 0)[i].index;
+      const bool some =
+          index < static_cast<std::uint64_t>(comparison.config.pictures) || comparison.config.only;
+      if (block.suite->always_traced && !some) continue;
       const Layout layout = block.suite->layout(block.seed, index);
       const std::string name = fmt::format("{}-{:.1f}.png", layout.name, block.speed);
       auto written = add(name, writePathPicture(file_of(name), comparison, b, index));
@@ -244,6 +271,16 @@ Result<std::vector<std::string>> writePictures(const Comparison& comparison, con
                    &SummaryRow::length_ratio}}) {
     auto written = add(name, save(drawBarChart(chartOf(comparison, title, axis, member)), file_of(name)));
     if (!written) return tl::unexpected<Error>(written.error());
+  }
+  if (comparison.config.suite != kPaperSuite) return files;
+  for (const PaperBars& bars : paperBars(comparison)) {
+    if (bars.pairs.empty()) continue;
+    for (const bool length : {true, false}) {
+      const std::string name = fmt::format("{}-{}.png", bars.paper == &kPaperTargets[0] ? "fig28" : "fig29",
+                                           length ? "distance" : "time");
+      auto written = add(name, save(drawBarChart(barsChart(bars, length)), file_of(name)));
+      if (!written) return tl::unexpected<Error>(written.error());
+    }
   }
   return files;
 }

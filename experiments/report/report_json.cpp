@@ -4,7 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/base/text_controls.hpp"
+#include "experiments/comparison/paper_bars.hpp"
 #include "experiments/comparison/paper_figures.hpp"
+#include "experiments/comparison/paper_plan.hpp"
 #include "fulbito/detail/build_info.hpp"
 #include "fulbito/experiment.hpp"
 
@@ -95,6 +97,38 @@ Json scoreJson(const TrialScore& s) {
           {"longest_stuck_s", s.longest_stuck}};
 }
 
+Json barsJson(const PaperBars& bars) {
+  Json layouts = Json::array();
+  for (const LayoutPair& pair : bars.pairs) {
+    layouts.push_back({{"index", pair.index},
+                       {"field_length_m", pair.field_length},
+                       {"field_time_s", pair.field_time},
+                       {"bezier_length_m", pair.bezier_length},
+                       {"bezier_time_s", pair.bezier_time}});
+  }
+  return {{"figure", bars.paper->figure},
+          {"suite", bars.suite},
+          {"speed", bars.speed},
+          {"field", bars.field},
+          {"bezier", bars.bezier},
+          {"layouts", std::move(layouts)},
+          {"bezier_slower", slowerPairs(bars)},
+          {"bezier_longer", longerPairs(bars)}};
+}
+
+Json figureJson(const FigureRow& row) {
+  Json runs = Json::array();
+  for (const JudgedRun& run : row.runs) {
+    runs.push_back({{"navigator", run.run->navigator},
+                    {"judged", run.run->judged},
+                    {"here", run.verdict.measured},
+                    {"shows", run.verdict.shown}});
+  }
+  return {{"case", row.figure->layout.name}, {"paper", row.figure->sentence},
+          {"rule", ruleText(*row.figure)},   {"speed", row.speed},
+          {"shown", verdictOf(row)},         {"runs", std::move(runs)}};
+}
+
 }  // namespace
 
 std::string resultsJson(const Comparison& comparison, double wall_seconds) {
@@ -105,21 +139,26 @@ std::string resultsJson(const Comparison& comparison, double wall_seconds) {
   if (!comparison.reproduction.empty()) {
     json["reproduction"] = Json::array();
     for (const ReproductionRow& row : comparison.reproduction) {
-      json["reproduction"].push_back({{"id", row.id},
-                                      {"claim", row.claim},
-                                      {"paper", row.paper},
-                                      {"ours", row.ours},
-                                      {"band", row.band},
-                                      {"inside_band", row.inside_band},
-                                      {"reason", row.reason}});
+      json["reproduction"].push_back(
+          {{"id", row.id},
+           {"claim", row.claim},
+           {"paper", row.paper},
+           {"ours", row.ours},
+           {"off_paper_points", row.off_paper ? Json(*row.off_paper) : Json(nullptr)},
+           {"our_band", row.our_band},
+           {"inside_our_band", row.inside_our_band},
+           {"reason", row.reason}});
     }
   }
-  for (const FigureRow& row : judgeFigures(comparison)) {
-    json["figures"].push_back({{"case", row.figure->layout},
-                               {"paper", row.figure->sentence},
-                               {"navigator", row.figure->method},
-                               {"here", row.verdict.measured},
-                               {"shows", row.verdict.shown}});
+  if (comparison.config.suite == kPaperSuite) {
+    for (const PaperBars& bars : paperBars(comparison)) json["bars"].push_back(barsJson(bars));
+  }
+  for (const FigureRow& row : judgeFigures(comparison)) json["figures"].push_back(figureJson(row));
+  for (const FigureRow& row : judgeSweeps(comparison)) {
+    Json place = figureJson(row);
+    place["what"] = nameOf(row.figure->sweep.kind);
+    place["value"] = row.value;
+    json["sweeps"].push_back(std::move(place));
   }
   json["wall_seconds"] = numberOrNull(wall_seconds);
   return escapedJson(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "experiments/comparison/paper_bars.hpp"
 #include "experiments/comparison/paper_figures.hpp"
+#include "experiments/comparison/paper_plan.hpp"
 #include "fulbito/experiment.hpp"
 
 namespace fulbito {
@@ -35,14 +37,50 @@ void appendBlock(std::string& out, const Comparison& comparison, const Compariso
   for (std::size_t n = 0; n < block.navigators.size(); ++n) appendRow(out, comparison.summary[next++]);
 }
 
+const char* yesNo(bool yes) { return yes ? "yes" : "no"; }
+
+/// The figures' verdicts, then what each run does.
 void appendFigures(std::string& out, const std::vector<FigureRow>& rows) {
   if (rows.empty()) return;
   out +=
-      "\n### The paper's figures\n\n| case | statement of the paper's figure | run | result here | confirmed "
-      "|\n|---|---|---|---|---|\n";
+      "\n### The paper's figures\n\nThe case files (docs/reproduction.md) name before the run what a run "
+      "must "
+      "do to show what the paper's figure shows. "
+      "partly: some of the judged runs do.\n\n"
+      "| case | statement of the paper's figure | to show it, a run | shown |\n|---|---|---|---|\n";
   for (const FigureRow& row : rows) {
-    out += fmt::format("| {} | {} | `{}` | {} | {} |\n", row.figure->layout, row.figure->sentence,
-                       row.figure->method, row.verdict.measured, row.verdict.shown ? "yes" : "no");
+    out += fmt::format("| {} | {} | {} | {} |\n", row.figure->layout.name, row.figure->sentence,
+                       ruleText(*row.figure), verdictOf(row));
+  }
+  out += "\n| case | run | judged | result here | does it |\n|---|---|---|---|---|\n";
+  for (const FigureRow& row : rows) {
+    for (const JudgedRun& run : row.runs) {
+      out += fmt::format("| {} | `{}` | {} | {} | {} |\n", row.figure->layout.name, run.run->navigator,
+                         yesNo(run.run->judged), run.verdict.measured, yesNo(run.verdict.shown));
+    }
+  }
+}
+
+/// One table per figure: a line per value, a column per speed and run.
+void appendSweeps(std::string& out, const std::vector<FigureRow>& rows) {
+  for (std::size_t first = 0; first < rows.size();) {
+    const FigureCase& figure = *rows[first].figure;
+    std::size_t last = first;
+    while (last < rows.size() && rows[last].figure == &figure) ++last;
+    const auto own = std::span(rows).subspan(first, last - first);
+    std::string head = fmt::format("| {} | m/s |", nameOf(figure.sweep.kind)), line = "|---|---|";
+    for (const JudgedRun& run : own.front().runs) {
+      head += fmt::format(" `{}` |", run.run->navigator);
+      line += "---|";
+    }
+    out += fmt::format("\n### {}: which runs show it?\n\nA run that shows it {}.\n\n{}\n{}\n", figure.title,
+                       ruleText(figure), head, line);
+    for (const FigureRow& row : own) {
+      out += fmt::format("| {} | {:.1f} |", sweepText(figure.sweep, row.value), row.speed);
+      for (const JudgedRun& run : row.runs) out += fmt::format(" {} |", yesNo(run.verdict.shown));
+      out += '\n';
+    }
+    first = last;
   }
 }
 
@@ -63,16 +101,21 @@ std::string markdownReport(const Comparison& comparison) {
       "pairs: layouts that both the method and the block's reference (bezier, or the first method) solved.\n";
   if (!comparison.reproduction.empty()) {
     out +=
-        "\n### Jung & Lee (2015): the paper's claims and this run\n\n| id | claim | paper | ours (95 %) | "
-        "band | "
-        "inside | why |\n"
-        "|---|---|---|---|---|---|---|\n";
+        "\n### Jung & Lee (2015): the paper's claims and this run\n\n"
+        "Off the paper: difference from the paper's figure in points. Our band: what these methods give for "
+        "a "
+        "kinematic robot, or the paper's figure within 2 points where the reason says so.\n\n"
+        "| id | claim | paper | ours (95 %) | off the paper | our band | inside our band | why |\n"
+        "|---|---|---|---|---|---|---|---|\n";
     for (const ReproductionRow& row : comparison.reproduction) {
-      out += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", row.id, row.claim, row.paper, row.ours,
-                         row.band, row.inside_band ? "yes" : "no", row.reason);
+      out += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", row.id, row.claim, row.paper,
+                         row.ours, row.off_paper ? fmt::format("{:+.1f}", *row.off_paper) : "-", row.our_band,
+                         yesNo(row.inside_our_band), row.reason);
     }
   }
+  if (comparison.config.suite == kPaperSuite) out += barsReport(paperBars(comparison));
   appendFigures(out, judgeFigures(comparison));
+  appendSweeps(out, judgeSweeps(comparison));
   return out;
 }
 

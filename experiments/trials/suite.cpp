@@ -1,15 +1,12 @@
 #include <fmt/format.h>
 
-#include "engine/core/base/assert.hpp"
-#include "engine/core/config/embedded_files.hpp"
 #include "engine/core/config/suggest.hpp"
+#include "experiments/trials/figure_case.hpp"
 #include "experiments/trials/suite_layouts.hpp"
 #include "fulbito/experiment.hpp"
 #include "fulbito/models.hpp"
 
 namespace fulbito {
-
-std::span<const EmbeddedFile> embeddedCases();
 
 namespace {
 
@@ -18,17 +15,22 @@ constexpr double kSquareClearance =
 
 Layout caseLayout(std::uint64_t, std::uint64_t index) { return namedCases()[index % namedCases().size()]; }
 
+Layout sweepLayout(std::uint64_t, std::uint64_t index) {
+  const SweepPlace place = sweepPlace(index);
+  Layout layout = sweptLayout(*place.figure, place.value);
+  const bool angle = place.figure->sweep.kind == SweepKind::kHeading;
+  layout.name = angle ? fmt::format("{}-{:.0f}deg", layout.name, place.value)
+                      : fmt::format("{}-{:.1f}mm", layout.name, 1000 * place.value);
+  return layout;
+}
+
 }  // namespace
 
 const std::vector<Layout>& namedCases() {
   static const std::vector<Layout> cases = [] {
-    std::vector<Layout> parsed;
-    for (const EmbeddedFile& file : embeddedCases()) {
-      auto layout = parseLayout(file.text, std::string(file.name) + ".toml");
-      FULBITO_DEMAND(layout.has_value());
-      parsed.push_back(std::move(*layout));
-    }
-    return parsed;
+    std::vector<Layout> layouts;
+    for (const FigureCase& figure : paperFigures()) layouts.push_back(figure.layout);
+    return layouts;
   }();
   return cases;
 }
@@ -103,6 +105,12 @@ const std::vector<Suite>& suites() {
        0.058,
        true,
        caseLayout},
+      {.name = "sweeps",
+       .summary = "figures of Jung & Lee (2015) over what their drawings leave open",
+       .default_trials = sweepPlaces(),
+       .speeds = {0.2, 1.0},
+       .layout = sweepLayout,
+       .always_traced = true},
   };
   return all;
 }

@@ -1,11 +1,11 @@
 #include "navigation/followers/wall_escape.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
 #include "navigation/followers/limiter.hpp"
+#include "navigation/geometry/near_walls.hpp"
 
 namespace fulbito {
 namespace {
@@ -28,24 +28,6 @@ constexpr double kWayOut = 0.02;      // [m] that must be free of obstacles
 constexpr int kSamples = 6;           // of the motion that the wanted twist would give ...
 constexpr double kSampleTime = 0.02;  // [s] ... each
 
-struct Wall {
-  double gap;   ///< [m] to it, negative beyond
-  Vec2 inward;  ///< unit normal
-};
-
-/// The end wall, side wall and corner triangle of the quarter of the field that `p` lies in. In front of and
-/// inside a goal, which begins `post` inside of its posts, the end wall is the goal's.
-std::array<Wall, 3> wallsNear(const FieldGeometry& field, Vec2 p, double post) {
-  const double sx = std::copysign(1.0, p.x), sy = std::copysign(1.0, p.y);
-  const double x = std::abs(p.x), y = std::abs(p.y), far = 1e9;
-  const bool mouth = field.hasGoals() && y < field.goal_width / 2 - post;
-  const bool inside_goal = mouth && x > field.length / 2;
-  const double cut = (field.length / 2 + field.width / 2 - field.corner - x - y) / std::numbers::sqrt2;
-  return {{{field.length / 2 + (mouth ? field.goal_depth : 0.0) - x, {-sx, 0.0}},
-           {(inside_goal ? field.goal_width : field.width) / 2 - y, {0.0, -sy}},
-           {field.corner > 0.0 && !inside_goal ? cut : far, Vec2{-sx, -sy} / std::numbers::sqrt2}}};
-}
-
 /// The walls within `reach` of the robot taken as one.
 struct Barrier {
   int walls = 0;
@@ -55,7 +37,7 @@ struct Barrier {
 
 Barrier barrierAt(const FieldGeometry& field, Vec2 p, double reach, double post) {
   Barrier barrier;
-  for (const Wall& wall : wallsNear(field, p, post)) {
+  for (const NearWall& wall : nearWalls(field, p, post)) {
     barrier.gap = std::min(barrier.gap, wall.gap);
     if (wall.gap >= reach) continue;
     ++barrier.walls;
@@ -70,7 +52,7 @@ double bodyGap(const NavigationScene& scene, const Pose2& pose) {
   const Vec2 ahead = ux * (scene.robot->length / 2), left = perp(ux) * (scene.robot->width / 2);
   double least = 1e9;
   for (Vec2 corner : {ahead + left, ahead - left, -ahead + left, -ahead - left}) {
-    for (const Wall& wall : wallsNear(*scene.field, pose.position + corner, 0.0)) {
+    for (const NearWall& wall : nearWalls(*scene.field, pose.position + corner, 0.0)) {
       least = std::min(least, wall.gap);
     }
   }

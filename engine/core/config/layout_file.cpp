@@ -32,7 +32,9 @@ Result<void> readObstacles(const ConfigDocument& document, std::vector<ObstacleS
 }
 
 Result<LayoutFile> readLayout(std::string_view text, const std::string& origin) {
-  static const std::vector<std::string> kTables{"layout", "start", "goal", "obstacle"};
+  // The last three say what a paper's figure claims of the layout; the comparison reads them.
+  static const std::vector<std::string> kTables{"layout", "start", "goal", "obstacle",
+                                                "figure", "run",   "sweep"};
   auto document = ConfigDocument::parse(text, origin, kTables);
   if (!document) return tl::unexpected<Error>(document.error());
   Layout layout;

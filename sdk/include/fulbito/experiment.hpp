@@ -86,12 +86,13 @@ struct Suite {
   bool always_drawn = false;  ///< draw all layouts, regardless of the configured number
   /// Layout number `index` of a seed: a pure function of the two.
   Layout (*layout)(std::uint64_t seed, std::uint64_t index) = nullptr;
-  bool sonars_only = false;  ///< see TrialConfig
+  bool sonars_only = false;    ///< see TrialConfig
+  bool always_traced = false;  ///< keep the traces of all layouts, for their judgement
 };
 
-/// All suites of layouts: corner, short, close-range, heading, walls, clutter, u-trap, moving, sonar, and the
-/// named cases of the figures of Jung & Lee (2015). `jung-lee-2015` is a comparison of some of them, see
-/// `ComparisonConfig`.
+/// All suites of layouts: corner, short, close-range, heading, walls, clutter, u-trap, moving, sonar, the
+/// named cases of the figures of Jung & Lee (2015), and sweeps of these. `jung-lee-2015` is a comparison of
+/// some of them, see `ComparisonConfig`.
 const std::vector<Suite>& suites();
 
 /// The suite of that name. Errors: kUsage with a suggestion.
@@ -176,13 +177,15 @@ struct SummaryRow {
 
 /// One claim of the paper and its measured reproduction.
 struct ReproductionRow {
-  std::string id;            ///< e.g. distance-untuned-univector
-  std::string claim;         ///< the paper's claim
-  std::string paper;         ///< the paper's figure as printed
-  std::string ours;          ///< the measured figure with its interval
-  std::string band;          ///< expected range for an honest reproduction
-  bool inside_band = false;  ///< the measured figure is in that range
-  std::string reason;        ///< reason of a difference from the paper or the band
+  std::string id;     ///< e.g. distance-untuned-univector
+  std::string claim;  ///< the paper's claim
+  std::string paper;  ///< the paper's figure as printed
+  std::string ours;   ///< the measured figure with its interval
+  /// Difference of the measured figure from the paper's [percentage points]; empty: the paper has none.
+  std::optional<double> off_paper;
+  std::string our_band;  ///< what we expect of our own methods; it is no band about the paper's figure
+  bool inside_our_band = false;  ///< the measured figure is in that range
+  std::string reason;            ///< reason of a difference from the paper or the band
 };
 
 /// A comparison: its configuration, and its results so far.

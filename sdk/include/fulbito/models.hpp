@@ -160,7 +160,8 @@ Result<Layout> loadLayout(const std::string& file);
 /// field. Tables: [layout] name, field; [start] position (required), heading; [goal] position (required),
 /// heading, tolerance, heading_tolerance; any number of [[obstacle]] with the members of `ObstacleSpec`.
 /// Angles: `heading = radians` or `heading_deg = degrees`, not both. Headings are brought into [-pi, pi).
-/// An obstacle on a path starts at its first waypoint, so it needs no position.
+/// An obstacle on a path starts at its first waypoint, so it needs no position. Tables of the named cases,
+/// [figure], [[run]] and [sweep], are no part of the layout and stay unread.
 Result<Layout> parseLayout(std::string_view text, const std::string& origin);
 
 /// A valid layout as the text of a TOML file that `parseLayout` reads back to the same bits.

@@ -144,14 +144,21 @@ struct NavigatorInfo {
   bool reads_ranges = false;  ///< uses `NavigationScene::ranges` where there are any
 };
 
+/// What a robot does at a wall, after the follower: `wall_escape=on|off|zones`.
+enum class WallRule {
+  kEscape,  ///< one that has no room to turn first drives away from the wall (docs/followers.md)
+  kNone,    ///< what the follower wants
+  kZones,   ///< the boundary rule of Jung & Lee (2015): unequal wheel speeds in a wall's zone
+};
+
 /// One robot's navigation stage: navigator, follower, escape from walls, limiter and kinematics, with one
 /// call per tick. Methods that control the wheels themselves use neither follower nor escape.
 class Pilot {
  public:
   /// @param follower  null: the default follower of all built-in methods
-  /// @param wall_escape  whether the robot escapes from walls that leave it no room to turn
+  /// @param wall_rule  what the robot does at walls
   explicit Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower = nullptr,
-                 bool wall_escape = true);
+                 WallRule wall_rule = WallRule::kEscape);
   Pilot(Pilot&&) noexcept;             ///< A moved-from pilot can only be destroyed or assigned to.
   Pilot& operator=(Pilot&&) noexcept;  ///< As above.
   ~Pilot();
@@ -175,7 +182,7 @@ inline constexpr const char* kDefaultNavigator = "bspline-time";
 std::span<const NavigatorInfo> navigators();
 
 /// Parameters that each method takes in addition to its own: `follower=preview|classic` and
-/// `wall_escape=on|off`.
+/// `wall_escape=on|off|zones`.
 std::span<const ParameterSpec> commonParameters();
 
 /// A parsed specification such as `bezier:clearance=0.02,follower=classic`, with checked names. Copies share
@@ -185,7 +192,7 @@ struct NavigatorChoice {
   std::string text;                           ///< as given
   std::vector<Setting> settings;              ///< settings of the method's own parameters
   bool classic_follower = false;              ///< `follower=classic`
-  bool wall_escape = true;                    ///< `wall_escape=on`
+  WallRule wall_rule = WallRule::kEscape;     ///< `wall_escape=on`
 };
 
 /// Parses a specification. `./mine.so:mine:gain=2` names a navigator of a shared library, which is loaded

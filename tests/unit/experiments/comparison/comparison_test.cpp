@@ -97,7 +97,17 @@ TEST_CASE("the paper's suite judges every claim", "[unit]") {
     if (!row.id.ends_with("-with-hung")) ids += row.id + " ";
     CHECK_FALSE(row.ours.empty());
     CHECK_FALSE(row.reason.empty());
+    // The paper's own figure, where it has one, is as far away as it says, whatever our band.
+    CHECK(row.off_paper.has_value() == (row.paper.find('%') != std::string::npos));
+    if (row.off_paper) {
+      CHECK(*row.off_paper == Approx(std::stod(row.ours) - std::stod(row.paper)).margin(0.051));
+    }
   }
+  const auto json = nlohmann::json::parse(resultsJson(comparison, 0.0))["reproduction"][0];
+  CHECK(json.contains("inside_our_band"));
+  CHECK(json.contains("our_band"));
+  CHECK(json.contains("off_paper_points"));
+  CHECK(markdownReport(comparison).find("| our band | inside our band |") != std::string::npos);
   CHECK(ids ==
         "distance-untuned-univector time-untuned-univector distance-tuned-tangent-1.0 "
         "time-tuned-tangent-1.0 distance-tuned-tangent-2.6 time-tuned-tangent-2.6 distance-wide-ring "

@@ -16,6 +16,7 @@ MapConfig small() {
   config.base.speeds = {1.0};
   config.base.trials = 4;
   config.seeds = 2;
+  config.fresh = 0;
   config.radii = {0.06, 0.10};
   config.widths = {0.2};
   config.laws = {"classic"};
@@ -136,6 +137,40 @@ TEST_CASE("a map is the same on any number of threads, as text, CSV and JSON", "
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 5);
 }
 
+TEST_CASE("the nearest cells run again on layouts that had no part in choosing them", "[unit]") {
+  MapConfig config = small();
+  config.base.trials = 8;
+  config.headings = {"random"};
+  config.fresh = 5;
+  const PaperMap map = ran(config);
+  std::vector<std::size_t> nearest;
+  for (const MapFinding& finding : map.findings) {
+    if (!std::isnan(finding.off)) nearest.push_back(finding.nearest);
+  }
+  REQUIRE_FALSE(nearest.empty());
+  REQUIRE_FALSE(map.fresh.empty());
+  for (std::size_t cell : nearest) {
+    CHECK(std::count_if(map.fresh.begin(), map.fresh.end(),
+                        [&](const FreshCell& f) { return f.cell == cell; }) == 1);
+  }
+  // The same figures as a comparison of the same two methods on those layouts.
+  const FreshCell& fresh = map.fresh.front();
+  const MapCell& cell = map.cells[fresh.cell];
+  MapConfig again = config;
+  again.base.seed = config.base.seed + kFreshSeedOffset;
+  again.base.trials = config.fresh;
+  again.seeds = kFreshSeeds;
+  again.fresh = 0;
+  again.radii = {cell.radius};
+  const PaperMap other = ran(again);
+  CHECK(other.cells.front().raw.pairs == fresh.raw.pairs);
+  CHECK(other.cells.front().cut.length.value == fresh.cut.length.value);
+  CHECK(other.cells.front().safe.value == fresh.safe.value);
+  CHECK(mapReport(map).find("on fresh layouts") != std::string::npos);
+  CHECK(mapReport(other).find("on fresh layouts") == std::string::npos);
+  CHECK(nlohmann::json::parse(mapJson(map, 1.0))["fresh"].size() == map.fresh.size());
+}
+
 TEST_CASE("the paper's own comparison is mapped on long and short runs", "[unit]") {
   MapConfig config = small();
   config.base.suite = "jung-lee-2015";
@@ -161,6 +196,7 @@ TEST_CASE("wrong questions about the map are refused before anything runs", "[un
   CHECK(message([](MapConfig& c) {
           c.headings = {"up"};
         }).find("--headings: 'up' must be one of goal, random, away") == 0);
+  CHECK(message([](MapConfig& c) { c.fresh = -1; }) == "--fresh: -1 is outside 0 ... 100000");
   CHECK(message([](MapConfig& c) { c.seeds = 0; }) == "--seeds: 0 is outside 1 ... 100");
   CHECK(message([](MapConfig& c) { c.base.suite = "cornr"; }).find("Did you mean 'corner'?") !=
         std::string::npos);

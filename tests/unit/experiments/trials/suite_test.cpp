@@ -31,7 +31,8 @@ TEST_CASE("every suite's layouts are possible: nothing overlaps and all is on th
 TEST_CASE("a layout is a pure function of seed and number", "[unit]") {
   for (const Suite& suite : suites()) {
     CHECK(toToml(suite.layout(3, 11)) == toToml(suite.layout(3, 11)));
-    if (suite.name != "cases") CHECK(toToml(suite.layout(3, 11)) != toToml(suite.layout(4, 11)));
+    const bool drawn = suite.name != "cases" && suite.name != "sweeps";
+    CHECK((toToml(suite.layout(3, 11)) != toToml(suite.layout(4, 11))) == drawn);
   }
 }
 

@@ -51,7 +51,7 @@ TEST_CASE("a specification names a navigator of a library with its own and the s
   CHECK(choice->info->summary == "for tests");
   CHECK(choice->info->parameters[0].unit == "m/s");
   CHECK(choice->classic_follower);
-  CHECK_FALSE(choice->wall_escape);
+  CHECK(choice->wall_rule == WallRule::kNone);
   REQUIRE(choice->settings.size() == 1);
   CHECK(choice->settings[0].name == "gain");
   CHECK(parseNavigator(kLibrary + ":timed")->info->plans_speed);
