@@ -99,7 +99,8 @@ Tilt::Pulls Tilt::pull(RimSpeeds ground, RimSpeeds target, const Grips& grips, d
   Pulls result;
   RimSpeeds& wheels = result.wheels;
   for (int round = 0; round < kRounds; ++round) {
-    const double left_over = std::max(2.0 * grips.drive - std::abs(wheels.left) - std::abs(wheels.right), 0.0);
+    const double left_over =
+        std::max(2.0 * grips.drive - std::abs(wheels.left) - std::abs(wheels.right), 0.0);
     result.braked = -std::clamp(turn, -scrub_ * left_over, scrub_ * left_over);
     const double dragged = forward + yield * result.drag;
     wheels.left = towards(dragged - turn - result.braked + felt * wheels.right, target.left, left_ahead);
@@ -128,7 +129,8 @@ void Tilt::part(RimSpeeds& ground, RimSpeeds target, double& lateral) {
   const auto torque = [&](double rim, double aim) {  // of a motor, as a pull over the mass [m/s]
     return std::clamp(rim_mass_ * (aim - rim), -motor_ / 2, motor_ / 2);
   };
-  const double react = wheel_radius_ / inertia_ * (torque(rims_.left, target.left) + torque(rims_.right, target.right));
+  const double react =
+      wheel_radius_ / inertia_ * (torque(rims_.left, target.left) + torque(rims_.right, target.right));
   const Rates falling{rates_.rise - kGravity * dt_, rates_.pitch};
   const Loads loads = stand({falling.rise, falling.pitch - react}).loads;  // what friction can use
   const Standing free = stand(falling);
@@ -136,7 +138,8 @@ void Tilt::part(RimSpeeds& ground, RimSpeeds target, double& lateral) {
   const Grips grips{grip_ * on_wheels, drag_ * (loads[0] + loads[2]) / (kGravity * kOnSupports) +
                                            friction_ * (loads[3] + loads[4]) * dt_};
   lateral += on_wheels;
-  const double swing = free.rates.pitch * mass_height_;  // the floor moves past the wheels as the body pitches
+  const double swing =
+      free.rates.pitch * mass_height_;  // the floor moves past the wheels as the body pitches
   const RimSpeeds floor{ground.left - swing, ground.right - swing};
   const double yield = 1.0 + mass_height_ * mass_height_ * free.yield;
   const Pulls pulls = pull(floor, target, grips, yield);

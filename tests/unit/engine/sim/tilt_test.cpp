@@ -60,7 +60,8 @@ TEST_CASE("a robot that swings back from its support is sooner on its way", "[un
 
 TEST_CASE("a robot that speeds up, spins and drives curves stays level", "[unit]") {
   const RobotModel robot = firasimPreset().robot;
-  for (const WheelSpeeds command : {WheelSpeeds{30.0, 30.0}, WheelSpeeds{-25.0, 25.0}, WheelSpeeds{15.0, 45.0}}) {
+  for (const WheelSpeeds command :
+       {WheelSpeeds{30.0, 30.0}, WheelSpeeds{-25.0, 25.0}, WheelSpeeds{15.0, 45.0}}) {
     CAPTURE(command.left, command.right);
     World with = moving(robot, 0.0, 0.0), without = moving(level(robot), 0.0, 0.0);
     run(with, command, 100);
