@@ -27,7 +27,7 @@ DriveLaw::DriveLaw(const RobotModel& robot, double dt)
 // settle.
 RimSpeeds DriveLaw::resistedPulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const {
   constexpr int kMostRounds = 12;
-  constexpr double kSettled = 1e-9;  // [m/s]
+  constexpr double kSettled = 1e-6;  // [m/s]
   const double forward = (ground.left + ground.right) / 2, turn = (ground.right - ground.left) / 2;
   const double play = edges_ * std::abs(turn);
   RimSpeeds pull;
