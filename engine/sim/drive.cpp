@@ -8,6 +8,12 @@
 
 namespace fulbito {
 
+namespace {
+
+constexpr double kWheelsLoad = 9.81 * 2.0 / 3.0;  // [m/s^2] of the weight, beside two supports
+
+}  // namespace
+
 SpinRatio::SpinRatio(const RobotModel& robot) {
   if (!(robot.spin_slow_speed > 0.0) || !(robot.spin_fast_speed > robot.spin_slow_speed)) return;
   from_ = robot.spin_slow_speed;
@@ -18,6 +24,7 @@ SpinRatio::SpinRatio(const RobotModel& robot) {
 
 Drive::Drive(const RobotModel& robot, double step_period, double command_step)
     : law_(robot, step_period),
+      tilt_(robot, step_period),
       spin_ratio_(robot),
       max_wheel_speed_(robot.max_wheel_speed),
       command_step_(std::max(command_step, 0.0)),
@@ -26,7 +33,10 @@ Drive::Drive(const RobotModel& robot, double step_period, double command_step)
       half_track_(robot.axle_track / 2),
       per_radius_(1.0 / robot.wheel_radius),
       max_grip_(robot.longitudinal_grip * step_period),
-      max_lateral_(robot.lateral_grip * step_period) {}
+      max_lateral_(robot.lateral_grip * step_period),
+      load_shift_(robot.load_shift * robot.mass_height / (kWheelsLoad * robot.axle_track / 2)),
+      outer_edge_(1.0 + robot.wheel_width / robot.axle_track),
+      per_play_(robot.wheel_width > 0.0 ? robot.axle_track / robot.wheel_width : 1.0) {}
 
 double Drive::rimTarget(double wheel_speed) const {
   if (std::isnan(wheel_speed)) return 0.0;
@@ -37,12 +47,15 @@ double Drive::rimTarget(double wheel_speed) const {
   return static_cast<double>(steps) * command_step_ * radius_;
 }
 
-// What tyres that scrub leave of half the difference of the commanded rims' speeds.
+// What tyres that scrub leave of half the difference of the commanded rims' speeds. Wheels that spin the body
+// up roll on their outer edges; where the spin was measured faster, they have come to roll nearer to the
+// inner ones.
 double Drive::scrubbedTurn(double common, double half_difference) const {
   if (spin_ratio_.isOne()) return half_difference;
-  // None beside a wheel that stands still.
-  const double in_place = std::max(std::abs(half_difference) - std::abs(common), 0.0);
-  const double scrubbed = (spin_ratio_.at(std::abs(half_difference)) - 1.0) * in_place;
+  // A robot turns in place as long as its wheels' width has room for what the command drives.
+  const double turn = std::abs(half_difference);
+  const double in_place = std::max(turn - std::abs(common) * per_play_, 0.0);
+  const double scrubbed = (spin_ratio_.at(turn) * outer_edge_ - 1.0) * in_place;
   return half_difference + std::copysign(1.0, half_difference) * scrubbed;
 }
 
@@ -71,6 +84,13 @@ RimSpeeds Drive::slippingPulls(RimSpeeds ground, RimSpeeds pulls) {
   const double left = slippingLimit(pulls.left, target_.left, ground.left, rim_.left, left_slips_);
   const double right = slippingLimit(pulls.right, target_.right, ground.right, rim_.right, right_slips_);
   return law_.pulls(ground, target_, {left, right});
+}
+
+BodyMotion Drive::tiltedStep(const BodyMotion& motion, RimSpeeds ground) {
+  const Tilt::Change change = tilt_.step(ground, target_);
+  const double lateral = max_lateral_ * change.lateral_grip;
+  left_slips_ = right_slips_ = false;
+  return {change.forward, -std::clamp(motion.sideways, -lateral, lateral), change.turn / half_track_};
 }
 
 }  // namespace fulbito

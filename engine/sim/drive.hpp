@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/models/drive_law.hpp"
+#include "engine/sim/tilt.hpp"
 #include "fulbito/detail/values.hpp"
 
 namespace fulbito {
@@ -57,8 +58,11 @@ class Drive {
   double scrubbedTurn(double common, double half_difference) const;
   double slippingLimit(double pull, double target, double ground, double& rim, bool& slips) const;
   RimSpeeds slippingPulls(RimSpeeds ground, RimSpeeds pulls);
+  RimSpeeds limits(const BodyMotion& motion) const;
+  BodyMotion tiltedStep(const BodyMotion& motion, RimSpeeds ground);
 
   DriveLaw law_;
+  Tilt tilt_;
   SpinRatio spin_ratio_;
   double max_wheel_speed_;
   double command_step_;      // [rad/s], 0: not rounded
@@ -68,6 +72,9 @@ class Drive {
   double per_radius_;        // [1/m]
   double max_grip_;          // [m/s] in one step, along the wheels
   double max_lateral_;       // [m/s] in one step, across
+  double load_shift_;        // [s^2/m] share of the grip over the acceleration across
+  double outer_edge_;        // track to the wheels' outer edges over the track
+  double per_play_;          // turn over the driving speed up to which the robot turns in place
   WheelSpeeds command_;      // [rad/s] as it came
   RimSpeeds target_;         // what it asks for
   RimSpeeds rim_;            // valid only while the wheel slips
@@ -77,21 +84,31 @@ class Drive {
 
 inline WheelSpeeds Drive::encoders(double forward, double yaw) const {
   const double turn = yaw * half_track_;
+  if (tilt_.isTilted()) return {tilt_.rims().left * per_radius_, tilt_.rims().right * per_radius_};
   const double left = left_slips_ ? rim_.left : forward - turn;
   const double right = right_slips_ ? rim_.right : forward + turn;
   return {left * per_radius_, right * per_radius_};
 }
 
+// In a curve the inner wheel bears less, and so pulls less.
+inline RimSpeeds Drive::limits(const BodyMotion& motion) const {
+  if (load_shift_ == 0.0) return {law_.limit(), law_.limit()};
+  const double shift = load_shift_ * motion.forward * motion.yaw;
+  return {std::clamp((1.0 - shift) * max_grip_, 0.0, law_.limit()),
+          std::clamp((1.0 + shift) * max_grip_, 0.0, law_.limit())};
+}
+
 inline BodyMotion Drive::step(const BodyMotion& motion) {
   const double turn = motion.yaw * half_track_;
   const RimSpeeds ground{motion.forward - turn, motion.forward + turn};
-  RimSpeeds pulls = law_.pulls(ground, target_, {law_.limit(), law_.limit()});
+  RimSpeeds pulls = law_.pulls(ground, target_, limits(motion));
+  if (tilt_.isOff(motion.forward, pulls)) return tiltedStep(motion, ground);
   if (std::abs(pulls.left) <= max_grip_ && std::abs(pulls.right) <= max_grip_) {
     left_slips_ = right_slips_ = false;
   } else {
     pulls = slippingPulls(ground, pulls);
   }
-  const RimSpeeds change = law_.change(ground, target_, pulls);
+  const RimSpeeds change = law_.change(ground, pulls);
   return {(change.left + change.right) / 2, -std::clamp(motion.sideways, -max_lateral_, max_lateral_),
           (change.right - change.left) / (2 * half_track_)};
 }

@@ -178,6 +178,14 @@ class RobotModel:
     spin_slow_ratio: float = 1.0
     spin_fast_speed: float = 0.0
     spin_fast_ratio: float = 1.0
+    wheel_width: float = 0.0
+    support_distance: float = 0.0
+    support_sink: float = 0.0
+    support_settling: float = 0.0
+    mass_height: float = 0.0
+    ground_clearance: float = 0.0
+    load_shift: float = 0.0
+    rim_mass: float = 0.0
     curve_widening: float = 0.0
     curve_widening_rise: float = 0.0
     friction: float = 0.0

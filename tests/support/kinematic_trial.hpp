@@ -55,7 +55,7 @@ struct KinematicRobot {
     const DriveLaw law(robot, h);
     const RimSpeeds rims{left, right},
         target{wheels.left * robot.wheel_radius, wheels.right * robot.wheel_radius};
-    const RimSpeeds change = law.change(rims, target, law.pulls(rims, target, {law.limit(), law.limit()}));
+    const RimSpeeds change = law.change(rims, law.pulls(rims, target, {law.limit(), law.limit()}));
     left += change.left;
     right += change.right;
     state.angular_velocity = (right - left) / robot.axle_track;

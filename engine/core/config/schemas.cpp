@@ -11,7 +11,7 @@ constexpr double kLongestLabel = 100;
 // A new member of a struct needs a key below, and its size here.
 template <typename T, std::size_t labels, std::size_t numbers>
 constexpr bool kHasOnly = sizeof(T) == labels * sizeof(std::string) + numbers * sizeof(double);
-static_assert(kHasOnly<RobotModel, 1, 20>);
+static_assert(kHasOnly<RobotModel, 1, 28>);
 static_assert(kHasOnly<BallModel, 0, 10>);
 static_assert(kHasOnly<FieldGeometry, 1, 16>);
 
@@ -41,6 +41,15 @@ Schema schemaOf(RobotModel& r) {
       {"spin_fast_speed", &r.spin_fast_speed, 0.0, 20.0, "m/s",
        "rim speed of the second measured spin in place"},
       {"spin_fast_ratio", &r.spin_fast_ratio, 0.1, 10.0, "", "measured over ideal yaw rate at that speed"},
+      {"wheel_width", &r.wheel_width, 0.0, 0.5, "m", "between a wheel's edges, on which it stands"},
+      {"support_distance", &r.support_distance, 0.0, 0.5, "m", "sliding supports before and behind the axle"},
+      {"support_sink", &r.support_sink, 0.0, 0.01, "m", "by which contacts with the floor give way at rest"},
+      {"support_settling", &r.support_settling, 0.0, 1.0, "s", "in which they do"},
+      {"mass_height", &r.mass_height, 0.0, 0.5, "m", "centre of mass above the floor; 0 = stays level"},
+      {"ground_clearance", &r.ground_clearance, 0.0, 0.1, "m", "of the body's front and rear edge"},
+      {"load_shift", &r.load_shift, 0.0, 1.0, "",
+       "share of the load that a curve moves to the outer wheel, by which the wheels' grip changes"},
+      {"rim_mass", &r.rim_mass, 0.0, 10.0, "kg", "that accelerates as a wheel's rim does"},
       {"curve_widening", &r.curve_widening, 0.0, 100.0, "s",
        "radius that a curve gains by slip, over the speed; 0 = none"},
       {"curve_widening_rise", &r.curve_widening_rise, 0.0, 100.0, "s^2/m",

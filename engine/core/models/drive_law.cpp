@@ -15,8 +15,35 @@ DriveLaw::DriveLaw(const RobotModel& robot, double dt)
       other_((turn_ - 1.0) / (2.0 * turn_)),
       felt_((1.0 - turn_) / 2.0),
       per_pull_(2.0 / (1.0 + turn_)),
+      edges_(robot.wheel_width / robot.axle_track),
+      scrub_(turn_ * robot.wheel_width / (2.0 * robot.axle_track)),
+      grip_(2.0 * robot.longitudinal_grip * dt),
+      resisted_(robot.rolling_drag > 0.0 || robot.wheel_width > 0.0),
       widening_(robot.curve_widening / (robot.axle_track / 2)),
       rise_(robot.curve_widening_rise / (robot.axle_track / 2)) {}
+
+// Each wheel seeks the nearest speed at which one of its edges rolls, given the other wheel's pull, the drag
+// and the scrubbing, which depend on both pulls. The coupling of the wheels is weak, so that a few rounds
+// settle.
+RimSpeeds DriveLaw::resistedPulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const {
+  constexpr int kMostRounds = 12;
+  constexpr double kSettled = 1e-6;  // [m/s]
+  const double forward = (ground.left + ground.right) / 2, turn = (ground.right - ground.left) / 2;
+  const double play = edges_ * std::abs(turn);
+  RimSpeeds pull;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const RimSpeeds before = pull;
+    const double sum = (pull.left + pull.right) / 2;
+    const double drag = -std::clamp(forward + sum, -drag_, drag_), braked = scrub(turn, pull);
+    const auto towards = [&](double rim, double aim, double limit) {
+      return std::clamp((std::clamp(rim, aim - play, aim + play) - rim) * per_pull_, -limit, limit);
+    };
+    pull.left = towards(ground.left + drag - braked + felt_ * pull.right, target.left, limits.left);
+    pull.right = towards(ground.right + drag + braked + felt_ * pull.left, target.right, limits.right);
+    if (std::abs(pull.left - before.left) + std::abs(pull.right - before.right) < kSettled) break;
+  }
+  return pull;
+}
 
 // With T = widening + rise |v|, a curve of radius v / w becomes one of v / w + T v: w' = w / (1 + T w).
 double DriveLaw::widening(double forward) const { return widening_ + rise_ * std::abs(forward); }

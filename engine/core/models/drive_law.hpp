@@ -16,6 +16,12 @@ struct RimSpeeds {
 /// How two motors of limited force and the drag change a robot's motion during a time step. The world and all
 /// predictions use this law. Both forces act on one body: a force at one wheel moves and turns the body,
 /// which also moves the other wheel. Each motor pulls until its rim reaches the target, up to its limit.
+///
+/// A wheel of some width stands on its two edges, which move over the ground at different speeds in a turn.
+/// Both grip by Coulomb friction, so only one of them rolls: the faster one if the wheel pushes and the
+/// slower one if it brakes. In between the edges scrub against each other and the wheel gives no pull. So in
+/// a curve a robot that has to push loses half of the width times the yaw rate, and what the motors leave of
+/// the grip brakes the turn.
 class DriveLaw {
  public:
   /// @param dt  [s] length of the time step
@@ -26,8 +32,8 @@ class DriveLaw {
   /// @param target  their wanted speed [m/s]
   /// @param limits  largest pull of each motor [m/s]
   RimSpeeds pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const;
-  /// Change of the rims' speed over the ground [m/s] that the pulls and the drag make.
-  RimSpeeds change(RimSpeeds ground, RimSpeeds target, RimSpeeds pulls) const;
+  /// Change of the rims' speed over the ground [m/s] that the pulls, the drag and the scrubbing edges make.
+  RimSpeeds change(RimSpeeds ground, RimSpeeds pulls) const;
   /// The rims' speed over the ground [m/s] that a commanded one leads to. In a curve of radius R at speed v
   /// the wheels slip, and the body drives a curve of radius R + widening v + rise v^2 at the same speed (Choi
   /// & Lee 2005, Tables 5 and 6). Between a wheel that stands and a spin in place the effect fades to none.
@@ -39,7 +45,8 @@ class DriveLaw {
   double limit() const { return limit_; }  ///< [m/s] of one motor
 
  private:
-  double drag(double forward, double forward_target) const;
+  RimSpeeds resistedPulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const;
+  double scrub(double turn, RimSpeeds pulls) const;
   double widening(double forward) const;
   RimSpeeds reachedInCurve(RimSpeeds commanded) const;
 
@@ -51,21 +58,19 @@ class DriveLaw {
   double other_;     // the same for the other rim's change
   double felt_;      // change of a rim by a pull at the other wheel
   double per_pull_;  // pull for a change of its own rim
+  double edges_;     // half the difference of a wheel's edges' speeds over that of the rims
+  double scrub_;     // change of the rims by edges that scrub, over the grip that the motors leave
+  double grip_;      // [m/s] of both wheels
+  bool resisted_;    // by drag or edges
   double widening_;  // [s/m] of the rims' difference: yaw rates count as rim speeds here
   double rise_;      // [s^2/m^2]
 };
 
 // What follows runs once per robot and physics step: a call would cost as much as the work.
 
-// Coulomb: against the motion, or against the motion that is about to begin.
-inline double DriveLaw::drag(double forward, double forward_target) const {
-  if (forward != 0.0) return -std::clamp(forward, -drag_, drag_);
-  return forward_target == 0.0 ? 0.0 : -std::copysign(drag_, forward_target);
-}
-
 inline RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const {
-  const double lost = drag((ground.left + ground.right) / 2, (target.left + target.right) / 2);
-  const RimSpeeds lack{target.left - ground.left - lost, target.right - ground.right - lost};
+  if (resisted_) return resistedPulls(ground, target, limits);
+  const RimSpeeds lack{target.left - ground.left, target.right - ground.right};
   RimSpeeds pull{own_ * lack.left + other_ * lack.right, own_ * lack.right + other_ * lack.left};
   if (std::abs(pull.left) <= limits.left && std::abs(pull.right) <= limits.right) return pull;
   // If one motor is at its limit, the other one only controls its own rim.
@@ -82,12 +87,18 @@ inline RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds l
   return pull;
 }
 
-inline RimSpeeds DriveLaw::change(RimSpeeds ground, RimSpeeds target, RimSpeeds pulls) const {
-  const double forward = (ground.left + ground.right) / 2;
-  const double raw = (pulls.left + pulls.right) / 2 + drag(forward, (target.left + target.right) / 2);
+// Coulomb: at most until the robot no longer turns. `turn` is half the difference of the rims' speeds.
+inline double DriveLaw::scrub(double turn, RimSpeeds pulls) const {
+  const double most = scrub_ * std::max(grip_ - std::abs(pulls.left) - std::abs(pulls.right), 0.0);
+  return -std::clamp(turn, -most, most);
+}
+
+inline RimSpeeds DriveLaw::change(RimSpeeds ground, RimSpeeds pulls) const {
+  const double forward = (ground.left + ground.right) / 2, pull = (pulls.left + pulls.right) / 2;
+  const double raw = pull - std::clamp(forward + pull, -drag_, drag_);  // drag: until the robot rests
   const double most = most_[raw * forward < 0.0 ? 1 : 0];
   const double common = std::clamp(raw, -most, most);
-  const double turn = turn_ * (pulls.right - pulls.left) / 2;
+  const double turn = turn_ * (pulls.right - pulls.left) / 2 + scrub((ground.right - ground.left) / 2, pulls);
   return {common - turn, common + turn};
 }
 

@@ -54,7 +54,7 @@ RobotState rolledForward(const RobotModel& model, RobotState robot, WheelSpeeds 
   const double radius = model.wheel_radius;
   const RimSpeeds ground{robot.wheels.left * radius, robot.wheels.right * radius};
   const RimSpeeds target = law.reached({command.left * radius, command.right * radius});
-  const RimSpeeds change = law.change(ground, target, law.pulls(ground, target, {law.limit(), law.limit()}));
+  const RimSpeeds change = law.change(ground, law.pulls(ground, target, {law.limit(), law.limit()}));
   const WheelSpeeds before = robot.wheels;
   robot.wheels = {(ground.left + change.left) / radius, (ground.right + change.right) / radius};
   const Twist twist = forwardKinematics(

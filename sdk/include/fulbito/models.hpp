@@ -53,6 +53,14 @@ struct RobotModel {
   double spin_slow_ratio = 1.0;      ///< measured over ideal yaw rate at `spin_slow_speed` and below
   double spin_fast_speed = 0.0;      ///< [m/s] rim speed of the second measured spin
   double spin_fast_ratio = 1.0;      ///< the same at `spin_fast_speed` and above; linear between
+  double wheel_width = 0.0;          ///< [m] between a wheel's edges, on which it stands
+  double support_distance = 0.0;     ///< [m] sliding supports before and behind the axle
+  double support_sink = 0.0;         ///< [m] by which contacts with the floor give way at rest
+  double support_settling = 0.0;     ///< [s] in which they do
+  double mass_height = 0.0;          ///< [m] centre of mass above the floor; 0: the robot stays level
+  double ground_clearance = 0.0;     ///< [m] of the body's front and rear edge
+  double load_shift = 0.0;           ///< share of a curve's load on the outer wheel that changes the grip
+  double rim_mass = 0.0;             ///< [kg] that accelerates as a wheel's rim does
   double curve_widening = 0.0;       ///< [s] radius that a curve gains by slip, over the speed; 0: none
   double curve_widening_rise = 0.0;  ///< [s^2/m] by which `curve_widening` rises with the speed
   double friction = 0.2;             ///< of the body against robots, walls and obstacles

@@ -65,7 +65,7 @@ struct Roll {
     const double before = forward, yaw_before = yaw;
     const RimSpeeds rims{forward - yaw, forward + yaw};
     const RimSpeeds most{pitch.motors.limit(), pitch.motors.limit()};
-    const RimSpeeds change = pitch.motors.change(rims, {}, pitch.motors.pulls(rims, {}, most));
+    const RimSpeeds change = pitch.motors.change(rims, pitch.motors.pulls(rims, {}, most));
     forward += (change.left + change.right) / 2;
     yaw += (change.right - change.left) / 2;
     if (std::abs(forward) + std::abs(yaw) < kStands) forward = yaw = 0.0;

@@ -78,7 +78,7 @@ TEST_CASE("a robot pressed against something gives the motor's force times the t
   World world = makeWorld(config);
   run(world, {40.0, 40.0}, 120);
   REQUIRE(world.contacts().size() == 1);
-  CHECK(world.contacts()[0].impulse == Approx(robot.mass * robot.wheel_acceleration / 60).epsilon(0.02));
+  CHECK(world.contacts()[0].impulse == Approx(robot.mass * robot.motorPull() / 60).epsilon(0.02));
 }
 
 TEST_CASE("a robot that hits a ball is the first of the two", "[unit]") {
@@ -142,4 +142,52 @@ TEST_CASE("events come in the order of their bodies, each pair once, with unit n
     }
   }
   CHECK(most >= 10);
+}
+
+namespace {
+
+/// [m] from a point to the outline of a square of 75 mm around the origin; 0 inside.
+double toSquare(Vec2 p, double heading) {
+  const Vec2 ahead = math::unit(heading);
+  const Vec2 outside{std::max(std::abs(dot(ahead, p)) - 0.0375, 0.0),
+                     std::max(std::abs(cross(ahead, p)) - 0.0375, 0.0)};
+  return norm(outside);
+}
+
+}  // namespace
+
+TEST_CASE("a ball that touches a robot and is past it within the tick is seen", "[unit]") {
+  const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
+  const auto preset = GENERATE(vsssPreset(), firasimPreset());
+  CAPTURE(physics.name, preset.robot.name);
+  Rng rng(2071, Stream::kWheelCommands);
+  int touched = 0, passed_in_tick = 0;
+  for (int shot = 0; shot < 250; ++shot) {
+    const double heading = rng.uniform(-math::kPi, math::kPi), speed = rng.uniform(5.0, 10.0);
+    const Vec2 along = math::unit(rng.uniform(-math::kPi, math::kPi));
+    // Passes the robot's corners and edges on either side, by a few millimetres.
+    const Vec2 start = along * -rng.uniform(0.075, 0.2) + perp(along) * rng.uniform(-0.08, 0.08);
+    double nearest = 1.0;
+    for (double way = 0.0; way < 0.4; way += 0.0002)
+      nearest = std::min(nearest, toSquare(start + along * way, heading));
+    if (toSquare(start, heading) < 0.025 || std::abs(nearest - preset.ball.radius) < 0.0015) continue;
+    WorldConfig config = loneRobot(preset.robot, physics);
+    config.robots[0].pose.heading = heading;
+    config.balls.push_back({preset.ball, start, along * speed, along * speed});
+    World world = makeWorld(config);
+    bool seen = false;
+    for (int tick = 0; tick < 6 && !seen; ++tick) {
+      const Vec2 before = world.state().balls[0].position;
+      run(world, {}, 1);
+      seen = !world.contacts().empty();
+      const bool was_away = toSquare(before, heading) > 0.03,
+                 is_away = toSquare(world.state().balls[0].position, heading) > 0.03;
+      if (seen && was_away && is_away) ++passed_in_tick;
+    }
+    CAPTURE(shot, nearest, speed);
+    CHECK(seen == (nearest < preset.ball.radius));
+    touched += seen ? 1 : 0;
+  }
+  CHECK(touched > 50);
+  if (physics.controlPeriod() > 0.015) CHECK(passed_in_tick > 10);
 }

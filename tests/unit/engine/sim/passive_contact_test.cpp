@@ -4,6 +4,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/energy.hpp"
 #include "tests/support/test_stream.hpp"
 #include "tests/support/worlds.hpp"
 
@@ -24,7 +25,7 @@ WorldConfig onIce(const RobotPreset& preset, const PhysicsProfile& physics, int 
   int number = 0;
   for (RobotPlacement& robot : config.robots) {
     robot.model.wheel_acceleration = robot.model.wheel_braking = robot.model.rolling_drag = 0.0;
-    robot.model.lateral_grip = 0.0;
+    robot.model.lateral_grip = robot.model.wheel_width = robot.model.mass_height = 0.0;
     robot.velocity = velocity();
     robot.angular_velocity = rng.uniform(-20.0, 20.0);
     if (scene == Scene::kIntoCorner) {
@@ -40,21 +41,6 @@ WorldConfig onIce(const RobotPreset& preset, const PhysicsProfile& physics, int 
     ball.velocity = velocity();
   }
   return config;
-}
-
-double energy(const World& world) {
-  const WorldConfig& config = world.config();
-  const WorldState& state = world.state();
-  double sum = 0.0;
-  for (std::size_t i = 0; i < state.robots.size(); ++i) {
-    const RobotModel& m = config.robots[i].model;
-    const double inertia = m.mass * (m.length * m.length + m.width * m.width) / 12;
-    const double yaw = state.robots[i].angular_velocity;
-    sum += (m.mass * squaredNorm(state.robots[i].velocity) + inertia * yaw * yaw) / 2;
-  }
-  for (std::size_t i = 0; i < state.balls.size(); ++i)
-    sum += config.balls[i].model.mass * squaredNorm(state.balls[i].velocity) / 2;
-  return sum;
 }
 
 }  // namespace

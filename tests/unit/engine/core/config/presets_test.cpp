@@ -65,9 +65,15 @@ TEST_CASE("the robot firasim has the figures of FIRASim", "[unit]") {
   CHECK(preset.robot.mass == 2.4);
   CHECK(preset.robot.wheel_radius == 0.02);
   CHECK(preset.robot.axle_track == 0.08);
-  CHECK(preset.robot.wheel_acceleration == 1.27);
-  CHECK(preset.robot.turnAcceleration() == Approx(157.0));
-  CHECK(preset.robot.motorPull() == Approx(5.2));
+  // Two motors of 0.11 N m at rims of 0.051 kg against supports that slide with friction 1.0 under a third
+  // of 2.40 kg.
+  const double mass = 2.40 + 2 * 0.051, weight = 2.40 * 9.81;
+  CHECK(preset.robot.motorPull() == Approx(2 * 0.11 / 0.02 / mass).epsilon(0.002));
+  CHECK(preset.robot.rolling_drag == Approx(weight / 3 / mass).epsilon(0.005));
+  CHECK(preset.robot.wheel_acceleration == Approx(preset.robot.motorPull() - preset.robot.rolling_drag));
+  CHECK(preset.robot.longitudinal_grip == Approx(0.8 * 9.81 * 2 / 3).epsilon(0.001));
+  CHECK(preset.robot.lateral_grip == Approx(1.0 * 9.81 * 2 / 3).epsilon(0.001));
+  CHECK(preset.robot.turnAcceleration() == Approx(160.0));
   CHECK(preset.robot.spin_slow_ratio * 2 * 20 * 0.02 / 0.08 == Approx(9.41));
   CHECK(preset.robot.spin_fast_ratio * 2 * 40 * 0.02 / 0.08 == Approx(21.3));
   CHECK(preset.ball.mass == 0.043);

@@ -24,7 +24,76 @@ double radius(RimSpeeds rims) { return 0.2 * (rims.right + rims.left) / (rims.ri
 
 double speed(RimSpeeds rims) { return (rims.left + rims.right) / 2; }
 
+/// A robot of 8 cm track whose wheels are 6 mm wide.
+RobotModel wideWheels(double drag) {
+  RobotModel robot;
+  robot.axle_track = 0.08;
+  robot.wheel_width = 0.006;
+  robot.wheel_acceleration = 2.0;
+  robot.rolling_drag = drag;
+  robot.wheel_braking = 2.0 + 2.0 * drag;
+  robot.longitudinal_grip = 6.0;
+  return robot;
+}
+
+RimSpeeds settled(const RobotModel& robot, RimSpeeds rims, RimSpeeds target) {
+  const DriveLaw law(robot, 0.01);
+  const RimSpeeds limits{law.limit(), law.limit()};
+  for (int i = 0; i < 500; ++i) {
+    const RimSpeeds change = law.change(rims, law.pulls(rims, target, limits));
+    rims = {rims.left + change.left, rims.right + change.right};
+  }
+  return rims;
+}
+
+double yawRate(RimSpeeds rims) { return (rims.right - rims.left) / 0.08; }
+
 }  // namespace
+
+TEST_CASE("a robot that pushes through a curve loses half of its wheels' width times the yaw rate",
+          "[unit]") {
+  for (const double sense : {1.0, -1.0}) {
+    const RimSpeeds target{0.3 * sense, 0.5 * sense};
+    const RimSpeeds reached = settled(wideWheels(1.5), {}, target);
+    CHECK(yawRate(reached) == Approx(sense * 0.2 / 0.08));
+    CHECK(speed(reached) == Approx(sense * (0.4 - 0.003 * 0.2 / 0.08)));
+    // Narrow wheels lose nothing.
+    RobotModel narrow = wideWheels(1.5);
+    narrow.wheel_width = 0.0;
+    CHECK(speed(settled(narrow, {}, target)) == Approx(0.4 * sense));
+  }
+}
+
+TEST_CASE("a spin comes to roll on the outer edges from below and stays between the edges from above",
+          "[unit]") {
+  const RimSpeeds target{-0.4, 0.4};
+  CHECK(yawRate(settled(wideWheels(0.0), {}, target)) == Approx(0.4 / 0.043));
+  RobotModel slippery = wideWheels(0.0);
+  slippery.longitudinal_grip = 2.0;  // as little as the motors: nothing is left to scrub with
+  const double rate = yawRate(settled(slippery, {-0.6, 0.6}, target));
+  CHECK(rate <= 0.4 / 0.037 + 1e-9);
+  CHECK(rate >= 0.4 / 0.043 - 1e-9);
+}
+
+TEST_CASE("what the motors leave of the grip brakes a turn", "[unit]") {
+  // Both wheels push with all their force, 3.5 of 6 m/s2 each: the edges scrub with the rest.
+  const RobotModel robot = wideWheels(1.5);
+  const DriveLaw law(robot, 0.01);
+  const RimSpeeds rims{-0.2, 0.2}, limits{law.limit(), law.limit()};
+  const RimSpeeds pulls = law.pulls(rims, {5.0, 5.0}, limits);
+  CHECK(pulls.left == Approx(3.5 * 0.01));
+  const RimSpeeds change = law.change(rims, pulls);
+  const double couple = robot.mass / 2 * (2 * 6.0 - 2 * 3.5) * 0.003;  // [N m]
+  CHECK(yawRate(change) == Approx(-couple / robot.inertia() * 0.01));
+  CHECK(speed(change) == Approx(2.0 * 0.01));
+}
+
+TEST_CASE("scrubbing edges stop a turn but do not reverse it", "[unit]") {
+  const DriveLaw law(wideWheels(0.0), 0.01);
+  const RimSpeeds change = law.change({-1e-5, 1e-5}, {});
+  CHECK(change.left == Approx(1e-5));
+  CHECK(change.right == Approx(-1e-5));
+}
 
 TEST_CASE("a curve widens by the same length for every radius, and more at speed", "[unit]") {
   const DriveLaw law(slippingRobot(), 0.01);

@@ -1,0 +1,175 @@
+#include "engine/sim/tilt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fulbito {
+namespace {
+
+constexpr double kGravity = 9.81;        // [m/s^2]
+constexpr double kLongestPart = 0.0045;  // [s]: contacts settle within a few parts
+constexpr double kLevelPitch = 0.003;    // [rad] as of a robot that speeds up
+constexpr double kLevelRate = 0.1;       // [rad/s]
+constexpr double kLeastSink = 1e-5;      // [m]
+constexpr double kLeastRim = 1e-3;       // of the robot's mass
+// Supports touch the floor at one point, wheels at the two edges of each, the body's edges at two corners.
+constexpr std::array<double, 5> kPoints{1.0, 4.0, 1.0, 2.0, 2.0};
+constexpr double kOnWheels = 4.0 / 6.0, kOnSupports = 2.0 / 6.0;  // of the weight: points sink alike
+
+}  // namespace
+
+Tilt::Tilt(const RobotModel& robot, double dt)
+    : dt_(dt / std::max(1.0, std::floor(dt / kLongestPart + 0.5))),
+      parts_(static_cast<int>(std::max(1.0, std::floor(dt / kLongestPart + 0.5)))),
+      motor_(robot.motorPull() * dt_),
+      drag_(robot.rolling_drag * dt_),
+      grip_(robot.longitudinal_grip * dt_),
+      turn_(robot.turnShare()),
+      edges_(robot.wheel_width / robot.axle_track),
+      scrub_(turn_ * edges_ / 2.0),
+      most_braking_(robot.motorPull() * dt * 0.05),
+      mass_height_(robot.mass_height),
+      inertia_((robot.length * robot.length + 4.0 * mass_height_ * mass_height_) / 12.0),
+      wheel_radius_(robot.wheel_radius),
+      rim_mass_(std::max(robot.rim_mass / robot.mass, kLeastRim)),
+      stiffness_(kGravity / (6.0 * std::max(robot.support_sink, kLeastSink))),
+      damping_(stiffness_ * std::max(robot.support_settling, 2.0 * dt_)),  // springs bounce below that
+      friction_(robot.friction),
+      place_{robot.support_distance, 0.0, -robot.support_distance, robot.length / 2, -robot.length / 2},
+      clearance_(robot.ground_clearance),
+      rise_(-robot.support_sink) {}
+
+// Pulls that a level robot's supports bear do not lift its wheels.
+bool Tilt::brakes(double forward, RimSpeeds pulls) const {
+  const double pull = (pulls.left + pulls.right) / 2;
+  return pull * forward < 0.0 && std::abs(pull) > most_braking_ && std::abs(forward) > std::abs(pull);
+}
+
+// Loads at the end of the part: springs as they are, dampers as the body will move. Nothing pulls.
+Tilt::Standing Tilt::stand(Rates rates) const {
+  std::array<double, kContacts> spring{};
+  std::array<bool, kContacts> touches{};
+  for (std::size_t i = 0; i < kContacts; ++i) {
+    const double depth = place_[i] * pitch_ - rise_ - (i < 3 ? 0.0 : clearance_);
+    touches[i] = depth > 0.0;
+    spring[i] = kPoints[i] * stiffness_ * depth;
+  }
+  Standing result;
+  for (std::size_t round = 0; round < kContacts; ++round) {
+    double lift = 1.0, both = 0.0, swing = inertia_, up = rates.rise, down = inertia_ * rates.pitch;
+    for (std::size_t i = 0; i < kContacts; ++i) {
+      if (!touches[i]) continue;
+      const double damped = kPoints[i] * damping_ * dt_;
+      lift += damped;
+      both -= damped * place_[i];
+      swing += damped * place_[i] * place_[i];
+      up += spring[i] * dt_;
+      down -= spring[i] * dt_ * place_[i];
+    }
+    const double whole = lift * swing - both * both;
+    result.rates = {(up * swing - down * both) / whole, (down * lift - up * both) / whole};
+    result.yield = lift / whole;
+    bool pulls = false;
+    for (std::size_t i = 0; i < kContacts; ++i) {
+      const double speed = result.rates.rise - place_[i] * result.rates.pitch;
+      result.loads[i] = touches[i] ? spring[i] - kPoints[i] * damping_ * speed : 0.0;
+      if (result.loads[i] >= 0.0) continue;
+      result.loads[i] = 0.0;
+      touches[i] = false;
+      pulls = true;
+    }
+    if (!pulls) break;
+  }
+  return result;
+}
+
+// As DriveLaw::resistedPulls, at the floor: what pulls there also pitches the body, by `yield`.
+Tilt::Pulls Tilt::pull(RimSpeeds ground, RimSpeeds target, const Grips& grips, double yield) const {
+  constexpr int kRounds = 6;
+  const double forward = (ground.left + ground.right) / 2, turn = (ground.right - ground.left) / 2;
+  const double play = edges_ * std::abs(turn), own = (yield + turn_) / 2, felt = (yield - turn_) / 2;
+  // A rim that runs ahead of the floor gives its own momentum too.
+  const double left_ahead = 2.0 * rim_mass_ * (rims_.left - ground.left);
+  const double right_ahead = 2.0 * rim_mass_ * (rims_.right - ground.right), lag = 2.0 * rim_mass_ * play;
+  const auto towards = [&](double rim, double aim, double ahead) {
+    const double least = std::clamp(ahead + lag - motor_, -grips.drive, grips.drive);
+    const double most = std::clamp(ahead - lag + motor_, -grips.drive, grips.drive);
+    return std::clamp((std::clamp(rim, aim - play, aim + play) - rim) / own, least, most);
+  };
+  Pulls result;
+  RimSpeeds& wheels = result.wheels;
+  for (int round = 0; round < kRounds; ++round) {
+    const double left_over =
+        std::max(2.0 * grips.drive - std::abs(wheels.left) - std::abs(wheels.right), 0.0);
+    result.braked = -std::clamp(turn, -scrub_ * left_over, scrub_ * left_over);
+    const double dragged = forward + yield * result.drag;
+    wheels.left = towards(dragged - turn - result.braked + felt * wheels.right, target.left, left_ahead);
+    wheels.right = towards(dragged + turn + result.braked + felt * wheels.left, target.right, right_ahead);
+    const double moved = forward / yield + (wheels.left + wheels.right) / 2;
+    result.drag = -std::clamp(moved, -grips.slide, grips.slide);
+  }
+  return result;
+}
+
+// A rim whose wheel slips goes on by itself; otherwise one of its edges rolls. Returns its change.
+double Tilt::spunUp(double& rim, double ground, double target, double pull, double play, double grip) const {
+  const double before = rim;
+  if (std::abs(pull) >= grip) {
+    const double motor = std::clamp(2.0 * rim_mass_ * (target - rim) + pull, -motor_, motor_);
+    rim += (motor - pull) / (2.0 * rim_mass_);
+  } else if (pull != 0.0) {
+    rim = ground + std::copysign(play, pull);
+  } else {
+    rim = std::clamp(target, ground - play, ground + play);
+  }
+  return rim - before;
+}
+
+void Tilt::part(RimSpeeds& ground, RimSpeeds target, double& lateral) {
+  const auto torque = [&](double rim, double aim) {  // of a motor, as a pull over the mass [m/s]
+    return std::clamp(rim_mass_ * (aim - rim), -motor_ / 2, motor_ / 2);
+  };
+  const double react =
+      wheel_radius_ / inertia_ * (torque(rims_.left, target.left) + torque(rims_.right, target.right));
+  const Rates falling{rates_.rise - kGravity * dt_, rates_.pitch};
+  const Loads loads = stand({falling.rise, falling.pitch - react}).loads;  // what friction can use
+  const Standing free = stand(falling);
+  const double on_wheels = loads[1] / (kGravity * kOnWheels);
+  const Grips grips{grip_ * on_wheels, drag_ * (loads[0] + loads[2]) / (kGravity * kOnSupports) +
+                                           friction_ * (loads[3] + loads[4]) * dt_};
+  lateral += on_wheels;
+  const double swing =
+      free.rates.pitch * mass_height_;  // the floor moves past the wheels as the body pitches
+  const RimSpeeds floor{ground.left - swing, ground.right - swing};
+  const double yield = 1.0 + mass_height_ * mass_height_ * free.yield;
+  const Pulls pulls = pull(floor, target, grips, yield);
+  const RimSpeeds& wheels = pulls.wheels;
+  const double play = edges_ * std::abs(ground.right - ground.left) / 2;
+  const double spun = spunUp(rims_.left, floor.left, target.left, wheels.left, play, grips.drive) +
+                      spunUp(rims_.right, floor.right, target.right, wheels.right, play, grips.drive);
+  const double forward = (wheels.left + wheels.right) / 2 + pulls.drag;
+  const double turn = turn_ * (wheels.right - wheels.left) / 2 + pulls.braked;
+  ground.left += forward - turn;
+  ground.right += forward + turn;
+  const double pitched = (mass_height_ * forward + wheel_radius_ * rim_mass_ * spun) / inertia_;
+  rates_ = stand({falling.rise, falling.pitch - pitched}).rates;
+  rise_ += rates_.rise * dt_;
+  pitch_ += rates_.pitch * dt_;
+}
+
+Tilt::Change Tilt::step(RimSpeeds ground, RimSpeeds target) {
+  if (!tilted_) rims_ = ground;
+  tilted_ = true;
+  RimSpeeds after = ground;
+  double lateral = 0.0;
+  for (int i = 0; i < parts_; ++i) part(after, target, lateral);
+  if (std::abs(pitch_) < kLevelPitch && std::abs(rates_.pitch) < kLevelRate) {
+    tilted_ = false;
+    pitch_ = 0.0;
+    rates_ = {};
+  }
+  const double left = after.left - ground.left, right = after.right - ground.right;
+  return {(left + right) / 2, (right - left) / 2, lateral / parts_};
+}
+
+}  // namespace fulbito

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+
+#include "engine/core/models/drive_law.hpp"
+
+namespace fulbito {
+
+/// A robot that pitches on the sliding supports before and behind its wheels. Who brakes hard loads the
+/// support in front, whose friction brakes more, until the wheels are off the floor and neither brake nor
+/// steer. It follows the centre of mass, the pitch and the load of each contact with the floor, which is a
+/// stiff spring with a damper. A level robot needs none of this: the `DriveLaw` alone then says the same.
+class Tilt {
+ public:
+  /// Change of the body's motion, and what is left of the tyres' grip across.
+  struct Change {
+    double forward = 0.0;       ///< [m/s]
+    double turn = 0.0;          ///< [m/s] of half the rims' difference
+    double lateral_grip = 0.0;  ///< share of what a level robot has
+  };
+
+  /// @param dt  [s] one physics step
+  Tilt(const RobotModel& robot, double dt);
+
+  /// Whether the robot has supports and is, or begins to be, off its level.
+  bool isOff(double forward, RimSpeeds pulls) const {
+    return mass_height_ > 0.0 && (tilted_ || brakes(forward, pulls));
+  }
+  /// One physics step of a robot that is off its level.
+  /// @param ground  the rims' speed over the ground if the robot were level [m/s]
+  /// @param target  their wanted speed [m/s]
+  Change step(RimSpeeds ground, RimSpeeds target);
+  /// Speeds of the rims themselves [m/s], which spin freely once the wheels are off the floor.
+  RimSpeeds rims() const { return rims_; }
+  bool isTilted() const { return tilted_; }
+
+ private:
+  static constexpr std::size_t kContacts = 5;   // front support, wheels, rear support, front and rear edge
+  using Loads = std::array<double, kContacts>;  // [m/s^2]: forces over the mass
+
+  struct Rates {
+    double rise = 0.0;   // [m/s] of the centre of mass
+    double pitch = 0.0;  // [rad/s], nose down
+  };
+  struct Standing {
+    Loads loads{};
+    Rates rates;
+    double yield = 0.0;  // pitch rate per angular impulse over the mass [1/m^2]
+  };
+  struct Grips {
+    double drive = 0.0;  // [m/s] of one wheel
+    double slide = 0.0;  // [m/s] of supports and edges
+  };
+  struct Pulls {
+    RimSpeeds wheels;     // [m/s] over half the mass
+    double drag = 0.0;    // [m/s]
+    double braked = 0.0;  // [m/s] of the turn by edges that scrub
+  };
+
+  bool brakes(double forward, RimSpeeds pulls) const;
+  Standing stand(Rates rates) const;
+  Pulls pull(RimSpeeds ground, RimSpeeds target, const Grips& grips, double yield) const;
+  double spunUp(double& rim, double ground, double target, double pull, double play, double grip) const;
+  void part(RimSpeeds& ground, RimSpeeds target, double& lateral);
+
+  double dt_;  // [s] part of a step
+  int parts_;  // of a step
+  double motor_, drag_, grip_, turn_, edges_, scrub_, most_braking_;
+  double mass_height_;                   // [m]
+  double inertia_;                       // [m^2] of pitching, over the mass
+  double wheel_radius_;                  // [m]
+  double rim_mass_;                      // share of the robot's mass
+  double stiffness_, damping_;           // [1/s^2], [1/s] of one contact over the mass
+  double friction_;                      // of the edges
+  std::array<double, kContacts> place_;  // [m] before the centre
+  double clearance_;                     // [m] of the edges
+  bool tilted_ = false;
+  double rise_ = 0.0;   // [m] of the centre of mass above rigid contacts
+  double pitch_ = 0.0;  // [rad] nose down
+  Rates rates_;
+  RimSpeeds rims_;
+};
+
+}  // namespace fulbito

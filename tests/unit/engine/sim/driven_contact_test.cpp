@@ -1,0 +1,146 @@
+// Robots that drive into each other, the ball and the walls: what motors and floor do in a step is all that a
+// step may gain.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/core/math/random.hpp"
+#include "engine/sim/drive.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/energy.hpp"
+#include "tests/support/test_stream.hpp"
+
+using namespace fulbito;
+using namespace fulbito::test;
+
+namespace {
+
+/// The world's robots and their drives once more, to know what these do in the next step.
+class Mirror {
+ public:
+  explicit Mirror(const WorldConfig& config) {
+    for (const RobotPlacement& robot : config.robots)
+      drives_.emplace_back(robot.model, config.physics.stepPeriod(), config.physics.wheel_command_step);
+  }
+
+  /// [J] that the drives add to the robots as they move now.
+  double work(const World& world, const std::vector<WheelSpeeds>& commands) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < drives_.size(); ++i) {
+      const RobotState& robot = world.state().robots[i];
+      const Vec2 ahead = math::unit(robot.pose.heading);
+      drives_[i].setCommand(commands[i]);
+      const BodyMotion change =
+          drives_[i].step({dot(ahead, robot.velocity), cross(ahead, robot.velocity), robot.angular_velocity});
+      const Vec2 velocity = robot.velocity + ahead * change.forward + perp(ahead) * change.sideways;
+      const RobotModel& model = world.config().robots[i].model;
+      sum += energy(model, velocity, robot.angular_velocity + change.yaw) -
+             energy(model, robot.velocity, robot.angular_velocity);
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<Drive> drives_;
+};
+
+/// Ball, walls and robots that hold the ball of a crowd: half of them chase it, the others drive at random.
+std::vector<WheelSpeeds> crowd(const World& world, Rng& rng, std::vector<WheelSpeeds> commands) {
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (i % 2 == 0)
+      commands[i] = chase(world.state().robots[i], world.state().balls[0].position);
+    else if (rng.uniform(0.0, 1.0) < 0.03)
+      commands[i] = {rng.uniform(-60.0, 60.0), rng.uniform(-60.0, 60.0)};
+  }
+  return commands;
+}
+
+}  // namespace
+
+TEST_CASE("crowds that drive gain no more energy than their motors give", "[unit]") {
+  const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
+  const auto preset = GENERATE(vsssPreset(), firasimPreset(), paperPreset());
+  const int per_team = GENERATE(3, 5);
+  CAPTURE(physics.name, preset.robot.name, per_team);
+  double worst = 0.0;
+  int touches = 0;
+  for (std::uint64_t seed = 40; seed < 44; ++seed) {
+    Rng rng(seed, kTestStream);
+    World world = makeWorld(matchConfig(preset, readEachStep(physics), per_team, largeField()));
+    Mirror mirror(world.config());
+    std::vector<WheelSpeeds> commands(world.config().robots.size());
+    double before = energy(world);
+    for (int step = 0; step < 700; ++step) {
+      commands = crowd(world, rng, commands);
+      const double most = before + std::max(mirror.work(world, commands), -before);
+      world.step(commands);
+      const double now = energy(world);
+      worst = std::max(worst, (now - most) / std::max(before, 0.01));
+      touches += static_cast<int>(world.contacts().size());
+      before = now;
+    }
+  }
+  CHECK(worst <= 1e-4);
+  CHECK(touches > 500);
+}
+
+namespace {
+
+/// One to three robots that drive at a ball in the open from all sides.
+WorldConfig closingIn(const RobotPreset& preset, const PhysicsProfile& physics, int robots, Rng& rng) {
+  WorldConfig config{wideField(), readEachStep(physics), {}, {}, {}};
+  for (int i = 0; i < robots; ++i) {
+    const Vec2 from = math::unit(2 * math::kPi * i / robots + rng.uniform(-0.5, 0.5));
+    const double heading = math::atan2(-from.y, -from.x) + rng.uniform(-0.4, 0.4);
+    const Vec2 velocity = math::unit(heading) * rng.uniform(0.0, preset.robot.maxSpeed());
+    config.robots.push_back({preset.robot,
+                             {from * (rng.uniform(0.08, 0.25) + 0.11 * i), heading},
+                             velocity,
+                             rng.uniform(-5.0, 5.0)});
+  }
+  const Vec2 velocity = math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.0, 6.0);
+  config.balls.push_back({preset.ball, {}, velocity, velocity});
+  return config;
+}
+
+/// [m/s] of the fastest point of any robot.
+double fastestSurface(const World& world) {
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < world.state().robots.size(); ++i) {
+    const RobotState& robot = world.state().robots[i];
+    const double swing = std::abs(robot.angular_velocity) * world.config().robots[i].model.circumradius();
+    fastest = std::max(fastest, norm(robot.velocity) + swing);
+  }
+  return fastest;
+}
+
+}  // namespace
+
+TEST_CASE("one contact gives a ball at most the surface's speed and the bounce from it", "[unit]") {
+  // Two robots that close in squeeze a ball out faster than they are, as fingers do a seed: no contact alone
+  // does.
+  const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
+  const auto preset = GENERATE(vsssPreset(), firasimPreset());
+  CAPTURE(physics.name, preset.robot.name);
+  Rng rng(46, kTestStream);
+  int touches = 0;
+  double worst = -1.0;
+  for (int scene = 0; scene < 240; ++scene) {
+    World world = makeWorld(closingIn(preset, physics, 1 + scene % 3, rng));
+    std::vector<WheelSpeeds> onward;
+    for (const RobotState& robot : world.state().robots) onward.push_back(robot.wheels);
+    for (int step = 0; step < 40; ++step) {
+      const double speed = norm(world.state().balls[0].velocity), surface = fastestSurface(world);
+      world.step(onward);
+      const auto of_ball = [](const ContactEvent& e) { return e.b.kind == BodyKind::kBall; };
+      if (std::count_if(world.contacts().begin(), world.contacts().end(), of_ball) != 1) continue;
+      ++touches;
+      // Across the contact the ball keeps its speed; along it, it leaves the surface with the bounce.
+      const double along = surface + preset.ball.robot_restitution * (speed + surface);
+      worst =
+          std::max(worst, norm(world.state().balls[0].velocity) - std::sqrt(speed * speed + along * along));
+    }
+  }
+  CHECK(touches > 300);
+  CHECK(worst <= 0.03);
+}
