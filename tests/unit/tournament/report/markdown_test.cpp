@@ -16,7 +16,8 @@ TEST_CASE("the Markdown of a tournament has its tables", "[unit]") {
   maker.state().plan.book.kinds = {StartKind::kKickOff, StartKind::kPenalty};
   const std::string text = markdownOf(maker.state());
   INFO(text);
-  CHECK(text.starts_with("<!-- Fulbito -->\n\n## cup\\: round-robin of 3 teams, finished\n\nvsss-3v3, halves of 30 s, "));
+  CHECK(text.starts_with(
+      "<!-- Fulbito -->\n\n## cup\\: round-robin of 3 teams, finished\n\nvsss-3v3, halves of 30 s, "));
   CHECK(text.find("### Standings\n\n| \\# | team | matches |") != std::string::npos);
   CHECK(text.find("### Cross-table") != std::string::npos);
   CHECK(text.find("### Points share \\[%\\] by kind of start") != std::string::npos);
