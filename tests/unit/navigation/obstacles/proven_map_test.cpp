@@ -28,12 +28,12 @@ class Map {
 
 TEST_CASE("cones from two places leave of an arc the point that both hear", "[unit]") {
   Map m;
-  const Vec2 point{0.1, 0.02}, phantom{0.1005, -0.015};
-  m.hear({0.0, 0.0}, {0.1, 0.0}, point);
+  const Vec2 point{0.1, 0.01}, phantom{0.0997, -0.012};
+  m.hear({0.0, 0.0}, {0.1, 0.0}, point, 8);
   CHECK(m.isOccupied(point));
   CHECK(m.isOccupied(phantom));
   // Another sensor looks past the point and hears what is far behind.
-  for (int i = 0; i < 4; ++i) m.map.takeIn(echo({0.02, -0.03}, {0.12, -0.03}, 0.2), 1.0);
+  for (int i = 0; i < 4; ++i) m.map.takeIn(echo({0.0, -0.03}, {0.1, -0.02}, 0.2), 1.0);
   CHECK(m.isOccupied(point));
   CHECK_FALSE(m.isOccupied(phantom));
 }

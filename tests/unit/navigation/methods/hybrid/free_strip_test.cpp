@@ -9,9 +9,9 @@ namespace {
 
 /// Makes the cell at `place` occupied, as heard from the side of the origin.
 void put(ProvenMap& map, Vec2 place) {
-  const Vec2 apex = place - unitOr(place, {1.0, 0.0}) * 0.02;
+  const Vec2 apex = place - unitOr(place, {1.0, 0.0}) * 0.03;
   for (int i = 0; i < 4; ++i)
-    map.takeIn({apex, unitOr(place - apex, {1.0, 0.0}), 0.1, true, distance(apex, place)}, 1.0);
+    map.takeIn({apex, unitOr(place - apex, {1.0, 0.0}), 0.218, true, distance(apex, place)}, 1.0);
 }
 
 }  // namespace
