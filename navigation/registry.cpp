@@ -30,10 +30,15 @@ namespace {
 const std::vector<NavigatorInfo>& registry() {
   // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
-      straightInfo(),   vectorFieldInfo(),     univectorInfo(),       tangentFieldInfo(),
-      limitCycleInfo(), nearnessDiagramInfo(), hybridInfo(),          hybridWithoutNdInfo(),
-      bezierInfo(),     bezierRawInfo(),       hermiteInfo(),         tangentGraphInfo(),
-      dwaInfo(),        bsplineTimeInfo(),     singleCurvatureInfo(), doubleCurvatureInfo(),
+      straightInfo(),        vectorFieldInfo(),
+      univectorInfo(),       tangentFieldInfo(),
+      limitCycleInfo(),      nearnessDiagramInfo(),
+      hybridInfo(),          hybridWithoutNdInfo(),
+      hybridRawInfo(),       bezierInfo(),
+      bezierRawInfo(),       hermiteInfo(),
+      tangentGraphInfo(),    dwaInfo(),
+      bsplineTimeInfo(),     singleCurvatureInfo(),
+      doubleCurvatureInfo(),
   };
   return entries;
 }

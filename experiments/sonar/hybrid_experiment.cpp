@@ -15,6 +15,8 @@ std::vector<Parameter<HybridSettings>> parameters() {
   return {
       integer("rows", &S::rows, 1, 100000, "layouts like Fig. 8"),
       integer("gaps", &S::gaps, 2, 100000, "layouts with a gap of 1.3 widths, half as many of 1.1 and 1.6"),
+      integer("kinds", &S::kinds, 1, 100000,
+              "layouts of each kind of gap, by three navigators at two noises"),
       number("speed", &S::speed, 0.05, 1.0, "m/s", "top speed")};
 }
 
@@ -43,6 +45,7 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
 std::vector<ExperimentSetting> settingsDocs() {
   return {{"rows", "200", "layouts like Fig. 8"},
           {"gaps", "200", "layouts with a gap of 1.3 widths, half as many of 1.1 and 1.6"},
+          {"kinds", "200", "layouts of each kind of gap, by three navigators at two noises"},
           {"speed", "0.3", "top speed [m/s]"}};
 }
 

@@ -9,13 +9,18 @@
 namespace fulbito::sonar {
 namespace {
 
+constexpr const char* kOurs = "hybrid";
+constexpr const char* kAsPrinted = "hybrid-raw";
+constexpr const char* kWithoutDiagram = "hybrid-without-nd";
+// The shortest path of a robot that keeps 1 cm from its circumscribed circle: 12.6 cm, wider than all gaps.
+constexpr const char* kDirectlyRound = "tangent-graph:margin=0.01";
 constexpr double kSquareClearance = 0.0395;  // [m] half the robot's width + 2 mm, as in the suite
 
 /// One trial to run and where its score goes.
 struct Task {
   Layout layout;
   Knowledge knowledge;
-  bool with_diagram;
+  std::string navigator;
   std::uint64_t index;
   TrialScore* score;
 };
@@ -46,7 +51,16 @@ HybridRuns emptyRuns(const HybridSettings& settings, std::uint64_t seed, double 
   }
   for (int i = 0; i < settings.rows; ++i) {
     const auto index = static_cast<std::uint64_t>(i);
-    runs.rows.push_back({index, gapOf(anyRowLayout(seed, index), robot_width), {}, {}});
+    runs.rows.push_back({index, gapOf(anyRowLayout(seed, index), robot_width), {}, {}, {}});
+  }
+  for (GapKind kind : kGapKinds) {
+    for (Knowledge knowledge : {Knowledge::kSonars, Knowledge::kFineSonars}) {
+      for (const char* navigator : {kOurs, kAsPrinted, kWithoutDiagram}) {
+        KindBlock block{kind, knowledge, navigator, {}};
+        block.scores.resize(static_cast<std::size_t>(settings.kinds));
+        runs.kinds.push_back(std::move(block));
+      }
+    }
   }
   return runs;
 }
@@ -55,12 +69,18 @@ std::vector<Task> tasksOf(HybridRuns& runs, std::uint64_t seed) {
   std::vector<Task> tasks;
   for (GapBlock& block : runs.gaps) {
     for (std::size_t i = 0; i < block.scores.size(); ++i)
-      tasks.push_back({gapLayout(seed, i, block.widths), block.knowledge, true, i, &block.scores[i]});
+      tasks.push_back({gapLayout(seed, i, block.widths), block.knowledge, kOurs, i, &block.scores[i]});
   }
   for (RowPair& pair : runs.rows) {
     const Layout layout = anyRowLayout(seed, pair.index);
-    tasks.push_back({layout, Knowledge::kSonars, true, pair.index, &pair.with});
-    tasks.push_back({layout, Knowledge::kSonars, false, pair.index, &pair.without});
+    tasks.push_back({layout, Knowledge::kSonars, kOurs, pair.index, &pair.with});
+    tasks.push_back({layout, Knowledge::kSonars, kWithoutDiagram, pair.index, &pair.without});
+    tasks.push_back({layout, Knowledge::kMap, kDirectlyRound, pair.index, &pair.around});
+  }
+  for (KindBlock& block : runs.kinds) {
+    for (std::size_t i = 0; i < block.scores.size(); ++i)
+      tasks.push_back(
+          {gapOfKind(block.kind, seed, i, 1.3), block.knowledge, block.navigator, i, &block.scores[i]});
   }
   return tasks;
 }
@@ -69,13 +89,18 @@ std::vector<Task> tasksOf(HybridRuns& runs, std::uint64_t seed) {
 
 Result<TrialConfig> hybridTrial(const Layout& layout, Knowledge knowledge, bool with_diagram, double speed,
                                 std::uint64_t seed, std::uint64_t index) {
+  return sonarTrial(layout, knowledge, with_diagram ? kOurs : kWithoutDiagram, speed, seed, index);
+}
+
+Result<TrialConfig> sonarTrial(const Layout& layout, Knowledge knowledge, const std::string& choice,
+                               double speed, std::uint64_t seed, std::uint64_t index) {
   auto field = loadField(layout.field);
   if (!field) return tl::unexpected<Error>(field.error());
   auto robot = loadRobot("jung-lee-2015");
   if (!robot) return tl::unexpected<Error>(robot.error());
   auto physics = loadPhysics("standard");
   if (!physics) return tl::unexpected<Error>(physics.error());
-  auto navigator = parseBuiltInNavigator(with_diagram ? "hybrid" : "hybrid-without-nd");
+  auto navigator = parseBuiltInNavigator(choice);
   if (!navigator) return tl::unexpected<Error>(navigator.error());
   TrialConfig config;
   config.layout = layout;
@@ -101,7 +126,7 @@ Result<HybridRuns> runHybrid(const HybridSettings& settings, const ExperimentReq
   auto done = parallelFor(request.jobs, tasks.size(), progress, [&](std::size_t i) -> Result<void> {
     const Task& task = tasks[i];
     const auto config =
-        hybridTrial(task.layout, task.knowledge, task.with_diagram, settings.speed, request.seed, task.index);
+        sonarTrial(task.layout, task.knowledge, task.navigator, settings.speed, request.seed, task.index);
     if (!config) return tl::unexpected<Error>(config.error());
     const auto result = runTrial(*config, {});
     if (!result) return tl::unexpected<Error>(result.error());

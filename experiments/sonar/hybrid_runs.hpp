@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "experiments/papers/paper_experiment.hpp"
+#include "experiments/sonar/gap_layouts.hpp"
 
 namespace fulbito::sonar {
 
@@ -10,6 +12,7 @@ namespace fulbito::sonar {
 struct HybridSettings {
   int rows = 200;      ///< layouts like Fig. 8
   int gaps = 200;      ///< layouts with a gap of 1.3 widths; half as many of the other widths
+  int kinds = 200;     ///< layouts of each kind of gap of 1.3 widths
   double speed = 0.3;  ///< [m/s] top speed
 };
 
@@ -32,10 +35,19 @@ struct RowPair {
   std::uint64_t index = 0;
   double gap = 0.0;  ///< [m] between the two obstacles at the straight way
   TrialScore with, without;
+  TrialScore around;  ///< of a robot that knows the map and keeps too far off to take the gap
 
   bool bothArrive() const { return with.success() && without.success(); }
   /// Whether the diagram's way is the shorter one. A way that does not arrive is longer than any.
   bool isShorter() const { return with.success() && (!without.success() || with.length < without.length); }
+};
+
+/// Gaps of one kind, passed by one navigator with sonars only.
+struct KindBlock {
+  GapKind kind = GapKind::kDiscs;
+  Knowledge knowledge = Knowledge::kSonars;
+  std::string navigator;
+  std::vector<TrialScore> scores;
 };
 
 /// Results of all runs.
@@ -43,8 +55,12 @@ struct HybridRuns {
   HybridSettings settings;
   std::vector<GapBlock> gaps;
   std::vector<RowPair> rows;
+  std::vector<KindBlock> kinds;
 };
 
+/// A trial of a navigator. Errors: of presets and its name.
+Result<TrialConfig> sonarTrial(const Layout& layout, Knowledge knowledge, const std::string& choice,
+                               double speed, std::uint64_t seed, std::uint64_t index);
 /// A trial of the hybrid, with or without its nearness diagram. Errors: of presets.
 Result<TrialConfig> hybridTrial(const Layout& layout, Knowledge knowledge, bool with_diagram, double speed,
                                 std::uint64_t seed, std::uint64_t index);

@@ -24,8 +24,6 @@ struct EchoMap::Call {
 
 namespace {
 
-constexpr double kHaze = 0.025;  // [m] outside of a surface, where cells still stem from its echoes
-
 /// The part of a triangle on the line at height `y`; empty where `low` > `high`.
 struct Chord {
   double low = 1e300, high = -1e300;
@@ -163,14 +161,14 @@ void EchoMap::forOccupied(const Work& work) const {
   }
 }
 
-void EchoMap::scan(const SectorCircle& circle, const Pose2& pose, double range, const EchoCircles& circles,
+void EchoMap::scan(const SectorCircle& circle, const Pose2& pose, double range,
                    std::span<SectorHit> hits) const {
   for (SectorHit& hit : hits) hit = {std::numeric_limits<double>::infinity(), {}};
   const Vec2 ahead = math::unit(pose.heading);
   forOccupied([&](Vec2 place) {
     const Vec2 p = intoFrame(ahead, place - pose.position);
     const double far = norm(p);
-    if (!(far > 0.0 && far <= range) || circles.explains(place, kHaze)) return;
+    if (!(far > 0.0 && far <= range)) return;
     // A cell covers the sectors that it is seen in: at its corners half a diagonal to either side.
     const double bearing = math::angleOf(p), half = math::atan2(0.7 * settings_.cell, far);
     const int last = circle.sectorOf(bearing - half);

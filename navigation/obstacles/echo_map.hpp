@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "navigation/obstacles/echo_circles.hpp"
 #include "navigation/obstacles/sector_scan.hpp"
 
 namespace fulbito {
@@ -34,10 +33,8 @@ class EchoMap {
   /// Takes in the scene's readings of one tick.
   void update(const NavigationScene& scene);
 
-  /// Nearest occupied cell in every sector about `pose`, robot frame. Cells nearer than `range` count, unless
-  /// `circles` explain them.
-  void scan(const SectorCircle& circle, const Pose2& pose, double range, const EchoCircles& circles,
-            std::span<SectorHit> hits) const;
+  /// Nearest occupied cell in every sector about `pose`, robot frame. Cells nearer than `range` count.
+  void scan(const SectorCircle& circle, const Pose2& pose, double range, std::span<SectorHit> hits) const;
   /// Appends discs that cover the occupied cells: at most one per square of `kDiscCells` cells a side.
   void appendDiscs(std::vector<DiscObstacle>& discs) const;
 

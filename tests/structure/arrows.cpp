@@ -180,7 +180,8 @@ const std::vector<Folder> kFolders = {
      "dynamic window, nearness diagram",
      {"engine/core/math", "navigation/interface", "navigation/obstacles", "navigation/followers"}},
     {"navigation/methods/hybrid",
-     "sonar navigation: occupancy boxes, avoidance table, arbitration with the nearness diagram",
+     "sonar navigation: ways and narrow places on a map of what cones prove; occupancy boxes, avoidance "
+     "table, arbitration",
      {"engine/core/base", "engine/core/math", "engine/core/models", "navigation/interface",
       "navigation/obstacles", "navigation/methods/fields", "navigation/methods/reactive"}},
     {"navigation/methods/bspline",

@@ -20,9 +20,11 @@ std::optional<double> avoidanceDirection(std::span<const double, kTableSonars> r
                                          const AvoidanceRanges& ranges) {
   const auto least = std::min_element(readings.begin(), readings.end());
   const auto sonar = static_cast<std::size_t>(least - readings.begin());
-  const double away = kTable[sonar] * kDegree;
+  const bool outermost = sonar == 0 || sonar + 1 == kTableSonars;
+  const double away = ranges.as_printed && outermost ? 0.0 : kTable[sonar] * kDegree;
   if (*least <= ranges.near) {
-    const double alpha = (ranges.near - *least) * (90.0 * kDegree / ranges.near);
+    const double alpha =
+        ((ranges.as_printed ? ranges.far : ranges.near) - *least) * (90.0 * kDegree / ranges.near);
     return math::wrapAngle(sonar < kTableSonars / 2 ? away - alpha : away + alpha);
   }
   if (*least > ranges.far) return {};

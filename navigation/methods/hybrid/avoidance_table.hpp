@@ -8,8 +8,9 @@ namespace fulbito {
 
 /// Distances at which the table of P.-G. Kim et al. (2006), section IV, acts.
 struct AvoidanceRanges {
-  double near = 0.3;  ///< I1 [m]: up to it the robot turns away, the more the nearer the obstacle is
-  double far = 0.6;   ///< I2 [m]: up to it the robot averages with the goal's direction
+  double near = 0.3;        ///< I1 [m]: up to it the robot turns away, the more the nearer the obstacle is
+  double far = 0.6;         ///< I2 [m]: up to it the robot averages with the goal's direction
+  bool as_printed = false;  ///< without the corrections of `avoidanceDirection`
 };
 
 /// Number of sonars in the table: 0 ... 3 look left, 4 ... 7 right.

@@ -74,14 +74,6 @@ bool touchesAnother(const Surroundings& around, const FrontOrbit& orbit, double 
 
 }  // namespace
 
-void narrowGaps(const SectorCircle& circle, std::span<const SectorHit> hits, const CrowdingRule& rule,
-                std::vector<NarrowGap>& gaps) {
-  gaps.clear();
-  forGaps(Surroundings(circle, hits, rule.radius), [&](Vec2 left, Vec2 right) {
-    if (distance(left, right) < rule.widest_gap) gaps.push_back({left, right});
-  });
-}
-
 bool isCrowded(const SectorCircle& circle, std::span<const SectorHit> hits,
                const std::optional<FrontOrbit>& orbit, const CrowdingRule& rule) {
   const Surroundings around(circle, hits, rule.radius);

@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "navigation/methods/hybrid/occupancy_boxes.hpp"
 #include "navigation/obstacles/sector_scan.hpp"
@@ -20,17 +19,6 @@ struct CrowdingRule {
   double radius = 0.053;     ///< R [m] of the robot
   double widest_gap = 0.19;  ///< [m] wider gaps between two obstacles are no narrow place
 };
-
-/// A gap between two neighbouring obstacles, robot frame.
-struct NarrowGap {
-  Vec2 left, right;  ///< [m] its edges as the diagram shows them
-
-  double width() const { return distance(left, right); }
-};
-
-/// All gaps below `rule.widest_gap` that the diagram shows, but for the quarter behind the robot.
-void narrowGaps(const SectorCircle& circle, std::span<const SectorHit> hits, const CrowdingRule& rule,
-                std::vector<NarrowGap>& gaps);
 
 /// Whether the diagram, but for the quarter behind the robot, is crowded: it shows two obstacles with a gap
 /// below `rule.widest_gap` between them, or one that the orbit round another would touch. Obstacles end where

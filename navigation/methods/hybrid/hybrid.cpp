@@ -18,7 +18,6 @@ constexpr double kTurnMargin = 0.045;  // [m] kept from the corners of a turning
 constexpr double kPassage = 0.2;       // [m] something so near on both sides is a passage
 constexpr double kPassageTurn = 0.2;   // [rad] largest change of direction in a passage
 constexpr double kCentring = 6.0;      // [rad/m] turn toward its middle
-constexpr double kGuidedShare = 0.2;   // of the top speed, in a passage between fitted edges
 constexpr double kHullMargin = 0.04;   // [m] room of the emergency rules, likewise
 
 /// The playing rectangle with its corner triangles, counter-clockwise; goals count as closed.
@@ -34,37 +33,55 @@ std::array<Vec2, 8> playingContour(const FieldGeometry& field) {
            {-x, -y + c}}};
 }
 
+EchoMap::Settings mapSettings(double memory) {
+  EchoMap::Settings settings;
+  settings.memory = memory;
+  return settings;
+}
+
+constexpr SectorHit kNothing{std::numeric_limits<double>::infinity(), {}};
+
 }  // namespace
 
-Hybrid::Hybrid(const Params& params, bool with_diagram)
+Hybrid::Hybrid(const Params& params, HybridVariant variant)
     : params_(params),
-      with_diagram_(with_diagram),
+      variant_(variant),
       circle_(kSectors),
-      sight_(params.memory),
+      memory_(mapSettings(params.memory)),
       seen_(kSectors),
-      diagram_(kSectors) {}
+      diagram_(kSectors) {
+  if (variant == HybridVariant::kAsPrinted) params_.hold = params_.side_hold = params_.gap_margin = 0.0;
+}
 
 void Hybrid::reset() {
-  sight_.reset();
+  drive_.reset();
+  memory_.reset();
   balance_.reset();
-  guide_.reset();
   mode_ = HybridMode::kGoal;
   mode_since_ = orbit_last_ = std::numeric_limits<Tick>::min() / 2;
 }
 
 Guidance Hybrid::plan(const NavigationScene& scene) {
+  if (variant_ != HybridVariant::kOurs || scene.ranges.empty()) return planByRules(scene);
+  Guidance guidance;
+  guidance.kind = GuidanceKind::kWheels;
+  guidance.wheels = inverseKinematics(*scene.robot, drive_.drive(scene));
+  return guidance;
+}
+
+Guidance Hybrid::planByRules(const NavigationScene& scene) {
   const Situation situation = situationOf(scene);
   const bool may_change = static_cast<double>(scene.tick - mode_since_) * scene.dt >= params_.hold;
   const HybridMode wanted = wantedMode(situation);
   const bool keeps_side = static_cast<double>(scene.tick - orbit_last_) * scene.dt < params_.side_hold;
   if (wanted != mode_ && may_change) changeMode(wanted, situation, scene.tick, keeps_side);
   if (mode_ == HybridMode::kAhead) orbit_last_ = scene.tick;
-  guide_.update(sight_.circles(), seen_, sight_.gaps(), scene, situation.widest_gap,
-                mode_ == HybridMode::kCrowded);
-  const Way way = guide_.isActive() ? guidedWay(situation, scene) : wayOf(situation, scene);
+  const Way way = wayOf(situation, scene);
   direction_ = math::wrapAngle(scene.self.pose.heading + way.direction);
   Guidance guidance = guidanceBy(*this);
-  guidance.speed_cap = std::min(way.speed_share * scene.robot->maxSpeed(), brakingSpeed(scene));
+  guidance.speed_cap = way.speed_share * scene.robot->maxSpeed();
+  if (variant_ != HybridVariant::kAsPrinted)
+    guidance.speed_cap = std::min(guidance.speed_cap, brakingSpeed(scene));
   return guidance;
 }
 
@@ -74,12 +91,31 @@ void Hybrid::listen(const NavigationScene& scene, const Situation& situation) {
     scanScene(circle_, scene, seen_);
   } else {
     readings_.assign(scene.ranges.begin(), scene.ranges.end());
-    sight_.look(scene, situation.widest_gap, circle_, seen_);
+    if (variant_ == HybridVariant::kAsPrinted) {
+      scanReadings();
+    } else {
+      memory_.update(scene);
+      memory_.scan(circle_, scene.self.pose, kFarAway, seen_);
+    }
   }
-  constexpr SectorHit kEmpty{std::numeric_limits<double>::infinity(), {}};
   std::transform(seen_.begin(), seen_.end(), diagram_.begin(), [&](const SectorHit& hit) {
-    return hit.distance <= params_.range * situation.scale ? hit : kEmpty;
+    return hit.distance <= params_.range * situation.scale ? hit : kNothing;
   });
+}
+
+/// Every reading fills the sectors that its cone covers, at its range on their bisectors.
+void Hybrid::scanReadings() {
+  std::fill(seen_.begin(), seen_.end(), kNothing);
+  for (const RangeReading& reading : readings_) {
+    if (!reading.heard) continue;
+    const int last = circle_.sectorOf(reading.mount.heading - reading.half_cone);
+    for (int i = circle_.sectorOf(reading.mount.heading + reading.half_cone);; i = circle_.wrap(i + 1)) {
+      const Vec2 point = reading.mount.position + circle_.direction(i) * reading.range;
+      SectorHit& hit = seen_[static_cast<std::size_t>(circle_.sectorOf(math::angleOf(point)))];
+      if (norm(point) > 0.0 && norm(point) < hit.distance) hit = {norm(point), point};
+      if (i == last) break;
+    }
+  }
 }
 
 void Hybrid::readIdeally(const NavigationScene& scene) {
@@ -108,6 +144,7 @@ void Hybrid::placeEchoes(double goal_range) {
     const Vec2 echo = reading.mount.position + math::unit(reading.mount.heading) * reading.range;
     if (norm(echo) < goal_range) echoes_.push_back(echo);
   }
+  if (variant_ == HybridVariant::kAsPrinted) return;
   for (const SectorHit& hit : diagram_) {
     if (hit.distance < goal_range) echoes_.push_back(hit.point);
   }
@@ -136,7 +173,7 @@ Hybrid::Situation Hybrid::situationOf(const NavigationScene& scene) {
       frontSection(echoes_, {params_.box_width * now.scale, params_.range * now.scale, params_.boxes});
   if (section)
     now.orbit = FrontOrbit{*section, section->width() / 2 + radius + params_.orbit_margin * now.scale};
-  if (with_diagram_) {
+  if (variant_ != HybridVariant::kWithoutDiagram) {
     now.crowded = isCrowded(circle_, diagram_, now.orbit, {radius, now.widest_gap}) ||
                   nearestToBody(scene) < params_.near_zone * now.scale;
   }
@@ -145,8 +182,9 @@ Hybrid::Situation Hybrid::situationOf(const NavigationScene& scene) {
   for (std::size_t i = 0; i < std::min(ranges.size(), readings_.size()); ++i) {
     if (readings_[i].heard && readings_[i].range < norm(now.goal)) ranges[i] = readings_[i].range;
   }
-  now.beside = avoidanceDirection(ranges, math::angleOf(now.goal),
-                                  {params_.near * now.scale, params_.far * now.scale});
+  now.beside = avoidanceDirection(
+      ranges, math::angleOf(now.goal),
+      {params_.near * now.scale, params_.far * now.scale, variant_ == HybridVariant::kAsPrinted});
   return now;
 }
 
@@ -174,6 +212,7 @@ bool Hybrid::passesLeft(const Situation& situation) const {
 Hybrid::Way Hybrid::wayOf(const Situation& situation, const NavigationScene& scene) const {
   const NearnessHull hull{scene.robot->length, scene.robot->width, kTurnMargin * situation.scale};
   Way way = modeWay(situation, scene);
+  if (variant_ == HybridVariant::kAsPrinted) return way;
   way.direction = roomToTurn(seen_, hull, way.direction);
   return way;
 }
@@ -188,11 +227,6 @@ Hybrid::Way Hybrid::modeWay(const Situation& situation, const NavigationScene& s
   return {math::angleOf(situation.goal)};
 }
 
-Hybrid::Way Hybrid::guidedWay(const Situation& situation, const NavigationScene& scene) const {
-  const Pose2& pose = scene.self.pose;
-  return {math::wrapAngle(guide_.direction(pose.position, situation.scale) - pose.heading), kGuidedShare};
-}
-
 Hybrid::Way Hybrid::diagramWay(const Situation& situation, const NavigationScene& scene) const {
   const RobotModel& robot = *scene.robot;
   NearnessView view;
@@ -203,6 +237,7 @@ Hybrid::Way Hybrid::diagramWay(const Situation& situation, const NavigationScene
   view.security = params_.security * situation.scale;
   const NearnessMotion motion =
       decideNearness(view, {robot.length, robot.width, kHullMargin * situation.scale});
+  if (variant_ == HybridVariant::kAsPrinted) return {motion.direction, motion.speed_share};
   const double most = balance_.inPassage() && motion.speed_share > 0.0 ? kPassageTurn : math::kPi / 2;
   const double centring = kCentring / situation.scale * balance_.offset();
   return {std::clamp(motion.direction + centring, -most, most), motion.speed_share};
@@ -246,12 +281,15 @@ NavigatorInfo infoOf(const char* name, const char* summary) {
 }  // namespace
 
 NavigatorInfo hybridInfo() {
-  return infoOf<Hybrid>("hybrid",
-                        "by sonar: orbits ahead, a table beside, the nearness diagram in narrow places");
+  return infoOf<Hybrid>("hybrid", "by sonar: what cones prove free, narrow places along their middle");
 }
 
 NavigatorInfo hybridWithoutNdInfo() {
-  return infoOf<HybridWithoutNd>("hybrid-without-nd", "hybrid without its nearness diagram");
+  return infoOf<HybridWithoutNd>("hybrid-without-nd", "orbits ahead, a table beside, no nearness diagram");
+}
+
+NavigatorInfo hybridRawInfo() {
+  return infoOf<HybridRaw>("hybrid-raw", "as printed: orbit, table and nearness diagram on present readings");
 }
 
 }  // namespace fulbito

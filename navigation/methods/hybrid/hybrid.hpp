@@ -8,10 +8,10 @@
 #include "navigation/interface/parameters.hpp"
 #include "navigation/methods/hybrid/avoidance_table.hpp"
 #include "navigation/methods/hybrid/crowding.hpp"
-#include "navigation/methods/hybrid/gap_sight.hpp"
-#include "navigation/methods/hybrid/passage.hpp"
 #include "navigation/methods/hybrid/side_balance.hpp"
+#include "navigation/methods/hybrid/sonar_drive.hpp"
 #include "navigation/methods/reactive/nearness_motion.hpp"
+#include "navigation/obstacles/echo_map.hpp"
 
 namespace fulbito {
 
@@ -21,6 +21,13 @@ enum class HybridMode {
   kBeside,   ///< something is beside: vector field
   kAhead,    ///< an occupancy box is hit: limit cycle
   kCrowded,  ///< obstacles stand densely: nearness diagram
+};
+
+/// The variants of the method.
+enum class HybridVariant {
+  kOurs,            ///< with range sensors by `SonarDrive`, with a known map as published with our additions
+  kWithoutDiagram,  ///< limit cycle and vector field, with a memory of echoes: what the paper compares with
+  kAsPrinted,       ///< the paper's rules on the present readings, without our additions
 };
 
 /// Settings of the hybrid. Lengths are those of the paper's robot of 22 cm radius; the robot's radius over
@@ -46,16 +53,16 @@ struct HybridParams {
 /// The hybrid of P.-G. Kim et al. (2006): limit cycle round what is ahead, vector field past what is beside,
 /// nearness diagram where obstacles stand densely, with eight ultrasonic sensors in front.
 ///
-/// The vector field sees the present readings only. Limit cycle and nearness diagram also see a short memory
-/// of them (`GapSight`), since eight cones show no gap at once. A robot without range sensors computes what
-/// ideal ones would read among the known obstacles and walls, and its diagram shows these exactly.
+/// A robot without range sensors computes what ideal ones would read among the known obstacles and walls, and
+/// its diagram shows these exactly. Where it has range sensors, the three behaviours know too little: eight
+/// cones show no gap at once. There `SonarDrive` takes their place.
 ///
-/// Ours: the arbitration's thresholds, the memory, the hold of sides, `roomToTurn`, `SideBalance`,
-/// `PassageGuide`, and braking before what lies straight ahead.
+/// Ours: the arbitration's thresholds, the memory of echoes without the diagram, the hold of sides,
+/// `roomToTurn`, `SideBalance`, braking before what lies straight ahead, and `SonarDrive`.
 class Hybrid : public Navigator, public HeadingField {
  public:
   using Params = HybridParams;
-  explicit Hybrid(Params params = {}) : Hybrid(params, true) {}
+  explicit Hybrid(Params params = {}) : Hybrid(params, HybridVariant::kOurs) {}
   void reset() override;
   Guidance plan(const NavigationScene& scene) override;
   double heading(Vec2) const override { return direction_; }
@@ -63,7 +70,7 @@ class Hybrid : public Navigator, public HeadingField {
   HybridMode mode() const { return mode_; }
 
  protected:
-  Hybrid(const Params& params, bool with_diagram);
+  Hybrid(const Params& params, HybridVariant variant);
 
  private:
   /// One tick's knowledge, robot frame, with lengths scaled to the robot.
@@ -81,7 +88,9 @@ class Hybrid : public Navigator, public HeadingField {
     double speed_share = 1.0;  ///< of the top speed
   };
 
+  Guidance planByRules(const NavigationScene& scene);
   void listen(const NavigationScene& scene, const Situation& situation);
+  void scanReadings();
   void readIdeally(const NavigationScene& scene);
   void placeEchoes(double goal_range);
   double nearestToBody(const NavigationScene& scene) const;
@@ -91,14 +100,14 @@ class Hybrid : public Navigator, public HeadingField {
   bool passesLeft(const Situation& situation) const;
   Way modeWay(const Situation& situation, const NavigationScene& scene) const;
   Way wayOf(const Situation& situation, const NavigationScene& scene) const;
-  Way guidedWay(const Situation& situation, const NavigationScene& scene) const;
   Way diagramWay(const Situation& situation, const NavigationScene& scene) const;
   double brakingSpeed(const NavigationScene& scene) const;
 
   Params params_;
-  bool with_diagram_;
+  HybridVariant variant_;
   SectorCircle circle_;
-  GapSight sight_;
+  SonarDrive drive_;
+  EchoMap memory_;
   EchoScene known_;
   std::vector<SonarSpec> sonars_;       ///< of the ideal readings
   Vec2 sonars_body_;                    ///< [m] length and width of the body that they are on
@@ -107,7 +116,6 @@ class Hybrid : public Navigator, public HeadingField {
   std::vector<SectorHit> seen_;
   std::vector<SectorHit> diagram_;  ///< of that, what lies within d_max
   SideBalance balance_;
-  PassageGuide guide_;
   HybridMode mode_ = HybridMode::kGoal;
   Tick mode_since_ = 0;
   bool clockwise_ = true;   ///< of the present orbit
@@ -118,10 +126,17 @@ class Hybrid : public Navigator, public HeadingField {
 /// The same without the nearness diagram: the method that the paper compares with.
 class HybridWithoutNd final : public Hybrid {
  public:
-  explicit HybridWithoutNd(Params params = {}) : Hybrid(params, false) {}
+  explicit HybridWithoutNd(Params params = {}) : Hybrid(params, HybridVariant::kWithoutDiagram) {}
+};
+
+/// The paper's rules as printed: present readings only, table 1 and (10) unchanged, no hold, no braking.
+class HybridRaw final : public Hybrid {
+ public:
+  explicit HybridRaw(Params params = {}) : Hybrid(params, HybridVariant::kAsPrinted) {}
 };
 
 NavigatorInfo hybridInfo();
 NavigatorInfo hybridWithoutNdInfo();
+NavigatorInfo hybridRawInfo();
 
 }  // namespace fulbito

@@ -19,7 +19,7 @@ class OneSonar {
   void silence(int ticks) { take({{{0.0375, 0.0}, 0.0}, 0.218, 0.36, false, 0.36}, ticks); }
   double nearest() {
     std::vector<SectorHit> hits(72);
-    map_.scan(circle_, pose, 1.0, EchoCircles({}), hits);
+    map_.scan(circle_, pose, 1.0, hits);
     double least = 1e9;
     for (const SectorHit& hit : hits) least = std::min(least, hit.distance);
     return least;

@@ -52,3 +52,14 @@ TEST_CASE("beyond I2 the table is silent", "[unit]") {
   CHECK(avoidanceDirection(only(3, 0.6), 0.0, kRanges));
   CHECK_FALSE(avoidanceDirection(only(3, 0.6001), 0.0, kRanges));
 }
+
+TEST_CASE("as printed the outermost sonars turn nothing, and the angle jumps by 90 degrees at I1", "[unit]") {
+  AvoidanceRanges printed;
+  printed.as_printed = true;
+  const auto degrees_of = [&](std::size_t sonar, double range) {
+    return *avoidanceDirection(only(sonar, range), 0.0, printed) / kDegree;
+  };
+  CHECK(degrees_of(0, 0.5) == Approx(0.0).margin(1e-9));
+  CHECK(degrees_of(2, printed.near) == Approx(-50.0 - 90.0));
+  CHECK(degrees_of(2, printed.near + 1e-6) == Approx(-25.0));
+}
