@@ -7,7 +7,8 @@ TEST_CASE("2000 gaps of all kinds: nearly all are taken, few are touched", "[soa
   for (GapKind kind : kGapKinds) {
     int through = 0, touched = 0;
     for (std::uint64_t i = 0; i < 500; ++i) {
-      const auto config = sonarTrial(gapOfKind(kind, 7001, i, 1.3), Knowledge::kSonars, "hybrid", 0.3, 7001, i);
+      const auto config =
+          sonarTrial(gapOfKind(kind, 7001, i, 1.3), Knowledge::kSonars, "hybrid", 0.3, 7001, i);
       REQUIRE(config);
       const auto result = runTrial(*config, {});
       REQUIRE(result);
