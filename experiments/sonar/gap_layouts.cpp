@@ -10,13 +10,13 @@
 namespace fulbito::sonar {
 namespace {
 
-constexpr double kRobot = 0.075;                      // [m] width
-constexpr double kSlit = 0.4 * kRobot;                // [m]
+constexpr double kRobot = 0.075;                         // [m] width
+constexpr double kSlit = 0.4 * kRobot;                   // [m]
 constexpr double kHalfLength = 0.75, kHalfWidth = 0.65;  // [m] of the field
-constexpr double kLong = 0.75;                        // [m] length of a wall before it is cut at the field's
-constexpr double kOutOfLine = 0.02;                   // [m]
-constexpr double kMostTilt = 0.35;                    // [rad]
-constexpr double kMostTurn = 0.5;                     // [rad] start headings beside the goal
+constexpr double kLong = 0.75;       // [m] length of a wall before it is cut at the field's
+constexpr double kOutOfLine = 0.02;  // [m]
+constexpr double kMostTilt = 0.35;   // [rad]
+constexpr double kMostTurn = 0.5;    // [rad] start headings beside the goal
 
 bool isWall(const ObstacleSpec& body) { return body.shape == ObstacleShape::kBox && body.width == kLong; }
 
@@ -61,7 +61,8 @@ void putBeside(ObstacleSpec& body, const ObstacleSpec& fixed, double side, doubl
 std::vector<ObstacleSpec> drawBarrier(Rng& rng, GapKind kind, double gap) {
   ObstacleSpec right = drawBody(rng, kind, true), left = drawBody(rng, kind, true);
   putBeside(left, right, 1.0, gap);
-  const double middle = (right.pose.position.y + halfAcross(right) + left.pose.position.y - halfAcross(left)) / 2;
+  const double middle =
+      (right.pose.position.y + halfAcross(right) + left.pose.position.y - halfAcross(left)) / 2;
   left.pose.position.y -= middle, right.pose.position.y -= middle;
   std::vector<ObstacleSpec> bodies{left, right};
   for (const double side : {1.0, -1.0}) {

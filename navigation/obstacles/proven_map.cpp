@@ -8,20 +8,21 @@
 namespace fulbito {
 namespace {
 
-constexpr double kBand = 0.0035;      // [m] twice the error of a smoothed range
-constexpr float kFree = 3.0f;         // evidence of a farther echo against a cell; one for it weighs 1
-constexpr float kSilent = 0.4f;       // of silence: faces seen aslant are silent too
-constexpr double kBlind = 0.05;       // [m] silence and far echoes clear nothing so near to a sensor
-constexpr double kSharp = 0.9;        // of the cone, within which it clears
-constexpr double kAslant = 0.82;      // cosine of 35 degrees: 30 throw sound back, and the cell's own is not exact
-constexpr float kExplained = 3.0f;    // evidence by which the best cell of an arc explains the echo
-constexpr float kUnneeded = 0.1f;     // weight of the arc's other cells
-constexpr double kNear = 0.12;        // [m] readings up to there make certain
-constexpr double kMiddle = 0.8;       // in the middle of their cone
-constexpr double kArc = 0.08;         // [m] nearer arcs are shorter: their cells weigh more
-constexpr double kMostWeight = 4.0;   // up to that
+constexpr double kBand = 0.0035;  // [m] twice the error of a smoothed range
+constexpr float kFree = 3.0f;     // evidence of a farther echo against a cell; one for it weighs 1
+constexpr float kSilent = 0.4f;   // of silence: faces seen aslant are silent too
+constexpr double kBlind = 0.05;   // [m] silence and far echoes clear nothing so near to a sensor
+constexpr double kSharp = 0.9;    // of the cone, within which it clears
+constexpr double kAslant =
+    0.82;  // cosine of 35 degrees: 30 throw sound back, and the cell's own is not exact
+constexpr float kExplained = 3.0f;   // evidence by which the best cell of an arc explains the echo
+constexpr float kUnneeded = 0.1f;    // weight of the arc's other cells
+constexpr double kNear = 0.12;       // [m] readings up to there make certain
+constexpr double kMiddle = 0.8;      // in the middle of their cone
+constexpr double kArc = 0.08;        // [m] nearer arcs are shorter: their cells weigh more
+constexpr double kMostWeight = 4.0;  // up to that
 constexpr float kLeast = -2.0f, kFarMost = 5.0f, kMost = 12.0f;
-constexpr float kTurning = 0.2f;      // of a new direction in the cell's own
+constexpr float kTurning = 0.2f;  // of a new direction in the cell's own
 
 int sixteenth(Vec2 way) {
   return static_cast<int>(std::floor(math::angleOf(way) / (math::kPi / 8) + 0.5)) & 15;
@@ -33,10 +34,10 @@ int sixteenth(Vec2 way) {
 struct ProvenMap::Call {
   const SmoothRange& reading;
   double tan_half;
-  double free;       ///< [m] cells up to there are free
-  double most;       ///< [m] and from there up to here on the arc
-  float share;       ///< of its weight
-  float best = 0.0f; ///< evidence of the best cell on the arc
+  double free;        ///< [m] cells up to there are free
+  double most;        ///< [m] and from there up to here on the arc
+  float share;        ///< of its weight
+  float best = 0.0f;  ///< evidence of the best cell on the arc
   std::uint16_t from = 0;
 
   double off(Vec2 to) const { return std::abs(cross(reading.axis, to)) / (dot(reading.axis, to) * tan_half); }
@@ -87,8 +88,8 @@ void ProvenMap::forCone(const Call& call, const Work& work) {
 
 void ProvenMap::takeIn(const SmoothRange& reading, double share) {
   const double free = std::max(0.0, reading.heard ? reading.range - kBand : reading.range);
-  Call call{reading, math::tan(reading.half_cone), free, reading.heard ? reading.range + kBand : reading.range,
-            static_cast<float>(share)};
+  Call call{reading, math::tan(reading.half_cone), free,
+            reading.heard ? reading.range + kBand : reading.range, static_cast<float>(share)};
   call.from = static_cast<std::uint16_t>(1u << sixteenth(-reading.axis));
   forCone(call, [&](Cell& cell, Vec2 to, double far) {
     if (far < call.free) {

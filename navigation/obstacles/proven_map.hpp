@@ -61,7 +61,8 @@ class ProvenMap {
   struct Call;
 
   static std::size_t indexOf(int x, int y) {
-    return static_cast<std::size_t>(y & (kStride - 1)) * kStride + static_cast<std::size_t>(x & (kStride - 1));
+    return static_cast<std::size_t>(y & (kStride - 1)) * kStride +
+           static_cast<std::size_t>(x & (kStride - 1));
   }
   template <typename Work>
   void forCone(const Call& call, const Work& work);

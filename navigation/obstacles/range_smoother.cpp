@@ -8,18 +8,17 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kRecent = 4;  // readings
-constexpr int kLoud = 6;            // of the window's readings: so many echoes are one surface
-constexpr int kSilent = 2;          // so few are drop-ins of a silent cone
+constexpr std::size_t kRecent = 4;   // readings
+constexpr int kLoud = 6;             // of the window's readings: so many echoes are one surface
+constexpr int kSilent = 2;           // so few are drop-ins of a silent cone
 constexpr double kScatter = 0.0085;  // [m] about the line; 5 mm of noise stay below it in 99 of 100 windows
 constexpr double kFastest = 0.009;   // [m] change of the range in a tick
 
 }  // namespace
 
 std::optional<SmoothRange> RangeSmoother::add(const RangeReading& reading, const Pose2& pose) {
-  ring_[count_++ % kReadings] = {
-      pose.position + outOfFrame(math::unit(pose.heading), reading.mount.position),
-      pose.heading + reading.mount.heading, reading.heard, reading.range};
+  ring_[count_++ % kReadings] = {pose.position + outOfFrame(math::unit(pose.heading), reading.mount.position),
+                                 pose.heading + reading.mount.heading, reading.heard, reading.range};
   if (count_ < kReadings) return {};
   const auto heard = static_cast<int>(
       std::count_if(ring_.begin(), ring_.end(), [](const Item& each) { return each.heard; }));

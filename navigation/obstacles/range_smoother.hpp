@@ -17,8 +17,8 @@ struct SmoothRange {
   double range = 0.0;  ///< [m] from `apex`; the sensor's greatest range where it heard nothing
 };
 
-/// Averages the last readings of one sensor, whose pose is known. A line over time is fitted to the ranges: where
-/// they jump from one surface to another, or change faster than a robot drives, there is no answer.
+/// Averages the last readings of one sensor, whose pose is known. A line over time is fitted to the ranges:
+/// where they jump from one surface to another, or change faster than a robot drives, there is no answer.
 class RangeSmoother {
  public:
   static constexpr std::size_t kReadings = 9;
@@ -27,7 +27,8 @@ class RangeSmoother {
   /// Takes in one tick's reading; empty until the window is full, and where the readings do not agree.
   /// @param pose  of the robot
   std::optional<SmoothRange> add(const RangeReading& reading, const Pose2& pose);
-  /// Mean [m] of what was heard in the last four ticks, for quick reactions; empty where it was fewer than two.
+  /// Mean [m] of what was heard in the last four ticks, for quick reactions; empty where it was fewer than
+  /// two.
   std::optional<double> recent() const;
 
  private:

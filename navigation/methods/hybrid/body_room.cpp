@@ -30,7 +30,8 @@ void BodyRoom::look(const NavigationScene& scene, const ProvenMap& map,
   for (std::size_t i = 0; i < std::min(smoothers.size(), scene.ranges.size()); ++i) {
     const Pose2& mount = scene.ranges[i].mount;
     const auto range = smoothers[i].recent();
-    if (range && *range < kQuick * size_) points_.push_back(mount.position + math::unit(mount.heading) * *range);
+    if (range && *range < kQuick * size_)
+      points_.push_back(mount.position + math::unit(mount.heading) * *range);
   }
   here_ = at({}, 0.0);
 }

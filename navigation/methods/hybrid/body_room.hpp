@@ -7,7 +7,8 @@
 
 namespace fulbito {
 
-/// Lengths of the sonar drive are given for a body of 7.5 cm width; those of `robot` are so many times longer.
+/// Lengths of the sonar drive are given for a body of 7.5 cm width; those of `robot` are so many times
+/// longer.
 double bodySize(const RobotModel& robot);
 
 /// What stands about the body, and how near it would come: the occupied cells of the map, and the quick

@@ -10,12 +10,12 @@ namespace fulbito {
 namespace {
 
 // Lengths at a body of 7.5 cm.
-constexpr double kReach = 0.10;   // [m] from the middle, to what counts
-constexpr double kBeside = 0.075; // [m] along the strip: what its width is measured by
-constexpr double kFar = 0.2;      // [m] from the middle, beyond which nothing bounds a strip
-constexpr double kEdge = 0.012;   // [m] beyond the strip's edge: bodies that reach so near begin and end it
-constexpr int kTurns = 12;        // directions tried to either side
-constexpr double kTurn = 0.05;    // [rad] between them
+constexpr double kReach = 0.10;    // [m] from the middle, to what counts
+constexpr double kBeside = 0.075;  // [m] along the strip: what its width is measured by
+constexpr double kFar = 0.2;       // [m] from the middle, beyond which nothing bounds a strip
+constexpr double kEdge = 0.012;    // [m] beyond the strip's edge: bodies that reach so near begin and end it
+constexpr int kTurns = 12;         // directions tried to either side
+constexpr double kTurn = 0.05;     // [rad] between them
 
 /// How far the nearest of `cells` is to the left (`side` 1) or right (-1) of the axis.
 double roomBeside(const std::vector<Vec2>& cells, Vec2 axis, double side, double size) {

@@ -9,28 +9,28 @@
 namespace fulbito {
 namespace {
 
-constexpr double kCell = 0.005;      // [m] lengths at a body of 7.5 cm
-constexpr Tick kSearchTicks = 10;    // between searches
-constexpr double kNewPlace = 0.002;  // [m] a reading from so far off the last is a new one ...
-constexpr double kNewTurn = 0.017;   // [rad] ... or turned by so much
-constexpr double kOldShare = 0.15;   // what one from the same place tells
-constexpr double kMoved = 0.012;     // [m] that a robot which is not stuck moves ...
-constexpr double kTurned = 0.35;     // [rad] ... or turns ...
-constexpr Tick kStuckTicks = 75;     // ... in this time
-constexpr Tick kBackTicks = 40;      // for which it backs off
-constexpr Tick kTurnBackTicks = 30;  // before a place without a guide
-constexpr double kMargin = 0.006;    // [m] kept from everything
-constexpr double kReach = 0.05;      // [m] along the way to the point that the robot steers at
-constexpr double kFreeAhead = 0.09;  // [m] of the way whose clearance sets the speed
-constexpr double kTightAhead = 0.05; // [m] of the way where no narrow place may be without a guide
+constexpr double kCell = 0.005;       // [m] lengths at a body of 7.5 cm
+constexpr Tick kSearchTicks = 10;     // between searches
+constexpr double kNewPlace = 0.002;   // [m] a reading from so far off the last is a new one ...
+constexpr double kNewTurn = 0.017;    // [rad] ... or turned by so much
+constexpr double kOldShare = 0.15;    // what one from the same place tells
+constexpr double kMoved = 0.012;      // [m] that a robot which is not stuck moves ...
+constexpr double kTurned = 0.35;      // [rad] ... or turns ...
+constexpr Tick kStuckTicks = 75;      // ... in this time
+constexpr Tick kBackTicks = 40;       // for which it backs off
+constexpr Tick kTurnBackTicks = 30;   // before a place without a guide
+constexpr double kMargin = 0.006;     // [m] kept from everything
+constexpr double kReach = 0.05;       // [m] along the way to the point that the robot steers at
+constexpr double kFreeAhead = 0.09;   // [m] of the way whose clearance sets the speed
+constexpr double kTightAhead = 0.05;  // [m] of the way where no narrow place may be without a guide
 constexpr double kNarrow = 0.046, kSlowest = 0.045, kWide = 0.09;  // [m] clearances
-constexpr double kSlowShare = 0.2;   // of the top speed in narrow places
-constexpr double kNear = 0.02;       // [m]
-constexpr double kGain = 6.0, kMostRate = 3.0, kNearRate = 1.5;  // [1/s, rad/s]
-constexpr double kPause = 0.010, kTime = 0.3;  // [m, s] to what is ahead
-constexpr double kFace = 0.75;       // [rad] sensors within this of the heading look ahead
-constexpr double kSpin = 0.5;        // [rad] larger errors are turned off in place
-constexpr double kLookRate = 1.2;    // [rad/s]
+constexpr double kSlowShare = 0.2;                                 // of the top speed in narrow places
+constexpr double kNear = 0.02;                                     // [m]
+constexpr double kGain = 6.0, kMostRate = 3.0, kNearRate = 1.5;    // [1/s, rad/s]
+constexpr double kPause = 0.010, kTime = 0.3;                      // [m, s] to what is ahead
+constexpr double kFace = 0.75;     // [rad] sensors within this of the heading look ahead
+constexpr double kSpin = 0.5;      // [rad] larger errors are turned off in place
+constexpr double kLookRate = 1.2;  // [rad/s]
 constexpr Tick kLookTicks = 90;
 
 }  // namespace
@@ -56,7 +56,11 @@ Twist SonarDrive::drive(const NavigationScene& scene) {
   if (auto twist = backOff(scene)) return *twist;
   if (way_.path().size() < 2) return lookAbout(scene);
   const std::size_t left = 1, right = smoothers_.size() - 2;
-  const StripGuide::View view{scene, *map_, way_, room_, size_,
+  const StripGuide::View view{scene,
+                              *map_,
+                              way_,
+                              room_,
+                              size_,
                               right < smoothers_.size() ? smoothers_[left].recent() : std::nullopt,
                               right < smoothers_.size() ? smoothers_[right].recent() : std::nullopt};
   if (auto twist = guide_.drive(view)) return *twist;
@@ -124,7 +128,8 @@ Twist SonarDrive::alongWay(const NavigationScene& scene) {
     clear = std::min(clear, each), length += distance(path[i], path[i + 1]);
   }
   for (int i = 0; i <= 5; ++i)
-    clear = std::min(clear, way_.clearance(*map_, pose.position - math::unit(pose.heading) * (0.01 * size_ * i)));
+    clear =
+        std::min(clear, way_.clearance(*map_, pose.position - math::unit(pose.heading) * (0.01 * size_ * i)));
   if (tight < kNarrow * size_ && room_.here() < kNear * size_) {
     back_until_ = scene.tick + kTurnBackTicks;
     return {};

@@ -8,9 +8,9 @@
 
 namespace fulbito {
 
-/// Drives a robot that knows only what its range sensors hear: it maps what they prove (`ProvenMap`), searches
-/// a way (`WaySearch`), goes through narrow places by a guide (`StripGuide`), and backs off where it is stuck.
-/// Its sensors are those of `frontSonars`; others work as long as they look ahead.
+/// Drives a robot that knows only what its range sensors hear: it maps what they prove (`ProvenMap`),
+/// searches a way (`WaySearch`), goes through narrow places by a guide (`StripGuide`), and backs off where it
+/// is stuck. Its sensors are those of `frontSonars`; others work as long as they look ahead.
 class SonarDrive {
  public:
   void reset();

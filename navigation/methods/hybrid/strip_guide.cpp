@@ -9,35 +9,36 @@ namespace fulbito {
 namespace {
 
 // Lengths at a body of 7.5 cm.
-constexpr double kAhead = 0.17;       // [m] of the way in which a narrow place is looked for
-constexpr double kClear = 0.055;      // [m] clearance of its middle, below
-constexpr double kLeast = 0.072;      // [m] width of a strip: cells stand out a little
-constexpr double kWidest = 0.13;      // [m] of one that needs a guide
-constexpr double kStillNarrow = 0.125; // [m] of a strip that is followed
-constexpr double kBefore = 0.005;     // [m] before the entry, at least, to begin
-constexpr double kBeside = 0.008;     // [m] off the axis at the entry, at most ...
-constexpr double kSlope = 0.6;        // ... and with the distance before it
-constexpr double kLean = 0.7;         // [rad] off the axis to begin
-constexpr double kSlack = 0.005;      // [m] more than that, to give up
-constexpr double kStage = 0.08;       // [m] before the entry
-constexpr double kAtStage = 0.015;    // [m]
-constexpr Tick kStageTicks = 60;      // after which the stage is looked for again
-constexpr double kGate = 0.02;        // [m] before the entry, where the robot has to be straight
-constexpr double kBehindGate = 0.004; // [m] behind it
-constexpr double kStraight = 0.005;   // [m] off the axis there
-constexpr double kSquare = 0.12;      // [rad] off the axis there
-constexpr double kBackOut = 0.06;     // [m]
-constexpr double kOut = 0.015;        // [m] behind the exit, where the rear is out
-constexpr double kFarOff = 0.25;      // [m]
+constexpr double kAhead = 0.17;         // [m] of the way in which a narrow place is looked for
+constexpr double kClear = 0.055;        // [m] clearance of its middle, below
+constexpr double kLeast = 0.072;        // [m] width of a strip: cells stand out a little
+constexpr double kWidest = 0.13;        // [m] of one that needs a guide
+constexpr double kStillNarrow = 0.125;  // [m] of a strip that is followed
+constexpr double kBefore = 0.005;       // [m] before the entry, at least, to begin
+constexpr double kBeside = 0.008;       // [m] off the axis at the entry, at most ...
+constexpr double kSlope = 0.6;          // ... and with the distance before it
+constexpr double kLean = 0.7;           // [rad] off the axis to begin
+constexpr double kSlack = 0.005;        // [m] more than that, to give up
+constexpr double kStage = 0.08;         // [m] before the entry
+constexpr double kAtStage = 0.015;      // [m]
+constexpr Tick kStageTicks = 60;        // after which the stage is looked for again
+constexpr double kGate = 0.02;          // [m] before the entry, where the robot has to be straight
+constexpr double kBehindGate = 0.004;   // [m] behind it
+constexpr double kStraight = 0.005;     // [m] off the axis there
+constexpr double kSquare = 0.12;        // [rad] off the axis there
+constexpr double kBackOut = 0.06;       // [m]
+constexpr double kOut = 0.015;          // [m] behind the exit, where the rear is out
+constexpr double kFarOff = 0.25;        // [m]
 constexpr int kLostTicks = 20;
-constexpr double kReach = 0.04;       // [m] along the axis to the point that the robot steers at
-constexpr double kMargin = 0.003;     // [m] kept in the place
-constexpr double kStageMargin = 0.006;  // [m] and before it
+constexpr double kReach = 0.04;                   // [m] along the axis to the point that the robot steers at
+constexpr double kMargin = 0.003;                 // [m] kept in the place
+constexpr double kStageMargin = 0.006;            // [m] and before it
 constexpr double kShare = 0.3, kTurnShare = 0.2;  // of what the map shows anew, in the strip
 constexpr double kCornerShare = 0.016;            // of the difference of the front corners' ranges
-constexpr double kCorner = 0.04;      // [m] ranges that count
-constexpr double kSpeed = 0.06, kBackSpeed = 0.07, kStageSpeed = 0.08, kCareful = 0.03, kBackOff = 0.05;  // [m/s]
-constexpr double kMostRate = 1.5;     // [rad/s]
+constexpr double kCorner = 0.04;                  // [m] ranges that count
+constexpr double kSpeed = 0.06, kBackSpeed = 0.07, kStageSpeed = 0.08, kCareful = 0.03,
+                 kBackOff = 0.05;  // [m/s]
+constexpr double kMostRate = 1.5;  // [rad/s]
 
 double rateFor(double error, double gain = 6.0, double most = kMostRate) {
   return std::clamp(gain * error, -most, most);
@@ -191,8 +192,7 @@ Twist StripGuide::alongAxis(const View& view, double front, double aside) {
   const double error = math::wrapAngle(math::angleOf(aim) - view.scene.self.pose.heading);
   Twist twist{std::abs(error) > 0.3 && front < 0.0 ? 0.0 : kSpeed, rateFor(error, 8.0)};
   if (!view.room.turns(twist.angular, error, margin)) twist.angular = 0.0;
-  if (twist.linear == 0.0 && twist.angular == 0.0 &&
-      view.room.at({-0.008 * view.size, 0.0}, 0.0) >= floor)
+  if (twist.linear == 0.0 && twist.angular == 0.0 && view.room.at({-0.008 * view.size, 0.0}, 0.0) >= floor)
     return {-kBackOff, 0.0};
   const Vec2 next = math::unit(0.05 * twist.angular) * (0.010 * view.size);
   if (twist.linear > 0.0 && view.room.at(next, 0.1 * twist.angular) < floor) {

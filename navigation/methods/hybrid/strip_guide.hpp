@@ -12,7 +12,8 @@ namespace fulbito {
 ///  1. from anywhere to the stage, 8 cm before the place and square to it;
 ///  2. along its axis up to the entry. A robot that is off the axis there backs out, nearer to the axis, and
 ///     comes again; one that leans turns;
-///  3. on along the axis until its rear corners are out. The axis follows the map, and the front corners' sonars.
+///  3. on along the axis until its rear corners are out. The axis follows the map, and the front corners'
+///  sonars.
 class StripGuide {
  public:
   /// What a tick knows.
@@ -21,8 +22,8 @@ class StripGuide {
     const ProvenMap& map;
     const WaySearch& way;
     const BodyRoom& room;
-    double size = 1.0;                       ///< see `bodySize`
-    std::optional<double> left, right;       ///< [m] what the front corners' sonars hear
+    double size = 1.0;                  ///< see `bodySize`
+    std::optional<double> left, right;  ///< [m] what the front corners' sonars hear
   };
 
   void reset();

@@ -9,21 +9,21 @@
 namespace fulbito {
 namespace {
 
-constexpr int kReach = 16;            // cells to which distances are known
-constexpr double kTight = 0.987;      // of half the width: what a surface leaves free at least
-constexpr double kWide = 2.13;        // of half the width: where its cost begins
-constexpr double kNearCost = 4.0;     // that a tight place adds
-constexpr double kUncertain = 2.5;    // cost of a place that only uncertain surfaces block
-constexpr double kSuspect = 4.0;      // of one that a face may go on through
-constexpr double kStuck = 20.0;       // of one that is blocked, but the robot stands there
-constexpr double kStuckReach = 8.0;   // cells about the robot for that
-constexpr double kBody = 0.59;        // of half the width: nearer it cannot stand
-constexpr double kLastShare = 0.7;    // cost of the last way
-constexpr int kLastReach = 3;         // cells beside it
-constexpr float kOutside = 1.5f;      // cost outside of the window
-constexpr int kExtension = 50;        // cells by which a face goes on
-constexpr int kStraight = 5;          // of the 6 cells before, to be a face
-constexpr int kSuspectReach = 7;      // cells
+constexpr int kReach = 16;           // cells to which distances are known
+constexpr double kTight = 0.987;     // of half the width: what a surface leaves free at least
+constexpr double kWide = 2.13;       // of half the width: where its cost begins
+constexpr double kNearCost = 4.0;    // that a tight place adds
+constexpr double kUncertain = 2.5;   // cost of a place that only uncertain surfaces block
+constexpr double kSuspect = 4.0;     // of one that a face may go on through
+constexpr double kStuck = 20.0;      // of one that is blocked, but the robot stands there
+constexpr double kStuckReach = 8.0;  // cells about the robot for that
+constexpr double kBody = 0.59;       // of half the width: nearer it cannot stand
+constexpr double kLastShare = 0.7;   // cost of the last way
+constexpr int kLastReach = 3;        // cells beside it
+constexpr float kOutside = 1.5f;     // cost outside of the window
+constexpr int kExtension = 50;       // cells by which a face goes on
+constexpr int kStraight = 5;         // of the 6 cells before, to be a face
+constexpr int kSuspectReach = 7;     // cells
 constexpr float kNever = 1e9f;
 
 constexpr std::array<int, 16> kStepX{1, -1, 0, 0, 1, 1, -1, -1, 2, 2, -2, -2, 1, 1, -1, -1};
@@ -189,11 +189,13 @@ int WaySearch::expand(const ProvenMap& map, Vec2 from, Vec2 goal) {
     for (std::size_t k = 0; k < kStepX.size(); ++k) {
       const int u = x + kStepX[k], v = y + kStepY[k];
       if (!isInside(u, v)) continue;
-      const double each = weight(indexOf(u, v), (u - start_x) * (u - start_x) + (v - start_y) * (v - start_y));
+      const double each =
+          weight(indexOf(u, v), (u - start_x) * (u - start_x) + (v - start_y) * (v - start_y));
       if (each == 0.0) continue;
       const double step = std::sqrt(static_cast<double>(kStepX[k] * kStepX[k] + kStepY[k] * kStepY[k]));
       const double left = norm({static_cast<double>(u - goal_x), static_cast<double>(v - goal_y)});
-      const float rest = static_cast<float>(left) * (isEdge(u, v) ? kOutside : static_cast<float>(kLastShare));
+      const float rest =
+          static_cast<float>(left) * (isEdge(u, v) ? kOutside : static_cast<float>(kLastShare));
       visit(node, rest, indexOf(u, v), static_cast<float>(step * each));
     }
   }

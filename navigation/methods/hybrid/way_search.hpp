@@ -46,11 +46,11 @@ class WaySearch {
   void visit(const Node& node, float rest, int index, float length);
   int expand(const ProvenMap& map, Vec2 from, Vec2 goal);
 
-  int x_ = 0, y_ = 0;          ///< the window's lowest cell
-  double half_width_ = 0.0;    ///< [cells]
-  std::vector<float> table_;   ///< [cells] distances between cells
-  std::vector<float> any_;     ///< [cells] to the nearest occupied cell
-  std::vector<float> certain_; ///< [cells] to the nearest certain one
+  int x_ = 0, y_ = 0;           ///< the window's lowest cell
+  double half_width_ = 0.0;     ///< [cells]
+  std::vector<float> table_;    ///< [cells] distances between cells
+  std::vector<float> any_;      ///< [cells] to the nearest occupied cell
+  std::vector<float> certain_;  ///< [cells] to the nearest certain one
   std::vector<std::uint8_t> suspect_, last_;
   std::vector<float> cost_;
   std::vector<int> parent_;

@@ -1,7 +1,6 @@
 #include "navigation/methods/hybrid/way_search.hpp"
 
 #include <algorithm>
-
 #include <cmath>
 
 #include "tests/support/catch.hpp"
