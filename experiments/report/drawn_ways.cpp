@@ -16,16 +16,11 @@ std::optional<std::size_t> navigatorNamed(const ComparisonBlock& block, const st
   return std::nullopt;
 }
 
-/// The runs of a figure's case that its picture shows: its method and the others named with it; none if the
-/// block lacks that method.
-std::vector<std::size_t> figureNavigators(const ComparisonBlock& block, const FigureClaim& figure) {
+/// The runs of a block that the file of a figure's case names; none if the block has none of them.
+std::vector<std::size_t> figureNavigators(const ComparisonBlock& block, const FigureCase& figure) {
   std::vector<std::size_t> chosen;
-  const auto own = navigatorNamed(block, figure.method);
-  if (!own) return chosen;
   for (std::size_t n = 0; n < block.navigators.size(); ++n) {
-    const std::string& text = block.navigators[n].text;
-    const bool other = std::find(figure.others.begin(), figure.others.end(), text) != figure.others.end();
-    if (n == *own || other) chosen.push_back(n);
+    if (runOf(figure, block.navigators[n].text) != nullptr) chosen.push_back(n);
   }
   return chosen;
 }
@@ -62,7 +57,7 @@ std::vector<std::size_t> byInterest(const Comparison& comparison, std::size_t b)
 
 }  // namespace
 
-std::vector<std::size_t> drawnWays(const Comparison& comparison, std::size_t b, const FigureClaim* figure) {
+std::vector<std::size_t> drawnWays(const Comparison& comparison, std::size_t b, const FigureCase* figure) {
   if (figure != nullptr) {
     auto chosen = figureNavigators(comparison.blocks[b], *figure);
     if (!chosen.empty()) return chosen;

@@ -11,7 +11,6 @@ namespace fulbito {
 /// those of its figure. Otherwise at most `ComparisonConfig::ways` of them: what Jung & Lee compare, then the
 /// fastest over all trials. Needs the summary.
 /// @param figure  null: the layout belongs to none
-std::vector<std::size_t> drawnWays(const Comparison& comparison, std::size_t block,
-                                   const FigureClaim* figure);
+std::vector<std::size_t> drawnWays(const Comparison& comparison, std::size_t block, const FigureCase* figure);
 
 }  // namespace fulbito

@@ -45,7 +45,7 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
 std::vector<ExperimentSetting> settingsDocs() {
   return {{"rows", "200", "layouts like Fig. 8"},
           {"gaps", "200", "layouts with a gap of 1.3 widths, half as many of 1.1 and 1.6"},
-          {"kinds", "200", "layouts of each kind of gap, by three navigators at two noises"},
+          {"kinds", "25", "layouts of each kind of gap, by three navigators at two noises"},
           {"speed", "0.3", "top speed [m/s]"}};
 }
 

@@ -12,7 +12,7 @@ namespace fulbito::sonar {
 struct HybridSettings {
   int rows = 200;      ///< layouts like Fig. 8
   int gaps = 200;      ///< layouts with a gap of 1.3 widths; half as many of the other widths
-  int kinds = 200;     ///< layouts of each kind of gap of 1.3 widths
+  int kinds = 25;      ///< layouts of each kind of gap of 1.3 widths
   double speed = 0.3;  ///< [m/s] top speed
 };
 
