@@ -127,7 +127,7 @@ void addMap(CLI::App& command, CompareOptions& compare) {
   command
       .add_option(
           "--fresh", config.fresh,
-          "with --map: layouts of each of three other seeds for the cells nearest to the paper; 0: none")
+          "layouts of each of three other seeds, for the nearest cells; 0: none")
       ->needs(map)
       ->capture_default_str();
 }

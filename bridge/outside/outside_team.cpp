@@ -27,7 +27,7 @@ struct OutsideTeam::Impl {
   using State = TeamCondition::State;
   enum class Stage : std::uint8_t { kHello, kBegin, kPlaying };
 
-  explicit Impl(OutsideTeamSetup from) : setup(std::move(from)), log(setup.log) {}
+  explicit Impl(OutsideTeamSetup from) : setup(std::move(from)), errors(setup.log) {}
 
   double now() const { return static_cast<double>(setup.clock()) * 1e-9; }
   bool lost() const { return condition.state == State::kLost || condition.state == State::kCut; }
@@ -48,7 +48,7 @@ struct OutsideTeam::Impl {
   TeamReply* request(Kind kind, const Ask& write);
 
   OutsideTeamSetup setup;
-  BoundedLog log;
+  BoundedLog errors;
   MatchInfo info;
   DecisionTime limit;
   std::vector<NavigatorChoice> navigators;
@@ -70,7 +70,7 @@ struct OutsideTeam::Impl {
 
 // Both messages go out at once: a program that is up answers both without another wait.
 void OutsideTeam::Impl::launch() {
-  talk.emplace(setup, log);
+  talk.emplace(setup, errors);
   stage = Stage::kHello;
   outdated = false;
   silent = 0;

@@ -90,8 +90,8 @@ std::string missingFile(const TeamCommandLine& line) {
 
 // Starts the team once, so that what keeps it from starting is said before a match begins.
 Result<TeamWelcome> tryStart(const OutsideTeamSetup& setup) {
-  BoundedLog log(setup.log);
-  Conversation talk(setup, log);
+  BoundedLog errors(setup.log);
+  Conversation talk(setup, errors);
   const std::uint64_t id = talk.next();
   const TeamHello hello{"fulbito", setup.settings};
   talk.send([&](TeamCodec& codec, std::string& out) { codec.hello(id, hello, out); });

@@ -24,22 +24,26 @@ DriveLaw::DriveLaw(const RobotModel& robot, double dt)
 
 // Each wheel seeks the nearest speed at which one of its edges rolls, given the other wheel's pull, the drag
 // and the scrubbing, which depend on both pulls. The coupling of the wheels is weak, so that a few rounds
-// settle.
+// settle. Both wheels look at the round before, so that a mirrored motion has mirrored pulls to the last bit.
 RimSpeeds DriveLaw::resistedPulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const {
-  constexpr int kMostRounds = 12;
+  constexpr int kMostRounds = 16;
   constexpr double kSettled = 1e-6;  // [m/s]
   const double forward = (ground.left + ground.right) / 2, turn = (ground.right - ground.left) / 2;
   const double play = edges_ * std::abs(turn);
-  RimSpeeds pull;
+  const auto lack = [play](double rim, double aim) { return std::clamp(rim, aim - play, aim + play) - rim; };
+  // What a robot without drag and scrubbing needs, if its motors are strong enough.
+  const double left = lack(ground.left, target.left), right = lack(ground.right, target.right);
+  RimSpeeds pull{std::clamp(own_ * left + other_ * right, -limits.left, limits.left),
+                 std::clamp(own_ * right + other_ * left, -limits.right, limits.right)};
   for (int round = 0; round < kMostRounds; ++round) {
     const RimSpeeds before = pull;
-    const double sum = (pull.left + pull.right) / 2;
-    const double drag = -std::clamp(forward + sum, -drag_, drag_), braked = scrub(turn, pull);
+    const double sum = (before.left + before.right) / 2;
+    const double drag = -std::clamp(forward + sum, -drag_, drag_), braked = scrub(turn, before);
     const auto towards = [&](double rim, double aim, double limit) {
-      return std::clamp((std::clamp(rim, aim - play, aim + play) - rim) * per_pull_, -limit, limit);
+      return std::clamp(lack(rim, aim) * per_pull_, -limit, limit);
     };
-    pull.left = towards(ground.left + drag - braked + felt_ * pull.right, target.left, limits.left);
-    pull.right = towards(ground.right + drag + braked + felt_ * pull.left, target.right, limits.right);
+    pull.left = towards(ground.left + drag - braked + felt_ * before.right, target.left, limits.left);
+    pull.right = towards(ground.right + drag + braked + felt_ * before.left, target.right, limits.right);
     if (std::abs(pull.left - before.left) + std::abs(pull.right - before.right) < kSettled) break;
   }
   return pull;
