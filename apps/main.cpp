@@ -125,9 +125,8 @@ void addMap(CLI::App& command, CompareOptions& compare) {
       ->needs(map)
       ->capture_default_str();
   command
-      .add_option(
-          "--fresh", config.fresh,
-          "layouts of each of three other seeds, for the nearest cells; 0: none")
+      .add_option("--fresh", config.fresh,
+                  "layouts of each of three other seeds, for the nearest cells; 0: none")
       ->needs(map)
       ->capture_default_str();
 }

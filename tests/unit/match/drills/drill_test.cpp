@@ -347,7 +347,7 @@ TEST_CASE("own goals of whole matches are those of a match's statistics", "[unit
       "half_seconds = 60.0\n[[pass]]\nvalue = \"own-goal\"\nstatistic = \"mean\"\nat_most = 0\n");
   DrillOptions options;
   options.team = *parseTeam("chaser");
-  options.seed = 3;
+  options.seed = 12;
   const DrillRun run{options, *loadRobot("vsss"), *loadPhysics("standard")};
   const auto base = drillMatch(run, drill);
   REQUIRE(base);
