@@ -78,7 +78,7 @@ TEST_CASE("a robot pressed against something gives the motor's force times the t
   World world = makeWorld(config);
   run(world, {40.0, 40.0}, 120);
   REQUIRE(world.contacts().size() == 1);
-  CHECK(world.contacts()[0].impulse == Approx(robot.mass * robot.motorPull() / 60).epsilon(0.02));
+  CHECK(world.contacts()[0].impulse == Approx(robot.mass * robot.wheel_acceleration / 60).epsilon(0.02));
 }
 
 TEST_CASE("a robot that hits a ball is the first of the two", "[unit]") {

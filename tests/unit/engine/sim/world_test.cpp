@@ -166,7 +166,9 @@ TEST_CASE("half a turn of the field maps one team's second onto the other's with
     }
     worst = std::max(worst, norm(state.balls[0].position));
   }
-  CHECK(worst <= 0.003);  // [m]
+  // A crowd at the ball has met once more by then.
+  const double most = physics.name == "faithful" ? 0.002 : at_the_ball ? 0.003 : 0.001;  // [m]
+  CHECK(worst <= most);
 }
 
 TEST_CASE("a configuration that cannot be is refused by name", "[unit]") {
