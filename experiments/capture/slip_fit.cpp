@@ -44,6 +44,7 @@ SlipFit fitUndersteer(std::span<const DrivenRadius> radii) {
 
 std::vector<DrivenRadius> radiiOfTable5() {
   std::vector<DrivenRadius> radii;
+  radii.reserve(PaperTables::kSpeeds.size());
   for (std::size_t i = 0; i < PaperTables::kSpeeds.size(); ++i)
     radii.push_back({PaperTables::kSpeeds[i], PaperTables::kSingleRadius, PaperTables::kSingle[i].radius});
   return radii;

@@ -54,10 +54,13 @@ double PartPath::nearest(Vec2 point) const {
 }
 
 std::vector<Vec2> pointsAlong(const PartPath& path, double stride, Vec2 origin) {
-  const double count = std::ceil(path.length() / stride);
+  const auto count = static_cast<std::size_t>(std::ceil(path.length() / stride));
   std::vector<Vec2> points;
-  for (double i = 0.0; i <= count; i += 1.0)
-    points.push_back(path.pose(path.length() * i / count).position - origin);
+  points.reserve(count + 1);
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double along = path.length() * static_cast<double>(i) / static_cast<double>(count);
+    points.push_back(path.pose(along).position - origin);
+  }
   return points;
 }
 

@@ -195,7 +195,7 @@ int sweepPlaces() {
 }
 
 SweepPlace sweepPlace(std::uint64_t index) {
-  auto left = static_cast<int>(index % static_cast<std::uint64_t>(sweepPlaces()));
+  auto left = static_cast<int>(index % static_cast<std::uint64_t>(std::max(sweepPlaces(), 1)));
   for (const FigureCase& figure : paperFigures()) {
     if (left < figure.sweep.steps) return {&figure, sweepValue(figure.sweep, left)};
     left -= figure.sweep.steps;

@@ -42,10 +42,10 @@ std::uint64_t processesLeft(const Order& order) {
   const std::uint64_t most = mostOf(RLIMIT_NPROC);
   if (::geteuid() == 0 || most == RLIM_INFINITY) return most;
   struct sysinfo machine{};
-  const auto needed = static_cast<std::uint64_t>(order.page->processes + kOwnProcesses);
+  const auto needed = static_cast<std::uint64_t>(order.page->processes) + kOwnProcesses;
   // To count a user's takes a walk over all processes of the machine.
   if (::sysinfo(&machine) == 0 && most >= needed + machine.procs) return most;
-  return most - std::min(most, static_cast<std::uint64_t>(tasksOfUser(::geteuid()) + kOwnProcesses));
+  return most - std::min(most, static_cast<std::uint64_t>(tasksOfUser(::geteuid())) + kOwnProcesses);
 }
 
 }  // namespace

@@ -78,7 +78,8 @@ void WaySearch::measure(const ProvenMap& map) {
 void WaySearch::stamp(int x, int y, bool certain) {
   for (int v = std::max(0, y - kReach); v <= std::min(kSide - 1, y + kReach); ++v) {
     for (int u = std::max(0, x - kReach); u <= std::min(kSide - 1, x + kReach); ++u) {
-      const float far = table_[static_cast<std::size_t>(std::abs(v - y) * (kReach + 1) + std::abs(u - x))];
+      const float far = table_[static_cast<std::size_t>(std::abs(v - y)) * (kReach + 1) +
+                               static_cast<std::size_t>(std::abs(u - x))];
       const auto i = static_cast<std::size_t>(indexOf(u, v));
       any_[i] = std::min(any_[i], far);
       if (certain) certain_[i] = std::min(certain_[i], far);
@@ -184,8 +185,8 @@ int WaySearch::expand(const ProvenMap& map, Vec2 from, Vec2 goal) {
     open_.pop_back();
     if (node.cost > cost_[static_cast<std::size_t>(node.index)]) continue;
     const int x = node.index % kSide, y = node.index / kSide;
-    const auto isEdge = [](int u, int v) { return u == 0 || v == 0 || u == kSide - 1 || v == kSide - 1; };
-    if ((x == goal_x && y == goal_y) || isEdge(x, y)) return node.index;
+    const auto is_edge = [](int u, int v) { return u == 0 || v == 0 || u == kSide - 1 || v == kSide - 1; };
+    if ((x == goal_x && y == goal_y) || is_edge(x, y)) return node.index;
     for (std::size_t k = 0; k < kStepX.size(); ++k) {
       const int u = x + kStepX[k], v = y + kStepY[k];
       if (!isInside(u, v)) continue;
@@ -195,7 +196,7 @@ int WaySearch::expand(const ProvenMap& map, Vec2 from, Vec2 goal) {
       const double step = std::sqrt(static_cast<double>(kStepX[k] * kStepX[k] + kStepY[k] * kStepY[k]));
       const double left = norm({static_cast<double>(u - goal_x), static_cast<double>(v - goal_y)});
       const float rest =
-          static_cast<float>(left) * (isEdge(u, v) ? kOutside : static_cast<float>(kLastShare));
+          static_cast<float>(left) * (is_edge(u, v) ? kOutside : static_cast<float>(kLastShare));
       visit(node, rest, indexOf(u, v), static_cast<float>(step * each));
     }
   }
