@@ -51,7 +51,12 @@ void Conversation::fail(std::string reason) {
 }
 
 void Conversation::flush() {
-  if (!child_->send(out_)) fail("");
+  if (child_->send(out_)) return;
+  // What it said before it ended tells why.
+  do {
+    receive(0.0);
+  } while (failure_.empty() && readMessage(0, TeamReply::Kind::kHello) == Read::kOther);
+  fail("");
 }
 
 void Conversation::receive(double seconds) {

@@ -14,6 +14,7 @@
 #include "fulbito/outside.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/failing_calls.hpp"
+#include "tests/support/team_memory.hpp"
 
 namespace fulbito {
 namespace {
@@ -28,6 +29,7 @@ std::int64_t steadyNow() {
 MatchConfig outsideMatch() {
   OutsideOptions options;
   options.clock = steadyNow;
+  options.limits.memory = test::kTeamMemory;
   TeamCatalogue teams = TeamCatalogue::builtIn();
   teams.addSource(outsideTeams(options));
   auto config = MatchConfig::standard("idle", "random");

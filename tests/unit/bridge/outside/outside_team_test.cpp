@@ -13,6 +13,7 @@
 #include "fulbito/match.hpp"
 #include "fulbito/outside.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/team_memory.hpp"
 
 namespace fulbito {
 namespace {
@@ -23,19 +24,12 @@ std::int64_t steadyNow() {
       .count();
 }
 
-// Of a team; sanitizers reserve much more than they use.
-#ifdef FULBITO_SANITIZED
-constexpr int kMemoryBits = 47;
-#else
-constexpr int kMemoryBits = 28;
-#endif
-
 TeamCatalogue catalogue(OutsideOptions::Isolation isolation = OutsideOptions::Isolation::kProcess) {
   OutsideOptions options;
   options.isolation = isolation;
   options.clock = steadyNow;
   options.host = FULBITO_TEAM_HOST;
-  options.limits.memory = std::size_t{1} << kMemoryBits;
+  options.limits.memory = test::kTeamMemory;
   options.limits.processes = 24;
   TeamCatalogue teams = TeamCatalogue::builtIn();
   teams.addSource(outsideTeams(options));

@@ -10,6 +10,7 @@
 #include "fulbito/outside.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/team_memory.hpp"
 
 namespace fulbito {
 namespace {
@@ -27,6 +28,7 @@ Start startOf(const std::string& specification, const std::string& host = FULBIT
   Start start;
   OutsideOptions options;
   options.host = host;
+  options.limits.memory = kTeamMemory;
   options.clock = [] { return std::chrono::steady_clock::now().time_since_epoch().count(); };
   options.log = [&start](const std::string&, std::string_view line) {
     start.log += std::string(line) + "\n";

@@ -166,7 +166,8 @@ TEST_CASE("a ball that touches a robot and is past it within the tick is seen", 
     const double heading = rng.uniform(-math::kPi, math::kPi), speed = rng.uniform(5.0, 10.0);
     const Vec2 along = math::unit(rng.uniform(-math::kPi, math::kPi));
     // Passes the robot's corners and edges on either side, by a few millimetres.
-    const Vec2 start = along * -rng.uniform(0.075, 0.2) + perp(along) * rng.uniform(-0.08, 0.08);
+    const double behind = rng.uniform(0.075, 0.2), aside = rng.uniform(-0.08, 0.08);
+    const Vec2 start = along * -behind + perp(along) * aside;
     double nearest = 1.0;
     for (double way = 0.0; way < 0.4; way += 0.0002)
       nearest = std::min(nearest, toSquare(start + along * way, heading));

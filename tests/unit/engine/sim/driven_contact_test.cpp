@@ -98,7 +98,8 @@ WorldConfig closingIn(const RobotPreset& preset, const PhysicsProfile& physics, 
                              velocity,
                              rng.uniform(-5.0, 5.0)});
   }
-  const Vec2 velocity = math::unit(rng.uniform(-math::kPi, math::kPi)) * rng.uniform(0.0, 6.0);
+  const Vec2 course = math::unit(rng.uniform(-math::kPi, math::kPi));
+  const Vec2 velocity = course * rng.uniform(0.0, 6.0);
   config.balls.push_back({preset.ball, {}, velocity, velocity});
   return config;
 }
@@ -125,7 +126,7 @@ TEST_CASE("one contact gives a ball at most the surface's speed and the bounce f
   Rng rng(46, kTestStream);
   int touches = 0;
   double worst = -1.0;
-  for (int scene = 0; scene < 240; ++scene) {
+  for (int scene = 0; scene < 300; ++scene) {
     World world = makeWorld(closingIn(preset, physics, 1 + scene % 3, rng));
     std::vector<WheelSpeeds> onward;
     for (const RobotState& robot : world.state().robots) onward.push_back(robot.wheels);
