@@ -98,6 +98,7 @@ struct Child::Impl {
   SharedPage page;
   pid_t keeper = -1;     ///< -1: none, or it has ended
   bool stopped = false;  ///< asked to end
+  bool broken = false;   ///< nobody reads `in` any more
   Descriptor in, out, errors;
   std::string waiting;   ///< for `in`
   std::size_t sent = 0;  ///< of `waiting`
@@ -130,6 +131,7 @@ bool Child::Impl::flush() {
     } else if (errno != EINTR) {
       if (errno == EPIPE) {
         quiet.swallow();
+        broken = true;
       } else {
         machineFailed("write to it");
       }
@@ -191,7 +193,7 @@ ChildEnd Child::Impl::howItEnded(int keeper_status) const {
 void Child::Impl::stop() {
   if (keeper < 0 || stopped) return;
   stopped = true;
-  page->output_closed = !out.isOpen();
+  page->pipe_closed = broken || !out.isOpen();
   ::kill(keeper, SIGTERM);
   ::kill(keeper, SIGCONT);  // should somebody have stopped it
 }

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cgif.h>
+#include <gif_lib.h>
 #include <limits>
+#include <new>
+#include <string_view>
+#include <utility>
 
 namespace fulbito {
 namespace {
 
 constexpr std::size_t kMostColours = 255;  // one index is left for what did not change
 constexpr std::size_t kKnown = 1u << 14;
-
-int append(void* bytes, const std::uint8_t* data, std::size_t size) {
-  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
-  return 0;
-}
 
 int part(std::uint32_t argb, int shift) { return static_cast<int>(argb >> shift & 255u); }
 
@@ -87,24 +85,125 @@ void GifIndexer::index(const Canvas& canvas, std::string& out) {
   }
 }
 
+namespace {
+
+constexpr int kKeepsPlace = 1;  // what a frame draws stays for the next
+
+struct ColourTableDeleter {
+  void operator()(ColorMapObject* table) const { GifFreeMapObject(table); }
+};
+
+/// @return the colours, and one more that is never drawn: it stands for what did not change
+std::unique_ptr<ColorMapObject, ColourTableDeleter> colourTable(const std::vector<std::uint8_t>& colours) {
+  const int count = static_cast<int>(colours.size() / 3);
+  std::unique_ptr<ColorMapObject, ColourTableDeleter> table(
+      GifMakeMapObject(1 << GifBitSize(count + 1), nullptr));
+  if (table == nullptr) throw std::bad_alloc();
+  for (std::size_t i = 0; i < colours.size() / 3; ++i) {
+    table->Colors[i] = {colours[3 * i], colours[3 * i + 1], colours[3 * i + 2]};
+  }
+  return table;
+}
+
+/// Columns and rows of a frame, the ends left out.
+struct Window {
+  int left, top, right, bottom;
+};
+
+/// What differs between two frames; one pixel if nothing does, since a frame must have one.
+Window changed(std::string_view before, std::string_view now, int width) {
+  Window window{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), 0, 0};
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (before[i] == now[i]) continue;
+    const int x = static_cast<int>(i) % width, y = static_cast<int>(i) / width;
+    window = {std::min(window.left, x), std::min(window.top, y), std::max(window.right, x + 1),
+              std::max(window.bottom, y + 1)};
+  }
+  return window.right > 0 ? window : Window{0, 0, 1, 1};
+}
+
+}  // namespace
+
 struct GifWriter::Impl {
   Impl() = default;
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl() {
-    if (gif != nullptr) cgif_close(gif);
+    if (gif != nullptr) EGifCloseFile(gif, nullptr);
   }
+  static int append(GifFileType* gif, const GifByteType* data, int size) {
+    static_cast<Impl*>(gif->UserData)
+        ->bytes.append(reinterpret_cast<const char*>(data), static_cast<std::size_t>(size));
+    return size;
+  }
+  bool begin(const std::vector<std::uint8_t>& colours);
+  bool loop() const;
+  bool draw(const Window& window, std::string_view indices);
 
   std::string bytes;
-  std::vector<std::uint8_t> palette;
-  CGIF* gif = nullptr;
-  std::uint16_t delay = 4;
+  std::string shown;  ///< the last frame's indices; empty before the first
+  std::string row;
+  GifFileType* gif = nullptr;
+  int width = 0, height = 0;   ///< [pixels]
+  int delay = 4;               ///< [s/100]
+  std::uint8_t unchanged = 0;  ///< index
 };
+
+bool GifWriter::Impl::begin(const std::vector<std::uint8_t>& colours) {
+  const auto table = colourTable(colours);
+  unchanged = static_cast<std::uint8_t>(colours.size() / 3);
+  EGifSetGifVersion(gif, true);
+  return EGifPutScreenDesc(gif, width, height, table->BitsPerPixel, 0, table.get()) == GIF_OK && loop();
+}
+
+/// Says that the film begins again at its end, for ever.
+bool GifWriter::Impl::loop() const {
+  constexpr std::string_view kName = "NETSCAPE2.0";
+  constexpr std::array<GifByteType, 3> kForEver{1, 0, 0};
+  return EGifPutExtensionLeader(gif, APPLICATION_EXT_FUNC_CODE) == GIF_OK &&
+         EGifPutExtensionBlock(gif, static_cast<int>(kName.size()), kName.data()) == GIF_OK &&
+         EGifPutExtensionBlock(gif, static_cast<int>(kForEver.size()), kForEver.data()) == GIF_OK &&
+         EGifPutExtensionTrailer(gif) == GIF_OK;
+}
+
+bool GifWriter::Impl::draw(const Window& window, std::string_view indices) {
+  const GraphicsControlBlock control{kKeepsPlace, false, delay,
+                                     shown.empty() ? NO_TRANSPARENT_COLOR : unchanged};
+  std::array<GifByteType, 4> packed{};
+  EGifGCBToExtension(&control, packed.data());
+  const int columns = window.right - window.left;
+  if (EGifPutExtension(gif, GRAPHICS_EXT_FUNC_CODE, static_cast<int>(packed.size()), packed.data()) !=
+          GIF_OK ||
+      EGifPutImageDesc(gif, window.left, window.top, columns, window.bottom - window.top, false, nullptr) !=
+          GIF_OK) {
+    return false;
+  }
+  for (int y = window.top; y < window.bottom; ++y) {
+    const auto from = static_cast<std::size_t>(y * width + window.left);
+    row = indices.substr(from, static_cast<std::size_t>(columns));
+    for (std::size_t i = 0; i < row.size() && !shown.empty(); ++i) {
+      if (row[i] == shown[from + i]) row[i] = static_cast<char>(unchanged);
+    }
+    if (EGifPutLine(gif, reinterpret_cast<GifPixelType*>(row.data()), columns) != GIF_OK) return false;
+  }
+  return true;
+}
 
 GifWriter::GifWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 GifWriter::GifWriter(GifWriter&&) noexcept = default;
 GifWriter& GifWriter::operator=(GifWriter&&) noexcept = default;
 GifWriter::~GifWriter() = default;
+
+namespace {
+
+tl::unexpected<Error> failed(int error) {
+  if (error == E_GIF_ERR_NOT_ENOUGH_MEM) throw std::bad_alloc();
+  const char* why = GifErrorString(error);
+  return fail(ErrorCode::kIo,
+              std::string("cannot write the GIF: ") + (why != nullptr ? why : "unknown error"));
+}
+
+}  // namespace
 
 Result<GifWriter> GifWriter::create(int width, int height, const GifPalette& palette, int centiseconds) {
   constexpr int kLongest = std::numeric_limits<std::uint16_t>::max();
@@ -112,35 +211,28 @@ Result<GifWriter> GifWriter::create(int width, int height, const GifPalette& pal
     return fail(ErrorCode::kUsage, "width and height of a GIF must be at most 65535 pixels");
   }
   auto impl = std::make_unique<Impl>();
-  impl->palette = palette.colours();
-  impl->delay = static_cast<std::uint16_t>(std::clamp(centiseconds, 2, kLongest));
-  CGIF_Config config{};
-  config.pGlobalPalette = impl->palette.data();
-  config.numGlobalPaletteEntries = static_cast<std::uint16_t>(impl->palette.size() / 3);
-  config.attrFlags = CGIF_ATTR_IS_ANIMATED;
-  config.width = static_cast<std::uint16_t>(width);
-  config.height = static_cast<std::uint16_t>(height);
-  config.numLoops = CGIF_INFINITE_LOOP;
-  config.pWriteFn = append;
-  config.pContext = &impl->bytes;
-  impl->gif = cgif_newgif(&config);
-  if (impl->gif == nullptr) return fail(ErrorCode::kIo, "cannot start the GIF");
+  impl->width = width;
+  impl->height = height;
+  impl->delay = std::clamp(centiseconds, 2, kLongest);
+  int error = 0;
+  impl->gif = EGifOpen(impl.get(), Impl::append, &error);
+  if (impl->gif == nullptr) return failed(error);
+  if (!impl->begin(palette.colours())) return failed(impl->gif->Error);
   return GifWriter(std::move(impl));
 }
 
-Result<void> GifWriter::add(std::string& indices) {
-  CGIF_FrameConfig frame{};
-  frame.pImageData = reinterpret_cast<std::uint8_t*>(indices.data());
-  frame.genFlags = CGIF_FRAME_GEN_USE_TRANSPARENCY | CGIF_FRAME_GEN_USE_DIFF_WINDOW;
-  frame.delay = impl_->delay;
-  if (cgif_addframe(impl_->gif, &frame) != CGIF_OK) return fail(ErrorCode::kIo, "cannot write the GIF");
+Result<void> GifWriter::add(std::string_view indices) {
+  Impl& impl = *impl_;
+  const Window window =
+      impl.shown.empty() ? Window{0, 0, impl.width, impl.height} : changed(impl.shown, indices, impl.width);
+  if (!impl.draw(window, indices)) return failed(impl.gif->Error);
+  impl.shown = indices;
   return {};
 }
 
 Result<std::string> GifWriter::finish() {
-  CGIF* gif = impl_->gif;
-  impl_->gif = nullptr;
-  if (cgif_close(gif) != CGIF_OK) return fail(ErrorCode::kIo, "cannot write the GIF");
+  int error = 0;
+  if (EGifCloseFile(std::exchange(impl_->gif, nullptr), &error) != GIF_OK) return failed(error);
   return std::move(impl_->bytes);
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fulbito/detail/canvas.hpp"
@@ -59,7 +60,7 @@ class GifWriter {
   ~GifWriter();
 
   /// Adds a frame from GifIndexer. Errors: kIo.
-  Result<void> add(std::string& indices);
+  Result<void> add(std::string_view indices);
   /// The whole file. Errors: kIo.
   Result<std::string> finish();
 

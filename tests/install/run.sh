@@ -68,7 +68,7 @@ for package in SDL2 SDL2_ttf PNG ZLIB zstd nlohmann_json libdeflate; do without+
 quietly configure "$source/tests/install/consumer" "${without[@]}"
 quietly cmake --build "$work/consumer"
 "$work/consumer/consumer"
-! ldd "$work/consumer/consumer" | grep -E 'SDL|png|zstd|deflate|cgif' || fail 'a player of matches needs libraries of pictures'
+! ldd "$work/consumer/consumer" | grep -E 'SDL|png|zstd|deflate|libgif' || fail 'a player of matches needs libraries of pictures'
 
 configure "$source/tests/install/wrong" >"$work/log" 2>&1 && fail 'a component that does not exist was found'
 grep -q "no component 'pictures'" "$work/log" || { cat "$work/log"; fail 'a wrong component gets no clear message'; }

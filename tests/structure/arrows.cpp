@@ -38,7 +38,7 @@ const std::vector<Library> kLibraries = {
     {"fulbito::export",
      "replays/export",
      "films, GIFs and tables of recordings; ffmpeg as a child process",
-     {"cgif.h", "fmt", "nlohmann"}},
+     {"gif_lib.h", "fmt", "nlohmann"}},
     {"fulbito::html",
      "replays/html",
      "the HTML viewer: its page, and recordings and races as its data",

@@ -278,10 +278,10 @@ bool teamIsEnding(const Order& order, pid_t process) {
 
 /// Gives a team that is about to end the time to do so. @return whether `process` still runs
 bool waitForOwnEnd(Order& order, pid_t process, const Wakers& wakers) {
-  constexpr int kMostRounds = 1000;
-  // An interpreter closes its files some milliseconds before it ends.
-  const int patience = order.page->output_closed ? 25 : 0;
-  for (int round = 0; round < kMostRounds && (round < patience || teamIsEnding(order, process)); ++round) {
+  constexpr int kMostRounds = 1000;  // of a millisecond at most
+  // An interpreter closes its files some milliseconds before it ends, or longer on a busy machine.
+  for (int round = 0; round < kMostRounds && (order.page->pipe_closed || teamIsEnding(order, process));
+       ++round) {
     pollfd wait{wakers.signals, POLLIN, 0};
     ::poll(&wait, 1, 1);
     signalfd_siginfo info{};

@@ -46,8 +46,9 @@ struct Page {
   bool network = false;
   bool all_layers = false;     ///< give up if one is missing
   bool program_alone = false;  ///< its file is readable, not the installation around it
-  /// Later, with the request to end: the team has closed its output, so it may be about to end by itself.
-  bool output_closed = false;
+  /// Later, with the request to end: the team has closed its input or output, so it may be about to end by
+  /// itself.
+  bool pipe_closed = false;
   /// @}
 
   /// @{ The report. Before the start descriptor closes: how the launch went.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 
 #include <SDL.h>
 
@@ -51,12 +53,28 @@ Colour unpacked(std::uint32_t argb) {
           static_cast<std::uint8_t>(argb), static_cast<std::uint8_t>(argb >> 24)};
 }
 
+void* checked(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+
+/// SDL, which tells of missing memory in more memory, and so crashes, throws std::bad_alloc instead.
+void useCheckedMemory() {
+  [[maybe_unused]] static const int once = SDL_SetMemoryFunctions(
+      [](std::size_t size) { return checked(std::malloc(size)); },
+      [](std::size_t count, std::size_t size) { return checked(std::calloc(count, size)); },
+      [](void* memory, std::size_t size) { return checked(std::realloc(memory, size)); }, std::free);
+}
+
+SDL_Surface* newSurface(int width, int height) {
+  useCheckedMemory();
+  return SDL_CreateRGBSurfaceWithFormat(0, width, height, 32, SDL_PIXELFORMAT_ARGB8888);
+}
+
 }  // namespace
 
 struct Canvas::Impl {
-  Impl(int width, int height)
-      : surface(SDL_CreateRGBSurfaceWithFormat(0, width, height, 32, SDL_PIXELFORMAT_ARGB8888)),
-        mask(width, height) {}
+  Impl(int width, int height) : surface(newSurface(width, height)), mask(width, height) {}
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
   ~Impl() { SDL_FreeSurface(surface); }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <mutex>
+#include <vector>
 
 #include <SDL.h>
 
@@ -12,11 +13,23 @@ namespace {
 
 constexpr double kSmallestText = 4.0, kLargestText = 400.0;  // [px]
 constexpr std::size_t kMostMasks = 512;                      // clocks and measured values never end
+constexpr std::size_t kRoom = std::size_t{1} << 20;          // [bytes] more than SDL_ttf asks for at once
 
 /// SDL_ttf keeps one FreeType library for the whole process, which is not safe in several threads.
 std::mutex& fontMutex() {
   static std::mutex mutex;
   return mutex;
+}
+
+/// SDL_ttf does not tell that it fails for lack of memory. Throws std::bad_alloc if there is none.
+void checkRoom() { const std::vector<char> room(kRoom); }
+
+/// @return nullptr for a text without extent
+SDL_Surface* rendered(TTF_Font* font, const std::string& text, Colour colour) {
+  SDL_Surface* const surface =
+      TTF_RenderUTF8_Blended(font, text.c_str(), {colour.r, colour.g, colour.b, colour.a});
+  if (surface == nullptr) checkRoom();
+  return surface;
 }
 
 }  // namespace
@@ -31,19 +44,24 @@ Font::~Font() {
 
 Result<void> Font::open() {
   const std::lock_guard lock(fontMutex());
-  if (TTF_Init() != 0) return fail(ErrorCode::kIo, std::string("cannot start SDL_ttf: ") + TTF_GetError());
+  if (TTF_Init() != 0) {
+    checkRoom();
+    return fail(ErrorCode::kIo, std::string("cannot start SDL_ttf: ") + TTF_GetError());
+  }
   library_ = true;
   const char* chosen = std::getenv("FULBITO_FONT");
   const bool own = chosen != nullptr && *chosen != '\0';
   const std::string file = own ? chosen : FULBITO_DEFAULT_FONT;
   fonts_[0] = TTF_OpenFont(file.c_str(), sizes_[0]);
   if (fonts_[0] == nullptr) {
+    checkRoom();
     return fail(ErrorCode::kIo, "cannot open the font " + file + " (" + TTF_GetError() +
                                     "); install fonts-dejavu-core or set FULBITO_FONT to a .ttf file");
   }
   // A font of the user's own is made bold by its outline.
   fonts_[1] = own ? nullptr : TTF_OpenFont(FULBITO_DEFAULT_BOLD_FONT, sizes_[1]);
   if (fonts_[1] == nullptr) {
+    checkRoom();
     fonts_[1] = TTF_OpenFont(file.c_str(), sizes_[1]);
     if (fonts_[1] != nullptr) TTF_SetFontStyle(fonts_[1], TTF_STYLE_BOLD);
   }
@@ -71,7 +89,7 @@ SDL_Surface* Font::drawn(const std::string& text, double size, Colour colour, in
   const std::lock_guard lock(fontMutex());
   TTF_Font* font = at(size, false);
   ascent = TTF_FontAscent(font);
-  return TTF_RenderUTF8_Blended(font, text.c_str(), {colour.r, colour.g, colour.b, colour.a});
+  return rendered(font, text, colour);
 }
 
 const TextMask& Font::mask(const std::string& text, double size, bool bold) {
@@ -82,7 +100,7 @@ const TextMask& Font::mask(const std::string& text, double size, bool bold) {
   const std::lock_guard lock(fontMutex());
   TTF_Font* font = at(size, bold);
   mask.ascent = TTF_FontAscent(font);
-  SDL_Surface* drawn = TTF_RenderUTF8_Blended(font, text.c_str(), {255, 255, 255, 255});
+  SDL_Surface* drawn = rendered(font, text, {255, 255, 255});
   if (drawn == nullptr) return mask;
   mask.width = drawn->w;
   mask.height = drawn->h;

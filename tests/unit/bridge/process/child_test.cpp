@@ -156,7 +156,15 @@ TEST_CASE("how a child ended is told", "[unit]") {
   CHECK(ending("exit 3") == "exit code 3");
   CHECK(ending("kill -SEGV $$") == "signal 11 (Segmentation fault)");
   CHECK(ending("kill -KILL $$") == "signal 9 (Killed)");
+  CHECK(ending("exec 1>&-; sleep 0.3; exit 4") == "exit code 4");  // as an interpreter that takes its time
   CHECK(ending("exec 1>&-; sleep 60") == "killed");
+}
+
+TEST_CASE("a child that no longer reads may still end by itself", "[unit]") {
+  Child child = launched(shell("exec 0<&-; echo closed; sleep 0.3; exit 5"));
+  CHECK(returned(child, 7) == "closed\n");
+  CHECK_FALSE(child.send("x"));
+  CHECK(child.end().reason == "exit code 5");
 }
 
 TEST_CASE("what cannot be run is refused with the reason", "[unit]") {

@@ -1,5 +1,9 @@
 #include "replays/export/gif.hpp"
 
+#include <algorithm>
+#include <gif_lib.h>
+#include <vector>
+
 #include "tests/support/catch.hpp"
 
 namespace fulbito {
@@ -16,6 +20,38 @@ std::uint32_t colourOf(const GifPalette& palette, std::uint8_t index) {
   const std::size_t i = 3 * std::size_t{index};
   return 0xff000000u | static_cast<std::uint32_t>(c[i]) << 16 | static_cast<std::uint32_t>(c[i + 1]) << 8 |
          c[i + 2];
+}
+
+/// What a viewer shows after each frame, as indices of the palette.
+std::vector<std::string> framesOf(std::string& bytes) {
+  std::string_view rest = bytes;
+  const auto read = [](GifFileType* gif, GifByteType* into, int size) {
+    auto& left = *static_cast<std::string_view*>(gif->UserData);
+    const auto count = left.copy(reinterpret_cast<char*>(into), static_cast<std::size_t>(size));
+    left.remove_prefix(count);
+    return static_cast<int>(count);
+  };
+  GifFileType* gif = DGifOpen(&rest, read, nullptr);
+  REQUIRE(gif != nullptr);
+  REQUIRE(DGifSlurp(gif) == GIF_OK);
+  std::vector<std::string> frames;
+  std::string shown(static_cast<std::size_t>(gif->SWidth * gif->SHeight), '\0');
+  for (int i = 0; i < gif->ImageCount; ++i) {
+    const SavedImage& image = gif->SavedImages[i];
+    const GifImageDesc& place = image.ImageDesc;
+    GraphicsControlBlock control{};
+    DGifSavedExtensionToGCB(gif, i, &control);
+    CHECK(control.DelayTime == 8);
+    for (int k = 0; k < place.Width * place.Height; ++k) {
+      const int x = place.Left + k % place.Width, y = place.Top + k / place.Width;
+      const auto index = image.RasterBits[k];
+      if (index != control.TransparentColor)
+        shown[static_cast<std::size_t>(y * gif->SWidth + x)] = static_cast<char>(index);
+    }
+    frames.push_back(shown);
+  }
+  DGifCloseFile(gif, nullptr);
+  return frames;
 }
 
 }  // namespace
@@ -47,6 +83,25 @@ TEST_CASE("many colours become near ones, the most frequent ones stay", "[unit]"
   CHECK(colourOf(palette, palette.nearest(0xff010203u)) == 0xff010203u);
   const std::uint32_t near = colourOf(palette, palette.nearest(0xff80805au));
   CHECK(std::abs(static_cast<int>(near >> 16 & 255) - 0x80) < 24);
+}
+
+TEST_CASE("a GIF shows every frame as it is", "[unit]") {
+  std::vector<Canvas> frames;
+  for (const int x : {8, 20, 20, 39, 0}) {  // one does not change anything
+    frames.push_back(*Canvas::create(40, 30, {10, 20, 30}));
+    frames.back().fillCircle({static_cast<double>(x), 15}, 5, {250, 120, 20});
+  }
+  const GifPalette palette({&frames[0], &frames[1]});
+  auto gif = GifWriter::create(40, 30, palette, 8);
+  REQUIRE(gif);
+  GifIndexer indexer(palette);
+  std::vector<std::string> written(frames.size());
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    indexer.index(frames[i], written[i]);
+    REQUIRE(gif->add(written[i]));
+  }
+  std::string bytes = *gif->finish();
+  CHECK(framesOf(bytes) == written);
 }
 
 TEST_CASE("a GIF has its size, its frames and its end", "[unit]") {
