@@ -6,6 +6,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
+#include "apps/common/library_ends.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "engine/core/system/stop_request.hpp"
 #include "engine/core/system/unfinished_work.hpp"
@@ -24,7 +25,7 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 [[noreturn]] void endNow() {
   abandonUnfinishedWork();
-  ::_exit(kInterruptedBase + first_signal);
+  endProcess(kInterruptedBase + first_signal);
 }
 
 void onSignal(int signal) {
