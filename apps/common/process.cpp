@@ -2,6 +2,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <string_view>
 #include <unistd.h>
 
 #include "apps/common/commands.hpp"
@@ -25,6 +26,8 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 [[noreturn]] void endNow() {
   abandonUnfinishedWork();
+  constexpr std::string_view kWords = "\nfulbito: interrupted\n";
+  if (::write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) endProcess(kInterruptedBase + first_signal);
   endProcess(kInterruptedBase + first_signal);
 }
 
