@@ -7,7 +7,7 @@
 
 #include <box2d/b2_world_callbacks.h>
 
-#include "engine/sim/squeeze.hpp"
+#include "engine/sim/contacts/squeeze.hpp"
 #include "engine/sim/surface.hpp"
 #include "fulbito/world.hpp"
 

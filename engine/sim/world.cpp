@@ -13,7 +13,7 @@
 #include "engine/sim/bodies.hpp"
 #include "engine/sim/check_config.hpp"
 #include "engine/sim/contact_log.hpp"
-#include "engine/sim/contact_work.hpp"
+#include "engine/sim/contacts/contact_work.hpp"
 #include "engine/sim/drive.hpp"
 #include "engine/sim/engine_clock.hpp"
 #include "engine/sim/engine_memory.hpp"

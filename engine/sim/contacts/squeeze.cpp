@@ -1,4 +1,4 @@
-#include "engine/sim/squeeze.hpp"
+#include "engine/sim/contacts/squeeze.hpp"
 
 #include <algorithm>
 
