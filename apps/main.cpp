@@ -403,6 +403,6 @@ int main(int argc, char** argv) {
   fulbito::app::watchLibraries();
   const int code = fulbito::app::finishOutput(
       fulbito::app::withAmpleStack([&] { return fulbito::app::codeOrBug(argc, argv); }));
-  fulbito::app::endOfMain();
+  fulbito::app::endOfMain(code);
   return code;
 }

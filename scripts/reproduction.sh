@@ -38,12 +38,23 @@ part "VectorField::Params: one ring for both laws at 0.6, 1.0 and 2.6 m/s (train
   --widths 0.05,0.10,0.15,0.18,0.20,0.22,0.25,0.30 --trials 50 --fresh 0 --out train-default | awk '/^- corner: radius/'
 
 part "The tangent field that the tuner finds now"
-"$program" compare --suite corner --tune tangent-field --speeds 1.0,2.6 --trials 1 --out tuned 2>&1 >/dev/null | grep tuned
+"$program" compare --suite corner --tune tangent-field --speeds 1.0,2.6 --pictures 0 --navigators bezier tangent-field --out tuned 2>tuned.log |
+  awk '/^###|^\| /'
+grep tuned tuned.log
+
+part "Tuned tangent fields"
+"$program" compare --suite corner --trials 200 --speeds 2.6 --pictures 0 --out tangents --navigators bezier \
+  tangent-field:offset=0.0784,range=5.56,hysteresis=0.239 tangent-field:offset=0.082,range=5.56 tangent-field:offset=0.085,range=1.16 |
+  awk '/^###|^\| /'
 
 part "The table of docs/reproduction.md"
 "$program" compare --out paper >paper.md
 rows paper.md
 awk '/^### Figs 28 and 29/ { on = 1 } on' paper.md
+
+part "Curves beyond the paper"
+"$program" compare --suite corner --trials 200 --speeds 2.6 --pictures 0 --out curves --navigators bezier hermite bspline-time \
+  bspline-time:acceleration-share=0.6,lateral-share=0.6 tangent-field:offset=0.0784,range=5.56,hysteresis=0.239 | awk '/^###|^\| /'
 
 part "The figures over what their drawings leave open"
 "$program" compare --suite sweeps --pictures 0 --out sweeps | awk '/^### (The paper|Fig)/ { on = 1 } on'

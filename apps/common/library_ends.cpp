@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include "apps/common/commands.hpp"
@@ -27,6 +28,8 @@ constexpr std::array<Crash, 5> kCrashes{{{SIGSEGV, "signal 11 (Segmentation faul
                                          {SIGILL, "signal 4 (Illegal instruction)"}}};
 
 bool main_is_over = false;
+int code_of_main = 0;
+pid_t this_process = 0;
 
 void write(const char* words) {
   if (::write(STDERR_FILENO, words, std::strlen(words)) < 0) return;
@@ -43,12 +46,22 @@ void sayHow(const char* how) {
   write(kAdvice);
 }
 
-void onExit() {
-  if (main_is_over) return;
+[[noreturn]] void endByLibrary(const char* how) {
   std::fflush(stdout);
   abandonUnfinishedWork();
-  sayHow("it calls exit");
-  ::_exit(kTeamFailed);
+  sayHow(how);
+  endProcess(kTeamFailed);
+}
+
+void onExit() {
+  if (!main_is_over) endByLibrary("it calls exit");
+}
+
+/// This program itself calls endProcess, so that whoever gets here is a library, or a child that it forked.
+[[noreturn]] void onHardExit(int code) {
+  if (this_process == 0 || ::getpid() != this_process) endProcess(code);
+  if (main_is_over) endProcess(code_of_main);
+  endByLibrary("it calls _exit");
 }
 
 void onCrash(int signal) {
@@ -64,7 +77,12 @@ void onCrash(int signal) {
 
 }  // namespace
 
+void endProcess(int code) {
+  for (;;) ::syscall(SYS_exit_group, code);
+}
+
 void watchLibraries() {
+  this_process = ::getpid();
   std::atexit(onExit);
   std::at_quick_exit(onExit);
   for (const Crash& crash : kCrashes) {
@@ -78,6 +96,15 @@ void watchLibraries() {
   }
 }
 
-void endOfMain() { main_is_over = true; }
+void endOfMain(int code) {
+  code_of_main = code;
+  main_is_over = true;
+}
 
 }  // namespace fulbito::app
+
+// The dynamic linker finds these before the C library's, whose only way to tell of such a call is its end.
+extern "C" {
+void _exit(int code) { fulbito::app::onHardExit(code); }
+void _Exit(int code) { fulbito::app::onHardExit(code); }  // NOLINT(bugprone-reserved-identifier)
+}

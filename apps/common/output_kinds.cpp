@@ -48,6 +48,8 @@ std::string_view firstLine(std::string_view text) { return text.substr(0, text.f
 
 const char* wordsOf(OutputKind kind) { return knownOf(kind).words; }
 
+std::string_view beginningOf(OutputKind kind) { return knownOf(kind).beginning; }
+
 std::optional<OutputKind> kindOfName(const std::string& file) {
   std::string ending = std::filesystem::path(file).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -67,15 +69,14 @@ std::string headOf(const std::string& file) {
   return head;
 }
 
-bool isOfKind(std::string_view head, OutputKind kind) { return head.starts_with(knownOf(kind).beginning); }
+bool isOfKind(std::string_view head, OutputKind kind) { return head.starts_with(beginningOf(kind)); }
 
 bool sameKind(std::string_view head, std::string_view other) {
   for (const Known& known : kKnown) {
     if (other.starts_with(known.beginning)) return head.starts_with(known.beginning);
   }
   // The first line of an object says nothing.
-  constexpr std::string_view kObject = "{\n  \"schema_version\": ";
-  if (other.starts_with(kObject)) return head.starts_with(kObject);
+  if (other.starts_with(kObjectBeginning)) return head.starts_with(kObjectBeginning);
   // Of a table, further columns may depend on settings.
   const auto mark = [](std::string_view line) { return line.substr(0, line.find(',')); };
   return mark(firstLine(head)) == mark(firstLine(other));
@@ -84,7 +85,7 @@ bool sameKind(std::string_view head, std::string_view other) {
 bool keepsResults(std::string_view head) {
   const std::string_view line = firstLine(head);
   if (line.starts_with("{\"schema_version\":") && line.ends_with("\"content\":\"matches\"}")) return true;
-  if (!head.starts_with("{\n  \"schema_version\": ")) return false;
+  if (!head.starts_with(kObjectBeginning)) return false;
   const std::string_view second = head.substr(2), rest = second.substr(firstLine(second).size());
   return rest.starts_with("\n  \"plan\": {") || rest.starts_with("\n  \"tune\": {");
 }

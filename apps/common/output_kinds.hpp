@@ -27,6 +27,12 @@ enum class OutputKind : std::uint8_t {
 /// "a PNG picture", for messages.
 const char* wordsOf(OutputKind kind);
 
+/// How an object of JSON begins that a command writes.
+constexpr std::string_view kObjectBeginning = "{\n  \"schema_version\": ";
+
+/// How the files of a kind begin.
+std::string_view beginningOf(OutputKind kind);
+
 /// The kind that the ending of a file's name promises, without regard to case; none for other endings.
 std::optional<OutputKind> kindOfName(const std::string& file);
 

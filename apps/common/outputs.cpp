@@ -108,4 +108,12 @@ Result<void> checkOutputs(const CLI::App& command) {
 
 Result<void> mayWrite(const NamedOutput& output) { return commandFiles().add(output); }
 
+Result<void> prepareProducts(const std::string& folder, const Products& products) {
+  if (auto made = prepareFolder(folder); !made) return made;
+  for (const auto& [name, beginning] : products) {
+    if (auto may = commandFiles().mayAppear(folder + "/" + name, beginning); !may) return may;
+  }
+  return {};
+}
+
 }  // namespace fulbito::app

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/common/output_kinds.hpp"
@@ -66,5 +68,12 @@ struct NamedOutput {
 
 /// Checks one more output of the command. Errors: as `checkOutputs`.
 Result<void> mayWrite(const NamedOutput& output);
+
+/// Products that a command will write into a folder: the name of each, and how its kind begins.
+using Products = std::vector<std::pair<std::string, std::string_view>>;
+
+/// Creates the folder of products and checks before the work starts that none of them takes the place of
+/// another kind of file. Errors: as `prepareFolder`; kUsage naming the file.
+Result<void> prepareProducts(const std::string& folder, const Products& products);
 
 }  // namespace fulbito::app

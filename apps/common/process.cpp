@@ -2,10 +2,12 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <string_view>
 #include <unistd.h>
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
+#include "apps/common/library_ends.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "engine/core/system/stop_request.hpp"
 #include "engine/core/system/unfinished_work.hpp"
@@ -24,7 +26,9 @@ static_assert(std::atomic<int>::is_always_lock_free);
 
 [[noreturn]] void endNow() {
   abandonUnfinishedWork();
-  ::_exit(kInterruptedBase + first_signal);
+  constexpr std::string_view kWords = "\nfulbito: interrupted\n";
+  if (::write(STDERR_FILENO, kWords.data(), kWords.size()) < 0) endProcess(kInterruptedBase + first_signal);
+  endProcess(kInterruptedBase + first_signal);
 }
 
 void onSignal(int signal) {

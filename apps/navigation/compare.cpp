@@ -2,6 +2,7 @@
 
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/common/progress.hpp"
 #include "apps/navigation/compare_map.hpp"
 #include "engine/core/system/output_file.hpp"
@@ -39,15 +40,13 @@ Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) 
 
 Result<std::vector<std::string>> writeAll(const CompareOptions& options, const Comparison& comparison,
                                           const std::string& json) {
-  auto pictures = writePictures(comparison, options.out);
-  if (!pictures) return pictures;
   if (auto written = writeFile(options.out + "/trials.csv", trialsCsv(comparison)); !written) {
     return tl::unexpected<Error>(written.error());
   }
   if (auto written = writeFile(options.out + "/results.json", json); !written) {
     return tl::unexpected<Error>(written.error());
   }
-  return pictures;
+  return writePictures(comparison, options.out);
 }
 
 /// Writes the page of races if --html was given.
@@ -70,7 +69,10 @@ int compare(const CompareOptions& options) {
   ComparisonConfig config = options.config;
   // Check all options before the work starts.
   if (auto planned = planComparison(config); !planned) return report(planned.error());
-  if (auto folder = prepareFolder(options.out); !folder) return report(folder.error());
+  const std::string_view png = beginningOf(OutputKind::kPng);
+  const Products products{
+      {"results.json", kObjectBeginning}, {"trials.csv", "suite,"}, {"time.png", png}, {"distance.png", png}};
+  if (auto folder = prepareProducts(options.out, products); !folder) return report(folder.error());
   if (!config.record.empty()) {
     if (auto folder = prepareFolder(config.record); !folder) return report(folder.error());
   }

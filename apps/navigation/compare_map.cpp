@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/common/console.hpp"
+#include "apps/common/outputs.hpp"
 #include "apps/common/progress.hpp"
 #include "engine/core/system/output_file.hpp"
 
@@ -14,7 +15,8 @@ int compareMap(const CompareOptions& options) {
   config.base = options.config;
   auto map = planMap(config);
   if (!map) return report(map.error());
-  if (auto folder = prepareFolder(options.out); !folder) return report(folder.error());
+  const Products products{{"map.csv", "suite,"}, {"map.json", kObjectBeginning}};
+  if (auto folder = prepareProducts(options.out, products); !folder) return report(folder.error());
   {
     ProgressBar bar("map");
     const auto progress = [&](std::size_t done, std::size_t total) { return bar.update(done, total); };

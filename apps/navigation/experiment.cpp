@@ -9,7 +9,6 @@
 #include "apps/common/outputs.hpp"
 #include "apps/common/progress.hpp"
 #include "apps/navigation/experiment_files.hpp"
-#include "engine/core/system/output_file.hpp"
 #include "experiments/paper_experiments.hpp"
 #include "experiments/papers/report_output.hpp"
 
@@ -50,15 +49,17 @@ Result<ExperimentRequest> requestOf(const ExperimentCommand& command) {
 Result<std::string> runOne(const ExperimentCommand& command, const PaperExperiment& experiment,
                            ExperimentRequest request) {
   const std::string folder = command.out + "/" + experiment.name;
-  if (auto made = prepareFolder(folder); !made) return tl::unexpected<Error>(made.error());
+  const Products products{{"results.json", kObjectBeginning},
+                          {experiment.name + std::string(".html"), beginningOf(OutputKind::kPage)}};
+  if (auto made = prepareProducts(folder, products); !made) return tl::unexpected<Error>(made.error());
   ProgressBar bar(experiment.name);
   request.progress = [&](std::size_t done, std::size_t total) { return bar.update(done, total); };
   const auto report = runPaperExperiment(experiment, request);
   if (!report) return tl::unexpected<Error>(report.error());
   const auto files = writeExperiment(*report, request, folder);
-  if (!files) return tl::unexpected<Error>(files.error());
   if (!command.json) printOut(experimentText(*report));
   flushOut();
+  if (!files) return tl::unexpected<Error>(files.error());
   note("\n{} files are in {}: {}\n", files->size(), folder, fmt::join(*files, ", "));
   return experimentJson(*report, request);
 }

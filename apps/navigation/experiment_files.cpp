@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "engine/core/system/output_file.hpp"
@@ -54,7 +55,8 @@ Result<std::string> sceneGif(const ReportScene& scene) {
   return gif->finish();
 }
 
-/// Writes files into one folder and keeps their names.
+/// Writes files into one folder and keeps their names. Where a foreign file has the name of one, the others
+/// are written all the same.
 class Folder {
  public:
   explicit Folder(std::string path) : path_(std::move(path)) {}
@@ -68,11 +70,14 @@ class Folder {
     return noted(name, canvas->writePng(path_ + "/" + name));
   }
   std::vector<std::string> names;
+  std::optional<Error> refused;  ///< of the first file that was not written for that reason
 
  private:
   Result<void> noted(const std::string& name, Result<void> written) {
     if (written) names.push_back(name);
-    return written;
+    if (written || written.error().code != ErrorCode::kUsage) return written;
+    if (!refused) refused = written.error();
+    return {};
   }
 
   std::string path_;
@@ -121,6 +126,7 @@ Result<std::vector<std::string>> writeExperiment(const ExperimentReport& report,
   if (done) done = writePictures(report, files);
   if (done) done = writePage(report, files);
   if (!done) return tl::unexpected<Error>(done.error());
+  if (files.refused) return tl::unexpected<Error>(*files.refused);
   return files.names;
 }
 

@@ -143,16 +143,20 @@ Json toJson(const std::vector<VerifiedFile>& files, double wall) {
   return json;
 }
 
-/// A difference counts more than damage. Files that cannot be opened give kIo, damaged ones kBadInput.
+/// A difference counts more than damage. Files that cannot be opened give kIo, or
+/// kInconclusive if only the machine fails; damaged ones kBadInput.
 int exitCodeOf(const std::vector<VerifiedFile>& files) {
   const Counts counts = countsOf(files);
   if (counts.different > 0) return kDifferent;
   if (counts.cut > 0) return kBadInput;
   if (counts.bad == 0) return kOk;
-  const bool unreadable = std::all_of(files.begin(), files.end(), [](const VerifiedFile& file) {
-    return file.result || file.result.error().code == ErrorCode::kIo;
-  });
-  return unreadable ? kIo : kBadInput;
+  const auto allFailBy = [&](std::initializer_list<ErrorCode> codes) {
+    return std::all_of(files.begin(), files.end(), [&](const VerifiedFile& file) {
+      return file.result || std::count(codes.begin(), codes.end(), file.result.error().code) > 0;
+    });
+  };
+  if (allFailBy({ErrorCode::kMachine})) return kInconclusive;
+  return allFailBy({ErrorCode::kIo, ErrorCode::kMachine}) ? kIo : kBadInput;
 }
 
 }  // namespace

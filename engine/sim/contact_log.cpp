@@ -39,11 +39,13 @@ bool comesBefore(const ContactEvent& x, const ContactEvent& y) {
 
 }  // namespace
 
-ContactLog::ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces, std::vector<Vec2> walls)
+ContactLog::ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces, std::vector<Vec2> walls,
+                       Squeeze squeeze)
     : bodies_(std::move(bodies)),
       surfaces_(std::move(surfaces)),
       walls_(std::move(walls)),
-      pairs_(bodies_.size() * bodies_.size()) {
+      pairs_(bodies_.size() * bodies_.size()),
+      squeeze_(std::move(squeeze)) {
   // A body touches at most about six others.
   events_.reserve(8 * bodies_.size());
   wall_hits_.reserve(4 * bodies_.size());
@@ -69,7 +71,7 @@ void ContactLog::BeginContact(b2Contact* contact) {
 void ContactLog::PreSolve(b2Contact* contact, const b2Manifold*) {
   ++unsolved_;
   const bool wall_first = numberOf(contact->GetFixtureA()) == 0;
-  if (!wall_first && numberOf(contact->GetFixtureB()) != 0) return;
+  if (!wall_first && numberOf(contact->GetFixtureB()) != 0) return lookAtSurface(*contact);
   b2Fixture& wall = *(wall_first ? contact->GetFixtureA() : contact->GetFixtureB());
   b2Body& body = *(wall_first ? contact->GetFixtureB() : contact->GetFixtureA())->GetBody();
   const b2Vec2 normal = normalToward(body, *contact);
@@ -85,6 +87,35 @@ void ContactLog::PreSolve(b2Contact* contact, const b2Manifold*) {
   contact->SetRestitution(static_cast<float>(bounce));
 }
 
+void ContactLog::lookAtSurface(b2Contact& contact) {
+  const std::size_t a = numberOf(contact.GetFixtureA()), b = numberOf(contact.GetFixtureB());
+  if (isBall(a) || isBall(b)) pairAt(std::min(a, b), std::max(a, b)).surface_speed = surfaceSpeed(contact);
+}
+
+// The fastest of what touches a ball there.
+float ContactLog::surfaceSpeed(b2Contact& contact) const {
+  b2WorldManifold manifold;
+  contact.GetWorldManifold(&manifold);
+  const auto speed = [&](b2Fixture* fixture, b2Fixture* other) {
+    if (!isBall(numberOf(other))) return 0.0f;
+    return fixture->GetBody()->GetLinearVelocityFromWorldPoint(manifold.points[0]).Length();
+  };
+  return std::max(speed(contact.GetFixtureA(), contact.GetFixtureB()),
+                  speed(contact.GetFixtureB(), contact.GetFixtureA()));
+}
+
+void ContactLog::press(b2Contact& contact, const Pair& pair) {
+  const std::size_t a = numberOf(contact.GetFixtureA()), b = numberOf(contact.GetFixtureB());
+  if (!isBall(a) && !isBall(b)) return;
+  // What hits a body that touches the ball makes its surface fast within the step.
+  const float speed = std::max(pair.surface_speed, surfaceSpeed(contact));
+  const auto press = [&](std::size_t ball, std::size_t other) {
+    if (isBall(ball)) squeeze_.press(bodies_[ball].index, other, speed, contact.GetRestitution());
+  };
+  press(a, b);
+  press(b, a);
+}
+
 void ContactLog::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
   solved_ = true;
   record(*contact, *impulse);
@@ -94,7 +125,7 @@ void ContactLog::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) 
 void ContactLog::record(b2Contact& contact, const b2ContactImpulse& impulse) {
   const std::size_t first = numberOf(contact.GetFixtureA()), second = numberOf(contact.GetFixtureB());
   const std::size_t a = std::min(first, second), b = std::max(first, second);
-  Pair& pair = pairs_[a * bodies_.size() + b];
+  Pair& pair = pairAt(a, b);
 
   double sum = 0.0;
   for (int i = 0; i < impulse.count; ++i) sum += static_cast<double>(impulse.normalImpulses[i]);
@@ -102,6 +133,7 @@ void ContactLog::record(b2Contact& contact, const b2ContactImpulse& impulse) {
     if (pair.touched >= tick_ - 1) pair.touched = tick_;
     return;
   }
+  press(contact, pair);
   const bool wall_hit = bodies_[a].kind == BodyKind::kWall && bodies_[b].kind == BodyKind::kBall;
   const bool is_new = pair.event_tick != tick_;
   if (is_new || wall_hit) {

@@ -7,6 +7,7 @@
 
 #include <box2d/b2_world_callbacks.h>
 
+#include "engine/sim/contacts/squeeze.hpp"
 #include "engine/sim/surface.hpp"
 #include "fulbito/world.hpp"
 
@@ -24,11 +25,16 @@ class ContactLog final : public b2ContactListener {
 
   /// @param bodies  identity of each body, by number
   /// @param walls  unit vectors into the field, by number of the walls' fixtures
-  ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces, std::vector<Vec2> walls);
+  /// @param squeeze  without balls yet
+  ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces, std::vector<Vec2> walls,
+             Squeeze squeeze);
 
   /// Sets what to call within the engine's step once it has solved all contacts that touched at its start.
   /// Bodies that touch nothing may not have moved yet.
   void onSolved(std::function<void()> call) { on_solved_ = std::move(call); }
+
+  /// What presses on the balls. Add them in order of their index.
+  Squeeze& squeeze() { return squeeze_; }
 
   void startTick(Tick tick);
   void startStep() { wall_hits_.clear(); }
@@ -51,8 +57,14 @@ class ContactLog final : public b2ContactListener {
     Tick touched = -2;     // last tick of contact after an event
     Tick event_tick = -2;  // last tick with an event
     std::size_t event = 0;
+    float surface_speed = 0.0f;  // of what touches a ball, before the engine solved the contact
   };
 
+  Pair& pairAt(std::size_t a, std::size_t b) { return pairs_[a * bodies_.size() + b]; }
+  bool isBall(std::size_t number) const { return bodies_[number].kind == BodyKind::kBall; }
+  void lookAtSurface(b2Contact& contact);
+  float surfaceSpeed(b2Contact& contact) const;
+  void press(b2Contact& contact, const Pair& pair);
   void record(b2Contact& contact, const b2ContactImpulse& impulse);
 
   std::vector<BodyId> bodies_;
@@ -61,6 +73,7 @@ class ContactLog final : public b2ContactListener {
   std::vector<Pair> pairs_;  // by number of the first body times count plus number of the second
   std::vector<ContactEvent> events_;
   std::vector<WallHit> wall_hits_;
+  Squeeze squeeze_;
   Tick tick_ = 0;
   bool solved_ = false;
   int unsolved_ = 0;  // contacts that wait for the solver

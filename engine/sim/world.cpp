@@ -13,7 +13,7 @@
 #include "engine/sim/bodies.hpp"
 #include "engine/sim/check_config.hpp"
 #include "engine/sim/contact_log.hpp"
-#include "engine/sim/contact_work.hpp"
+#include "engine/sim/contacts/contact_work.hpp"
 #include "engine/sim/drive.hpp"
 #include "engine/sim/engine_clock.hpp"
 #include "engine/sim/engine_memory.hpp"
@@ -101,7 +101,8 @@ ContactLog World::Impl::makeLog(const WorldConfig& config) {
   for (std::size_t i = 0; i < config.obstacles.size(); ++i) add(BodyKind::kObstacle, i, obstacle);
   std::vector<Vec2> walls;
   for (const WallOutline& wall : wallOutlines(config.field, 0.0)) walls.push_back(inward(wall));
-  return ContactLog(std::move(ids), std::move(surfaces), std::move(walls));
+  return ContactLog(std::move(ids), std::move(surfaces), std::move(walls),
+                    Squeeze(units::length(config.physics.restitution_threshold)));
 }
 
 World::Impl::Impl(const WorldConfig& from)
@@ -159,6 +160,7 @@ void World::Impl::watchMovers() {
     const float radius = units::length(config.balls[i].model.radius);
     approach.addDisc(balls[i], radius);
     clearance.addDisc(balls[i], radius);
+    contacts.squeeze().addBall(balls[i]);
     contact_work.add(balls[i]);
   }
   if (!obstacles.empty()) approach.setAlwaysContinuous();
@@ -254,6 +256,7 @@ void World::Impl::collide() {
                 alone ? 0 : config.physics.position_iterations);
     pairs_are_known = true;
     if (contacts_do_no_work && (contacts.solved() || !rods.empty())) contact_work.takeBack();
+    if (contacts.solved() && contacts.squeeze().limit() && contacts_do_no_work) contact_work.takeBack();
     for (const Robot& robot : robots) unwindAngle(*robot.body);
     for (CarriedRod& rod : rods) rod.addImpulses();
     left -= part;
@@ -272,6 +275,7 @@ void World::Impl::stepOnce(double time) {
   driveRobots();
   rollBalls();
   moveObstacles(time);
+  contacts.squeeze().startStep();
   collide();
   settleSpins();
 }

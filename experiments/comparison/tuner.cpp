@@ -117,15 +117,18 @@ Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, 
   training.pictures = 0;
   training.only.reset();
   training.record.clear();
+  const std::size_t total = static_cast<std::size_t>(config.evaluations) + kFinalists + 1;
+  std::size_t done = 0;
+  // An evaluation takes seconds: it can be stopped after each trial.
+  const auto in_between = [&](std::size_t, std::size_t) { return !progress || progress(done, total); };
   const auto objective = [&](const Point& point) -> Result<double> {
     training.navigators = {specificationAt(*space, point)};
     auto comparison = planComparison(training);
     if (!comparison) return tl::unexpected<Error>(comparison.error());
-    if (auto ran = runComparison(*comparison, {}, {}); !ran) return tl::unexpected<Error>(ran.error());
+    if (auto ran = runComparison(*comparison, {}, in_between); !ran)
+      return tl::unexpected<Error>(ran.error());
     return comparison->summary.front().time_ratio_all;
   };
-  const std::size_t total = static_cast<std::size_t>(config.evaluations) + kFinalists + 1;
-  std::size_t done = 0;
   const auto go_on = [&]() -> Result<void> {
     if (!progress || progress(done++, total)) return {};
     return fail(ErrorCode::kInterrupted, "interrupted");

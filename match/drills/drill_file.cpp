@@ -10,6 +10,7 @@
 #include "engine/core/config/embedded_files.hpp"
 #include "engine/core/config/schema.hpp"
 #include "engine/core/config/suggest.hpp"
+#include "engine/core/system/io_code.hpp"
 #include "engine/core/system/text_file.hpp"
 #include "match/drills/drill.hpp"
 
@@ -249,7 +250,7 @@ Result<std::vector<Drill>> loadDrills(const std::string& folder) {
     if (it->path().extension() == ".toml") files.push_back(it->path().string());
   }
   if (error)
-    return fail(ErrorCode::kIo, fmt::format("cannot read the folder {}: {}", folder, error.message()));
+    return fail(ioCode(error.value()), fmt::format("cannot read the folder {}: {}", folder, error.message()));
   if (files.empty()) return fail(ErrorCode::kIo, fmt::format("{} has no *.toml files", folder));
   std::sort(files.begin(), files.end());
   std::vector<Drill> drills;

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/system/io_code.hpp"
 #include "navigation/library/mapped_length.hpp"
 
 namespace fulbito {
@@ -31,8 +32,9 @@ std::string fileOf(const std::string& path) {
 Result<void> checkReadable(const std::string& file, const std::string& path) {
   // By the effective rights: a contained team of root has another user and may still read root's folders.
   if (faccessat(AT_FDCWD, file.c_str(), R_OK, AT_EACCESS) != 0) {
-    return fail(ErrorCode::kIo, fmt::format("cannot read the library '{}': {}", path,
-                                            std::generic_category().message(errno)));
+    const int reason = errno;
+    return fail(ioCode(reason), fmt::format("cannot read the library '{}': {}", path,
+                                            std::generic_category().message(reason)));
   }
   // The loader would wait for the writer of a pipe.
   std::error_code code;

@@ -59,7 +59,8 @@ Result<Rules> withField(RulesFile file, const std::string& path) {
   if (loaded) return std::move(file.rules);
   Error error =
       file.document.locate({"rules", -1, "field", "cannot be used: " + loaded.error().message}).value();
-  if (loaded.error().code == ErrorCode::kIo) error.code = ErrorCode::kIo;
+  if (const ErrorCode code = loaded.error().code; code == ErrorCode::kIo || code == ErrorCode::kMachine)
+    error.code = code;
   return tl::unexpected<Error>(std::move(error));
 }
 

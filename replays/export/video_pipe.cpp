@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/system/io_code.hpp"
 #include "engine/core/system/output_file.hpp"
 #include "engine/core/system/stop_request.hpp"
 #include "engine/core/system/unfinished_work.hpp"
@@ -115,7 +116,8 @@ Result<void> VideoPipe::Impl::start(const VideoSettings& settings) {
   std::array<int, 2> ends{};
   said = temporaryFile();
   if (said < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    return fail(ErrorCode::kIo, fmt::format("cannot start ffmpeg: {}", std::strerror(errno)));
+    const int reason = errno;
+    return fail(ioCode(reason), fmt::format("cannot start ffmpeg: {}", std::strerror(reason)));
   }
   in = ends[1];
   posix_spawn_file_actions_t actions;
@@ -151,7 +153,7 @@ Result<void> VideoPipe::Impl::start(const VideoSettings& settings) {
         ErrorCode::kIo,
         "videos need ffmpeg, which is not installed (apt-get install ffmpeg); --gif works without it");
   }
-  return fail(ErrorCode::kIo, fmt::format("cannot start ffmpeg: {}", std::strerror(wrong)));
+  return fail(ioCode(wrong), fmt::format("cannot start ffmpeg: {}", std::strerror(wrong)));
 }
 
 Error VideoPipe::Impl::complaint(const std::string& what) const {

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/system/io_code.hpp"
 #include "engine/core/system/worker_threads.hpp"
 
 namespace fulbito {
@@ -22,7 +23,7 @@ Result<std::vector<std::string>> recordingFiles(const std::vector<std::string>& 
     for (fs::directory_iterator entry(name, error), end; !error && entry != end; entry.increment(error)) {
       if (entry->path().extension() == ".fbr") found.push_back(entry->path().string());
     }
-    if (error) return fail(ErrorCode::kIo, fmt::format("{}: {}", name, error.message()));
+    if (error) return fail(ioCode(error.value()), fmt::format("{}: {}", name, error.message()));
     std::sort(found.begin(), found.end());
     files.insert(files.end(), found.begin(), found.end());
   }

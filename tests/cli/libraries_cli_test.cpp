@@ -65,6 +65,14 @@ TEST_CASE("a library that ends the program is named, and the program does not sa
     const std::string by = how == std::string("thread") ? "a library ends this program: " : named;
     CHECK(output.err.find(by + "it calls exit") != std::string::npos);
   }
+  for (const auto& [how, where] :
+       {std::pair{"hard-exit", "decide"}, {"hard-exit", "destroy"}, {"last-exit", "ready"}}) {
+    INFO(how << " in " << where);
+    const Output output = end(how, where, "none");
+    CHECK(output.code == 4);
+    CHECK(output.err.find(named + "it calls _exit") != std::string::npos);
+  }
+  CHECK(end("child", "decide", "none").code == 0);  // that ends another process
   for (const auto& [how, words] : {std::pair{"abort", "signal 6 (Aborted)"}, {"crash", "signal 11 "}}) {
     const Output output = end(how, "decide", "none");
     CHECK(output.code >= 128);

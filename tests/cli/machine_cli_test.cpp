@@ -60,6 +60,28 @@ TEST_CASE("whatever stack and memory the shell leaves, the program says so or do
   }
 }
 
+TEST_CASE("where descriptors lack for files, each command says so by the same code", "[cli]") {
+  const Sandbox box;
+  REQUIRE(box.run("match chaser idle --half-seconds 1 --record a.fbr").code == 0);
+  REQUIRE(box.run("tournament run idle random --half-seconds 1 --pairs 1 --out whole").code == 0);
+  int lacking = 0;
+  for (const std::string command :
+       {"tournament run idle random --half-seconds 1 --pairs 1 --out t --jobs 1",
+        "tournament run idle random --half-seconds 1 --pairs 1 --out u --cache c --jobs 1",
+        "tournament report whole --csv a.csv --html a.html", "tournament merge whole --out m",
+        "match idle random --half-seconds 1 --record b.fbr --force", "replay verify a.fbr", "replay verify .",
+        "replay export a.fbr --jsonl a.jsonl --force", "sprt idle random --pairs 2 --half-seconds 1 --out s",
+        "run --png way.png --force"}) {
+    INFO(command);
+    const Output output = box.shell("exec 3</dev/null 4</dev/null; ulimit -n 6; $F " + command);
+    INFO(output.err);
+    const bool is_told = output.code == 6 && output.err.find("Too many open files") != std::string::npos;
+    CHECK((output.code == 0 || is_told));
+    lacking += is_told ? 1 : 0;
+  }
+  CHECK(lacking >= 3);
+}
+
 TEST_CASE("a signal while a team starts ends the command", "[cli]") {
   const Sandbox box;
   for (const std::string command : {"match 'cmd:sleep 60' idle", "check-team 'cmd:sleep 60'"}) {

@@ -46,12 +46,17 @@ TEST_CASE("one signal ends any work soon, with the exit code of that signal", "[
                         Case{"match libero libero --half-seconds 3000 -n 50", "HUP", 129},
                         Case{"drill libero --trials 5000", "TERM", 143},
                         Case{"compare --suite corner --trials 20000 --out o", "HUP", 129},
+                        Case{"compare --suite corner --tune limit-cycle --jobs 1 --out o", "INT", 130},
                         Case{"replay export long.fbr --trails --size 8000 --force", "INT", 130},
                         Case{"replay export long.fbr --gif long.gif --force", "TERM", 143}}) {
     INFO(c.command << " " << c.signal);
     const Ended ended = signalled(box, c.command, c.signal);
     CHECK(ended.code == c.code);
     CHECK(ended.seconds < kSoon);
+    // A match and a series tell what they have; all else says so, whoever ends it.
+    const std::string said = box.shell("cat said.txt").out;
+    CHECK((contains(said, "interrupted") || contains(said, "stopped early") ||
+           contains(said, "no pair was finished")));
   }
   for (const auto& entry : fs::directory_iterator(box.path)) CHECK_FALSE(contains(entry.path(), ".tmp"));
 }

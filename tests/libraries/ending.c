@@ -4,17 +4,19 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "fulbito/team.h"
 
-enum { kFail, kExit, kQuickExit, kExitOfThread, kAbort, kCrash, kHardExit };
+enum { kFail, kExit, kQuickExit, kExitOfThread, kAbort, kCrash, kHardExit, kLastExit, kExitOfChild };
 enum { kCreate, kDecide, kPlace, kReady, kDestroy };
 
-static const char* const kWays[] = {"fail", "exit", "quick-exit", "thread", "abort", "crash", "hard-exit"};
+static const char* const kWays[] = {"fail",  "exit",      "quick-exit", "thread", "abort",
+                                    "crash", "hard-exit", "last-exit",  "child"};
 static const char* const kPlaces[] = {"create", "decide", "place", "ready", "destroy"};
 static const fulbito_parameter kParameters[] = {
-    {"how", NULL, NULL, kWays, 7, FULBITO_CHOICE, 0.0, 0.0, 6.0},
+    {"how", NULL, NULL, kWays, 9, FULBITO_CHOICE, 0.0, 0.0, 8.0},
     {"where", NULL, NULL, kPlaces, 5, FULBITO_CHOICE, 1.0, 0.0, 4.0},
     {"at", NULL, "which call of that function, from 1", NULL, 0, FULBITO_INTEGER, 1.0, 1.0, 1000.0},
 };
@@ -45,6 +47,12 @@ static int32_t end(int how) {
       return 0;
     case kHardExit:
       _exit(0);
+    case kLastExit:
+      _Exit(0);
+    case kExitOfChild:
+      if (fork() == 0) _exit(0);
+      wait(NULL);
+      return 0;
     default:
       return 9;
   }

@@ -148,10 +148,12 @@ const std::vector<Folder> kFolders = {
     {"engine/sim/steps",
      "into how many parts the engine's step is split, and when it need not search for contacts within one",
      {}},
+    {"engine/sim/contacts", "what contacts may not give: energy, and speed of a squeezed ball", {}},
     {"engine/sim",
      "the world and its parts: `ball_motion` (friction and spin), drive, contacts, walls; sonars, encoders, "
      "gyro",
-     {"engine/core/base", "engine/core/math", "engine/core/models", "engine/sim/steps"}},
+     {"engine/core/base", "engine/core/math", "engine/core/models", "engine/sim/steps",
+      "engine/sim/contacts"}},
     {"navigation/geometry",
      "circles, polylines, splines, walls",
      {"engine/core/base", "engine/core/math", "engine/core/models"}},

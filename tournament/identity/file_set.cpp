@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/system/io_code.hpp"
+
 namespace fulbito {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr std::string_view kCompiled = "__pycache__";
 constexpr std::string_view kAnyFolders = "**";
 
 tl::unexpected<Error> cannotRead(const fs::path& path, const std::error_code& reason) {
-  return fail(ErrorCode::kIo, fmt::format("cannot read '{}': {}", path.string(), reason.message()));
+  return fail(ioCode(reason.value()), fmt::format("cannot read '{}': {}", path.string(), reason.message()));
 }
 
 tl::unexpected<Error> cannotRead(const fs::path& path, int reason) {

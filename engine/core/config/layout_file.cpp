@@ -90,10 +90,11 @@ Result<Layout> loadLayout(const std::string& path) {
   }
   const auto field = loadField(layout.field);
   if (!field) {
-    // A wrong name in a file is bad input; only an unreadable field file stays an I/O error.
+    // A wrong name in a file is bad input; an unreadable field file stays what it is.
     Error error =
         file->document.locate({"layout", -1, "field", "cannot be used: " + field.error().message}).value();
-    if (field.error().code == ErrorCode::kIo) error.code = ErrorCode::kIo;
+    if (const ErrorCode code = field.error().code; code == ErrorCode::kIo || code == ErrorCode::kMachine)
+      error.code = code;
     return tl::unexpected<Error>(std::move(error));
   }
   if (const auto flaw = findFlaw(layout, *field)) return file->document.locate(*flaw);

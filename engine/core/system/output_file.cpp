@@ -14,7 +14,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/system/shortage.hpp"
+#include "engine/core/system/io_code.hpp"
 #include "engine/core/system/stop_request.hpp"
 #include "engine/core/system/unfinished_work.hpp"
 
@@ -26,15 +26,14 @@ namespace fs = std::filesystem;
 constexpr mode_t kMode = 0666;  // the umask applies
 constexpr int kMostNames = 1000;
 
-tl::unexpected<Error> ioError(const std::string& what, const std::string& file, const std::string& why) {
-  return fail(ErrorCode::kIo, fmt::format("cannot {} '{}': {}", what, file, why));
+tl::unexpected<Error> ioError(const std::string& what, const std::string& file, const std::string& why,
+                              int reason = EIO) {
+  return fail(ioCode(reason), fmt::format("cannot {} '{}': {}", what, file, why));
 }
 
 tl::unexpected<Error> cannotWrite(const std::string& file, int reason) {
   if (reason == EINTR) return fail(ErrorCode::kInterrupted, "interrupted");
-  auto error = ioError("write", file, std::generic_category().message(reason));
-  if (isShortage(reason)) error.value().code = ErrorCode::kMachine;
-  return error;
+  return ioError("write", file, std::generic_category().message(reason), reason);
 }
 
 /// open(2) that keeps waiting for a pipe's reader, unless the process is asked to stop.
@@ -270,13 +269,13 @@ bool OutputFile::isStream() const { return impl_->stream; }
 Result<void> prepareFolder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) return ioError("create the folder", folder, error.message());
+  if (error) return ioError("create the folder", folder, error.message(), error.value());
   if (!fs::is_directory(folder, error)) return ioError("write into", folder, "it is not a folder");
   // It is removed again, because it is not committed.
-  if (!OutputFile::create(folder + "/.fulbito-probe")) {
-    return ioError("write into the folder", folder, "no permission or no space");
-  }
-  return {};
+  const auto probe = OutputFile::create(folder + "/.fulbito-probe");
+  if (probe) return {};
+  if (probe.error().code != ErrorCode::kIo) return tl::unexpected<Error>(probe.error());
+  return ioError("write into the folder", folder, "no permission or no space");
 }
 
 Result<void> checkOutputPath(const std::string& file) {

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/system/io_code.hpp"
 #include "engine/core/system/repeat_call.hpp"
 
 namespace fulbito {
@@ -20,7 +21,7 @@ constexpr mode_t kMode = 0666;  // the umask applies
 }  // namespace
 
 tl::unexpected<Error> ioFailure(const char* what, const std::string& file, int reason) {
-  return fail(ErrorCode::kIo,
+  return fail(ioCode(reason),
               fmt::format("cannot {} '{}': {}", what, file, std::generic_category().message(reason)));
 }
 

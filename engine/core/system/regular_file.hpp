@@ -6,7 +6,8 @@
 
 namespace fulbito {
 
-/// The error kIo "cannot write 'FILE': No space left on device" for a reason of errno.
+/// The error "cannot write 'FILE': No space left on device" for a reason of errno: kIo, kMachine where the
+/// machine runs short (`ioCode`).
 tl::unexpected<Error> ioFailure(const char* what, const std::string& file, int reason);
 
 /// An open regular file, closed at the end.

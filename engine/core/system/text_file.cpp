@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "engine/core/system/io_code.hpp"
 #include "engine/core/system/regular_file.hpp"
-#include "engine/core/system/shortage.hpp"
 #include "engine/core/system/stop_request.hpp"
 
 namespace fulbito {
@@ -43,7 +43,7 @@ auto waiting(const Call& call) {
 
 tl::unexpected<Error> cannotRead(const std::string& path, int reason) {
   if (reason == EINTR) return fail(ErrorCode::kInterrupted, "interrupted");
-  return fail(isShortage(reason) ? ErrorCode::kMachine : ErrorCode::kIo,
+  return fail(ioCode(reason),
               fmt::format("cannot read '{}': {}", path, std::generic_category().message(reason)));
 }
 

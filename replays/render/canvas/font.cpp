@@ -1,12 +1,16 @@
 #include "replays/render/canvas/font.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <mutex>
 #include <vector>
 
 #include <SDL.h>
+
+#include "engine/core/system/io_code.hpp"
 
 namespace fulbito {
 namespace {
@@ -52,7 +56,11 @@ Result<void> Font::open() {
   const char* chosen = std::getenv("FULBITO_FONT");
   const bool own = chosen != nullptr && *chosen != '\0';
   const std::string file = own ? chosen : FULBITO_DEFAULT_FONT;
+  errno = 0;
   fonts_[0] = TTF_OpenFont(file.c_str(), sizes_[0]);
+  if (const int reason = errno; fonts_[0] == nullptr && isShortage(reason)) {
+    return fail(ioCode(reason), "cannot open the font " + file + ": " + std::strerror(reason));
+  }
   if (fonts_[0] == nullptr) {
     checkRoom();
     return fail(ErrorCode::kIo, "cannot open the font " + file + " (" + TTF_GetError() +

@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <vector>
 
-#include "engine/core/system/shortage.hpp"
+#include "engine/core/system/io_code.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/match_rows.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -217,8 +217,7 @@ void checkFault(const Work& work, const Fault& fault) {
   CHECK((harmless || !done));
   CHECK((fault.error != EINTR || done));
   if (!done) {
-    const bool lacking = isShortage(fault.error) && done.error().code == ErrorCode::kMachine;
-    CHECK((lacking || done.error().code == ErrorCode::kIo));
+    CHECK(done.error().code == ioCode(fault.error));
     CHECK(done.error().message.find(folder.path) != std::string::npos);
   }
   CHECK_FALSE(folder.hasTemporary());

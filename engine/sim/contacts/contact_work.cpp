@@ -1,4 +1,4 @@
-#include "engine/sim/contact_work.hpp"
+#include "engine/sim/contacts/contact_work.hpp"
 
 #include <box2d/b2_body.h>
 
