@@ -59,6 +59,7 @@ class Drive {
   double slippingLimit(double pull, double target, double ground, double& rim, bool& slips) const;
   RimSpeeds slippingPulls(RimSpeeds ground, RimSpeeds pulls);
   RimSpeeds limits(const BodyMotion& motion) const;
+  bool rests(const BodyMotion& motion) const;
   BodyMotion tiltedStep(const BodyMotion& motion, RimSpeeds ground);
 
   DriveLaw law_;
@@ -98,7 +99,17 @@ inline RimSpeeds Drive::limits(const BodyMotion& motion) const {
           std::clamp((1.0 + shift) * max_grip_, 0.0, law_.limit())};
 }
 
+// Whether a robot stands and shall stand: then nothing moves it.
+inline bool Drive::rests(const BodyMotion& motion) const {
+  return motion.forward == 0.0 && motion.yaw == 0.0 && target_.left == 0.0 && target_.right == 0.0 &&
+         !tilt_.isTilted();
+}
+
 inline BodyMotion Drive::step(const BodyMotion& motion) {
+  if (rests(motion)) {
+    left_slips_ = right_slips_ = false;
+    return {0.0, -std::clamp(motion.sideways, -max_lateral_, max_lateral_), 0.0};
+  }
   const double turn = motion.yaw * half_track_;
   const RimSpeeds ground{motion.forward - turn, motion.forward + turn};
   RimSpeeds pulls = law_.pulls(ground, target_, limits(motion));

@@ -7,7 +7,7 @@ namespace fulbito {
 namespace {
 
 constexpr double kGravity = 9.81;        // [m/s^2]
-constexpr double kLongestPart = 0.0045;  // [s]: contacts settle within a few parts
+constexpr double kLongestPart = 0.0034;  // [s]: contacts settle within a few parts, of 3.2 ms in FIRASim
 constexpr double kLevelPitch = 0.003;    // [rad] as of a robot that speeds up
 constexpr double kLevelRate = 0.1;       // [rad/s]
 constexpr double kLeastSink = 1e-5;      // [m]
@@ -19,8 +19,8 @@ constexpr double kOnWheels = 4.0 / 6.0, kOnSupports = 2.0 / 6.0;  // of the weig
 }  // namespace
 
 Tilt::Tilt(const RobotModel& robot, double dt)
-    : dt_(dt / std::max(1.0, std::floor(dt / kLongestPart + 0.5))),
-      parts_(static_cast<int>(std::max(1.0, std::floor(dt / kLongestPart + 0.5)))),
+    : dt_(dt / std::max(1.0, std::ceil(dt / kLongestPart))),
+      parts_(static_cast<int>(std::max(1.0, std::ceil(dt / kLongestPart)))),
       motor_(robot.motorPull() * dt_),
       drag_(robot.rolling_drag * dt_),
       grip_(robot.longitudinal_grip * dt_),
@@ -35,9 +35,12 @@ Tilt::Tilt(const RobotModel& robot, double dt)
       stiffness_(kGravity / (6.0 * std::max(robot.support_sink, kLeastSink))),
       damping_(stiffness_ * std::max(robot.support_settling, 2.0 * dt_)),  // springs bounce below that
       friction_(robot.friction),
+      damped_{},
       place_{robot.support_distance, 0.0, -robot.support_distance, robot.length / 2, -robot.length / 2},
       clearance_(robot.ground_clearance),
-      rise_(-robot.support_sink) {}
+      rise_(-robot.support_sink) {
+  for (std::size_t i = 0; i < kContacts; ++i) damped_[i] = kPoints[i] * damping_ * dt_;
+}
 
 // Pulls that a level robot's supports bear do not lift its wheels.
 bool Tilt::brakes(double forward, RimSpeeds pulls) const {
@@ -45,37 +48,46 @@ bool Tilt::brakes(double forward, RimSpeeds pulls) const {
   return pull * forward < 0.0 && std::abs(pull) > most_braking_ && std::abs(forward) > std::abs(pull);
 }
 
-// Loads at the end of the part: springs as they are, dampers as the body will move. Nothing pulls.
-Tilt::Standing Tilt::stand(Rates rates) const {
-  std::array<double, kContacts> spring{};
-  std::array<bool, kContacts> touches{};
+// Takes a contact into the sums, or out of them.
+void Tilt::change(Footing& footing, std::size_t contact, double sign) const {
+  const double damped = sign * damped_[contact], spring = sign * footing.springs[contact] * dt_;
+  const double place = place_[contact];
+  footing.touches[contact] = sign > 0.0;
+  footing.lift += damped;
+  footing.both -= damped * place;
+  footing.swing += damped * place * place;
+  footing.up += spring;
+  footing.down -= spring * place;
+}
+
+Tilt::Footing Tilt::footing() const {
+  Footing result;
+  result.swing = inertia_;
   for (std::size_t i = 0; i < kContacts; ++i) {
     const double depth = place_[i] * pitch_ - rise_ - (i < 3 ? 0.0 : clearance_);
-    touches[i] = depth > 0.0;
-    spring[i] = kPoints[i] * stiffness_ * depth;
+    result.springs[i] = kPoints[i] * stiffness_ * depth;
+    if (depth > 0.0) change(result, i, 1.0);
   }
+  return result;
+}
+
+// Loads at the end of the part: springs as they are, dampers as the body will move. Nothing pulls.
+Tilt::Standing Tilt::stand(Footing footing, Rates rates) const {
   Standing result;
   for (std::size_t round = 0; round < kContacts; ++round) {
-    double lift = 1.0, both = 0.0, swing = inertia_, up = rates.rise, down = inertia_ * rates.pitch;
-    for (std::size_t i = 0; i < kContacts; ++i) {
-      if (!touches[i]) continue;
-      const double damped = kPoints[i] * damping_ * dt_;
-      lift += damped;
-      both -= damped * place_[i];
-      swing += damped * place_[i] * place_[i];
-      up += spring[i] * dt_;
-      down -= spring[i] * dt_ * place_[i];
-    }
-    const double whole = lift * swing - both * both;
-    result.rates = {(up * swing - down * both) / whole, (down * lift - up * both) / whole};
-    result.yield = lift / whole;
+    const double up = rates.rise + footing.up, down = inertia_ * rates.pitch + footing.down;
+    const double scale = 1.0 / (footing.lift * footing.swing - footing.both * footing.both);
+    result.rates = {(up * footing.swing - down * footing.both) * scale,
+                    (down * footing.lift - up * footing.both) * scale};
+    result.yield = footing.lift * scale;
     bool pulls = false;
     for (std::size_t i = 0; i < kContacts; ++i) {
+      if (!footing.touches[i]) continue;
       const double speed = result.rates.rise - place_[i] * result.rates.pitch;
-      result.loads[i] = touches[i] ? spring[i] - kPoints[i] * damping_ * speed : 0.0;
+      result.loads[i] = footing.springs[i] - kPoints[i] * damping_ * speed;
       if (result.loads[i] >= 0.0) continue;
       result.loads[i] = 0.0;
-      touches[i] = false;
+      change(footing, i, -1.0);
       pulls = true;
     }
     if (!pulls) break;
@@ -86,6 +98,7 @@ Tilt::Standing Tilt::stand(Rates rates) const {
 // As DriveLaw::resistedPulls, at the floor: what pulls there also pitches the body, by `yield`.
 Tilt::Pulls Tilt::pull(RimSpeeds ground, RimSpeeds target, const Grips& grips, double yield) const {
   constexpr int kRounds = 6;
+  constexpr double kSettled = 1e-6;  // [m/s]
   const double forward = (ground.left + ground.right) / 2, turn = (ground.right - ground.left) / 2;
   const double play = edges_ * std::abs(turn), own = (yield + turn_) / 2, felt = (yield - turn_) / 2;
   // A rim that runs ahead of the floor gives its own momentum too.
@@ -99,14 +112,20 @@ Tilt::Pulls Tilt::pull(RimSpeeds ground, RimSpeeds target, const Grips& grips, d
   Pulls result;
   RimSpeeds& wheels = result.wheels;
   for (int round = 0; round < kRounds; ++round) {
+    const Pulls before = result;
     const double left_over =
-        std::max(2.0 * grips.drive - std::abs(wheels.left) - std::abs(wheels.right), 0.0);
+        std::max(2.0 * grips.drive - (std::abs(wheels.left) + std::abs(wheels.right)), 0.0);
     result.braked = -std::clamp(turn, -scrub_ * left_over, scrub_ * left_over);
     const double dragged = forward + yield * result.drag;
-    wheels.left = towards(dragged - turn - result.braked + felt * wheels.right, target.left, left_ahead);
-    wheels.right = towards(dragged + turn + result.braked + felt * wheels.left, target.right, right_ahead);
+    wheels.left =
+        towards(dragged - turn - result.braked + felt * before.wheels.right, target.left, left_ahead);
+    wheels.right =
+        towards(dragged + turn + result.braked + felt * before.wheels.left, target.right, right_ahead);
     const double moved = forward / yield + (wheels.left + wheels.right) / 2;
     result.drag = -std::clamp(moved, -grips.slide, grips.slide);
+    const double settles = std::abs(wheels.left - before.wheels.left) +
+                           std::abs(wheels.right - before.wheels.right) + std::abs(result.drag - before.drag);
+    if (settles < kSettled) break;
   }
   return result;
 }
@@ -132,8 +151,9 @@ void Tilt::part(RimSpeeds& ground, RimSpeeds target, double& lateral) {
   const double react =
       wheel_radius_ / inertia_ * (torque(rims_.left, target.left) + torque(rims_.right, target.right));
   const Rates falling{rates_.rise - kGravity * dt_, rates_.pitch};
-  const Loads loads = stand({falling.rise, falling.pitch - react}).loads;  // what friction can use
-  const Standing free = stand(falling);
+  const Footing footing = this->footing();
+  const Loads loads = stand(footing, {falling.rise, falling.pitch - react}).loads;  // what friction can use
+  const Standing free = stand(footing, falling);
   const double on_wheels = loads[1] / (kGravity * kOnWheels);
   const Grips grips{grip_ * on_wheels, drag_ * (loads[0] + loads[2]) / (kGravity * kOnSupports) +
                                            friction_ * (loads[3] + loads[4]) * dt_};
@@ -152,7 +172,7 @@ void Tilt::part(RimSpeeds& ground, RimSpeeds target, double& lateral) {
   ground.left += forward - turn;
   ground.right += forward + turn;
   const double pitched = (mass_height_ * forward + wheel_radius_ * rim_mass_ * spun) / inertia_;
-  rates_ = stand({falling.rise, falling.pitch - pitched}).rates;
+  rates_ = stand(footing, {falling.rise, falling.pitch - pitched}).rates;
   rise_ += rates_.rise * dt_;
   pitch_ += rates_.pitch * dt_;
 }

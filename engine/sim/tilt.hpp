@@ -42,6 +42,13 @@ class Tilt {
     double rise = 0.0;   // [m/s] of the centre of mass
     double pitch = 0.0;  // [rad/s], nose down
   };
+  // How the contacts bear at one pose: sums over those that touch.
+  struct Footing {
+    Loads springs{};
+    std::array<bool, kContacts> touches{};
+    double lift = 1.0, both = 0.0, swing = 0.0;  // masses that rising and pitching feel
+    double up = 0.0, down = 0.0;                 // impulses of the springs
+  };
   struct Standing {
     Loads loads{};
     Rates rates;
@@ -58,7 +65,9 @@ class Tilt {
   };
 
   bool brakes(double forward, RimSpeeds pulls) const;
-  Standing stand(Rates rates) const;
+  Footing footing() const;
+  void change(Footing& footing, std::size_t contact, double sign) const;
+  Standing stand(Footing footing, Rates rates) const;
   Pulls pull(RimSpeeds ground, RimSpeeds target, const Grips& grips, double yield) const;
   double spunUp(double& rim, double ground, double target, double pull, double play, double grip) const;
   void part(RimSpeeds& ground, RimSpeeds target, double& lateral);
@@ -72,6 +81,7 @@ class Tilt {
   double rim_mass_;                      // share of the robot's mass
   double stiffness_, damping_;           // [1/s^2], [1/s] of one contact over the mass
   double friction_;                      // of the edges
+  Loads damped_;                         // by each contact in a part, over the mass
   std::array<double, kContacts> place_;  // [m] before the centre
   double clearance_;                     // [m] of the edges
   bool tilted_ = false;

@@ -89,7 +89,7 @@ inline RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds l
 
 // Coulomb: at most until the robot no longer turns. `turn` is half the difference of the rims' speeds.
 inline double DriveLaw::scrub(double turn, RimSpeeds pulls) const {
-  const double most = scrub_ * std::max(grip_ - std::abs(pulls.left) - std::abs(pulls.right), 0.0);
+  const double most = scrub_ * std::max(grip_ - (std::abs(pulls.left) + std::abs(pulls.right)), 0.0);
   return -std::clamp(turn, -most, most);
 }
 

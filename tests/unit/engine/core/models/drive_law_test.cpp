@@ -1,6 +1,8 @@
 #include "engine/core/models/drive_law.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "tests/support/catch.hpp"
 
@@ -48,6 +50,16 @@ RimSpeeds settled(const RobotModel& robot, RimSpeeds rims, RimSpeeds target) {
 
 double yawRate(RimSpeeds rims) { return (rims.right - rims.left) / 0.08; }
 
+/// Whether a wheel of `rim` [m/s] after the step has what it seeks, or its motor cannot pull more.
+bool isBalanced(double rim, double target, double play, double pull, double limit) {
+  constexpr double kClose = 2e-6;  // [m/s]
+  const double lack = std::clamp(rim, target - play, target + play) - rim;
+  if (lack > kClose) return pull >= limit - kClose;
+  if (lack < -kClose) return pull <= -limit + kClose;
+  // Who pulls rolls on an edge.
+  return std::abs(pull) < kClose || std::abs(rim - target + std::copysign(play, pull)) < kClose;
+}
+
 }  // namespace
 
 TEST_CASE("a robot that pushes through a curve loses half of its wheels' width times the yaw rate",
@@ -93,6 +105,35 @@ TEST_CASE("scrubbing edges stop a turn but do not reverse it", "[unit]") {
   const RimSpeeds change = law.change({-1e-5, 1e-5}, {});
   CHECK(change.left == Approx(1e-5));
   CHECK(change.right == Approx(-1e-5));
+}
+
+TEST_CASE("both motors pull until an edge of their wheel rolls, or as much as they can", "[unit]") {
+  std::mt19937_64 random(31);
+  const auto draw = [&random](double most) {
+    return most * (2.0 * static_cast<double>(random() >> 11) * 0x1p-53 - 1.0);
+  };
+  int states = 0, unbalanced = 0;
+  for (const double drag : {0.0, 1.5, 3.0}) {
+    const DriveLaw law(wideWheels(drag), 0.01);
+    const RimSpeeds limits{law.limit(), 0.7 * law.limit()};
+    for (int i = 0; i < 3000; ++i, ++states) {
+      const double near = i % 3 == 0 ? 0.02 : i % 3 == 1 ? 0.1 : 1.0, common = draw(near), turn = draw(near);
+      const RimSpeeds rims{common - turn, common + turn};
+      const RimSpeeds target{rims.left + draw(near), rims.right + draw(near)};
+      const RimSpeeds pulls = law.pulls(rims, target, limits), change = law.change(rims, pulls);
+      const double play = 0.006 / 0.08 * std::abs(turn);
+      const bool left = isBalanced(rims.left + change.left, target.left, play, pulls.left, limits.left);
+      const bool right = isBalanced(rims.right + change.right, target.right, play, pulls.right, limits.right);
+      unbalanced += left && right ? 0 : 1;
+      // A mirrored motion has mirrored pulls, to the last bit.
+      const RimSpeeds back =
+          law.pulls({rims.right, rims.left}, {target.right, target.left}, {limits.right, limits.left});
+      CAPTURE(drag, rims.left, rims.right, target.left, target.right);
+      REQUIRE(back.left == pulls.right);
+      REQUIRE(back.right == pulls.left);
+    }
+  }
+  CHECK(unbalanced * 1000 <= states);  // who neither stays nor moves may take more rounds than there are
 }
 
 TEST_CASE("a curve widens by the same length for every radius, and more at speed", "[unit]") {
