@@ -22,7 +22,8 @@ constexpr double kSpecular = 0.5236, kNoise = 0.005;  // [rad, m]
 class Doorway {
  public:
   explicit Doorway(SonarDrive& drive, std::uint64_t seed) : drive_(drive), rng_(seed, Stream::kSonar) {
-    for (const double side : {1.0, -1.0}) world_.addBody(cornersOf({{{0.0, side * 0.34875}, 0.0}, 0.04, 0.6}));
+    for (const double side : {1.0, -1.0})
+      world_.addBody(cornersOf({{{0.0, side * 0.34875}, 0.0}, 0.04, 0.6}));
     scene_.robot = &kRobot;
     scene_.self.pose = {{-0.3, 0.05}, 0.1};
     scene_.goal.position = {0.3, 0.0};

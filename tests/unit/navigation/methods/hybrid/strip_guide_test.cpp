@@ -24,7 +24,8 @@ class Passage {
     for (double y = -0.045; y <= 0.045; y += 0.005) map.takeIn({{0.0, y}, {1.0, 0.0}, 0.05, false, 0.3}, 1.0);
   }
   /// What the guide does at `pose`, with what the front corners' sonars hear.
-  std::optional<Twist> drive(const Pose2& pose, std::optional<double> left = {}, std::optional<double> right = {}) {
+  std::optional<Twist> drive(const Pose2& pose, std::optional<double> left = {},
+                             std::optional<double> right = {}) {
     scene.self.pose = pose, ++scene.tick;
     map.centre(pose.position, scene.tick);
     way.search(map, pose.position, scene.goal.position, kRobot.width / 2);
@@ -36,7 +37,8 @@ class Passage {
 
  private:
   void put(Vec2 place, double side) {
-    for (int i = 0; i < 4; ++i) map.takeIn({place - Vec2{0.0, side * 0.03}, {0.0, side}, 0.1, true, 0.03}, 1.0);
+    for (int i = 0; i < 4; ++i)
+      map.takeIn({place - Vec2{0.0, side * 0.03}, {0.0, side}, 0.1, true, 0.03}, 1.0);
   }
   void face(double y) {
     for (int i = 0; i < 4; ++i) map.takeIn({{0.04, y}, {1.0, 0.0}, 0.1, true, 0.06}, 1.0);
@@ -52,10 +54,10 @@ class Passage {
 
 TEST_CASE("the guide begins before a narrow place only, and on its axis", "[unit]") {
   CHECK(Passage().leads({{0.02, 0.0}, 0.1}));
-  CHECK_FALSE(Passage().leads({{0.02, 0.06}, 0.0}));   // too far aside
-  CHECK_FALSE(Passage().leads({{-0.25, 0.0}, 0.0}));   // too early
-  CHECK_FALSE(Passage().leads({{0.02, 0.0}, 1.3}));    // turned away
-  CHECK_FALSE(Passage().leads({{0.25, 0.0}, 0.0}));    // past it
+  CHECK_FALSE(Passage().leads({{0.02, 0.06}, 0.0}));  // too far aside
+  CHECK_FALSE(Passage().leads({{-0.25, 0.0}, 0.0}));  // too early
+  CHECK_FALSE(Passage().leads({{0.02, 0.0}, 1.3}));   // turned away
+  CHECK_FALSE(Passage().leads({{0.25, 0.0}, 0.0}));   // past it
 }
 
 TEST_CASE("the guide leads until the rear corners are out of the last thing beside", "[unit]") {
