@@ -24,8 +24,8 @@ constexpr double kMostWeight = 4.0;  // up to that
 constexpr float kLeast = -2.0f, kFarMost = 5.0f, kMost = 12.0f;
 constexpr float kTurning = 0.2f;  // of a new direction in the cell's own
 
-int sixteenth(Vec2 way) {
-  return static_cast<int>(std::floor(math::angleOf(way) / (math::kPi / 8) + 0.5)) & 15;
+int directionOf(Vec2 way) {
+  return static_cast<int>(std::floor(math::angleOf(way) / (math::kPi / 16) + 0.5)) & 31;
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ struct ProvenMap::Call {
   double most;        ///< [m] and from there up to here on the arc
   float share;        ///< of its weight
   float best = 0.0f;  ///< evidence of the best cell on the arc
-  std::uint16_t from = 0;
+  std::uint32_t from = 0;
 
   double off(Vec2 to) const { return std::abs(cross(reading.axis, to)) / (dot(reading.axis, to) * tan_half); }
 };
@@ -90,7 +90,7 @@ void ProvenMap::takeIn(const SmoothRange& reading, double share) {
   const double free = std::max(0.0, reading.heard ? reading.range - kBand : reading.range);
   Call call{reading, math::tan(reading.half_cone), free,
             reading.heard ? reading.range + kBand : reading.range, static_cast<float>(share)};
-  call.from = static_cast<std::uint16_t>(1u << sixteenth(-reading.axis));
+  call.from = 1u << directionOf(-reading.axis);
   forCone(call, [&](Cell& cell, Vec2 to, double far) {
     if (far < call.free) {
       clear(call, cell, to, far);
@@ -135,17 +135,17 @@ void ProvenMap::clearBody(const NavigationScene& scene) {
     for (int x = cellOf(pose.position.x - reach); x <= cellOf(pose.position.x + reach); ++x) {
       const Vec2 p = intoFrame(ahead, middle(x, y) - pose.position);
       if (std::abs(p.x) < scene.robot->length / 2 && std::abs(p.y) < scene.robot->width / 2)
-        cells_[indexOf(x, y)] = {kLeast, 0.0f, 0.0f, 0, 0xffff};
+        cells_[indexOf(x, y)] = {kLeast, 0.0f, 0.0f, 0, 0xffffffff};
     }
   }
 }
 
-bool ProvenMap::isProven(const Cell& cell, Vec2 toward) {
-  const int at = sixteenth(toward);
-  for (int i : {at, (at + 1) & 15, (at + 15) & 15}) {
-    if ((cell.seen >> i & 1) != 0) return true;
-  }
-  return false;
+std::uint32_t ProvenMap::about(Vec2 toward) {
+  constexpr int kBeside = 2;  // within 28 degrees: faces answer up to 30
+  const int at = directionOf(toward);
+  std::uint32_t mask = 0;
+  for (int i = -kBeside; i <= kBeside; ++i) mask |= 1u << ((at + i) & 31);
+  return mask;
 }
 
 }  // namespace fulbito

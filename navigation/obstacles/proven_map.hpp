@@ -21,7 +21,7 @@ class ProvenMap {
     float evidence = 0.0f;     ///< for a surface > 0, against < 0
     float x = 0.0f, y = 0.0f;  ///< toward the sensors that heard it, about a unit vector
     std::int32_t tick = 0;     ///< when it was last heard
-    std::uint16_t seen = 0;    ///< a bit for each of 16 directions from which it was seen free
+    std::uint32_t seen = 0;    ///< a bit for each of 32 directions from which it was seen free
   };
 
   /// @param cell  [m] side of a cell
@@ -41,8 +41,10 @@ class ProvenMap {
   const Cell& at(int x, int y) const { return cells_[indexOf(x, y)]; }
   bool isOccupied(const Cell& cell) const { return cell.evidence > kOccupied && now_ - cell.tick < kMemory; }
   bool isCertain(const Cell& cell) const { return cell.evidence > kCertain && isOccupied(cell); }
+  /// The directions about that of `toward`, as a mask of `Cell::seen`.
+  static std::uint32_t about(Vec2 toward);
   /// Whether the cell was seen free from about the direction of `toward`.
-  static bool isProven(const Cell& cell, Vec2 toward);
+  static bool isProven(const Cell& cell, Vec2 toward) { return (cell.seen & about(toward)) != 0; }
   /// Calls `work(x, y, cell)` for the occupied cells of the square of half side `reach` [m] about `place`.
   template <typename Work>
   void forOccupied(Vec2 place, double reach, const Work& work) const {
@@ -57,7 +59,7 @@ class ProvenMap {
   static constexpr int kSize = 160;    // cells a side that are used
   static constexpr int kStride = 256;  // that are kept, a power of two
   static constexpr float kOccupied = 3.0f, kCertain = 6.0f;
-  static constexpr Tick kMemory = 600;
+  static constexpr Tick kMemory = 3600;
   struct Call;
 
   static std::size_t indexOf(int x, int y) {

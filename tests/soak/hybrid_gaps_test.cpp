@@ -2,23 +2,37 @@
 #include "tests/support/catch.hpp"
 
 namespace fulbito::sonar {
+namespace {
+
+/// What 500 runs of one kind reach at least and touch at most. docs/results/hybrid.md has the rates of 200
+/// runs on another seed; the share of 500 runs lies outside of these bounds in one of a hundred samples, by
+/// the binomial errors of both.
+struct Bounds {
+  GapKind kind;
+  int through, touched;
+};
+constexpr Bounds kBounds[] = {{GapKind::kDiscs, 445, 33},
+                              {GapKind::kBoxes, 422, 25},
+                              {GapKind::kDoorway, 391, 44},
+                              {GapKind::kMixed, 422, 37}};
+
+}  // namespace
 
 TEST_CASE("2000 gaps of all kinds: nearly all are taken, few are touched", "[soak]") {
-  for (GapKind kind : kGapKinds) {
+  for (const Bounds& bounds : kBounds) {
     int through = 0, touched = 0;
     for (std::uint64_t i = 0; i < 500; ++i) {
       const auto config =
-          sonarTrial(gapOfKind(kind, 7001, i, 1.3), Knowledge::kSonars, "hybrid", 0.3, 7001, i);
+          sonarTrial(gapOfKind(bounds.kind, 7001, i, 1.3), Knowledge::kSonars, "hybrid", 0.3, 7001, i);
       REQUIRE(config);
       const auto result = runTrial(*config, {});
       REQUIRE(result);
       through += result->score.success() ? 1 : 0;
       touched += result->score.obstacle_contacts + result->score.wall_contacts > 0 ? 1 : 0;
     }
-    // The method reaches less than the bars of docs/results/hybrid.md: this holds what it does reach.
-    INFO(nameOf(kind));
-    CHECK(through >= 330);
-    CHECK(touched <= 60);
+    INFO(nameOf(bounds.kind));
+    CHECK(through >= bounds.through);
+    CHECK(touched <= bounds.touched);
   }
 }
 

@@ -34,6 +34,8 @@ void BodyRoom::look(const NavigationScene& scene, const ProvenMap& map,
       points_.push_back(mount.position + math::unit(mount.heading) * *range);
   }
   here_ = at({}, 0.0);
+  radius_ = scene.robot->circumradius(), nearest_ = kReach * size_;
+  for (const Vec2 point : points_) nearest_ = std::min(nearest_, norm(point));
 }
 
 double BodyRoom::at(Vec2 place, double turn) const {

@@ -26,6 +26,8 @@ class BodyRoom {
   double floor(double margin) const { return margin < here_ ? margin : here_ - kSlack; }
   /// Whether the body can turn in place by what it turns in 0.1 s at `rate` [rad/s], at most by `most` [rad].
   bool turns(double rate, double most, double margin) const;
+  /// Whether nothing is within `margin` [m] of the circle about the body.
+  bool turnsFreely(double margin) const { return nearest_ > radius_ + margin; }
 
  private:
   static constexpr double kSlack = 0.0001;  // [m] rounding
@@ -33,6 +35,7 @@ class BodyRoom {
   std::vector<Vec2> points_;
   double half_length_ = 0.0, half_width_ = 0.0, size_ = 1.0;
   double here_ = 0.0;
+  double radius_ = 0.0, nearest_ = 0.0;
 };
 
 }  // namespace fulbito

@@ -54,4 +54,14 @@ std::optional<FreeStrip> StripFinder::find(const ProvenMap& map, Vec2 middle, Ve
   return best;
 }
 
+void StripFinder::prolong(const ProvenMap& map, Vec2 place, double reach, double size, FreeStrip& strip) {
+  const double at = strip.along(place);
+  map.forOccupied(place, reach + strip.width, [&](int x, int y, const ProvenMap::Cell&) {
+    const Vec2 cell = map.middle(x, y);
+    const double along = strip.along(cell);
+    if (std::abs(strip.aside(cell)) < strip.width / 2 + kEdge * size && std::abs(along - at) < reach)
+      strip.exit = std::max(strip.exit, along);
+  });
+}
+
 }  // namespace fulbito

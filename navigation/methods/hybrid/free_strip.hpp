@@ -27,6 +27,8 @@ class StripFinder {
   /// where one side has none.
   /// @param size  see `bodySize`
   std::optional<FreeStrip> find(const ProvenMap& map, Vec2 middle, Vec2 way, double size);
+  /// Moves the exit of `strip` on where something stands beside it within `reach` [m] of `place`.
+  static void prolong(const ProvenMap& map, Vec2 place, double reach, double size, FreeStrip& strip);
 
  private:
   std::vector<Vec2> left_, right_;

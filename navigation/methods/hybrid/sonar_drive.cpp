@@ -28,9 +28,10 @@ constexpr double kSlowShare = 0.2;                                 // of the top
 constexpr double kNear = 0.02;                                     // [m]
 constexpr double kGain = 6.0, kMostRate = 3.0, kNearRate = 1.5;    // [1/s, rad/s]
 constexpr double kPause = 0.010, kTime = 0.3;                      // [m, s] to what is ahead
-constexpr double kFace = 0.75;     // [rad] sensors within this of the heading look ahead
-constexpr double kSpin = 0.5;      // [rad] larger errors are turned off in place
-constexpr double kLookRate = 1.2;  // [rad/s]
+constexpr double kEscape = 0.03, kEscapeSpeed = 0.075;  // [m, m/s] of a motion that leaves a tight place
+constexpr double kFace = 0.75;                          // [rad] sensors within this of the heading look ahead
+constexpr double kSpin = 0.5;                           // [rad] larger errors are turned off in place
+constexpr double kLookRate = 1.2;                       // [rad/s]
 constexpr Tick kLookTicks = 90;
 
 }  // namespace
@@ -87,13 +88,35 @@ std::optional<Twist> SonarDrive::backOff(const NavigationScene& scene) {
   const bool turned = std::abs(math::wrapAngle(pose.heading - rest_.heading)) > kTurned;
   if (distance(pose.position, rest_.position) > kMoved * size_ || turned) rest_ = pose, moved_ = scene.tick;
   if (scene.tick - moved_ > kStuckTicks && scene.tick >= back_until_)
-    back_until_ = scene.tick + kBackTicks, moved_ = scene.tick;
+    back_until_ = scene.tick + kBackTicks, moved_ = scene.tick, escape_.reset();
   if (scene.tick >= back_until_) return {};
-  const double floor = std::min(room_.here() - 0.0003, kMargin * size_), top = scene.robot->maxSpeed();
-  if (room_.at({-0.01 * size_, 0.0}, 0.0) >= floor) return Twist{-0.25 * top, 0.0};
-  if (room_.at({0.006 * size_, 0.0}, 0.0) >= floor) return Twist{0.1 * top, 0.0};
+  if (!escape_ || roomAfter(*escape_) < room_.floor(kMargin * size_)) escape_ = findEscape();
+  if (escape_) return escape_;
   back_until_ = scene.tick;
   return {};
+}
+
+/// The least room on the next 3 cm of a motion.
+double SonarDrive::roomAfter(Twist motion) const {
+  const double time = kEscape * size_ / std::abs(motion.linear);
+  const double turn = motion.angular * time, way = motion.linear * time;
+  return std::min(room_.at(math::unit(turn / 4) * (way / 2), turn / 2),
+                  room_.at(math::unit(turn / 2) * way, turn));
+}
+
+/// Straight back; where that is blocked, the arc that leaves most room; empty where all are blocked.
+std::optional<Twist> SonarDrive::findEscape() const {
+  double most = room_.floor(kMargin * size_);
+  std::optional<Twist> best;
+  if (roomAfter({-kEscapeSpeed, 0.0}) >= most) return Twist{-kEscapeSpeed, 0.0};
+  for (const double side : {-1.0, 1.0}) {
+    for (const double bend : {0.0, 4.0, -4.0, 8.0, -8.0}) {
+      const Twist motion{side * kEscapeSpeed, kEscapeSpeed * bend / size_};
+      const double room = roomAfter(motion);
+      if (room > most) most = room + 0.0005 * size_, best = motion;
+    }
+  }
+  return best;
 }
 
 Twist SonarDrive::lookAbout(const NavigationScene& scene) const {
@@ -131,7 +154,7 @@ Twist SonarDrive::alongWay(const NavigationScene& scene) {
     clear =
         std::min(clear, way_.clearance(*map_, pose.position - math::unit(pose.heading) * (0.01 * size_ * i)));
   if (tight < kNarrow * size_ && room_.here() < kNear * size_) {
-    back_until_ = scene.tick + kTurnBackTicks;
+    back_until_ = scene.tick + kTurnBackTicks, escape_.reset();
     return {};
   }
   const double error = math::wrapAngle(math::angleOf(aim - pose.position) - pose.heading);
@@ -141,7 +164,7 @@ Twist SonarDrive::alongWay(const NavigationScene& scene) {
   const double front = ahead(scene, kFace), corners = ahead(scene, 1.2);
   speed = std::min(speed, std::max(0.02, (front - kPause * size_) / kTime));
   const bool near = corners < 0.05 * size_ || room_.here() < 0.03 * size_;
-  const double most = near ? kNearRate : kMostRate;
+  const double most = near && !room_.turnsFreely(kMargin * size_) ? kNearRate : kMostRate;
   return safe({speed, std::clamp(kGain * error, -most, most)}, error);
 }
 

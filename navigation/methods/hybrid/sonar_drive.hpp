@@ -20,6 +20,8 @@ class SonarDrive {
  private:
   void sense(const NavigationScene& scene);
   std::optional<Twist> backOff(const NavigationScene& scene);
+  double roomAfter(Twist motion) const;
+  std::optional<Twist> findEscape() const;
   Twist lookAbout(const NavigationScene& scene) const;
   Twist alongWay(const NavigationScene& scene);
   Twist safe(Twist wanted, double error) const;
@@ -34,8 +36,9 @@ class SonarDrive {
   StripGuide guide_;
   Tick next_search_ = 0;
   Tick back_until_ = 0;
-  Tick moved_ = 0;  ///< when it was last seen to move
-  Pose2 rest_;      ///< where
+  std::optional<Twist> escape_;  ///< till then
+  Tick moved_ = 0;               ///< when it was last seen to move
+  Pose2 rest_;                   ///< where
 };
 
 }  // namespace fulbito

@@ -31,11 +31,14 @@ constexpr double kOut = 0.015;          // [m] behind the exit, where the rear i
 constexpr double kFarOff = 0.25;        // [m]
 constexpr int kLostTicks = 20;
 constexpr double kReach = 0.04;                   // [m] along the axis to the point that the robot steers at
-constexpr double kMargin = 0.003;                 // [m] kept in the place
+constexpr double kMargin = 0.0;                   // [m] kept in the place
 constexpr double kStageMargin = 0.006;            // [m] and before it
 constexpr double kShare = 0.3, kTurnShare = 0.2;  // of what the map shows anew, in the strip
-constexpr double kCornerShare = 0.016;            // of the difference of the front corners' ranges
+constexpr double kFrontShare = 0.042;             // of how far the front is off the middle
 constexpr double kCorner = 0.04;                  // [m] ranges that count
+constexpr double kAsideShare = 0.766;             // of a front corner's range: its bearing is 50 degrees
+constexpr double kCornerGain = 80.0;              // [rad/(s m)] turn away from the nearer side
+constexpr double kTouching = 0.003;               // [m] so near to a side the front goes no farther
 constexpr double kSpeed = 0.06, kBackSpeed = 0.07, kStageSpeed = 0.08, kCareful = 0.03,
                  kBackOff = 0.05;  // [m/s]
 constexpr double kMostRate = 1.5;  // [rad/s]
@@ -83,9 +86,10 @@ std::optional<Twist> StripGuide::drive(const View& view) {
 /// Keeps the strip where the map and the front corners' sonars show it, and drops it behind its exit.
 void StripGuide::follow(const View& view) {
   const double along = strip_->along(view.scene.self.pose.position), half = view.scene.robot->length / 2;
-  const bool out = along > strip_->exit + half + kOut * view.size;
-  if (out || std::abs(along) > kFarOff * view.size) return reset();
+  const double rear = half + kOut * view.size;
   const bool inside = frontOf(*strip_, view.scene) > 0.0;
+  if (inside) StripFinder::prolong(view.map, view.scene.self.pose.position, rear, view.size, *strip_);
+  if (along > strip_->exit + rear || std::abs(along) > kFarOff * view.size) return reset();
   const auto next = finder_.find(view.map, strip_->middle, strip_->axis, view.size);
   if (!next || !isPassable(*next, kStillNarrow, view.size)) {
     if (++lost_ > kLostTicks && !inside) reset();
@@ -95,10 +99,26 @@ void StripGuide::follow(const View& view) {
   const double shift = cross(next->axis, next->middle - strip_->middle);
   strip_->axis = unitOr(strip_->axis * (1.0 - kTurnShare) + next->axis * kTurnShare, next->axis);
   strip_->middle += perp(strip_->axis) * (kShare * shift);
-  const double most = kCorner * view.size;
-  if (inside && view.left && view.right && *view.left < most && *view.right < most)
-    strip_->middle += perp(strip_->axis) * (kCornerShare * (*view.left - *view.right));
+  if (inside) strip_->middle -= perp(strip_->axis) * (kFrontShare * frontOffset(view));
   strip_->width = next->width, strip_->entry = next->entry, strip_->exit = next->exit;
+}
+
+/// What the front corners' sonars hear of the sides: the room on the left and on the right [m].
+StripGuide::FrontRoom StripGuide::frontRoom(const View& view) const {
+  const double most = kCorner * view.size;
+  FrontRoom room;
+  if (view.left && *view.left < most) room.left = kAsideShare * *view.left;
+  if (view.right && *view.right < most) room.right = kAsideShare * *view.right;
+  return room;
+}
+
+/// How far [m] the front is to the left of the middle. A side that is not heard is where the map has it.
+double StripGuide::frontOffset(const View& view) const {
+  const FrontRoom room = frontRoom(view);
+  const double half = std::max(0.0, strip_->width + view.map.cell() - view.scene.robot->width) / 2;
+  if (room.left && room.right) return (*room.right - *room.left) / 2;
+  if (room.left) return std::max(0.0, half - *room.left);
+  return room.right ? std::min(0.0, *room.right - half) : 0.0;
 }
 
 /// Looks for the narrowest place on the way near ahead.
@@ -186,11 +206,21 @@ std::optional<Twist> StripGuide::through(const View& view) {
   return alongAxis(view, front, aside);
 }
 
+/// Turns away from the side that the front corners' sonars hear too near, and stops before a touch. A corner
+/// itself is in no cone: what it nears, the map shows too late.
+void StripGuide::keepOff(const View& view, Twist& twist) const {
+  const double turn = kCornerGain / view.size * frontOffset(view), most = kTouching * view.size;
+  twist.angular = std::clamp(twist.angular - turn, -kMostRate, kMostRate);
+  const FrontRoom room = frontRoom(view);
+  if (room.left.value_or(most) < most || room.right.value_or(most) < most) twist.linear = -kCareful;
+}
+
 Twist StripGuide::alongAxis(const View& view, double front, double aside) {
   const double margin = kMargin * view.size, floor = view.room.floor(margin);
   const Vec2 aim = strip_->axis * (kReach * view.size) - perp(strip_->axis) * aside;
   const double error = math::wrapAngle(math::angleOf(aim) - view.scene.self.pose.heading);
   Twist twist{std::abs(error) > 0.3 && front < 0.0 ? 0.0 : kSpeed, rateFor(error, 8.0)};
+  if (front > 0.0) keepOff(view, twist);
   if (!view.room.turns(twist.angular, error, margin)) twist.angular = 0.0;
   if (twist.linear == 0.0 && twist.angular == 0.0 && view.room.at({-0.008 * view.size, 0.0}, 0.0) >= floor)
     return {-kBackOff, 0.0};

@@ -12,8 +12,8 @@ namespace fulbito {
 ///  1. from anywhere to the stage, 8 cm before the place and square to it;
 ///  2. along its axis up to the entry. A robot that is off the axis there backs out, nearer to the axis, and
 ///     comes again; one that leans turns;
-///  3. on along the axis until its rear corners are out. The axis follows the map, and the front corners'
-///  sonars.
+///  3. on along the axis until its rear corners are out. The axis follows the map. The front corners' sonars
+///  turn the robot away from a side that is too near.
 class StripGuide {
  public:
   /// What a tick knows.
@@ -32,6 +32,13 @@ class StripGuide {
   bool isActive() const { return strip_.has_value(); }
 
  private:
+  /// Beside the front corners.
+  struct FrontRoom {
+    std::optional<double> left, right;  ///< [m]
+  };
+  FrontRoom frontRoom(const View& view) const;
+  double frontOffset(const View& view) const;
+  void keepOff(const View& view, Twist& twist) const;
   void follow(const View& view);
   void begin(const View& view);
   std::optional<Twist> toStage(const View& view);

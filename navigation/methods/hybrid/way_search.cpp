@@ -15,6 +15,7 @@ constexpr double kWide = 2.13;       // of half the width: where its cost begins
 constexpr double kNearCost = 4.0;    // that a tight place adds
 constexpr double kUncertain = 2.5;   // cost of a place that only uncertain surfaces block
 constexpr double kSuspect = 4.0;     // of one that a face may go on through
+constexpr double kUnproven = 1.5;    // of one that was not seen free from where the way comes
 constexpr double kStuck = 20.0;      // of one that is blocked, but the robot stands there
 constexpr double kStuckReach = 8.0;  // cells about the robot for that
 constexpr double kBody = 0.59;       // of half the width: nearer it cannot stand
@@ -23,6 +24,7 @@ constexpr int kLastReach = 3;        // cells beside it
 constexpr float kOutside = 1.5f;     // cost outside of the window
 constexpr int kExtension = 50;       // cells by which a face goes on
 constexpr int kStraight = 5;         // of the 6 cells before, to be a face
+constexpr int kFaceReach = 7;        // cells about one that show a face's direction
 constexpr int kSuspectReach = 7;     // cells
 constexpr float kNever = 1e9f;
 
@@ -37,6 +39,10 @@ WaySearch::WaySearch() {
   constexpr std::size_t kCells = std::size_t{kSide} * kSide;
   for (auto* each : {&any_, &certain_, &cost_}) each->resize(kCells);
   suspect_.resize(kCells), last_.resize(kCells), parent_.resize(kCells);
+  for (std::size_t k = 0; k < kStepX.size(); ++k) {
+    const Vec2 step{static_cast<double>(kStepX[k]), static_cast<double>(kStepY[k])};
+    step_[k] = norm(step), whence_[k] = ProvenMap::about(-step);
+  }
   open_.reserve(4 * kCells), path_.reserve(kCells);
   for (int y = 0; y <= kReach; ++y) {
     for (int x = 0; x <= kReach; ++x) table_.push_back(std::sqrt(static_cast<float>(x * x + y * y)));
@@ -87,9 +93,31 @@ void WaySearch::stamp(int x, int y, bool certain) {
   }
 }
 
+/// The normal of the line through the occupied cells about a cell, on the side of `heard`. Sensors hear faces
+/// aslant, so the direction from which a cell was heard is no normal.
+Vec2 WaySearch::normalAt(const ProvenMap& map, int x, int y, Vec2 heard) const {
+  double count = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  Vec2 sum;
+  for (int v = -kFaceReach; v <= kFaceReach; ++v) {
+    for (int u = -kFaceReach; u <= kFaceReach; ++u) {
+      if (u * u + v * v > kFaceReach * kFaceReach || !map.isOccupied(map.at(x_ + x + u, y_ + y + v)))
+        continue;
+      sum += Vec2{static_cast<double>(u), static_cast<double>(v)};
+      xx += u * u, xy += u * v, yy += v * v, ++count;
+    }
+  }
+  xx -= sum.x * sum.x / count, xy -= sum.x * sum.y / count, yy -= sum.y * sum.y / count;
+  const double half = (xx - yy) / 2, spread = std::sqrt(half * half + xy * xy);
+  const Vec2 along = half > 0.0 ? Vec2{half + spread, xy} : Vec2{xy, spread - half};
+  const Vec2 normal = unitOr(perp(along), heard);
+  return dot(normal, heard) < 0.0 ? -normal : normal;
+}
+
 /// Lets the face that `cell` belongs to go on to both sides, until two cells are proven free.
 void WaySearch::extend(const ProvenMap& map, int x, int y, const ProvenMap::Cell& cell) {
-  const Vec2 normal = unitOr({static_cast<double>(cell.x), static_cast<double>(cell.y)}, {1.0, 0.0});
+  const Vec2 heard = unitOr({static_cast<double>(cell.x), static_cast<double>(cell.y)}, {1.0, 0.0});
+  const Vec2 normal = normalAt(map, x, y, heard);
+  const std::uint32_t front = ProvenMap::about(normal);
   for (const double side : {1.0, -1.0}) {
     const Vec2 along = perp(normal) * side;
     int straight = 0, proven = 0;
@@ -105,7 +133,7 @@ void WaySearch::extend(const ProvenMap& map, int x, int y, const ProvenMap::Cell
       const int u = x + rounded(along.x * i), v = y + rounded(along.y * i);
       if (!isInside(u, v)) break;
       const ProvenMap::Cell& next = map.at(x_ + u, y_ + v);
-      if (ProvenMap::isProven(next, normal)) {
+      if ((next.seen & front) != 0) {
         ++proven;
       } else if (!map.isOccupied(next)) {
         suspect(u, v);
@@ -190,14 +218,20 @@ int WaySearch::expand(const ProvenMap& map, Vec2 from, Vec2 goal) {
     for (std::size_t k = 0; k < kStepX.size(); ++k) {
       const int u = x + kStepX[k], v = y + kStepY[k];
       if (!isInside(u, v)) continue;
-      const double each =
+      // Nothing costs less than the last way: most neighbours are known cheaper already.
+      const float known = cost_[static_cast<std::size_t>(indexOf(u, v))];
+      if (node.cost + static_cast<float>(step_[k] * kLastShare) >= known) continue;
+      const double clear =
           weight(indexOf(u, v), (u - start_x) * (u - start_x) + (v - start_y) * (v - start_y));
-      if (each == 0.0) continue;
-      const double step = std::sqrt(static_cast<double>(kStepX[k] * kStepX[k] + kStepY[k] * kStepY[k]));
+      if (clear == 0.0) continue;
+      const ProvenMap::Cell& cell = map.at(x_ + u, y_ + v);
+      const double each = clear * ((cell.seen & whence_[k]) != 0 ? 1.0 : kUnproven);
+      const auto length = static_cast<float>(step_[k] * each);
+      if (node.cost + length >= known) continue;
       const double left = norm({static_cast<double>(u - goal_x), static_cast<double>(v - goal_y)});
       const float rest =
           static_cast<float>(left) * (is_edge(u, v) ? kOutside : static_cast<float>(kLastShare));
-      visit(node, rest, indexOf(u, v), static_cast<float>(step * each));
+      visit(node, rest, indexOf(u, v), length);
     }
   }
   return -1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -14,6 +15,7 @@ namespace fulbito {
 ///  - Near surfaces cost more, so that ways keep to the middle.
 ///  - A straight face is taken to go on where nothing has shown the opposite: where its cells were not seen
 ///    free from the direction in which they would be heard.
+///  - Cells that were not seen free from where the way comes cost more: a face that is seen aslant is silent.
 ///  - The way of the last search is cheaper, so that the robot does not waver between two.
 class WaySearch {
  public:
@@ -39,6 +41,7 @@ class WaySearch {
   static bool isInside(int x, int y) { return x >= 0 && y >= 0 && x < kSide && y < kSide; }
   void measure(const ProvenMap& map);
   void stamp(int x, int y, bool certain);
+  Vec2 normalAt(const ProvenMap& map, int x, int y, Vec2 heard) const;
   void extend(const ProvenMap& map, int x, int y, const ProvenMap::Cell& cell);
   void suspect(int x, int y);
   void markLast(const ProvenMap& map);
@@ -46,11 +49,13 @@ class WaySearch {
   void visit(const Node& node, float rest, int index, float length);
   int expand(const ProvenMap& map, Vec2 from, Vec2 goal);
 
-  int x_ = 0, y_ = 0;           ///< the window's lowest cell
-  double half_width_ = 0.0;     ///< [cells]
-  std::vector<float> table_;    ///< [cells] distances between cells
-  std::vector<float> any_;      ///< [cells] to the nearest occupied cell
-  std::vector<float> certain_;  ///< [cells] to the nearest certain one
+  int x_ = 0, y_ = 0;                       ///< the window's lowest cell
+  double half_width_ = 0.0;                 ///< [cells]
+  std::array<double, 16> step_{};           ///< [cells] length of each step
+  std::array<std::uint32_t, 16> whence_{};  ///< where each step comes from, as of `ProvenMap::about`
+  std::vector<float> table_;                ///< [cells] distances between cells
+  std::vector<float> any_;                  ///< [cells] to the nearest occupied cell
+  std::vector<float> certain_;              ///< [cells] to the nearest certain one
   std::vector<std::uint8_t> suspect_, last_;
   std::vector<float> cost_;
   std::vector<int> parent_;

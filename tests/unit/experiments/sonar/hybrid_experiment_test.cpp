@@ -33,8 +33,12 @@ TEST_CASE("experiment hybrid: the same bytes on one and two threads; rows are sh
   REQUIRE(one);
   REQUIRE(two);
   CHECK(experimentJson(*one, request(1)) == experimentJson(*two, request(1)));
-  CHECK(figure(*one, "row-shorter") >= 60.0);
+  CHECK(figure(*one, "row-shorter") >= 80.0);
+  CHECK(figure(*one, "row-length-ratio") < 0.9);
   CHECK(figure(*one, "row-direct-ratio") < 1.0);
+  CHECK(figure(*one, "gap-1.6-sonars") == 100.0);
+  CHECK(figure(*one, "gap-1.3-sonars") == 100.0);
+  CHECK(figure(*one, "gap-1.3-sonars-contact") == 0.0);
   CHECK(figure(*one, "gap-1.3-map") == 100.0);
   CHECK(figure(*one, "gap-1.3-map-contact") == 0.0);
 }

@@ -52,3 +52,19 @@ TEST_CASE("there is no strip without something on both sides", "[unit]") {
   StripFinder finder;
   CHECK_FALSE(finder.find(map, {}, {1.0, 0.0}, 1.0));
 }
+
+TEST_CASE("the exit of a strip moves on as long as something stands beside the robot", "[unit]") {
+  ProvenMap map(0.005);
+  map.centre({}, 0);
+  for (int i = -4; i <= 40; ++i) {
+    const Vec2 apex{0.005 * i, 0.02};
+    for (int k = 0; k < 4; ++k) map.takeIn({apex, {0.0, 1.0}, 0.1, true, 0.0325}, 1.0);
+  }
+  FreeStrip strip{{}, {1.0, 0.0}, 0.095, -0.02, 0.05};
+  StripFinder::prolong(map, {0.05, 0.0}, 0.05, 1.0, strip);
+  CHECK(strip.exit == Approx(0.1).margin(0.006));
+  StripFinder::prolong(map, {0.18, 0.0}, 0.05, 1.0, strip);
+  CHECK(strip.exit == Approx(0.2).margin(0.006));
+  StripFinder::prolong(map, {0.28, 0.0}, 0.05, 1.0, strip);
+  CHECK(strip.exit == Approx(0.2).margin(0.006));
+}

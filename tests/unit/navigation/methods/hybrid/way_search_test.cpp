@@ -63,3 +63,22 @@ TEST_CASE("a straight face goes on until a sensor has looked at its place", "[un
   CHECK(crossing(seen) < -0.10);
   CHECK(unseen.path().size() > 2);
 }
+
+TEST_CASE("a way is worth more where it was seen free from where it comes", "[unit]") {
+  // Two openings as far from the straight way; sensors looked through one of them from in front.
+  for (const double side : {1.0, -1.0}) {
+    ProvenMap map(0.005);
+    map.centre({}, 0);
+    for (double y = -0.28; y <= 0.28; y += 0.005) {
+      if (std::abs(y) > 0.03 && std::abs(y) < 0.15) continue;
+      for (int i = 0; i < 6; ++i) map.takeIn({{0.05, y}, {1.0, 0.0}, 0.05, true, 0.1}, 1.0);
+    }
+    for (double y = -0.14; y <= 0.14; y += 0.01) {
+      const Vec2 across{0.0, y > 0.0 ? 1.0 : -1.0}, from = y * side > 0.0 ? Vec2{0.0, y} : Vec2{0.15, 0.0};
+      map.takeIn({from, y * side > 0.0 ? Vec2{1.0, 0.0} : across, 0.05, false, 0.25}, 1.0);
+    }
+    WaySearch way;
+    way.search(map, {}, {0.3, 0.0}, kHalf);
+    CHECK(crossing(way) * side > 0.03);
+  }
+}
