@@ -11,7 +11,7 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 
-// Every function against MPFR on a million arguments. `math_test "[accuracy]" -s` prints the largest errors.
+// Every function against MPFR on 400,000 arguments. `math_test "[accuracy]" -s` prints the largest errors.
 
 namespace fulbito {
 namespace {
