@@ -1,6 +1,7 @@
 #include "tests/fuzz/random_match.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -32,6 +33,12 @@ struct StuckMonitor {
 
   void restart(Vec2 ball, Tick tick) { anchor = ball, since = tick, slow_since = -1; }
 
+  /// Law 8.1 has a count of its own for a ball that a keeper may hold.
+  void pause() {
+    ++since;
+    if (slow_since >= 0) ++slow_since;
+  }
+
   /// Ticks after which the rules must have called: a ball within half the rules' circle for twice their time,
   /// or slower than their speed for their time.
   bool overdue(const RefereeSetup& setup, const BallState& ball, Tick tick) {
@@ -62,6 +69,7 @@ class Game {
   void tick();
   void drive();
   void judge();
+  bool mayBeHeld(const WorldState& now) const;
   void checkScore(const PerTeam<int>& before);
   void checkBodies();
   void blame(const std::string& fault) {
@@ -174,6 +182,27 @@ void Game::checkBodies() {
   if (!insideField(field, world_->state().balls.front().position)) blame("the ball left the field");
 }
 
+/// Whether a robot stands at the ball in its own goal area's rectangle and arc, or a little beside.
+bool Game::mayBeHeld(const WorldState& now) const {
+  const FieldGeometry& field = match_.setup.field;
+  const Vec2 ball = now.balls.front().position;
+  const double margin = match_.setup.ball.radius;
+  if (std::abs(ball.x) < field.length / 2 - field.goal_area_depth - field.goal_area_arc_depth - margin ||
+      std::abs(ball.y) > field.goal_area_width / 2 + margin) {
+    return false;
+  }
+  const Side side = ball.x < 0.0 ? Side::kLeft : Side::kRight;
+  const double reach = std::hypot(match_.setup.robot.length, match_.setup.robot.width) / 2 + margin +
+                       match_.setup.rules.keeper.control_gap;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (referee_.state().sideOf(ids_[i].team) == side &&
+        distance(now.robots[i].pose.position, ball) <= reach) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void Game::judge() {
   const WorldState& now = world_->state();
   const PerTeam<int> before = referee_.state().score;
@@ -199,6 +228,7 @@ void Game::judge() {
   }
   if (!referee_.state().playing) stuck_.restart(now.balls.front().position, result_.ticks);
   if (referee_.state().period == kShootOutPeriod) return;
+  if (mayBeHeld(now)) stuck_.pause();
   if (stuck_.overdue(match_.setup, now.balls.front(), result_.ticks)) blame("a stuck ball was not called");
   result_.longest_stuck = std::max(result_.longest_stuck, result_.ticks - stuck_.since);
 }
