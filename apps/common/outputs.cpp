@@ -3,6 +3,7 @@
 #include <map>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "apps/common/command_files.hpp"
 #include "engine/core/system/output_file.hpp"
@@ -111,7 +112,8 @@ Result<void> mayWrite(const NamedOutput& output) { return commandFiles().add(out
 Result<void> prepareProducts(const std::string& folder, const Products& products) {
   if (auto made = prepareFolder(folder); !made) return made;
   for (const auto& [name, beginning] : products) {
-    if (auto may = commandFiles().mayAppear(folder + "/" + name, beginning); !may) return may;
+    const std::string file = fmt::format("{}/{}", folder, name);
+    if (auto may = commandFiles().mayAppear(file, beginning); !may) return may;
   }
   return {};
 }

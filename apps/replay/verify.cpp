@@ -150,13 +150,13 @@ int exitCodeOf(const std::vector<VerifiedFile>& files) {
   if (counts.different > 0) return kDifferent;
   if (counts.cut > 0) return kBadInput;
   if (counts.bad == 0) return kOk;
-  const auto allFailBy = [&](std::initializer_list<ErrorCode> codes) {
+  const auto all_fail_by = [&](std::initializer_list<ErrorCode> codes) {
     return std::all_of(files.begin(), files.end(), [&](const VerifiedFile& file) {
       return file.result || std::count(codes.begin(), codes.end(), file.result.error().code) > 0;
     });
   };
-  if (allFailBy({ErrorCode::kMachine})) return kInconclusive;
-  return allFailBy({ErrorCode::kIo, ErrorCode::kMachine}) ? kIo : kBadInput;
+  if (all_fail_by({ErrorCode::kMachine})) return kInconclusive;
+  return all_fail_by({ErrorCode::kIo, ErrorCode::kMachine}) ? kIo : kBadInput;
 }
 
 }  // namespace
