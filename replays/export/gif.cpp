@@ -179,7 +179,8 @@ bool GifWriter::Impl::draw(const Window& window, std::string_view indices) {
     return false;
   }
   for (int y = window.top; y < window.bottom; ++y) {
-    const auto from = static_cast<std::size_t>(y * width + window.left);
+    const auto from =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(window.left);
     row = indices.substr(from, static_cast<std::size_t>(columns));
     for (std::size_t i = 0; i < row.size() && !shown.empty(); ++i) {
       if (row[i] == shown[from + i]) row[i] = static_cast<char>(unchanged);
