@@ -74,8 +74,9 @@ TEST_CASE("where descriptors lack for files, each command says so by the same co
         "run --png way.png --force"}) {
     INFO(command);
     const Output output = box.shell("exec 3</dev/null 4</dev/null; ulimit -n 6; $F " + command);
-    INFO(output.err);
-    const bool is_told = output.code == 6 && output.err.find("Too many open files") != std::string::npos;
+    INFO(output.err << output.out);
+    const bool is_told =
+        output.code == 6 && (output.err + output.out).find("Too many open files") != std::string::npos;
     CHECK((output.code == 0 || is_told));
     lacking += is_told ? 1 : 0;
   }
