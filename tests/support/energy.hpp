@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/support/worlds.hpp"
 
 namespace fulbito::test {
@@ -22,6 +25,17 @@ inline double energy(const World& world) {
     sum += ball.mass * (squaredNorm(state.balls[i].velocity) + spin) / 2;
   }
   return sum;
+}
+
+/// [m/s] of the fastest point of any robot.
+inline double fastestSurface(const World& world) {
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < world.state().robots.size(); ++i) {
+    const RobotState& robot = world.state().robots[i];
+    const double swing = std::abs(robot.angular_velocity) * world.config().robots[i].model.circumradius();
+    fastest = std::max(fastest, norm(robot.velocity) + swing);
+  }
+  return fastest;
 }
 
 }  // namespace fulbito::test

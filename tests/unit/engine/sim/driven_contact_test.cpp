@@ -104,17 +104,6 @@ WorldConfig closingIn(const RobotPreset& preset, const PhysicsProfile& physics, 
   return config;
 }
 
-/// [m/s] of the fastest point of any robot.
-double fastestSurface(const World& world) {
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < world.state().robots.size(); ++i) {
-    const RobotState& robot = world.state().robots[i];
-    const double swing = std::abs(robot.angular_velocity) * world.config().robots[i].model.circumradius();
-    fastest = std::max(fastest, norm(robot.velocity) + swing);
-  }
-  return fastest;
-}
-
 }  // namespace
 
 TEST_CASE("one contact gives a ball at most the surface's speed and the bounce from it", "[unit]") {

@@ -31,17 +31,6 @@ WorldConfig jaws(const RobotPreset& preset, const PhysicsProfile& physics, Rng& 
   return config;
 }
 
-/// [m/s] of the fastest point of any robot.
-double fastestSurface(const World& world) {
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < world.state().robots.size(); ++i) {
-    const RobotState& robot = world.state().robots[i];
-    const double swing = std::abs(robot.angular_velocity) * world.config().robots[i].model.circumradius();
-    fastest = std::max(fastest, norm(robot.velocity) + swing);
-  }
-  return fastest;
-}
-
 bool isSqueezed(const World& world) {
   const auto of_ball = [](const ContactEvent& e) { return e.b.kind == BodyKind::kBall; };
   return std::count_if(world.contacts().begin(), world.contacts().end(), of_ball) > 1;
