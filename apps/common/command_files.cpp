@@ -91,13 +91,13 @@ Result<void> CommandFiles::checkApart(const NamedOutput& output) const {
                            other->second));
 }
 
-/// The folder must be there or be made by the command, and has no use for that name.
+/// The folder must be there, or the command makes it with a folder of its own. That has no use for the name.
 Result<void> CommandFiles::checkPlace(const NamedOutput& output) const {
   const fs::path folder = wholeName(output.file).parent_path();
   bool made = false;
   for (const UsedFolder& used : named_.folders) {
     if (auto good = checkReserved(output, used); !good) return good;
-    made = made || (!exists(used.name) && folder == wholeName(used.name));
+    made = made || (!exists(used.name) && isBelow(wholeName(used.name), folder));
   }
   return made ? Result<void>() : checkOutputPath(output.file);
 }

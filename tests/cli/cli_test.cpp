@@ -81,6 +81,20 @@ TEST_CASE("bad input files are named with line and key", "[cli]") {
   CHECK(output.code == 5);
 }
 
+TEST_CASE("a file may go beside the folder that its command makes", "[cli]") {
+  const Sandbox box;
+  const std::string command =
+      "compare --suite corner --navigators bezier --trials 1 --speeds 1 --pictures 1 --out new/a/first";
+  for (const std::string page : {"new/a/races.html", "new/other.html"}) {
+    fs::remove_all(box.path / "new");
+    const Output output = box.run(command + " --html " + page);
+    INFO(output.err);
+    CHECK(output.code == 0);
+    CHECK(fs::exists(box.path / page));
+  }
+  CHECK(box.run(command + " --html elsewhere/races.html").code == 5);
+}
+
 TEST_CASE("an output folder that cannot be written is found before work begins", "[cli]") {
   const Sandbox box;
   box.write("file", "x");
