@@ -8,8 +8,7 @@
 #include "match/config/check_match.hpp"
 #include "match/play/edit.hpp"
 #include "match/play/restart.hpp"
-#include "match/play/stage_clock.hpp"
-#include "match/seats/seat.hpp"
+#include "match/seats/seats.hpp"
 #include "strategies/interface/team_frame.hpp"
 
 namespace fulbito {
@@ -56,13 +55,16 @@ GameEvent endingCall(std::span<const GameEvent> calls) {
 }  // namespace
 
 struct Match::Impl {
-  Impl(const MatchConfig& from, const MatchClock& with)
+  Impl(const MatchConfig& from, Seats&& with)
       : config(from),
-        read_clock(with),
         referee(refereeSetup(from)),
-        misplacing(from.seed, Stream::kPlacement) {
+        misplacing(from.seed, Stream::kPlacement),
+        seats(std::move(with)) {
     events.reserve(kRoomForEvents);
-    seats.reserve(kTeams.size());
+    for (const TeamId team : kTeams) {
+      auto& origin = config.teams[indexOf(team)].origin;
+      for (Setting& entry : seats[team].strategy().origin()) origin.push_back(std::move(entry));
+    }
   }
 
   Result<void> open();
@@ -73,34 +75,24 @@ struct Match::Impl {
   void begin(Play&& from);
   void announce();
   void playTick();
-  void sense();
-  void decide();
-  void watchOver(TeamId team, const GameEvent& now);
-  std::optional<Error> cut() const;
-  void move();
+  SeatTick seatTick() const;
+  void step();
   std::optional<RestartCall> judge();
   void report();
   void stop(const RestartCall& call);
   void abandon(const Error& error);
   void end(MatchEnd::Reason reason);
 
-  // Teams without a limit are not timed.
-  std::int64_t timeOf(const Seat& seat) const { return seat.limited() && read_clock ? read_clock() : 0; }
-  double secondsSince(std::int64_t begun_at, const Seat& seat) const {
-    return static_cast<double>(timeOf(seat) - begun_at) / 1e9;
-  }
-  Seat& seatOf(TeamId team) { return seats[indexOf(team)]; }
   PlacementRequest request(TeamId team) const;
   Moment moment() const;
   GameEvent eventNow() const;
   MatchEnd endOf(TeamId team, MatchEnd::Reason reason) const;
 
   MatchConfig config;
-  MatchClock read_clock;
   MatchPace wait;
   MatchReferee referee;
   Rng misplacing;
-  std::vector<Seat> seats;
+  Seats seats;
   MatchPhase phase = MatchPhase::kPlacing;
   std::optional<Placing> placing;  ///< in phases kPlacing and kPlaced
   std::optional<Play> play;        ///< from the first kReady on
@@ -157,19 +149,12 @@ Moment Match::Impl::moment() const {
 
 PlacementRequest Match::Impl::request(TeamId team) const {
   PlacementRequest asked = placing->request(referee);
-  asked.now = seats[indexOf(team)].before(placing->call(), asked.delay, moment());
+  asked.now = seats[team].before(placing->call(), asked.delay, moment());
   return asked;
 }
 
 void Match::Impl::ask() {
-  if (const auto team = placing->asked()) {
-    Seat& seat = seatOf(*team);
-    seat.allow();
-    const std::int64_t begun_at = timeOf(seat);
-    auto wishes = seat.strategy().place(request(*team));
-    if (!seat.inTime(secondsSince(begun_at, seat))) wishes.reset();
-    placing->answer(wishes, referee);
-  }
+  if (const auto team = placing->asked()) placing->answer(seats[*team].place(request(*team)), referee);
   if (!placing->asked()) phase = MatchPhase::kPlaced;
   stages.lap(&MatchProfile::restart);
 }
@@ -191,7 +176,7 @@ void Match::Impl::begin(Play&& from) {
   play.emplace(std::move(from));
   commands.assign(play->ids.size(), {});
   referee.restarted(play->call, play->placement, tick);
-  for (Seat& seat : seats) seat.reset(moment());
+  for (const TeamId team : kTeams) seats[team].reset(moment());
   phase = MatchPhase::kReady;
 }
 
@@ -199,7 +184,7 @@ void Match::Impl::announce() {
   phase = MatchPhase::kPlaying;
   played = true;
   const Moment now = moment();
-  for (Seat& seat : seats) seat.strategy().ready(seat.exactly(now));
+  for (const TeamId team : kTeams) seats[team].strategy().ready(seats[team].exactly(now));
   stages.lap(&MatchProfile::restart);
   const PlayStart start{tick,         play->call,       play->placement, play->ids, &play->world.config(),
                         play->events, &referee.state(), edited};
@@ -219,12 +204,11 @@ GameEvent Match::Impl::eventNow() const {
   return event;
 }
 
+// Sense → decide → navigate → actuate by the seats, then step → referee → record.
 void Match::Impl::playTick() {
   events.clear();
-  sense();
-  decide();
-  if (const auto error = cut()) return abandon(*error);
-  move();
+  if (auto seated = seats.play(seatTick(), stages, events, commands); !seated) return abandon(seated.error());
+  step();
   const auto call = judge();
   const bool over = referee.state().ended;
   report();
@@ -233,60 +217,13 @@ void Match::Impl::playTick() {
   if (call) stop(*call);
 }
 
-void Match::Impl::sense() {
-  const Moment now = moment();
+SeatTick Match::Impl::seatTick() const {
   const bool drawn = std::any_of(observers.begin(), observers.end(),
                                  [&](const MatchObserver* o) { return o->wantsDrawings(tick + 1); });
-  for (Seat& seat : seats) {
-    seat.sense(now);
-    seat.wantDrawings(drawn);
-  }
-  stages.lap(&MatchProfile::sense);
+  return {moment(), drawn, config.rules.restart.hold_robots && !referee.state().playing, eventNow()};
 }
 
-void Match::Impl::decide() {
-  const GameEvent now = eventNow();
-  for (Seat& seat : seats) seat.ask();
-  for (Seat& seat : seats) {
-    const std::int64_t begun_at = timeOf(seat);
-    TeamCommand decision = seat.decide();
-    const bool late = !seat.inTime(secondsSince(begun_at, seat));
-    stages.lap(&MatchProfile::decide);
-    seat.policy().take(std::move(decision), late, now, events);
-    stages.lap(&MatchProfile::navigate);
-  }
-  for (const TeamId team : kTeams) watchOver(team, now);
-}
-
-// A team that fails too often forfeits.
-void Match::Impl::watchOver(TeamId team, const GameEvent& now) {
-  Seat& seat = seatOf(team);
-  const TeamCondition& condition = seat.strategy().condition();
-  seat.policy().count(condition, now, events);
-  if (condition.state == TeamCondition::State::kLost) referee.forfeit(team);
-}
-
-/// What the machine fails is no team's fault, so nobody wins by it.
-std::optional<Error> Match::Impl::cut() const {
-  for (const TeamId team : kTeams) {
-    if (const auto error = seats[indexOf(team)].cut()) {
-      return Error{error->code, std::string(nameOf(team)) + " team: " + error->message};
-    }
-  }
-  return std::nullopt;
-}
-
-void Match::Impl::move() {
-  PerTeam<std::array<WheelSpeeds, kMaxTeamSize>> wheels;
-  for (const TeamId team : kTeams) wheels[indexOf(team)] = seatOf(team).drive();
-  const bool held = config.rules.restart.hold_robots && !referee.state().playing;
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    const RobotId id = play->ids[i];
-    Seat& seat = seatOf(id.team);
-    commands[i] = held ? WheelSpeeds{} : seat.policy().actuated(wheels[indexOf(id.team)][id.number]);
-    seat.recordSent(id.number, commands[i]);
-  }
-  stages.lap(&MatchProfile::navigate);
+void Match::Impl::step() {
   play->world.step(commands);
   ++tick;
   hash.add(play->world.state());
@@ -296,6 +233,9 @@ void Match::Impl::move() {
 std::optional<RestartCall> Match::Impl::judge() {
   const WorldState& world = play->world.state();
   const MatchView view{tick, play->ids, world.robots, world.balls.front(), play->world.contacts()};
+  for (const TeamId team : kTeams) {
+    if (seats[team].lost()) referee.forfeit(team);
+  }
   auto call = referee.observe(view, events);
   stages.lap(&MatchProfile::referee);
   return call;
@@ -309,8 +249,8 @@ void Match::Impl::report() {
                        play->world.contacts(),
                        events,
                        &referee.state(),
-                       {&seats[0].policy().command(), &seats[1].policy().command()},
-                       {seats[0].ways(), seats[1].ways()},
+                       {&seats[TeamId::kBlue].command(), &seats[TeamId::kYellow].command()},
+                       {seats[TeamId::kBlue].ways(), seats[TeamId::kYellow].ways()},
                        hash.value()};
   for (MatchObserver* observer : observers) observer->onTick(done);
   stages.lap(&MatchProfile::record);
@@ -324,7 +264,7 @@ void Match::Impl::stop(const RestartCall& call) {
   const double delay = placing->delay(referee);
   for (const TeamId team : kTeams) {
     const Side side = referee.state().sideOf(team);
-    seatOf(team).strategy().stopped({inTeamFrame(side, cause), seatOf(team).before(call, delay, moment())});
+    seats[team].strategy().stopped({inTeamFrame(side, cause), seats[team].before(call, delay, moment())});
   }
   stages.lap(&MatchProfile::restart);
 }
@@ -357,7 +297,7 @@ MatchEnd Match::Impl::endOf(TeamId team, MatchEnd::Reason reason) const {
 
 void Match::Impl::end(MatchEnd::Reason reason) {
   phase = MatchPhase::kEnded;
-  for (const TeamId team : kTeams) seatOf(team).strategy().ended(endOf(team, reason));
+  for (const TeamId team : kTeams) seats[team].strategy().ended(endOf(team, reason));
   for (MatchObserver* observer : observers) observer->onMatchEnd(referee.state(), tick);
 }
 
@@ -372,16 +312,9 @@ Result<Match> Match::create(const MatchConfig& config, const MatchClock& clock) 
   if (config.decision_time && !clock) {
     return fail(ErrorCode::kUsage, "time per decision: there is no clock to measure it");
   }
-  auto impl = std::make_unique<Impl>(config, clock);
-  for (const TeamId team : kTeams) {
-    auto seat = Seat::create(config, team);
-    if (!seat) {
-      return fail(seat.error().code, std::string(nameOf(team)) + " team: " + seat.error().message);
-    }
-    auto& origin = impl->config.teams[indexOf(team)].origin;
-    for (Setting& entry : seat->strategy().origin()) origin.push_back(std::move(entry));
-    impl->seats.push_back(std::move(*seat));
-  }
+  auto seats = Seats::create(config, clock);
+  if (!seats) return tl::unexpected<Error>(seats.error());
+  auto impl = std::make_unique<Impl>(config, std::move(*seats));
   if (auto opened = impl->open(); !opened) return tl::unexpected<Error>(opened.error());
   return Match(std::move(impl));
 }
@@ -461,7 +394,8 @@ double Match::seconds() const {
 std::uint64_t Match::hash() const { return impl_->hash.value(); }
 
 MatchFaults Match::faults() const {
-  return {{impl_->seats[0].policy().faults(), impl_->seats[1].policy().faults()}, impl_->abandoned};
+  const Seats& seats = impl_->seats;
+  return {{seats[TeamId::kBlue].faults(), seats[TeamId::kYellow].faults()}, impl_->abandoned};
 }
 
 }  // namespace fulbito

@@ -41,10 +41,11 @@ MatchInfo infoOf(const MatchConfig& config, TeamId team) {
 
 }  // namespace
 
-Seat::Seat(const MatchConfig& config, TeamId team, std::unique_ptr<Strategy> strategy, TeamPilots pilots,
-           CommandPolicy policy)
+Seat::Seat(const MatchConfig& config, TeamId team, const MatchClock& clock,
+           std::unique_ptr<Strategy> strategy, TeamPilots pilots, CommandPolicy policy)
     : team_(team),
       latency_ticks_(config.vision[indexOf(team)].latency_ticks),
+      clock_(clock),
       strategy_(std::move(strategy)),
       pilots_(std::move(pilots)),
       policy_(std::move(policy)) {
@@ -55,7 +56,7 @@ Seat::Seat(const MatchConfig& config, TeamId team, std::unique_ptr<Strategy> str
   if (!vision.perfect()) vision_.emplace(vision, config.seed, team, observation_.dt);
 }
 
-Result<Seat> Seat::create(const MatchConfig& config, TeamId team) {
+Result<Seat> Seat::create(const MatchConfig& config, TeamId team, const MatchClock& clock) {
   auto strategy = makeTeam(config.teams[indexOf(team)]);
   if (!strategy) return tl::unexpected<Error>(strategy.error());
   const MatchInfo info = infoOf(config, team);
@@ -65,7 +66,7 @@ Result<Seat> Seat::create(const MatchConfig& config, TeamId team) {
   auto pilots = TeamPilots::create(info, navigators);
   if (!pilots) return tl::unexpected<Error>(pilots.error());
   CommandPolicy policy(team, info, navigators.size());
-  return Seat(config, team, std::move(*strategy), std::move(*pilots), std::move(policy));
+  return Seat(config, team, clock, std::move(*strategy), std::move(*pilots), std::move(policy));
 }
 
 void Seat::reset(const Moment& moment) {
@@ -79,15 +80,37 @@ void Seat::allow() {
   if (time_) strategy_->allow(time_->left(observation_.period));
 }
 
+// Runs `answer` and charges the team for the time, unless the team measures it itself. A team without a limit
+// is not timed. An answer of a team that is not well does not count, however quick it is.
+template <typename Answer>
+bool Seat::inTime(const Answer& answer) {
+  const bool timed = time_ && clock_;
+  const std::int64_t begun_at = timed ? clock_() : 0;
+  answer();
+  const TeamCondition& condition = strategy_->condition();
+  const double measured = timed ? static_cast<double>(clock_() - begun_at) / 1e9 : 0.0;
+  const bool late = time_ && time_->late(condition.seconds.value_or(measured), observation_.period);
+  return !late && condition.state == TeamCondition::State::kWell;
+}
+
+std::optional<TeamProposal> Seat::place(const PlacementRequest& request) {
+  allow();
+  std::optional<TeamProposal> wishes;
+  if (!inTime([&] { wishes = strategy_->place(request); })) wishes.reset();
+  return wishes;
+}
+
 void Seat::ask() {
   allow();
   strategy_->ask(observation_);
 }
 
-bool Seat::inTime(double seconds) {
-  const TeamCondition& condition = strategy_->condition();
-  const bool late = time_ && time_->late(condition.seconds.value_or(seconds), observation_.period);
-  return !late && condition.state == TeamCondition::State::kWell;
+void Seat::decide() {
+  in_time_ = inTime([&] { decision_ = strategy_->decide(observation_); });
+}
+
+void Seat::clean(const GameEvent& now, std::vector<GameEvent>& events) {
+  policy_.take(std::move(decision_), !in_time_, now, events);
 }
 
 std::optional<Error> Seat::cut() const { return cutOf(*strategy_); }
@@ -143,14 +166,19 @@ Observation Seat::before(const RestartCall& call, double delay, const Moment& mo
   return seen;
 }
 
-std::array<WheelSpeeds, kMaxTeamSize> Seat::drive() {
-  const auto wheels = pilots_.drive(observation_, policy_.command());
+void Seat::drive(std::span<const RobotId> ids, bool held, std::span<WheelSpeeds> commands) {
+  const auto wanted = pilots_.drive(observation_, command());
   ways_.clear();
-  if (observation_.wants_drawings) pilots_.draw(observation_, policy_.command(), ways_);
-  return wheels;
+  if (observation_.wants_drawings) pilots_.draw(observation_, command(), ways_);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (ids[i].team != team_) continue;
+    commands[i] = held ? WheelSpeeds{} : policy_.actuated(wanted[ids[i].number]);
+    observation_.sent[ids[i].number] = commands[i];
+  }
 }
 
-void Seat::sense(const Moment& moment) {
+void Seat::sense(const Moment& moment, bool drawings) {
+  observation_.wants_drawings = drawings;
   const Side side = moment.referee->sideOf(team_);
   observation_.tick = moment.tick - latency_ticks_;
   if (vision_) {

@@ -22,62 +22,73 @@ struct Moment {
   const RefereeState* referee = nullptr;  ///< the referee's state
 };
 
-/// One seat of a match: a team with its vision, its navigation stage and the policy for its commands.
+/// One seat of a match: a team with its vision, its navigation stage and the policy for its commands. In a
+/// tick `sense`, `ask`, `decide`, `clean` and `drive` follow each other, see `Seats::play`.
 class Seat {
  public:
   /// Errors: of the team and its navigators; as `cut`.
-  static Result<Seat> create(const MatchConfig& config, TeamId team);
+  static Result<Seat> create(const MatchConfig& config, TeamId team, const MatchClock& clock);
 
   /// A new play begins in this world.
   void reset(const Moment& moment);
-  /// Fills in the team's observation at this tick.
-  void sense(const Moment& moment);
   /// The observation while play is stopped: the true state, whatever the team's vision.
   Observation exactly(const Moment& moment) const;
   /// The observation while play is stopped, with the next restart.
   Observation before(const RestartCall& call, double delay, const Moment& moment) const;
-  /// Sets whether the next decision includes drawings.
-  void wantDrawings(bool wanted) { observation_.wants_drawings = wanted; }
-  /// Whether the team's time is limited.
-  bool limited() const { return time_.has_value(); }
-  /// Tells the team how long its next answer may take.
-  void allow();
+  /// The team's wishes for a restart; empty if it has none or is late.
+  std::optional<TeamProposal> place(const PlacementRequest& request);
+
+  /// Fills in the team's observation at this tick.
+  /// @param drawings whether the decision includes drawings
+  void sense(const Moment& moment, bool drawings);
   /// Gives the team the observation, so that a team in another process begins to think.
   void ask();
-  /// Asks the team for its decision.
-  TeamCommand decide() { return strategy_->decide(observation_); }
-  /// Charges the team for an answer of `seconds`, unless it measured that itself.
-  /// @return whether the answer counts: it came in time, from a team that is well
-  bool inTime(double seconds);
+  /// The team decides.
+  void decide();
+  /// Cleans what the team decided and puts it in force, unless the decision was late.
+  void clean(const GameEvent& now, std::vector<GameEvent>& events);
+  /// Counts the failures of a team outside the program.
+  void countFailures(const GameEvent& now, std::vector<GameEvent>& events) {
+    policy_.count(strategy_->condition(), now, events);
+  }
+  /// Whether the team failed too often and forfeits the match.
+  bool lost() const { return strategy_->condition().state == TeamCondition::State::kLost; }
   /// Why the match cannot go on with the team, if the machine failed it: kMachine; kInterrupted.
   std::optional<Error> cut() const;
-  /// Wheel speeds of the team's robots by the decision in force, before clamping and rounding.
-  std::array<WheelSpeeds, kMaxTeamSize> drive();
+  /// Writes the wheel speeds of the team's robots by the decision in force, within the limits of the motors
+  /// and in whole steps: 0 while the robots are held. They are part of the next observation.
+  /// @param commands one per robot of `ids`
+  void drive(std::span<const RobotId> ids, bool held, std::span<WheelSpeeds> commands);
+
+  /// The decision in force.
+  const TeamCommand& command() const { return policy_.command(); }
+  /// The team's faults so far.
+  const TeamFaults& faults() const { return policy_.faults(); }
   /// Drawings of the navigators in the last `drive`; empty unless drawings are wanted.
   std::span<const DebugDrawing> ways() const { return ways_; }
-
-  /// Records the command actually applied to a robot: part of the next observation.
-  void recordSent(std::uint8_t number, WheelSpeeds command) { observation_.sent[number] = command; }
-
-  CommandPolicy& policy() { return policy_; }
-  const CommandPolicy& policy() const { return policy_; }
   Strategy& strategy() { return *strategy_; }
 
  private:
-  Seat(const MatchConfig& config, TeamId team, std::unique_ptr<Strategy> strategy, TeamPilots pilots,
-       CommandPolicy policy);
+  Seat(const MatchConfig& config, TeamId team, const MatchClock& clock, std::unique_ptr<Strategy> strategy,
+       TeamPilots pilots, CommandPolicy policy);
+  void allow();
+  template <typename Answer>
+  bool inTime(const Answer& answer);
   void fillRobots(const Moment& moment, std::span<const RobotState> robots, Side side,
                   Observation& seen) const;
   void fillReferee(const Moment& moment, Observation& seen) const;
 
   TeamId team_;
   int latency_ticks_;
+  MatchClock clock_;
   std::unique_ptr<Strategy> strategy_;
   TeamPilots pilots_;
   CommandPolicy policy_;
   std::optional<ThinkingTime> time_;  ///< empty: unlimited
   std::optional<Vision> vision_;      ///< empty: the team sees the truth
   Observation observation_;
+  TeamCommand decision_;
+  bool in_time_ = false;  ///< the decision
   std::vector<DebugDrawing> ways_;
 };
 

@@ -1,0 +1,52 @@
+#include "match/seats/seats.hpp"
+
+#include <utility>
+
+namespace fulbito {
+namespace {
+
+Error ofTeam(TeamId team, const Error& error) {
+  return {error.code, std::string(nameOf(team)) + " team: " + error.message};
+}
+
+}  // namespace
+
+Result<Seats> Seats::create(const MatchConfig& config, const MatchClock& clock) {
+  Seats both;
+  both.seats_.reserve(kTeams.size());
+  for (const TeamId team : kTeams) {
+    auto seat = Seat::create(config, team, clock);
+    if (!seat) return tl::unexpected<Error>(ofTeam(team, seat.error()));
+    both.seats_.push_back(std::move(*seat));
+  }
+  return both;
+}
+
+Result<void> Seats::play(const SeatTick& tick, StageClock& stages, std::vector<GameEvent>& events,
+                         std::span<WheelSpeeds> commands) {
+  for (Seat& seat : seats_) seat.sense(tick.moment, tick.drawings);
+  stages.lap(&MatchProfile::sense);
+  // Teams in other processes think side by side.
+  for (Seat& seat : seats_) seat.ask();
+  for (Seat& seat : seats_) {
+    seat.decide();
+    stages.lap(&MatchProfile::decide);
+    seat.clean(tick.now, events);
+    stages.lap(&MatchProfile::navigate);
+  }
+  for (Seat& seat : seats_) seat.countFailures(tick.now, events);
+  if (const auto error = cut()) return tl::unexpected<Error>(*error);
+  for (Seat& seat : seats_) seat.drive(tick.moment.ids, tick.held, commands);
+  stages.lap(&MatchProfile::navigate);
+  return {};
+}
+
+/// What the machine fails is no team's fault, so nobody wins by it.
+std::optional<Error> Seats::cut() const {
+  for (const TeamId team : kTeams) {
+    if (const auto error = (*this)[team].cut()) return ofTeam(team, *error);
+  }
+  return std::nullopt;
+}
+
+}  // namespace fulbito

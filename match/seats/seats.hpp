@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "match/seats/seat.hpp"
+#include "match/seats/stage_clock.hpp"
+
+namespace fulbito {
+
+/// What the seats of a match need for a tick.
+struct SeatTick {
+  Moment moment;          ///< what is to be seen
+  bool drawings = false;  ///< somebody watches the teams' drawings
+  bool held = false;      ///< the robots wait for the signal of a restart
+  GameEvent now;          ///< an event of this tick without a clause, to be filled in
+};
+
+/// Both seats of a match.
+class Seats {
+ public:
+  /// Errors: as `Seat::create`, with the team's name.
+  static Result<Seats> create(const MatchConfig& config, const MatchClock& clock);
+
+  /// One tick from what the teams see to what the wheels do: sense → decide → navigate → actuate. Both teams
+  /// see the same tick.
+  /// @param events faults of the teams are added
+  /// @param commands one per robot of the world, written
+  /// Errors: kMachine, kInterrupted of a team that the machine failed; then nothing is written.
+  Result<void> play(const SeatTick& tick, StageClock& stages, std::vector<GameEvent>& events,
+                    std::span<WheelSpeeds> commands);
+
+  Seat& operator[](TeamId team) { return seats_[indexOf(team)]; }
+  const Seat& operator[](TeamId team) const { return seats_[indexOf(team)]; }
+
+ private:
+  std::optional<Error> cut() const;
+
+  std::vector<Seat> seats_;  ///< in the order of `kTeams`
+};
+
+}  // namespace fulbito
