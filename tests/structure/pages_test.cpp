@@ -1,3 +1,5 @@
+#include "tests/structure/pages.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -15,6 +17,7 @@ namespace fulbito {
 namespace {
 
 namespace fs = std::filesystem;
+using test::pages;
 
 constexpr std::size_t kLongest = 160;  // characters of a line of prose
 
@@ -141,19 +144,6 @@ bool leads(const fs::path& file, const std::string& target) {
   const fs::path to = path.empty() ? file : file.parent_path() / path;
   if (!fs::exists(to)) return false;
   return hash == std::string::npos || anchorsOf(pageOf(to)).count(target.substr(hash + 1)) == 1;
-}
-
-std::vector<fs::path> pages() {
-  const fs::path root = FULBITO_SOURCE_DIR;
-  std::vector<fs::path> files = {root / "README.md", root / "CONTRIBUTING.md", root / "CHANGELOG.md"};
-  for (const char* folder : {"docs", "tests"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      const bool ours = entry.path().string().find("node_modules") == std::string::npos;
-      if (ours && entry.path().extension() == ".md") files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 }  // namespace
