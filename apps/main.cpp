@@ -73,10 +73,8 @@ CLI::App* addRun(CLI::App& app, Options& options) {
   command->add_option("--layout", run.layout, "TOML file, named case or SUITE:NUMBER")->capture_default_str();
   command->add_option("--speed", run.speed, "top speed of the wheels over the ground [m/s], 0.05 ... 10")
       ->capture_default_str();
-  command->add_option("--robot", run.robot, "robot preset or TOML file")->capture_default_str();
-  command->add_option("--physics", run.physics, "physics profile or TOML file")->capture_default_str();
-  wholeNumber(command->add_option("--seed", run.seed, "random seed (layout, sensor noise)"))
-      ->capture_default_str();
+  addModels(*command, run.robot, run.physics);
+  addSeed(*command, run.seed, "layout, sensor noise");
   addSensors(*command, run.sensors);
   markOutput(
       command
@@ -131,6 +129,26 @@ void addMap(CLI::App& command, CompareOptions& compare) {
       ->capture_default_str();
 }
 
+void addPictures(CLI::App& command, ComparisonConfig& config) {
+  command.add_option("--pictures", config.pictures, "layouts to draw per suite and speed")
+      ->capture_default_str();
+  command
+      .add_option("--ways", config.ways,
+                  "ways per picture: the methods of Jung & Lee, then the best of the suite; 0: all")
+      ->capture_default_str();
+}
+
+void addTuning(CLI::App& command, CompareOptions& compare) {
+  CLI::Option* tune =
+      command.add_option("--tune", compare.tune, "first tune this method on separate training layouts")
+          ->type_name("NAVIGATOR");
+  command
+      .add_option("--tune-evaluations", compare.tune_evaluations,
+                  "with --tune: number of parameter sets to try")
+      ->needs(tune)
+      ->capture_default_str();
+}
+
 void addCompareOutputs(CLI::App& command, CompareOptions& compare) {
   CLI::Option* recordings = command
                                 .add_option("--record", compare.config.record,
@@ -172,28 +190,14 @@ CLI::App* addCompare(CLI::App& app, Options& options) {
   wholeNumber(
       command->add_option("--trials", config.trials, "layouts per suite and speed (default: the suite's)"), 1,
       kMostTrials);
-  wholeNumber(command->add_option("--seed", config.seed, "random seed (layouts, sensor noise)"))
-      ->capture_default_str();
+  addSeed(*command, config.seed, "layouts, sensor noise");
   addJobs(*command, config.jobs, "worker threads");
   wholeNumber(command->add_option("--only", options.only, "run only this layout of the suite"))
       ->type_name("NUMBER");
-  command->add_option("--pictures", config.pictures, "layouts to draw per suite and speed")
-      ->capture_default_str();
-  command
-      ->add_option("--ways", config.ways,
-                   "ways per picture: the methods of Jung & Lee, then the best of the suite; 0: all")
-      ->capture_default_str();
-  command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
-  command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
+  addPictures(*command, config);
+  addModels(*command, config.robot, config.physics);
   addSensors(*command, config.sensors);
-  CLI::Option* tune =
-      command->add_option("--tune", compare.tune, "first tune this method on separate training layouts")
-          ->type_name("NAVIGATOR");
-  command
-      ->add_option("--tune-evaluations", compare.tune_evaluations,
-                   "with --tune: number of parameter sets to try")
-      ->needs(tune)
-      ->capture_default_str();
+  addTuning(*command, compare);
   addCompareOutputs(*command, compare);
   addMap(*command, compare);
   command->add_flag("--json", compare.json, "print the results as JSON instead of tables");

@@ -12,7 +12,6 @@
 namespace fulbito::app {
 namespace {
 
-constexpr std::uint64_t kManyTicks = 1'000'000;  // the match itself checks the range of --latency
 constexpr const char* kUnlimited = "unlimited";
 
 Result<void> addStart(const std::string& file, MatchConfig& config) {
@@ -47,9 +46,9 @@ Result<void> readPerTeam(const char* flag, const std::vector<T>& values, PerTeam
 Result<PerTeam<VisionModel>> visionOf(const MatchSettings& settings, const RobotModel& robot) {
   PerTeam<VisionModel> vision;
   for (const auto& done :
-       {readPerTeam("--latency", settings.latency_ticks, vision, &VisionModel::latency_ticks),
-        readPerTeam("--noise", settings.position_noise, vision, &VisionModel::position_noise),
-        readPerTeam("--dropout", settings.dropout, vision, &VisionModel::dropout)}) {
+       {readPerTeam("--latency", settings.sensors.latency_ticks, vision, &VisionModel::latency_ticks),
+        readPerTeam("--noise", settings.sensors.position_noise, vision, &VisionModel::position_noise),
+        readPerTeam("--dropout", settings.sensors.dropout, vision, &VisionModel::dropout)}) {
     if (!done) return tl::unexpected<Error>(done.error());
   }
   // As in trials: the heading noise that follows from the position noise.
@@ -122,25 +121,12 @@ void addMatchSettings(CLI::App& command, MatchSettings& settings, const char* se
   command.add_option("--physics", settings.physics, "physics profile or TOML file")->capture_default_str();
   command.add_option("--robot", settings.robot, "robot preset or TOML file, for both teams")
       ->capture_default_str();
-  wholeNumber(command.add_option("--seed", settings.seed,
-                                 "random seed (coin tosses, placement error, sensor noise, teams)"))
-      ->capture_default_str();
+  addSeed(command, settings.seed, "coin tosses, placement error, sensor noise, teams");
   command.add_option("--half-seconds", settings.half_seconds,
                      "length of a half [s] (default: from the rules)");
   command.add_option("--start", settings.start, "start state (TOML file) instead of the first kick-off")
       ->type_name("FILE");
-  const auto per_team = [](CLI::Option* option) {
-    // Only the delimiter makes a list: a word after a space is a team.
-    option->delimiter(',')->allow_extra_args(false)->type_name("N[,N]");
-  };
-  per_team(wholeNumber(
-      command.add_option("--latency", settings.latency_ticks,
-                         fmt::format("age of observations in ticks, 0 ... 60: for all teams, or {}", seats)),
-      0, kManyTicks));
-  per_team(number(command.add_option("--noise", settings.position_noise,
-                                     "standard deviation of observed positions [m], 0 ... 0.1")));
-  per_team(number(command.add_option("--dropout", settings.dropout,
-                                     "probability per tick that a body is not seen, 0 ... 0.99")));
+  addSensors(command, settings.sensors, seats);
   command
       .add_option("--time", settings.time,
                   "wall time per decision, or 'unlimited' (default: the rules limit programs only)")

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "apps/common/sensor_options.hpp"
 #include "apps/common/team_flags.hpp"
 #include "fulbito/match.hpp"
 
@@ -24,13 +24,9 @@ struct MatchSettings {
   std::uint64_t seed = kDefaultMatchSeed;
   std::optional<double> half_seconds;  ///< empty: the profile's
   std::string start;                   ///< start state file; empty: a kick-off
-  /// @{ How teams see: one value for both, or blue's and yellow's.
-  std::vector<int> latency_ticks{0};
-  std::vector<double> position_noise{0.0};  ///< [m]
-  std::vector<double> dropout{0.0};
-  /// @}
-  std::string time;   ///< [ms] that a decision may take, or "unlimited"; empty: by the rules
-  TeamFlags outside;  ///< teams that are files or programs
+  SeatSensors sensors;                 ///< of both teams, or of blue and yellow
+  std::string time;                    ///< [ms] that a decision may take, or "unlimited"; empty: by the rules
+  TeamFlags outside;                   ///< teams that are files or programs
 };
 
 /// Adds the options; the teams are left to the command.

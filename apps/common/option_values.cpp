@@ -91,6 +91,16 @@ CLI::Option* addJobs(CLI::App& command, int& jobs, const std::string& whose) {
   return wholeNumber(command.add_option("--jobs", jobs, whose + " (default: all cores)"), 0, kMostJobs);
 }
 
+CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& whose) {
+  const std::string what = whose.empty() ? "random seed" : fmt::format("random seed ({})", whose);
+  return wholeNumber(command.add_option("--seed", seed, what))->capture_default_str();
+}
+
+void addModels(CLI::App& command, std::string& robot, std::string& physics) {
+  command.add_option("--robot", robot, "robot preset or TOML file")->capture_default_str();
+  command.add_option("--physics", physics, "physics profile or TOML file")->capture_default_str();
+}
+
 std::optional<Error> emptyWord(std::span<char*> words) {
   std::string_view before;
   for (const std::string_view word : words) {

@@ -29,6 +29,11 @@ inline constexpr int kMostJobs = 1024;
 /// Adds `--jobs`, 0 ... kMostJobs.
 CLI::Option* addJobs(CLI::App& command, int& jobs, const std::string& whose);
 
+/// Adds `--seed`. @param whose  what it decides, such as "layout, sensor noise"
+CLI::Option* addSeed(CLI::App& command, std::uint64_t& seed, const std::string& whose);
+/// Adds `--robot` and `--physics`.
+void addModels(CLI::App& command, std::string& robot, std::string& physics);
+
 /// The error for the first empty argument; such a word usually comes from a shell variable that is not set.
 std::optional<Error> emptyWord(std::span<char*> words);
 

@@ -58,12 +58,9 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
   wholeNumber(
       command->add_option("--trials", options.run.trials, "trials per drill (default: from the drill file)"),
       1, kMostTrials);
-  wholeNumber(command->add_option("--seed", options.run.seed, "random seed (start positions, matches)"))
-      ->capture_default_str();
+  addSeed(*command, options.run.seed, "start positions, matches");
   addJobs(*command, options.run.jobs, "worker threads");
-  command->add_option("--robot", options.run.robot, "robot preset or TOML file")->capture_default_str();
-  command->add_option("--physics", options.run.physics, "physics profile or TOML file")
-      ->capture_default_str();
+  addModels(*command, options.run.robot, options.run.physics);
   command
       ->add_option("--drills", options.folder,
                    "use the *.toml files in this folder instead of the built-in drills")

@@ -225,6 +225,20 @@ int playPairs(const MatchCommand& options) {
   return playTwoTeams(options.settings.blue, options.settings.yellow, settings, options.series, files);
 }
 
+void addSeries(CLI::App& command, MatchCommand& options) {
+  wholeNumber(
+      command.add_option("-n,--pairs", options.pairs, "swapped pairs of a series (teams change colours)"), 1,
+      kMostPairs)
+      ->type_name("PAIRS");
+  addJobs(command, options.series.jobs, "matches of a series at once");
+  CLI::Option* out =
+      command
+          .add_option("--out", options.series.out,
+                      "with -n: folder that keeps the results; the same command continues what it holds")
+          ->type_name("FOLDER");
+  markFolder(out, options.series.out, FolderUse::kResults);
+}
+
 void addMatchOutputs(CLI::App& command, MatchCommand& options) {
   CLI::Option* record =
       command.add_option("--record", options.record, "write a recording")->type_name("FILE");
@@ -268,17 +282,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       ->capture_default_str();
   addMatchSettings(*command, options.settings);
   addMatchOutputs(*command, options);
-  wholeNumber(
-      command->add_option("-n,--pairs", options.pairs, "swapped pairs of a series (teams change colours)"), 1,
-      kMostPairs)
-      ->type_name("PAIRS");
-  addJobs(*command, options.series.jobs, "matches of a series at once");
-  CLI::Option* out =
-      command
-          ->add_option("--out", options.series.out,
-                       "with -n: folder that keeps the results; the same command continues what it holds")
-          ->type_name("FOLDER");
-  markFolder(out, options.series.out, FolderUse::kResults);
+  addSeries(*command, options);
   command->add_flag("--force", options.force, "replace existing files");
   CLI::Option* view = command->add_flag("--view", options.view, "show the match in a window");
   addViewOptions(*command, options.window, view);

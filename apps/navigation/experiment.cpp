@@ -121,7 +121,7 @@ void addExperiment(CLI::App& app, ExperimentCommand& command) {
       "  fulbito experiment all --seed 7\n"
       "The exit code is 0 even if a figure is outside its band. docs/papers.md explains the figures.");
   sub->add_option("name", command.name, "experiment, 'list' or 'all'")->required();
-  wholeNumber(sub->add_option("--seed", command.seed, "random seed"))->capture_default_str();
+  addSeed(*sub, command.seed, "");
   addJobs(*sub, command.jobs, "worker threads");
   sub->add_option("--set", command.settings, "set a setting of the experiment; may be repeated")
       ->type_name("NAME=VALUE")

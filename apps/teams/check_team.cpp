@@ -46,8 +46,7 @@ CLI::App* addCheckTeam(CLI::App& app, CheckTeamCommand& options) {
       "it.");
   command->add_option("team", options.team, "team, e.g. classic, ./team.so or 'cmd:python3 team.py'")
       ->required();
-  wholeNumber(command->add_option("--seed", options.seed, "random seed (situations, drills)"))
-      ->capture_default_str();
+  addSeed(*command, options.seed, "situations, drills");
   addJobs(*command, options.jobs, "worker threads of the drills");
   command->add_flag("--quick", options.quick, "shorter situations, fewer drills");
   addTeamFlags(*command, options.outside);

@@ -32,11 +32,9 @@ CLI::App* addNavigators(CLI::App& tournament, NavigatorsCommand& options) {
   command->add_option("--speed", config.speed, "top speed [m/s], 0.05 ... 10 (default: the suite's first)");
   wholeNumber(command->add_option("-n,--trials", config.trials, "layouts (default: the suite's)"), 1,
               kMostLayouts);
-  wholeNumber(command->add_option("--seed", config.seed, "random seed (layouts, sensor noise, resamples)"))
-      ->capture_default_str();
+  addSeed(*command, config.seed, "layouts, sensor noise, resamples");
   addJobs(*command, config.jobs, "worker threads");
-  command->add_option("--robot", config.robot, "robot preset or TOML file")->capture_default_str();
-  command->add_option("--physics", config.physics, "physics profile or TOML file")->capture_default_str();
+  addModels(*command, config.robot, config.physics);
   addSensors(*command, config.sensors);
   command->add_flag("--json", options.json, "print JSON");
   return command;

@@ -99,9 +99,9 @@ PlanSettings settingsOf(PlanFile file, bool test) {
   settings.starts = listOf(file.starts);
   settings.starts_seed = static_cast<std::uint64_t>(file.starts_seed);
   if (file.half_seconds > 0.0) settings.match.half_seconds = file.half_seconds;
-  settings.match.latency_ticks = {file.latency};
-  settings.match.position_noise = {file.noise};
-  settings.match.dropout = {file.dropout};
+  settings.match.sensors.latency_ticks = {file.latency};
+  settings.match.sensors.position_noise = {file.noise};
+  settings.match.sensors.dropout = {file.dropout};
   if (test) settings.bounds = {file.weak, file.strong};
   return settings;
 }
@@ -124,10 +124,7 @@ Result<std::vector<StartKind>> kindsOf(const std::vector<std::string>& names) {
 
 Result<TournamentFormat> formatNamed(const std::string& name) {
   if (const auto format = formatOf(name)) return *format;
-  std::vector<std::string> all;
-  all.reserve(kTournamentFormats);
-  for (std::size_t i = 0; i < kTournamentFormats; ++i)
-    all.emplace_back(nameOf(static_cast<TournamentFormat>(i)));
+  const std::vector<std::string> all(kFormatNames.begin(), kFormatNames.end());
   return fail(ErrorCode::kUsage, fmt::format("--format: there is no format '{}'.{} Formats: {}", name,
                                              suggestion(name, all), fmt::join(all, ", ")));
 }

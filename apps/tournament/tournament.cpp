@@ -17,6 +17,12 @@ namespace {
 constexpr const char* kFolder = "fulbito-tournament";
 constexpr std::size_t kShownFixtures = 20;
 
+/// "match, gauntlet or ladder"
+std::string formatWords() {
+  const auto last = kFormatNames.end() - 1;
+  return fmt::format("{} or {}", fmt::join(kFormatNames.begin(), last, ", "), *last);
+}
+
 CLI::App* addRun(CLI::App& tournament, TournamentRun& options) {
   CLI::App* command = tournament.add_subcommand("run", "play a tournament, or what is missing of it");
   command->footer(
@@ -30,7 +36,7 @@ CLI::App* addRun(CLI::App& tournament, TournamentRun& options) {
       ->type_name("PLAN | TEAM...")
       ->required();
   PlanSettings& settings = options.settings;
-  command->add_option("--format", settings.format, "match, gauntlet, round-robin, knock-out, swiss or ladder")
+  command->add_option("--format", settings.format, formatWords())
       ->capture_default_str();
   wholeNumber(command->add_option("-n,--pairs", settings.pairs, "pairs of matches per meeting"), 1,
               kMostPairs)

@@ -28,9 +28,9 @@ double usualStep(double perturbation, int iterations) {
 
 /// Without an opponent both versions see the same: a second value would belong to nobody.
 Result<void> checkSight(const TuneCommand& options) {
-  const MatchSettings& match = options.settings.match;
+  const SeatSensors& seen = options.settings.match.sensors;
   const std::size_t most =
-      std::max({match.latency_ticks.size(), match.position_noise.size(), match.dropout.size()});
+      std::max({seen.latency_ticks.size(), seen.position_noise.size(), seen.dropout.size()});
   if (!options.opponent.empty() || most < 2) return {};
   return fail(ErrorCode::kUsage,
               "two values of what teams see need an --opponent: both versions see the same");
@@ -121,6 +121,30 @@ int exitCodeOfTuning(const TuneOutcome& outcome) {
   return outcome.unplayed.empty() ? kOk : kInconclusive;
 }
 
+/// The options of the method itself.
+void addSpsa(CLI::App& command, TuneCommand& options) {
+  wholeNumber(command.add_option("--iterations", options.iterations, "moves of the parameters"), 1,
+              kMostIterations)
+      ->capture_default_str();
+  options.settings.pairs = kUsualTunePairs;
+  wholeNumber(command.add_option("-n,--pairs", options.settings.pairs, "pairs of matches per iteration"), 1,
+              kMostPairs)
+      ->capture_default_str();
+  number(command.add_option("--c-end", options.perturbation,
+                            "last perturbation of all parameters, as share of their ranges"))
+      ->check(CLI::Range(1e-6, 0.5))
+      ->capture_default_str();
+  number(command.add_option(
+             "--r-end", options.step,
+             "last move over last perturbation, if a version wins all; 0: 2 / (C_END * iterations)"))
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  wholeNumber(command.add_option("--final-pairs", options.final_pairs,
+                                 "pairs of the tuned team against the start; 0: none"),
+              0, kMostPairs)
+      ->capture_default_str();
+}
+
 void addTuneOutputs(CLI::App& command, TuneCommand& options) {
   CLI::Option* out =
       command
@@ -158,29 +182,9 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
       ->type_name("NAME[,NAME...]");
   command->add_option("--opponent", options.opponent,
                       "both versions play against this team, on the same starts (default: each other)");
-  wholeNumber(command->add_option("--iterations", options.iterations, "moves of the parameters"), 1,
-              kMostIterations)
-      ->capture_default_str();
-  PlanSettings& settings = options.settings;
-  settings.pairs = kUsualTunePairs;
-  wholeNumber(command->add_option("-n,--pairs", settings.pairs, "pairs of matches per iteration"), 1,
-              kMostPairs)
-      ->capture_default_str();
-  number(command->add_option("--c-end", options.perturbation,
-                             "last perturbation of all parameters, as share of their ranges"))
-      ->check(CLI::Range(1e-6, 0.5))
-      ->capture_default_str();
-  number(command->add_option(
-             "--r-end", options.step,
-             "last move over last perturbation, if a version wins all; 0: 2 / (C_END * iterations)"))
-      ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
-  wholeNumber(command->add_option("--final-pairs", options.final_pairs,
-                                  "pairs of the tuned team against the start; 0: none"),
-              0, kMostPairs)
-      ->capture_default_str();
-  addStarts(*command, settings);
-  addMatchSettings(*command, settings.match, "TEAM,OPPONENT");
+  addSpsa(*command, options);
+  addStarts(*command, options.settings);
+  addMatchSettings(*command, options.settings.match, "TEAM,OPPONENT");
   addTuneOutputs(*command, options);
   command->add_flag("--json", options.json, "print JSON instead of text");
   return command;

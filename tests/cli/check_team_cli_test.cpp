@@ -28,7 +28,7 @@ TEST_CASE("check-team passes a built-in team and writes JSON and JUnit", "[cli]"
   CHECK(xml.starts_with("<?xml"));
   CHECK(countOf(xml, "<testcase ") == json["checks"].size());
   CHECK(countOf(xml, "<testcase ") == countOf(xml, "</testcase>"));
-  CHECK(xml.find("failures=\"0\"") != std::string::npos);
+  CHECK(contains(xml, "failures=\"0\""));
   if (box.shell("command -v xmllint").code == 0) CHECK(box.shell("xmllint --noout check.xml").code == 0);
 }
 
@@ -59,18 +59,15 @@ TEST_CASE("check-team fails a program that ends during play, and says where", "[
   const Output output = box.run("check-team 'cmd:python3 ends.py' --quick --junit check.xml");
   INFO(output.err << output.out);
   CHECK(output.code == 1);
-  CHECK(output.out.find("verdict: failed") != std::string::npos);
-  CHECK(output.out.find("exit code 9") != std::string::npos);
+  CHECK(contains(output.out, "verdict: failed"));
+  CHECK(contains(output.out, "exit code 9"));
   // The protocol, and all three comparisons of answers.
   CHECK(countOf(contentOf(box.path / "check.xml"), "<failure message=") >= 4);
 }
 
 TEST_CASE("check-team refuses a team that does not start, with the reason", "[cli]") {
   const Sandbox box;
-  const Output ends = box.run("check-team cmd:false");
-  CHECK(ends.code == 2);
-  CHECK(ends.out.empty());
-  CHECK(ends.err.find("exit code 1") != std::string::npos);
+  box.fails("check-team cmd:false", 2, "exit code 1");
   CHECK(box.run("check-team classik").code == 2);
   box.write("there.xml", "kept");
   CHECK(box.run("check-team idle --quick --junit there.xml").code == 2);

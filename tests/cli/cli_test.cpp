@@ -1,33 +1,12 @@
-#include <csignal>
-
 #include "tests/cli/sandbox.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace fulbito::test;
 
-TEST_CASE("help is there for the program and every command, with examples", "[cli]") {
-  const Sandbox box;
-  const Output top = box.run("--help");
-  CHECK(top.code == 0);
-  CHECK(top.err.empty());
-  for (const char* command : {"match", "drill", "run", "compare", "list", "show", "bench", "version"}) {
-    CHECK(top.out.find(command) != std::string::npos);
-    const Output help = box.run(std::string(command) + " --help");
-    CHECK(help.code == 0);
-    CHECK(help.out.find("Example") != std::string::npos);
-    CHECK(help.out.find(std::string("fulbito ") + command) != std::string::npos);
-  }
-}
-
 TEST_CASE("wrong words are usage errors with a suggestion, and say nothing on stdout", "[cli]") {
   const Sandbox box;
   const auto expect = [&](const std::string& arguments, const std::string& part) {
-    INFO(arguments);
-    const Output output = box.run(arguments);
-    CHECK(output.code == 2);
-    CHECK(output.out.empty());
-    INFO(output.err);
-    CHECK(output.err.find(part) != std::string::npos);
+    box.fails(arguments, 2, part);
   };
   expect("", "subcommand");
   expect("comapre", "there is no command 'comapre'. Did you mean 'compare'?");
@@ -64,15 +43,15 @@ TEST_CASE("bad input files are named with line and key", "[cli]") {
   box.write("broken.toml", "name = \"x\"\n[start\n");
   Output output = box.run("run --layout broken.toml");
   CHECK(output.code == 3);
-  CHECK(output.err.find("broken.toml:2") != std::string::npos);
+  CHECK(contains(output.err, "broken.toml:2"));
   box.write("range.toml", "[robot]\nname = \"r\"\nmass = -1.0\n");
   output = box.run("run --robot range.toml");
   CHECK(output.code == 3);
-  CHECK(output.err.find("range.toml:3") != std::string::npos);
-  CHECK(output.err.find("mass") != std::string::npos);
+  CHECK(contains(output.err, "range.toml:3"));
+  CHECK(contains(output.err, "mass"));
   output = box.run("run --layout missing.toml");
   CHECK(output.code == 5);
-  CHECK(output.err.find("missing.toml") != std::string::npos);
+  CHECK(contains(output.err, "missing.toml"));
   box.write("deep.toml", "a = " + std::string(100000, '['));
   CHECK(box.run("run --layout deep.toml").code == 3);
   box.write("binary.toml", std::string("\0\xff\x01\x80", 4));
@@ -98,11 +77,8 @@ TEST_CASE("a file may go beside the folder that its command makes", "[cli]") {
 TEST_CASE("an output folder that cannot be written is found before work begins", "[cli]") {
   const Sandbox box;
   box.write("file", "x");
-  const Output output =
-      box.run("compare --suite corner --navigators bezier --trials 1 --speeds 1 --out file/below");
-  CHECK(output.code == 5);
-  CHECK(output.out.empty());
-  CHECK(output.err.find("file/below") != std::string::npos);
+  box.fails("compare --suite corner --navigators bezier --trials 1 --speeds 1 --out file/below", 5,
+            "file/below");
   CHECK(box.run("run --png no/such/folder/x.png").code == 5);
   CHECK(box.run("run --trace no/such/folder/x.csv").code == 5);
   CHECK(std::distance(fs::directory_iterator(box.path), {}) == 1);
@@ -137,75 +113,29 @@ TEST_CASE("a layout of one's own is driven", "[cli]") {
   CHECK(Json::parse(own.out)["final_hash"] == Json::parse(named.out)["final_hash"]);
 }
 
-TEST_CASE("compare writes results, trials and pictures, the same for any number of jobs", "[cli]") {
-  const Sandbox box;
-  const std::string common =
-      "compare --suite corner --navigators bezier straight --speeds 1.0,2.6 --trials 3 --pictures 1 --json ";
-  const Output one = box.run(common + "--jobs 1 --out one"), two = box.run(common + "--jobs 3 --out two");
-  REQUIRE(one.code == 0);
-  Json a = Json::parse(one.out), b = Json::parse(two.out);
-  CHECK(a["summary"].size() == 4);
-  dropMeasured(a);
-  dropMeasured(b);
-  CHECK(a == b);
-  CHECK(contentOf(box.path / "one/results.json") == one.out);
-  CHECK(contentOf(box.path / "one/trials.csv") == contentOf(box.path / "two/trials.csv"));
-  for (const char* file : {"corner-0-1.0.png", "corner-0-2.6.png", "time.png", "distance.png"}) {
-    CHECK(contentOf(box.path / "one" / file).substr(1, 3) == "PNG");
-    CHECK(contentOf(box.path / "one" / file) == contentOf(box.path / "two" / file));
-  }
-  CHECK(std::distance(fs::directory_iterator(box.path / "one"), {}) == 6);
-}
-
 TEST_CASE("compare prints tables, and one layout again with --only", "[cli]") {
   const Sandbox box;
   const Output output =
       box.run("compare --suite short --navigators bezier --speeds 1 --trials 20 --only 17 --out o");
   CHECK(output.code == 0);
-  CHECK(output.out.find("### short at 1.0 m/s, 1 layout") != std::string::npos);
+  CHECK(contains(output.out, "### short at 1.0 m/s, 1 layout"));
   CHECK(fs::exists(box.path / "o/short-17-1.0.png"));
 }
 
-TEST_CASE("compare --map writes the map as text, CSV, JSON and pictures, the same for any number of jobs",
-          "[cli]") {
+TEST_CASE("compare --map writes the map as text, CSV, JSON and pictures", "[cli]") {
   const Sandbox box;
-  const std::string common =
+  const std::string command =
       "compare --map --suite close-range --speeds 1.0 --radii 0.06,0.1 --widths 0.2 --laws classic "
-      "--headings goal "
-      "--trials 6 --seeds 2 ";
-  const Output text = box.run(common + "--jobs 1 --out one"),
-               json = box.run(common + "--json --jobs 3 --out two");
-  REQUIRE(text.code == 0);
-  CHECK(text.out.find("### Cells that match both of the paper's figures") != std::string::npos);
+      "--headings goal --trials 2 --seeds 2 --fresh 1 --out one ";
+  const Output text = box.works(command), json = box.works(command + "--json");
+  CHECK(contains(text.out, "### Cells that match both of the paper's figures"));
   CHECK(Json::parse(json.out)["cells"].size() == 2);
-  CHECK(contentOf(box.path / "two/map.json") == json.out);
-  CHECK(contentOf(box.path / "one/map.csv") == contentOf(box.path / "two/map.csv"));
-  CHECK(contentOf(box.path / "one/map-close-range-classic.png") ==
-        contentOf(box.path / "two/map-close-range-classic.png"));
+  CHECK(box.read("one/map.json") == json.out);
   CHECK(std::distance(fs::directory_iterator(box.path / "one"), {}) == 3);
-  const auto refused = [&](const std::string& line, const std::string& message) {
-    const Output output = box.run(line);
-    CAPTURE(line, output.err);
-    CHECK(output.code == 2);
-    CHECK(output.err.find(message) != std::string::npos);
-  };
-  refused("compare --map --radii 2 --out o", "--radii: 2 is outside 0 ... 1 m");
-  refused("compare --map --navigators bezier --out o", "--map");
-  refused("compare --radii 0.1 --out o", "--map");
+  box.fails("compare --map --radii 2 --out o", 2, "--radii: 2 is outside 0 ... 1 m");
+  box.fails("compare --map --navigators bezier --out o", 2, "--map");
+  box.fails("compare --radii 0.1 --out o", 2, "--map");
   CHECK_FALSE(fs::exists(box.path / "o"));
-}
-
-TEST_CASE("latency, noise, physics and robot can be chosen", "[cli]") {
-  const Sandbox box;
-  const Output output = box.run(
-      "run --latency 3 --noise 0.001 --physics faithful --robot vsss --speed 1.0 --seed 5 --layout corner:1 "
-      "--json");
-  REQUIRE(output.code == 0);
-  CHECK(Json::parse(output.out)["physics"] == "faithful");
-  const Output again = box.run(
-      "run --latency 3 --noise 0.001 --physics faithful --robot vsss --speed 1.0 --seed 5 --layout corner:1 "
-      "--json");
-  CHECK(Json::parse(output.out)["final_hash"] == Json::parse(again.out)["final_hash"]);
 }
 
 TEST_CASE("list and show print every kind, as text and JSON", "[cli]") {
@@ -220,9 +150,9 @@ TEST_CASE("list and show print every kind, as text and JSON", "[cli]") {
   const Json listed = Json::parse(box.run("list navigators --json").out);
   for (const Json& n : listed["navigators"]) defaults += n["default"].get<bool>() ? 1 : 0;
   CHECK(defaults == 1);
-  CHECK(box.run("show robot vsss").out.find("[robot]") != std::string::npos);
-  CHECK(box.run("show physics faithful").out.find("substeps = 4") != std::string::npos);
-  CHECK(box.run("show field vsss-5v5").out.find("2.2") != std::string::npos);
+  CHECK(contains(box.run("show robot vsss").out, "[robot]"));
+  CHECK(contains(box.run("show physics faithful").out, "substeps = 4"));
+  CHECK(contains(box.run("show field vsss-5v5").out, "2.2"));
 }
 
 TEST_CASE("profiles of rules are listed, shown, and checked with file, line, key and range", "[cli]") {
@@ -238,16 +168,13 @@ TEST_CASE("profiles of rules are listed, shown, and checked with file, line, key
     CHECK(box.run("rules check mine.toml").code == 0);
   }
   box.write("bad.toml", "[rules]\n[periods]\nhalf_seconds = -1\n");
-  const Output bad = box.run("rules check bad.toml");
-  CHECK(bad.code == 3);
-  CHECK(bad.out.empty());
-  CHECK(bad.err.find("bad.toml:3: periods.half_seconds = -1 is outside 0.1 ... 7200 s") != std::string::npos);
+  box.fails("rules check bad.toml", 3, "bad.toml:3: periods.half_seconds = -1 is outside 0.1 ... 7200 s");
   box.write("odd.toml", "[rules]\n[goal_kick]\ntaker = [[0.0, 0.0]]\n");
-  CHECK(box.run("rules check odd.toml").out.find("note: goal-kick: robot 0") != std::string::npos);
+  CHECK(contains(box.run("rules check odd.toml").out, "note: goal-kick: robot 0"));
   CHECK(box.run("rules check nowhere.toml").code == 5);
   CHECK(box.run("rules").code == 2);
-  CHECK(box.run("rules").err.find("show NAME, check FILE") != std::string::npos);
-  CHECK(box.run("rules show vsss-3v4").err.find("Did you mean 'vsss-3v3'?") != std::string::npos);
+  CHECK(contains(box.run("rules").err, "show NAME, check FILE"));
+  CHECK(contains(box.run("rules show vsss-3v4").err, "Did you mean 'vsss-3v3'?"));
 }
 
 TEST_CASE("version tells what it was built from", "[cli]") {
@@ -264,40 +191,4 @@ TEST_CASE("bench prints the signature of its fixed scenes, the same every time",
   CHECK(first.code == 0);
   CHECK(first.out == again.out);
   CHECK(first.out.size() == 17);
-}
-
-TEST_CASE("Ctrl-C ends a comparison with exit code 130 and nothing half-written", "[cli]") {
-  const Sandbox box;
-  const pid_t child = ::fork();
-  REQUIRE(child >= 0);
-  if (child == 0) {
-    if (::chdir(box.path.c_str()) != 0 || std::freopen("/dev/null", "w", stdout) == nullptr ||
-        std::freopen("/dev/null", "w", stderr) == nullptr) {
-      ::_exit(99);
-    }
-    ::execl(FULBITO_PROGRAM, "fulbito", "compare", "--suite", "corner", "--trials", "20000", "--out", "o",
-            nullptr);
-    ::_exit(99);
-  }
-  while (!fs::exists(box.path / "o")) ::usleep(10000);
-  ::usleep(200000);
-  ::kill(child, SIGINT);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  REQUIRE(WIFEXITED(status));
-  CHECK(WEXITSTATUS(status) == 130);
-  CHECK(fs::is_empty(box.path / "o"));
-}
-
-TEST_CASE("output that nobody reads or no disk holds is an error of writing, not an internal one", "[cli]") {
-  const Sandbox box;
-  // More than a buffer's worth, so that it is written before the end.
-  const std::string program = "'" FULBITO_PROGRAM "' list navigators";
-  const auto said = [&](const std::string& command) {
-    (void)std::system(("cd '" + box.path.string() + "' && { " + command + "; } 2> said.txt").c_str());
-    return contentOf(box.path / "said.txt");
-  };
-  CHECK(said("(sleep 0.2; " + program + "; echo code $? >&2) | true") == "code 5\n");
-  CHECK(said(program + " > /dev/full; echo code $? >&2") ==
-        "fulbito: cannot write to stdout: No space left on device\ncode 5\n");
 }

@@ -3,14 +3,6 @@
 
 using namespace fulbito::test;
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
-
 TEST_CASE("experiment list names all four with their settings", "[cli]") {
   const Sandbox box;
   const Output output = box.run("experiment list");
@@ -22,29 +14,10 @@ TEST_CASE("experiment list names all four with their settings", "[cli]") {
 
 TEST_CASE("experiment refuses unknown names and settings with a suggestion", "[cli]") {
   const Sandbox box;
-  const Output name = box.run("experiment captur");
-  CHECK(name.code == 2);
-  CHECK(contains(name.err, "Did you mean 'capture'?"));
-  const Output setting = box.run("experiment transport --set stpe=0.1");
-  CHECK(setting.code == 2);
-  CHECK(contains(setting.err, "Did you mean 'step'?"));
+  box.fails("experiment captur", 2, "Did you mean 'capture'?");
+  box.fails("experiment transport --set stpe=0.1", 2, "Did you mean 'step'?");
   CHECK(box.run("experiment transport --set step").code == 2);
   CHECK(box.run("experiment all --set step=0.1").code == 2);
   CHECK(box.run("experiment transport --set step=never").code == 2);
   CHECK(box.run("experiment transport --set path=no-such-file").code != 0);
-}
-
-TEST_CASE("experiment writes the same files for any number of jobs", "[cli]") {
-  const Sandbox box;
-  const auto run = [&](const std::string& jobs, const std::string& folder) {
-    return box.run("experiment hybrid --set rows=2 --set gaps=2 --set kinds=1 --json --jobs " + jobs +
-                   " --out " + folder);
-  };
-  const Output alone = run("1", "alone"), together = run("2", "together");
-  REQUIRE(alone.code == 0);
-  CHECK(alone.out == together.out);
-  CHECK(Json::parse(alone.out)["experiment"] == "hybrid");
-  CHECK(std::system(
-            ("diff -r " + (box.path / "alone").string() + " " + (box.path / "together").string()).c_str()) ==
-        0);
 }

@@ -1,5 +1,6 @@
-#include <algorithm>
+#include <iterator>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include "tests/cli/sandbox.hpp"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::size_t kWidest = 120;        // columns of a printed line
 constexpr std::size_t kDescriptionAt = 36;  // column at which descriptions begin
-constexpr std::size_t kMostWords = 25;      // of a description
+constexpr std::ptrdiff_t kMostWords = 25;   // of a description
 constexpr std::size_t kShortestText = 8;    // characters of a description that says anything
 
 struct HelpText {
@@ -75,60 +76,12 @@ void collectHelp(const Sandbox& box, const std::string& command, std::vector<Hel
   }
 }
 
-const std::vector<HelpText>& allHelp() {
-  static const std::vector<HelpText> all = [] {
-    const Sandbox box;
-    std::vector<HelpText> texts;
-    collectHelp(box, "", texts);
-    return texts;
-  }();
-  return all;
-}
-
 }  // namespace
 
-TEST_CASE("the walk over the help finds all commands and their options", "[cli]") {
-  const auto has = [](const std::string& command, const std::string& option) {
-    for (const HelpText& help : allHelp()) {
-      if (help.command != command) continue;
-      const std::vector<HelpEntry> entries = entriesOf(help);
-      return std::any_of(entries.begin(), entries.end(), [&](const HelpEntry& entry) {
-        return entry.name.starts_with(option) && entry.description.size() >= kShortestText;
-      });
-    }
-    return false;
-  };
-  CHECK(has("", "match"));
-  CHECK(has("match", "--record"));
-  CHECK(has("match", "blue"));
-  CHECK(has("replay export", "--contact-sheet"));
-  CHECK(has("rules compare", "--list"));
-  CHECK_FALSE(has("match", "--no-such-option"));
-}
-
-TEST_CASE("every option, argument and subcommand has a description of at most 25 words", "[cli]") {
-  for (const HelpText& help : allHelp()) {
-    for (const HelpEntry& entry : entriesOf(help)) {
-      INFO(help.command << ": " << entry.name << ": " << entry.description);
-      CHECK(entry.description.size() >= kShortestText);
-      std::istringstream words(entry.description);
-      std::size_t count = 0;
-      for (std::string word; words >> word;) ++count;
-      CHECK(count <= kMostWords);
-    }
-  }
-}
-
-TEST_CASE("no line of the help is wider than 120 columns", "[cli]") {
-  for (const HelpText& help : allHelp()) {
-    for (const std::string& line : help.lines) {
-      INFO(help.command << ": " << line);
-      CHECK(line.size() <= kWidest);
-    }
-  }
-}
-
-TEST_CASE("the help has no words that the style page bans", "[cli]") {
+TEST_CASE("the help of every command is complete, brief and in plain words", "[cli]") {
+  const Sandbox box;
+  std::vector<HelpText> all;
+  collectHelp(box, "", all);
   // Rates take "per"; a condition on another option is "with --record: ...".
   const std::regex banned(
       "\\b(shall|anew|beside|nobody|somebody|whoever|whither)\\b"
@@ -136,10 +89,31 @@ TEST_CASE("the help has no words that the style page bans", "[cli]") {
       "(second|tick|line|sample|event|pair|match|film)\\b"
       "|\\bof --[a-z]",
       std::regex::icase);
-  for (const HelpText& help : allHelp()) {
+  std::set<std::string> found;
+  for (const HelpText& help : all) {
+    for (const HelpEntry& entry : entriesOf(help)) {
+      INFO(help.command << ": " << entry.name << ": " << entry.description);
+      found.insert(help.command + " " + entry.name.substr(0, entry.name.find_first_of(" ,")));
+      CHECK(entry.description.size() >= kShortestText);
+      std::istringstream words(entry.description);
+      CHECK(std::distance(std::istream_iterator<std::string>(words), {}) <= kMostWords);
+    }
+    std::string text;
     for (const std::string& line : help.lines) {
       INFO(help.command << ": " << line);
+      CHECK(line.size() <= kWidest);
       CHECK_FALSE(std::regex_search(line, banned));
+      text += line + "\n";
     }
+    INFO(help.command);
+    const bool group = contains(text, "Subcommands:");
+    CHECK((group || contains(text, "Example")));
+    CHECK((group || contains(text, "fulbito " + help.command)));
+  }
+  // The walk is one: it found commands of groups, options and arguments.
+  for (const char* entry : {" match", "match --record", "match blue", "replay export --contact-sheet",
+                            "rules compare --list", "replay verify --jobs"}) {
+    INFO(entry);
+    CHECK(found.count(entry) == 1);
   }
 }

@@ -70,8 +70,8 @@ TEST_CASE("docs/results-format.md names every key that is printed as JSON", "[cl
   const std::set<std::string> known = codeWords(contentOf(FULBITO_RESULTS_PAGE));
   REQUIRE(known.count("schema_version") == 1);
   const Sandbox box;
-  REQUIRE(box.run("match libero classic --half-seconds 10 --record a.fbr").code == 0);
-  REQUIRE(box.run("match libero chaser --half-seconds 10 --seed 2 --record b.fbr --drawings").code == 0);
+  box.works("match libero classic --half-seconds 10 --record a.fbr");
+  box.works("match libero chaser --half-seconds 10 --seed 2 --record b.fbr --drawings");
   const std::string bytes = contentOf(box.path / "a.fbr");
   box.write("cut.fbr", bytes.substr(0, bytes.size() / 2));
   const auto expect = [&](const std::string& arguments) {

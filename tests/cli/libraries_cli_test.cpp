@@ -15,8 +15,8 @@ TEST_CASE("navigators of a shared library are compared with the built-in ones", 
   const Output output =
       box.run("compare --navigators ./mine.so:path ./mine.so:timed:gain=0.6 bezier --trials 2");
   CHECK(output.code == 0);
-  CHECK(output.out.find("| ./mine.so:path |") != std::string::npos);
-  CHECK(output.out.find("| ./mine.so:timed:gain=0.6 * |") != std::string::npos);
+  CHECK(contains(output.out, "| ./mine.so:path |"));
+  CHECK(contains(output.out, "| ./mine.so:timed:gain=0.6 * |"));
 }
 
 TEST_CASE("teams drive with navigators of a shared library", "[cli]") {
@@ -37,7 +37,7 @@ TEST_CASE("errors of a library of navigators name the file", "[cli]") {
     const Output output = box.run("compare --navigators " + specification);
     INFO(output.err);
     CHECK(output.code == code);
-    CHECK(output.err.find(words) != std::string::npos);
+    CHECK(contains(output.err, words));
   };
   check("./mine.so:none", 2, "the library './mine.so' has no navigator 'none'");
   check("./mine.so:path:gain=9", 2, "parameter 'gain'");
@@ -63,23 +63,23 @@ TEST_CASE("a library that ends the program is named, and the program does not sa
     const Output output = end(how, where, "none");
     CHECK(output.code == 4);
     const std::string by = how == std::string("thread") ? "a library ends this program: " : named;
-    CHECK(output.err.find(by + "it calls exit") != std::string::npos);
+    CHECK(contains(output.err, by + "it calls exit"));
   }
   for (const auto& [how, where] :
        {std::pair{"hard-exit", "decide"}, {"hard-exit", "destroy"}, {"last-exit", "ready"}}) {
     INFO(how << " in " << where);
     const Output output = end(how, where, "none");
     CHECK(output.code == 4);
-    CHECK(output.err.find(named + "it calls _exit") != std::string::npos);
+    CHECK(contains(output.err, named + "it calls _exit"));
   }
   CHECK(end("child", "decide", "none").code == 0);  // that ends another process
   for (const auto& [how, words] : {std::pair{"abort", "signal 6 (Aborted)"}, {"crash", "signal 11 "}}) {
     const Output output = end(how, "decide", "none");
     CHECK(output.code >= 128);
-    CHECK(output.err.find(named + words) != std::string::npos);
+    CHECK(contains(output.err, named + words));
   }
   // In a process of its own it forfeits.
   const Output apart = end("exit", "decide", "process");
   CHECK(apart.code == 0);
-  CHECK(apart.out.find("exit code 0") != std::string::npos);
+  CHECK(contains(apart.out, "exit code 0"));
 }

@@ -41,16 +41,17 @@ TEST_CASE("a smaller promise lets a smaller machine play", "[cli]") {
 
 TEST_CASE("whatever stack and memory the shell leaves, the program says so or does its work", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run("match chaser libero --half-seconds 2 --record a.fbr").code == 0);
+  box.works("match chaser libero --half-seconds 2 --record a.fbr");
   for (const std::string stack : {"ulimit -s 48", "ulimit -s 300"}) {
     INFO(stack);
     CHECK(box.shell(stack + "; $F match chaser libero --half-seconds 1 -n 2 --jobs 3").code == 0);
-    CHECK(box.shell(stack + "; $F replay export a.fbr --gif a.gif --to 1 --force").code == 0);
+    CHECK(box.shell(stack + "; $F replay export a.fbr --gif a.gif --size 400 --to 1 --force").code == 0);
   }
   for (const int memory : {50'000, 57'000, 70'000, 90'000, 130'000}) {
     const std::string limit = "ulimit -v " + std::to_string(memory) + "; $F ";
     for (const std::string command :
-         {"match random chaser -n 5 --half-seconds 1 --jobs 40", "replay export a.fbr --gif b.gif --force",
+         {"match random chaser -n 5 --half-seconds 1 --jobs 40",
+          "replay export a.fbr --gif b.gif --size 400 --to 1 --force",
           "tournament run idle chaser random --half-seconds 1 --jobs 40 --out t"}) {
       const Output output = box.shell(limit + command);
       INFO(memory << " " << command << ": " << output.err);
@@ -62,8 +63,8 @@ TEST_CASE("whatever stack and memory the shell leaves, the program says so or do
 
 TEST_CASE("where descriptors lack for files, each command says so by the same code", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run("match chaser idle --half-seconds 1 --record a.fbr").code == 0);
-  REQUIRE(box.run("tournament run idle random --half-seconds 1 --pairs 1 --out whole").code == 0);
+  box.works("match chaser idle --half-seconds 1 --record a.fbr");
+  box.works("tournament run idle random --half-seconds 1 --pairs 1 --out whole");
   int lacking = 0;
   for (const std::string command :
        {"tournament run idle random --half-seconds 1 --pairs 1 --out t --jobs 1",
@@ -75,8 +76,7 @@ TEST_CASE("where descriptors lack for files, each command says so by the same co
     INFO(command);
     const Output output = box.shell("exec 3</dev/null 4</dev/null; ulimit -n 6; $F " + command);
     INFO(output.err << output.out);
-    const bool is_told =
-        output.code == 6 && (output.err + output.out).find("Too many open files") != std::string::npos;
+    const bool is_told = output.code == 6 && contains(output.err + output.out, "Too many open files");
     CHECK((output.code == 0 || is_told));
     lacking += is_told ? 1 : 0;
   }

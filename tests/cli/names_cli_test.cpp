@@ -16,10 +16,6 @@ constexpr const char* kWild =
     "d\xe2\x80\xa8"
     "e\n\x1b[2Jf";
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// Whether text would steer a terminal, or make lines that the program did not mean.
 bool isWild(const std::string& text) {
   for (const char* part : {"\xc2\x9b", "\xe2\x80\xae", "\x7f", "\xe2\x80\xa8", "\x1b"}) {

@@ -165,19 +165,19 @@ TEST_CASE("no option of any command replaces an input of it or a file that keeps
   std::size_t tried = 0, refused = 0;
   for (const Line& line : lines()) {
     const std::string help = box.run(line.command + " --help").out;
-    const std::string force = help.find(" --force ") != std::string::npos ? " --force" : "";
+    const std::string force = contains(help, " --force ") ? " --force" : "";
     for (const auto& [option, type] : textOptions(help)) {
-      if (!option.empty() && line.words.find(option + " ") != std::string::npos) continue;
+      if (!option.empty() && contains(line.words, option + " ")) continue;
       std::vector<std::string> victims = line.files;
       victims.push_back(kResults[tried % kResults.size()]);
-      const bool file = type.find("FILE") != std::string::npos || type.find("OUT") != std::string::npos;
+      const bool file = contains(type, "FILE") || contains(type, "OUT");
       // What is no file by its help gets one name, in turn.
       if (!file && !option.empty()) victims = {victims[tried % victims.size()]};
       for (const std::string& victim : victims) {
         const std::string before = contentOf(box.path / victim);
         REQUIRE_FALSE(before.empty());
         const std::string name = tried % 2 == 0 ? victim : aliasOf(box, victim, tried / 2);
-        const std::string value = (type.find("WHO") != std::string::npos ? "ball " : "") + name;
+        const std::string value = (contains(type, "WHO") ? "ball " : "") + name;
         const std::string words = line.command + " " + line.words + " " + option + " " + value + force;
         const Output output = box.run(words);
         INFO(words << "\n" << output.err);
@@ -218,16 +218,14 @@ TEST_CASE("a report replaces its last one, an empty file, and with --force other
     const std::string command = "tournament report results " + flag + " " + file;
     INFO(command);
     box.write(file, "");
-    REQUIRE(box.run(command).code == 0);
+    box.works(command);
     const std::string report = contentOf(box.path / file);
     CHECK(report.size() > 100);
     CHECK(box.run(command).code == 0);
     for (const std::string own : {"# My notes\n", "<!doctype html>\n<html><body>mine</body></html>\n",
                                   "name,age\nme,7\n", "{\n  \"schema_version\": 1\n}\n"}) {
       box.write(file, own);
-      const Output refused = box.run(command);
-      CHECK(refused.code == 2);
-      CHECK(refused.err.find(flag + ": '" + file + "' exists and is not ") != std::string::npos);
+      box.fails(command, 2, flag + ": '" + file + "' exists and is not ");
       CHECK(contentOf(box.path / file) == own);
       CHECK(box.run(command + " --force").code == 0);
       CHECK(contentOf(box.path / file) == report);
@@ -246,8 +244,8 @@ TEST_CASE("a folder of products replaces its own files, and no others without --
   const Sandbox box;
   const std::string command =
       "compare --suite corner --trials 1 --navigators straight bezier --speeds 1 --pictures 1 --out out";
-  REQUIRE(box.run(command).code == 0);
-  REQUIRE(box.run(command).code == 0);
+  box.works(command);
+  box.works(command);
   for (const std::string file : {"trials.csv", "time.png"}) {
     const std::string before = contentOf(box.path / "out" / file);
     REQUIRE_FALSE(before.empty());
@@ -280,10 +278,7 @@ TEST_CASE("a foreign file in an experiment's folder stays, and costs no other re
   }
   // Which tables there are depends on the work.
   box.write("out/localization/schemes.csv", "somebody's notes\n");
-  const Output output = box.run(command);
-  INFO(output.err);
-  CHECK(output.code == 2);
-  CHECK(output.err.find("schemes.csv") != std::string::npos);
+  box.ends(command, 2, "schemes.csv");
   CHECK(contentOf(out / "schemes.csv") == "somebody's notes\n");
   CHECK(fs::exists(out / "rooms.csv"));
   CHECK(fs::exists(out / "localization.html"));
@@ -302,17 +297,14 @@ TEST_CASE("a name that promises another kind of file is refused, with the option
         std::pair{"tournament report results --csv table.html", "use --html"},
         std::pair{"tune classic --png path.gif", "choose another name"},
         std::pair{"replay cut a.fbr piece.jsonl", "choose another name"}}) {
-    const Output output = box.run(words);
-    INFO(words << "\n" << output.err);
-    CHECK(output.code == 2);
-    CHECK(output.err.find(advice) != std::string::npos);
+    box.fails(words, 2, advice);
   }
   CHECK(box.run("replay export a.fbr --png still.picture").code == 0);
 }
 
 TEST_CASE("a long GIF says what it will weigh, before it is written", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run("match chaser classic --half-seconds 35 --seed 5 --record a.fbr").code == 0);
+  box.works("match chaser classic --half-seconds 15 --seed 5 --record a.fbr");
   const Output film = box.run("replay export a.fbr --gif a.gif --size 240 --speed 1");
   REQUIRE(film.code == 0);
   std::smatch said;
@@ -322,20 +314,15 @@ TEST_CASE("a long GIF says what it will weigh, before it is written", "[cli]") {
   INFO(told << " MB told, " << is << " MB written");
   CHECK(told > 0.5 * is - 0.1);
   CHECK(told < 2.0 * is + 0.1);
-  CHECK(film.err.find("--from and --to") != std::string::npos);
+  CHECK(contains(film.err, "--from and --to"));
   const Output clip = box.run("replay export a.fbr --gif b.gif --size 240 --from 1 --to 3");
   CHECK(clip.err.find("about") == std::string::npos);
 }
 
 TEST_CASE("what has the name of a found file and is none is named, and nothing hangs", "[cli]") {
   const Sandbox box;
-  const auto refused = [&](const std::string& words, const std::string& file) {
-    const Output output = box.run(words);
-    INFO(words << "\n" << output.err);
-    CHECK(output.code == 5);
-    CHECK(output.err.find(file) != std::string::npos);
-  };
-  REQUIRE(box.run("new-team python own").code == 0);
+  const auto refused = [&](const std::string& words, const std::string& file) { box.fails(words, 5, file); };
+  box.works("new-team python own");
   const std::string play = "tournament run 'cmd:python3 own/team.py' idle --pairs 1 --half-seconds 1";
   for (const bool folder : {false, true}) {
     fs::remove(box.path / "own/team.toml");

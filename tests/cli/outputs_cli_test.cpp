@@ -9,10 +9,6 @@ namespace {
 
 const std::string kMatch = "match chaser chaser --half-seconds 2 ";
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 std::size_t filesIn(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
 }
@@ -21,7 +17,7 @@ std::size_t filesIn(const fs::path& folder) {
 
 TEST_CASE("outputs go into a pipe, which stays one", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run(kMatch + "--record a.fbr").code == 0);
+  box.works(kMatch + "--record a.fbr");
   REQUIRE(::mkfifo((box.path / "pipe").c_str(), 0600) == 0);
   for (const std::string command :
        {"run --png pipe", "replay export a.fbr --png pipe", "replay export a.fbr --csv pipe",
@@ -46,7 +42,7 @@ TEST_CASE("the way to a picture leads over nobody's file or link", "[cli]") {
 
 TEST_CASE("results that nobody gets are an error of every command", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run(kMatch + "--record a.fbr").code == 0);
+  box.works(kMatch + "--record a.fbr");
   for (const std::string command : {"match chaser chaser --half-seconds 1",
                                     "match chaser chaser --half-seconds 1 --json",
                                     "match chaser chaser --half-seconds 1 -n 1 --json",
@@ -80,6 +76,15 @@ TEST_CASE("results that nobody gets are an error of every command", "[cli]") {
   }
 }
 
+TEST_CASE("a reader that has gone is told quietly, and a full disk is an error of writing", "[cli]") {
+  const Sandbox box;
+  // More than a buffer's worth, so that it is written before the end.
+  CHECK(box.shell("(sleep 0.2; $F list navigators; echo code $? >&2) | true").err == "code 5\n");
+  const Output full = box.shell("$F list navigators > /dev/full");
+  CHECK(full.code == 5);
+  CHECK(full.err == "fulbito: cannot write to stdout: No space left on device\n");
+}
+
 TEST_CASE("files do not get the numbers of closed descriptors", "[cli]") {
   const Sandbox box;
   CHECK(box.shell("$F " + kMatch + "--events e.jsonl --record a.fbr >&- 2>&- <&-").code == 5);
@@ -92,16 +97,9 @@ TEST_CASE("files do not get the numbers of closed descriptors", "[cli]") {
   CHECK(fs::exists(box.path / "o/results.json"));
 }
 
-TEST_CASE("a reader that has gone is told quietly", "[cli]") {
-  const Sandbox box;
-  const Output output =
-      box.shell("{ (sleep 0.2; $F list navigators; echo code $? >&2) | true; } 2> said.txt; cat said.txt");
-  CHECK(output.out == "code 5\n");
-}
-
 TEST_CASE("no output takes the place of an input or of another output", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run(kMatch + "--record a.fbr").code == 0);
+  box.works(kMatch + "--record a.fbr");
   for (const auto& [file, command] :
        {std::pair{"rules.toml", "rules show training"}, std::pair{"robot.toml", "show robot vsss"},
         std::pair{"layout.toml", "show case fig1-abrupt-turns"}}) {
@@ -133,14 +131,14 @@ TEST_CASE("no output takes the place of an input or of another output", "[cli]")
 
 TEST_CASE("files that exist are replaced with --force only", "[cli]") {
   const Sandbox box;
+  box.works(kMatch + "--record a.fbr");
   for (const std::string& command : {kMatch + "--record x", kMatch + "--events x", std::string("run --png x"),
                                      std::string("run --record x"), std::string("run --trace x"),
+                                     std::string("replay export a.fbr --html x"),
                                      std::string("compare --suite corner --trials 1 --out o --html x")}) {
     INFO(command);
     box.write("x", "old");
-    const Output refused = box.run(command);
-    CHECK(refused.code == 2);
-    CHECK(contains(refused.err, "exists; use --force"));
+    box.fails(command, 2, "exists; use --force");
     CHECK(contentOf(box.path / "x") == "old");
     CHECK(box.run(command + " --force").code == 0);
     CHECK(fs::file_size(box.path / "x") > 10);
@@ -154,9 +152,7 @@ TEST_CASE("a dash is no file where nothing goes to stdout", "[cli]") {
         std::string("compare --suite corner --trials 1 --html -"),
         std::string("view none.fbr --screenshot -")}) {
     INFO(command);
-    const Output output = box.run(command);
-    CHECK(output.code == 2);
-    CHECK(contains(output.err, "not to stdout"));
+    box.fails(command, 2, "not to stdout");
     CHECK_FALSE(fs::exists(box.path / "-"));
   }
 }
@@ -164,8 +160,8 @@ TEST_CASE("a dash is no file where nothing goes to stdout", "[cli]") {
 TEST_CASE("two recordings into one file at once: one is whole, the other refused", "[cli]") {
   const Sandbox box;
   const std::string two =
-      "$F match chaser chaser --half-seconds 60 --seed 1 --record o.fbr & first=$!; "
-      "$F match chaser chaser --half-seconds 60 --seed 2 --record o.fbr; second=$?; "
+      "$F match chaser chaser --half-seconds 30 --seed 1 --record o.fbr & first=$!; "
+      "$F match chaser chaser --half-seconds 30 --seed 2 --record o.fbr; second=$?; "
       "wait $first; echo $? $second";
   const Output output = box.shell(two);
   CHECK((contains(output.out, "\n0 2\n") || contains(output.out, "\n2 0\n")));
@@ -180,7 +176,7 @@ TEST_CASE("two recordings into one file at once: one is whole, the other refused
 
 TEST_CASE("a limit of the system on files is an error of writing that leaves nothing", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run(kMatch + "--record a.fbr").code == 0);
+  box.works(kMatch + "--record a.fbr");
   fs::create_directory(box.path / "out");
   for (const std::string command :
        {"replay export a.fbr --png out/p.png", "replay export a.fbr --gif out/g.gif",

@@ -7,12 +7,12 @@ using namespace fulbito::test;
 
 TEST_CASE("rules compare lists by rule where two profiles differ on recordings", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run("match chaser chaser --half-seconds 30 --seed 4 --record one.fbr").code == 0);
-  REQUIRE(box.run("match chaser chaser --half-seconds 30 --seed 5 --record two.fbr").code == 0);
+  box.works("match chaser chaser --half-seconds 30 --seed 4 --record one.fbr");
+  box.works("match chaser chaser --half-seconds 30 --seed 5 --record two.fbr");
   const Output table = box.run("rules compare vsss-3v3 league-program-2021 one.fbr two.fbr --list");
   CHECK(table.code == 0);
-  CHECK(table.out.find("A = vsss-3v3, B = league-program-2021") != std::string::npos);
-  CHECK(table.out.find("2 recordings, ") != std::string::npos);
+  CHECK(contains(table.out, "A = vsss-3v3, B = league-program-2021"));
+  CHECK(contains(table.out, "2 recordings, "));
 
   const Output object = box.run("rules compare vsss-3v3 league-program-2021 one.fbr two.fbr --json");
   CHECK(object.code == 0);
@@ -27,12 +27,12 @@ TEST_CASE("rules compare lists by rule where two profiles differ on recordings",
 
 TEST_CASE("rules compare refuses what is no recording, with the exit code of its kind", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run("match chaser chaser --half-seconds 5 --record one.fbr").code == 0);
+  box.works("match chaser chaser --half-seconds 5 --record one.fbr");
   CHECK(box.run("rules compare vsss-3v3 vsss-3v3").code == 2);
   CHECK(box.run("rules compare vsss-3v3 vss-3v3 one.fbr").code == 2);
   CHECK(box.run("rules compare vsss-3v3 vsss-3v3 none.fbr").code == 5);
   const Output wrong = box.run("rules compare vsss-3v3 vsss-3v3 " FULBITO_PROGRAM);
   CHECK(wrong.code == 3);
-  CHECK(wrong.err.find("not a recording") != std::string::npos);
+  CHECK(contains(wrong.err, "not a recording"));
   CHECK(wrong.out.empty());
 }

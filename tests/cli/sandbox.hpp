@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/support/catch.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 /// The program under test, run in folders of its own.
@@ -17,6 +18,10 @@ namespace fulbito::test {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 struct Output {
   int code = 0;
@@ -48,6 +53,27 @@ struct Sandbox {
     fs::remove(path / "script.sh");
     return output;
   }
+  /// Runs a command and checks that it works.
+  Output works(const std::string& arguments) const {
+    Output output = run(arguments);
+    INFO(arguments << "\n" << output.err);
+    REQUIRE(output.code == 0);
+    return output;
+  }
+  /// Runs a command that must fail before its work: this exit code, this part on stderr, nothing on stdout.
+  void fails(const std::string& arguments, int code, const std::string& part = {}) const {
+    CHECK(ends(arguments, code, part).out.empty());
+  }
+  /// Runs a command that ends with this exit code and has this part on stderr.
+  Output ends(const std::string& arguments, int code, const std::string& part = {}) const {
+    Output output = run(arguments);
+    INFO(arguments << "\n" << output.err);
+    CHECK(output.code == code);
+    CHECK_FALSE(output.err.empty());
+    CHECK(contains(output.err, part));
+    return output;
+  }
+  std::string read(const std::string& name) const { return contentOf(path / name); }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(path / name, std::ios::binary) << text;
   }

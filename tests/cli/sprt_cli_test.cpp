@@ -3,14 +3,6 @@
 
 using namespace fulbito::test;
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
-
 TEST_CASE("sprt says by its exit code whether a team passes, fails or is not known", "[cli]") {
   const Sandbox box;
   CHECK(box.run("sprt chaser idle --half-seconds 15").code == 0);
@@ -20,25 +12,11 @@ TEST_CASE("sprt says by its exit code whether a team passes, fails or is not kno
   CHECK(contains(unknown.out, "inconclusive"));
 }
 
-TEST_CASE("sprt prints the same for any number of jobs", "[cli]") {
-  const Sandbox box;
-  const auto json = [&](const std::string& jobs) {
-    Json all = Json::parse(box.run("sprt chaser random --half-seconds 10 --json --jobs " + jobs).out);
-    all.erase("wall_s");
-    return all;
-  };
-  CHECK(json("1") == json("2"));
-}
-
 TEST_CASE("sprt refuses bounds and teams that make no test", "[cli]") {
   const Sandbox box;
   for (const std::string command :
        {"sprt chaser idle --bounds 5,1", "sprt chaser idle --bounds 0,900", "sprt chaser idle --alpha 0",
         "sprt chaser idle --beta nan", "sprt chaser idle --pairs 0", "sprt chaser", "sprt chaser nobody"}) {
-    INFO(command);
-    const Output output = box.run(command);
-    CHECK(output.code == 2);
-    CHECK(output.out.empty());
-    CHECK(output.err.size() > 10);
+    box.fails(command, 2);
   }
 }

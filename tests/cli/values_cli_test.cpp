@@ -3,24 +3,13 @@
 
 using namespace fulbito::test;
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
-
 TEST_CASE("an empty value is refused everywhere", "[cli]") {
   const Sandbox box;
   for (const std::string command :
        {"match --half-seconds ''", "match -n ''", "match --start ''", "match --record ''",
         "match --events ''", "compare --trials ''", "replay export a.fbr --html ''",
         "replay export a.fbr --gif g --fps ''", "match --seed=", "match ''", "run --layout ''"}) {
-    INFO(command);
-    const Output output = box.run(command);
-    CHECK(output.code == 2);
-    CHECK(contains(output.err, "empty"));
+    box.fails(command, 2, "empty");
   }
 }
 
@@ -54,16 +43,13 @@ TEST_CASE("numbers are decimal in every flag", "[cli]") {
                                     "compare --jobs 99999",
                                     "replay verify a.fbr --jobs -1",
                                     "replay export a.fbr --gif g --jobs 5000"}) {
-    INFO(command);
-    const Output output = box.run(command);
-    CHECK(output.code == 2);
-    CHECK(contains(output.err, "number"));
+    box.fails(command, 2, "number");
   }
 }
 
 TEST_CASE("flags that have no effect are refused", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run("match chaser chaser --half-seconds 2 --record a.fbr").code == 0);
+  box.works("match chaser chaser --half-seconds 2 --record a.fbr");
   for (const std::string command :
        {"replay export a.fbr --csv - --ghost none", "replay export a.fbr --csv - --theme light",
         "replay export a.fbr --html h --at 1", "replay export a.fbr --heatmap ball --trail 2",
@@ -135,7 +121,7 @@ TEST_CASE("messages are short, whole and harmless", "[cli]") {
   const Output huge = box.shell("$F match $(printf '%0120000d' 7)");
   CHECK(huge.code == 2);
   CHECK(huge.err.size() < 4000);
-  REQUIRE(box.run("match chaser chaser --half-seconds 1 --record a.fbr").code == 0);
+  box.works("match chaser chaser --half-seconds 1 --record a.fbr");
   std::string bytes = contentOf(box.path / "a.fbr");
   bytes[bytes.size() / 2] ^= 1;
   box.write("b.fbr", bytes);
@@ -151,13 +137,13 @@ TEST_CASE("messages are short, whole and harmless", "[cli]") {
 
 TEST_CASE("where no thread starts or no memory is left the work is done, or the error said", "[cli]") {
   const Sandbox box;
-  REQUIRE(box.run("match chaser chaser --half-seconds 5 --record a.fbr").code == 0);
+  box.works("match chaser chaser --half-seconds 1 --record a.fbr");
   fs::permissions(box.path, fs::perms::all);
   const bool root = ::geteuid() == 0;
   const std::string nobody = root ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
   for (const std::string command :
-       {"replay export a.fbr --gif g.gif --jobs 8 --force",
-        "replay export a.fbr --png p.png --fps 5 --jobs 8 --force",
+       {"replay export a.fbr --gif g.gif --size 240 --to 2 --jobs 8 --force",
+        "replay export a.fbr --png p.png --size 240 --fps 2 --jobs 8 --force",
         "match chaser chaser --half-seconds 1 -n 2 --jobs 8", "replay verify a.fbr a.fbr --jobs 8",
         "compare --suite corner --trials 2 --jobs 8 --out o",
         "drill classic --drill 1 --trials 2 --jobs 8"}) {

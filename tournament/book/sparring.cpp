@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/core/math/random.hpp"
 #include "engine/core/models/field_places.hpp"
 #include "fulbito/detail/math.hpp"
-#include "strategies/skills/unsticking.hpp"
 
 namespace fulbito {
 namespace {
@@ -15,12 +15,41 @@ constexpr double kHomeSeconds = 2.0;  // [s] after which a robot gets another pl
 constexpr double kRoom = 3.0;         // [radii] between centres: nearer robots are avoided
 constexpr double kNear = 0.04;        // [m] from a place: there is no hurry to get nearer
 
+/// Backs off a robot that is meant to move and is held. It is the book's own, like all of this team: starts
+/// do not depend on the skills of the built-in teams.
+class BackingOff {
+ public:
+  /// @return what replaces the command for a moment, if anything
+  std::optional<Twist> update(const RobotState& robot, bool meant, double dt) {
+    constexpr double kStill = 0.03, kTurning = 1.0;     // [m/s], [rad/s]
+    constexpr double kPatience = 0.8, kDuration = 0.25;  // [s]
+    constexpr double kSpeed = 0.5, kWiggle = 3.0;        // [m/s], [rad/s]
+    if (left_ > 0.0) {
+      left_ -= dt;
+      return Twist{speed_, kWiggle};
+    }
+    const bool still = norm(robot.velocity) < kStill && std::abs(robot.angular_velocity) < kTurning;
+    held_ = meant && still ? held_ + dt : 0.0;
+    if (held_ < kPatience) return std::nullopt;
+    held_ = 0.0;
+    left_ = kDuration;
+    // Away from where the wheels push.
+    speed_ = robot.wheels.left + robot.wheels.right > 0.0 ? -kSpeed : kSpeed;
+    return Twist{speed_, kWiggle};
+  }
+
+ private:
+  double held_ = 0.0;  // [s] without motion
+  double left_ = 0.0;  // [s] of backing off
+  double speed_ = 0.0;
+};
+
 class Sparring final : public Strategy {
  public:
   void begin(const MatchInfo& info) override {
     info_ = info;
     rng_ = Rng(info.seed, Stream::kStartBook, indexOf(info.team));
-    unsticking_.fill({});
+    backing_off_.fill({});
     drawHomes();
   }
 
@@ -35,7 +64,7 @@ class Sparring final : public Strategy {
                                       : robot.pose.position + freeWay(i, placeOf(i, seen), seen);
       const Twist wanted = drive(robot, target, i == player);
       const bool meant = seen.playing && distance(robot.pose.position, target) > kNear;
-      const auto free = unsticking_[i].update(robot, meant, seen.dt);
+      const auto free = backing_off_[i].update(robot, meant, seen.dt);
       command.robots[i] = RobotCommand::byTwist(free ? *free : wanted);
     }
     return command;
@@ -112,7 +141,7 @@ class Sparring final : public Strategy {
   MatchInfo info_;
   Rng rng_{0, Stream::kStartBook};
   std::array<Vec2, kMaxTeamSize> homes_{};
-  std::array<Unsticking, kMaxTeamSize> unsticking_{};
+  std::array<BackingOff, kMaxTeamSize> backing_off_{};
 };
 
 }  // namespace

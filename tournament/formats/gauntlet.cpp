@@ -1,8 +1,14 @@
-#include "tournament/formats/fixed_formats.hpp"
+#include <algorithm>
+#include <array>
+
+#include "tournament/formats/format.hpp"
 
 namespace fulbito {
+namespace {
 
-Schedule gauntletSchedule(const TournamentPlan& plan) {
+/// The first entrant against each other one, all with the first start, then all with the next. With two
+/// entrants: a match.
+Schedule gauntletSchedule(const TournamentPlan& plan, ResultsView /*results*/) {
   Schedule schedule;
   schedule.complete = true;
   schedule.fixtures.reserve(static_cast<std::size_t>(mostFixtures(plan)));
@@ -13,5 +19,36 @@ Schedule gauntletSchedule(const TournamentPlan& plan) {
   }
   return schedule;
 }
+
+std::int64_t mostMeetings(const TournamentPlan& plan) {
+  return (static_cast<std::int64_t>(plan.entrants.size()) - 1) * plan.pairs;
+}
+
+/// The first entrant plays more matches than the others, so that all count per match: points, goal
+/// difference, goals scored, then fewer walk-overs.
+std::vector<Standing> gauntletTable(const CountedResults& counted) {
+  const std::vector<Standing> table = tally(counted);
+  // Quotients of whole numbers are rounded correctly: equal ratios are equal numbers.
+  const auto per_match = [&](std::string_view name, auto value) {
+    return criterion(name, table, [&](const Standing& line) {
+      return static_cast<double>(value(line)) / std::max(1, line.matches);
+    });
+  };
+  const std::array criteria{per_match("points", [](const Standing& line) { return line.points; }),
+                            per_match("goal difference per match", goalDifferenceOf),
+                            per_match("goals scored per match", goalsForOf), fewerForfeits(counted)};
+  return ranked(table, criteria, "points");
+}
+
+}  // namespace
+
+extern const Format kGauntletFormat{
+    .schedule = gauntletSchedule, .table = gauntletTable, .most_fixtures = mostMeetings};
+/// With two entrants, a gauntlet is a match; its table is that of a league.
+extern const Format kMatchFormat{.schedule = gauntletSchedule,
+                                 .table = leagueTable,
+                                 .most_fixtures = mostMeetings,
+                                 .most_entrants = 2,
+                                 .has_test = true};
 
 }  // namespace fulbito

@@ -1,13 +1,37 @@
-#include "tournament/formats/knock_out.hpp"
-
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
+#include "tournament/formats/format.hpp"
 #include "tournament/formats/meeting.hpp"
 
 namespace fulbito {
 namespace {
+
+/// A level tie has so many further pairs at most, one at a time.
+constexpr int kMostExtraPairs = 3;
+
+/// A knock-out so far.
+struct KnockOutCourse {
+  Schedule schedule;
+  std::vector<KnockOutTie> ties;  ///< see `bracketOf`
+};
+
+/// The order of `size` seeds, a power of two, in a bracket: the best two meet in the final at the earliest,
+/// the best four in the semi-finals: 0 7 3 4 1 6 2 5.
+std::vector<std::size_t> bracketOrder(std::size_t size) {
+  std::vector<std::size_t> order{0};
+  while (order.size() < size) {
+    std::vector<std::size_t> next;
+    for (const std::size_t seed : order) {
+      next.push_back(seed);
+      next.push_back(2 * order.size() - 1 - seed);
+    }
+    order = std::move(next);
+  }
+  return order;
+}
 
 class KnockOut {
  public:
@@ -125,28 +149,64 @@ class KnockOut {
   std::vector<std::size_t> rounds_;  // the first tie of each round
 };
 
-}  // namespace
-
-std::vector<std::size_t> bracketOrder(std::size_t size) {
-  std::vector<std::size_t> order{0};
-  while (order.size() < size) {
-    std::vector<std::size_t> next;
-    for (const std::size_t seed : order) {
-      next.push_back(seed);
-      next.push_back(2 * order.size() - 1 - seed);
-    }
-    order = std::move(next);
-  }
-  return order;
-}
-
+/// Each tie has the plan's pairs. It is decided by points of matches, then goal difference, then further
+/// pairs, then the better seeding. All ties of a round have the same number of pairs before further pairs are
+/// scheduled.
 KnockOutCourse knockOutCourse(const TournamentPlan& plan, ResultsView results) {
   return KnockOut(plan, results).play();
 }
+
+Schedule knockOutSchedule(const TournamentPlan& plan, ResultsView results) {
+  return knockOutCourse(plan, results).schedule;
+}
+
+/// Of each tie with two entrants but the last, the loser leaves. From four entrants on there is a match for
+/// the third place.
+std::int64_t mostMeetings(const TournamentPlan& plan) {
+  const auto entrants = static_cast<std::int64_t>(plan.entrants.size());
+  return (entrants - (entrants >= 4 ? 0 : 1)) * (plan.pairs + kMostExtraPairs);
+}
+
+/// How far each entrant came in a knock-out.
+struct Progress {
+  explicit Progress(std::size_t entrants)
+      : rounds{"round reached", std::vector<double>(entrants)},
+        still_in{"still in", std::vector<double>(entrants, 1.0)},
+        third{"match for the third place", std::vector<double>(entrants)} {}
+
+  void add(const KnockOutTie& tie) {
+    if (!tie.winner) return;
+    const auto& loser = tie.winner == tie.a ? tie.b : tie.a;
+    if (tie.third_place) {
+      third.values[*tie.winner] = 1.0;
+      return;
+    }
+    rounds.values[*tie.winner] += 1.0;
+    if (loser) still_in.values[*loser] = 0.0;
+  }
+
+  Criterion rounds, still_in, third;
+};
+
+/// The round reached; who is still in; the match for the third place. The others share a rank.
+std::vector<Standing> knockOutTable(const CountedResults& counted) {
+  std::vector<Standing> table = tally(counted);
+  Progress progress(table.size());
+  for (const KnockOutTie& tie : knockOutCourse(counted.plan, counted.results).ties) {
+    progress.add(tie);
+    if (tie.decided_by == "bye") ++table[*tie.winner].byes;
+  }
+  return ranked(std::move(table), std::array{progress.rounds, progress.still_in, progress.third}, "");
+}
+
+}  // namespace
 
 std::vector<KnockOutTie> bracketOf(const TournamentPlan& plan, const FixtureResults& results) {
   if (plan.format != TournamentFormat::kKnockOut) return {};
   return knockOutCourse(plan, results).ties;
 }
+
+extern const Format kKnockOutFormat{
+    .schedule = knockOutSchedule, .table = knockOutTable, .most_fixtures = mostMeetings};
 
 }  // namespace fulbito

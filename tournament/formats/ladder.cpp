@@ -1,13 +1,18 @@
-#include "tournament/formats/ladder.hpp"
-
 #include <algorithm>
 #include <map>
 #include <numeric>
 
+#include "tournament/formats/format.hpp"
 #include "tournament/formats/meeting.hpp"
 
 namespace fulbito {
 namespace {
+
+/// A ladder so far.
+struct LadderCourse {
+  Schedule schedule;
+  std::vector<std::size_t> order;  ///< entrants after the last round with all results, the upper first
+};
 
 /// A meeting of the neighbours at `upper` and the place below.
 struct Challenge {
@@ -59,8 +64,9 @@ class Ladder {
   std::map<std::pair<std::size_t, std::size_t>, int> meetings_;  // so far
 };
 
-}  // namespace
-
+/// The ladder begins in order of seeding. In even rounds places 1-2, 3-4 ... meet, in odd ones 2-3, 4-5 ...
+/// The lower one takes the upper's place if it wins the meeting (`MeetingScore::winner`). Entrants who meet
+/// again go on with the starts after those of their last meeting: equal starts would repeat the same matches.
 LadderCourse ladderCourse(const TournamentPlan& plan, ResultsView results) {
   Ladder ladder(plan);
   for (int round = 0; round < roundsOf(plan); ++round) {
@@ -68,5 +74,29 @@ LadderCourse ladderCourse(const TournamentPlan& plan, ResultsView results) {
   }
   return ladder.take(true);
 }
+
+Schedule ladderSchedule(const TournamentPlan& plan, ResultsView results) {
+  return ladderCourse(plan, results).schedule;
+}
+
+/// Neighbours that change places in alternate pairs sort any order of n in n rounds.
+int roundsToSort(std::size_t entrants) { return static_cast<int>(entrants); }
+
+/// The order of the ladder after the last complete round.
+std::vector<Standing> ladderTable(const CountedResults& counted) {
+  std::vector<Standing> table = tally(counted);
+  Criterion place{"place", std::vector<double>(table.size())};
+  double height = static_cast<double>(table.size());
+  for (const std::size_t entrant : ladderCourse(counted.plan, counted.results).order) {
+    place.values[entrant] = height;
+    height -= 1.0;
+  }
+  return ranked(std::move(table), std::span(&place, 1), "");
+}
+
+}  // namespace
+
+extern const Format kLadderFormat{
+    .schedule = ladderSchedule, .table = ladderTable, .most_fixtures = mostOfRounds, .rounds = roundsToSort};
 
 }  // namespace fulbito

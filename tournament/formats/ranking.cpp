@@ -48,4 +48,11 @@ void giveRanks(std::span<Standing> lines, std::string_view silent) {
   }
 }
 
+std::vector<Standing> ranked(std::vector<Standing> table, std::span<const Criterion> criteria,
+                             std::string_view silent) {
+  sortBy(table, criteria);
+  giveRanks(table, silent);
+  return table;
+}
+
 }  // namespace fulbito

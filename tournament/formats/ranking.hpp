@@ -23,4 +23,8 @@ std::vector<std::span<Standing>> sortBy(std::span<Standing> lines, std::span<con
 /// `silent`.
 void giveRanks(std::span<Standing> lines, std::string_view silent);
 
+/// `sortBy` and `giveRanks`.
+std::vector<Standing> ranked(std::vector<Standing> table, std::span<const Criterion> criteria,
+                             std::string_view silent);
+
 }  // namespace fulbito

@@ -30,6 +30,10 @@ Schedule scheduleOf(const TournamentPlan& plan, const FixtureResults& results);
 /// Rounds of a Swiss tournament or ladder: those that the plan names, otherwise as many as the format needs.
 int roundsOf(const TournamentPlan& plan);
 
+/// The groups of a round robin, each in order of seeding. Entrants are dealt in serpentine order: to groups
+/// 0, 1, 2, 2, 1, 0, 0, 1 ...
+std::vector<std::vector<std::size_t>> groupsOf(const TournamentPlan& plan);
+
 /// The number of fixtures that a tournament has at most.
 std::int64_t mostFixtures(const TournamentPlan& plan);
 

@@ -1,5 +1,7 @@
-#include "tournament/formats/swiss.hpp"
+#include <algorithm>
+#include <array>
 
+#include "tournament/formats/format.hpp"
 #include "tournament/formats/meeting.hpp"
 #include "tournament/formats/swiss_pairing.hpp"
 
@@ -46,8 +48,8 @@ class Swiss {
   Schedule schedule_;
 };
 
-}  // namespace
-
+/// Each round pairs entrants with as equal points of pairs as possible who have not met (`SwissPairing`).
+/// With an odd number of entrants one has a bye per round, nobody twice; it counts as a meeting won in full.
 Schedule swissSchedule(const TournamentPlan& plan, ResultsView results) {
   Swiss swiss(plan);
   for (int round = 0; round < roundsOf(plan); ++round) {
@@ -55,5 +57,76 @@ Schedule swissSchedule(const TournamentPlan& plan, ResultsView results) {
   }
   return swiss.take(true);
 }
+
+/// The smallest k with 2^k >= entrants: so many rounds leave one winner of all.
+int roundsToOne(std::size_t entrants) {
+  int rounds = 0;
+  while ((std::size_t{1} << rounds) < entrants) ++rounds;
+  return rounds;
+}
+
+constexpr std::string_view kPairPoints = "points of pairs";
+
+/// Gives a bye to who has no fixture in a round that has begun to count. Rounds are known to the last
+/// fixture.
+void addByes(const CountedResults& counted, std::vector<Standing>& lines) {
+  const auto& fixtures = counted.fixtures;
+  std::size_t next = 0;
+  while (next < counted.results.size()) {
+    std::vector<bool> plays(lines.size());
+    const int round = fixtures[next].round;
+    for (; next < fixtures.size() && fixtures[next].round == round; ++next) {
+      plays[fixtures[next].a] = plays[fixtures[next].b] = true;
+    }
+    for (Standing& line : lines) {
+      if (plays[line.entrant]) continue;
+      ++line.byes;
+      line.pair_points += counted.plan.pairs;
+    }
+  }
+}
+
+/// Buchholz and Sonneborn-Berger. Sums over pairs are `pairs` times those over meetings.
+std::array<Criterion, 2> opponentsOf(const CountedResults& counted, const std::vector<Standing>& lines) {
+  std::array<Criterion, 2> sums{Criterion{"Buchholz", std::vector<double>(lines.size())},
+                                Criterion{"Sonneborn-Berger", std::vector<double>(lines.size())}};
+  for (const Standing& line : lines) {
+    const double byes = line.byes * line.pair_points * counted.plan.pairs;
+    sums[0].values[line.entrant] += byes;
+    sums[1].values[line.entrant] += byes;
+  }
+  forEachResult(counted, [&](const Fixture& fixture, const PairResult& pair) {
+    const std::size_t a = fixture.a, b = fixture.b;
+    const double share = pair.points();
+    sums[0].values[a] += lines[b].pair_points;
+    sums[0].values[b] += lines[a].pair_points;
+    sums[1].values[a] += lines[b].pair_points * share;
+    sums[1].values[b] += lines[a].pair_points * (1.0 - share);
+  });
+  return sums;
+}
+
+/// Points of pairs; Buchholz: the sum of the opponents' points of pairs; Sonneborn-Berger: the same sum, each
+/// times one's own points against that opponent; goal difference; goals scored. A bye counts as an opponent
+/// with as many points as oneself, from whom all pairs are won.
+std::vector<Standing> swissTable(const CountedResults& counted) {
+  std::vector<Standing> table = tally(counted);
+  addByes(counted, table);
+  const auto opponents = opponentsOf(counted, table);
+  const std::array criteria{
+      criterion(kPairPoints, table, [](const Standing& line) { return line.pair_points; }), opponents[0],
+      opponents[1], criterion("goal difference", table, goalDifferenceOf),
+      criterion("goals scored", table, goalsForOf)};
+  return ranked(std::move(table), criteria, kPairPoints);
+}
+
+}  // namespace
+
+extern const Format kSwissFormat{.schedule = swissSchedule,
+                                 .table = swissTable,
+                                 .most_fixtures = mostOfRounds,
+                                 .rounds = roundsToOne,
+                                 .meets_once = true,
+                                 .counts_pair_points = true};
 
 }  // namespace fulbito

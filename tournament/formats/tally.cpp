@@ -29,23 +29,20 @@ void addPair(const PairResult& pair, Standing& a, Standing& b) {
 std::vector<Standing> tally(const CountedResults& counted) {
   std::vector<Standing> lines(counted.plan.entrants.size());
   for (std::size_t i = 0; i < lines.size(); ++i) lines[i].entrant = i;
-  for (std::size_t i = 0; i < counted.results.size(); ++i) {
-    const Fixture& fixture = counted.fixtures[i];
-    if (counted.results[i]) addPair(*counted.results[i], lines[fixture.a], lines[fixture.b]);
-  }
+  forEachResult(counted, [&](const Fixture& fixture, const PairResult& pair) {
+    addPair(pair, lines[fixture.a], lines[fixture.b]);
+  });
   return lines;
 }
 
 Criterion fewerForfeits(const CountedResults& counted) {
   Criterion fewer{"fewer walk-overs", std::vector<double>(counted.plan.entrants.size())};
-  for (std::size_t i = 0; i < counted.results.size(); ++i) {
-    if (!counted.results[i]) continue;
-    const auto& legs = counted.results[i]->legs;
-    for (std::size_t leg = 0; leg < legs.size(); ++leg) {
-      fewer.values[counted.fixtures[i].a] -= legs[leg].faults.teams[leg].forfeited;
-      fewer.values[counted.fixtures[i].b] -= legs[leg].faults.teams[1 - leg].forfeited;
+  forEachResult(counted, [&](const Fixture& fixture, const PairResult& pair) {
+    for (std::size_t leg = 0; leg < pair.legs.size(); ++leg) {
+      fewer.values[fixture.a] -= pair.legs[leg].faults.teams[leg].forfeited;
+      fewer.values[fixture.b] -= pair.legs[leg].faults.teams[1 - leg].forfeited;
     }
-  }
+  });
   return fewer;
 }
 

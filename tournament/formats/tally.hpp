@@ -16,11 +16,22 @@ struct CountedResults {
 /// Points of a match in a league for a share of 1, 1/2 or 0: 3, 1 or 0.
 constexpr int leaguePoints(double share) { return share == 1.0 ? 3 : share == 0.5 ? 1 : 0; }
 
+/// Calls `use(fixture, pair)` for each counted result.
+template <typename Use>
+void forEachResult(const CountedResults& counted, Use use) {
+  for (std::size_t i = 0; i < counted.results.size(); ++i) {
+    if (counted.results[i]) use(counted.fixtures[i], *counted.results[i]);
+  }
+}
+
 /// A line per entrant, by number: matches, goals, points, without ranks.
 std::vector<Standing> tally(const CountedResults& counted);
 
 /// Walk-overs that each entrant lost, as a criterion: fewer are better.
 Criterion fewerForfeits(const CountedResults& counted);
+
+constexpr int goalDifferenceOf(const Standing& line) { return line.goals_for - line.goals_against; }
+constexpr int goalsForOf(const Standing& line) { return line.goals_for; }
 
 /// A value of each line as a criterion.
 template <typename Value>

@@ -12,7 +12,6 @@
 namespace fulbito {
 namespace {
 
-constexpr std::string_view kFormats[] = {"match", "gauntlet", "round-robin", "knock-out", "swiss", "ladder"};
 constexpr std::size_t kMostEntrants = 1000;
 constexpr std::size_t kLongestName = 200;  // [bytes]
 
@@ -33,12 +32,12 @@ Result<void> checkNames(const TournamentPlan& plan) {
 
 }  // namespace
 
-std::string_view nameOf(TournamentFormat format) { return kFormats[static_cast<std::size_t>(format)]; }
+std::string_view nameOf(TournamentFormat format) { return kFormatNames[static_cast<std::size_t>(format)]; }
 
 std::optional<TournamentFormat> formatOf(std::string_view name) {
-  const auto* const found = std::find(std::begin(kFormats), std::end(kFormats), name);
-  if (found == std::end(kFormats)) return std::nullopt;
-  return static_cast<TournamentFormat>(found - std::begin(kFormats));
+  const auto* const found = std::find(kFormatNames.begin(), kFormatNames.end(), name);
+  if (found == kFormatNames.end()) return std::nullopt;
+  return static_cast<TournamentFormat>(found - kFormatNames.begin());
 }
 
 std::uint64_t seedOfStart(std::uint64_t seed, std::size_t start) {

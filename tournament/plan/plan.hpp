@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -21,8 +22,10 @@ enum class TournamentFormat : std::uint8_t {
   kSwiss,       ///< equals meet, nobody twice
   kLadder       ///< neighbours challenge each other for the upper place
 };
-inline constexpr std::size_t kTournamentFormats = 6;
-/// "match", "gauntlet", "round-robin", "knock-out", "swiss", "ladder".
+/// Their names.
+inline constexpr std::array<std::string_view, 6> kFormatNames{"match",     "gauntlet", "round-robin",
+                                                              "knock-out", "swiss",    "ladder"};
+inline constexpr std::size_t kTournamentFormats = kFormatNames.size();
 std::string_view nameOf(TournamentFormat format);
 /// The format of that name, if any.
 std::optional<TournamentFormat> formatOf(std::string_view name);

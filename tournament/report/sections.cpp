@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "tournament/formats/format.hpp"
 #include "tournament/report/counted_results.hpp"
 #include "tournament/report/shown_text.hpp"
 
@@ -38,7 +39,7 @@ struct StandingColumns {
 
 StandingColumns columnsFor(const TournamentState& state, const TournamentTable& table) {
   StandingColumns show;
-  show.pair_points = state.plan.format == TournamentFormat::kSwiss;
+  show.pair_points = formatOf(state.plan).counts_pair_points;
   for (const Standing& s : table.standings) {
     show.byes |= s.byes > 0;
     show.ties |= !s.decided_by.empty();

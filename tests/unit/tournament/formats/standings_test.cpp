@@ -189,9 +189,8 @@ TEST_CASE("a bye counts once its round has begun to count", "[unit]") {
 }
 
 TEST_CASE("in every table sums agree and ranks rise", "[unit]") {
-  for (const auto format :
-       {TournamentFormat::kGauntlet, TournamentFormat::kRoundRobin, TournamentFormat::kKnockOut,
-        TournamentFormat::kSwiss, TournamentFormat::kLadder}) {
+  for (std::size_t f = 1; f < kTournamentFormats; ++f) {
+    const auto format = static_cast<TournamentFormat>(f);
     for (std::size_t entrants = 2; entrants <= 20; ++entrants) {
       const TournamentPlan plan = planOf(format, entrants, 2);
       const Played played = playInOrder(plan, randomPlay(entrants));

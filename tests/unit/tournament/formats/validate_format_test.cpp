@@ -19,9 +19,8 @@ void checkRefused(const TournamentPlan& plan, const std::string& key) {
 }  // namespace
 
 TEST_CASE("plans of all formats with two to forty entrants are accepted", "[unit]") {
-  for (const auto format :
-       {TournamentFormat::kGauntlet, TournamentFormat::kRoundRobin, TournamentFormat::kKnockOut,
-        TournamentFormat::kSwiss, TournamentFormat::kLadder}) {
+  for (std::size_t f = 1; f < kTournamentFormats; ++f) {
+    const auto format = static_cast<TournamentFormat>(f);
     for (std::size_t entrants = 2; entrants <= 40; ++entrants)
       CHECK(validateFormat(planOf(format, entrants)));
   }
