@@ -89,31 +89,28 @@ void ContactLog::PreSolve(b2Contact* contact, const b2Manifold*) {
 
 void ContactLog::lookAtSurface(b2Contact& contact) {
   const std::size_t a = numberOf(contact.GetFixtureA()), b = numberOf(contact.GetFixtureB());
-  if (isBall(a) || isBall(b)) pairAt(std::min(a, b), std::max(a, b)).surface_speed = surfaceSpeed(contact);
+  if (!isBall(a) && !isBall(b)) return;
+  b2WorldManifold manifold;
+  contact.GetWorldManifold(&manifold);
+  pairAt(std::min(a, b), std::max(a, b)).surface_speed = surfaceSpeed(contact, manifold.points[0]);
 }
 
 // The fastest of what touches a ball there.
-float ContactLog::surfaceSpeed(b2Contact& contact) const {
-  b2WorldManifold manifold;
-  contact.GetWorldManifold(&manifold);
+float ContactLog::surfaceSpeed(b2Contact& contact, b2Vec2 point) const {
   const auto speed = [&](b2Fixture* fixture, b2Fixture* other) {
     if (!isBall(numberOf(other))) return 0.0f;
-    return fixture->GetBody()->GetLinearVelocityFromWorldPoint(manifold.points[0]).Length();
+    return fixture->GetBody()->GetLinearVelocityFromWorldPoint(point).Length();
   };
   return std::max(speed(contact.GetFixtureA(), contact.GetFixtureB()),
                   speed(contact.GetFixtureB(), contact.GetFixtureA()));
 }
 
-void ContactLog::press(b2Contact& contact, const Pair& pair) {
-  const std::size_t a = numberOf(contact.GetFixtureA()), b = numberOf(contact.GetFixtureB());
-  if (!isBall(a) && !isBall(b)) return;
+void ContactLog::press(b2Contact& contact, b2Vec2 point, const Pair& pair) {
   // What hits a body that touches the ball makes its surface fast within the step.
-  const float speed = std::max(pair.surface_speed, surfaceSpeed(contact));
-  const auto press = [&](std::size_t ball, std::size_t other) {
-    if (isBall(ball)) squeeze_.press(bodies_[ball].index, other, speed, contact.GetRestitution());
-  };
-  press(a, b);
-  press(b, a);
+  const float speed = std::max(pair.surface_speed, surfaceSpeed(contact, point));
+  const std::size_t a = numberOf(contact.GetFixtureA()), b = numberOf(contact.GetFixtureB());
+  if (isBall(a)) squeeze_.press(bodies_[a].index, b, speed, contact.GetRestitution());
+  if (isBall(b)) squeeze_.press(bodies_[b].index, a, speed, contact.GetRestitution());
 }
 
 void ContactLog::PostSolve(b2Contact* contact, const b2ContactImpulse* impulse) {
@@ -133,16 +130,15 @@ void ContactLog::record(b2Contact& contact, const b2ContactImpulse& impulse) {
     if (pair.touched >= tick_ - 1) pair.touched = tick_;
     return;
   }
-  press(contact, pair);
-  const bool wall_hit = bodies_[a].kind == BodyKind::kWall && bodies_[b].kind == BodyKind::kBall;
-  const bool is_new = pair.event_tick != tick_;
-  if (is_new || wall_hit) {
+  const bool is_new = pair.event_tick != tick_, on_ball = isBall(a) || isBall(b);
+  if (is_new || on_ball) {
     b2WorldManifold manifold;
     contact.GetWorldManifold(&manifold);
+    if (on_ball) press(contact, manifold.points[0], pair);
     const double sign = first == a ? 1.0 : -1.0;
     const Vec2 normal{sign * static_cast<double>(manifold.normal.x),
                       sign * static_cast<double>(manifold.normal.y)};
-    if (wall_hit) wall_hits_.push_back({bodies_[b].index, normal});
+    if (bodies_[a].kind == BodyKind::kWall && on_ball) wall_hits_.push_back({bodies_[b].index, normal});
     if (is_new) {
       pair.event = events_.size();
       pair.event_tick = tick_;

@@ -248,10 +248,10 @@ void World::Impl::collide() {
     engine.SetWarmStarting(part <= last_part);
     last_part = part;
     planSearch(plan.continuous, part);
-    if (contacts_do_no_work) contact_work.remember();
     contacts.startPart();
-    // Bodies that are alone in the step leave nothing to iterate over.
+    // Bodies that are alone in the step leave nothing to iterate over, and no work to take back.
     const bool alone = !isAnyPair() && !engine.GetContinuousPhysics() && rods.empty();
+    if (contacts_do_no_work && !alone) contact_work.remember();
     engine.Step(part, alone ? 0 : config.physics.velocity_iterations,
                 alone ? 0 : config.physics.position_iterations);
     pairs_are_known = true;

@@ -24,11 +24,10 @@ DriveLaw::DriveLaw(const RobotModel& robot, double dt)
 
 namespace {
 
-// The x for which the two rows, times x, are y.
-RimSpeeds solved(RimSpeeds left, RimSpeeds right, RimSpeeds y) {
-  const double scale = 1.0 / (left.left * right.right - left.right * right.left);
-  return {(y.left * right.right - left.right * y.right) * scale,
-          (y.right * left.left - right.left * y.left) * scale};
+// The x for which a matrix with these elements on and beside its diagonal, times x, is y.
+WheelPair solved(WheelPair on, WheelPair beside, WheelPair y) {
+  const WheelPair scale = WheelPair(1.0) / (on * on.swapped() - beside * beside.swapped());
+  return (y * on.swapped() - beside * y.swapped()) * scale;
 }
 
 // The share of a step at which a pull turns round or comes to its limit.
@@ -37,54 +36,49 @@ double shareToKink(double pull, double step, double limit) {
   return pull * step < 0.0 ? -pull / step : (limit - std::abs(pull)) / std::abs(step);
 }
 
+// Of a whole step of both pulls.
+double shareToKink(WheelPair pull, WheelPair step, WheelPair limits) {
+  return std::min({1.0, shareToKink(pull.left(), step.left(), limits.left()),
+                   shareToKink(pull.right(), step.right(), limits.right())});
+}
+
 }  // namespace
 
 // Each wheel seeks the nearest speed at which one of its edges rolls, given the other wheel's pull, the drag
 // and the scrubbing, which depend on both pulls. All of it is linear in pieces: Newton's method is there once
 // it has met the right piece. Both wheels are treated alike, so that a mirrored motion has mirrored pulls to
 // the last bit.
-RimSpeeds DriveLaw::resistedPulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const {
+WheelPair DriveLaw::resistedPulls(WheelPair ground, WheelPair target, WheelPair limits) const {
   constexpr int kNewtonRounds = 6, kMostRounds = 20;
   constexpr double kSettled = 1e-6;   // [m/s]
   constexpr double kHolds = -0.4999;  // just less than what leaves open how fast a robot pulls that stays
-  const double forward = (ground.left + ground.right) / 2, turn = (ground.right - ground.left) / 2;
-  const double play = edges_ * std::abs(turn);
-  const auto lack = [play](double rim, double aim) { return std::clamp(rim, aim - play, aim + play) - rim; };
+  const WheelPair half(0.5), most_drag(drag_), felt(felt_), per_pull(per_pull_);
+  const WheelPair forward = half * ground.sum(), turn(0.5 * (ground.right() - ground.left()));
+  const WheelPair play = WheelPair(edges_) * turn.abs(), slowest = target - play, fastest = target + play;
+  const auto lack = [&](WheelPair rim) { return rim.clamped(slowest, fastest) - rim; };
   // What a robot needs that all of the drag and the scrubbing brakes, if its motors are strong enough.
-  const double slowed = -std::clamp(forward, -drag_, drag_), idle = scrub(turn, {});
-  const double left = lack(ground.left + slowed - idle, target.left);
-  const double right = lack(ground.right + slowed + idle, target.right);
-  RimSpeeds pull{std::clamp(own_ * left + other_ * right, -limits.left, limits.left),
-                 std::clamp(own_ * right + other_ * left, -limits.right, limits.right)};
+  const WheelPair slowed = ground - forward.clamped(-most_drag, most_drag);
+  const WheelPair needed = lack(slowed + scrub(turn, WheelPair(0.0)).mirrored());
+  WheelPair pull = (WheelPair(own_) * needed + WheelPair(other_) * needed.swapped()).clamped(-limits, limits);
   for (int round = 0; round < kMostRounds; ++round) {
-    const RimSpeeds before = pull;
-    const double moved = forward + (before.left + before.right) / 2;
-    const double drag = -std::clamp(moved, -drag_, drag_), braked = scrub(turn, before);
-    const RimSpeeds wanted{
-        lack(ground.left + drag - braked + felt_ * before.right, target.left) * per_pull_,
-        lack(ground.right + drag + braked + felt_ * before.left, target.right) * per_pull_};
-    const RimSpeeds next{std::clamp(wanted.left, -limits.left, limits.left),
-                         std::clamp(wanted.right, -limits.right, limits.right)};
-    const RimSpeeds off{next.left - before.left, next.right - before.right};
-    if (std::abs(off.left) + std::abs(off.right) < kSettled) return next;
-    // How a change of either pull changes what each wheel seeks, if nothing limits it.
-    const double left_slope = next.left == wanted.left && wanted.left != 0.0 ? per_pull_ : 0.0;
-    const double right_slope = next.right == wanted.right && wanted.right != 0.0 ? per_pull_ : 0.0;
+    const WheelPair before = pull, moved = forward + half * before.sum();
+    const WheelPair braked = scrub(turn, before);
+    const WheelPair dragged = ground - moved.clamped(-most_drag, most_drag) + braked.mirrored();
+    const WheelPair wanted = lack(dragged + felt * before.swapped()) * per_pull;
+    const WheelPair next = wanted.clamped(-limits, limits), off = next - before;
     pull = next;
-    if (round >= kNewtonRounds || left_slope + right_slope == 0.0) continue;
-    const double held = std::abs(moved) < drag_ ? kHolds : 0.0;
-    const double scrubs = std::abs(braked) < std::abs(turn) ? std::copysign(scrub_, turn) : 0.0;
-    const double by_left = std::copysign(scrubs, scrubs * before.left);
-    const double by_right = std::copysign(scrubs, scrubs * before.right);
-    const RimSpeeds step =
-        solved({1.0 + left_slope * (held - by_left), left_slope * (held - by_right + felt_)},
-               {right_slope * (held + by_left + felt_), 1.0 + right_slope * (held + by_right)}, off);
-    double share = 1.0;  // as a robot that stays leaves its pulls open, such a step is very long
-    if (held != 0.0)
-      share = std::min({1.0, shareToKink(before.left, step.left, limits.left),
-                        shareToKink(before.right, step.right, limits.right)});
-    pull = {std::clamp(before.left + share * step.left, -limits.left, limits.left),
-            std::clamp(before.right + share * step.right, -limits.right, limits.right)};
+    if (off.abs().sum().left() < kSettled) break;
+    // How a change of either pull changes what each wheel seeks, if nothing limits it.
+    const WheelPair slope = per_pull.whereEqual(next, wanted).whereAny(wanted);
+    if (round >= kNewtonRounds || slope.sum().left() == 0.0) continue;
+    const WheelPair held = WheelPair(kHolds).whereBelow(moved.abs(), most_drag);
+    const WheelPair scrubs = WheelPair(scrub_).withSign(turn).whereBelow(braked.abs(), turn.abs());
+    const WheelPair by = scrubs.withSign(scrubs * before);
+    const WheelPair step = solved(WheelPair(1.0) + slope * (held + by.mirrored()),
+                                  slope * (held + by.swapped().mirrored() + felt), off);
+    // As a robot that stays leaves its pulls open, its step can be very long.
+    const WheelPair share(held.left() != 0.0 ? shareToKink(before, step, limits) : 1.0);
+    pull = (before + share * step).clamped(-limits, limits);
   }
   return pull;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/models/wheel_pair.hpp"
 #include "fulbito/models.hpp"
 
 namespace fulbito {
@@ -45,8 +46,8 @@ class DriveLaw {
   double limit() const { return limit_; }  ///< [m/s] of one motor
 
  private:
-  RimSpeeds resistedPulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const;
-  double scrub(double turn, RimSpeeds pulls) const;
+  WheelPair resistedPulls(WheelPair ground, WheelPair target, WheelPair limits) const;
+  WheelPair scrub(WheelPair turn, WheelPair pulls) const;
   double widening(double forward) const;
   RimSpeeds reachedInCurve(RimSpeeds commanded) const;
 
@@ -69,7 +70,11 @@ class DriveLaw {
 // What follows runs once per robot and physics step: a call would cost as much as the work.
 
 inline RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const {
-  if (resisted_) return resistedPulls(ground, target, limits);
+  if (resisted_) {
+    const WheelPair pull =
+        resistedPulls({ground.left, ground.right}, {target.left, target.right}, {limits.left, limits.right});
+    return {pull.left(), pull.right()};
+  }
   const RimSpeeds lack{target.left - ground.left, target.right - ground.right};
   RimSpeeds pull{own_ * lack.left + other_ * lack.right, own_ * lack.right + other_ * lack.left};
   if (std::abs(pull.left) <= limits.left && std::abs(pull.right) <= limits.right) return pull;
@@ -88,9 +93,10 @@ inline RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds l
 }
 
 // Coulomb: at most until the robot no longer turns. `turn` is half the difference of the rims' speeds.
-inline double DriveLaw::scrub(double turn, RimSpeeds pulls) const {
-  const double most = scrub_ * std::max(grip_ - (std::abs(pulls.left) + std::abs(pulls.right)), 0.0);
-  return -std::clamp(turn, -most, most);
+inline WheelPair DriveLaw::scrub(WheelPair turn, WheelPair pulls) const {
+  const WheelPair left_over = WheelPair(grip_) - pulls.abs().sum();
+  const WheelPair most = WheelPair(scrub_) * left_over.atLeast(WheelPair(0.0));
+  return -turn.clamped(-most, most);
 }
 
 inline RimSpeeds DriveLaw::change(RimSpeeds ground, RimSpeeds pulls) const {
@@ -98,7 +104,9 @@ inline RimSpeeds DriveLaw::change(RimSpeeds ground, RimSpeeds pulls) const {
   const double raw = pull - std::clamp(forward + pull, -drag_, drag_);  // drag: until the robot rests
   const double most = most_[raw * forward < 0.0 ? 1 : 0];
   const double common = std::clamp(raw, -most, most);
-  const double turn = turn_ * (pulls.right - pulls.left) / 2 + scrub((ground.right - ground.left) / 2, pulls);
+  const WheelPair turning((ground.right - ground.left) / 2);
+  const double turn =
+      turn_ * (pulls.right - pulls.left) / 2 + scrub(turning, {pulls.left, pulls.right}).left();
   return {common - turn, common + turn};
 }
 

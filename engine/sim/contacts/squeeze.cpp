@@ -15,7 +15,7 @@ bool holds(const b2ContactEdge& edge) {
 }  // namespace
 
 void Squeeze::startStep() {
-  for (Ball& ball : balls_) ball = {.body = ball.body, .before = ball.body->GetLinearVelocity().Length()};
+  for (Ball& ball : balls_) ball = {.body = ball.body, .before = ball.body->GetLinearVelocity()};
 }
 
 void Squeeze::press(std::size_t ball, std::size_t other, float surface_speed, float restitution) {
@@ -32,7 +32,7 @@ bool Squeeze::limit() {
   for (const Ball& ball : balls_) {
     if (!ball.several) continue;
     const float gain = (1.0f + ball.restitution) * ball.surface_speed;
-    const float most = std::max(ball.before + 2.0f * gain, slow_);
+    const float most = std::max(ball.before.Length() + 2.0f * gain, slow_);
     if (!(ball.body->GetLinearVelocity().LengthSquared() > most * most)) continue;
     slowTo(*ball.body, most);
     limited = true;

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <box2d/b2_math.h>
+
 class b2Body;
 
 namespace fulbito {
@@ -34,8 +36,8 @@ class Squeeze {
     b2Body* body;
     std::size_t first = kNone;   // number of the body that pressed on it first in this step
     bool several = false;        // so did another body
-    float before = 0.0f;         // its speed at the step's start, in Box2D units per s
-    float surface_speed = 0.0f;  // largest of the step
+    b2Vec2 before{};             // its velocity at the step's start, in Box2D units per s
+    float surface_speed = 0.0f;  // largest of the step, in the same unit
     float restitution = 0.0f;    // the same
   };
   static void slowTo(b2Body& ball, float speed);

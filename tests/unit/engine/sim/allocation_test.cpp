@@ -47,7 +47,7 @@ TEST_CASE("a warm world's ticks allocate nothing", "[unit]") {
   const auto load = GENERATE(Load::kRandom, Load::kChase);
   CAPTURE(physics.name, static_cast<int>(load));
   World small = makeWorld(matchConfig(vsssPreset(), physics, 3, {}));
-  CHECK(allocationsIn(small, load, 600, 12'000) == 0);
+  CHECK(allocationsIn(small, load, 600, 6'000) == 0);
 
   WorldConfig config = matchConfig(vsssPreset(), physics, 5, largeField());
   for (int i = 0; i < 9; ++i) {
@@ -56,7 +56,7 @@ TEST_CASE("a warm world's ticks allocate nothing", "[unit]") {
     config.obstacles.back().path = {at, {at.x, 0.3}};
   }
   World large = makeWorld(config);
-  CHECK(allocationsIn(large, load, 600, 6'000) == 0);
+  CHECK(allocationsIn(large, load, 600, 3'000) == 0);
 }
 
 TEST_CASE("warm sonars allocate nothing", "[unit]") {
