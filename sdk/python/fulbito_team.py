@@ -105,7 +105,7 @@ class Observation:
     """A team's knowledge at one control tick."""
 
     __slots__ = ("tick", "dt", "period", "remaining", "playing", "restart", "restart_is_ours", "since_restart",
-                 "own_score", "opponent_score", "wants_drawings", "ball", "own", "opponents")
+                 "own_score", "opponent_score", "shoot_out_lead", "wants_drawings", "ball", "own", "opponents")
 
     def __init__(self, values: _Object, dt: float) -> None:
         self.tick: int = values["tick"]  #: tick of the match that it shows; never reset
@@ -119,6 +119,8 @@ class Observation:
         self.since_restart: float = values["since_restart"]  #: [s] play since the signal; negative before it
         self.own_score: int = values["own_score"]  #: goals of the team
         self.opponent_score: int = values["opponent_score"]  #: goals against it
+        #: goals ahead in the shoot-out, which the score does not count; negative: behind
+        self.shoot_out_lead: int = values["shoot_out_lead"]
         self.wants_drawings: bool = values["wants_drawings"]  #: an observer keeps the drawings of this tick
         self.ball: Ball = Ball(values["ball"])  #: the ball
         #: the team's robots, by number

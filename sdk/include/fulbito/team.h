@@ -268,7 +268,8 @@ typedef struct fulbito_observation {
   /** 1: the team takes it (a free ball: it attacks that half) */
   uint8_t restart_is_ours;
   uint8_t wants_drawings;                      /**< 1: an observer keeps the drawings of this tick */
-  uint8_t reserved;                            /**< 0 */
+  /** goals ahead in the shoot-out, which the score does not count; negative: behind */
+  int8_t shoot_out_lead;
   fulbito_robot own[FULBITO_MAX_ROBOTS];       /**< the team's robots, by number */
   fulbito_robot opponents[FULBITO_MAX_ROBOTS]; /**< the other team's robots, by number */
   /** [rad/s] applied to the team's robots in the previous tick, by number */

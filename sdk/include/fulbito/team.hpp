@@ -263,6 +263,8 @@ struct Observation {
   double since_restart = 0.0;                 ///< [s] play since the signal; negative before it
   int own_score = 0;                          ///< goals of the team
   int opponent_score = 0;                     ///< goals against it
+  /// goals ahead in the shoot-out, which the score does not count; negative: behind
+  int shoot_out_lead = 0;
   bool wants_drawings = false;                ///< an observer keeps the drawings of this tick
   Ball ball;                                  ///< the ball
   int team_size = 3;                          ///< robots per team, present or not: 1 ... 11
@@ -922,6 +924,7 @@ void members(Observation& v, const fulbito_observation& c, Visit visit) {
   visit("since_restart", v.since_restart, c.since_restart);
   visit("own_score", v.own_score, c.own_score);
   visit("opponent_score", v.opponent_score, c.opponent_score);
+  visit("shoot_out_lead", v.shoot_out_lead, c.shoot_out_lead);
   visit("wants_drawings", v.wants_drawings, c.wants_drawings);
   visit("ball", v.ball, c.ball);
   visit("", v.team_size, c.team_size);

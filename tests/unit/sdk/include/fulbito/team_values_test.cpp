@@ -205,6 +205,7 @@ Observation numberedObservation() {
   seen.remaining = number();
   seen.own_score = 41;
   seen.opponent_score = 42;
+  seen.shoot_out_lead = -2;
   return seen;
 }
 
@@ -247,7 +248,7 @@ TEST_CASE("every value of a match reaches a team under its name, by both ways", 
 TEST_CASE("no member of what a team sees and answers lacks its row in sdk/values/values.toml", "[unit]") {
   // The tables of a match are walked above; of a robot, shared libraries do without eight keys.
   CHECK(test::fieldCount<MatchInfo>() == 13);
-  CHECK(test::fieldCount<Observation>() == 16);
+  CHECK(test::fieldCount<Observation>() == 17);
   CHECK(test::fieldCount<RobotState>() == 4);
   CHECK(test::fieldCount<PlacementRequest>() == 8);
   CHECK(test::fieldCount<GameEvent>() == 11);
@@ -317,7 +318,7 @@ TEST_CASE("what a team learns in a tick is what the match knows", "[unit]") {
   CHECK(got.since_restart == seen.since_restart);
   CHECK(members.at("restart") == textOf(t::Restart::kGoalKick));
   CHECK((!got.playing && got.restart_is_ours && got.wants_drawings));
-  CHECK((got.own_score == 41 && got.opponent_score == 42));
+  CHECK((got.own_score == 41 && got.opponent_score == 42 && got.shoot_out_lead == -2));
   CHECK(textOf(got.ball.position) == textOf(seen.ball.position));
   CHECK(textOf(got.ball.velocity) == textOf(seen.ball.velocity));
   CHECK_FALSE(got.own[1].present);
