@@ -67,8 +67,9 @@ def members(description: Description, names: List[str]) -> List[str]:
         const = "" if name == "GoTo" else "const "
         c_name = value.c or "std::nullptr_t"
         unused = not value.c
-        lines += ["%s abiOf(const %s&);" % (c_name, name), "template <typename Visit>",
-                  "void members(%s& v, %s%s&%s, Visit visit) {" % (name, const, c_name, "" if unused else " c")]
+        lines += ["/// %s beside %s." % (name, "its C structure" if value.c else "none: the C interface has it in another form"),
+                  "%s abiOf(const %s&);" % (c_name, name),
+                  "void members(%s& v, %s%s&%s, auto visit) {" % (name, const, c_name, "" if unused else " c")]
         for member in value.of("cpp"):
             if member.type not in LISTS:
                 lines += rows_of(member, bool(value.c))
