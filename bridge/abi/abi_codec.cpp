@@ -6,7 +6,6 @@
 
 #include "bridge/abi/team_values.hpp"
 #include "fulbito/referee.hpp"
-#include "navigation/library/plugin_values.hpp"
 
 namespace fulbito {
 namespace {
@@ -77,7 +76,7 @@ bool readPlacement(FrameReader& frame, std::optional<TeamProposal>& proposal) {
 void AbiCodec::hello(std::uint64_t id, const TeamHello& hello, std::string& out) {
   const std::size_t begin = beginFrame(static_cast<std::uint16_t>(FrameKind::kHello), id, out);
   HelloBody body{};
-  copyName(hello.simulator, body.simulator);
+  toAbi(hello.simulator, body.simulator);
   body.settings = static_cast<std::uint32_t>(hello.settings.size());
   appendBytes(body, out);
   for (const Setting& setting : hello.settings) {
@@ -90,7 +89,7 @@ void AbiCodec::hello(std::uint64_t id, const TeamHello& hello, std::string& out)
 void AbiCodec::begin(std::uint64_t id, const MatchInfo& info, std::string& out) {
   seen_ = {};
   const std::size_t begin = beginFrame(static_cast<std::uint16_t>(FrameKind::kBegin), id, out);
-  appendBytes(toAbi(info), out);
+  appendBytes(abiOf<fulbito_match_info>(info), out);
   appendBytes(wideningToAbi(info.robot), out);
   appendText(toToml(info.rules), out);
   endFrame(begin, out);
@@ -110,7 +109,7 @@ void AbiCodec::place(std::uint64_t id, const PlacementRequest& request, std::str
 void AbiCodec::exercise(std::uint64_t id, const Observation& observation, const Exercise& exercise,
                         std::string& out) {
   toAbi(observation, seen_);
-  appendFrame(FrameKind::kExercise, id, ExerciseBody{seen_, toAbi(exercise)}, out);
+  appendFrame(FrameKind::kExercise, id, ExerciseBody{seen_, abiOf<fulbito_exercise>(exercise)}, out);
 }
 
 void AbiCodec::stopped(const PlayStop& stop, std::string& out) {
@@ -126,7 +125,7 @@ void AbiCodec::ready(const Observation& observation, std::string& out) {
 }
 
 void AbiCodec::ended(const MatchEnd& end, std::string& out) {
-  appendFrame(FrameKind::kEnded, 0, toAbi(end), out);
+  appendFrame(FrameKind::kEnded, 0, abiOf<fulbito_end>(end), out);
 }
 
 Result<std::size_t> AbiCodec::firstMessage(std::string_view received) const { return frameLength(received); }

@@ -22,7 +22,7 @@ Result<void> LibraryTeam::start() {
     if (!made) return tl::unexpected<Error>(made.error());
     team_ = std::move(*made);
   }
-  team_->begin(toAbi(info_), wideningToAbi(info_.robot), toToml(info_.rules));
+  team_->begin(abiOf<fulbito_match_info>(info_), wideningToAbi(info_.robot), toToml(info_.rules));
   if (auto taken = takeNavigators(); !taken) return taken;
   if (!team_->failure().empty()) return fail(ErrorCode::kBadInput, team_->failure());
   return {};
@@ -111,7 +111,7 @@ void LibraryTeam::ready(const Observation& observation) {
 }
 
 void LibraryTeam::ended(const MatchEnd& end) {
-  if (playing() && team_->failure().empty()) team_->ended(toAbi(end));
+  if (playing() && team_->failure().empty()) team_->ended(abiOf<fulbito_end>(end));
 }
 
 std::optional<ExerciseReply> LibraryTeam::exercise(const Observation& observation, const Exercise& exercise) {
@@ -120,7 +120,8 @@ std::optional<ExerciseReply> LibraryTeam::exercise(const Observation& observatio
   fulbito_team_command command = room_.open(observation.wants_drawings);
   fulbito_vec2 answer{};
   bool has_skill = false;
-  if (team_->failure().empty()) team_->exercise(seen_, toAbi(exercise), command, answer, has_skill);
+  if (team_->failure().empty())
+    team_->exercise(seen_, abiOf<fulbito_exercise>(exercise), command, answer, has_skill);
   if (!settle() || !has_skill) return std::nullopt;
   ExerciseReply reply;
   room_.close(command);

@@ -64,8 +64,8 @@ Result<void> TeamHost::hello(FrameReader& frame, std::string& out) {
   team_ = std::move(*team);
   const char* version = team_->table().version;
   WelcomeBody body{};
-  copyName(team_->table().name, body.name);
-  copyName(version == nullptr ? "" : version, body.version);
+  toAbi(std::string_view(team_->table().name), body.name);
+  toAbi(std::string_view(version == nullptr ? "" : version), body.version);
   const std::size_t start = beginReply(frame.header(), out);
   appendBytes(body, out);
   endFrame(start, out);

@@ -1,7 +1,5 @@
 #include "bridge/lines/match_info_text.hpp"
 
-#include <cmath>
-
 #include "engine/core/base/overloaded.hpp"
 #include "engine/core/config/schemas.hpp"
 #include "fulbito/detail/lines/json_text.hpp"
@@ -55,14 +53,21 @@ void appendKeys(std::string& out, const Schema& schema) {
 }
 
 template <typename Table>
-void appendTable(std::string& out, std::string_view name, Table table) {
-  out += name;
+void appendTable(std::string& out, Table& table) {
+  out += '{';
   appendKeys(out, schemaOf(table));
   out += '}';
 }
 
+}  // namespace
+
+void append(std::string& out, FieldGeometry field) { appendTable(out, field); }
+void append(std::string& out, RobotModel robot) { appendTable(out, robot); }
+void append(std::string& out, BallModel ball) { appendTable(out, ball); }
+void append(std::string& out, PhysicsProfile physics) { appendTable(out, physics); }
+
 /// The keys of [rules] are members of the object itself, every other table is an object in it.
-void appendRules(std::string& out, Rules rules) {
+void append(std::string& out, Rules rules) {
   const auto tables = tablesOf(rules);
   for (std::size_t i = 0; i < tables.size(); ++i) {
     out += i == 0 ? "{" : ",";
@@ -76,53 +81,6 @@ void appendRules(std::string& out, Rules rules) {
   out += R"(,"text":)";
   json::append(out, std::string_view(toToml(rules)));
   out += '}';
-}
-
-void appendTime(std::string& out, const std::optional<DecisionTime>& time) {
-  out += R"(,"decision_time":)";
-  if (!time || !std::isfinite(time->decision)) {  // JSON has no infinity
-    out += "null";
-    return;
-  }
-  out += R"({"decision":)";
-  json::append(out, time->decision);
-  out += R"(,"bank":)";
-  json::append(out, time->bank);
-  out += R"(,"held":)";
-  json::append(out, time->held);
-  out += '}';
-}
-
-}  // namespace
-
-void appendMembers(std::string& out, const MatchInfo& info) {
-  out += R"(,"team":)";
-  json::append(out, nameOf(info.team));
-  out += R"(,"side":)";
-  json::append(out, info.side == Side::kLeft ? "left" : "right");
-  out += R"(,"dt":)";
-  json::append(out, info.dt());
-  out += R"(,"team_size":)";
-  json::append(out, info.rules.team_size);
-  // 64 bits: more than a double holds, and some languages read every number as a double.
-  out += R"(,"seed":")";
-  json::append(out, info.seed);
-  out += R"(","vision":{"age":)";
-  json::append(out, info.observation_age);
-  out += R"(,"position_noise":)";
-  json::append(out, info.position_noise);
-  out += R"(,"heading_noise":)";
-  json::append(out, info.heading_noise);
-  out += R"(,"dropout":)";
-  json::append(out, info.dropout);
-  out += '}';
-  appendTime(out, info.decision_time);
-  appendTable(out, R"(,"field":{)", info.field);
-  appendTable(out, R"(,"robot":{)", info.robot);
-  appendTable(out, R"(,"ball":{)", info.ball);
-  appendTable(out, R"(,"physics":{)", info.physics);
-  out += R"(,"rules":)";
-  appendRules(out, info.rules);
 }
 
 }  // namespace fulbito::lines

@@ -6,8 +6,12 @@
 
 namespace fulbito::lines {
 
-/// Appends the members of a match's information, with a comma before each. The tables have the keys of the
-/// configuration files, by the same schemas.
-void appendMembers(std::string& out, const MatchInfo& info);
+/// @{ A model as an object with the keys of its configuration file, by the same schema.
+void append(std::string& out, FieldGeometry field);
+void append(std::string& out, RobotModel robot);
+void append(std::string& out, BallModel ball);
+void append(std::string& out, PhysicsProfile physics);
+void append(std::string& out, Rules rules);
+/// @}
 
 }  // namespace fulbito::lines

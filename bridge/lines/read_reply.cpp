@@ -4,14 +4,13 @@
 #include <limits>
 
 #include "bridge/lines/protocol_names.hpp"
-#include "fulbito/detail/lines/json_reader.hpp"
+#include "bridge/lines/value_text.hpp"
 
 namespace fulbito::lines {
 namespace {
 
 using json::Reader;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLongestName = 100;    // [bytes]
 constexpr std::size_t kMostNavigators = 32;  // each robot has an instance of each
 
@@ -52,15 +51,6 @@ constexpr NamedMember kMembers[] = {{"type", kType},
                                     {"version", kVersion},
                                     {"error", kError}};
 
-/// A number; null stands for NaN and infinities, which JSON lacks.
-void number(Reader& in, double& into) {
-  if (in.takeNull()) {
-    into = kNaN;
-  } else {
-    in.number(into);
-  }
-}
-
 /// A point as an object; other members of it go to `other`, which returns whether it knows them.
 template <typename Other>
 void readPoint(Reader& in, Vec2& point, Other other) {
@@ -68,9 +58,9 @@ void readPoint(Reader& in, Vec2& point, Other other) {
   if (!in.enterObject()) return;
   for (std::string_view name; in.nextMember(name);) {
     if (name == "x") {
-      x = true, number(in, point.x);
+      x = true, read(in, point.x);
     } else if (name == "y") {
-      y = true, number(in, point.y);
+      y = true, read(in, point.y);
     } else if (!other(name)) {
       in.skip();
     }
@@ -85,40 +75,9 @@ Vec2 pointIn(Reader& in) {
   return point;
 }
 
-/// A null or no value leaves `into` as it is.
-void optionalNumber(Reader& in, double& into) {
-  if (!in.takeNull()) in.number(into);
-}
-
-bool readGoToMember(Reader& in, std::string_view name, GoTo& go_to) {
-  std::int64_t navigator = 0;
-  if (name == "heading") {
-    if (!in.takeNull()) in.number(go_to.heading.emplace());
-  } else if (name == "stop") {
-    in.boolean(go_to.stop);
-  } else if (name == "speed_limit") {
-    optionalNumber(in, go_to.speed_limit);
-  } else if (name == "avoid_ball") {
-    in.boolean(go_to.avoid_ball);
-  } else if (name == "avoid_mates") {
-    in.boolean(go_to.avoid_mates);
-  } else if (name == "avoid_opponents") {
-    in.boolean(go_to.avoid_opponents);
-  } else if (name == "tolerance") {
-    number(in, go_to.tolerance);
-  } else if (name == "either_front") {
-    in.boolean(go_to.either_front);
-  } else if (name == "navigator") {
-    if (in.integer(navigator, 0, 255)) go_to.navigator = static_cast<std::uint8_t>(navigator);
-  } else {
-    return false;
-  }
-  return true;
-}
-
 GoTo goToIn(Reader& in) {
   GoTo go_to;
-  readPoint(in, go_to.position, [&](std::string_view name) { return readGoToMember(in, name, go_to); });
+  readPoint(in, go_to.position, [&](std::string_view name) { return readMember(in, name, go_to); });
   return go_to;
 }
 
@@ -126,10 +85,10 @@ GoTo goToIn(Reader& in) {
 enum Part : unsigned { kLeft = 1u, kRight = 2u, kLinear = 4u, kAngular = 8u, kGoTo = 16u };
 
 unsigned readCommandMember(Reader& in, std::string_view name, RobotCommand& command) {
-  if (name == "left") return number(in, command.wheels.left), kLeft;
-  if (name == "right") return number(in, command.wheels.right), kRight;
-  if (name == "linear") return number(in, command.twist.linear), kLinear;
-  if (name == "angular") return number(in, command.twist.angular), kAngular;
+  if (name == "left") return read(in, command.wheels.left), kLeft;
+  if (name == "right") return read(in, command.wheels.right), kRight;
+  if (name == "linear") return read(in, command.twist.linear), kLinear;
+  if (name == "angular") return read(in, command.twist.angular), kAngular;
   if (name == "go_to") return command.go_to = goToIn(in), kGoTo;
   return in.skip(), 0u;
 }
@@ -174,10 +133,7 @@ void readRobots(Reader& in, TeamCommand& command) {
 }
 
 void readRoles(Reader& in, TeamCommand& command) {
-  readItems(in, kMaxTeamSize, [&](std::size_t i) {
-    std::int64_t role = 0;
-    if (in.integer(role, 0, 255)) command.roles[i] = static_cast<std::uint8_t>(role);
-  });
+  readItems(in, kMaxTeamSize, [&](std::size_t i) { read(in, command.roles[i]); });
 }
 
 /// The numbers of a drawing, and behind them its text if it has one.
@@ -235,7 +191,7 @@ void readPoses(Reader& in, TeamPlacement& poses) {
     readPoint(in, pose.position, [&](std::string_view name) {
       if (name != "heading") return false;
       heading = true;
-      number(in, pose.heading);
+      read(in, pose.heading);
       return true;
     });
     if (!heading) in.error("heading is missing");
@@ -283,7 +239,7 @@ void readId(Reader& in, TeamReply& reply) {
   if (in.integer(id, 0, std::numeric_limits<std::int64_t>::max())) reply.id = static_cast<std::uint64_t>(id);
 }
 
-void readMember(Reader& in, Member member, Envelope& envelope, TeamReply& reply) {
+void readPart(Reader& in, Member member, Envelope& envelope, TeamReply& reply) {
   switch (member) {
     case kType:
       return readType(in, envelope, reply);
@@ -344,7 +300,7 @@ void readMembers(Reader& in, Envelope& envelope, TeamReply& reply) {
     }
     if ((envelope.seen & known->member) != 0) in.error("given twice");
     envelope.seen |= known->member;
-    readMember(in, known->member, envelope, reply);
+    readPart(in, known->member, envelope, reply);
   }
   in.end();
 }

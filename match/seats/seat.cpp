@@ -140,6 +140,8 @@ void Seat::fillReferee(const Moment& moment, Observation& seen) const {
   seen.remaining = static_cast<double>(referee.period_ticks - referee.play_ticks) * seen.dt;
   seen.own_score = referee.score[indexOf(team_)];
   seen.opponent_score = referee.score[indexOf(other(team_))];
+  const PerTeam<int>& goals = referee.shoot_out.goals;
+  seen.shoot_out_lead = goals[indexOf(team_)] - goals[indexOf(other(team_))];
 }
 
 Observation Seat::exactly(const Moment& moment) const {

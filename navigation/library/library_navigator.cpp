@@ -22,7 +22,8 @@ class LibraryField final : public HeadingField {
   LibraryField(const PluginLibrary& library, const fulbito_navigator& table, void* self)
       : library_(library), table_(table), self_(self) {}
   double heading(Vec2 p) const override {
-    const double angle = callForeign(library_, 0.0, [&] { return table_.heading(self_, toAbi(p)); });
+    const double angle =
+        callForeign(library_, 0.0, [&] { return table_.heading(self_, abiOf<fulbito_vec2>(p)); });
     return std::isfinite(angle) ? angle : 0.0;
   }
 
@@ -68,15 +69,16 @@ class LibraryNavigator final : public Navigator {
   fulbito_scene sceneOf(const NavigationScene& scene) {
     obstacles_.clear();
     for (const DiscObstacle& disc : scene.obstacles) {
-      obstacles_.push_back({toAbi(disc.position), toAbi(disc.velocity), disc.radius});
+      obstacles_.push_back(
+          {abiOf<fulbito_vec2>(disc.position), abiOf<fulbito_vec2>(disc.velocity), disc.radius});
     }
-    field_model_ = toAbi(*scene.field);
-    robot_model_ = toAbi(*scene.robot);
+    toAbi(*scene.field, field_model_);
+    toAbi(*scene.robot, robot_model_);
     const NavigationGoal& goal = scene.goal;
     return {scene.tick,
             scene.dt,
-            toAbi(scene.self),
-            toAbi(goal.position),
+            abiOf<fulbito_robot>(scene.self),
+            abiOf<fulbito_vec2>(goal.position),
             goal.heading.value_or(0.0),
             goal.tolerance,
             goal.heading_tolerance,

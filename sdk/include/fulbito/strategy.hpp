@@ -125,6 +125,7 @@ struct Observation {
   double remaining = 0.0;                       ///< [s] of play left in the period
   int own_score = 0;                            ///< goals of the team
   int opponent_score = 0;                       ///< goals against it
+  int shoot_out_lead = 0;                       ///< goals ahead in the shoot-out, which no score counts
   bool wants_drawings = false;                  ///< an observer keeps the drawings of this tick
 };
 

@@ -33,7 +33,49 @@ struct Diary final : MatchObserver {
   void onMatchEnd(const RefereeState&, Tick) override { calls += 'e'; }
 };
 
+/// A built-in team that notes how far it leads in the shoot-out, by tick.
+class Counting final : public Strategy {
+ public:
+  Counting(const std::string& name, std::vector<std::pair<Tick, int>>& leads)
+      : team_(*makeTeam(*parseTeam(name))), leads_(&leads) {}
+  void begin(const MatchInfo& info) override { team_->begin(info); }
+  std::span<const NavigatorChoice> navigators() const override { return team_->navigators(); }
+  TeamCommand decide(const Observation& seen) override {
+    leads_->emplace_back(seen.tick, seen.shoot_out_lead);
+    return team_->decide(seen);
+  }
+
+ private:
+  std::unique_ptr<Strategy> team_;
+  std::vector<std::pair<Tick, int>>* leads_;
+};
+
 }  // namespace
+
+TEST_CASE("teams know who leads in a shoot-out, which the score does not count", "[unit]") {
+  MatchConfig config = shortMatch("idle", "idle", 0.5);
+  config.rules.periods.tie_break = TieBreak::kShootOut;
+  config.rules.shoot_out.kick_seconds = 10.0;
+  PerTeam<std::vector<std::pair<Tick, int>>> leads;
+  config.teams = {
+      TeamChoice::own("idle", [&] { return std::make_unique<Counting>("idle", leads[0]); }),
+      TeamChoice::own("classic", [&] { return std::make_unique<Counting>("classic", leads[1]); })};
+  auto match = Match::create(config);
+  REQUIRE(match);
+  std::vector<int> ahead;  // of yellow, before each tick
+  do ahead.push_back(match->referee().shoot_out.goals[1] - match->referee().shoot_out.goals[0]);
+  while (match->step());
+  CHECK(ahead.back() > 0);
+  CHECK(match->referee().score == PerTeam<int>{0, 0});
+  REQUIRE(leads[1].size() > 10);
+  REQUIRE(leads[0].size() == leads[1].size());
+  for (std::size_t i = 0; i < leads[1].size(); ++i) {
+    const auto [tick, lead] = leads[1][i];
+    CHECK(leads[0][i] == std::pair(tick, -lead));
+    CHECK(lead == ahead.at(static_cast<std::size_t>(tick)));
+  }
+  CHECK(leads[1].back().second > 0);
+}
 
 TEST_CASE("the same configuration gives the same match, another seed another", "[unit]") {
   MatchConfig config = shortMatch();

@@ -24,7 +24,7 @@ struct Message {
   std::string type;             ///< kind of message
   std::int64_t id = 0;          ///< of a request
   Observation now;              ///< the game
-  PlacementRequest placement;   ///< of `place`; its cause is also that of `stopped` and `ended`
+  PlacementRequest placement;   ///< of `place`; its cause is also that of `stopped`
   Exercise exercise;            ///< of `exercise`
   End end;                      ///< of `ended`
   Info info;                    ///< of `begin`
@@ -52,74 +52,24 @@ class Conversation {
   void read(Reader& in) {
     // `type` is first in all messages, as the protocol says: members mean different things by it.
     message_.type.clear();
-    if (!in.enterObject()) return;
-    for (std::string_view name; in.nextMember(name);) {
-      if (name == "type") {
-        in.string(message_.type);
-        if (message_.type == "begin") message_.info = Info{};
-        if (message_.type == "place") message_.placement = PlacementRequest{};
-      } else if (name == "id") {
-        in.integer(message_.id, 0, std::numeric_limits<std::int64_t>::max());
-      } else if (name == "now") {
-        readObservation(in, message_.now);
-      } else if (message_.type == "begin") {
-        readInfoMember(in, name, message_.info);
-      } else if (message_.type == "place") {
-        readPlacement(in, name);
-      } else {
-        readOther(in, name);
-      }
-    }
+    readObject(in, [&](std::string_view name) {
+      if (name != "type") return readMember(in, name);
+      in.string(message_.type);
+      if (message_.type == "begin") message_.info = Info{};
+      if (message_.type == "place") message_.placement = PlacementRequest{};
+      if (message_.type == "ended") message_.end = End{};
+      return true;
+    });
   }
-  void readPlacement(Reader& in, std::string_view name) {
-    PlacementRequest& request = message_.placement;
-    if (name == "kind") {
-      request.kind = readRestart(in);
-    } else if (name == "ours") {
-      in.boolean(request.ours);
-    } else if (name == "delay") {
-      in.number(request.delay);
-    } else if (name == "ball") {
-      readTable(in, {{"x", &request.ball.x}, {"y", &request.ball.y}});
-    } else if (name == "defaults") {
-      readPoses(in, request.defaults);
-    } else if (name == "opponents") {
-      if (!in.takeNull()) readPoses(in, request.opponents.emplace());
-    } else {
-      readOther(in, name);
-    }
-  }
-  void readOther(Reader& in, std::string_view name) {
-    if (name == "cause") {
-      readCall(in, message_.placement.cause);
-    } else if (name == "exercise") {
-      readExercise(in, message_.exercise);
-    } else if (name == "protocol") {
-      in.string(message_.protocol);
-    } else if (name == "settings") {
-      message_.setting_problem = readSettings(in, *team_);
-    } else if (message_.type == "ended") {
-      readEnd(in, name);
-    } else {
-      in.skip();
-    }
-  }
-  void readEnd(Reader& in, std::string_view name) {
-    End& end = message_.end;
-    if (name == "reason") {
-      end.reason = static_cast<End::Reason>(readWord(in, {"played", "abandoned", "interrupted"}));
-    } else if (name == "tick") {
-      in.integer(end.tick, 0, std::numeric_limits<std::int64_t>::max());
-    } else if (name == "own_score") {
-      readInt(in, end.own_score);
-    } else if (name == "opponent_score") {
-      readInt(in, end.opponent_score);
-    } else if (name == "winner") {
-      end.winner.reset();
-      if (!in.takeNull()) end.winner = readColour(in);
-    } else {
-      in.skip();
-    }
+  bool readMember(Reader& in, std::string_view name) {
+    if (name == "id") return in.integer(message_.id, 0, std::numeric_limits<std::int64_t>::max()), true;
+    if (name == "now") return program::read(in, message_.now), true;
+    if (name == "exercise") return program::read(in, message_.exercise), true;
+    if (name == "protocol") return in.string(message_.protocol), true;
+    if (name == "settings") return message_.setting_problem = readSettings(in, *team_), true;
+    if (message_.type == "begin") return readInfoMember(in, name, message_.info);
+    if (message_.type == "ended") return program::readMember(in, name, message_.end);
+    return program::readMember(in, name, message_.placement);  // its cause is also that of `stopped`
   }
 
   void answer(std::string& out) {
@@ -132,7 +82,7 @@ class Conversation {
     if (type == "exercise") return exercise(out);
     if (type == "stopped") return team_->stopped({message_.placement.cause, message_.now});
     if (type == "ready") return team_->ready(message_.now);
-    if (type == "ended") return ended();
+    if (type == "ended") return team_->ended(message_.end);
     // A notice of a later version.
   }
   void open(std::string& out) const {
@@ -188,10 +138,6 @@ class Conversation {
       append(out, R"(,"answer":)", reply->answer);
     }
     out += "}\n";
-  }
-  void ended() {
-    message_.end.cause = message_.placement.cause;
-    team_->ended(message_.end);
   }
   std::size_t teamSize() const { return static_cast<std::size_t>(message_.now.team_size); }
 

@@ -3,12 +3,8 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <tuple>
 
-#include "bridge/abi/team_values.hpp"
 #include "bridge/lines/line_codec.hpp"
-#include "navigation/library/plugin_host.hpp"
-#include "navigation/library/plugin_values.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/piped_team.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -105,84 +101,7 @@ std::string decideLine() {
   return line;
 }
 
-/// @{ All members, to compare. A new one does not compile until it is listed.
-auto membersOf(const t::Field& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = v;
-  return std::make_tuple(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p.x, p.y);
-}
-auto membersOf(const t::RobotModel& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u] = v;
-  return std::make_tuple(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u);
-}
-auto membersOf(const t::BallModel& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j] = v;
-  return std::make_tuple(a, b, c, d, e, f, g, h, i, j);
-}
-auto membersOf(const t::Physics& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j] = v;
-  return std::make_tuple(a, b, c, d, e, f, g, h, i, j);
-}
-/// But for the text, which the C interface sends on its own.
-auto membersOf(const t::Rules& v) {
-  const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, w, x, y, z, a2, b2, c2, d2,
-               text] = v;
-  static_cast<void>(text);
-  return std::make_tuple(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s, t, u, w, x, y, z, a2, b2,
-                         c2, d2);
-}
-/// @}
-
-/// What a team learns of a match as a program.
-t::Info throughLines(const MatchInfo& match) {
-  LineCodec codec;
-  std::string line;
-  codec.begin(1, match, line);
-  Talk talk;
-  talk.take(line);
-  return talk.probe->infos.at(0);
-}
-
 }  // namespace
-
-TEST_CASE("a team knows the same of a match as a program and as a shared library", "[unit]") {
-  MatchInfo match;
-  match.team = TeamId::kYellow;
-  match.side = Side::kRight;
-  match.physics = *loadPhysics("faithful");
-  match.observation_age = 0.1;
-  match.heading_noise = 0.2;
-  match.decision_time = DecisionTime{0.25, 3.0, 12};
-  match.seed = 123456789012345678u;
-  match.robot.curve_widening = 1.25;
-  match.robot.curve_widening_rise = 0.75;
-  for (const std::string& name : rulesPresetNames()) {
-    CAPTURE(name);
-    match.rules = *loadRules(name);
-    match.field = *loadField(match.rules.field);
-    const t::Info program = throughLines(match);
-    t::Info library = t::detail::from(toAbi(match));
-    PluginHost host("a test", {});
-    host.know(wideningToAbi(match.robot));
-    t::detail::takeCurveWidening(*host.table(), library.robot);
-    CHECK(membersOf(program.field) == membersOf(library.field));
-    CHECK(membersOf(program.robot) == membersOf(library.robot));
-    CHECK(membersOf(program.ball) == membersOf(library.ball));
-    CHECK(membersOf(program.physics) == membersOf(library.physics));
-    CHECK(membersOf(program.rules) == membersOf(library.rules));
-    CHECK(program.colour == library.colour);
-    CHECK(program.left == library.left);
-    CHECK(program.dt == library.dt);
-    CHECK(program.observation_age == library.observation_age);
-    CHECK(program.position_noise == library.position_noise);
-    CHECK(program.heading_noise == library.heading_noise);
-    CHECK(program.dropout == library.dropout);
-    REQUIRE((program.decision_time && library.decision_time));
-    CHECK(program.decision_time->decision == library.decision_time->decision);
-    CHECK(program.decision_time->bank == library.decision_time->bank);
-    CHECK(program.decision_time->held == library.decision_time->held);
-    CHECK(program.seed == library.seed);
-  }
-}
 
 TEST_CASE("a C++ program's team receives the sample session as values", "[unit]") {
   Talk talk;
@@ -246,55 +165,6 @@ TEST_CASE("a C++ program's team receives the sample session as values", "[unit]"
   CHECK(probe.ends[0].winner == t::Colour::kYellow);
   CHECK(probe.ends[0].cause.clause == "full-time");
   CHECK_FALSE(probe.ends[0].cause.robot);
-}
-
-TEST_CASE("a C++ program's team knows field, robots, ball and rules", "[unit]") {
-  Talk talk;
-  talk.takeSession();
-  const t::Info& info = talk.probe->infos[0];
-  const FieldGeometry field = *loadField("vsss-3v3");
-  const RobotPreset preset = *loadRobot("vsss");
-  const PhysicsProfile physics = *loadPhysics("standard");
-  const Rules rules = *loadRules("vsss-3v3");
-  CHECK(info.field.name == field.name);
-  CHECK(info.field.corner == field.corner);
-  CHECK(info.field.free_ball_mark == t::Vec2{field.free_ball_mark.x, field.free_ball_mark.y});
-  CHECK(info.robot.name == preset.robot.name);
-  CHECK(info.robot.maxSpeed() == preset.robot.maxSpeed());
-  CHECK(info.robot.restitution == preset.robot.restitution);
-  CHECK(info.ball.roll_keep == preset.ball.roll_keep);
-  CHECK(info.physics.substeps == physics.substeps);
-  CHECK(info.physics.bullet_ball == physics.bullet_ball);
-  CHECK(info.physics.velocity_iterations == physics.velocity_iterations);
-  CHECK(info.physics.wheel_command_step == physics.wheel_command_step);
-  CHECK(info.rules.name == rules.name);
-  CHECK(info.rules.half_seconds == rules.half_seconds);
-  CHECK(info.rules.golden_goal == rules.periods.golden_goal);
-  CHECK(info.rules.kick_seconds == rules.shoot_out.kick_seconds);
-  CHECK(info.rules.restart_delay == rules.restart.delay);
-  CHECK(info.rules.free_ball_distance == rules.free_ball.distance);
-  CHECK(info.rules.stuck_area_seconds == rules.stuck.area_seconds);
-  CHECK(info.rules.attackers_max == rules.areas.attackers_max);
-  CHECK(info.rules.keeper_hold_seconds == rules.keeper.hold_seconds);
-  CHECK(info.rules.pinned_seconds == rules.fouls.pinned_seconds);
-  CHECK(info.rules.text == toToml(rules));
-}
-
-TEST_CASE("rules that are switched off have no limits for a C++ program's team", "[unit]") {
-  MatchInfo match;
-  match.rules.areas.attackers = match.rules.areas.defenders = match.rules.keeper.holding = false;
-  match.rules.periods.tie_break = TieBreak::kBoth;
-  LineCodec codec;
-  std::string line;
-  codec.begin(1, match, line);
-  Talk talk;
-  talk.take(line);
-  const t::Rules& rules = talk.probe->infos.at(0).rules;
-  CHECK(rules.attackers_max < 0);
-  CHECK(rules.big_defenders_max < 0);
-  CHECK(rules.keeper_hold_seconds == 0.0);
-  CHECK(rules.tie_break == t::TieBreak::kBoth);
-  CHECK_FALSE(talk.probe->infos.at(0).decision_time);
 }
 
 TEST_CASE("what a C++ program's team commands arrives", "[unit]") {

@@ -1,0 +1,104 @@
+"""The C interface: structures of fulbito/team.h, and how the simulator fills them in."""
+
+from typing import Dict, List, Tuple
+
+from description import LISTS, CMember, Description, Enumeration, Value, aligned, wrapped
+
+WIDTH = 110
+TYPES = {"number": "double", "integer": "int32_t", "tick": "int64_t", "flag": "uint8_t", "text": "char", "seed": "uint64_t",
+         "point": "fulbito_vec2", "wheels": "fulbito_wheels", "colour": "int32_t", "tie_break": "int32_t",
+         "robots": "fulbito_robot", "opponents": "fulbito_robot", "sent": "fulbito_wheels", "poses": "fulbito_poses"}
+# [bytes] and alignment of what the description does not define.
+SIZES = {"double": (8, 8), "int64_t": (8, 8), "uint64_t": (8, 8), "int32_t": (4, 4), "uint32_t": (4, 4), "uint8_t": (1, 1), "int8_t": (1, 1),
+         "char": (64, 1), "fulbito_vec2": (16, 8), "fulbito_wheels": (16, 8), "fulbito_poses": (280, 8)}
+MOST_ROBOTS = 11
+
+
+def members_of(description: Description, value: Value) -> List[CMember]:
+    """The members of a structure, in the order of its layout."""
+    members: Dict[str, CMember] = {}
+    for member in value.of("c"):
+        given = member.more.get("c")
+        if isinstance(given, list):
+            for row in given:
+                members[row[0]] = CMember(row[0], row[1], row[2], row[3] if len(row) > 3 else None)
+            continue
+        if member.type in description.values:
+            kind = description.values[member.type].c
+        elif member.type in description.enums:
+            kind = description.enums[member.type].c
+        else:
+            kind = TYPES[member.type]
+        doc = member.meaning("-1").replace(member.doc, ("1: " if member.type == "flag" else "") + member.doc)
+        if value.answer and "default" in member.more:
+            doc += "; preset to " + member.more["default"].replace("true", "1")
+        core = "PerRobot{v.%s, robotsOf(v)}" % member.name if member.type in LISTS else member.core()
+        members[member.name] = CMember(member.name, given or kind, doc, core)
+    ordered = []
+    for name in value.layout + [name for name in members if name not in value.layout]:
+        if name.startswith("reserved:"):
+            parts = name.split(":")
+            ordered.append(CMember("reserved", parts[1], "0", None, int(parts[2]) if len(parts) > 2 else 1))
+        else:
+            ordered.append(members[name])
+    return ordered
+
+
+def count_of(member: CMember) -> Tuple[str, int]:
+    """The brackets behind a member, and how many items it has."""
+    if member.type == "char":
+        return "[FULBITO_NAME_SIZE]", 1
+    if member.name in ("own", "opponents", "sent") and member.type in ("fulbito_robot", "fulbito_wheels"):
+        return "[FULBITO_MAX_ROBOTS]", MOST_ROBOTS
+    return ("[%d]" % member.repeat if member.repeat > 1 else ""), member.repeat
+
+
+def size_of(description: Description, value: Value) -> Tuple[int, int]:
+    """Size and alignment [bytes]. Fails where a compiler would insert bytes that have no name."""
+    own = {entry.c: entry for entry in description.values.values()}
+    size, widest = 0, 1
+    for member in members_of(description, value):
+        each, alignment = SIZES[member.type] if member.type in SIZES else size_of(description, own[member.type])
+        if size % alignment != 0:
+            raise SystemExit("values.toml: %s: the layout needs a `reserved` before %s" % (value.name, member.name))
+        size, widest = size + each * count_of(member)[1], max(widest, alignment)
+    if size % widest != 0:
+        raise SystemExit("values.toml: %s: the layout needs a `reserved` at its end" % value.name)
+    return size, widest
+
+
+def enumeration(entry: Enumeration) -> List[str]:
+    names = entry.c_names()
+    rows = [["  %s = %d%s" % (name, i, "," if i + 1 < len(names) else ""), entry.docs[i]] for i, name in enumerate(names)]
+    return ["/** %s */" % entry.doc, "enum {"] + aligned(rows, "/**", " */", WIDTH) + ["};", ""]
+
+
+def structs(description: Description, names: List[str]) -> List[str]:
+    """The declarations of `names`: values and enumerations."""
+    lines: List[str] = []
+    for name in names:
+        if name in description.enums:
+            lines += enumeration(description.enums[name])
+            continue
+        value = description.values[name]
+        rows = [["  %s %s%s;" % (m.type, m.name, count_of(m)[0]), m.doc] for m in members_of(description, value)]
+        lines += wrapped(value.doc + " */", "/** ", " * ", WIDTH)
+        lines += ["typedef struct %s {" % value.c] + aligned(rows, "/**", " */", WIDTH)
+        lines += ["} %s;" % value.c, "FULBITO_SIZE(%s, %d);" % (value.c, size_of(description, value)[0]), ""]
+    return lines[:-1]
+
+
+def conversions(description: Description, names: List[str], namespace_head: str) -> List[str]:
+    """A source file with `toAbi` for each value of `names`, and `fromAbi` for what teams answer."""
+    lines = ["// Generated by sdk/values/generate.py from sdk/values/values.toml.", '#include "%s"' % namespace_head, "",
+             "#include <limits>", "", "namespace fulbito {", ""]
+    for name in names:
+        value = description.values[name]
+        lines.append("void toAbi(const %s& v, %s& to) {" % (value.core, value.c))
+        lines += ["  toAbi(%s, to.%s);" % (m.core, m.name) for m in members_of(description, value) if m.core is not None]
+        lines += ["}", ""]
+        if name == "GoTo":
+            lines.append("void fromAbi(const %s& from, %s& to) {" % (value.c, value.core))
+            lines += ["  fromAbi(from.%s, to.%s);" % (m.name, m.name) for m in value.of("c") if not isinstance(m.more.get("c"), list)]
+            lines += ["}", ""]
+    return lines + ["}  // namespace fulbito"]
