@@ -197,8 +197,8 @@ CLI::App* addNewTeam(CLI::App& app, NewTeamCommand& options) {
       "Examples:\n"
       "  fulbito new-team python rovers         then: cd rovers && sh test.sh\n"
       "  fulbito new-team cpp rovers            then: cd rovers && make test\n"
-      "The folder has the team, its test, and the files of the SDK that it needs. docs/write-a-team.md goes "
-      "on.");
+      "The folder has the team, its test, and the files of the SDK that it needs.\n"
+      "More: docs/write-a-team.md.");
   std::vector<std::string> names;
   std::string help;
   for (const Kind& kind : kinds()) {

@@ -24,7 +24,7 @@ std::string formatWords() {
 }
 
 CLI::App* addRun(CLI::App& tournament, TournamentRun& options) {
-  CLI::App* command = tournament.add_subcommand("run", "play a tournament, or what is missing of it");
+  CLI::App* command = tournament.add_subcommand("run", "play a tournament, or the matches that are missing");
   command->footer(
       "Examples:\n"
       "  fulbito tournament run libero classic chaser random --pairs 2 --half-seconds 30\n"
@@ -53,7 +53,7 @@ CLI::App* addRun(CLI::App& tournament, TournamentRun& options) {
   options.flags.out = kFolder;
   addRunFlags(*command, options.flags);
   addRecordings(*command, options.flags);
-  command->add_flag("--dry-run", options.dry, "print the schedule as it is known and play nothing");
+  command->add_flag("--dry-run", options.dry, "print the schedule known so far and play nothing");
   addReportFiles(*command, options.files);
   options.command = command;
   return command;

@@ -131,7 +131,7 @@ void addSpsa(CLI::App& command, TuneCommand& options) {
               kMostPairs)
       ->capture_default_str();
   number(command.add_option("--c-end", options.perturbation,
-                            "last perturbation of all parameters, as share of their ranges"))
+                            "last perturbation of all parameters, as a share of their ranges"))
       ->check(CLI::Range(1e-6, 0.5))
       ->capture_default_str();
   number(command.add_option(
@@ -173,7 +173,7 @@ CLI::App* addTune(CLI::App& app, TuneCommand& options) {
       "  fulbito tune classic --opponent libero --iterations 200 --pairs 16\n"
       "  fulbito tune 'cmd:./team.py' --parameters gain=1:0:5,reach=0.2:0.05:1\n"
       "More: docs/tuning.md.");
-  command->add_option("team", options.team, "the team, from the values of its specification")->required();
+  command->add_option("team", options.team, "the team; its specification gives the first values")->required();
   command
       ->add_option("--parameters", options.parameters,
                    "NAME or NAME=START:LOW:HIGH[:C_END[:R_END]] (default: all declared)")

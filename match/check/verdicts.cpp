@@ -34,7 +34,7 @@ TeamCheck noAnswers(std::string name, const std::string& failure) {
 
 /// What differs from run to run differs between seats and sides too: that shows no bias.
 TeamCheck noComparison(std::string name) {
-  return {std::move(name), CheckVerdict::kWarning, "cannot be told: the team is not deterministic", {}};
+  return {std::move(name), CheckVerdict::kWarning, "cannot be decided: the team is not deterministic", {}};
 }
 
 std::vector<std::pair<std::string, double>> figuresOf(const RepeatFindings& found) {
@@ -194,8 +194,8 @@ TeamCheck rolesVerdict(const PlayFindings& plays) {
   const auto decisions = static_cast<std::int64_t>(plays.notes.seconds.size());
   const double told = share(plays.notes.with_roles, decisions);
   TeamCheck check{"roles", CheckVerdict::kOk, "", {{"told_share", told}}};
-  check.finding = told > 0.0 ? fmt::format("told in {:.0f} % of the decisions", 100.0 * told)
-                             : "not told: recordings and drill 19 cannot show them";
+  check.finding = told > 0.0 ? fmt::format("reported in {:.0f} % of the decisions", 100.0 * told)
+                             : "not reported: recordings and drill 19 cannot show them";
   return check;
 }
 
