@@ -5,12 +5,13 @@
 #include "fulbito/models.hpp"
 #include "tests/fuzz/random_match.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/repetitions.hpp"
 
 /// A million ticks of random robots under the referee.
 namespace fulbito::test {
 namespace {
 
-constexpr Tick kTicks = 125000;  // each of eight runs
+const Tick kTicks = Tick{50'000} * repetitions();  // each of eight runs
 
 struct Totals {
   Tick ticks = 0, longest_stuck = 0;
@@ -69,7 +70,7 @@ double bias(int a, int b) {
 
 }  // namespace
 
-TEST_CASE("random 3v3 by the book keeps its promises, and favours no side", "[long]") {
+TEST_CASE("random 3v3 by the book keeps its promises, and favours no side", "[long][repeated]") {
   Totals all;
   for (const double eager : {0.9, 0.6}) {
     RandomMatch match = matchOf("vsss-3v3");
@@ -83,7 +84,7 @@ TEST_CASE("random 3v3 by the book keeps its promises, and favours no side", "[lo
       for (int i = 0; i < 2; ++i) all.awarded[kind][i] += by_side[i];
     }
   }
-  CHECK(all.goals[0] + all.goals[1] > 50);
+  CHECK(all.goals[0] + all.goals[1] > 20);
   CHECK(bias(all.goals[0], all.goals[1]) < 4.0);
   for (const char* kind : {"free-ball", "penalty", "goal-kick"}) {
     CAPTURE(kind, all.awarded[kind][0], all.awarded[kind][1]);
@@ -91,34 +92,35 @@ TEST_CASE("random 3v3 by the book keeps its promises, and favours no side", "[lo
   }
 }
 
-TEST_CASE("random 3v3 with idle robots: every stuck ball is called", "[long]") {
+TEST_CASE("random 3v3 with idle robots: every stuck ball is called", "[long][repeated]") {
   RandomMatch match = matchOf("vsss-3v3");
   match.eager = 0.1, match.idle = 0.9;
   match.proposals = true;
   playLong(match, 100).print("vsss-3v3, idle");
 }
 
-TEST_CASE("random 3v3 by the league's program", "[long]") {
+TEST_CASE("random 3v3 by the league's program", "[long][repeated]") {
   RandomMatch match = matchOf("league-program-2021");
   match.eager = 0.8;
   playLong(match, 200).print("league-program-2021");
 }
 
-TEST_CASE("random training matches with proposals, good and bad", "[long]") {
+TEST_CASE("random training matches with proposals, good and bad", "[long][repeated]") {
   RandomMatch match = matchOf("training");
   match.proposals = true;
   match.eager = 0.8;
   playLong(match, 300).print("training");
 }
 
-TEST_CASE("random 5v5 by the book", "[long]") {
+TEST_CASE("random 5v5 by the book", "[long][repeated]") {
   RandomMatch match = matchOf("vsss-5v5");
   match.eager = 0.8;
   match.proposals = true;
   playLong(match, 400).print("vsss-5v5");
 }
 
-TEST_CASE("random short matches through overtime, shoot-out and mercy, with all fouls called", "[long]") {
+TEST_CASE("random short matches through overtime, shoot-out and mercy, with all fouls called",
+          "[long][repeated]") {
   RandomMatch match = matchOf("vsss-3v3");
   Rules& rules = match.setup.rules;
   rules.half_seconds = 20.0;
@@ -132,7 +134,7 @@ TEST_CASE("random short matches through overtime, shoot-out and mercy, with all 
   playLong(match, 500).print("short");
 }
 
-TEST_CASE("random robots that start too early", "[long]") {
+TEST_CASE("random robots that start too early", "[long][repeated]") {
   RandomMatch match = matchOf("vsss-3v3");
   Rules& rules = match.setup.rules;
   rules.half_seconds = 60.0;

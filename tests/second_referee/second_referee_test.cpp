@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -107,11 +108,12 @@ TEST_CASE("the second referee sees calls that are missing, wrong, early and late
       seen[i] += static_cast<int>(misled[i].second.disagreements().size());
     }
   };
-  look(matchOf("chaser", "chaser", judgedRules().front(), 120.0, 7));
-  look(matchOf("chaser", "classic", judgedRules().front(), 120.0, 7));
-  look(matchOf("chaser", "chaser", judgedRules().front(), 120.0, 8));
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  const auto unseen = [&seen](std::size_t lie) { return seen[lie] == 0; };
+  for (std::uint64_t seed = 1; seed <= 20 && unseen(lies.size() - 1); ++seed) {
     look(matchOf("classic", "libero", judgedRules().back(), 1.0, seed));  // to the shoot-out
+  }
+  for (std::uint64_t seed = 7; seed <= 12 && std::count(seen.begin(), seen.end(), 0) > 0; ++seed) {
+    look(matchOf("chaser", seed % 2 == 0 ? "classic" : "chaser", judgedRules().front(), 120.0, seed));
   }
   for (std::size_t i = 0; i < lies.size(); ++i) {
     INFO(lies[i].what);

@@ -1,23 +1,74 @@
 #include "tests/structure/definitions.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
-#include <regex>
 
 namespace fulbito::test {
 namespace {
 
 using Tokens = std::vector<std::string>;
 
+bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// The end of the literal whose quote is at `at`.
+std::size_t endOfLiteral(const std::string& text, std::size_t at) {
+  const char quote = text[at];
+  for (++at; at < text.size() && text[at] != quote; ++at) at += text[at] == '\\' ? 1 : 0;
+  return at + 1;
+}
+
+/// The end of the raw string whose quote is at `at`.
+std::size_t endOfRawString(const std::string& text, std::size_t at) {
+  const std::size_t open = text.find('(', at);
+  const std::string close = ")" + text.substr(at + 1, open - at - 1) + "\"";
+  return text.find(close, open) + close.size();
+}
+
+/// The end of the preprocessor's lines that begin at `at`.
+std::size_t endOfDirective(const std::string& text, std::size_t at) {
+  std::size_t end = text.find('\n', at);
+  while (end != std::string::npos && text[end - 1] == '\\') end = text.find('\n', end + 1);
+  return std::min(end, text.size());
+}
+
+/// The end of a number, a word or a sign that begins at `at`; digits may have quotes between them.
+std::size_t endOfToken(const std::string& text, std::size_t at) {
+  if (text.compare(at, 2, "::") == 0) return at + 2;
+  const bool number = std::isdigit(static_cast<unsigned char>(text[at])) != 0;
+  std::size_t end = at + 1;
+  if (!isWord(text[at])) return end;
+  while (end < text.size() && (isWord(text[end]) || (number && text[end] == '\''))) ++end;
+  return end;
+}
+
 /// Identifiers, `::` and single signs, without comments, literals and preprocessor lines.
 Tokens tokensOf(const std::string& text) {
-  static const std::regex ignored(R"re(//[^\n]*|/\*[^]*?\*/|R"(\w*)\([^]*?\)\1"|"(?:[^"\\\n]|\\.)*")re"
-                                  R"re(|'(?:[^'\\\n]|\\.)+'|\n[ \t]*#(?:[^\n]*\\\n)*[^\n]*)re");
-  static const std::regex token(R"(\w+|::|[^\s\w])");
-  // Digit separators look like quotes; the leading line break lets a file begin with a directive.
-  const std::string numbers = std::regex_replace("\n" + text, std::regex(R"((\d)'(?=\d))"), "$1");
-  const std::string code = std::regex_replace(numbers, ignored, "\n");
-  return {std::sregex_token_iterator(code.begin(), code.end(), token), std::sregex_token_iterator()};
+  Tokens tokens;
+  bool line_begins = true;
+  for (std::size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    if (text.compare(at, 2, "//") == 0) {
+      at = std::min(text.find('\n', at), text.size());
+    } else if (text.compare(at, 2, "/*") == 0) {
+      at = text.find("*/", at) + 2;
+    } else if (text.compare(at, 2, "R\"") == 0) {
+      at = endOfRawString(text, at + 1);
+    } else if (c == '"' || c == '\'') {
+      at = endOfLiteral(text, at);
+    } else if (c == '#' && line_begins) {
+      at = endOfDirective(text, at);
+    } else if (std::isspace(static_cast<unsigned char>(c)) != 0) {
+      line_begins = line_begins || c == '\n';
+      ++at;
+    } else {
+      const std::size_t end = endOfToken(text, at);
+      tokens.push_back(text.substr(at, end - at));
+      at = end;
+      line_begins = false;
+    }
+  }
+  return tokens;
 }
 
 bool has(const Tokens& tokens, const std::string& word) {

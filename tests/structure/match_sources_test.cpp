@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/structure/arrows.hpp"
+#include "tests/structure/public_headers.hpp"
 #include "tests/structure/text_of.hpp"
 #include "tests/support/catch.hpp"
 

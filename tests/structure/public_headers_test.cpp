@@ -1,3 +1,5 @@
+#include "tests/structure/public_headers.hpp"
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -7,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/structure/arrows.hpp"
 #include "tests/support/catch.hpp"
 
 // The public interface stays small, whole and explained: what a user reads is here on purpose.

@@ -1,11 +1,11 @@
 // Every kind of misbehaviour that a process is capable of: the child ends in time, and nothing is left.
 
 #include <chrono>
-#include <cstdlib>
 #include <set>
 #include <unistd.h>
 
 #include "tests/support/catch.hpp"
+#include "tests/support/repetitions.hpp"
 #include "tests/unit/bridge/process/children.hpp"
 
 namespace fulbito {
@@ -88,11 +88,6 @@ void listen(Child& child, double seconds) {
   while (text.size() < kMost && child.receive(text, seconds) == Child::Received::kBytes) {
     if (std::chrono::steady_clock::now() - begin > std::chrono::duration<double>(seconds)) return;
   }
-}
-
-int repetitions() {
-  const char* named = std::getenv("FULBITO_REPETITIONS");
-  return named != nullptr ? std::atoi(named) : 3;
 }
 
 void misbehave(const Expected& expected) {

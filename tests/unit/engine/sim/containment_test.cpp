@@ -3,6 +3,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/repetitions.hpp"
 #include "tests/support/shots.hpp"
 #include "tests/support/test_stream.hpp"
 #include "tests/support/worlds.hpp"
@@ -59,7 +60,7 @@ TEST_CASE("no ball passes through a wall up to the profile's ball speed", "[unit
   }
 }
 
-TEST_CASE("an hour of random driving leaves everything inside the walls", "[unit]") {
+TEST_CASE("random driving leaves everything inside the walls", "[unit][repeated]") {
   const auto physics = GENERATE(fastPhysics(), standardPhysics());
   const auto preset = GENERATE(vsssPreset(), firasimPreset());
   CAPTURE(physics.name, preset.robot.name);
@@ -67,7 +68,7 @@ TEST_CASE("an hour of random driving leaves everything inside the walls", "[unit
   Rng rng(1, Stream::kWheelCommands);
   std::vector<WheelSpeeds> commands(6);
   int outside = 0;
-  for (int tick = 0; tick < 54'000; ++tick) {
+  for (int tick = 0; tick < 25'000 * repetitions(); ++tick) {
     // One robot in each tick changes its mind, so that each holds its wheels long enough to go somewhere.
     WheelSpeeds& wheels = commands[rng.below(6)];
     wheels = {rng.uniform(-46.0, 46.0), rng.uniform(-46.0, 46.0)};
@@ -78,13 +79,13 @@ TEST_CASE("an hour of random driving leaves everything inside the walls", "[unit
   CHECK(outside == 0);
 }
 
-TEST_CASE("robots that all push the ball into walls and corners leave nothing outside", "[unit]") {
+TEST_CASE("robots that all push the ball into walls and corners leave nothing outside", "[unit][repeated]") {
   const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
   CAPTURE(physics.name);
   World world = makeWorld(matchConfig(vsssPreset(), physics, 3, {}));
   std::vector<WheelSpeeds> commands(6);
   int outside = 0;
-  for (int tick = 0; tick < 10'000; ++tick) {
+  for (int tick = 0; tick < 10'000 * repetitions(); ++tick) {
     const WorldState& state = world.state();
     for (std::size_t i = 0; i < 6; ++i) commands[i] = chase(state.robots[i], state.balls[0].position);
     world.step(commands);

@@ -7,6 +7,7 @@
 #include "fulbito/detail/math.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/repetitions.hpp"
 #include "tests/support/test_stream.hpp"
 #include "tests/unit/referee/referee_samples.hpp"
 
@@ -100,11 +101,13 @@ bool samePoses(const TeamPoses& a, const TeamPoses& b, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("whatever teams propose, the result is legal, repeatable, and alike for both sides", "[unit]") {
+TEST_CASE("whatever teams propose, the result is legal, repeatable, and alike for both sides",
+          "[unit][repeated]") {
+  const auto moments = static_cast<std::uint64_t>(250 * test::repetitions());
   int repaired = 0;
   for (const std::string profile : {"vsss-3v3", "vsss-5v5", "league-program-2021"}) {
     const RefereeSetup setup = setupOf(profile);
-    for (std::uint64_t i = 0; i < 1000; ++i) {
+    for (std::uint64_t i = 0; i < moments; ++i) {
       Rng rng(7, test::kTestStream, i);
       RefereeState state;
       state.blue_side = rng.below(2) == 0 ? Side::kLeft : Side::kRight;
@@ -153,7 +156,7 @@ TEST_CASE("whatever teams propose, the result is legal, repeatable, and alike fo
       REQUIRE(samePoses(mirrored(placement.robots[0]), mirror.robots[1], 1e-9));
     }
   }
-  CHECK(repaired > 3000);
+  CHECK(repaired > static_cast<int>(moments) * 3);
 }
 
 TEST_CASE("law 14: at a free ball robots stay, but those near the mark and one of each team", "[unit]") {

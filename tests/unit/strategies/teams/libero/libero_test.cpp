@@ -38,10 +38,10 @@ int goalsAhead(const char* opponent, int pairs, double half_seconds) {
 
 TEST_CASE("libero beats the chaser and the classic team", "[unit]") {
   // Series of eight such pairs with seeds from 1000 on: 43.1 goals ahead per pair of the chaser with a
-  // standard deviation of 6.1, 13.2 of classic with 2.9. Four pairs are within three standard deviations of
-  // their sum, the series' own error included; a team half as strong is not.
-  CHECK(goalsAhead("chaser", 4, 150.0) >= 127);
-  CHECK(goalsAhead("classic", 4, 150.0) >= 32);
+  // standard deviation of 6.1, 13.2 of classic with 2.9. So many pairs are within three standard deviations
+  // of their sum, the series' own error included; a team half as strong is not.
+  CHECK(goalsAhead("chaser", 2, 150.0) >= 58);
+  CHECK(goalsAhead("classic", 3, 150.0) >= 22);
 }
 
 TEST_CASE("libero against itself: a swapped pair cancels", "[unit]") {
