@@ -36,8 +36,7 @@ CLI::App* addRun(CLI::App& tournament, TournamentRun& options) {
       ->type_name("PLAN | TEAM...")
       ->required();
   PlanSettings& settings = options.settings;
-  command->add_option("--format", settings.format, formatWords())
-      ->capture_default_str();
+  command->add_option("--format", settings.format, formatWords())->capture_default_str();
   wholeNumber(command->add_option("-n,--pairs", settings.pairs, "pairs of matches per meeting"), 1,
               kMostPairs)
       ->capture_default_str();

@@ -28,7 +28,8 @@ std::string resultsOf(const std::string& command, int jobs) {
 }  // namespace
 
 TEST_CASE("every command that works in parallel has the same results for any number of jobs", "[cli]") {
-  const std::string command = GENERATE(as<std::string>(),  //
+  const std::string command = GENERATE(
+      as<std::string>(),  //
       "match chaser idle --half-seconds 3 -n 3", "sprt chaser idle --half-seconds 5 --pairs 40",
       "tune classic:strike_speed=0.4 --half-seconds 4 --iterations 3 --pairs 2 --final-pairs 2",
       "tune classic --half-seconds 4 --iterations 3 --pairs 2 --final-pairs 2 --opponent chaser "

@@ -21,7 +21,7 @@ class BackingOff {
  public:
   /// @return what replaces the command for a moment, if anything
   std::optional<Twist> update(const RobotState& robot, bool meant, double dt) {
-    constexpr double kStill = 0.03, kTurning = 1.0;     // [m/s], [rad/s]
+    constexpr double kStill = 0.03, kTurning = 1.0;      // [m/s], [rad/s]
     constexpr double kPatience = 0.8, kDuration = 0.25;  // [s]
     constexpr double kSpeed = 0.5, kWiggle = 3.0;        // [m/s], [rad/s]
     if (left_ > 0.0) {
