@@ -1,5 +1,6 @@
 #include "match/seats/seats.hpp"
 
+#include <string>
 #include <utility>
 
 namespace fulbito {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "match/seats/seat.hpp"
@@ -23,9 +25,9 @@ class Seats {
 
   /// One tick from what the teams see to what the wheels do: sense → decide → navigate → actuate. Both teams
   /// see the same tick.
-  /// @param events faults of the teams are added
-  /// @param commands one per robot of the world, written
-  /// Errors: kMachine, kInterrupted of a team that the machine failed; then nothing is written.
+  /// @param events    faults of the teams are added
+  /// @param commands  one per robot of the world, written
+  /// Errors: kMachine, kInterrupted of a team that the machine failed; then `commands` stays as it was.
   Result<void> play(const SeatTick& tick, StageClock& stages, std::vector<GameEvent>& events,
                     std::span<WheelSpeeds> commands);
 

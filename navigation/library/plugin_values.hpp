@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -18,7 +19,8 @@ inline void toAbi(double from, double& to) { to = from; }
 inline void toAbi(bool from, std::uint8_t& to) { to = from ? 1 : 0; }
 inline void toAbi(bool from, std::uint32_t& to) { to = from ? 1 : 0; }
 inline void toAbi(std::uint8_t from, std::uint8_t& to) { to = from; }
-inline void toAbi(int from, std::int8_t& to) { to = static_cast<std::int8_t>(from); }
+/// Held at the ends of what 8 bits hold.
+inline void toAbi(int from, std::int8_t& to) { to = static_cast<std::int8_t>(std::clamp(from, -128, 127)); }
 inline void toAbi(int from, std::int32_t& to) { to = from; }
 inline void toAbi(std::int64_t from, std::int64_t& to) { to = from; }
 inline void toAbi(std::uint64_t from, std::uint64_t& to) { to = from; }
