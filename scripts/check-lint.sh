@@ -6,9 +6,10 @@ usage() {
   cat <<'USAGE'
 Usage: scripts/check-lint.sh [--all] [--list] [PRESET]
 
-shellcheck looks at all scripts; clang-tidy-19 at what changed since the base commit (scripts/base-commit.sh) and at what includes
-it. Without a base commit, or where the checks themselves changed, it looks at all files, but leaves out one slow check: that of
-parameters passed by value, which says nothing of errors.
+shellcheck looks at all scripts; clang-tidy-19 at the sources that changed since the base commit (scripts/base-commit.sh), and for
+each changed header that none of them includes at one source that does. Without a base commit, as on the base branch itself, it
+looks at what the last 25 commits changed. Where there are fewer, and where the checks themselves changed, it looks at all files,
+but leaves out one slow check: that of parameters passed by value, which says nothing of errors.
 
   PRESET   a configured preset, default: ci, whose files are compiled in groups: a group is checked whole, headers once a group
   --all    all files, all checks
@@ -37,17 +38,22 @@ changed_files() {
   git ls-files --others --exclude-standard
 }
 
-# Those named on standard input, and all files that include them, directly or not. Public headers by their name in #include.
-with_users() {
-  awk 'FILENAME == ARGV[1] { queue[++last] = $0; hit[$0]; next }
-    { split($0, part, ":"); split(part[2], quoted, "\""); users[quoted[2]] = users[quoted[2]] " " part[1] }
+# Each #include of a project's header as "FILE NAME", where NAME is that of a public header in an #include, else the file's.
+inclusions() {
+  git grep --untracked -E '^#include "' -- '*.cpp' '*.hpp' '*.h' '*.c' | sed -E 's/^([^:]*):#include "([^"]*)".*/\1 \2/; s#^sdk/include/##'
+}
+
+# reached FROM TO: the files on standard input, and all that the inclusions lead to from column FROM to column TO, directly or not.
+reached() {
+  awk -v from="$1" -v to="$2" 'FILENAME == ARGV[1] { queue[++last] = $0; hit[$0]; next }
+    { next_of[$from] = next_of[$from] " " $to }
     END {
       for (i = 1; i <= last; ++i) {
         print queue[i]
-        count = split(users[queue[i]], user, " ")
-        for (k = 1; k <= count; ++k) if (!(user[k] in hit)) { hit[user[k]]; queue[++last] = user[k] }
+        count = split(next_of[queue[i]], found, " ")
+        for (k = 1; k <= count; ++k) if (!(found[k] in hit)) { hit[found[k]]; queue[++last] = found[k] }
       }
-    }' <(sed 's#^sdk/include/##') <(git grep --untracked -E '^#include "' -- '*.cpp' '*.hpp' | sed 's#^sdk/include/##')
+    }' <(sed 's#^sdk/include/##') <(inclusions)
 }
 
 # What the build compiles of the folders: files, or groups of them.
@@ -64,20 +70,45 @@ parts() {
   esac | sed "s#^$root/##"
 }
 
-# Those of the compiled files that a change since the commit affects.
+# The parts of all compiled files on standard input.
+all_parts() {
+  local file
+  while IFS= read -r file; do [ -z "$file" ] || parts "$file"; done
+}
+
+# has_part COMPILED FILES: whether a compiled file has one of the files, a line each.
+has_part() {
+  parts "$1" | grep -xF -f <(echo "$2") >/dev/null
+}
+
+# The compiled files with sources that changed since the commit, and one for each changed header that none of these includes.
 affected_since() {
-  local file affected
-  affected=$(changed_files "$1" | with_users)
-  while IFS= read -r file; do
-    if parts "$file" | grep -xF -f <(echo "$affected") >/dev/null; then echo "$file"; fi
-  done < <(compiled)
+  local changed chosen header users file
+  changed=$(changed_files "$1")
+  chosen=$(while IFS= read -r file; do if has_part "$file" "$changed"; then echo "$file"; fi; done < <(compiled))
+  while IFS= read -r header; do
+    users=$(reached 2 1 <<<"$header")
+    while IFS= read -r file; do
+      if has_part "$file" "$users"; then
+        chosen+=$'\n'$file
+        break
+      fi
+    done < <(compiled)
+  done < <(grep -E '\.hp*$' <<<"$changed" | sed 's#^sdk/include/##' | grep -vxF -f <(all_parts <<<"$chosen" | reached 1 2))
+  sort -u <<<"$chosen" | sed '/^$/d'
+}
+
+# The base branch itself as it was before its last 25 commits: about what was merged last.
+recent_base() {
+  git rev-list --first-parent --max-count=1 --skip=25 HEAD
 }
 
 base=$(scripts/base-commit.sh)
+if [ -z "$base" ] && [ "${FULBITO_BASE:-}" != none ]; then base=$(recent_base); fi
 options=(-p "$build" --quiet)
 if $all; then
   files=$(compiled)
-elif [ -z "$base" ] || changed_files "$base" | grep -E '^(\.clang-tidy|scripts/check-lint\.sh)$' >/dev/null; then
+elif [ -z "$base" ] || changed_files "$base" | grep -x '\.clang-tidy' >/dev/null; then
   files=$(compiled)
   options+=(--checks=-performance-unnecessary-value-param)  # takes up to half of a group's time
 else
@@ -85,7 +116,7 @@ else
 fi
 
 if $list; then
-  while IFS= read -r file; do [ -z "$file" ] || parts "$file"; done <<<"$files"
+  all_parts <<<"$files"
   exit
 fi
 git ls-files -z 'scripts/*.sh' 'tests/**/*.sh' 'examples/**/*.sh' 'examples/**/*.sbatch' .ci/run | xargs -0 shellcheck

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Changes files of a small repository and expects scripts/check-lint.sh to choose those and what includes them.
+# Changes files of a small repository and expects scripts/check-lint.sh to choose those, and one that includes each changed header.
 # Usage: check_lint_test.sh PROJECT
 set -euo pipefail
 project=$1
@@ -37,7 +37,14 @@ printf '#include "%s"\n' "$tree/match/rule.cpp" "$tree/match/other.cpp" >build/c
 git add -A
 git commit -q -m 'Begin'
 
-expect 'engine/core/base.cpp match/other.cpp match/rule.cpp' 'all on the base branch' release
+expect 'engine/core/base.cpp match/other.cpp match/rule.cpp' 'a short history' release
+echo '// Later.' >>match/other.cpp
+git commit -q -a -m 'Later'
+for ((i = 0; i < 24; ++i)); do git commit -q --allow-empty -m 'More'; done
+expect 'match/other.cpp' 'the last 25 commits of the base branch' release
+git commit -q --allow-empty -m 'More'
+expect '' 'no more than 25 commits of the base branch' release
+FULBITO_BASE=none expect 'engine/core/base.cpp match/other.cpp match/rule.cpp' 'no base' release
 git checkout -q -b work
 git commit -q --allow-empty -m 'Work'
 expect '' 'nothing changed' release
@@ -49,7 +56,22 @@ git commit -q -a -m 'More'
 expect 'match/other.cpp' 'a source, committed' release
 FULBITO_BASE=HEAD expect '' 'another base' release
 echo '// More.' >>engine/core/base.hpp
-FULBITO_BASE=HEAD expect 'engine/core/base.cpp match/rule.cpp' 'what includes a header, directly or not' release
+FULBITO_BASE=HEAD expect 'engine/core/base.cpp' 'one that includes a header' release
+git commit -q -a -m 'A header'
+echo '// More.' >>match/all.hpp
+FULBITO_BASE=HEAD expect '' 'a header that nothing compiled includes' release
+echo '// More.' >>match/rule.hpp
+FULBITO_BASE=HEAD expect 'match/rule.cpp' 'one that includes a header' release
+sed -i '1i #include "match/all.hpp"' match/rule.cpp
+FULBITO_BASE=HEAD expect 'match/rule.cpp' 'a source that changed and includes the header' release
+git checkout -q match
+echo '#include "match/rule.hpp"' >match/rule.cpp
+sed -i 's/"match.rule.hpp"/"engine\/core\/base.hpp"/' match/all.hpp
+echo '#include "match/all.hpp"' >>match/other.cpp
+git commit -q -a -m 'Through two headers'
+echo '// More.' >>engine/core/base.hpp
+echo '// More.' >>match/other.cpp
+FULBITO_BASE=HEAD expect 'match/other.cpp' 'a source that changed and includes a header through another' release
 touch .clang-tidy
 FULBITO_BASE=HEAD expect 'engine/core/base.cpp match/other.cpp match/rule.cpp' 'the checks changed' release
 
