@@ -197,7 +197,7 @@ TEST_CASE("what cannot be run is refused with the reason", "[unit]") {
   CHECK_THAT(launchError(options).message, Catch::Contains("at least"));
 }
 
-TEST_CASE("a child's surroundings are its own", "[unit]") {
+TEST_CASE("a child's surroundings are its own", "[unit][sandbox]") {
   const ScratchFolder folder;
   ::chmod(folder.path().c_str(), 0755);
   const std::string program = folder.write("team.sh",
@@ -250,7 +250,7 @@ TEST_CASE("a child can be stopped first and waited for later", "[unit]") {
   child.stop();
 }
 
-TEST_CASE("a child ends with its keeper", "[unit]") {
+TEST_CASE("a child ends with its keeper", "[unit][sandbox]") {
   const std::string mark = "fulbito-keeperless-" + std::to_string(::getpid());
   Leftovers leftovers(mark);
   {
@@ -297,7 +297,7 @@ TEST_CASE("a child is not started where the machine leaves less than it may have
   }
 }
 
-TEST_CASE("memory that runs out around a child is not its fault", "[unit]") {
+TEST_CASE("memory that runs out around a child is not its fault", "[unit][sandbox]") {
   namespace fs = std::filesystem;
   // Of version 1, as a group of version 2 with processes has no groups of its own.
   const fs::path group = "/sys/fs/cgroup/memory/fulbito-test-" + std::to_string(::getpid());
@@ -322,7 +322,7 @@ TEST_CASE("memory that runs out around a child is not its fault", "[unit]") {
   fs::remove(group, refused);
 }
 
-TEST_CASE("children end with the program that launched them, however it ends", "[unit]") {
+TEST_CASE("children end with the program that launched them, however it ends", "[unit][sandbox]") {
   const std::string mark = "fulbito-orphan-" + std::to_string(::getpid());
   Leftovers leftovers(mark);
   const pid_t launcher = ::fork();
