@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostPairs = 20;
 
 const std::set<std::string> kKnownLibraries = {
-    "fmt",    "tl",           "toml++",    "Random123", "xxhash.h",
-    "box2d",  "SDL.h",        "SDL2",      "SDL_ttf.h", "SDL2_gfxPrimitives.h",
-    "png.h",  "nlohmann",     "CLI",       "Eigen",     "zstd.h",
-    "zlib.h", "libdeflate.h", "gif_lib.h", "seccomp.h"};
+    "fmt",          "tl",        "toml++",   "Random123", "xxhash.h",
+    "box2d",        "SDL.h",     "SDL2",     "SDL_ttf.h", "SDL2_gfxPrimitives.h",
+    "png.h",        "nlohmann",  "CLI",      "Eigen",     "zlib.h",
+    "libdeflate.h", "gif_lib.h", "seccomp.h"};
 
 std::string folderOf(const std::string& path) { return fs::path(path).parent_path().string(); }
 
