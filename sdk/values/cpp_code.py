@@ -1,4 +1,4 @@
-"""The SDK in C++: structures of fulbito/team.hpp, and their members beside those of the C interface."""
+"""The SDK in C++: structures of fulbito/team.hpp, and their members beside those of the C interface (detail/library)."""
 
 from typing import List
 
