@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -14,8 +14,6 @@ namespace {
 
 /// The largest file that is read: 1 GiB, which is more than ten days of 3v3.
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
-/// The most that a header, a result or an index may unpack to.
-constexpr std::size_t kMaxTextBytes = std::size_t{8} << 20;
 
 std::string nameOf(BlockType type) {
   switch (type) {
@@ -69,7 +67,7 @@ struct RecordingReader::Impl {
                                                   : "its header is damaged");
     }
     if (block->type != BlockType::kHeader) return badBlock(*block, "a header was expected");
-    const auto text = textOf(*block);
+    const auto text = unpacked(block->payload, kMaxTextBytes);
     if (!text) return badBlock(*block, "it cannot be unpacked");
     auto read = headerFromJson(*text);
     if (!read) return badBlock(*block, read.error());
@@ -78,11 +76,6 @@ struct RecordingReader::Impl {
     header_bytes = block->payload.size();
     next = block->end();
     return {};
-  }
-
-  std::optional<Bytes> textOf(const Block& block) const {
-    if (block.raw_size > kMaxTextBytes) return std::nullopt;
-    return unpack(static_cast<std::uint8_t>(block.codec), block.payload, block.raw_size);
   }
 
   /// Everything after the header, up to the end or the first flaw.
@@ -117,7 +110,6 @@ struct RecordingReader::Impl {
 
   Step takeChunk(const Block& block) {
     if (result) return badBlock(block, "it follows the result");
-    if (block.codec != 0) return badBlock(block, "unknown codec");
     const auto head = readChunkHead(block.payload, header);
     if (!head) return badBlock(block, head.error());
     if (head->first_tick != ticks || head->plays_before != plays) {
@@ -134,7 +126,7 @@ struct RecordingReader::Impl {
 
   Step takeResult(const Block& block) {
     if (result) return badBlock(block, "there are two");
-    const auto text = textOf(block);
+    const auto text = unpacked(block.payload, kMaxTextBytes);
     if (!text) return badBlock(block, "it cannot be unpacked");
     auto read = resultFromJson(*text);
     if (!read) return badBlock(block, read.error());
@@ -145,7 +137,7 @@ struct RecordingReader::Impl {
 
   Step takeIndex(const Block& block) {
     if (!result) return badBlock(block, "there is no result before it");
-    const auto text = textOf(block);
+    const auto text = unpacked(block.payload, kMaxTextBytes);
     const auto places = text ? readIndex(*text) : std::nullopt;
     bool same = places && places->size() == chunks.size();
     for (std::size_t i = 0; same && i < chunks.size(); ++i) same = (*places)[i] == chunks[i].place;
@@ -207,19 +199,16 @@ const std::string& RecordingReader::origin() const { return impl_->origin; }
 std::string_view RecordingReader::bytes() const { return impl_->bytes; }
 
 std::vector<RecordingPart> RecordingReader::sizeByPart() const {
+  std::array<std::size_t, kSectionNames.size()> sizes{};
+  for (const Impl::Place& chunk : impl_->chunks) {
+    const auto sections = sectionsOf(chunk.payload, impl_->header);
+    for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] += sections[i].size();
+  }
   std::vector<RecordingPart> parts{{"header", impl_->header_bytes}};
   std::size_t known = impl_->header_bytes;
-  for (const Impl::Place& chunk : impl_->chunks) {
-    for (const SectionSize& section : sectionSizes(chunk.payload, impl_->header)) {
-      const auto same = std::find_if(parts.begin(), parts.end(),
-                                     [&](const RecordingPart& part) { return part.name == section.name; });
-      known += section.bytes;
-      if (same != parts.end()) {
-        same->bytes += section.bytes;
-      } else {
-        parts.push_back({section.name, section.bytes});
-      }
-    }
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    known += sizes[i];
+    if (sizes[i] > 0) parts.push_back({kSectionNames[i], sizes[i]});
   }
   parts.push_back({"frame", impl_->bytes.size() - known});
   return parts;

@@ -61,8 +61,7 @@ Result<Salvage> salvaged(const Result<RecordingReader>& reader) {
       auto chunk = readChunk(block->block.payload, found.header);
       if (chunk) found.chunks.push_back(std::move(*chunk));
     } else if (block->block.type == BlockType::kResult) {
-      const auto text =
-          unpack(static_cast<std::uint8_t>(block->block.codec), block->block.payload, block->block.raw_size);
+      const auto text = unpacked(block->block.payload, kMaxTextBytes);
       auto result = text ? resultFromJson(*text) : tl::unexpected<std::string>("");
       if (result) found.result = std::move(*result);
     } else {

@@ -14,18 +14,18 @@ struct RecordingWriter::Impl {
     if (state) state = sink(bytes);
     written += bytes.size();
   }
-  std::uint64_t writeBlock(BlockType type, Codec codec, std::size_t raw_size, BytesView content) {
+  std::uint64_t writeBlock(BlockType type, BytesView content) {
     block.clear();
     const std::uint64_t seed = blocks == 0 ? kHeaderSeed : blockSeed(header_checksum, blocks);
-    const std::uint64_t checksum = appendBlock(type, codec, raw_size, content, seed, block);
+    const std::uint64_t checksum = appendBlock(type, content, seed, block);
     if (blocks++ == 0) header_checksum = checksum;
     write(block);
     return checksum;
   }
   std::uint64_t writePacked(BlockType type, BytesView raw) {
     Bytes packed;
-    const Codec codec = compressor.append({&raw, 1}, packed);
-    return writeBlock(type, codec, raw.size(), packed);
+    packer.pack(raw, packed);
+    return writeBlock(type, packed);
   }
   void writeHead() {
     Bytes prologue(kMagic);
@@ -38,8 +38,8 @@ struct RecordingWriter::Impl {
     const auto first = static_cast<std::uint64_t>(chunk.endTick() - chunk.ticks());
     const ChunkPlace place{written, first, static_cast<std::uint64_t>(chunk.ticks())};
     payload.clear();
-    chunk.pack(compressor, payload);
-    writeBlock(BlockType::kChunk, Codec::kStored, payload.size(), payload);
+    chunk.pack(packer, payload);
+    writeBlock(BlockType::kChunk, payload);
     if (state) places.push_back(place);
   }
 
@@ -60,7 +60,7 @@ struct RecordingWriter::Impl {
   Result<void> state;  ///< the first error
   const RecordingHeader header;
   ChunkBuilder chunk;
-  Compressor compressor;
+  const Packer packer{Packer::kFast};
   std::vector<ChunkPlace> places;
   Bytes payload, block;
   std::uint64_t header_checksum = 0, blocks = 0, written = 0;

@@ -17,7 +17,7 @@ packages=(
   g++ make cmake ninja-build git ca-certificates binutils pkg-config
   libbox2d-dev libeigen3-dev libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core libpng-dev libdeflate-dev libgif-dev
   libfmt-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
-  librandom123-dev libxxhash-dev libzstd-dev zlib1g-dev
+  librandom123-dev libxxhash-dev zlib1g-dev
   libseccomp-dev
   libxml2-utils catch2 libmpfr-dev libgmp-dev
   python3 mypy python3-jsonschema

@@ -26,19 +26,19 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 40;
-constexpr std::string_view kLines = "lines";  // folder of the headers that team_program.hpp includes
 
 /// A kind of team: its files, and how it is built and named.
 struct Kind {
   std::string_view name;
   std::string_view what;
-  std::string_view starter;        ///< folder and file of its source
-  std::string_view header;         ///< what a source in C++ includes
-  std::string_view macro;          ///< what ends a source in C++
-  std::vector<std::string> sdk;    ///< files of the SDK
-  std::string_view build;          ///< recipe of the Makefile; empty: nothing to build
-  std::string_view target;         ///< what the recipe makes
-  std::string_view specification;  ///< of the built team
+  std::string_view starter;               ///< folder and file of its source
+  std::string_view header;                ///< what a source in C++ includes
+  std::string_view macro;                 ///< what ends a source in C++
+  std::vector<std::string_view> sdk;      ///< files of the SDK
+  std::vector<std::string_view> details;  ///< folders below fulbito/detail that these include
+  std::string_view build;                 ///< recipe of the Makefile; empty: nothing to build
+  std::string_view target;                ///< what the recipe makes
+  std::string_view specification;         ///< of the built team
 };
 
 const std::array<Kind, 4>& kinds() {
@@ -49,6 +49,7 @@ const std::array<Kind, 4>& kinds() {
        "team.hpp",
        "FULBITO_TEAM",
        {"team.h", "team.hpp"},
+       {"library"},
        "$(CXX) -std=c++20 -O2 -Wall -Wextra -shared -fPIC -Isdk team.cpp -o team.so",
        "team.so",
        "./team.so"},
@@ -58,6 +59,7 @@ const std::array<Kind, 4>& kinds() {
        "",
        "",
        {"team.h"},
+       {},
        "$(CC) -std=c99 -O2 -Wall -Wextra -shared -fPIC -Isdk team.c -o team.so -lm",
        "team.so",
        "./team.so"},
@@ -67,6 +69,7 @@ const std::array<Kind, 4>& kinds() {
        "",
        "",
        {"fulbito_team.py"},
+       {},
        "",
        "",
        "cmd:python3 team.py"},
@@ -76,6 +79,7 @@ const std::array<Kind, 4>& kinds() {
        "team_program.hpp",
        "FULBITO_TEAM_PROGRAM",
        {"team.h", "team.hpp", "team_program.hpp"},
+       {"library", "lines"},
        "$(CXX) -std=c++20 -O2 -Wall -Wextra -Isdk team.cpp -o team",
        "team",
        "cmd:./team"},
@@ -165,7 +169,8 @@ Result<std::string> nameOf(const NewTeamCommand& options, const fs::path& folder
 /// Headers go where `#include "fulbito/..."` finds them; Python's module lies beside the team.
 fs::path placeOf(const EmbeddedFile& file) {
   if (file.kind == "python") return fs::path(file.file);
-  return fs::path("sdk") / (file.kind == kLines ? "fulbito/detail/lines" : "fulbito") / file.file;
+  const fs::path headers = fs::path("sdk") / "fulbito";
+  return (file.kind == "fulbito" ? headers : headers / "detail" / file.kind) / file.file;
 }
 
 Result<void> writeAll(const Kind& kind, const fs::path& folder, const std::string& name) {
@@ -174,12 +179,12 @@ Result<void> writeAll(const Kind& kind, const fs::path& folder, const std::strin
       {"test.sh", testOf(kind, name)},
       {"README.md", readmeOf(kind, name)}};
   if (!kind.build.empty()) files.emplace_back("Makefile", makefileOf(kind));
-  for (const std::string& sdk : kind.sdk) {
+  for (const std::string_view sdk : kind.sdk) {
     const EmbeddedFile& file = embedded("", sdk);
     files.emplace_back(placeOf(file), std::string(file.text));
   }
   for (const EmbeddedFile& file : embeddedStarters()) {
-    if (file.kind == kLines && kind.name == "program")
+    if (std::find(kind.details.begin(), kind.details.end(), file.kind) != kind.details.end())
       files.emplace_back(placeOf(file), std::string(file.text));
   }
   for (const auto& [place, text] : files) {

@@ -96,6 +96,73 @@ void keepBest(std::vector<Candidate>& best, Candidate candidate) {
   if (best.size() > kFinalists) best.pop_back();
 }
 
+/// The comparison whose layouts candidates are tried on.
+ComparisonConfig trainingOf(const ComparisonConfig& base, const TuneConfig& config) {
+  ComparisonConfig training = base;
+  if (training.suite == kPaperSuite) training.suite = "corner";
+  training.speeds = {config.speed};
+  training.trials = config.layouts;
+  training.seed = base.seed + kTrainingSeedOffset;
+  training.pictures = 0;
+  training.only.reset();
+  training.record.clear();
+  return training;
+}
+
+/// What is minimised: measures candidates one after the other, and reports each to `progress`.
+class Objective {
+ public:
+  Objective(const Space& space, ComparisonConfig training, std::size_t total, const Progress& progress)
+      : space_(space), training_(std::move(training)), total_(total), progress_(progress) {}
+
+  /// The mean T/T* at `point`. Errors: kInterrupted, and those of a comparison.
+  Result<double> operator()(const Point& point) {
+    if (progress_ && !progress_(done_++, total_)) return fail(ErrorCode::kInterrupted, "interrupted");
+    training_.navigators = {specificationAt(space_, point)};
+    auto comparison = planComparison(training_);
+    if (!comparison) return tl::unexpected<Error>(comparison.error());
+    // A measurement takes seconds: it can be stopped after each trial.
+    const auto in_between = [&](std::size_t, std::size_t) { return !progress_ || progress_(done_, total_); };
+    if (auto ran = runComparison(*comparison, {}, in_between); !ran)
+      return tl::unexpected<Error>(ran.error());
+    return comparison->summary.front().time_ratio_all;
+  }
+
+  /// From here on, fresh layouts, and more of them.
+  void beginLastRound() {
+    training_.seed += kTrainingSeedOffset;
+    training_.trials *= kLastRound;
+  }
+  int layouts() const { return training_.trials; }
+
+ private:
+  const Space& space_;
+  ComparisonConfig training_;
+  std::size_t total_;
+  const Progress& progress_;
+  std::size_t done_ = 0;
+};
+
+/// The best candidates of a seeded random search.
+Result<std::vector<Candidate>> search(const Space& space, int evaluations, std::uint64_t seed,
+                                      Objective& objective) {
+  Rng rng(seed, Stream::kTuner);
+  std::vector<Candidate> best;
+  for (int i = 0; i < evaluations; ++i) {
+    const double share = static_cast<double>(i) / evaluations;
+    const double local = (share - kAnywhere) / (1.0 - kAnywhere);  // from 0 to 1 in the last two thirds
+    Point point = defaults(space);
+    if (i > 0) {
+      point = local < 0.0 ? drawAnywhere(space, rng)
+                          : drawNear(space, rng, best.front().point, tuningSpread(local));
+    }
+    const auto value = objective(point);
+    if (!value) return tl::unexpected<Error>(value.error());
+    keepBest(best, {std::move(point), *value});
+  }
+  return best;
+}
+
 }  // namespace
 
 double tuningSpread(double progress) {
@@ -109,61 +176,24 @@ Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, 
   }
   const auto space = spaceOf(config.navigator);
   if (!space) return tl::unexpected<Error>(space.error());
-  ComparisonConfig training = base;
-  if (training.suite == kPaperSuite) training.suite = "corner";
-  training.speeds = {config.speed};
-  training.trials = config.layouts;
-  training.seed = base.seed + kTrainingSeedOffset;
-  training.pictures = 0;
-  training.only.reset();
-  training.record.clear();
   const std::size_t total = static_cast<std::size_t>(config.evaluations) + kFinalists + 1;
-  std::size_t done = 0;
-  // An evaluation takes seconds: it can be stopped after each trial.
-  const auto in_between = [&](std::size_t, std::size_t) { return !progress || progress(done, total); };
-  const auto objective = [&](const Point& point) -> Result<double> {
-    training.navigators = {specificationAt(*space, point)};
-    auto comparison = planComparison(training);
-    if (!comparison) return tl::unexpected<Error>(comparison.error());
-    if (auto ran = runComparison(*comparison, {}, in_between); !ran)
-      return tl::unexpected<Error>(ran.error());
-    return comparison->summary.front().time_ratio_all;
-  };
-  const auto go_on = [&]() -> Result<void> {
-    if (!progress || progress(done++, total)) return {};
-    return fail(ErrorCode::kInterrupted, "interrupted");
-  };
+  Objective objective(*space, trainingOf(base, config), total, progress);
+  auto finalists = search(*space, config.evaluations, base.seed, objective);
+  if (!finalists) return tl::unexpected<Error>(finalists.error());
 
-  Rng rng(base.seed, Stream::kTuner);
-  std::vector<Candidate> best;
-  for (int i = 0; i < config.evaluations; ++i) {
-    if (auto on = go_on(); !on) return tl::unexpected<Error>(on.error());
-    const double share = static_cast<double>(i) / config.evaluations;
-    const double local = (share - kAnywhere) / (1.0 - kAnywhere);  // from 0 to 1 in the last two thirds
-    Point point = defaults(*space);
-    if (i > 0) {
-      point = local < 0.0 ? drawAnywhere(*space, rng)
-                          : drawNear(*space, rng, best.front().point, tuningSpread(local));
-    }
-    const auto value = objective(point);
-    if (!value) return tl::unexpected<Error>(value.error());
-    keepBest(best, {std::move(point), *value});
-  }
-
-  training.seed += kTrainingSeedOffset;
-  training.trials = kLastRound * config.layouts;
+  objective.beginLastRound();
   TuneResult result;
   result.evaluations = config.evaluations;
-  result.layouts = training.trials;
-  best.insert(best.begin(), {defaults(*space), 0.0});
-  for (std::size_t i = 0; i < best.size(); ++i) {
-    if (auto on = go_on(); !on) return tl::unexpected<Error>(on.error());
-    const auto value = objective(best[i].point);
+  result.layouts = objective.layouts();
+  finalists->insert(finalists->begin(), {defaults(*space), 0.0});
+  for (std::size_t i = 0; i < finalists->size(); ++i) {
+    const Point& point = (*finalists)[i].point;
+    const auto value = objective(point);
     if (!value) return tl::unexpected<Error>(value.error());
     if (i == 0) result.initial = *value;
     if (i > 0 && *value >= result.objective) continue;
     result.objective = *value;
-    result.navigator = specificationAt(*space, best[i].point);
+    result.navigator = specificationAt(*space, point);
   }
   return result;
 }

@@ -1,3 +1,7 @@
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "engine/core/config/suggest.hpp"
@@ -10,8 +14,7 @@ namespace fulbito {
 
 namespace {
 
-constexpr double kSquareClearance =
-    0.0395;  // [m] half the robot's width + 2 mm, for gaps that are entered straight
+constexpr double kSquareClearance = 0.0395;  // [m] half the robot's width + 2 mm
 
 Layout caseLayout(std::uint64_t, std::uint64_t index) { return namedCases()[index % namedCases().size()]; }
 
@@ -22,6 +25,42 @@ Layout sweepLayout(std::uint64_t, std::uint64_t index) {
   layout.name = angle ? fmt::format("{}-{:.0f}deg", layout.name, place.value)
                       : fmt::format("{}-{:.1f}mm", layout.name, 1000 * place.value);
   return layout;
+}
+
+using DrawLayout = decltype(Suite::layout);
+
+/// The robot touches nothing, at the clearance by default.
+Suite openSuite(std::string name, std::string summary, int trials, std::vector<double> speeds,
+                DrawLayout layout) {
+  return {.name = std::move(name),
+          .summary = std::move(summary),
+          .default_trials = trials,
+          .speeds = std::move(speeds),
+          .layout = layout};
+}
+
+/// Contacts that nobody can avoid are allowed.
+Suite touchingSuite(std::string name, std::string summary, int trials, ForbiddenContacts forbidden,
+                    double clearance, DrawLayout layout) {
+  Suite suite = openSuite(std::move(name), std::move(summary), trials, {1.0, 2.6}, layout);
+  suite.forbidden = forbidden;
+  suite.limit_clearance = clearance;
+  return suite;
+}
+
+/// Gaps between obstacles, which the robot enters straight.
+Suite gapSuite(std::string name, std::string summary, int trials, DrawLayout layout) {
+  Suite suite = openSuite(std::move(name), std::move(summary), trials, {1.0, 2.6}, layout);
+  suite.limit_clearance = kSquareClearance;
+  return suite;
+}
+
+/// Gaps that the robot knows by its sonars only.
+Suite sonarSuite(std::string name, std::string summary, DrawLayout layout) {
+  Suite suite = gapSuite(std::move(name), std::move(summary), 300, layout);
+  suite.speeds = {0.3};
+  suite.sonars_only = true;
+  return suite;
 }
 
 }  // namespace
@@ -36,75 +75,30 @@ const std::vector<Layout>& namedCases() {
 }
 
 const std::vector<Suite>& suites() {
-  using enum ForbiddenContacts;
-  const std::vector<double> both = {1.0, 2.6};
   static const std::vector<Suite> all = {
-      {"corner",
-       "corner to corner past four tennis balls",
-       400,
-       {0.6, 1.0, 2.6},
-       kAll,
-       0.058,
-       false,
-       cornerLayout},
-      {"short", "0.55 to 0.75 m past the balls of corner", 200, both, kAll, 0.058, false, shortLayout},
-      {"close-range",
-       "the corner layout shrunk to 0.58 to 0.72 m",
-       400,
-       {0.6},
-       kAll,
-       0.058,
-       false,
-       closeRangeLayout},
-      {"heading", "corner with any initial heading and an arrival heading", 200, both, kAll, 0.058, false,
-       headingLayout},
-      {"walls", "starts that touch walls and corners, goals near walls and obstacles", 100, both, kObstacles,
-       0.055, false, wallsLayout},
-      {"clutter", "robot-sized obstacles, gaps of 1.3 robot widths", 300, both, kAll, kSquareClearance, false,
-       clutter13Layout},
-      {"clutter-1.1", "clutter with gaps of 1.1 robot widths", 300, both, kAll, kSquareClearance, false,
-       clutter11Layout},
-      {"clutter-1.6", "clutter with gaps of 1.6 robot widths", 300, both, kAll, kSquareClearance, false,
-       clutter16Layout},
-      {"u-trap", "a U of obstacles between start and goal", 100, both, kAll, kSquareClearance, false,
-       uTrapLayout},
-      {"moving", "one to five obstacles crossing at 0.3 to 1.5 m/s, bouncing off the walls", 1000, both,
-       kOwnMotion, 0.058, false, movingLayout},
-      {"sonar",
-       "gaps of 1.3 widths, clutter and rows, known by eight noisy sonars only",
-       300,
-       {0.3},
-       kAll,
-       kSquareClearance,
-       false,
-       sonar13Layout,
-       true},
-      {"sonar-1.1",
-       "sonar with gaps of 1.1 robot widths",
-       300,
-       {0.3},
-       kAll,
-       kSquareClearance,
-       false,
-       sonar11Layout,
-       true},
-      {"sonar-1.6",
-       "sonar with gaps of 1.6 robot widths",
-       300,
-       {0.3},
-       kAll,
-       kSquareClearance,
-       false,
-       sonar16Layout,
-       true},
-      {"cases",
-       "named cases: the figures of Jung & Lee (2015)",
-       static_cast<int>(namedCases().size()),
-       {1.0},
-       kAll,
-       0.058,
-       true,
-       caseLayout},
+      openSuite("corner", "corner to corner past four tennis balls", 400, {0.6, 1.0, 2.6}, cornerLayout),
+      openSuite("short", "0.55 to 0.75 m past the balls of corner", 200, {1.0, 2.6}, shortLayout),
+      openSuite("close-range", "the corner layout shrunk to 0.58 to 0.72 m", 400, {0.6}, closeRangeLayout),
+      openSuite("heading", "corner with any initial heading and an arrival heading", 200, {1.0, 2.6},
+                headingLayout),
+      touchingSuite("walls", "starts that touch walls and corners, goals near walls and obstacles", 100,
+                    ForbiddenContacts::kObstacles, 0.055, wallsLayout),
+      gapSuite("clutter", "robot-sized obstacles, gaps of 1.3 robot widths", 300, clutter13Layout),
+      gapSuite("clutter-1.1", "clutter with gaps of 1.1 robot widths", 300, clutter11Layout),
+      gapSuite("clutter-1.6", "clutter with gaps of 1.6 robot widths", 300, clutter16Layout),
+      gapSuite("u-trap", "a U of obstacles between start and goal", 100, uTrapLayout),
+      touchingSuite("moving", "one to five obstacles crossing at 0.3 to 1.5 m/s, bouncing off the walls",
+                    1000, ForbiddenContacts::kOwnMotion, 0.058, movingLayout),
+      sonarSuite("sonar", "gaps of 1.3 widths, clutter and rows, known by eight noisy sonars only",
+                 sonar13Layout),
+      sonarSuite("sonar-1.1", "sonar with gaps of 1.1 robot widths", sonar11Layout),
+      sonarSuite("sonar-1.6", "sonar with gaps of 1.6 robot widths", sonar16Layout),
+      {.name = "cases",
+       .summary = "named cases: the figures of Jung & Lee (2015)",
+       .default_trials = static_cast<int>(namedCases().size()),
+       .speeds = {1.0},
+       .always_drawn = true,
+       .layout = caseLayout},
       {.name = "sweeps",
        .summary = "figures of Jung & Lee (2015) over what their drawings leave open",
        .default_trials = sweepPlaces(),

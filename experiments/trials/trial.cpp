@@ -63,6 +63,16 @@ NavigationGoal goalOf(const Layout& layout) {
   return {layout.goal, layout.goal_heading, layout.goal_tolerance, layout.heading_tolerance, false};
 }
 
+/// What of a scene stays the same through the trial.
+NavigationScene sceneOf(const TrialConfig& config) {
+  NavigationScene scene;
+  scene.dt = config.physics.controlPeriod();
+  scene.field = &config.field;
+  scene.robot = &config.robot.robot;
+  scene.goal = goalOf(config.layout);
+  return scene;
+}
+
 TrialRules rulesOf(const TrialConfig& config, double length_limit) {
   TrialRules rules;
   rules.length_limit = length_limit;
@@ -136,11 +146,7 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock, Tria
   std::optional<SonarSight> sonars;
   if (config.sonars_only) sonars.emplace(config);
   StateHash hash;
-  NavigationScene scene;
-  scene.dt = dt;
-  scene.field = &config.field;
-  scene.robot = &config.robot.robot;
-  scene.goal = goalOf(config.layout);
+  NavigationScene scene = sceneOf(config);
   (*pilot)->reset();
   sensing.observe(world->state());
   if (recorder != nullptr) recorder->begins(world->state());

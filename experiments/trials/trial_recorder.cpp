@@ -26,7 +26,7 @@ RecordingRecipe recipeOf(const TrialConfig& config) {
 }
 
 RecordingHeader headerOf(const TrialConfig& config) {
-  RecordingHeader header = headerFor(RecordingKind::kTrial, config.robot.robot, config.physics);
+  RecordingHeader header = headerFor(RecordingKind::kTrial, config.physics);
   header.bodies.push_back({BodyKind::kRobot, {}});
   header.bodies.resize(1 + config.layout.obstacles.size(), {BodyKind::kObstacle, {}});
   header.recipe = recipeOf(config);

@@ -50,7 +50,7 @@ RecordedStart startOf(const RobotPlacement& robot) {
 }  // namespace
 
 RecordingHeader recordingHeader(const MatchConfig& config, RecordingLevel level) {
-  RecordingHeader header = headerFor(RecordingKind::kMatch, config.robot.robot, config.physics);
+  RecordingHeader header = headerFor(RecordingKind::kMatch, config.physics);
   header.level = level;
   for (const TeamId team : kTeams) {
     for (int i = 0; i < config.rules.team_size; ++i) {

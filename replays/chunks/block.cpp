@@ -9,15 +9,12 @@ std::uint64_t blockSeed(std::uint64_t header_checksum, std::uint64_t number) {
   return header_checksum + number;
 }
 
-std::uint64_t appendBlock(BlockType type, Codec codec, std::size_t raw_size, BytesView payload,
-                          std::uint64_t seed, Bytes& out) {
+std::uint64_t appendBlock(BlockType type, BytesView payload, std::uint64_t seed, Bytes& out) {
   const std::size_t begin = out.size();
   ByteWriter writer(out);
   writer.fixed(std::uint64_t{0});
   writer.fixed(static_cast<std::uint32_t>(type));
-  writer.fixed(static_cast<std::uint32_t>(codec));
   writer.fixed(static_cast<std::uint32_t>(payload.size()));
-  writer.fixed(static_cast<std::uint32_t>(raw_size));
   out.append(payload);
   const std::uint64_t checksum = XXH3_64bits_withSeed(out.data() + begin + 8, out.size() - begin - 8, seed);
   Bytes bytes;
@@ -33,15 +30,11 @@ tl::expected<Block, BlockFlaw> blockAt(BytesView file, std::size_t offset, std::
   block.offset = offset;
   block.checksum = reader.fixed<std::uint64_t>();
   block.type = static_cast<BlockType>(reader.fixed<std::uint32_t>());
-  block.codec = reader.fixed<std::uint32_t>();
-  const std::size_t stored = reader.fixed<std::uint32_t>();
-  block.raw_size = reader.fixed<std::uint32_t>();
-  if (stored > kMaxBlockBytes || block.raw_size > kMaxBlockBytes || block.codec > 255) {
-    return tl::unexpected(BlockFlaw::kDamaged);
-  }
-  if (stored > reader.left()) return tl::unexpected(BlockFlaw::kCut);
-  block.payload = reader.bytes(stored);
-  const BytesView covered = file.substr(offset + 8, kBlockHeadSize - 8 + stored);
+  const std::size_t size = reader.fixed<std::uint32_t>();
+  if (size > kMaxBlockBytes) return tl::unexpected(BlockFlaw::kDamaged);
+  if (size > reader.left()) return tl::unexpected(BlockFlaw::kCut);
+  block.payload = reader.bytes(size);
+  const BytesView covered = file.substr(offset + 8, kBlockHeadSize - 8 + size);
   if (XXH3_64bits_withSeed(covered.data(), covered.size(), seed) != block.checksum) {
     return tl::unexpected(BlockFlaw::kDamaged);
   }

@@ -10,10 +10,9 @@
 
 #include "fulbito/recording.hpp"
 #include "replays/coding/byte_io.hpp"
-#include "replays/coding/compression.hpp"
 
-/// A file is its magic number and version, then blocks. A block is a checksum (8 bytes), type, codec, size as
-/// stored and size unpacked (4 each), then its bytes; the checksum covers all that follows it in the block.
+/// A file is its magic number and version, then blocks. A block is a checksum (8 bytes), type and size (4
+/// each), then its content; the checksum covers all that follows it in the block.
 namespace fulbito {
 
 /// As in a PNG file: not text, and broken by any change of line ends.
@@ -23,11 +22,12 @@ inline constexpr BytesView kMagic{
     8};
 inline constexpr BytesView kEndMagic{"FBR.END\n", 8};
 inline constexpr std::size_t kPrologueSize = 12;  ///< magic and version
-inline constexpr std::size_t kBlockHeadSize = 24;
+inline constexpr std::size_t kBlockHeadSize = 16;
 inline constexpr std::size_t kFooterSize = 24;  ///< place of the index, its checksum, end magic
 
-/// Limits of one block.
 inline constexpr std::size_t kMaxBlockBytes = std::size_t{64} << 20;
+/// The most that a header, a result or an index may unpack to.
+inline constexpr std::size_t kMaxTextBytes = std::size_t{8} << 20;
 
 constexpr std::uint32_t blockName(const char (&name)[5]) {
   std::uint32_t value = 0;
@@ -43,11 +43,9 @@ enum class BlockType : std::uint32_t {
   kIndex = blockName("INDX"),
 };
 
-/// A block as it lies in a file, its sizes checked against what is left.
+/// A block as it lies in a file, its size checked against what is left.
 struct Block {
   BlockType type{};
-  std::uint32_t codec = 0;
-  std::size_t raw_size = 0;
   std::size_t offset = 0;  ///< of its first byte in the file
   std::uint64_t checksum = 0;
   BytesView payload;
@@ -60,8 +58,7 @@ inline constexpr std::uint64_t kHeaderSeed = kRecordingVersion;
 std::uint64_t blockSeed(std::uint64_t header_checksum, std::uint64_t number);
 
 /// Appends a block to `out`; returns its checksum.
-std::uint64_t appendBlock(BlockType type, Codec codec, std::size_t raw_size, BytesView payload,
-                          std::uint64_t seed, Bytes& out);
+std::uint64_t appendBlock(BlockType type, BytesView payload, std::uint64_t seed, Bytes& out);
 
 /// What may be wrong with the next block of a file.
 enum class BlockFlaw : std::uint8_t { kCut, kDamaged };

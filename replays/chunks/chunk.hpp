@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -7,20 +8,20 @@
 #include <tl/expected.hpp>
 
 #include "fulbito/recording.hpp"
+#include "replays/chunks/chunk_format.hpp"
 #include "replays/coding/byte_io.hpp"
 #include "replays/coding/columns.hpp"
-#include "replays/coding/compression.hpp"
+#include "replays/coding/packing.hpp"
 
 namespace fulbito {
-
-enum class SectionId : std::uint8_t;
 
 /// What a chunk says of itself before its sections.
 struct ChunkHead {
   Tick first_tick = 0;
   int ticks = 0;
   std::int64_t plays_before = 0;
-  std::int64_t plays = 0;             ///< that begin in it
+  std::int64_t plays = 0;  ///< that begin in it
+  std::uint64_t events = 0, drawings = 0;
   std::vector<std::uint8_t> present;  ///< see RecordedChunk
 };
 
@@ -52,7 +53,7 @@ class ChunkBuilder {
   void drawing(const RecordedDrawing& drawing);
 
   /// Appends all that was collected, and starts the next chunk at its end.
-  void pack(Compressor& compressor, Bytes& out);
+  void pack(const Packer& packer, Bytes& out);
 
  private:
   /// A list of items as bytes, and how many they are.
@@ -64,20 +65,11 @@ class ChunkBuilder {
       count = 0;
     }
   };
-  struct Section {
-    std::uint8_t id = 0;
-    Codec codec{};
-    std::size_t raw = 0, stored = 0;
-  };
 
   void writeHead(Bytes& out) const;
   void check(const WorldState& world);
   void sample(const WorldState& world);
-  void putSection(std::uint8_t id, std::span<const BytesView> parts, Compressor& compressor);
-  void putStored(std::uint8_t id, BytesView part);
-  void putList(std::uint8_t id, const List& list, Compressor& compressor);
-  template <typename Pack>
-  void putModelled(std::uint8_t id, const Columns& table, const Pack& pack);
+  void putSection(Section section, BytesView content, const Packer& packer);
   void startNext();
 
   RecordingHeader header_;
@@ -93,9 +85,10 @@ class ChunkBuilder {
   Bytes hashes_, checks_, runs_;
   bool run_value_ = true;
   std::uint64_t run_length_ = 0;
-  List play_list_, events_, drawings_;
-  Bytes head_, body_;
-  std::vector<Section> sections_;
+  Bytes play_list_;
+  List events_, drawings_;
+  Bytes table_, body_;                                     ///< of the chunk that is being packed
+  std::array<std::size_t, kSectionNames.size()> sizes_{};  ///< of its sections, as packed
 };
 
 /// The head of a chunk alone. Errors say what is wrong.
@@ -103,18 +96,10 @@ tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const Reco
 /// The whole chunk.
 tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header);
 
+/// The packed bytes of each section; all empty for a broken chunk.
+std::array<BytesView, kSectionNames.size()> sectionsOf(BytesView payload, const RecordingHeader& header);
+
 /// Bytes that its plays, events and drawings say they unpack to; 0 for a broken one.
 std::uint64_t listBytes(BytesView payload, const RecordingHeader& header);
-
-/// How many items the list of a section says it has; 0 for a broken one.
-std::uint64_t listLength(BytesView payload, const RecordingHeader& header, SectionId id);
-
-/// Bytes that one section takes in the file.
-struct SectionSize {
-  const char* name = "";
-  std::size_t bytes = 0;
-};
-/// Of all sections of a chunk; empty for a broken one.
-std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header);
 
 }  // namespace fulbito

@@ -1,7 +1,4 @@
 #include "replays/chunks/chunk.hpp"
-#include "replays/chunks/chunk_format.hpp"
-#include "replays/chunks/command_code.hpp"
-#include "replays/chunks/sample_code.hpp"
 #include "replays/header/header_json.hpp"
 
 namespace fulbito {
@@ -37,6 +34,12 @@ void writePlay(const RecordedPlay& play, Tick offset, Bytes& bytes) {
                   s.angular_velocity, s.spin.x, s.spin.y},
                  out);
   }
+}
+
+/// The same heading from half a turn to the right to just below half a turn to the left.
+std::int32_t wrapped(std::int32_t steps, int turn) {
+  const std::int32_t half = turn / 2, over = (steps % turn + turn + half) % turn;
+  return over - half;
 }
 
 std::int64_t drawingSteps(double value) { return wholeSteps(value, kDrawingStep); }
@@ -75,8 +78,7 @@ void ChunkBuilder::play(const RecordedPlay& play, Tick tick) {
     present_[body] = play.starts[body].present ? 1 : 0;
     if (present_[body] != 0) on_field_.push_back(static_cast<std::uint16_t>(body));
   }
-  writePlay(play, tick - first_tick_, play_list_.bytes);
-  ++play_list_.count;
+  writePlay(play, tick - first_tick_, play_list_);
   ++plays_;
 }
 
@@ -132,7 +134,7 @@ void ChunkBuilder::sample(const WorldState& world) {
   const auto put_pose = [&](const Pose2& pose) {
     put(pose.position.x, place_step);
     put(pose.position.y, place_step);
-    put(pose.heading, heading_step_);
+    samples_.at(column++, row) = wrapped(wholeSteps(pose.heading, heading_step_), header_.sample_turn);
   };
   std::size_t robot = 0, ball = 0, obstacle = 0;
   for (std::size_t body = 0; body < header_.bodies.size(); ++body) {
@@ -180,64 +182,35 @@ void ChunkBuilder::writeHead(Bytes& bytes) const {
   out.varint(static_cast<std::uint64_t>(ticks_));
   out.varint(static_cast<std::uint64_t>(plays_before_));
   out.varint(static_cast<std::uint64_t>(plays_));
+  out.varint(events_.count);
+  out.varint(drawings_.count);
   writeFlags(present_at_start_.cbegin(), present_at_start_.size(), out);
-  out.varint(sections_.size());
-  for (const Section& section : sections_) {
-    out.byte(section.id);
-    out.byte(static_cast<std::uint8_t>(section.codec));
-    out.varint(section.raw);
-    out.varint(section.stored);
-  }
+  for (const std::size_t size : sizes_) out.varint(size);
 }
 
-void ChunkBuilder::putSection(std::uint8_t id, std::span<const BytesView> parts, Compressor& compressor) {
-  Section section{id, Codec::kStored, 0, body_.size()};
-  for (const BytesView part : parts) section.raw += part.size();
-  section.codec = compressor.append(parts, body_);
-  section.stored = body_.size() - section.stored;
-  sections_.push_back(section);
-}
-
-// Hashes do not shrink: trying to costs a tenth of the recording's time.
-void ChunkBuilder::putStored(std::uint8_t id, BytesView part) {
-  if (part.empty()) return;
-  body_.append(part);
-  sections_.push_back({id, Codec::kStored, part.size(), part.size()});
-}
-
-void ChunkBuilder::putList(std::uint8_t id, const List& list, Compressor& compressor) {
-  if (list.count == 0) return;
-  Bytes count;
-  ByteWriter(count).varint(list.count);
-  count.append(list.bytes);
-  const BytesView part = count;
-  putSection(id, {&part, 1}, compressor);
-}
-
-template <typename Pack>
-void ChunkBuilder::putModelled(std::uint8_t id, const Columns& table, const Pack& pack) {
-  if (table.rows() == 0 || table.columns() == 0) return;
+void ChunkBuilder::putSection(Section section, BytesView content, const Packer& packer) {
   const std::size_t begin = body_.size();
-  pack();
-  sections_.push_back({id, Codec::kModelled, table.columns() * table.rows(), body_.size() - begin});
+  if (!content.empty()) packer.pack(content, body_);
+  sizes_[indexOf(section)] = body_.size() - begin;
 }
 
-void ChunkBuilder::pack(Compressor& compressor, Bytes& out) {
-  const auto id_of = [](SectionId id) { return static_cast<std::uint8_t>(id); };
+void ChunkBuilder::pack(const Packer& packer, Bytes& out) {
   ByteWriter(runs_).varint(run_length_);
   body_.clear();
-  sections_.clear();
-  putList(id_of(SectionId::kPlays), play_list_, compressor);
-  putModelled(id_of(SectionId::kCommands), commands_,
-              [&] { packCommands(commands_, header_.command_model, body_); });
-  const BytesView exact = exact_commands_, runs = runs_;
-  if (!exact.empty()) putSection(id_of(SectionId::kCommands), {&exact, 1}, compressor);
-  putStored(id_of(SectionId::kTickHashes), hashes_);
-  putSection(id_of(SectionId::kPlaying), {&runs, 1}, compressor);
-  putStored(id_of(SectionId::kChecks), checks_);
-  putList(id_of(SectionId::kEvents), events_, compressor);
-  putList(id_of(SectionId::kDrawings), drawings_, compressor);
-  putModelled(id_of(SectionId::kSamples), samples_, [&] { packSamples(samples_, header_, body_); });
+  const auto table = [&](const Columns& columns, Trend trend) {
+    table_.clear();
+    if (columns.rows() > 0) writeColumns(columns, trend, table_);
+    return BytesView(table_);
+  };
+  putSection(Section::kPlays, play_list_, packer);
+  putSection(Section::kCommands,
+             header_.command_step > 0.0 ? table(commands_, kCommandTrend) : exact_commands_, packer);
+  putSection(Section::kTickHashes, hashes_, packer);
+  putSection(Section::kPlaying, runs_, packer);
+  putSection(Section::kChecks, checks_, packer);
+  putSection(Section::kEvents, events_.bytes, packer);
+  putSection(Section::kDrawings, drawings_.bytes, packer);
+  putSection(Section::kSamples, table(samples_, kSampleTrend), packer);
   writeHead(out);
   out.append(body_);
   startNext();
@@ -251,10 +224,10 @@ void ChunkBuilder::startNext() {
   present_at_start_ = present_;
   commands_.clear();
   samples_.clear();
-  for (Bytes* bytes : {&exact_commands_, &hashes_, &checks_, &runs_}) bytes->clear();
+  for (Bytes* bytes : {&exact_commands_, &hashes_, &checks_, &runs_, &play_list_}) bytes->clear();
   run_value_ = true;
   run_length_ = 0;
-  for (List* list : {&play_list_, &events_, &drawings_}) list->clear();
+  for (List* list : {&events_, &drawings_}) list->clear();
 }
 
 }  // namespace fulbito

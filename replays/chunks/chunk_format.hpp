@@ -1,17 +1,19 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "fulbito/recording.hpp"
 #include "replays/coding/byte_io.hpp"
+#include "replays/coding/columns.hpp"
 
 /// What the writing and the reading of a chunk share.
 namespace fulbito {
 
-/// The parts of a chunk. The numbers stand in files: append, never renumber. Readers pass over unknown ones.
-enum class SectionId : std::uint8_t {
-  kPlays = 1,
+/// The parts of a chunk, in the order of the file.
+enum class Section : std::uint8_t {
+  kPlays,
   kCommands,
   kTickHashes,
   kPlaying,
@@ -20,6 +22,12 @@ enum class SectionId : std::uint8_t {
   kDrawings,
   kSamples
 };
+inline constexpr std::array<const char*, 8> kSectionNames{"plays",  "commands", "hashes",   "clock",
+                                                          "checks", "events",   "drawings", "samples"};
+constexpr std::size_t indexOf(Section section) { return static_cast<std::size_t>(section); }
+
+/// How the values of tables go on: commands jump, bodies move.
+inline constexpr Trend kCommandTrend = Trend::kStays, kSampleTrend = Trend::kGoesOn;
 
 /// The most bytes of the clause or law of an event.
 inline constexpr std::size_t kMaxClauseBytes = 100;

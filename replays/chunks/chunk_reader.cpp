@@ -5,9 +5,6 @@
 #include <fmt/format.h>
 
 #include "replays/chunks/chunk.hpp"
-#include "replays/chunks/chunk_format.hpp"
-#include "replays/chunks/command_code.hpp"
-#include "replays/chunks/sample_code.hpp"
 #include "replays/header/header_json.hpp"
 
 namespace fulbito {
@@ -19,16 +16,11 @@ using Flaw = std::string;
 constexpr std::size_t kMaxListBytes = std::size_t{16} << 20;
 constexpr std::uint64_t kMaxTick = std::uint64_t{1} << 40;
 
-/// A section's place in the payload.
-struct Section {
-  std::uint8_t id = 0, codec = 0;
-  std::size_t raw = 0;
-  BytesView stored;
-};
+using Sections = std::array<BytesView, kSectionNames.size()>;
 
 struct ChunkLayout {
   ChunkHead head;
-  std::vector<Section> sections;
+  Sections sections;  ///< as packed
 };
 
 tl::expected<ChunkHead, Flaw> takeHead(ByteReader& in, const RecordingHeader& header) {
@@ -37,6 +29,8 @@ tl::expected<ChunkHead, Flaw> takeHead(ByteReader& in, const RecordingHeader& he
   head.ticks = static_cast<int>(in.varint(static_cast<std::uint64_t>(header.chunk_ticks)));
   head.plays_before = static_cast<std::int64_t>(in.varint(kMaxTick));
   head.plays = static_cast<std::int64_t>(in.varint(kMaxChunkPlays));
+  head.events = in.varint(kMaxListBytes);
+  head.drawings = in.varint(kMaxListBytes);
   head.present = readFlags(header.bodies.size(), in);
   if (!in.good()) return tl::unexpected<Flaw>("its head is broken");
   return head;
@@ -47,15 +41,9 @@ tl::expected<ChunkLayout, Flaw> layoutOf(BytesView payload, const RecordingHeade
   auto head = takeHead(in, header);
   if (!head) return tl::unexpected(head.error());
   ChunkLayout layout{std::move(*head), {}};
-  layout.sections.resize(static_cast<std::size_t>(in.varint(255)));
-  std::vector<std::size_t> sizes;
-  for (Section& section : layout.sections) {
-    section.id = in.byte();
-    section.codec = in.byte();
-    section.raw = static_cast<std::size_t>(in.varint());
-    sizes.push_back(static_cast<std::size_t>(in.varint()));
-  }
-  for (std::size_t i = 0; i < sizes.size(); ++i) layout.sections[i].stored = in.bytes(sizes[i]);
+  std::array<std::size_t, kSectionNames.size()> sizes;
+  for (std::size_t& size : sizes) size = static_cast<std::size_t>(in.varint(payload.size()));
+  for (std::size_t i = 0; i < sizes.size(); ++i) layout.sections[i] = in.bytes(sizes[i]);
   if (!in.good() || !in.atEnd()) return tl::unexpected<Flaw>("its sections do not fill it");
   return layout;
 }
@@ -73,13 +61,11 @@ class ChunkParser {
 
   tl::expected<RecordedChunk, Flaw> parse() {
     using Step = bool (ChunkParser::*)();
-    static constexpr std::pair<Step, const char*> kSteps[] = {
-        {&ChunkParser::plays, "plays"},       {&ChunkParser::commands, "commands"},
-        {&ChunkParser::hashes, "hashes"},     {&ChunkParser::playing, "clock"},
-        {&ChunkParser::checks, "checks"},     {&ChunkParser::events, "events"},
-        {&ChunkParser::drawings, "drawings"}, {&ChunkParser::samples, "samples"}};
-    for (const auto& [step, name] : kSteps) {
-      if (!(this->*step)()) return tl::unexpected(fmt::format("its {} are broken", name));
+    static constexpr std::array<Step, kSectionNames.size()> kSteps{
+        &ChunkParser::plays,  &ChunkParser::commands, &ChunkParser::hashes,   &ChunkParser::playing,
+        &ChunkParser::checks, &ChunkParser::events,   &ChunkParser::drawings, &ChunkParser::samples};
+    for (std::size_t i = 0; i < kSteps.size(); ++i) {
+      if (!(this->*kSteps[i])()) return tl::unexpected(fmt::format("its {} are broken", kSectionNames[i]));
     }
     return std::move(chunk_);
   }
@@ -88,38 +74,29 @@ class ChunkParser {
   std::size_t count(BodyKind kind) const { return static_cast<std::size_t>(countOf(header_, kind)); }
   std::size_t ticks() const { return static_cast<std::size_t>(chunk_.ticks); }
 
-  const Section* find(SectionId id) const {
-    for (const Section& section : layout_.sections) {
-      if (section.id == static_cast<std::uint8_t>(id)) return &section;
-    }
-    return nullptr;
-  }
   /// The content of a section; empty without it. No value: it is broken or larger than `most`.
-  std::optional<Bytes> open(SectionId id, std::size_t most) const {
-    const Section* section = find(id);
-    if (section == nullptr) return Bytes();
-    if (section->raw > most) return std::nullopt;
-    return unpack(section->codec, section->stored, section->raw);
+  std::optional<Bytes> open(Section section, std::size_t most) const {
+    const BytesView packed = layout_.sections[indexOf(section)];
+    return packed.empty() ? Bytes() : unpacked(packed, most);
   }
-  /// A section that is a table of so many values, by `model(bytes)`.
-  template <typename Model>
-  std::optional<Columns> table(SectionId id, std::size_t values, const Model& model) const {
-    const Section* section = find(id);
-    if (section == nullptr || section->raw != values ||
-        section->codec != static_cast<std::uint8_t>(Codec::kModelled)) {
-      return std::nullopt;
-    }
-    return model(section->stored);
+  std::optional<Bytes> openExactly(Section section, std::size_t size) const {
+    auto bytes = open(section, size);
+    if (bytes && bytes->size() != size) return std::nullopt;
+    return bytes;
+  }
+  std::optional<Columns> table(Section section, std::size_t columns, std::size_t rows, Trend trend) const {
+    if (columns * rows == 0 && layout_.sections[indexOf(section)].empty()) return Columns();
+    const auto bytes = open(section, mostColumnBytes(columns, rows));
+    return bytes ? readColumns(*bytes, columns, rows, trend) : std::nullopt;
   }
 
-  /// Reads a section that is a list: `each` takes one item off the reader.
+  /// Reads a section that is a list of so many items: `each` takes one off the reader.
   template <typename Each>
-  bool list(SectionId id, const Each& each) const {
-    const auto bytes = open(id, kMaxListBytes);
+  bool list(Section section, std::uint64_t count, const Each& each) const {
+    const auto bytes = open(section, kMaxListBytes);
     if (!bytes) return false;
-    if (bytes->empty()) return true;
     ByteReader in(*bytes);
-    for (std::uint64_t left = in.varint(bytes->size()); left > 0 && in.good(); --left) each(in);
+    for (std::uint64_t left = count; left > 0 && in.good(); --left) each(in);
     return in.good() && in.atEnd();
   }
 
@@ -131,13 +108,12 @@ class ChunkParser {
 
   bool plays() {
     Tick last = chunk_.first_tick;
-    const bool good = list(SectionId::kPlays, [&](ByteReader& in) {
+    return list(Section::kPlays, static_cast<std::uint64_t>(layout_.head.plays), [&](ByteReader& in) {
       RecordedPlay play = takePlay(in);
-      if (play.tick < last || chunk_.plays.size() >= kMaxChunkPlays) in.fail();
+      if (play.tick < last) in.fail();
       last = play.tick;
       if (in.good()) chunk_.plays.push_back(std::move(play));
     });
-    return good && static_cast<std::int64_t>(chunk_.plays.size()) == layout_.head.plays;
   }
 
   RecordedPlay takePlay(ByteReader& in) {
@@ -169,13 +145,9 @@ class ChunkParser {
   }
 
   bool commands() {
-    const std::size_t values = 2 * robots_ * ticks();
     chunk_.commands.resize(robots_ * ticks());
-    if (values == 0) return find(SectionId::kCommands) == nullptr;
-    if (header_.command_step == 0.0) return exactCommands(values);
-    const auto table = this->table(SectionId::kCommands, values, [&](BytesView stored) {
-      return unpackCommands(stored, header_.command_model, 2 * robots_, ticks());
-    });
+    if (header_.command_step == 0.0) return exactCommands();
+    const auto table = this->table(Section::kCommands, 2 * robots_, ticks(), kCommandTrend);
     if (!table) return false;
     for (std::size_t row = 0; row < ticks(); ++row) {
       for (std::size_t robot = 0; robot < robots_; ++robot) {
@@ -186,9 +158,9 @@ class ChunkParser {
     return true;
   }
 
-  bool exactCommands(std::size_t values) {
-    const auto bytes = open(SectionId::kCommands, 8 * values);
-    if (!bytes || bytes->size() != 8 * values) return false;
+  bool exactCommands() {
+    const auto bytes = openExactly(Section::kCommands, 16 * chunk_.commands.size());
+    if (!bytes) return false;
     ByteReader in(*bytes);
     for (WheelSpeeds& command : chunk_.commands) {
       command.left = in.number();
@@ -199,8 +171,8 @@ class ChunkParser {
   }
 
   bool hashes() {
-    const auto bytes = open(SectionId::kTickHashes, 2 * ticks());
-    if (!bytes || bytes->size() != 2 * ticks()) return false;
+    const auto bytes = openExactly(Section::kTickHashes, 2 * ticks());
+    if (!bytes) return false;
     ByteReader in(*bytes);
     chunk_.tick_hashes.resize(ticks());
     for (std::uint16_t& hash : chunk_.tick_hashes) hash = in.fixed<std::uint16_t>();
@@ -208,7 +180,7 @@ class ChunkParser {
   }
 
   bool playing() {
-    const auto bytes = open(SectionId::kPlaying, 10 * (ticks() + 1));
+    const auto bytes = open(Section::kPlaying, 10 * (ticks() + 1));
     if (!bytes) return false;
     ByteReader in(*bytes);
     for (std::uint8_t value = 1; !in.atEnd(); value ^= 1) {
@@ -219,11 +191,11 @@ class ChunkParser {
   }
 
   bool checks() {
-    const std::size_t bodies = header_.bodies.size(), each = 8 * bodies;
+    const std::size_t bodies = header_.bodies.size();
     const Tick every = header_.control_rate;
     const auto expected = static_cast<std::size_t>(multiplesIn(chunk_.first_tick, chunk_.ticks, every));
-    const auto bytes = open(SectionId::kChecks, each * expected);
-    if (!bytes || bytes->size() != each * expected) return false;
+    const auto bytes = openExactly(Section::kChecks, 8 * bodies * expected);
+    if (!bytes) return false;
     ByteReader in(*bytes);
     for (std::size_t i = 0; i < expected; ++i) {
       RecordedCheck& check = chunk_.checks.emplace_back();
@@ -235,7 +207,7 @@ class ChunkParser {
   }
 
   bool events() {
-    return list(SectionId::kEvents, [&](ByteReader& in) {
+    return list(Section::kEvents, layout_.head.events, [&](ByteReader& in) {
       RecordedEvent& event = chunk_.events.emplace_back();
       event.tick = tickFrom(in.signedVarint(), in);
       event.period = in.byte();
@@ -253,7 +225,7 @@ class ChunkParser {
   }
 
   bool drawings() {
-    return list(SectionId::kDrawings, [&](ByteReader& in) {
+    return list(Section::kDrawings, layout_.head.drawings, [&](ByteReader& in) {
       RecordedDrawing& drawing = chunk_.drawings.emplace_back();
       drawing.tick = tickFrom(in.signedVarint(), in);
       const std::uint8_t what = in.byte();
@@ -273,10 +245,7 @@ class ChunkParser {
     const auto rows = header_.level == RecordingLevel::kFull
                           ? static_cast<std::size_t>(multiplesIn(chunk_.first_tick, chunk_.ticks, every))
                           : std::size_t{0};
-    const std::size_t columns = sampleColumns(header_);
-    if (rows * columns == 0) return find(SectionId::kSamples) == nullptr;
-    const auto table = this->table(SectionId::kSamples, columns * rows,
-                                   [&](BytesView stored) { return unpackSamples(stored, header_, rows); });
+    const auto table = this->table(Section::kSamples, sampleColumns(header_), rows, kSampleTrend);
     if (!table) return false;
     for (std::size_t row = 0; row < rows; ++row) {
       const Tick tick = (chunk_.first_tick / every + 1 + static_cast<Tick>(row)) * every;
@@ -312,43 +281,19 @@ tl::expected<ChunkHead, std::string> readChunkHead(BytesView payload, const Reco
   return takeHead(in, header);
 }
 
-std::vector<SectionSize> sectionSizes(BytesView payload, const RecordingHeader& header) {
-  static constexpr std::array<const char*, 9> kNames{"other",  "plays",  "commands", "hashes", "clock",
-                                                     "checks", "events", "drawings", "samples"};
-  std::vector<SectionSize> sizes;
+Sections sectionsOf(BytesView payload, const RecordingHeader& header) {
   const auto layout = layoutOf(payload, header);
-  if (!layout) return sizes;
-  for (const Section& section : layout->sections) {
-    sizes.push_back({kNames[section.id < kNames.size() ? section.id : 0], section.stored.size()});
-  }
-  return sizes;
+  return layout ? layout->sections : Sections{};
 }
 
 std::uint64_t listBytes(BytesView payload, const RecordingHeader& header) {
+  const Sections sections = sectionsOf(payload, header);
   std::uint64_t bytes = 0;
-  const auto layout = layoutOf(payload, header);
-  if (!layout) return bytes;
-  for (const Section& section : layout->sections) {
+  for (const Section list : {Section::kPlays, Section::kEvents, Section::kDrawings}) {
     // What a list may not unpack to is refused when it is read.
-    const bool list = section.id == static_cast<std::uint8_t>(SectionId::kPlays) ||
-                      section.id == static_cast<std::uint8_t>(SectionId::kEvents) ||
-                      section.id == static_cast<std::uint8_t>(SectionId::kDrawings);
-    if (list && section.raw <= kMaxListBytes) bytes += section.raw;
+    bytes += ByteReader(sections[indexOf(list)]).varint(kMaxListBytes);
   }
   return bytes;
-}
-
-std::uint64_t listLength(BytesView payload, const RecordingHeader& header, SectionId id) {
-  const auto layout = layoutOf(payload, header);
-  if (!layout) return 0;
-  for (const Section& section : layout->sections) {
-    if (section.id != static_cast<std::uint8_t>(id)) continue;
-    // What does not unpack is refused when it is read.
-    const auto bytes =
-        section.raw <= kMaxListBytes ? unpack(section.codec, section.stored, section.raw) : std::nullopt;
-    return bytes ? ByteReader(*bytes).varint() : 0;
-  }
-  return 0;
 }
 
 tl::expected<RecordedChunk, std::string> readChunk(BytesView payload, const RecordingHeader& header) {

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "replays/chunks/chunk_format.hpp"
-
 namespace fulbito {
 namespace {
 
@@ -44,9 +42,9 @@ std::optional<std::string> DecodingBudget::take(const ChunkHead& head, BytesView
     what = "plays";
   } else if (!spend(list_bytes_, listBytes(payload, header))) {
     what = "plays, events and drawings";
-  } else if (!spend(events_, listLength(payload, header, SectionId::kEvents))) {
+  } else if (!spend(events_, head.events)) {
     what = "events";
-  } else if (!spend(drawings_, listLength(payload, header, SectionId::kDrawings))) {
+  } else if (!spend(drawings_, head.drawings)) {
     what = "drawings";
   }
   if (what == nullptr) return std::nullopt;

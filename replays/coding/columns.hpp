@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
+
+#include "replays/coding/byte_io.hpp"
 
 namespace fulbito {
 
@@ -26,6 +29,38 @@ class Columns {
   std::size_t columns_ = 0, capacity_ = 0, rows_ = 0;
   std::vector<std::int32_t> values_;
 };
+
+/// What the next value of a column is expected to be.
+enum class Trend : std::uint8_t {
+  kStays,  ///< the last value
+  kGoesOn  ///< the last value and its last change; no change is known from a value that was expected to stay
+};
+
+/// Predicts a column. A column is stored as the differences of its values from what this predicts.
+class ColumnPredictor {
+ public:
+  std::int64_t predicted(Trend trend) const { return last_ + (trend == Trend::kGoesOn ? change_ : 0); }
+  void learn(std::int64_t value, Trend trend) {
+    change_ = trend == Trend::kGoesOn ? value - last_ : 0;
+    last_ = value;
+  }
+
+ private:
+  std::int64_t last_ = 0, change_ = 0;
+};
+
+/// Appends a table: for each column a varint, the unit of which all its values are multiples, then a signed
+/// varint for each value: its difference, in units, from what `trend` predicts. The first one is predicted as
+/// 0.
+void writeColumns(const Columns& table, Trend trend, Bytes& out);
+
+/// The table of so many columns and rows. Empty when the bytes are not those of such a table.
+std::optional<Columns> readColumns(BytesView bytes, std::size_t columns, std::size_t rows, Trend trend);
+
+/// The most bytes that a table may take.
+constexpr std::size_t mostColumnBytes(std::size_t columns, std::size_t rows) {
+  return columns * (rows + 1) * 5;
+}
 
 /// `value / step` as the nearest whole number; 0 for what is not finite or too large.
 inline std::int32_t wholeSteps(double value, double step) {

@@ -102,9 +102,7 @@ class Fields {
 };
 
 constexpr std::uint64_t kAny = ~std::uint64_t{0};
-constexpr std::uint64_t kMaxSampleTurn = 1'000'000;
-constexpr std::uint64_t kMaxModelSteps = 1'000'000'000;  // so that its products stay below 2^63
-constexpr std::uint64_t kMaxModelRatio = 131072;         // 2
+constexpr int kMaxSampleTurn = 1'000'000;
 constexpr std::uint64_t kMost = 1'000'000'000'000;
 constexpr std::int64_t kMostGoals = 1'100'000;  // of a team; what a walk-over costs goes below zero as far
 
@@ -117,14 +115,6 @@ Json bodyJson(const RecordedBody& body) {
     json["number"] = body.id->number;
   }
   return json;
-}
-
-Json modelJson(const CommandModel& model) {
-  return {{"most_change", model.most_change},
-          {"spin_from", model.spin_from},
-          {"spin_to", model.spin_to},
-          {"spin_slow", model.spin_slow},
-          {"spin_fast", model.spin_fast}};
 }
 
 Json sensorsJson(const SensorModel& sensors) {
@@ -189,31 +179,12 @@ void readRecipe(const Json& json, RecordingRecipe& recipe, std::string& flaw) {
   });
 }
 
-void readModel(const Json& json, CommandModel& model, std::string& flaw) {
-  Fields fields(json, "command_model.", flaw);
-  fields.whole("most_change", kMaxModelSteps, model.most_change);
-  fields.whole("spin_from", kMaxModelSteps, model.spin_from);
-  fields.whole("spin_to", kMaxModelSteps, model.spin_to);
-  fields.whole("spin_slow", kMaxModelRatio, model.spin_slow);
-  fields.whole("spin_fast", kMaxModelRatio, model.spin_fast);
-}
-
 void readBuild(const Json& json, BuildInfo& build, std::string& flaw) {
   Fields fields(json, "build.", flaw);
   fields.text("version", build.version);
   fields.text("compiler", build.compiler);
   fields.text("type", build.type);
   fields.text("box2d", build.box2d);
-}
-
-bool inRange(int value, std::uint64_t most) {
-  return value >= 0 && static_cast<std::uint64_t>(value) <= most;
-}
-
-bool inRange(const CommandModel& model) {
-  return inRange(model.most_change, kMaxModelSteps) && inRange(model.spin_from, kMaxModelSteps) &&
-         inRange(model.spin_to, kMaxModelSteps) && model.spin_from <= model.spin_to &&
-         inRange(model.spin_slow, kMaxModelRatio) && inRange(model.spin_fast, kMaxModelRatio);
 }
 
 /// Text from outside may hold anything; what is no UTF-8 is replaced.
@@ -241,10 +212,9 @@ std::optional<std::string> flawOf(const RecordingHeader& header) {
   if (!(header.command_step >= 0.0 && header.command_step <= 10.0)) {
     return "command_step is outside 0 ... 10 rad/s";
   }
-  if (!inRange(header.command_model)) return "command_model is out of its ranges";
   if (!(header.sample_step >= 1e-6 && header.sample_step <= 1.0))
     return "sample_step is outside 1e-6 ... 1 m";
-  if (header.sample_turn < 1 || !inRange(header.sample_turn, kMaxSampleTurn)) {
+  if (header.sample_turn < 1 || header.sample_turn > kMaxSampleTurn) {
     return fmt::format("sample_turn is outside 1 ... {}", kMaxSampleTurn);
   }
   if (header.bodies.size() > kMaxRecordedBodies) {
@@ -269,7 +239,6 @@ std::string toJson(const RecordingHeader& header) {
                  {"level", kLevels[static_cast<std::size_t>(header.level)]},
                  {"control_rate", header.control_rate},
                  {"command_step", header.command_step},
-                 {"command_model", modelJson(header.command_model)},
                  {"sample_every", header.sample_every},
                  {"sample_step", header.sample_step},
                  {"sample_turn", header.sample_turn},
@@ -308,7 +277,6 @@ tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text) {
   fields.whole("sample_every", 1000, header.sample_every);
   fields.number("sample_step", header.sample_step);
   fields.whole("sample_turn", kMaxSampleTurn, header.sample_turn);
-  if (const Json* model = fields.find("command_model")) readModel(*model, header.command_model, flaw);
   fields.whole("chunk_ticks", kMaxChunkTicks, header.chunk_ticks);
   fields.list("bodies", kMaxRecordedBodies, [&](const Json& body, const std::string& where) {
     header.bodies.push_back(readBody(body, where, flaw));

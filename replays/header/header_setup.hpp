@@ -6,8 +6,7 @@
 namespace fulbito {
 
 /// A header with everything that follows from the world: rates, the step of commands (0 if the profile has
-/// none or one too fine for whole numbers), the model of commands (from the robot's motors and spin), and
-/// this build. The caller fills in bodies and recipe.
-RecordingHeader headerFor(RecordingKind kind, const RobotModel& robot, const PhysicsProfile& physics);
+/// none or one too fine for whole numbers) and this build. The caller fills in bodies and recipe.
+RecordingHeader headerFor(RecordingKind kind, const PhysicsProfile& physics);
 
 }  // namespace fulbito

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/core/config/embedded_files.hpp"
+#include "replays/coding/packing.hpp"
 #include "replays/html/base64.hpp"
-#include "replays/html/deflate.hpp"
 #include "replays/html/page_form.hpp"
 #include "replays/html/page_json.hpp"
 #include "replays/html/scene_columns.hpp"

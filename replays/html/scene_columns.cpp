@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
-#include "replays/coding/byte_io.hpp"
+#include "replays/coding/columns.hpp"
 
 namespace fulbito {
 namespace {
 
 constexpr double kMostSteps = 1e9;
-constexpr double kDrawingStep = 1e-4;  // [m]
 
 /// What is no number counts as 0.
 std::int64_t stepsOf(double value, double step) {
@@ -18,21 +17,20 @@ std::int64_t stepsOf(double value, double step) {
   return static_cast<std::int64_t>(std::floor(std::clamp(value / step, -kMostSteps, kMostSteps) + 0.5));
 }
 
-/// One column: each value as the difference from what the two before it predict.
+/// Writes one column.
 class Column {
  public:
   explicit Column(ByteWriter& out) : out_(out) {}
-  /// `jump`: the value continues nothing.
-  void add(std::int64_t value, bool jump) {
-    if (jump) change_ = 0;
-    out_.signedVarint(value - last_ - change_);
-    change_ = jump ? 0 : value - last_;
-    last_ = value;
+  /// `jump`: the value does not go on as those before it.
+  void add(std::int64_t value, bool jump = true) {
+    const Trend trend = jump ? Trend::kStays : Trend::kGoesOn;
+    out_.signedVarint(value - predictor_.predicted(trend));
+    predictor_.learn(value, trend);
   }
 
  private:
   ByteWriter& out_;
-  std::int64_t last_ = 0, change_ = 0;
+  ColumnPredictor predictor_;
 };
 
 /// Rows of a scene with the play that each is in.
@@ -88,11 +86,9 @@ void packCommands(const PageScene& scene, ByteWriter& out) {
   if (scene.commands.values.empty()) return;
   for (std::size_t robot = 0; robot < robots; ++robot) {
     for (double WheelSpeeds::* wheel : {&WheelSpeeds::left, &WheelSpeeds::right}) {
-      std::int64_t last = 0;
+      Column column(out);
       for (std::size_t i = robot; i < scene.commands.values.size(); i += robots) {
-        const std::int64_t value = stepsOf(scene.commands.values[i].*wheel, kPageCommandStep);
-        out.signedVarint(value - last);
-        last = value;
+        column.add(stepsOf(scene.commands.values[i].*wheel, kPageCommandStep));
       }
     }
   }
@@ -101,12 +97,8 @@ void packCommands(const PageScene& scene, ByteWriter& out) {
 /// Texts are in the page's other part.
 void packDrawings(const std::vector<RecordedDrawing>& drawings, ByteWriter& out) {
   const auto column = [&](const auto& value) {
-    std::int64_t last = 0;
-    for (const RecordedDrawing& drawing : drawings) {
-      const auto now = static_cast<std::int64_t>(value(drawing));
-      out.signedVarint(now - last);
-      last = now;
-    }
+    Column written(out);
+    for (const RecordedDrawing& drawing : drawings) written.add(value(drawing));
   };
   using D = RecordedDrawing;
   column([](const D& d) { return d.tick; });

@@ -27,7 +27,7 @@ TEST_CASE("replay info says what was played and where the bytes go", "[cli]") {
   const Output text = box.run("replay info a.fbr");
   CHECK(text.code == 0);
   for (const char* part :
-       {"match, level full, format 1, finished", "chaser (blue)", "rules vsss-3v3", "commands"}) {
+       {"match, level full, format 2, finished", "chaser (blue)", "rules vsss-3v3", "commands"}) {
     INFO(part);
     CHECK(contains(text.out, part));
   }

@@ -18,7 +18,6 @@ RecordingHeader headerOf(RecordingLevel level, double command_step) {
   header.control_rate = 10;
   header.sample_every = 3;
   header.command_step = command_step;
-  header.command_model = {827, 4000, 8000, 63488, 66662};
   for (std::uint8_t i = 0; i < 4; ++i) header.bodies.push_back({BodyKind::kRobot, RobotId{TeamId::kBlue, i}});
   header.bodies.push_back({BodyKind::kBall, {}});
   header.bodies.push_back({BodyKind::kObstacle, {}});

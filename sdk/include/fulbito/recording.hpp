@@ -24,7 +24,7 @@ namespace fulbito {
 // sampled states, so a viewer needs no physics.
 
 /// The file format that this library writes and reads.
-inline constexpr std::uint32_t kRecordingVersion = 1;
+inline constexpr std::uint32_t kRecordingVersion = 2;
 
 /// The kind of a recording. Names in files: match, trial.
 enum class RecordingKind : std::uint8_t { kMatch, kTrial };
@@ -57,24 +57,12 @@ struct RecordingRecipe {
   std::vector<std::pair<std::string, std::string>> more;
 };
 
-/// A prediction model of wheel commands, in steps of a command. Robots accelerate by a limited amount per
-/// tick and spin slower than ideal wheels. The model makes recordings smaller; other commands are exact too.
-struct CommandModel {
-  int most_change = 0;    ///< largest change of right - left per tick, twice that of one wheel; 0: unknown
-  int spin_from = 0;      ///< right - left up to which a robot turns by the slow ratio
-  int spin_to = 0;        ///< right - left from which it turns by the fast ratio; linear between
-  int spin_slow = 65536;  ///< actual over commanded turn, in 1/65536
-  int spin_fast = 65536;  ///< the same for fast turns
-  friend bool operator==(const CommandModel&, const CommandModel&) = default;
-};
-
 /// The header of a recording.
 struct RecordingHeader {
   RecordingKind kind = RecordingKind::kMatch;    ///< match or trial
   RecordingLevel level = RecordingLevel::kFull;  ///< amount of stored data
   int control_rate = 60;                         ///< [Hz] ticks per second, 1 ... 1000
   double command_step = 0.01;                    ///< [rad/s] commands are multiples of it; 0: any value
-  CommandModel command_model;                    ///< prediction model of the commands
   int sample_every = 2;                          ///< ticks between sampled states
   double sample_step = 5e-4;                     ///< [m] sampled positions are multiples of it
   int sample_turn = 1024;                        ///< steps per turn; sampled headings are whole steps

@@ -86,10 +86,10 @@ TEST_CASE("errors name the file and the place", "[unit]") {
   };
   CHECK(messageOf("") == "game.fbr: not a recording (.fbr) of this program");
   std::string other = told.bytes;
-  for (const char format : {'\0', '\2', '\5'}) {
+  for (const char format : {'\0', '\1', '\5'}) {
     other[kMagic.size()] = format;
     CHECK(messageOf(other) ==
-          "game.fbr: a recording of format " + std::to_string(int{format}) + "; this program reads format 1");
+          "game.fbr: a recording of format " + std::to_string(int{format}) + "; this program reads format 2");
   }
   const Block chunk = blocksOf(told.bytes)[2];
   std::string damaged = told.bytes;

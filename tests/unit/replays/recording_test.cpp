@@ -164,6 +164,31 @@ TEST_CASE("events, drawings and checks come back", "[unit]") {
   CHECK(all.checks[2].bodies[5] == bodyHash(told.worlds[29], 4));
 }
 
+TEST_CASE("a sampled heading of half a turn to the left is that to the right", "[unit]") {
+  Told told;
+  told.header = sampleHeader();
+  test::Teller teller(told);
+  RecordedPlay play;
+  play.starts.assign(6, {true, {}, {}, 0.0, {}});
+  teller.writer().beginPlay(play);
+  WorldState world;
+  world.robots.resize(4);
+  world.balls.resize(1);
+  world.obstacles.resize(1);
+  for (const double turns : {0.5, -0.5, 0.25}) {
+    world.robots[0].pose.heading = turns * 1024 * kHeadingStep;
+    for (int tick = 0; tick < 3; ++tick) teller.writer().add(RecordingTick{&world, {}, 0, true});
+  }
+  REQUIRE(teller.finish(9));
+  const auto reader = RecordingReader::parse(told.bytes, "sample");
+  REQUIRE(reader);
+  const RecordedChunk all = whole(*reader);
+  REQUIRE(all.samples.size() == 3);
+  CHECK(all.samples[0].poses[0].heading == Approx(-512 * kHeadingStep));
+  CHECK(all.samples[1].poses[0].heading == Approx(-512 * kHeadingStep));
+  CHECK(all.samples[2].poses[0].heading == Approx(256 * kHeadingStep));
+}
+
 TEST_CASE("a recipe is a full recording without what can be computed again", "[unit]") {
   const Told full = sample(), recipe = sample(70, true, sampleHeader(RecordingLevel::kRecipe));
   CHECK(recipe.bytes.size() < full.bytes.size());

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "replays/coding/packing.hpp"
 #include "replays/html/base64.hpp"
-#include "replays/html/deflate.hpp"
 #include "replays/html/scene_columns.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/unit/replays/html/inflate.hpp"

@@ -1,5 +1,5 @@
 // What the simulator sends to a team's program, as values. Unknown members are skipped, so that later
-// versions can add some. `members` of team.hpp names them.
+// versions can add some. `members` of detail/library/c_values.hpp names them.
 #pragma once
 
 #include <algorithm>
