@@ -46,7 +46,7 @@ done
 [[ -z $build || -d $build ]] || fail_usage "no folder '$build'"
 [[ -z $build ]] || build=$(cd "$build" && pwd)
 
-readonly library_folders=(sdk engine navigation strategies referee replays match experiments bridge)
+readonly library_folders=(sdk engine navigation strategies referee replays match trials experiments bridge)
 # Pictures are not state; nor are the starters of users' teams.
 readonly allowed_folder='replays/render'
 # The project's own functions are defined here, so their plain names are no calls of the C library's.

@@ -4,7 +4,7 @@
 #
 # Rings and the tangent field are chosen on training layouts (seeds 1002018 and 1002019, the tuner's own). All other
 # runs use seed 2015; 777, 31337 and 424242 show how much depends on the seed. Where a choice differs from
-# experiments/comparison/paper_plan.hpp or navigation/methods/fields/vector_field.hpp, change those first.
+# trials/comparison/paper_plan.hpp or navigation/methods/fields/vector_field.hpp, change those first.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "experiments/map/paper_map.hpp"
+#include "trials/map/paper_map.hpp"
 
 namespace fulbito::app {
 

@@ -7,8 +7,8 @@
 #include "apps/common/console.hpp"
 #include "bench/benchmark.hpp"
 #include "bench/scenes.hpp"
-#include "experiments/trials/crowd.hpp"
 #include "fulbito/experiment.hpp"
+#include "trials/crowd.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -7,10 +7,10 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "engine/core/config/suggest.hpp"
-#include "experiments/comparison/paper_plan.hpp"
 #include "fulbito/models.hpp"
 #include "fulbito/referee.hpp"
 #include "fulbito/strategy.hpp"
+#include "trials/comparison/paper_plan.hpp"
 
 namespace fulbito::app {
 namespace {

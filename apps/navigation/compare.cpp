@@ -6,11 +6,11 @@
 #include "apps/common/progress.hpp"
 #include "apps/navigation/compare_map.hpp"
 #include "engine/core/system/output_file.hpp"
-#include "experiments/comparison/paper_plan.hpp"
-#include "experiments/comparison/tuner.hpp"
-#include "experiments/report/pictures.hpp"
-#include "experiments/report/race_page.hpp"
 #include "fulbito/experiment.hpp"
+#include "trials/comparison/paper_plan.hpp"
+#include "trials/comparison/tuner.hpp"
+#include "trials/report/pictures.hpp"
+#include "trials/report/race_page.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "apps/common/progress.hpp"
 #include "apps/navigation/experiment_files.hpp"
 #include "experiments/paper_experiments.hpp"
-#include "experiments/papers/report_output.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -76,7 +76,7 @@ Result<std::vector<const PaperExperiment*>> chosen(const std::string& name) {
     for (const PaperExperiment& experiment : paperExperiments()) experiments.push_back(&experiment);
     return experiments;
   }
-  const auto found = findPaperExperiment(name);
+  const auto found = findPaperExperiment(paperExperiments(), name);
   if (!found) return tl::unexpected<Error>(found.error());
   return std::vector{*found};
 }
@@ -103,6 +103,10 @@ Result<void> runChosen(const ExperimentCommand& command) {
 }  // namespace
 
 int experiment(const ExperimentCommand& command) {
+  if (paperExperiments().empty()) {
+    return report({ErrorCode::kUsage,
+                   "this build of fulbito has no experiments; configure with -DFULBITO_EXPERIMENTS=ON"});
+  }
   if (command.name == "list") {
     listExperiments();
     return kOk;

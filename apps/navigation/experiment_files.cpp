@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "engine/core/system/output_file.hpp"
-#include "experiments/papers/report_output.hpp"
-#include "experiments/papers/scene_picture.hpp"
+#include "fulbito/report.hpp"
 #include "replays/export/gif.hpp"
 #include "replays/html/html_page.hpp"
+#include "trials/papers/scene_picture.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -4,10 +4,10 @@
 #include "apps/common/console.hpp"
 #include "apps/common/outputs.hpp"
 #include "engine/core/system/output_file.hpp"
-#include "experiments/comparison/comparison_parts.hpp"
-#include "experiments/report/pictures.hpp"
-#include "experiments/trials/trial_recorder.hpp"
 #include "fulbito/experiment.hpp"
+#include "trials/comparison/comparison_parts.hpp"
+#include "trials/report/pictures.hpp"
+#include "trials/trial_recorder.hpp"
 
 namespace fulbito::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "experiments/capture/capture_results.hpp"
 #include "experiments/capture/fig18.hpp"
 #include "fulbito/detail/math.hpp"
-#include "navigation/interface/parameters.hpp"
+#include "fulbito/detail/parameters.hpp"
 
 namespace fulbito {
 namespace capture {
@@ -33,7 +33,7 @@ std::vector<Parameter<Values>> parameters() {
       integer("captures", &Values::captures, 0, 2000, "random captures")};
 }
 
-Result<CaptureSettings> settingsOf(const ExperimentRequest& request) {
+Result<CaptureSettings> settingsIn(const ExperimentRequest& request) {
   Values values;
   if (auto set = applySettings(parameters(), request.settings, "capture", values); !set) {
     return tl::unexpected<Error>(set.error());
@@ -78,7 +78,7 @@ Result<void> driveFig18(CaptureResults& results, std::uint64_t seed) {
 
 Result<CaptureResults> resultsOf(const ExperimentRequest& request) {
   CaptureResults results;
-  const auto settings = settingsOf(request);
+  const auto settings = settingsIn(request);
   if (!settings) return tl::unexpected<Error>(settings.error());
   results.settings = *settings;
   results.seed = request.seed;
@@ -118,22 +118,6 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
   return report;
 }
 
-std::string initialOf(const ParameterSpec& spec) {
-  std::string text = std::to_string(spec.default_value);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
-std::vector<ExperimentSetting> settingList() {
-  std::vector<ExperimentSetting> list;
-  for (const ParameterSpec& spec : specsOf(parameters())) {
-    list.push_back(
-        {spec.name, initialOf(spec), spec.doc + (spec.unit.empty() ? "" : " [" + spec.unit + "]")});
-  }
-  return list;
-}
-
 }  // namespace
 }  // namespace capture
 
@@ -141,7 +125,7 @@ PaperExperiment captureExperiment() {
   return {"capture", "curves of constant curvature with slip, and the capture of a moving object",
           "B.-S. Choi and J.-M. Lee, A Capturing Algorithm of Moving Object using Single Curvature "
           "Trajectory, 2005",
-          capture::settingList(), capture::run};
+          settingsOf(specsOf(capture::parameters())), capture::run};
 }
 
 }  // namespace fulbito

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/papers/paper_experiment.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito {
 

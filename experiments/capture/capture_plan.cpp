@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "fulbito/detail/arc.hpp"
 #include "fulbito/detail/math.hpp"
-#include "navigation/geometry/arc.hpp"
 
 namespace fulbito::capture {
 namespace {

@@ -7,7 +7,7 @@
 #include "experiments/capture/estimator_study.hpp"
 #include "experiments/capture/pursuit.hpp"
 #include "experiments/capture/random_captures.hpp"
-#include "experiments/papers/paper_experiment.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito::capture {
 

@@ -7,8 +7,8 @@
 #include "experiments/capture/fig18.hpp"
 #include "experiments/capture/hall.hpp"
 #include "experiments/capture/paper_tables.hpp"
+#include "fulbito/detail/arc.hpp"
 #include "fulbito/detail/math.hpp"
-#include "navigation/geometry/arc.hpp"
 
 namespace fulbito::capture {
 namespace {

@@ -1,8 +1,8 @@
 #include "experiments/capture/curve_table.hpp"
 
-#include "engine/core/system/worker_threads.hpp"
 #include "experiments/capture/paper_tables.hpp"
-#include "navigation/geometry/arc.hpp"
+#include "fulbito/detail/arc.hpp"
+#include "fulbito/detail/parallel.hpp"
 
 namespace fulbito::capture {
 namespace {

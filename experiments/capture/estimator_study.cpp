@@ -3,9 +3,10 @@
 #include <array>
 #include <cmath>
 
-#include "engine/core/math/random.hpp"
 #include "experiments/capture/fig18.hpp"
+#include "experiments/random/streams.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/detail/random.hpp"
 
 namespace fulbito::capture {
 namespace {
@@ -41,7 +42,7 @@ std::vector<Sighting> look(const Method& method, const SightingNoise& noise, Rng
 EstimatorRow studied(const Method& method, const SightingNoise& noise, std::uint64_t seed,
                      std::uint64_t index, int draws) {
   EstimatorRow row{noise, method.name, method.sightings, 0.0, 0.0, 0.0};
-  Rng rng(seed, Stream::kSighting, index);
+  Rng rng(seed, kSightingStream, index);
   for (int i = 0; i < draws; ++i) {
     const std::vector<Sighting> sightings = look(method, noise, rng);
     const ObjectMotion found =

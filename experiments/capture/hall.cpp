@@ -1,7 +1,7 @@
 #include "experiments/capture/hall.hpp"
 
-#include "experiments/papers/plain_floor.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito::capture {
 

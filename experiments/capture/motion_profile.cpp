@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fulbito/detail/arc.hpp"
 #include "fulbito/detail/math.hpp"
-#include "navigation/geometry/arc.hpp"
 
 namespace fulbito::capture {
 namespace {
@@ -63,12 +63,6 @@ MotionState MotionProfile::at(double time) const {
     return {poseIn(phase, starts_[i], share), twistAt(phase, share)};
   }
   return {starts_.back(), {}};
-}
-
-WheelSpeeds wheelsOverGround(const RobotModel& robot, const DriveLaw& law, Twist twist) {
-  const double turn = twist.angular * robot.axle_track / 2;
-  const RimSpeeds rims = law.commandFor({twist.linear - turn, twist.linear + turn});
-  return saturate(robot, {rims.left / robot.wheel_radius, rims.right / robot.wheel_radius});
 }
 
 Twist trackingTwist(const MotionState& reference, const Pose2& robot) {

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "engine/core/models/drive_law.hpp"
 #include "fulbito/detail/values.hpp"
 
 namespace fulbito::capture {
@@ -36,10 +35,6 @@ class MotionProfile {
   std::vector<Pose2> starts_;  ///< of each phase, and the end
   double duration_ = 0.0;
 };
-
-/// Wheel speeds that move a robot as its plan says, over the ground: by the slip that its model is known for,
-/// the wheels turn for a tighter curve.
-WheelSpeeds wheelsOverGround(const RobotModel& robot, const DriveLaw& law, Twist twist);
 
 /// The twist that brings a robot onto a moving reference: Kanayama et al. (1990). Across the way the error
 /// falls as that of a damped oscillator over the distance driven.

@@ -4,9 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "engine/core/models/drive_law.hpp"
 #include "experiments/capture/hall.hpp"
+#include "experiments/random/streams.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/report.hpp"
 #include "fulbito/world.hpp"
 
 namespace fulbito::capture {
@@ -72,7 +73,7 @@ class Arena {
 class Watcher {
  public:
   explicit Watcher(const PursuitSetup& setup)
-      : noise_(setup.noise), rng_(setup.seed, Stream::kSighting, setup.index) {}
+      : noise_(setup.noise), rng_(setup.seed, kSightingStream, setup.index) {}
 
   void look(double time, Vec2 from, Vec2 object) {
     const Vec2 to = object - from;
@@ -139,10 +140,9 @@ class Guide {
   Vec2 wanted_, shift_;
 };
 
-WheelSpeeds commandOf(const PursuitSetup& setup, const DriveLaw& law, const MotionState& reference,
-                      const Pose2& robot) {
+WheelSpeeds commandOf(const PursuitSetup& setup, const MotionState& reference, const Pose2& robot) {
   if (setup.drive == PursuitDrive::kOpen) return inverseKinematics(setup.robot, reference.twist);
-  return wheelsOverGround(setup.robot, law, trackingTwist(reference, robot));
+  return wheelsOverGround(setup.robot, trackingTwist(reference, robot));
 }
 
 void measureEnd(const PursuitSetup& setup, const Arena& arena, PursuitResult& result) {
@@ -162,7 +162,6 @@ double fastestRim(const RobotModel& robot, WheelSpeeds wheels) {
 
 void drive(const PursuitSetup& setup, Arena& arena, Watcher& watcher, PursuitResult& result) {
   const double dt = hallPhysics().controlPeriod();
-  const DriveLaw law(setup.robot, dt);
   const bool tracked = setup.drive == PursuitDrive::kTracked;
   Guide guide(setup.limits, *result.answer.plan, setup.gap);
   for (int tick = 0;; ++tick) {
@@ -182,7 +181,7 @@ void drive(const PursuitSetup& setup, Arena& arena, Watcher& watcher, PursuitRes
     }
     guide.advance(dt);
     // A tick ends on its reference.
-    const WheelSpeeds wheels = commandOf(setup, law, guide.reference(time + dt), arena.robot().pose);
+    const WheelSpeeds wheels = commandOf(setup, guide.reference(time + dt), arena.robot().pose);
     result.largest_rim = std::max(result.largest_rim, fastestRim(setup.robot, wheels));
     arena.step(wheels);
   }

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/core/math/random.hpp"
 #include "experiments/capture/capture_plan.hpp"
+#include "fulbito/detail/random.hpp"
 #include "fulbito/detail/values.hpp"
 #include "fulbito/models.hpp"
 

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/core/system/worker_threads.hpp"
 #include "experiments/capture/fig18.hpp"
+#include "experiments/random/streams.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/detail/parallel.hpp"
 
 namespace fulbito::capture {
 namespace {
@@ -60,7 +61,7 @@ bool RandomCapture::caught() const {
 
 PursuitSetup randomTask(const RobotModel& robot, double free_gap, const SightingNoise& noise,
                         std::uint64_t seed, std::uint64_t index) {
-  Rng rng(seed, Stream::kCaptureTask, index);
+  Rng rng(seed, kCaptureTaskStream, index);
   PursuitSetup setup;
   setup.robot = robot;
   setup.start = {{0.0, 0.0}, rng.uniform(-math::kPi, math::kPi)};

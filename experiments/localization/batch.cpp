@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "experiments/random/streams.hpp"
+
 namespace fulbito::localization {
 namespace {
 
@@ -9,7 +11,7 @@ constexpr std::uint64_t kExampleIndex = 2'000'000;  // apart from the numbers of
 
 CleaningTask exampleTask(std::uint64_t seed, const SensorSpread& spread) {
   CleaningTask task;
-  Rng draws(seed, Stream::kRoom, kExampleIndex);
+  Rng draws(seed, kRoomStream, kExampleIndex);
   task.field = plainRoom({3.4, 2.8});
   task.rover = withErrors(cleaningRobot(), spread, draws);
   task.spread = spread;

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/system/worker_threads.hpp"
 #include "experiments/localization/random_rooms.hpp"
 #include "experiments/localization/wrong_figures.hpp"
+#include "fulbito/detail/parallel.hpp"
 
 namespace fulbito::localization {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include "engine/core/base/float_mode.hpp"
 #include "experiments/localization/cleaning_route.hpp"
 #include "experiments/localization/first_fix.hpp"
 
@@ -190,7 +189,6 @@ void judgeStart(const Rig& rig, const Room& room, const CleaningTask& task, cons
 }  // namespace
 
 Result<CleaningResult> runCleaning(const CleaningTask& task, Scheme scheme, bool with_moments) {
-  const FloatMode floats;
   auto rig = Rig::create(task.field, task.rover, task.start, task.celsius, task.seed, task.index);
   if (!rig) return tl::unexpected<Error>(rig.error());
   const Room room{task.field.length, task.field.width};

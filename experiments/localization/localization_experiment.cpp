@@ -1,6 +1,5 @@
 #include "experiments/localization/localization_experiment.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -14,40 +13,29 @@
 namespace fulbito::localization {
 namespace {
 
-struct Range {
-  double low, high;
-  bool whole = false;
+struct Settings {
+  int rooms = 200, fields = 40, wrong = 0;
+  double noise = SensorSpread{}.range_noise;  // [m]
 };
 
-/// A setting as a number. Errors: kUsage naming it.
-Result<double> numberOf(const ExperimentRequest& request, const std::string& name, double initial,
-                        Range range) {
-  const auto text = request.find(name);
-  if (!text) return initial;
-  double value = 0.0;
-  const auto [end, code] = std::from_chars(text->data(), text->data() + text->size(), value);
-  const bool read = code == std::errc() && end == text->data() + text->size();
-  const bool fits = value >= range.low && value <= range.high && (!range.whole || value == std::floor(value));
-  if (read && fits) return value;
-  return fail(ErrorCode::kUsage,
-              fmt::format("experiment localization: {}='{}' is not {} from {} to {}", name, *text,
-                          range.whole ? "a whole number" : "a number", range.low, range.high));
+std::vector<Parameter<Settings>> parameters() {
+  using S = Settings;
+  return {integer("rooms", &S::rooms, 1, 10000, "random rooms"),
+          integer("fields", &S::fields, 1, 10000, "starts on each form of the soccer field"),
+          number("noise", &S::noise, 0.001, 0.05, "", "standard deviation of a range [m], 0.001 to 0.05"),
+          integer("wrong", &S::wrong, 0, 10000,
+                  "random rooms for each wrong noise figure told to the robot; 0: none")};
 }
 
 Result<BatchSize> sizeOf(const ExperimentRequest& request) {
+  Settings settings;
+  if (auto set = applySettings(parameters(), request.settings, "localization", settings); !set)
+    return tl::unexpected<Error>(set.error());
   BatchSize size;
-  const auto rooms = numberOf(request, "rooms", static_cast<double>(size.rooms), {1, 10000, true});
-  if (!rooms) return tl::unexpected<Error>(rooms.error());
-  const auto fields = numberOf(request, "fields", static_cast<double>(size.fields), {1, 10000, true});
-  if (!fields) return tl::unexpected<Error>(fields.error());
-  const auto wrong = numberOf(request, "wrong", static_cast<double>(size.wrong), {0, 10000, true});
-  if (!wrong) return tl::unexpected<Error>(wrong.error());
-  const auto noise = numberOf(request, "noise", size.spread.range_noise, {0.001, 0.05});
-  if (!noise) return tl::unexpected<Error>(noise.error());
-  size.rooms = static_cast<std::size_t>(*rooms);
-  size.fields = static_cast<std::size_t>(*fields);
-  size.wrong = static_cast<std::size_t>(*wrong);
-  size.spread.range_noise = *noise;
+  size.rooms = static_cast<std::size_t>(settings.rooms);
+  size.fields = static_cast<std::size_t>(settings.fields);
+  size.wrong = static_cast<std::size_t>(settings.wrong);
+  size.spread.range_noise = settings.noise;
   return size;
 }
 
@@ -99,16 +87,11 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
 }  // namespace
 
 PaperExperiment localizationExperiment() {
-  return {"localization",
-          "a robot finds its place in a room by ultrasonic sensors, and cleans it",
+  return {"localization", "a robot finds its place in a room by ultrasonic sensors, and cleans it",
           "J.-Y. Jeong et al., The Absolute Position Recognition Using the Map in Space for Navigation of a "
           "Mobile "
           "Robot",
-          {{"rooms", "200", "random rooms"},
-           {"fields", "40", "starts on each form of the soccer field"},
-           {"noise", "0.008", "standard deviation of a range [m], 0.001 to 0.05"},
-           {"wrong", "0", "random rooms for each wrong noise figure told to the robot; 0: none"}},
-          run};
+          settingsOf(specsOf(parameters())), run};
 }
 
 }  // namespace fulbito::localization

@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "experiments/localization/first_fix.hpp"
-#include "experiments/papers/plain_floor.hpp"
+#include "experiments/random/streams.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito::localization {
 namespace {
@@ -40,7 +41,7 @@ RandomRooms randomRooms(std::size_t count, std::uint64_t seed, const SensorSprea
   const Rover rover = cleaningRobot();
   const double sigma = std::sqrt(2.0) * meanSigma(spread.range_noise);
   for (std::uint64_t index = 0; rooms.tasks.size() < count; ++index) {
-    Rng draws(seed, Stream::kRoom, index);
+    Rng draws(seed, kRoomStream, index);
     Room room;
     room.x = draws.uniform(kSmallest, kLargest);
     room.y = draws.uniform(kSmallest, kLargest);
@@ -59,7 +60,7 @@ std::vector<CleaningTask> fieldTasks(const FieldGeometry& field, std::size_t cou
   std::vector<CleaningTask> tasks;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint64_t index = kFieldIndex + i;
-    Rng draws(seed, Stream::kRoom, index);
+    Rng draws(seed, kRoomStream, index);
     tasks.push_back(taskIn(field, smallRobot(), spread, draws));
     number(tasks.back(), seed, index);
   }

@@ -3,6 +3,8 @@
 #include <span>
 #include <utility>
 
+#include "experiments/random/streams.hpp"
+
 namespace fulbito::localization {
 namespace {
 
@@ -31,9 +33,9 @@ Rig::Rig(World world, const FieldGeometry& field, const Rover& rover, double cel
     : rover_(rover),
       corner_{-field.length / 2, -field.width / 2},
       world_(std::move(world)),
-      sonars_(field, rover.sonar, Rng(seed, Stream::kSonar, index)),
-      encoders_(rover.encoders, rover.robot, Rng(seed, Stream::kEncoders, index)),
-      gyro_(rover.gyro, Rng(seed, Stream::kGyro, index)),
+      sonars_(field, rover.sonar, Rng(seed, kSonarStream, index)),
+      encoders_(rover.encoders, rover.robot, Rng(seed, kEncoderStream, index)),
+      gyro_(rover.gyro, Rng(seed, kGyroStream, index)),
       timer_(celsius) {}
 
 InnerMotion Rig::step(Twist wanted) {

@@ -2,10 +2,9 @@
 
 #include <cstdint>
 
-#include "engine/sim/echo_timer.hpp"
-#include "engine/sim/sonar.hpp"
 #include "experiments/localization/estimation/pose_estimator.hpp"
 #include "experiments/localization/rover.hpp"
+#include "fulbito/sensors.hpp"
 #include "fulbito/world.hpp"
 
 namespace fulbito::localization {

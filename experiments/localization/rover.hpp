@@ -1,11 +1,10 @@
 #pragma once
 
-#include "engine/core/models/sonar_model.hpp"
-#include "engine/sim/encoders.hpp"
-#include "engine/sim/gyro.hpp"
 #include "experiments/localization/estimation/room.hpp"
 #include "experiments/localization/route_driver.hpp"
+#include "fulbito/detail/sonar_model.hpp"
 #include "fulbito/models.hpp"
+#include "fulbito/sensors.hpp"
 
 namespace fulbito::localization {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/system/worker_threads.hpp"
 #include "experiments/localization/cleaning_run.hpp"
-#include "experiments/papers/paper_experiment.hpp"
+#include "fulbito/detail/parallel.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito::localization {
 

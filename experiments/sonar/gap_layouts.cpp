@@ -3,9 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "engine/core/math/random.hpp"
-#include "engine/core/models/shapes.hpp"
+#include "experiments/random/streams.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/detail/random.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito::sonar {
 namespace {
@@ -132,14 +133,8 @@ std::string_view nameOf(GapKind kind) {
   }
 }
 
-double distanceBetween(const ObstacleSpec& a, const ObstacleSpec& b) {
-  if (a.shape == ObstacleShape::kBox) return clearance(Rectangle{a.pose, a.length, a.width}, b, b.pose);
-  if (b.shape == ObstacleShape::kBox) return distanceBetween(b, a);
-  return distance(a.pose.position, b.pose.position) - a.radius - b.radius;
-}
-
 Layout gapOfKind(GapKind kind, std::uint64_t seed, std::uint64_t index, double widths) {
-  Rng rng(seed, Stream::kLayout, index + ((std::uint64_t{14} + static_cast<std::uint64_t>(kind)) << 32));
+  Rng rng(seed, kLayoutStream, index + ((std::uint64_t{14} + static_cast<std::uint64_t>(kind)) << 32));
   Layout layout;
   layout.name = std::string(nameOf(kind)) + "-" + std::to_string(index);
   layout.field = "jung-lee-2015";

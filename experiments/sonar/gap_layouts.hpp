@@ -25,7 +25,4 @@ std::string_view nameOf(GapKind kind);
 /// goal. Slits between other bodies have 0.4 widths. A pure function of its arguments.
 Layout gapOfKind(GapKind kind, std::uint64_t seed, std::uint64_t index, double widths);
 
-/// Least distance [m] between two obstacles.
-double distanceBetween(const ObstacleSpec& a, const ObstacleSpec& b);
-
 }  // namespace fulbito::sonar

@@ -1,10 +1,9 @@
 #include "experiments/sonar/hybrid_experiment.hpp"
 
+#include "experiments/method_pictures/method_pictures.hpp"
 #include "experiments/sonar/hybrid_figures.hpp"
 #include "experiments/sonar/hybrid_scenes.hpp"
-#include "experiments/sonar/method_pictures.hpp"
-#include "experiments/trials/suite_layouts.hpp"
-#include "navigation/interface/parameters.hpp"
+#include "fulbito/detail/parameters.hpp"
 
 namespace fulbito {
 namespace sonar {
@@ -42,13 +41,6 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
   return report;
 }
 
-std::vector<ExperimentSetting> settingsDocs() {
-  return {{"rows", "200", "layouts like Fig. 8"},
-          {"gaps", "200", "layouts with a gap of 1.3 widths, half as many of 1.1 and 1.6"},
-          {"kinds", "25", "layouts of each kind of gap, by three navigators at two noises"},
-          {"speed", "0.3", "top speed [m/s]"}};
-}
-
 }  // namespace
 }  // namespace sonar
 
@@ -57,7 +49,7 @@ PaperExperiment hybridExperiment() {
           "P.-G. Kim et al. 2006: A real-time obstacle avoidance of mobile robot using nearness diagram, "
           "limit-cycle "
           "and vector field method",
-          sonar::settingsDocs(), sonar::run};
+          settingsOf(specsOf(sonar::parameters())), sonar::run};
 }
 
 }  // namespace fulbito

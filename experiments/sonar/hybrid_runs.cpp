@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/core/models/sonar_model.hpp"
-#include "engine/core/system/worker_threads.hpp"
-#include "experiments/trials/suite_layouts.hpp"
+#include "fulbito/detail/parallel.hpp"
+#include "fulbito/detail/sonar_model.hpp"
 
 namespace fulbito::sonar {
 namespace {

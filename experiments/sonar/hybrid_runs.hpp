@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/papers/paper_experiment.hpp"
 #include "experiments/sonar/gap_layouts.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito::sonar {
 

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "experiments/trials/sonar_sight.hpp"
 #include "fulbito/detail/math.hpp"
 #include "fulbito/world.hpp"
 

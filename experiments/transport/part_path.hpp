@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "navigation/geometry/arc.hpp"
+#include "fulbito/detail/arc.hpp"
 
 namespace fulbito {
 

@@ -8,16 +8,12 @@
 
 #include <fmt/format.h>
 
-#include "engine/core/config/embedded_files.hpp"
-#include "engine/core/system/text_file.hpp"
 #include "experiments/transport/path_fit.hpp"
 #include "experiments/transport/rod_constraint.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito {
-
-std::span<const EmbeddedFile> embeddedTransport();
-
 namespace {
 
 constexpr double kCentimetre = 0.01;           // [m]
@@ -313,7 +309,7 @@ Result<TransportTask> parseTransport(std::string_view text, const std::string& o
 
 Result<TransportTask> loadTransport(const std::string& file) {
   constexpr std::size_t kLargestFile = 1 << 20;
-  auto text = readTextFile(file, kLargestFile);
+  auto text = readSettingFile(file, kLargestFile);
   if (!text) return tl::unexpected<Error>(text.error());
   return parseTransport(*text, file);
 }
@@ -330,7 +326,7 @@ std::string toText(const TransportTask& task) {
 }
 
 TransportTask builtInTransport(std::string_view name) {
-  for (const EmbeddedFile& file : embeddedTransport()) {
+  for (const PathText& file : embeddedTransport()) {
     if (file.name == name) return parseTransport(file.text, std::string(file.file)).value();
   }
   return {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -35,5 +36,16 @@ std::string toText(const TransportTask& task);
 
 /// A task that is built in: "s-path" (Fig. 8 and Table 2) or "maze" (43 parts, as Fig. 10).
 TransportTask builtInTransport(std::string_view name);
+
+/// A path file that is part of the program.
+struct PathText {
+  std::string_view folder;
+  std::string_view name;
+  std::string_view text;
+  std::string_view file;  ///< name with its ending
+};
+
+/// All of experiments/transport/paths.
+std::span<const PathText> embeddedTransport();
 
 }  // namespace fulbito

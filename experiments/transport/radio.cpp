@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "experiments/random/streams.hpp"
+
 namespace fulbito {
 
 Radio::Radio(const RadioModel& model, std::uint64_t seed, std::uint64_t index)
-    : model_(model), random_(seed, Stream::kTransport, index) {}
+    : model_(model), random_(seed, kTransportStream, index) {}
 
 bool Radio::isLost(CarrierId to, double now) {
   const auto cuts = [&](const Outage& outage) {

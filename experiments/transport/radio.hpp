@@ -4,8 +4,8 @@
 #include <queue>
 #include <vector>
 
-#include "engine/core/math/random.hpp"
 #include "experiments/transport/message.hpp"
+#include "fulbito/detail/random.hpp"
 
 namespace fulbito {
 

@@ -1,7 +1,8 @@
 #include "experiments/transport/random_path.hpp"
 
-#include "engine/core/math/random.hpp"
+#include "experiments/random/streams.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/detail/random.hpp"
 
 namespace fulbito {
 namespace {
@@ -35,7 +36,7 @@ PartPath randomPath(Rng& rng) {
 }  // namespace
 
 TransportTask randomTransport(std::uint64_t seed, std::uint64_t index) {
-  Rng rng(seed, Stream::kTransport, index);
+  Rng rng(seed, kTransportStream, index);
   for (;;) {
     TransportTask task;
     task.rod = rng.uniform(0.3, 1.0);

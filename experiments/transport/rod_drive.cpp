@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/papers/plain_floor.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito {
 namespace {

@@ -253,14 +253,9 @@ Result<ExperimentReport> run(const ExperimentRequest& request) {
 }  // namespace
 
 PaperExperiment transportExperiment() {
-  return {"transport",
-          "two robots carry a rod along lines and arcs, by messages",
+  return {"transport", "two robots carry a rod along lines and arcs, by messages",
           "S. H. Lee, S. Lee and Y.-J. Lee: Cooperative Motion Planning of Two Tightly-Coupled Mobile Robots",
-          {{"path", "", "file of the path to carry along, in place of the paper's (docs/papers.md)"},
-           {"step", "0.05", "longest run between messages [s], 0.001 to 1"},
-           {"loss", "0", "share of messages that get lost, 0 to 0.5"},
-           {"delay", "0", "longest delay of a message [s], 0 to 0.1"}},
-          run};
+          transportSettingList(), run};
 }
 
 }  // namespace fulbito

@@ -1,30 +1,17 @@
 #include "experiments/transport/transport_work.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <optional>
 
 #include <fmt/format.h>
 
-#include "engine/core/system/worker_threads.hpp"
 #include "experiments/transport/random_path.hpp"
+#include "fulbito/detail/parallel.hpp"
 
 namespace fulbito {
 namespace {
-
-Result<double> numberSetting(const ExperimentRequest& request, const char* name, double initial, double low,
-                             double high) {
-  const std::optional<std::string> text = request.find(name);
-  if (!text) return initial;
-  double value = 0.0;
-  const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  if (error == std::errc{} && rest == text->data() + text->size() && value >= low && value <= high)
-    return value;
-  return fail(ErrorCode::kUsage, fmt::format("transport: {} must be a number of {:g} ... {:g}, not '{}'",
-                                             name, low, high, *text));
-}
 
 using Job = std::function<Result<void>()>;
 
@@ -160,17 +147,38 @@ bool RandomRun::right() const {
   return agrees && accepted() == (work.end == StopReason::kArrived);
 }
 
+namespace {
+
+struct Numbers {
+  double step = CarryPlan{}.step;  // [s]
+  double loss = 0.0, delay = 0.0;  // share, [s]
+};
+
+std::vector<Parameter<Numbers>> parameters() {
+  return {number("step", &Numbers::step, 0.001, 1.0, "", "longest run between messages [s], 0.001 to 1"),
+          number("loss", &Numbers::loss, 0.0, 0.5, "", "share of messages that get lost, 0 to 0.5"),
+          number("delay", &Numbers::delay, 0.0, 0.1, "", "longest delay of a message [s], 0 to 0.1")};
+}
+
+}  // namespace
+
+std::vector<ExperimentSetting> transportSettingList() {
+  std::vector<ExperimentSetting> list = settingsOf(specsOf(parameters()));
+  list.insert(list.begin(),
+              {"path", "", "file of the path to carry along, in place of the paper's (docs/papers.md)"});
+  return list;
+}
+
 Result<TransportSettings> transportSettings(const ExperimentRequest& request) {
   TransportSettings settings;
   settings.path = request.find("path").value_or("");
-  auto step = numberSetting(request, "step", settings.plan.step, 0.001, 1.0);
-  if (!step) return tl::unexpected<Error>(step.error());
-  auto loss = numberSetting(request, "loss", 0.0, 0.0, 0.5);
-  if (!loss) return tl::unexpected<Error>(loss.error());
-  auto delay = numberSetting(request, "delay", 0.0, 0.0, 0.1);
-  if (!delay) return tl::unexpected<Error>(delay.error());
-  settings.plan.step = *step;
-  settings.plan.radio = {*loss, *delay, {}};
+  std::vector<Setting> others = request.settings;
+  std::erase_if(others, [](const Setting& setting) { return setting.name == "path"; });
+  Numbers numbers;
+  if (auto set = applySettings(parameters(), others, "transport", numbers); !set)
+    return tl::unexpected<Error>(set.error());
+  settings.plan.step = numbers.step;
+  settings.plan.radio = {numbers.loss, numbers.delay, {}};
   settings.plan.seed = request.seed;
   settings.plan.keep_rows = true;
   return settings;

@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
-#include "experiments/papers/paper_experiment.hpp"
 #include "experiments/transport/carrying.hpp"
 #include "experiments/transport/constraint_curve.hpp"
 #include "experiments/transport/contour_walk.hpp"
 #include "experiments/transport/rod_drive.hpp"
+#include "fulbito/report.hpp"
 
 /// The values of the experiment, before they become tables, charts and scenes.
 namespace fulbito {
@@ -71,6 +71,8 @@ struct TransportSettings {
   CarryPlan plan;
 };
 
+/// What `transportSettings` reads.
+std::vector<ExperimentSetting> transportSettingList();
 /// Settings of a request. Errors: kUsage naming the setting and its range.
 Result<TransportSettings> transportSettings(const ExperimentRequest& request);
 

@@ -36,14 +36,15 @@ TEST_CASE("experiment refuses unknown names and settings with a suggestion", "[c
 
 TEST_CASE("experiment writes the same files for any number of jobs", "[cli]") {
   const Sandbox box;
+  box.write("bend.txt", "line 0 0 0\narc 150 60 90\n");
   const auto run = [&](const std::string& jobs, const std::string& folder) {
-    return box.run("experiment hybrid --set rows=2 --set gaps=2 --set kinds=1 --json --jobs " + jobs +
-                   " --out " + folder);
+    return box.run("experiment transport --set path=bend.txt --json --jobs " + jobs + " --out " + folder);
   };
   const Output alone = run("1", "alone"), together = run("2", "together");
   REQUIRE(alone.code == 0);
   CHECK(alone.out == together.out);
-  CHECK(Json::parse(alone.out)["experiment"] == "hybrid");
+  CHECK(Json::parse(alone.out)["experiment"] == "transport");
+  CHECK(std::filesystem::exists(box.path / "alone/transport/real-rod.gif"));
   CHECK(std::system(
             ("diff -r " + (box.path / "alone").string() + " " + (box.path / "together").string()).c_str()) ==
         0);

@@ -264,31 +264,6 @@ TEST_CASE("a folder of products replaces its own files, and no others without --
   CHECK(contentOf(box.path / "out/results.json").starts_with("{"));
 }
 
-TEST_CASE("a foreign file in an experiment's folder stays, and costs no other result", "[cli]") {
-  const Sandbox box;
-  const std::string command = "experiment localization --set rooms=1 --set fields=1 --out out";
-  const fs::path out = box.path / "out/localization";
-  fs::create_directories(out);
-  for (const std::string file : {"results.json", "localization.html"}) {
-    box.write("out/localization/" + file, "somebody's notes\n");
-    const Output output = box.run(command);
-    INFO(file << ": " << output.err);
-    CHECK(output.code == 2);
-    CHECK(output.out.empty());  // said before the work
-    CHECK(contentOf(out / file) == "somebody's notes\n");
-    fs::remove(out / file);
-  }
-  // Which tables there are depends on the work.
-  box.write("out/localization/schemes.csv", "somebody's notes\n");
-  const Output output = box.run(command);
-  INFO(output.err);
-  CHECK(output.code == 2);
-  CHECK(output.err.find("schemes.csv") != std::string::npos);
-  CHECK(contentOf(out / "schemes.csv") == "somebody's notes\n");
-  CHECK(fs::exists(out / "rooms.csv"));
-  CHECK(fs::exists(out / "localization.html"));
-}
-
 TEST_CASE("a name that promises another kind of file is refused, with the option for it", "[cli]") {
   const Workshop& box = workshop();
   for (const auto& [words, advice] :

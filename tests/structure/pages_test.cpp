@@ -99,7 +99,7 @@ std::vector<std::string> targetsOf(const Page& page) {
 /// for the reader's own files.
 std::vector<std::string> sourcesOf(const Page& page) {
   static const std::regex kPath(
-      "`((engine|navigation|strategies|referee|replays|match|experiments|apps|bench|tests|"
+      "`((engine|navigation|strategies|referee|replays|match|trials|experiments|apps|bench|tests|"
       "cmake|scripts|docs)(/[a-z0-9_.-]+)+\\.(cpp|hpp|txt|toml|md|sh|cmake|js|css))`");
   std::vector<std::string> paths;
   for (const Line& line : page) {

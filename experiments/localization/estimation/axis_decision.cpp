@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "engine/sim/echo_timer.hpp"
+#include "fulbito/sensors.hpp"
 
 namespace fulbito::localization {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "experiments/capture/estimator_study.hpp"
-#include "experiments/papers/report_output.hpp"
+#include "fulbito/report.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {

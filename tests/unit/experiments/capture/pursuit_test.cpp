@@ -20,8 +20,7 @@ RobotModel paperRobot() { return loadRobot("choi-lee-2005")->robot; }
 
 TEST_CASE("wheels over the ground allow for the slip", "[unit]") {
   const RobotModel robot = paperRobot();
-  const DriveLaw law(robot, 1.0 / 60);
-  const WheelSpeeds wheels = wheelsOverGround(robot, law, {0.3, 0.1});
+  const WheelSpeeds wheels = wheelsOverGround(robot, {0.3, 0.1});
   RobotState state;
   state.velocity = {0.3, 0.0};
   state.wheels = inverseKinematics(robot, {0.3, 0.1});

@@ -5,7 +5,7 @@
 
 #include "experiments/localization/batch.hpp"
 #include "experiments/localization/localization_experiment.hpp"
-#include "experiments/papers/report_output.hpp"
+#include "fulbito/report.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace fulbito;

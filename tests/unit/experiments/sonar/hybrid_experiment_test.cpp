@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "experiments/papers/report_output.hpp"
 #include "experiments/sonar/hybrid_runs.hpp"
-#include "experiments/trials/suite_layouts.hpp"
+#include "fulbito/report.hpp"
 #include "tests/support/catch.hpp"
+#include "trials/suite_layouts.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/sim/echo_timer.hpp"
+#include "fulbito/sensors.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace fulbito;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/core/models/echo_scene.hpp"
+#include "fulbito/detail/echo_scene.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"

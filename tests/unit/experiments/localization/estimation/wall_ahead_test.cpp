@@ -1,6 +1,6 @@
 #include "experiments/localization/estimation/wall_ahead.hpp"
 
-#include "engine/core/models/echo_scene.hpp"
+#include "fulbito/detail/echo_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 
