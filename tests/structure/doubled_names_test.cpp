@@ -19,7 +19,7 @@ constexpr std::array kFolders = {"sdk",   "engine",     "navigation", "strategie
                                  "apps",  "bench",      "bridge"};
 
 /// Linked in place of view_window.cpp in a build without a window, never beside it.
-constexpr const char* kInsteadOfAnother = "no_window.cpp";
+const std::set<std::string> kInsteadOfAnother = {"no_window.cpp", "no_experiments.cpp"};
 
 /// Which files define what, over all libraries and the program.
 std::map<std::string, std::set<std::string>> filesByName() {
@@ -28,7 +28,7 @@ std::map<std::string, std::set<std::string>> filesByName() {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(FULBITO_SOURCE_DIR) / folder)) {
       const std::string extension = entry.path().extension();
       if (extension != ".hpp" && extension != ".cpp") continue;
-      if (entry.path().filename() == kInsteadOfAnother) continue;
+      if (kInsteadOfAnother.count(entry.path().filename()) == 1) continue;
       const std::string path = fs::relative(entry.path(), FULBITO_SOURCE_DIR);
       for (const Definition& d : definitionsIn(textOf(entry.path()))) files[d.name].insert(path);
     }

@@ -6,6 +6,7 @@
 #include "experiments/capture/fig18.hpp"
 #include "experiments/capture/random_captures.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/report.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito::capture {

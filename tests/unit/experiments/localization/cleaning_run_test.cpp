@@ -187,7 +187,7 @@ TEST_CASE("the experiment names a setting that is out of range, and stops when a
     const auto report = experiment.run(request);
     REQUIRE_FALSE(report);
     CHECK(report.error().code == ErrorCode::kUsage);
-    CHECK(report.error().message.find(wrong.name + "='" + wrong.value + "'") != std::string::npos);
+    CHECK(report.error().message.find("'" + wrong.name + "': '" + wrong.value + "'") != std::string::npos);
   }
   ExperimentRequest request = smallRequest(1);
   request.progress = [](std::size_t, std::size_t) { return false; };

@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "experiments/plain_floor.hpp"
 #include "fulbito/report.hpp"
 #include "replays/html/html_page.hpp"
 #include "replays/render/colours/palette.hpp"
