@@ -8,7 +8,7 @@ namespace fulbito {
 
 /// Every consumer of randomness has its own stream, so a new consumer does not shift the others.
 /// The numbers are part of the determinism contract: append, never renumber. Number 6 is reserved for tests
-/// (tests/support/test_stream.hpp), 17 to 19 and 22 for the experiments (experiments/random/streams.hpp).
+/// (tests/support/test_stream.hpp), 17 to 19 and 22 for experiments/papers (its random/streams.hpp).
 enum class Stream : std::uint32_t {
   kLayout = 1,  ///< placement of obstacles, starts and goals in a suite
   kObstacleMotion = 2,

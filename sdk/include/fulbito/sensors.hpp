@@ -1,5 +1,5 @@
-// Sensors on robots of a world, each with errors of its own: sonars, wheel encoders, gyros; and echoes of
-// walls and bodies. Component `world`.
+// Sensors on robots of a world, each with errors of its own: sonars, wheel encoders, gyros. And what rays and
+// cones meet in a world: walls and bodies. Component `world`.
 #pragma once
 
 #include <cstddef>
@@ -23,15 +23,15 @@ inline constexpr std::size_t kNoRobot = std::numeric_limits<std::size_t>::max();
 /// Outlines of all walls and bodies of a world, for rays and cones.
 class WorldOutlines {
  public:
-  /// @param field  of the worlds to trace
+  /// @param field  where the worlds to trace are
   explicit WorldOutlines(const FieldGeometry& field);
   /// The world's outlines as its bodies stand now; valid until the next call.
   /// @param without  index of a robot that is left out, e.g. the one that looks
   const EchoScene& trace(const World& world, std::size_t without = kNoRobot);
 
  private:
-  std::vector<Vec2> contour_;
-  EchoScene scene_;
+  std::vector<Vec2> contour_;  // of the field
+  EchoScene scene_;            // of the last trace
 };
 
 /// The first surface in the world on the way from `from` along the unit vector `direction` within `range`
@@ -53,18 +53,18 @@ class SonarArray {
   std::span<const SonarReading> measure(const World& world, std::size_t robot);
   /// The echoes of the last measurement without errors, in the world's frame.
   std::span<const Echo> echoes() const { return echoes_; }
-  const SonarModel& model() const { return model_; }
+  const SonarModel& model() const { return model_; }  ///< where its sonars are, and their errors
 
  private:
-  double heardRange(std::size_t sonar);
-  double strayRange(std::size_t sonar, std::size_t neighbour) const;
+  double heardRange(std::size_t sonar);                               // [m] with errors
+  double strayRange(std::size_t sonar, std::size_t neighbour) const;  // [m] of a neighbour's call
 
   SonarModel model_;
   Rng random_;
   WorldOutlines outlines_;
-  std::vector<Cone> cones_;
-  std::vector<Echo> echoes_;
-  std::vector<SonarReading> readings_;
+  std::vector<Cone> cones_;             // in the world
+  std::vector<Echo> echoes_;            // without errors
+  std::vector<SonarReading> readings_;  // of the last measurement
 };
 
 /// Speed of sound [m/s] in dry air of `celsius` [degrees], at least -273.15: 331.3 m/s times the root of the
@@ -95,14 +95,15 @@ struct EncoderModel {
 
 /// What the encoders counted since they were read last.
 struct EncoderCounts {
-  std::int64_t left = 0;
-  std::int64_t right = 0;
+  std::int64_t left = 0;   ///< of the left wheel
+  std::int64_t right = 0;  ///< of the right wheel
 };
 
 /// Encoders on the wheels of a robot of the world. They count the way of the rims, so a wheel that spins
 /// counts more than the floor passes. Fractions of a count stay for the next reading.
 class WheelEncoders {
  public:
+  /// @param random  a stream of its own for the slip
   WheelEncoders(const EncoderModel& model, const RobotModel& robot, const Rng& random);
 
   /// Counts of one tick of `dt` [s] that brought the robot from `before` to `after`.
@@ -111,6 +112,7 @@ class WheelEncoders {
   double metresPerCount() const { return metres_per_count_; }
 
  private:
+  // Counts of a way [m] of one rim; `rest` is what no count has been given for.
   std::int64_t count(double travel, double scale, double& rest);
 
   EncoderModel model_;
@@ -130,9 +132,10 @@ struct GyroModel {
   double scale = 1.0;  ///< measured over true rate
 };
 
-/// A gyro on a robot of the world. Its bias walks; nobody sees it but through the readings.
+/// A gyro on a robot of the world. Its bias walks at random.
 class Gyro {
  public:
+  /// @param random  a stream of its own for noise and drift
   Gyro(const GyroModel& model, const Rng& random) : model_(model), bias_(model.bias), random_(random) {}
 
   /// Mean yaw rate [rad/s] over a tick of `dt` [s] in which the robot turned by `turned` [rad].
@@ -142,7 +145,7 @@ class Gyro {
 
  private:
   GyroModel model_;
-  double bias_;
+  double bias_;  // [rad/s] at present
   Rng random_;
 };
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "fulbito/detail/values.hpp"
@@ -13,58 +14,53 @@ namespace fulbito {
 /// A parameter and the member of the struct `P` that it sets.
 template <typename P>
 struct Parameter {
-  ParameterSpec spec;
-  std::function<void(P&, double)> set;
+  ParameterSpec spec;                   ///< name, range, unit and documentation
+  std::function<void(P&, double)> set;  ///< sets the member to a value of the range
 };
 
-/// @{ A parameter of one type that sets `member`; the struct's initial value is its default.
+/// The parameter that `spec` describes and `member` holds; the struct's initial value is its default.
+template <typename P, typename T>
+Parameter<P> parameterFor(ParameterSpec spec, T P::* member) {
+  spec.default_value = static_cast<double>(P{}.*member);
+  return {std::move(spec), [member](P& p, double v) { p.*member = static_cast<T>(v); }};
+}
+
+/// A number in `unit` from `minimum` to `maximum`.
 template <typename P>
 Parameter<P> number(std::string name, double P::* member, double minimum, double maximum, std::string unit,
                     std::string doc) {
-  return {{std::move(name),
-           ParameterSpec::Type::kNumber,
-           P{}.*member,
-           minimum,
-           maximum,
-           {},
-           std::move(unit),
-           std::move(doc)},
-          [member](P& p, double v) { p.*member = v; }};
+  return parameterFor({std::move(name),
+                       ParameterSpec::Type::kNumber,
+                       0.0,
+                       minimum,
+                       maximum,
+                       {},
+                       std::move(unit),
+                       std::move(doc)},
+                      member);
 }
+/// A whole number from `minimum` to `maximum`.
 template <typename P>
 Parameter<P> integer(std::string name, int P::* member, int minimum, int maximum, std::string doc) {
-  return {{std::move(name),
-           ParameterSpec::Type::kInteger,
-           static_cast<double>(P{}.*member),
-           static_cast<double>(minimum),
-           static_cast<double>(maximum),
-           {},
-           "",
-           std::move(doc)},
-          [member](P& p, double v) { p.*member = static_cast<int>(v); }};
+  const double low = minimum, high = maximum;
+  return parameterFor(
+      {std::move(name), ParameterSpec::Type::kInteger, 0.0, low, high, {}, "", std::move(doc)}, member);
 }
+/// On or off.
 template <typename P>
 Parameter<P> flag(std::string name, bool P::* member, std::string doc) {
-  return {{std::move(name),
-           ParameterSpec::Type::kFlag,
-           P{}.*member ? 1.0 : 0.0,
-           0.0,
-           1.0,
-           {},
-           "",
-           std::move(doc)},
-          [member](P& p, double v) { p.*member = v != 0.0; }};
+  return parameterFor({std::move(name), ParameterSpec::Type::kFlag, 0.0, 0.0, 1.0, {}, "", std::move(doc)},
+                      member);
 }
-/// `E` is an enum whose values are 0, 1, 2 ... in the order of `choices`.
+/// One of `choices`. `E` is an enum whose values are 0, 1, 2 ... in their order.
 template <typename P, typename E>
   requires std::is_enum_v<E>
 Parameter<P> choice(std::string name, E P::* member, std::vector<std::string> choices, std::string doc) {
   const double last = static_cast<double>(choices.size()) - 1.0;
-  return {{std::move(name), ParameterSpec::Type::kChoice, static_cast<double>(static_cast<int>(P{}.*member)),
-           0.0, last, std::move(choices), "", std::move(doc)},
-          [member](P& p, double v) { p.*member = static_cast<E>(static_cast<int>(v)); }};
+  return parameterFor(
+      {std::move(name), ParameterSpec::Type::kChoice, 0.0, 0.0, last, std::move(choices), "", std::move(doc)},
+      member);
 }
-/// @}
 
 /// Parses `text` as a value of `spec`. Errors: kUsage naming the parameter and the allowed range or choices.
 Result<double> parseParameter(const ParameterSpec& spec, const std::string& text);
