@@ -1,12 +1,10 @@
-
 #include <algorithm>
-#include <set>
 
 #include "experiments/paper_report/scene_picture.hpp"
-#include "experiments/papers/hybrid/hybrid_scenes.hpp"
+#include "fulbito/report.hpp"
 #include "tests/support/catch.hpp"
 
-namespace fulbito::hybrid {
+namespace fulbito {
 namespace {
 
 const ScenePath* pathOf(const ReportScene& scene, const std::string& label) {
@@ -45,16 +43,4 @@ TEST_CASE("the figures of the method are drawn by its parts, one still picture e
   }
 }
 
-TEST_CASE("a scene of the hybrid shows the cones that its caption promises, and its title once", "[unit]") {
-  const auto scene = hybridScene("gap", "A gap", gapLayout(31, 2, 1.6), 0.3, 31, 2, false);
-  REQUIRE(scene);
-  CHECK(scene->caption.find("A gap") == std::string::npos);
-  REQUIRE(scene->moments.size() == 1);
-  const Tick shown = scene->page.rows[scene->moments.front().row].tick;
-  const auto cones = std::count_if(
-      scene->page.drawings.begin(), scene->page.drawings.end(),
-      [&](const auto& d) { return d.tick <= shown && d.tick > shown - scene->page.drawing_ticks; });
-  CHECK(cones >= 3);  // lines of at least one cone
-}
-
-}  // namespace fulbito::hybrid
+}  // namespace fulbito

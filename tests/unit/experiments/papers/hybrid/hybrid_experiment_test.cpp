@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "experiments/papers/hybrid/hybrid_runs.hpp"
+#include "experiments/papers/hybrid/hybrid_scenes.hpp"
 #include "experiments/papers/paper_experiments.hpp"
 #include "experiments/trials/suite_layouts.hpp"
 #include "fulbito/report.hpp"
@@ -68,6 +69,18 @@ TEST_CASE("gap layouts have a gap of exactly that width, rows have ways round bo
     }
     CHECK(open == 0);
   }
+}
+
+TEST_CASE("a scene of the hybrid shows the cones that its caption promises, and its title once", "[unit]") {
+  const auto scene = hybrid::hybridScene("gap", "A gap", gapLayout(31, 2, 1.6), 0.3, 31, 2, false);
+  REQUIRE(scene);
+  CHECK(scene->caption.find("A gap") == std::string::npos);
+  REQUIRE(scene->moments.size() == 1);
+  const Tick shown = scene->page.rows[scene->moments.front().row].tick;
+  const auto cones = std::count_if(
+      scene->page.drawings.begin(), scene->page.drawings.end(),
+      [&](const auto& d) { return d.tick <= shown && d.tick > shown - scene->page.drawing_ticks; });
+  CHECK(cones >= 3);  // lines of at least one cone
 }
 
 }  // namespace fulbito
