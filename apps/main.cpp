@@ -303,28 +303,29 @@ const CLI::App& commandOf(const CLI::App& app) {
 
 int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& compare_command,
              Options& options) {
-  if (app.got_subcommand("run")) {
+  const std::string name = app.get_subcommands().front()->get_name();
+  if (name == "run") {
     if (run_command.count("--png") > 0) options.run.png = options.run_png;
     return run(options.run);
   }
-  if (app.got_subcommand("compare")) {
+  if (name == "compare") {
     if (compare_command.count("--only") > 0) options.compare.config.only = options.only;
     return compare(options.compare);
   }
-  if (app.got_subcommand("match")) return match(options.match);
-  if (app.got_subcommand("replay")) return replay(options.replay);
-  if (app.got_subcommand("view")) return view(options.view);
-  if (app.got_subcommand("list")) return list(options.list);
-  if (app.got_subcommand("show")) return show(options.show);
-  if (app.got_subcommand("bench")) return bench(options.bench);
-  if (app.got_subcommand("experiment")) return experiment(options.experiment);
-  if (app.got_subcommand("drill")) return drill(options.drill);
-  if (app.got_subcommand("check-team")) return checkTeam(options.check_team);
-  if (app.got_subcommand("new-team")) return newTeam(options.new_team);
-  if (app.got_subcommand("rules")) return rules(options.rules);
-  if (app.got_subcommand("sprt")) return sprt(options.sprt);
-  if (app.got_subcommand("tournament")) return tournament(app, options.tournament);
-  if (app.got_subcommand("tune")) return tune(options.tune);
+  if (name == "match") return match(options.match);
+  if (name == "replay") return replay(options.replay);
+  if (name == "view") return view(options.view);
+  if (name == "list") return list(options.list);
+  if (name == "show") return show(options.show);
+  if (name == "bench") return bench(options.bench);
+  if (name == "experiment") return experiment(options.experiment);
+  if (name == "drill") return drill(options.drill);
+  if (name == "check-team") return checkTeam(options.check_team);
+  if (name == "new-team") return newTeam(options.new_team);
+  if (name == "rules") return rules(options.rules);
+  if (name == "sprt") return sprt(options.sprt);
+  if (name == "tournament") return tournament(app, options.tournament);
+  if (name == "tune") return tune(options.tune);
   return version(options.version_json);
 }
 

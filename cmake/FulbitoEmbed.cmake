@@ -1,12 +1,18 @@
-# fulbito_embed(<output.cpp> <symbol> <files...>): writes a source file that defines
+# fulbito_embed(<output.cpp> <symbol> [HEADER <header> TYPE <type>] <files...>): writes a source file that defines
 #   std::span<const fulbito::EmbeddedFile> <symbol>();
+# or of another struct <type> of four texts, which <header> declares,
 # with each file's text, named by its file name without the ending, its kind by its folder.
 # The texts go in as bytes: quoting, semicolons and generator expressions in them cannot go wrong.
 function(fulbito_embed output symbol)
-  set(text "// Generated from the preset files; edit those.\n#include \"engine/core/config/embedded_files.hpp\"\n\nnamespace fulbito {\nnamespace {\n")
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "" "HEADER;TYPE" "")
+  if(NOT ARG_HEADER)
+    set(ARG_HEADER "engine/core/config/embedded_files.hpp")
+    set(ARG_TYPE EmbeddedFile)
+  endif()
+  set(text "// Generated from the preset files; edit those.\n#include \"${ARG_HEADER}\"\n\nnamespace fulbito {\nnamespace {\n")
   set(table "")
   set(index 0)
-  foreach(file IN LISTS ARGN)
+  foreach(file IN LISTS ARG_UNPARSED_ARGUMENTS)
     get_filename_component(absolute ${file} ABSOLUTE)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${absolute})
     file(READ ${CMAKE_CURRENT_SOURCE_DIR}/${file} bytes HEX)
@@ -20,6 +26,6 @@ function(fulbito_embed output symbol)
     string(APPEND table "    {\"${kind}\", \"${name}\", {kText${index}, sizeof(kText${index}) - 1}, \"${whole}\"},\n")
     math(EXPR index "${index} + 1")
   endforeach()
-  string(APPEND text "constexpr EmbeddedFile kFiles[] = {\n${table}};\n}  // namespace\n\nstd::span<const EmbeddedFile> ${symbol}() { return kFiles; }\n}  // namespace fulbito\n")
+  string(APPEND text "constexpr ${ARG_TYPE} kFiles[] = {\n${table}};\n}  // namespace\n\nstd::span<const ${ARG_TYPE}> ${symbol}() { return kFiles; }\n}  // namespace fulbito\n")
   file(GENERATE OUTPUT ${output} CONTENT "${text}")
 endfunction()

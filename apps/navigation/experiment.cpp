@@ -9,8 +9,8 @@
 #include "apps/common/outputs.hpp"
 #include "apps/common/progress.hpp"
 #include "apps/navigation/experiment_files.hpp"
-#include "experiments/paper_experiments.hpp"
-#include "experiments/papers/report_output.hpp"
+#include "experiments/papers/paper_experiments.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -76,7 +76,7 @@ Result<std::vector<const PaperExperiment*>> chosen(const std::string& name) {
     for (const PaperExperiment& experiment : paperExperiments()) experiments.push_back(&experiment);
     return experiments;
   }
-  const auto found = findPaperExperiment(name);
+  const auto found = findPaperExperiment(paperExperiments(), name);
   if (!found) return tl::unexpected<Error>(found.error());
   return std::vector{*found};
 }
@@ -112,7 +112,8 @@ int experiment(const ExperimentCommand& command) {
 }
 
 void addExperiment(CLI::App& app, ExperimentCommand& command) {
-  CLI::App* sub = app.add_subcommand("experiment", "reproduce the experiments of four papers");
+  if (paperExperiments().empty()) return;
+  CLI::App* sub = app.add_subcommand("experiment", "reproduce the experiments of papers");
   sub->footer(
       "Examples:\n"
       "  fulbito experiment list                     names, papers and settings\n"

@@ -20,7 +20,7 @@ struct ExperimentCommand {
   bool json = false;
 };
 
-/// Adds the command's options.
+/// Adds the command with its options, unless the program is built without experiments.
 void addExperiment(CLI::App& app, ExperimentCommand& command);
 
 /// Runs it. Returns the exit code.

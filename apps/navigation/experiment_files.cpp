@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "engine/core/system/output_file.hpp"
-#include "experiments/papers/report_output.hpp"
-#include "experiments/papers/scene_picture.hpp"
+#include "experiments/paper_report/scene_picture.hpp"
+#include "fulbito/report.hpp"
 #include "replays/export/gif.hpp"
 #include "replays/html/html_page.hpp"
 

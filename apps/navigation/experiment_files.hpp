@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/papers/paper_experiment.hpp"
+#include "fulbito/report.hpp"
 
 namespace fulbito::app {
 

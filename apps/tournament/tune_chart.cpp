@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "replays/render/field/line_chart.hpp"
+#include "fulbito/detail/line_chart.hpp"
 
 namespace fulbito::app {
 

@@ -1,7 +1,7 @@
-#include "engine/sim/echo_timer.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "fulbito/sensors.hpp"
 
 namespace fulbito {
 namespace {

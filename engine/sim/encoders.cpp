@@ -1,8 +1,7 @@
-#include "engine/sim/encoders.hpp"
-
 #include <cmath>
 
 #include "fulbito/detail/math.hpp"
+#include "fulbito/sensors.hpp"
 
 namespace fulbito {
 namespace {

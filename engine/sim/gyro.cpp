@@ -1,6 +1,6 @@
-#include "engine/sim/gyro.hpp"
-
 #include <cmath>
+
+#include "fulbito/sensors.hpp"
 
 namespace fulbito {
 

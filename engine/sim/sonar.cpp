@@ -1,10 +1,9 @@
-#include "engine/sim/sonar.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "engine/core/models/shapes.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/sensors.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,4 +1,9 @@
-#include "experiments/trials/sonar_sight.hpp"
+#include <vector>
+
+#include "engine/core/math/random.hpp"
+#include "fulbito/experiment.hpp"
+#include "fulbito/sensors.hpp"
+#include "navigation/obstacles/echo_map.hpp"
 
 namespace fulbito {
 namespace {
@@ -12,8 +17,8 @@ FieldGeometry plainField() {
   return plain;
 }
 
-}  // namespace
-
+/// The eight front sonars with 5 % of drop-outs, echoes from smooth faces up to 30 degrees, no cross-talk.
+/// @param noise  [m] standard deviation of a range; 5 mm in the suites
 SonarModel suiteSonars(const RobotModel& robot, double noise) {
   SonarModel model;
   model.sonars = frontSonars(robot);
@@ -22,14 +27,33 @@ SonarModel suiteSonars(const RobotModel& robot, double noise) {
   return model;
 }
 
-SonarSight::SonarSight(const TrialConfig& config)
-    : sonars_(config.field, suiteSonars(config.robot.robot, config.sonar_noise),
-              Rng(config.seed, Stream::kSonar, config.index)),
-      plain_(plainField()),
-      wants_discs_(!config.navigator.info->reads_ranges),
-      map_({}) {}
+}  // namespace
 
-void SonarSight::look(const World& world, NavigationScene& scene) {
+struct SonarSight::Impl {
+  explicit Impl(const TrialConfig& config)
+      : sonars_(config.field, suiteSonars(config.robot.robot, config.sonar_noise),
+                Rng(config.seed, Stream::kSonar, config.index)),
+        plain_(plainField()),
+        wants_discs_(!config.navigator.info->reads_ranges),
+        map_({}) {}
+  void look(const World& world, NavigationScene& scene);
+
+  SonarArray sonars_;
+  FieldGeometry plain_;
+  bool wants_discs_;
+  EchoMap map_;
+  std::vector<RangeReading> readings_;
+  std::vector<DiscObstacle> discs_;
+};
+
+SonarSight::SonarSight(const TrialConfig& config) : impl_(std::make_unique<Impl>(config)) {}
+SonarSight::SonarSight(SonarSight&&) noexcept = default;
+SonarSight& SonarSight::operator=(SonarSight&&) noexcept = default;
+SonarSight::~SonarSight() = default;
+
+void SonarSight::look(const World& world, NavigationScene& scene) { impl_->look(world, scene); }
+
+void SonarSight::Impl::look(const World& world, NavigationScene& scene) {
   const auto heard = sonars_.measure(world, 0);
   readings_.clear();
   for (std::size_t i = 0; i < heard.size(); ++i) {

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "engine/core/math/random.hpp"
+#include "engine/core/models/shapes.hpp"
 #include "fulbito/detail/field_geometry.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/experiment.hpp"
 
 namespace fulbito {
 namespace {
@@ -408,6 +410,12 @@ Layout sonar13Layout(std::uint64_t seed, std::uint64_t index) {
 }
 Layout sonar16Layout(std::uint64_t seed, std::uint64_t index) {
   return sonarLayout(seed, index, "sonar-1.6", 1.6);
+}
+
+double distanceBetween(const ObstacleSpec& a, const ObstacleSpec& b) {
+  if (a.shape == ObstacleShape::kBox) return clearance(Rectangle{a.pose, a.length, a.width}, b, b.pose);
+  if (b.shape == ObstacleShape::kBox) return distanceBetween(b, a);
+  return distance(a.pose.position, b.pose.position) - a.radius - b.radius;
 }
 
 }  // namespace fulbito

@@ -32,14 +32,9 @@ Layout clutter16Layout(std::uint64_t seed, std::uint64_t index);
 Layout uTrapLayout(std::uint64_t seed, std::uint64_t index);
 /// One to five robot-sized obstacles that cross the way at 0.3 to 1.5 m/s and bounce off the walls.
 Layout movingLayout(std::uint64_t seed, std::uint64_t index);
-/// A barrier of robot-sized obstacles with one gap of `widths` robot widths, not farther than 20 cm from
-/// where the straight way to the goal meets it.
-Layout gapLayout(std::uint64_t seed, std::uint64_t index, double widths);
 /// The class of Fig. 8 of P.-G. Kim et al. (2006): obstacles of different sizes stand side by side across the
 /// way, with one gap of `widths` robot widths near the straight line and wide ways round both ends.
 Layout rowLayout(std::uint64_t seed, std::uint64_t index, double widths);
-/// The same with a gap of 1.3 to 1.6 widths.
-Layout anyRowLayout(std::uint64_t seed, std::uint64_t index);
 /// In turn a gap, scattered obstacles, and a row, with gaps of 1.1, 1.3 or 1.6 widths.
 Layout sonar11Layout(std::uint64_t seed, std::uint64_t index);
 Layout sonar13Layout(std::uint64_t seed, std::uint64_t index);

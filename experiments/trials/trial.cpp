@@ -5,7 +5,6 @@
 
 #include "engine/core/base/float_mode.hpp"
 #include "experiments/trials/sensing.hpp"
-#include "experiments/trials/sonar_sight.hpp"
 #include "experiments/trials/trial_recorder.hpp"
 #include "fulbito/detail/math.hpp"
 #include "fulbito/detail/state_hash.hpp"

@@ -1,4 +1,4 @@
-#include "navigation/geometry/arc.hpp"
+#include "fulbito/detail/arc.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,106 +1,16 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
-#include <type_traits>
 #include <vector>
 
-#include "fulbito/detail/values.hpp"
+#include "fulbito/detail/parameters.hpp"
 #include "fulbito/navigation.hpp"
 
 namespace fulbito {
 
-/// A parameter and the member of the struct `P` that it sets.
-template <typename P>
-struct Parameter {
-  ParameterSpec spec;
-  std::function<void(P&, double)> set;
-};
-
-/// @{ A parameter of one type that sets `member`; the struct's initial value is its default.
-template <typename P>
-Parameter<P> number(std::string name, double P::* member, double minimum, double maximum, std::string unit,
-                    std::string doc) {
-  return {{std::move(name),
-           ParameterSpec::Type::kNumber,
-           P{}.*member,
-           minimum,
-           maximum,
-           {},
-           std::move(unit),
-           std::move(doc)},
-          [member](P& p, double v) { p.*member = v; }};
-}
-template <typename P>
-Parameter<P> integer(std::string name, int P::* member, int minimum, int maximum, std::string doc) {
-  return {{std::move(name),
-           ParameterSpec::Type::kInteger,
-           static_cast<double>(P{}.*member),
-           static_cast<double>(minimum),
-           static_cast<double>(maximum),
-           {},
-           "",
-           std::move(doc)},
-          [member](P& p, double v) { p.*member = static_cast<int>(v); }};
-}
-template <typename P>
-Parameter<P> flag(std::string name, bool P::* member, std::string doc) {
-  return {{std::move(name),
-           ParameterSpec::Type::kFlag,
-           P{}.*member ? 1.0 : 0.0,
-           0.0,
-           1.0,
-           {},
-           "",
-           std::move(doc)},
-          [member](P& p, double v) { p.*member = v != 0.0; }};
-}
-/// `E` is an enum whose values are 0, 1, 2 ... in the order of `choices`.
-template <typename P, typename E>
-  requires std::is_enum_v<E>
-Parameter<P> choice(std::string name, E P::* member, std::vector<std::string> choices, std::string doc) {
-  const double last = static_cast<double>(choices.size()) - 1.0;
-  return {{std::move(name), ParameterSpec::Type::kChoice, static_cast<double>(static_cast<int>(P{}.*member)),
-           0.0, last, std::move(choices), "", std::move(doc)},
-          [member](P& p, double v) { p.*member = static_cast<E>(static_cast<int>(v)); }};
-}
-/// @}
-
-/// Parses `text` as a value of `spec`. Errors: kUsage naming the parameter and the allowed range or choices.
-Result<double> parseParameter(const ParameterSpec& spec, const std::string& text);
-
 /// Parses `name=value,name=value`. Errors (kUsage) quote `whole`.
 Result<std::vector<Setting>> parseSettings(const std::string& text, const std::string& whole);
-
-/// The index of the parameter `name`. Errors: kUsage naming `owner`, with a suggestion among the parameters
-/// and `others`.
-Result<std::size_t> findParameter(const std::vector<ParameterSpec>& specs, const std::string& name,
-                                  const std::string& owner, const std::vector<std::string>& others = {});
-
-/// The documentation of all `parameters`.
-template <typename P>
-std::vector<ParameterSpec> specsOf(const std::vector<Parameter<P>>& parameters) {
-  std::vector<ParameterSpec> specs;
-  specs.reserve(parameters.size());
-  for (const auto& parameter : parameters) specs.push_back(parameter.spec);
-  return specs;
-}
-
-/// Applies `settings` to `values`. Errors: kUsage, as `findParameter` and `parseParameter`.
-template <typename P>
-Result<void> applySettings(const std::vector<Parameter<P>>& parameters, const std::vector<Setting>& settings,
-                           const std::string& owner, P& values, const std::vector<std::string>& others = {}) {
-  const std::vector<ParameterSpec> specs = specsOf(parameters);
-  for (const Setting& setting : settings) {
-    const auto index = findParameter(specs, setting.name, owner, others);
-    if (!index) return tl::unexpected<Error>(index.error());
-    const auto value = parseParameter(specs[*index], setting.value);
-    if (!value) return tl::unexpected<Error>(value.error());
-    parameters[*index].set(values, *value);
-  }
-  return {};
-}
 
 /// Builds the registry's entry of a navigator class `N` with the parameter struct `P`.
 template <typename P, typename N>

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "fulbito/detail/page_scene.hpp"
 #include "fulbito/detail/values.hpp"
-#include "replays/html/page_scene.hpp"
 
 namespace fulbito {
 

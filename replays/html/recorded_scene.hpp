@@ -1,8 +1,8 @@
 #pragma once
 
+#include "fulbito/detail/page_scene.hpp"
 #include "fulbito/detail/values.hpp"
 #include "fulbito/recording.hpp"
-#include "replays/html/page_scene.hpp"
 
 namespace fulbito {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "replays/html/page_scene.hpp"
+#include "fulbito/detail/page_scene.hpp"
 
 namespace fulbito {
 

@@ -21,3 +21,25 @@ TEST_CASE("experiment refuses unknown names and settings with a suggestion", "[c
   CHECK(box.run("experiment transport --set step=never").code == 2);
   CHECK(box.run("experiment transport --set path=no-such-file").code != 0);
 }
+
+TEST_CASE("a foreign file in an experiment's folder stays, and costs no other result", "[cli]") {
+  const Sandbox box;
+  const std::string command = "experiment localization --set rooms=1 --set fields=1 --out out";
+  const fs::path out = box.path / "out/localization";
+  fs::create_directories(out);
+  for (const std::string file : {"results.json", "localization.html"}) {
+    box.write("out/localization/" + file, "somebody's notes\n");
+    const Output output = box.run(command);
+    INFO(file << ": " << output.err);
+    CHECK(output.code == 2);
+    CHECK(output.out.empty());  // said before the work
+    CHECK(contentOf(out / file) == "somebody's notes\n");
+    fs::remove(out / file);
+  }
+  // Which tables there are depends on the work.
+  box.write("out/localization/schemes.csv", "somebody's notes\n");
+  box.ends(command, 2, "schemes.csv");
+  CHECK(contentOf(out / "schemes.csv") == "somebody's notes\n");
+  CHECK(fs::exists(out / "rooms.csv"));
+  CHECK(fs::exists(out / "localization.html"));
+}

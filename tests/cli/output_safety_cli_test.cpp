@@ -22,7 +22,7 @@ const std::vector<std::string> kResults{"results/plan.json", "results/matches.js
                                         "tuning/matches.jsonl"};
 
 std::vector<Line> lines() {
-  return {
+  std::vector<Line> all{
       {"match",
        "idle 'cmd:python3 team/team.py' --half-seconds 1 --rules rules.toml --start start.toml",
        {"rules.toml", "start.toml", "team/team.py", "team/team.toml"}},
@@ -31,7 +31,6 @@ std::vector<Line> lines() {
        "--suite corner --trials 1 --navigators straight --speeds 1 --pictures 0 --robot robot.toml "
        "--out products",
        {"robot.toml"}},
-      {"experiment", "list", {}},
       {"check-team", "'cmd:python3 team/team.py' --quick", {"team/team.py", "team/team.toml"}},
       {"new-team", "python own", {}},
       {"drill", "idle --drill 1 --trials 1 --robot robot.toml", {"robot.toml"}},
@@ -59,6 +58,8 @@ std::vector<Line> lines() {
       {"bench", "--signature", {}},
       {"version", "", {}},
   };
+  if (FULBITO_EXPERIMENTS) all.push_back({"experiment", "list", {}});
+  return all;
 }
 
 /// The files that the lines need. Teams do not start: the checks come first.
@@ -260,28 +261,6 @@ TEST_CASE("a folder of products replaces its own files, and no others without --
   box.write("out/results.json", "somebody's notes\n");
   CHECK(box.run(command + " --force").code == 0);
   CHECK(contentOf(box.path / "out/results.json").starts_with("{"));
-}
-
-TEST_CASE("a foreign file in an experiment's folder stays, and costs no other result", "[cli]") {
-  const Sandbox box;
-  const std::string command = "experiment localization --set rooms=1 --set fields=1 --out out";
-  const fs::path out = box.path / "out/localization";
-  fs::create_directories(out);
-  for (const std::string file : {"results.json", "localization.html"}) {
-    box.write("out/localization/" + file, "somebody's notes\n");
-    const Output output = box.run(command);
-    INFO(file << ": " << output.err);
-    CHECK(output.code == 2);
-    CHECK(output.out.empty());  // said before the work
-    CHECK(contentOf(out / file) == "somebody's notes\n");
-    fs::remove(out / file);
-  }
-  // Which tables there are depends on the work.
-  box.write("out/localization/schemes.csv", "somebody's notes\n");
-  box.ends(command, 2, "schemes.csv");
-  CHECK(contentOf(out / "schemes.csv") == "somebody's notes\n");
-  CHECK(fs::exists(out / "rooms.csv"));
-  CHECK(fs::exists(out / "localization.html"));
 }
 
 TEST_CASE("a name that promises another kind of file is refused, with the option for it", "[cli]") {

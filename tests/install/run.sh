@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs a build into a temporary prefix, looks at what got there, builds outside projects against it and runs them:
-# one that needs no picture, recording or JSON, and the examples.
+# one that needs no picture, recording or JSON, a paper's experiment, and the examples.
 set -euo pipefail
 build=$1 source=$2 compiler=$3 libraries=$4 port=$5
 work=$(mktemp -d)
@@ -69,6 +69,14 @@ quietly configure "$source/tests/install/consumer" "${without[@]}"
 quietly cmake --build "$work/consumer"
 "$work/consumer/consumer"
 ! ldd "$work/consumer/consumer" | grep -E 'SDL|png|zstd|deflate|libgif' || fail 'a player of matches needs libraries of pictures'
+
+# A paper's experiment, built from copies of its sources and the installed headers alone, runs.
+mkdir -p "$work/papers/experiments/papers"
+cp -r "$source/experiments/papers/hybrid" "$source/experiments/papers/random" "$work/papers/experiments/papers"
+quietly configure "$source/tests/install/paper" -DPAPERS="$work/papers"
+quietly cmake --build "$work/paper"
+"$work/paper/paper" >"$work/hybrid.json"
+grep -q '"id": "gap-1.3-map"' "$work/hybrid.json" || fail 'an experiment built outside has no figures'
 
 configure "$source/tests/install/wrong" >"$work/log" 2>&1 && fail 'a component that does not exist was found'
 grep -q "no component 'pictures'" "$work/log" || { cat "$work/log"; fail 'a wrong component gets no clear message'; }

@@ -1,7 +1,7 @@
-#include "experiments/sonar/hybrid_runs.hpp"
+#include "experiments/papers/hybrid/hybrid_runs.hpp"
 #include "tests/support/catch.hpp"
 
-namespace fulbito::sonar {
+namespace fulbito::hybrid {
 namespace {
 
 /// What 500 runs of one kind reach at least and touch at most. docs/results/hybrid.md has the rates of 200
@@ -36,4 +36,4 @@ TEST_CASE("2000 gaps of all kinds: nearly all are taken, few are touched", "[soa
   }
 }
 
-}  // namespace fulbito::sonar
+}  // namespace fulbito::hybrid

@@ -45,6 +45,10 @@ const std::map<std::string_view, std::vector<std::string_view>> kForbidden = {
     {"tournament", {"apps"}},
 };
 
+/// The experiments of papers show that others can write one outside of this project: they include public
+/// headers and their own, and nothing else.
+constexpr std::string_view kPapers = "experiments/papers";
+
 /// How the files of the build name what third-party headers come from.
 const std::map<std::string, std::string> kThirdParty = {{"fmt", "fmt::fmt"},
                                                         {"toml++", "TOMLPLUSPLUS"},
@@ -213,6 +217,9 @@ std::vector<std::string> violations(const std::string& path, const std::string& 
   if (!arrows().contains(folder)) return {path + " is in a folder without sources"};
   std::vector<std::string> found;
   for (const std::string& target : includesOf(text, true)) {
+    if (isIn(folder, kPapers) && !isIn(target, kPapers) && folderOf(target) != "fulbito") {
+      found.push_back(path + " -> " + target + ": no public header");
+    }
     const std::string other = ownerOf(target);
     const std::string why = other == folder ? "" : objection(folder, other);
     if (!why.empty()) found.push_back(path + " -> " + target + ": " + why);
@@ -299,6 +306,12 @@ TEST_CASE("the walk finds a wrong arrow", "[unit]") {
   CHECK(violations("referee/nowhere/x.cpp", vec2).size() == 1);
   CHECK(violations("match/play/x.cpp", "#include \"bridge/lines/line_codec.hpp\"\n").size() == 1);
   CHECK(violations("match/play/x.cpp", "#include \"replays/header/header.hpp\"\n").size() == 1);
+  const std::string capture = "experiments/papers/capture/x.cpp";
+  CHECK(violations(capture,
+                   "#include \"fulbito/report.hpp\"\n#include \"experiments/papers/capture/hall.hpp\"\n")
+            .empty());
+  CHECK(violations(capture, "#include \"experiments/trials/crowd.hpp\"\n").size() == 1);
+  CHECK(violations(capture, vec2).size() == 1);
   CHECK(violations("tournament/plan/x.cpp", "#include \"tournament/runner/runner.hpp\"\n").size() == 1);
 }
 

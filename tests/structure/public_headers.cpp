@@ -19,6 +19,8 @@ const std::vector<PublicHeader> kPublicHeaders = {
     {"fulbito/recorder.hpp", "match/record"},
     {"fulbito/picture.hpp", "replays/render/field"},
     {"fulbito/experiment.hpp", "experiments/trials"},
+    {"fulbito/report.hpp", "experiments/paper_report"},
+    {"fulbito/sensors.hpp", "engine/sim"},
     {"fulbito/team_program.hpp", "bridge/lines"},
     {"fulbito/detail/lines/json_reader.hpp", "bridge/lines"},
     {"fulbito/detail/lines/json_text.hpp", "bridge/lines"},
@@ -43,6 +45,14 @@ const std::vector<PublicHeader> kPublicHeaders = {
     {"fulbito/detail/restart_rules.hpp", "referee/rules"},
     {"fulbito/detail/trial_score.hpp", "referee/trial"},
     {"fulbito/detail/canvas.hpp", "replays/render/canvas"},
+    {"fulbito/detail/arc.hpp", "navigation/geometry"},
+    {"fulbito/detail/echo_scene.hpp", "engine/core/models"},
+    {"fulbito/detail/sonar_model.hpp", "engine/core/models"},
+    {"fulbito/detail/line_chart.hpp", "replays/render/field"},
+    {"fulbito/detail/page_scene.hpp", "replays/html"},
+    {"fulbito/detail/parallel.hpp", "engine/core/system"},
+    {"fulbito/detail/parameters.hpp", "navigation/interface"},
+    {"fulbito/detail/random.hpp", "engine/core/math"},
 };
 
 }  // namespace

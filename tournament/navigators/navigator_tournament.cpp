@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "experiments/comparison/paper_plan.hpp"
-
 namespace fulbito {
 namespace {
 
@@ -11,7 +9,7 @@ constexpr double kLeastSpeed = 0.05;  // [m/s]
 constexpr double kMostSpeed = 10.0;
 
 Result<void> checkConfig(const NavigatorTournamentConfig& config) {
-  if (config.suite == kPaperSuite) {
+  if (config.suite == ComparisonConfig{}.suite) {  // the comparison with Jung & Lee (2015)
     return fail(
         ErrorCode::kUsage,
         fmt::format("--suite: '{}' is a comparison of several suites; a tournament takes one", config.suite));

@@ -1,4 +1,4 @@
-#include "engine/core/models/echo_scene.hpp"
+#include "fulbito/detail/echo_scene.hpp"
 
 #include <algorithm>
 #include <cmath>

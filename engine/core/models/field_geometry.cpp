@@ -27,6 +27,18 @@ NearestWall nearestWall(const FieldGeometry& field, Vec2 p) {
 
 }  // namespace
 
+FieldGeometry plainFloor(const std::string& name, double length, double width) {
+  FieldGeometry field;
+  field.name = name;
+  field.length = length;
+  field.width = width;
+  field.goal_width = field.goal_depth = field.corner = 0.0;
+  field.goal_area_width = field.goal_area_depth = field.goal_area_arc_width = field.goal_area_arc_depth = 0.0;
+  field.centre_circle_radius = field.penalty_mark = 0.0;
+  field.free_ball_mark = {};
+  return field;
+}
+
 std::vector<Vec2> innerContour(const FieldGeometry& field) {
   const double x = field.length / 2, y = field.width / 2, c = field.corner;
   const double g = field.goal_width / 2, d = field.goal_depth;

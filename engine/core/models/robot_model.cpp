@@ -40,6 +40,13 @@ WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels) {
   return {clamped(wheels.left), clamped(wheels.right)};
 }
 
+WheelSpeeds wheelsOverGround(const RobotModel& robot, Twist twist) {
+  const double turn = twist.angular * robot.axle_track / 2;
+  const DriveLaw law(robot, 1.0);  // slip does not depend on the time step
+  const RimSpeeds rims = law.commandFor({twist.linear - turn, twist.linear + turn});
+  return saturate(robot, {rims.left / robot.wheel_radius, rims.right / robot.wheel_radius});
+}
+
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step) {
   if (!(step > 0.0)) return wheels;
   const auto rounded = [step](double w) {

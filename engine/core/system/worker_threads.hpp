@@ -2,54 +2,13 @@
 
 #include <cstddef>
 #include <functional>
-#include <mutex>
 
-#include "fulbito/detail/values.hpp"
+#include "fulbito/detail/parallel.hpp"
 
 namespace fulbito {
 
-/// Hears after each task how many of `total` are done, from one thread at a time. Returning false stops the
-/// work: no further task begins.
-using WorkWatcher = std::function<bool(std::size_t done, std::size_t total)>;
-
-/// Counts the finished tasks of one or more `parallelFor` for a watcher. Safe to use from several threads.
-class WorkProgress {
- public:
-  /// `watcher` may be empty. `total`: tasks of all loops together.
-  WorkProgress(WorkWatcher watcher, std::size_t total);
-
-  /// Counts one task and tells the watcher.
-  /// @return whether the work goes on
-  bool finishedOne() { return tell(1); }
-  /// Tells the watcher again, in the middle of a long task, which then ends soon with kInterrupted if false.
-  /// @return whether the work goes on
-  bool goesOn() { return tell(0); }
-  /// Whether the watcher stopped the work.
-  bool stopped() const;
-
- private:
-  bool tell(std::size_t finished);
-
-  const WorkWatcher watcher_;
-  const std::size_t total_;
-  mutable std::mutex mutex_;
-  std::size_t done_ = 0;
-  bool stopped_ = false;
-};
-
 /// Threads to use where a caller asks for `jobs`: that many, 0: one per core; at most `tasks`, at least 1.
 int threadsFor(int jobs, std::size_t tasks);
-
-/// Calls `task(i)` for i = 0 ... count - 1 on `threadsFor(jobs, count)` threads, the caller's included, each
-/// once and begun in this order. A task writes its result to a place of its own, so that results do not
-/// depend on the number of threads. After a task failed or the watcher stopped, those that run end and no
-/// other begins. Where the system starts no more threads, fewer work.
-///
-/// Errors: that of the first failed task in the order of i, which no number of threads changes, as all tasks
-/// before a failed one are run; kInterrupted when the watcher stopped the work before the last task was done.
-/// Throws the first exception of any task, after all that were begun have ended.
-Result<void> parallelFor(int jobs, std::size_t count, WorkProgress& progress,
-                         const std::function<Result<void>(std::size_t)>& task);
 
 /// Runs `work` on up to `threads` other threads while `meanwhile` runs on the caller's, and returns when all
 /// have ended. `meanwhile` hears how many the system started, which may be none. Signals come to the caller's

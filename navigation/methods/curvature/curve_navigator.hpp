@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "navigation/geometry/arc.hpp"
+#include "fulbito/detail/arc.hpp"
 #include "navigation/interface/parameters.hpp"
 #include "navigation/methods/paths/replan_monitor.hpp"
 

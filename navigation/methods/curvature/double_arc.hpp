@@ -1,6 +1,6 @@
 #pragma once
 
-#include "navigation/geometry/arc.hpp"
+#include "fulbito/detail/arc.hpp"
 
 namespace fulbito {
 

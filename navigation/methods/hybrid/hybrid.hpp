@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "engine/core/models/echo_scene.hpp"
-#include "engine/core/models/sonar_model.hpp"
+#include "fulbito/detail/echo_scene.hpp"
+#include "fulbito/detail/sonar_model.hpp"
 #include "navigation/interface/parameters.hpp"
 #include "navigation/methods/hybrid/avoidance_table.hpp"
 #include "navigation/methods/hybrid/crowding.hpp"

@@ -1,4 +1,4 @@
-#include "replays/render/field/line_chart.hpp"
+#include "fulbito/detail/line_chart.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -64,6 +65,7 @@ struct TrialResult {
   std::uint64_t final_hash = 0;    ///< running hash of all states of the trial
 };
 
+class World;
 class TrialRecorder;  ///< For `fulbito run --record`; not part of the public interface.
 
 /// Runs a trial and records it if `recorder` is not null. Errors: kUsage or kBadInput if the layout does not
@@ -74,6 +76,29 @@ Result<TrialResult> runTrial(const TrialConfig& config, const Clock& clock,
 /// Appends an obstacle as discs for navigators. A box becomes squares along its longer side, with one disc
 /// per square.
 void appendDiscs(const ObstacleSpec& spec, const ObstacleState& state, std::vector<DiscObstacle>& discs);
+
+/// Least distance [m] between two obstacles as they start; negative where they overlap.
+double distanceBetween(const ObstacleSpec& a, const ObstacleSpec& b);
+
+/// What a robot knows that has sonars only, as in trials with `sonars_only`: their readings, and for
+/// navigators that do not use these, discs where a short memory of echoes is occupied. It knows of no walls:
+/// its field is a wide plain.
+class SonarSight {
+ public:
+  /// Reads field, robot, navigator, noise and seed of the trial.
+  explicit SonarSight(const TrialConfig& config);
+  SonarSight(SonarSight&&) noexcept;  ///< One that was moved from can only be destroyed or assigned to.
+  SonarSight& operator=(SonarSight&&) noexcept;  ///< As above.
+  ~SonarSight();
+
+  /// Fires the sonars of the world's first robot and replaces what `scene` knows of obstacles and walls.
+  /// Valid until the next call.
+  void look(const World& world, NavigationScene& scene);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// A family of seeded layouts with the rules for judging their trials.
 struct Suite {
@@ -97,6 +122,13 @@ const std::vector<Suite>& suites();
 
 /// The suite of that name. Errors: kUsage with a suggestion.
 Result<const Suite*> findSuite(const std::string& name);
+
+/// A barrier of robot-sized obstacles with one gap of `widths` robot widths, not farther than 20 cm from
+/// where the straight way to the goal meets it: part of the suites `sonar`.
+Layout gapLayout(std::uint64_t seed, std::uint64_t index, double widths);
+/// The class of Fig. 8 of P.-G. Kim et al. (2006): obstacles of different sizes stand side by side across the
+/// way, with one gap of 1.3 to 1.6 robot widths near the straight line and wide ways round both ends.
+Layout anyRowLayout(std::uint64_t seed, std::uint64_t index);
 
 /// The named cases of Figs 1-8 of Jung & Lee (2015), in order.
 const std::vector<Layout>& namedCases();

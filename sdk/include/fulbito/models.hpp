@@ -84,6 +84,9 @@ WheelSpeeds inverseKinematics(const RobotModel& robot, Twist twist);
 Twist forwardKinematics(const RobotModel& robot, WheelSpeeds wheels);
 /// Clamps each wheel to `max_wheel_speed`, without scaling the other; NaN becomes 0.
 WheelSpeeds saturate(const RobotModel& robot, WheelSpeeds wheels);
+/// Wheel speeds, within limits, for the twist over the ground: where the model slips in curves
+/// (`curve_widening`), the wheels turn for a tighter one (Choi & Lee 2005).
+WheelSpeeds wheelsOverGround(const RobotModel& robot, Twist twist);
 /// Rounds both wheels to multiples of `step` [rad/s]; step <= 0 changes nothing.
 WheelSpeeds roundedTo(WheelSpeeds wheels, double step);
 

@@ -38,6 +38,10 @@ struct FieldGeometry {
   bool hasGoals() const { return goal_width > 0.0 && goal_depth > 0.0; }
 };
 
+/// A rectangular floor between four walls: no goals, no corner triangles, no marks of soccer.
+/// @param length, width  [m]
+FieldGeometry plainFloor(const std::string& name, double length, double width);
+
 /// The closed inner contour, counter-clockwise, goals included: N points, the last joins the first.
 std::vector<Vec2> innerContour(const FieldGeometry& field);
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/core/math/random.hpp"
-#include "engine/sim/sonar.hpp"
+#include "fulbito/sensors.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/malloc_counter.hpp"
 #include "tests/support/worlds.hpp"

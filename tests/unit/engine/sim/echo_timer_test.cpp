@@ -1,5 +1,4 @@
-#include "engine/sim/echo_timer.hpp"
-
+#include "fulbito/sensors.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace fulbito;

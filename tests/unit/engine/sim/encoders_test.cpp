@@ -1,9 +1,8 @@
-#include "engine/sim/encoders.hpp"
-
 #include <cmath>
 #include <vector>
 
 #include "fulbito/detail/math.hpp"
+#include "fulbito/sensors.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 

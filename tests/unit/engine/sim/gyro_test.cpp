@@ -1,7 +1,6 @@
-#include "engine/sim/gyro.hpp"
-
 #include <cmath>
 
+#include "fulbito/sensors.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 

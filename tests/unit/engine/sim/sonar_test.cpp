@@ -1,8 +1,7 @@
-#include "engine/sim/sonar.hpp"
-
 #include <cmath>
 
 #include "engine/core/models/shapes.hpp"
+#include "fulbito/sensors.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/worlds.hpp"
 

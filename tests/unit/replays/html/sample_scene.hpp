@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fulbito/detail/math.hpp"
-#include "replays/html/page_scene.hpp"
+#include "fulbito/detail/page_scene.hpp"
 
 namespace fulbito::test {
 

@@ -1,4 +1,4 @@
-#include "engine/core/models/sonar_model.hpp"
+#include "fulbito/detail/sonar_model.hpp"
 
 #include "tests/support/catch.hpp"
 

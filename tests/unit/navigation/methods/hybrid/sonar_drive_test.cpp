@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "engine/core/math/random.hpp"
-#include "engine/core/models/echo_scene.hpp"
 #include "engine/core/models/shapes.hpp"
-#include "engine/core/models/sonar_model.hpp"
+#include "fulbito/detail/echo_scene.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/detail/sonar_model.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/catch.hpp"
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "experiments/papers/localization/random_rooms.hpp"
+#include "experiments/papers/localization/wrong_figures.hpp"
+#include "fulbito/report.hpp"
+
+namespace fulbito::localization {
+
+/// Runs of all schemes on tasks of one kind.
+struct Ground {
+  std::string name;                                                  ///< for tables, e.g. "random rooms"
+  std::vector<CleaningTask> tasks;                                   ///< alike for all schemes
+  std::array<std::vector<CleaningResult>, kSchemes.size()> results;  ///< per scheme, as `tasks`
+
+  const std::vector<CleaningResult>& of(Scheme scheme) const {
+    return results[static_cast<std::size_t>(scheme)];
+  }
+};
+
+/// Size of the experiment.
+struct BatchSize {
+  std::size_t rooms = 200;  ///< random rooms
+  std::size_t fields = 40;  ///< poses on each form of the soccer field
+  std::size_t wrong = 0;    ///< random rooms for each wrong figure; 0: none
+  SensorSpread spread;
+};
+
+/// All runs of the experiment.
+struct Batch {
+  std::vector<std::string> refused_rooms;  ///< reasons
+  std::vector<Ground> grounds;             ///< rooms first
+  Ground example;                          ///< one run per scheme in one room, with its moments
+  Ground field_example;                    ///< the same on the soccer field
+  std::vector<WrongRuns> wrong;            ///< by case and scheme; may be empty
+};
+
+/// Runs everything; the same for any number of jobs. Errors: kInterrupted.
+Result<Batch> runBatch(const BatchSize& size, std::uint64_t seed, int jobs, const WorkWatcher& watcher);
+
+}  // namespace fulbito::localization

@@ -1,0 +1,117 @@
+#include "experiments/papers/localization/estimation/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "fulbito/models.hpp"
+
+namespace fulbito::localization {
+namespace {
+
+constexpr double kLevel = 1.05;   // of the shortest range
+constexpr double kOutlier = 4.0;  // sigmas beyond which an echo counts as one of something else
+constexpr double kDegree = math::kPi / 180;
+constexpr double kCoarse = 0.5 * kDegree, kFine = 0.05 * kDegree;
+constexpr double kFarthestFit = 45.0 * kDegree;  // beyond, no smooth wall throws sound back
+
+/// Echoes of a wall at distance 1 of the robot's centre, and what the sensor's reach takes off.
+struct Shape {
+  double stretch = 1.0;  // range over the distance of the sensor from the wall
+  double reach = 0.0;    // [m] of the sensor toward the wall
+};
+
+Shape shapeAt(double off, const SweepSensor& sensor) {
+  const double beyond = std::max(0.0, std::abs(off) - sensor.cone);
+  return {1.0 / math::cos(beyond), sensor.reach * math::cos(off)};
+}
+
+double rangeOf(const SweepEcho& echo, const SweepSensor& sensor) { return *echo.time * sensor.echo_speed; }
+
+template <typename Use>
+void forEchoesNear(std::span<const SweepEcho> sweep, double perpendicular, const Use& use) {
+  for (const SweepEcho& echo : sweep) {
+    if (echo.time && std::abs(echo.heading - perpendicular) <= kFarthestFit) use(echo);
+  }
+}
+
+/// The distance of the robot's centre from a wall in that direction which fits best: the median of what each
+/// echo says, then the least squares over those that agree with it.
+double centreDistance(std::span<const SweepEcho> sweep, double perpendicular, const SweepSensor& sensor) {
+  std::vector<double> said;
+  forEchoesNear(sweep, perpendicular, [&](const SweepEcho& echo) {
+    const Shape shape = shapeAt(echo.heading - perpendicular, sensor);
+    said.push_back(rangeOf(echo, sensor) / shape.stretch + shape.reach);
+  });
+  if (said.empty()) return 0.0;
+  const auto middle = said.begin() + static_cast<std::ptrdiff_t>(said.size() / 2);
+  std::nth_element(said.begin(), middle, said.end());
+  const double median = *middle;
+  double sum = 0.0, count = 0.0;
+  for (const double centre : said) {
+    if (std::abs(centre - median) <= kOutlier * sensor.noise) sum += centre, count += 1.0;
+  }
+  return sum / count;
+}
+
+/// Sum of squared residuals in sigmas. An echo of something else costs the same wherever the wall is.
+double misfit(std::span<const SweepEcho> sweep, double perpendicular, const SweepSensor& sensor) {
+  const double centre = centreDistance(sweep, perpendicular, sensor);
+  double sum = 0.0;
+  for (const SweepEcho& echo : sweep) sum += echo.time ? kOutlier * kOutlier : 0.0;
+  forEchoesNear(sweep, perpendicular, [&](const SweepEcho& echo) {
+    const Shape shape = shapeAt(echo.heading - perpendicular, sensor);
+    const double off = (rangeOf(echo, sensor) - shape.stretch * (centre - shape.reach)) / sensor.noise;
+    sum += std::min(off * off - kOutlier * kOutlier, 0.0);
+  });
+  return sum;
+}
+
+/// The best of the candidates `guess` +- `steps` times `step`.
+double bestOf(std::span<const SweepEcho> sweep, double guess, double step, int steps,
+              const SweepSensor& sensor) {
+  double best = guess, least = std::numeric_limits<double>::infinity();
+  for (int i = -steps; i <= steps; ++i) {
+    const double sum = misfit(sweep, guess + i * step, sensor);
+    if (sum < least) least = sum, best = guess + i * step;
+  }
+  return best;
+}
+
+const SweepEcho* shortest(std::span<const SweepEcho> sweep) {
+  const SweepEcho* best = nullptr;
+  for (const SweepEcho& echo : sweep) {
+    if (echo.time && (best == nullptr || *echo.time < *best->time)) best = &echo;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<double> shortestEcho(std::span<const SweepEcho> sweep) {
+  const SweepEcho* best = shortest(sweep);
+  return best == nullptr ? std::nullopt : std::optional(best->heading);
+}
+
+std::optional<double> levelCentre(std::span<const SweepEcho> sweep, const SweepSensor& sensor) {
+  const SweepEcho* best = shortest(sweep);
+  if (best == nullptr) return std::nullopt;
+  const double least = rangeOf(*best, sensor);
+  const double level = std::max(kLevel * least, least + kOutlier * sensor.noise);
+  double low = best->heading, high = best->heading;
+  forEchoesNear(sweep, best->heading, [&](const SweepEcho& echo) {
+    if (rangeOf(echo, sensor) > level) return;
+    low = std::min(low, echo.heading);
+    high = std::max(high, echo.heading);
+  });
+  return (low + high) / 2;
+}
+
+double fittedPerpendicular(std::span<const SweepEcho> sweep, double guess, const SweepSensor& sensor) {
+  const double coarse = bestOf(sweep, guess, kCoarse, 40, sensor);  // within 20 degrees
+  return bestOf(sweep, coarse, kFine, 10, sensor);
+}
+
+}  // namespace fulbito::localization

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fulbito/models.hpp"
+
+namespace fulbito::localization {
+
+/// How fast a robot drives its route.
+struct DriveLimits {
+  double speed = 0.3;         ///< [m/s]
+  double deceleration = 0.3;  ///< [m/s^2] before the end of a part
+  double reaction = 0.1;      ///< [s] from a pose to the speed that follows from it
+  double turn_rate = 0.9;     ///< [rad/s]
+  double sweep_rate = 0.35;   ///< [rad/s] of a sweep
+  double look_ahead = 0.35;   ///< [m] way in which it would drive back onto the line
+};
+
+/// Turn rate [rad/s] toward a heading that is `error` [rad] away, slower near it.
+double turnRateFor(double error, double greatest);
+
+/// Drives along a chain of straight parts, turning in place between them. It knows nothing but the present
+/// pose, so that a pose which jumps is no more than a new distance from the line.
+class RouteDriver {
+ public:
+  RouteDriver(std::vector<Vec2> points, const DriveLimits& limits);
+
+  /// The motion wanted at `pose`.
+  Twist drive(const Pose2& pose);
+  bool finished() const { return part_ + 1 >= points_.size(); }
+  /// Index of the point at which the present part begins.
+  std::size_t part() const { return part_; }
+  const std::vector<Vec2>& points() const { return points_; }
+
+ private:
+  Twist along(const Pose2& pose) const;
+  double headingOfPart() const;
+  double left(const Pose2& pose) const;
+
+  std::vector<Vec2> points_;
+  DriveLimits limits_;
+  std::size_t part_ = 0;
+  bool turning_ = true;
+};
+
+}  // namespace fulbito::localization

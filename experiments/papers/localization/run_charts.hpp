@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "experiments/papers/localization/batch.hpp"
+#include "fulbito/report.hpp"
+
+namespace fulbito::localization {
+
+/// Deviation and heading error along the route of the example for all schemes, and the constant over
+/// temperature for all rooms.
+std::vector<ReportChart> runCharts(const Batch& batch);
+
+}  // namespace fulbito::localization

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "experiments/papers/localization/batch.hpp"
+#include "fulbito/report.hpp"
+
+namespace fulbito::localization {
+
+/// A run with its moments as an animated scene: the robot, a smaller one where it believes to be, the
+/// echoes as lines, the reference path.
+ReportScene runScene(const Ground& example, Scheme scheme, const std::string& name, const std::string& title);
+
+}  // namespace fulbito::localization

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <span>
+
+#include "fulbito/report.hpp"
+
+namespace fulbito {
+
+/// All experiments, by name; none in a build without them (`FULBITO_EXPERIMENTS`).
+std::span<const PaperExperiment> paperExperiments();
+
+}  // namespace fulbito
