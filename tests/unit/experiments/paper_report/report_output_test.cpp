@@ -147,4 +147,16 @@ TEST_CASE("experiment scene: the viewer's page takes it") {
 }
 
 }  // namespace
+TEST_CASE("columns are words with their decimals, or with the usual ones", "[unit]") {
+  const auto columns = columnsOf("time_s:1 who  radius_m:12\nreason:0");
+  REQUIRE(columns.size() == 4);
+  CHECK(columns[0].name == "time_s");
+  CHECK(columns[0].decimals == 1);
+  CHECK(columns[1].name == "who");
+  CHECK(columns[1].decimals == ReportColumn{}.decimals);
+  CHECK(columns[2].decimals == 12);
+  CHECK(columns[3].name == "reason");
+  CHECK(columns[3].decimals == 0);
+}
+
 }  // namespace fulbito
