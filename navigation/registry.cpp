@@ -8,27 +8,33 @@
 #include "navigation/followers/preview_follower.hpp"
 #include "navigation/interface/parameters.hpp"
 #include "navigation/library/library_navigator.hpp"
-#include "navigation/methods/bspline/bspline_time.hpp"
-#include "navigation/methods/curvature/double_curvature.hpp"
-#include "navigation/methods/curvature/single_curvature.hpp"
-#include "navigation/methods/fields/limit_cycle.hpp"
-#include "navigation/methods/fields/straight.hpp"
-#include "navigation/methods/fields/tangent_field.hpp"
-#include "navigation/methods/fields/univector.hpp"
-#include "navigation/methods/fields/vector_field.hpp"
-#include "navigation/methods/hybrid/hybrid.hpp"
-#include "navigation/methods/paths/bezier.hpp"
-#include "navigation/methods/paths/bezier_raw.hpp"
-#include "navigation/methods/paths/hermite.hpp"
-#include "navigation/methods/paths/tangent_graph.hpp"
-#include "navigation/methods/reactive/dwa.hpp"
-#include "navigation/methods/reactive/nearness_diagram.hpp"
 
 namespace fulbito {
+
+/// @{ The built-in methods: each is defined in a file of its own below navigation/methods.
+NavigatorInfo straightInfo();
+NavigatorInfo vectorFieldInfo();
+NavigatorInfo univectorInfo();
+NavigatorInfo tangentFieldInfo();
+NavigatorInfo limitCycleInfo();
+NavigatorInfo nearnessDiagramInfo();
+NavigatorInfo hybridInfo();
+NavigatorInfo hybridWithoutNdInfo();
+NavigatorInfo hybridRawInfo();
+NavigatorInfo bezierInfo();
+NavigatorInfo bezierRawInfo();
+NavigatorInfo hermiteInfo();
+NavigatorInfo tangentGraphInfo();
+NavigatorInfo dwaInfo();
+NavigatorInfo bsplineTimeInfo();
+NavigatorInfo singleCurvatureInfo();
+NavigatorInfo doubleCurvatureInfo();
+/// @}
+
 namespace {
 
+/// In the order in which tables list them.
 const std::vector<NavigatorInfo>& registry() {
-  // One line a method; each describes itself in its own file.
   static const std::vector<NavigatorInfo> entries = {
       straightInfo(),        vectorFieldInfo(),
       univectorInfo(),       tangentFieldInfo(),

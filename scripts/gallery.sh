@@ -47,12 +47,11 @@ cp -r "$root/examples" .
 "$program" run --navigator bspline-time --layout moving:3 --record trial.fbr >/dev/null
 "$program" replay export trial.fbr --force --trails "$images/trial-trails.png" --size 640
 
-# One layout for every method: docs/navigators.md.
-for navigator in straight vector-field univector tangent-field limit-cycle nearness-diagram hybrid hybrid-without-nd bezier-raw bezier hermite \
-  tangent-graph dwa bspline-time; do
+# One layout for every method of which docs/navigators.md shows a picture, but for the two that look at no obstacle.
+while read -r navigator; do
   "$program" run --navigator "$navigator" --layout corner:17 --record way.fbr --force >/dev/null
   "$program" replay export way.fbr --force --trails "$images/navigator-$navigator.png" --size 480
-done
+done < <(sed -n 's|.*images/navigator-\([a-z-]*\)\.png.*|\1|p' "$root/docs/navigators.md" | grep -v curvature)
 
 # The two that look at no obstacle, on a free field; the second with an arrival heading.
 cat >single-curvature.toml <<'END'

@@ -5,9 +5,21 @@
 #include "engine/core/config/suggest.hpp"
 #include "fulbito/strategy.hpp"
 #include "navigation/interface/parameters.hpp"
-#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
+
+// The built-in teams: each is defined in a file of its own below strategies/teams.
+
+/// Nobody moves: what a striker is tried against first.
+TeamInfo idleInfo();
+/// All robots drive at random, smoothly: what the referee and the engine are tried with.
+TeamInfo randomTeamInfo();
+/// All robots drive straight at the ball: the least that a team must beat.
+TeamInfo chaserInfo();
+/// The textbook team: fixed roles, and a field that leads to the ball with the right heading.
+TeamInfo classicInfo();
+/// The flagship: one striker, a support and a keeper who change roles as the ball asks (docs/libero.md).
+TeamInfo liberoInfo();
 
 TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strategy>()> make) {
   TeamInfo info;

@@ -50,6 +50,4 @@ class BsplineTime final : public Navigator {
   std::uint64_t revision_ = 0;
 };
 
-NavigatorInfo bsplineTimeInfo();
-
 }  // namespace fulbito

@@ -21,6 +21,4 @@ class DoubleCurvature final : public CurveNavigator {
   Vec2 goal_;
 };
 
-NavigatorInfo doubleCurvatureInfo();
-
 }  // namespace fulbito

@@ -15,6 +15,4 @@ class SingleCurvature final : public CurveNavigator {
   void forget() override {}
 };
 
-NavigatorInfo singleCurvatureInfo();
-
 }  // namespace fulbito

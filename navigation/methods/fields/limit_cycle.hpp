@@ -40,6 +40,4 @@ class LimitCycle final : public Navigator, public HeadingField {
   PassingSide posture_side_ = PassingSide::kUndecided;  ///< of the line of arrival
 };
 
-NavigatorInfo limitCycleInfo();
-
 }  // namespace fulbito

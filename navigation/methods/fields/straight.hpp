@@ -17,6 +17,4 @@ class Straight final : public Navigator, public HeadingField {
   Vec2 goal_;
 };
 
-NavigatorInfo straightInfo();
-
 }  // namespace fulbito

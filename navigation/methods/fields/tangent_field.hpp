@@ -28,6 +28,4 @@ class TangentField final : public Navigator, public HeadingField {
   ClusteredCircles circles_;
 };
 
-NavigatorInfo tangentFieldInfo();
-
 }  // namespace fulbito

@@ -52,6 +52,4 @@ class Univector final : public Navigator, public HeadingField {
   Tick held_since_ = 0;
 };
 
-NavigatorInfo univectorInfo();
-
 }  // namespace fulbito

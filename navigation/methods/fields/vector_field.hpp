@@ -32,6 +32,4 @@ class VectorField final : public Navigator, public HeadingField {
   std::vector<Circle> rings_;  ///< radius: where the field stops to be radial
 };
 
-NavigatorInfo vectorFieldInfo();
-
 }  // namespace fulbito

@@ -135,8 +135,4 @@ class HybridRaw final : public Hybrid {
   explicit HybridRaw(Params params = {}) : Hybrid(params, HybridVariant::kAsPrinted) {}
 };
 
-NavigatorInfo hybridInfo();
-NavigatorInfo hybridWithoutNdInfo();
-NavigatorInfo hybridRawInfo();
-
 }  // namespace fulbito

@@ -40,6 +40,4 @@ class Bezier final : public PathNavigator {
   Counts counts_;
 };
 
-NavigatorInfo bezierInfo();
-
 }  // namespace fulbito

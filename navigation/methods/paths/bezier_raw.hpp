@@ -35,6 +35,4 @@ class BezierRaw final : public PathNavigator {
   BezierSamples trial_{};
 };
 
-NavigatorInfo bezierRawInfo();
-
 }  // namespace fulbito

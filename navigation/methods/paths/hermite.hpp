@@ -52,6 +52,4 @@ class Hermite final : public PathNavigator {
   Counts counts_;
 };
 
-NavigatorInfo hermiteInfo();
-
 }  // namespace fulbito

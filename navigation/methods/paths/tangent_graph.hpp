@@ -26,6 +26,4 @@ class TangentGraphNavigator final : public PathNavigator {
   TangentPath tangent_path_;
 };
 
-NavigatorInfo tangentGraphInfo();
-
 }  // namespace fulbito

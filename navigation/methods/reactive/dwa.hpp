@@ -63,6 +63,4 @@ class Dwa final : public Navigator {
   WallEscape escape_;  ///< the sweep's circle does not see that a corner presses into a wall
 };
 
-NavigatorInfo dwaInfo();
-
 }  // namespace fulbito

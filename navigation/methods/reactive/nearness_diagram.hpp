@@ -47,6 +47,4 @@ class NearnessDiagram final : public Navigator, public HeadingField {
   double direction_ = 0.0;  ///< [rad] world frame
 };
 
-NavigatorInfo nearnessDiagramInfo();
-
 }  // namespace fulbito

@@ -8,7 +8,6 @@
 #include "strategies/skills/interception.hpp"
 #include "strategies/skills/positions.hpp"
 #include "strategies/teams/classic/classic_team.hpp"
-#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {

@@ -15,7 +15,6 @@
 #include "strategies/teams/libero/motion/bounds.hpp"
 #include "strategies/teams/libero/motion/room.hpp"
 #include "strategies/teams/libero/restarts.hpp"
-#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {

@@ -4,7 +4,6 @@
 #include "fulbito/detail/math.hpp"
 #include "strategies/interface/team_info.hpp"
 #include "strategies/skills/unsticking.hpp"
-#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,5 +1,4 @@
 #include "strategies/interface/team_info.hpp"
-#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "engine/core/math/random.hpp"
 #include "strategies/interface/team_info.hpp"
-#include "strategies/teams/teams.hpp"
 
 namespace fulbito {
 namespace {

@@ -1,6 +1,5 @@
 #include "fulbito/strategy.hpp"
 #include "strategies/interface/team_info.hpp"
-#include "strategies/teams/teams.hpp"
 #include "tests/support/catch.hpp"
 
 namespace fulbito {
@@ -76,7 +75,7 @@ TEST_CASE("a catalogue takes further teams, and each catalogue has its own", "[u
     CHECK(contains(catalogue.parse("slwo").error().message, "Did you mean 'slow'?"));
     CHECK(catalogue.parse("libero"));
     CHECK(catalogue.add(slow).error().message == "there is a team 'slow' already");
-    CHECK_FALSE(catalogue.add(liberoInfo()));
+    CHECK_FALSE(catalogue.add(*parseTeam("libero")->info));
     kept = *choice;
   }
   CHECK(makeTeam(*kept));  // the entry outlives the catalogue
@@ -85,7 +84,7 @@ TEST_CASE("a catalogue takes further teams, and each catalogue has its own", "[u
 
 TEST_CASE("what cannot be a catalogue's team is refused", "[unit]") {
   TeamCatalogue catalogue;
-  TeamInfo info = idleInfo();
+  TeamInfo info = *parseTeam("idle")->info;
   info.name = "";
   CHECK(catalogue.add(info).error().code == ErrorCode::kUsage);
   info.name = "a:b";
