@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "bridge/lines/line_codec.hpp"
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito::test {
@@ -171,6 +172,28 @@ std::vector<SessionMessage> sessionMessages() {
       exercises({Exercise::Kind::kTurn, {}, -1.0, 0.0, 0.0}),
       tells([end](TeamCodec& c, std::string& out) { c.ended(end, out); }),
   };
+}
+
+std::vector<std::string> sessionLines() {
+  LineCodec codec;
+  std::vector<std::string> lines;
+  std::uint64_t id = 0;
+  for (const SessionMessage& message : sessionMessages()) {
+    std::string line;
+    message.write(codec, message.request ? ++id : 0, line);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::string answerOf(const PipedProgram& program, const std::string& line) {
+  program.send(line);
+  std::string received;
+  while (received.empty() || received.back() != '\n') {
+    if (!program.receive(received)) return "(the program has ended)";
+  }
+  received.pop_back();
+  return received;
 }
 
 }  // namespace fulbito::test

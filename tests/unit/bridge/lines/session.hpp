@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bridge/team_codec.hpp"
+#include "tests/support/piped_team.hpp"
 
 namespace fulbito::test {
 
@@ -17,5 +18,11 @@ struct SessionMessage {
 /// What the simulator says in the sample session (docs/team-protocol-session.txt): every kind of message,
 /// with values of a match that was made up for it, so that no change of the physics changes them.
 std::vector<SessionMessage> sessionMessages();
+
+/// The same as lines of the protocol, with their ends.
+std::vector<std::string> sessionLines();
+
+/// The answer of a program to a line, without its end.
+std::string answerOf(const PipedProgram& program, const std::string& line);
 
 }  // namespace fulbito::test

@@ -1,7 +1,6 @@
 #include "tests/unit/bridge/lines/session.hpp"
 
 #include <fstream>
-#include <iostream>
 #include <limits>
 
 #include <nlohmann/json.hpp>
@@ -34,30 +33,6 @@ std::vector<Exchange> recorded() {
   return session;
 }
 
-/// What the codec says now, in the order of the session.
-std::vector<std::string> said(std::vector<SessionMessage> messages) {
-  LineCodec codec;
-  std::vector<std::string> lines;
-  std::uint64_t id = 0;
-  for (const SessionMessage& message : messages) {
-    std::string line;
-    message.write(codec, message.request ? ++id : 0, line);
-    lines.push_back(line);
-  }
-  return lines;
-}
-
-/// The answer of a program to a line, without its end.
-std::string answerOf(const PipedProgram& program, const std::string& line) {
-  program.send(line + '\n');
-  std::string received;
-  while (received.empty() || received.back() != '\n') {
-    if (!program.receive(received)) return "(the program has ended)";
-  }
-  received.pop_back();
-  return received;
-}
-
 }  // namespace
 
 TEST_CASE("a match without a limit of time has none in the protocol, which has no infinity", "[unit]") {
@@ -74,10 +49,9 @@ TEST_CASE("a match without a limit of time has none in the protocol, which has n
 }
 
 TEST_CASE("the simulator says what the sample session says, byte for byte", "[unit]") {
-  INFO(
-      "print it anew: lines_test \"[session]\" > docs/team-protocol-session.txt, without Catch's last lines");
+  INFO("write it anew: build/ci/tests/unit/bridge/lines/print_session > docs/team-protocol-session.txt");
   const auto session = recorded();
-  const auto lines = said(sessionMessages());
+  const auto lines = sessionLines();
   REQUIRE(session.size() == lines.size());
   for (std::size_t i = 0; i < lines.size(); ++i) CHECK(session[i].said + '\n' == lines[i]);
 }
@@ -127,21 +101,10 @@ TEST_CASE("the team of the sample session answers as it did, byte for byte", "[u
     if (exchange.answered.empty()) {
       trio.send(exchange.said + '\n');
     } else {
-      CHECK(answerOf(trio, exchange.said) == exchange.answered);
+      CHECK(answerOf(trio, exchange.said + '\n') == exchange.answered);
     }
   }
   CHECK(trio.finish() == 0);
-}
-
-TEST_CASE("print the sample session", "[.][session]") {
-  PipedProgram trio(pythonTeam("trio.py"));
-  for (const std::string& line : said(sessionMessages())) {
-    const bool request = line.find("\"id\":") != std::string::npos;
-    const std::string bare = line.substr(0, line.size() - 1);
-    std::cout << "> " << line;
-    if (request) std::cout << "< " << answerOf(trio, bare) << '\n';
-    if (!request) trio.send(line);
-  }
 }
 
 }  // namespace fulbito

@@ -24,12 +24,6 @@ inline DrawnPath samplePath(const Layout& layout, const std::string& label, doub
   return path;
 }
 
-inline void addFootprints(DrawnPath& path, std::size_t every) {
-  for (std::size_t i = every; i + 1 < path.points.size(); i += every) {
-    path.footprints.push_back({path.points[i], math::angleOf(path.points[i + 1] - path.points[i])});
-  }
-}
-
 inline ObstacleSpec disc(Vec2 position) {
   ObstacleSpec obstacle;
   obstacle.pose.position = position;

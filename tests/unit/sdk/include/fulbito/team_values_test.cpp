@@ -13,7 +13,6 @@
 #include "referee/rules/rules_schema.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/field_count.hpp"
-#include "tests/unit/bridge/lines/session.hpp"
 
 // Every value reaches a team, as a shared library and as a program. The tests walk the members of the SDK, so
 // that they hold for a new one too.
