@@ -73,7 +73,7 @@ struct ExerciseBody {
   fulbito_observation seen;  ///< what the team sees
   fulbito_exercise task;     ///< its task
 };
-static_assert(sizeof(ExerciseBody) == 1896);
+static_assert(sizeof(ExerciseBody) == sizeof(fulbito_observation) + sizeof(fulbito_exercise));
 
 /// The reply; the drawings of `command` follow.
 struct ExerciseReplyBody {

@@ -102,7 +102,7 @@ class Robot(Opponent):
 
 
 class Observation:
-    """A team's knowledge at one control tick."""
+    """A team's knowledge at one control tick, in its own frame."""
 
     __slots__ = ("tick", "dt", "period", "remaining", "playing", "restart", "restart_is_ours", "since_restart",
                  "own_score", "opponent_score", "shoot_out_lead", "wants_drawings", "ball", "own", "opponents")
@@ -122,7 +122,7 @@ class Observation:
         #: goals ahead in the shoot-out, which the score does not count; negative: behind
         self.shoot_out_lead: int = values["shoot_out_lead"]
         self.wants_drawings: bool = values["wants_drawings"]  #: an observer keeps the drawings of this tick
-        self.ball: Ball = Ball(values["ball"])  #: the ball
+        self.ball: Ball = Ball(values["ball"])  #: the ball, without its spin
         #: the team's robots, by number
         self.own: List[Optional[Robot]] = [Robot(v) if v is not None else None for v in values["own"]]
         #: the other team's robots, by number

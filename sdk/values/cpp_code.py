@@ -1,4 +1,4 @@
-"""The SDK in C++: structures of fulbito/team.hpp, and their members beside those of the C interface (detail/library)."""
+"""C++: structures of the SDK (fulbito/team.hpp) and of the simulator, and the SDK's members beside those of the C interface."""
 
 from typing import List
 
@@ -11,6 +11,9 @@ TYPES = {"number": ("double", "0.0"), "integer": ("int", "0"), "tick": ("std::in
          "robots": ("std::array<Robot, kMaxTeamSize>", ""), "opponents": ("std::array<Robot, kMaxTeamSize>", ""),
          "sent": ("std::array<Wheels, kMaxTeamSize>", "")}
 INFINITY = "std::numeric_limits<double>::infinity()"
+# Types of the simulator, where they have other names than those of the SDK.
+OF_SIMULATOR = {"tick": ("Tick", "0"), "wheels": ("WheelSpeeds", ""), "robots": ("std::array<ObservedRobot, kMaxTeamSize>", ""),
+                "opponents": ("std::array<ObservedRobot, kMaxTeamSize>", ""), "sent": ("std::array<WheelSpeeds, kMaxTeamSize>", "")}
 
 
 def declaration(description: Description, owner: str, member: Member) -> str:
@@ -48,6 +51,27 @@ def structs(description: Description, names: List[str]) -> List[str]:
         if "cpp" in value.code:
             lines += [""] + value.code["cpp"].rstrip().split("\n")
         lines += ["};", ""]
+    return lines[:-1]
+
+
+def of_simulator(description: Description, names: List[str]) -> List[str]:
+    """The structures of `names` with the names and types of the simulator."""
+
+    def row(member: Member) -> List[str]:
+        if member.type in description.enums:
+            entry = description.enums[member.type]
+            kind, default = entry.core, "%s::%s" % (entry.core, entry.cpp_names()[0])
+        elif member.type in description.values:
+            kind, default = description.values[member.type].core, ""
+        else:
+            kind, default = OF_SIMULATOR.get(member.type) or TYPES[member.type]
+        default = member.more.get("default", default)
+        return ["  %s %s%s;" % (kind, member.name, " = " + default if default else ""), member.meaning("empty")]
+
+    lines: List[str] = []
+    for value in (description.values[name] for name in names):
+        lines += wrapped(value.doc, "/// ", "/// ", WIDTH) + ["struct %s {" % value.core]
+        lines += aligned([row(member) for member in value.of("cpp")], "///", "", WIDTH) + ["};", ""]
     return lines[:-1]
 
 

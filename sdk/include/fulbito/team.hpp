@@ -245,7 +245,7 @@ struct Ball {
   Vec2 velocity;  ///< [m/s] along the field's axes
 };
 
-/// A team's knowledge at one control tick.
+/// A team's knowledge at one control tick, in its own frame.
 struct Observation {
   std::int64_t tick = 0;                      ///< tick of the match that it shows; never reset
   double dt = 1.0 / 60.0;                     ///< [s] control period
@@ -260,11 +260,12 @@ struct Observation {
   /// goals ahead in the shoot-out, which the score does not count; negative: behind
   int shoot_out_lead = 0;
   bool wants_drawings = false;                ///< an observer keeps the drawings of this tick
-  Ball ball;                                  ///< the ball
+  Ball ball;                                  ///< the ball, without its spin
   int team_size = 3;                          ///< robots per team, present or not: 1 ... 11
   std::array<Robot, kMaxTeamSize> own;        ///< the team's robots, by number
   std::array<Robot, kMaxTeamSize> opponents;  ///< the other team's robots, by number
-  /// [rad/s] applied to the team's robots in the previous tick, by number
+  /// [rad/s] commands applied to the team's robots in the previous tick, however old the observation; 0 at a
+  /// restart
   std::array<Wheels, kMaxTeamSize> sent;
 };
 

@@ -49,7 +49,7 @@ TEST_CASE("a match without a limit of time has none in the protocol, which has n
 }
 
 TEST_CASE("the simulator says what the sample session says, byte for byte", "[unit]") {
-  INFO("write it anew: build/ci/tests/unit/bridge/lines/print_session > docs/team-protocol-session.txt");
+  INFO("write it anew: build/release/tests/unit/bridge/lines/print_session > docs/team-protocol-session.txt");
   const auto session = recorded();
   const auto lines = sessionLines();
   REQUIRE(session.size() == lines.size());
