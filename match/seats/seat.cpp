@@ -137,6 +137,7 @@ void Seat::fillReferee(const Moment& moment, Observation& seen) const {
   seen.restart_is_ours = referee.last.team == team_;
   seen.since_restart = static_cast<double>(moment.tick - referee.play_began) * seen.dt;
   seen.period = referee.period;
+  seen.overtime_part = referee.period == kOvertimePeriod ? referee.part : 0;
   seen.remaining = static_cast<double>(referee.period_ticks - referee.play_ticks) * seen.dt;
   seen.own_score = referee.score[indexOf(team_)];
   seen.opponent_score = referee.score[indexOf(other(team_))];

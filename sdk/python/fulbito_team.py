@@ -104,14 +104,16 @@ class Robot(Opponent):
 class Observation:
     """A team's knowledge at one control tick, in its own frame."""
 
-    __slots__ = ("tick", "dt", "period", "remaining", "playing", "restart", "restart_is_ours", "since_restart",
-                 "own_score", "opponent_score", "shoot_out_lead", "wants_drawings", "ball", "own", "opponents")
+    __slots__ = ("tick", "dt", "period", "overtime_part", "remaining", "playing", "restart", "restart_is_ours",
+                 "since_restart", "own_score", "opponent_score", "shoot_out_lead", "wants_drawings", "ball", "own",
+                 "opponents")
 
     def __init__(self, values: _Object, dt: float) -> None:
         self.tick: int = values["tick"]  #: tick of the match that it shows; never reset
         self.dt = dt  #: [s] control period: time between two decisions
         self.period: int = values["period"]  #: 1, 2: halves; 3: overtime; 4: shoot-out
-        self.remaining: float = values["remaining"]  #: [s] play left in the period
+        self.overtime_part: int = values["overtime_part"]  #: part of overtime: 1, 2 ...; 0 outside overtime
+        self.remaining: float = values["remaining"]  #: [s] play left in the period, or in the part of overtime
         self.playing: bool = values["playing"]  #: play is on, and no restart waits for its signal
         #: the restart that began the present play: kick-off, free-ball, free-kick, penalty, goal-kick, given
         self.restart: str = values["restart"]

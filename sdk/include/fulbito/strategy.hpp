@@ -112,7 +112,9 @@ struct Observation {
   Tick tick = 0;                                      ///< tick of the match that it shows; never reset
   double dt = 1.0 / 60.0;                             ///< [s] control period
   int period = 1;                                     ///< 1, 2: halves; 3: overtime; 4: shoot-out
-  double remaining = 0.0;                             ///< [s] play left in the period
+  int overtime_part = 0;                              ///< part of overtime: 1, 2 ...; 0 outside overtime
+  /// [s] play left in the period, or in the part of overtime
+  double remaining = 0.0;
   bool playing = true;                                ///< play is on, and no restart waits for its signal
   RestartKind restart = RestartKind::kKickOff;        ///< the restart that began the present play
   /// the team takes it (a free ball: it attacks that half)

@@ -258,7 +258,7 @@ typedef struct fulbito_observation {
   double dt;                                   /**< [s] control period */
   fulbito_ball ball;                           /**< the ball, without its spin */
   double since_restart;                        /**< [s] play since the signal; negative before it */
-  double remaining;                            /**< [s] play left in the period */
+  double remaining;                            /**< [s] play left in the period, or in the part of overtime */
   int32_t team_size;                           /**< robots per team, present or not: 1 ... 11 */
   int32_t period;                              /**< 1, 2: halves; 3: overtime; 4: shoot-out */
   int32_t own_score;                           /**< goals of the team */
@@ -275,8 +275,10 @@ typedef struct fulbito_observation {
   /** [rad/s] commands applied to the team's robots in the previous tick, however old the observation; 0 at a
    * restart */
   fulbito_wheels sent[FULBITO_MAX_ROBOTS];
+  int32_t overtime_part;                       /**< part of overtime: 1, 2 ...; 0 outside overtime */
+  uint32_t reserved;                           /**< 0 */
 } fulbito_observation;
-FULBITO_SIZE(fulbito_observation, 1848);
+FULBITO_SIZE(fulbito_observation, 1856);
 /* end of what is generated */
 /* clang-format on */
 
@@ -387,7 +389,7 @@ typedef struct fulbito_placement_request {
   fulbito_call cause;      /**< the call that stopped play; no clause at the start of the match */
   fulbito_observation now; /**< score, time and all poses when play stopped */
 } fulbito_placement_request;
-FULBITO_SIZE(fulbito_placement_request, 2640);
+FULBITO_SIZE(fulbito_placement_request, 2648);
 /* end of what is generated */
 /* clang-format on */
 

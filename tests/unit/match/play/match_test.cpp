@@ -33,22 +33,29 @@ struct Diary final : MatchObserver {
   void onMatchEnd(const RefereeState&, Tick) override { calls += 'e'; }
 };
 
-/// A built-in team that notes how far it leads in the shoot-out, by tick.
-class Counting final : public Strategy {
+using Notes = std::vector<std::pair<Tick, int>>;
+
+/// A built-in team that notes one number that it sees, by tick.
+class Noting final : public Strategy {
  public:
-  Counting(const std::string& name, std::vector<std::pair<Tick, int>>& leads)
-      : team_(*makeTeam(*parseTeam(name))), leads_(&leads) {}
+  Noting(const std::string& name, int Observation::* number, Notes& notes)
+      : team_(*makeTeam(*parseTeam(name))), number_(number), notes_(&notes) {}
   void begin(const MatchInfo& info) override { team_->begin(info); }
   std::span<const NavigatorChoice> navigators() const override { return team_->navigators(); }
   TeamCommand decide(const Observation& seen) override {
-    leads_->emplace_back(seen.tick, seen.shoot_out_lead);
+    notes_->emplace_back(seen.tick, seen.*number_);
     return team_->decide(seen);
   }
 
  private:
   std::unique_ptr<Strategy> team_;
-  std::vector<std::pair<Tick, int>>* leads_;
+  int Observation::* number_;
+  Notes* notes_;
 };
+
+TeamChoice noting(const std::string& name, int Observation::* number, Notes& notes) {
+  return TeamChoice::own(name, [=, &notes] { return std::make_unique<Noting>(name, number, notes); });
+}
 
 }  // namespace
 
@@ -56,10 +63,9 @@ TEST_CASE("teams know who leads in a shoot-out, which the score does not count",
   MatchConfig config = shortMatch("idle", "idle", 0.5);
   config.rules.periods.tie_break = TieBreak::kShootOut;
   config.rules.shoot_out.kick_seconds = 10.0;
-  PerTeam<std::vector<std::pair<Tick, int>>> leads;
-  config.teams = {
-      TeamChoice::own("idle", [&] { return std::make_unique<Counting>("idle", leads[0]); }),
-      TeamChoice::own("classic", [&] { return std::make_unique<Counting>("classic", leads[1]); })};
+  PerTeam<Notes> leads;
+  config.teams = {noting("idle", &Observation::shoot_out_lead, leads[0]),
+                  noting("classic", &Observation::shoot_out_lead, leads[1])};
   auto match = Match::create(config);
   REQUIRE(match);
   std::vector<int> ahead;  // of yellow, before each tick
@@ -75,6 +81,26 @@ TEST_CASE("teams know who leads in a shoot-out, which the score does not count",
     CHECK(lead == ahead.at(static_cast<std::size_t>(tick)));
   }
   CHECK(leads[1].back().second > 0);
+}
+
+TEST_CASE("teams know which part of overtime is played", "[unit]") {
+  MatchConfig config = shortMatch("idle", "idle", 0.5);
+  config.rules.periods.tie_break = TieBreak::kOvertime;
+  config.rules.periods.overtime_parts = 2;
+  config.rules.periods.overtime_seconds = 0.5;
+  Notes parts;
+  config.teams[0] = noting("idle", &Observation::overtime_part, parts);
+  auto match = Match::create(config);
+  REQUIRE(match);
+  std::vector<int> periods;  // before each tick: 0 before overtime, then its part
+  do {
+    const RefereeState& referee = match->referee();
+    periods.push_back(referee.period < kOvertimePeriod ? 0 : referee.part);
+  } while (match->step());
+  REQUIRE(parts.size() > 100);
+  for (const auto& [tick, part] : parts) CHECK(part == periods.at(static_cast<std::size_t>(tick)));
+  CHECK(parts.front().second == 0);
+  CHECK(parts.back().second == 2);
 }
 
 TEST_CASE("the same configuration gives the same match, another seed another", "[unit]") {

@@ -194,6 +194,7 @@ void members(Observation& v, const fulbito_observation& c, auto visit) {
   visit("tick", v.tick, c.tick);
   visit("", v.dt, c.dt);
   visit("period", v.period, c.period);
+  visit("overtime_part", v.overtime_part, c.overtime_part);
   visit("remaining", v.remaining, c.remaining);
   visit("playing", v.playing, c.playing);
   visit("restart", v.restart, c.restart);
