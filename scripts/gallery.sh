@@ -48,10 +48,10 @@ cp -r "$root/examples" .
 "$program" replay export trial.fbr --force --trails "$images/trial-trails.png" --size 640
 
 # One layout for every method of which docs/navigators.md shows a picture, but for the two that look at no obstacle.
-for navigator in $(sed -n 's|.*images/navigator-\([a-z-]*\)\.png.*|\1|p' "$root/docs/navigators.md" | grep -v curvature); do
+while read -r navigator; do
   "$program" run --navigator "$navigator" --layout corner:17 --record way.fbr --force >/dev/null
   "$program" replay export way.fbr --force --trails "$images/navigator-$navigator.png" --size 480
-done
+done < <(sed -n 's|.*images/navigator-\([a-z-]*\)\.png.*|\1|p' "$root/docs/navigators.md" | grep -v curvature)
 
 # The two that look at no obstacle, on a free field; the second with an arrival heading.
 cat >single-curvature.toml <<'END'
