@@ -16,6 +16,7 @@
 #include "apps/match/drill.hpp"
 #include "apps/match/match.hpp"
 #include "apps/match/rules.hpp"
+#include "apps/match/serve.hpp"
 #include "apps/match/view.hpp"
 #include "apps/navigation/experiment.hpp"
 #include "apps/replay/replay.hpp"
@@ -50,6 +51,7 @@ struct Options {
   NewTeamCommand new_team;
   ReplayCommands replay;
   RulesOptions rules;
+  ServeCommand serve;
   SprtCommand sprt;
   TournamentCommand tournament;
   TuneCommand tune;
@@ -322,6 +324,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("check-team")) return checkTeam(options.check_team);
   if (app.got_subcommand("new-team")) return newTeam(options.new_team);
   if (app.got_subcommand("rules")) return rules(options.rules);
+  if (app.got_subcommand("serve")) return serve(options.serve);
   if (app.got_subcommand("sprt")) return sprt(options.sprt);
   if (app.got_subcommand("tournament")) return tournament(app, options.tournament);
   if (app.got_subcommand("tune")) return tune(options.tune);
@@ -349,6 +352,7 @@ int mainWithoutCatch(int argc, char** argv) {
   app.get_formatter()->column_width(36);
   Options options;
   addMatch(app, options.match);
+  addServe(app, options.serve);
   addReplay(app, options.replay);
   addView(app, options.view);
   const CLI::App* run_command = addRun(app, options);
