@@ -13,6 +13,7 @@
 #include "apps/common/outputs.hpp"
 #include "apps/common/sensor_options.hpp"
 #include "apps/common/stack.hpp"
+#include "apps/match/client.hpp"
 #include "apps/match/drill.hpp"
 #include "apps/match/match.hpp"
 #include "apps/match/rules.hpp"
@@ -45,6 +46,7 @@ struct Options {
   ShowOptions show;
   BenchCommand bench;
   CheckTeamCommand check_team;
+  ClientCommand client;
   DrillCommand drill;
   ExperimentCommand experiment;
   MatchCommand match;
@@ -325,6 +327,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (app.got_subcommand("new-team")) return newTeam(options.new_team);
   if (app.got_subcommand("rules")) return rules(options.rules);
   if (app.got_subcommand("serve")) return serve(options.serve);
+  if (app.got_subcommand("client")) return client(options.client);
   if (app.got_subcommand("sprt")) return sprt(options.sprt);
   if (app.got_subcommand("tournament")) return tournament(app, options.tournament);
   if (app.got_subcommand("tune")) return tune(options.tune);
@@ -353,6 +356,7 @@ int mainWithoutCatch(int argc, char** argv) {
   Options options;
   addMatch(app, options.match);
   addServe(app, options.serve);
+  addClient(app, options.client);
   addReplay(app, options.replay);
   addView(app, options.view);
   const CLI::App* run_command = addRun(app, options);

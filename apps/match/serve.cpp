@@ -26,11 +26,9 @@ std::string clientOf(TeamId colour, const wire::WireSettings& settings) {
 
 void addWire(CLI::App& command, wire::WireSettings& wire) {
   const auto group = [](CLI::Option* option) { return option->group("Clients"); };
-  group(wholeNumber(
-            command.add_option("--port-base", wire.port_base,
-                               "port of vision; the referee's follows, then that of placements; commands "
-                               "come to PORT + 10009"),
-            1, wire::kLargestPortBase)
+  group(wholeNumber(command.add_option("--port-base", wire.port_base,
+                                       "port of vision; the others follow from it: docs/league.md"),
+                    1, wire::kLargestPortBase)
             ->type_name("PORT")
             ->capture_default_str());
   group(command
@@ -61,7 +59,7 @@ void addWire(CLI::App& command, wire::WireSettings& wire) {
           ->type_name("S")
           ->capture_default_str());
   group(command.add_flag("--lock", wire.lock,
-                         "for each colour only the first sender counts; without it, whoever sends"));
+                         "for each colour only the first sender counts; otherwise all do"));
 }
 
 }  // namespace

@@ -50,6 +50,38 @@ TEST_CASE("a client plays against a team of ours, in other commands, too", "[cli
   CHECK(result["score"]["complete"] == true);
 }
 
+TEST_CASE("teams of ours play as clients, and end with the match", "[cli]") {
+  const Sandbox box;
+  const Json result = resultOf(box.shell(
+      kClients +
+      "\"$F\" client libero --colour blue --port-base $P --interface 127.0.0.1 --json >blue.json & b=$!\n"
+      "\"$F\" client chaser --colour yellow --port-base $P --interface 127.0.0.1 >yellow.txt & y=$!\n"
+      "serve --speed 10 --half-seconds 3 --json || exit 1\n"
+      "wait $b && wait $y\n"));
+  CHECK(result["stats"]["blue"]["distance_m"].get<double>() > 0.2);
+  CHECK(result["stats"]["yellow"]["distance_m"].get<double>() > 0.2);
+  const Json blue = Json::parse(box.read("blue.json"));
+  CHECK(blue["halted"] == true);
+  CHECK(blue["play_s"] == Approx(6.0).margin(0.5));
+  CHECK(blue["placements"].get<int>() >= 2);
+  CHECK(blue["frames"].get<int>() > 100);
+  CHECK(blue["malformed"] == 0);
+  CHECK(contains(box.read("yellow.txt"), "chaser played yellow for "));
+}
+
+TEST_CASE("a client says what keeps it from playing", "[cli]") {
+  const Sandbox box;
+  box.fails("client libero --host nowhere", 2, "address 'nowhere' is no address such as 127.0.0.1");
+  box.fails("client nobody --interface 127.0.0.1", 2, "nobody");
+  const Output output =
+      box.shell(kClients +
+                "\"$F\" client libero --rules vsss-5v5 --port-base $P --interface 127.0.0.1 & c=$!\n"
+                "serve --yellow idle --wait 2 --half-seconds 1 --speed 20 >/dev/null\n"
+                "wait $c; echo code $?\n");
+  CHECK(contains(output.out, "code 2"));
+  CHECK(contains(output.err, "that of the rules vsss-5v5 is 2.20 x 1.80 m; choose others with --rules"));
+}
+
 TEST_CASE("Ctrl-C ends a server with a summary and the recording up to there", "[cli]") {
   const Sandbox box;
   const Output output = box.shell(kClients +

@@ -52,6 +52,7 @@ void TestClient::run() {
     waitForAny(std::array{vision_.number(), referee_.number()}, 0.01);
     while (const auto datagram = referee_.receive(room)) {
       commands_.emplace_back(room.data(), datagram->size);
+      ++command_count_;
       const auto command = readRefereeCommand(commands_.back());
       if (behaviour_.places && command && command->foul < Foul::kStop) {
         placements_.send(datagramOf(*behaviour_.places));

@@ -185,6 +185,78 @@ TEST_CASE("the referee says foul, stop and game on in this order, repeats them, 
   CHECK(second->team != commands.front().team);
 }
 
+TEST_CASE("each restart has its foul, with the team that takes it or the ball's quadrant", "[unit]") {
+  const int port = test::freePortBase();
+  const MatchConfig config = configOf("wire:yellow@{}:{},placing=0", "idle", port);
+  auto team = makeTeam(config.teams[0]);
+  REQUIRE(team);
+  MatchInfo info;
+  info.field = config.field;
+  info.rules = config.rules;
+  (*team)->begin(info);
+  TestClient client(port, {[](const Vision&) { return driving(TeamId::kYellow, {}); }, {}});
+  struct Case {
+    RestartKind kind;
+    bool ours;
+    Vec2 ball;  // in the frame of yellow, which is turned
+    Foul foul;
+    std::optional<TeamId> team;
+    int quadrant;
+  };
+  const Case cases[] = {
+      {RestartKind::kKickOff, true, {}, Foul::kKickOff, TeamId::kYellow, 0},
+      {RestartKind::kPenalty, false, {-0.375, 0.0}, Foul::kPenaltyKick, TeamId::kBlue, 0},
+      {RestartKind::kGoalKick, true, {-0.6, 0.3}, Foul::kGoalKick, TeamId::kYellow, 0},
+      {RestartKind::kFreeKick, false, {-0.375, 0.0}, Foul::kFreeKick, TeamId::kBlue, 0},
+      {RestartKind::kFreeBall, true, {-0.375, -0.4}, Foul::kFreeBall, std::nullopt, 1},
+      {RestartKind::kFreeBall, true, {0.375, -0.4}, Foul::kFreeBall, std::nullopt, 2},
+      {RestartKind::kFreeBall, false, {0.375, 0.4}, Foul::kFreeBall, std::nullopt, 3},
+      {RestartKind::kFreeBall, false, {-0.375, 0.4}, Foul::kFreeBall, std::nullopt, 4},
+  };
+  for (const Case& c : cases) {
+    PlacementRequest request;
+    request.kind = c.kind;
+    request.ours = c.ours;
+    request.ball = c.ball;
+    (*team)->place(request);
+  }
+  (*team)->ended({});
+  while (client.commandCount() < std::size(cases) + 1) std::this_thread::yield();
+  client.stop();
+  auto commands = commandsOf(client);
+  // The first foul is repeated until there is a client.
+  std::erase_if(commands, [&, first = true](const RefereeCommand& command) mutable {
+    const bool again = !first && command.foul == Foul::kKickOff;
+    first = false;
+    return again;
+  });
+  REQUIRE(commands.size() > std::size(cases));
+  for (std::size_t i = 0; i < std::size(cases); ++i) {
+    CAPTURE(i);
+    CHECK(commands[i].foul == cases[i].foul);
+    CHECK(commands[i].team == cases[i].team);
+    CHECK(commands[i].quadrant == cases[i].quadrant);
+  }
+}
+
+TEST_CASE("blue is on the left for clients, also when the teams change sides", "[unit]") {
+  const int port = test::freePortBase();
+  MatchConfig config = configOf("wire:blue@{}:{}", "idle", port);
+  config.rules.periods.swap_sides = true;
+  Match match = matchOf(config);
+  TestClient client(port, {[](const Vision&) { return driving(TeamId::kBlue, {}); }, {}});
+  while (match.step()) {
+  }
+  client.stop();
+  CHECK(match.referee().blue_side == Side::kRight);
+  REQUIRE_FALSE(client.frames().empty());
+  for (const std::string& datagram : {client.frames().front(), client.frames().back()}) {
+    const auto vision = readVision(datagram);
+    CHECK(vision->robots[0][0].state.pose.position.x < 0.0);
+    CHECK(vision->robots[1][0].state.pose.position.x > 0.0);
+  }
+}
+
 TEST_CASE("two clients share one server, which shows each frame once", "[unit]") {
   const int port = test::freePortBase();
   Match match = matchOf(
