@@ -17,7 +17,7 @@ struct ClientCommand {
   std::string colour = "blue";
   std::string host = "127.0.0.1";
   int port_base = wire::kDefaultPortBase;
-  std::string interface;  ///< empty: the system's choice
+  std::string interface;   ///< empty: the system's choice
   double patience = 10.0;  ///< [s]
   bool json = false;
 };

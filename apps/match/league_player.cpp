@@ -198,11 +198,11 @@ Result<wire::Packet> LeaguePlayer::play(const wire::Vision& vision) {
   const FieldGeometry& field = config_.field;
   if (std::abs(vision.field.length - field.length) > kFieldAlike ||
       std::abs(vision.field.width - field.width) > kFieldAlike) {
-    return fail(ErrorCode::kUsage,
-                fmt::format("the server's field is {:.2f} x {:.2f} m, that of the rules {} is {:.2f} x {:.2f} m; "
-                            "choose others with --rules",
-                            vision.field.length, vision.field.width, config_.rules.name, field.length,
-                            field.width));
+    return fail(
+        ErrorCode::kUsage,
+        fmt::format("the server's field is {:.2f} x {:.2f} m, that of the rules {} is {:.2f} x {:.2f} m; "
+                    "choose others with --rules",
+                    vision.field.length, vision.field.width, config_.rules.name, field.length, field.width));
   }
   if (!see(vision)) {
     ++counts_.odd;

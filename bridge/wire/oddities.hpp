@@ -17,10 +17,9 @@ enum class Oddity : std::uint8_t {
   kFlood,        ///< beyond what one sender may send per frame
   kOtherSender,  ///< of a sender other than the first, if the server is locked to that
   kReplacement,  ///< a client's wish to move robots or ball, which only the referee may
-  kUnsent,       ///< the system did not send a datagram of ours
-  kCount_
+  kUnsent        ///< the system did not send a datagram of ours
 };
-inline constexpr std::size_t kOddities = static_cast<std::size_t>(Oddity::kCount_);
+inline constexpr std::size_t kOddities = static_cast<std::size_t>(Oddity::kUnsent) + 1;
 
 /// Takes lines for people, without their ends.
 using WireLog = std::function<void(std::string_view line)>;

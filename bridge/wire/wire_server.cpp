@@ -49,7 +49,9 @@ Result<std::unique_ptr<WireServer>> WireServer::open(const WireSettings& setting
   if (!vision) return tl::unexpected<Error>(vision.error());
   auto referee = UdpSender::open({kRefereeGroup, base + kRefereeOffset}, settings.interface);
   if (!referee) return tl::unexpected<Error>(referee.error());
-  auto commands = UdpReceiver::open({"", base + kCommandOffset}, settings.interface);
+  // Loopback alone is for clients of this machine alone.
+  const std::string local = settings.interface.starts_with("127.") ? settings.interface : "";
+  auto commands = UdpReceiver::open({local, base + kCommandOffset}, settings.interface);
   if (!commands) return tl::unexpected<Error>(commands.error());
   auto placements = UdpReceiver::open({kRefereeGroup, base + kPlacementOffset}, settings.interface);
   if (!placements) return tl::unexpected<Error>(placements.error());
