@@ -26,7 +26,8 @@ struct Traffic {
 };
 
 /// Plays until the server is gone or a signal comes. Errors: as `LeaguePlayer::play`.
-Result<void> playUntilEnd(wire::WireClient& wire, LeaguePlayer& player, double patience, Traffic& traffic) {
+Result<void> playUntilEnd(wire::WireClient& wire, LeaguePlayer& player, const ClientCommand& options,
+                          Traffic& traffic) {
   std::optional<std::int64_t> seen_at;
   while (!interrupted()) {
     const wire::Heard heard = wire.listen(kLook);
@@ -43,7 +44,7 @@ Result<void> playUntilEnd(wire::WireClient& wire, LeaguePlayer& player, double p
       if (!wire.send(*packet)) ++traffic.unsent;
     } else if (seen_at) {
       const double silent = static_cast<double>(now() - *seen_at) * 1e-9;
-      if (silent > (player.halted() ? kAfterHalt : patience)) return {};
+      if (silent > (player.halted() && !options.stay ? kAfterHalt : options.patience)) return {};
     }
   }
   return {};
@@ -121,6 +122,7 @@ CLI::App* addClient(CLI::App& app, ClientCommand& options) {
       ->check(CLI::Range(0.1, 86400.0))
       ->type_name("S")
       ->capture_default_str();
+  group(command->add_flag("--stay", options.stay, "HALT does not end it: another match may follow"));
   command->add_option("--rules", options.settings.rules, "rules profile or TOML file")->capture_default_str();
   command->add_option("--physics", options.settings.physics, "physics profile or TOML file")
       ->capture_default_str();
@@ -141,7 +143,7 @@ int client(const ClientCommand& options) {
   auto player = LeaguePlayer::create(*config, team, now);
   if (!player) return report(player.error());
   Traffic traffic;
-  const auto played = playUntilEnd(*wire, *player, options.patience, traffic);
+  const auto played = playUntilEnd(*wire, *player, options, traffic);
   player->end();
   print(options, *player, traffic);
   if (!played) {

@@ -82,6 +82,21 @@ TEST_CASE("a client says what keeps it from playing", "[cli]") {
   CHECK(contains(output.err, "that of the rules vsss-5v5 is 2.20 x 1.80 m; choose others with --rules"));
 }
 
+TEST_CASE("a client plays a pair of matches, in either seat with its own colour", "[cli]") {
+  const Sandbox box;
+  const Output output = box.shell(
+      kClients +
+      "T=\"wire:yellow@$P:interface=127.0.0.1,speed=20\"\n"
+      "\"$F\" client chaser --colour yellow --stay --port-base $P --interface 127.0.0.1 >played.txt & c=$!\n"
+      "\"$F\" match idle $T -n 1 --jobs 1 --half-seconds 2 --json; code=$?\n"
+      "kill $c; wait $c; exit $code\n");
+  const Json result = resultOf(output);
+  REQUIRE(result["matches"].size() == 2);
+  // A forfeit would cost a goal less than none.
+  for (const Json& match : result["matches"]) CHECK(match["goals_b"].get<int>() >= 0);
+  CHECK(contains(box.read("played.txt"), "chaser played yellow for "));
+}
+
 TEST_CASE("Ctrl-C ends a server with a summary and the recording up to there", "[cli]") {
   const Sandbox box;
   const Output output = box.shell(kClients +
