@@ -13,9 +13,11 @@
 #include "apps/common/outputs.hpp"
 #include "apps/common/sensor_options.hpp"
 #include "apps/common/stack.hpp"
+#include "apps/match/client.hpp"
 #include "apps/match/drill.hpp"
 #include "apps/match/match.hpp"
 #include "apps/match/rules.hpp"
+#include "apps/match/serve.hpp"
 #include "apps/match/view.hpp"
 #include "apps/navigation/experiment.hpp"
 #include "apps/replay/replay.hpp"
@@ -44,12 +46,14 @@ struct Options {
   ShowOptions show;
   BenchCommand bench;
   CheckTeamCommand check_team;
+  ClientCommand client;
   DrillCommand drill;
   ExperimentCommand experiment;
   MatchCommand match;
   NewTeamCommand new_team;
   ReplayCommands replay;
   RulesOptions rules;
+  ServeCommand serve;
   SprtCommand sprt;
   TournamentCommand tournament;
   TuneCommand tune;
@@ -323,6 +327,8 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (name == "check-team") return checkTeam(options.check_team);
   if (name == "new-team") return newTeam(options.new_team);
   if (name == "rules") return rules(options.rules);
+  if (name == "serve") return serve(options.serve);
+  if (name == "client") return client(options.client);
   if (name == "sprt") return sprt(options.sprt);
   if (name == "tournament") return tournament(app, options.tournament);
   if (name == "tune") return tune(options.tune);
@@ -350,6 +356,8 @@ int mainWithoutCatch(int argc, char** argv) {
   app.get_formatter()->column_width(36);
   Options options;
   addMatch(app, options.match);
+  addServe(app, options.serve);
+  addClient(app, options.client);
   addReplay(app, options.replay);
   addView(app, options.view);
   const CLI::App* run_command = addRun(app, options);

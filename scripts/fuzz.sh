@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # Fuzzes the readers of foreign bytes at once for some seconds (default: 60), from stored corpora, under sanitizers:
-# recordings, messages and tables of shared libraries, and the line protocol of teams.
+# recordings, messages and tables of shared libraries, the line protocol of teams, and the datagrams of the league.
 # Usage: scripts/fuzz.sh [SECONDS [TARGET ...]]. What crashes one is left in build/asan/fuzz/crashes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-60}
 targets=("${@:2}")
-[ ${#targets[@]} -gt 0 ] || targets=(recording abi lines)
+[ ${#targets[@]} -gt 0 ] || targets=(recording abi lines wire)
 cmake --preset asan -DFULBITO_BUILD_TESTS=ON > /dev/null
 cmake --build --preset asan --target "${targets[@]/%/_fuzzer}"
 crashes=build/asan/fuzz/crashes

@@ -18,9 +18,9 @@ packages=(
   libbox2d-dev libeigen3-dev libsdl2-dev libsdl2-ttf-dev fonts-dejavu-core libpng-dev libdeflate-dev libgif-dev
   libfmt-dev libexpected-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev
   librandom123-dev libxxhash-dev zlib1g-dev
-  libseccomp-dev
+  libseccomp-dev libprotobuf-dev protobuf-compiler
   libxml2-utils catch2 libmpfr-dev libgmp-dev
-  python3 mypy python3-jsonschema
+  python3 mypy python3-jsonschema python3-protobuf
 )
 ci_packages=(
   clang-19 clang-format-19 clang-tidy-19 libclang-rt-19-dev lld-19 shellcheck

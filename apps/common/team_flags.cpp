@@ -5,6 +5,7 @@
 #include "apps/common/commands.hpp"
 #include "apps/common/console.hpp"
 #include "apps/common/option_values.hpp"
+#include "bridge/wire/wire_teams.hpp"
 
 namespace fulbito::app {
 namespace {
@@ -50,6 +51,7 @@ TeamCatalogue catalogueOf(const TeamFlags& flags) {
   options.log = [](const std::string& team, std::string_view line) { note("{}: {}\n", team, line); };
   TeamCatalogue catalogue = TeamCatalogue::builtIn();
   catalogue.addSource(outsideTeams(std::move(options)));
+  catalogue.addSource(wire::wireTeams(now, [](std::string_view line) { note("wire: {}\n", line); }));
   return catalogue;
 }
 

@@ -239,6 +239,8 @@ void addSeries(CLI::App& command, MatchCommand& options) {
   markFolder(out, options.series.out, FolderUse::kResults);
 }
 
+}  // namespace
+
 void addMatchOutputs(CLI::App& command, MatchCommand& options) {
   CLI::Option* record =
       command.add_option("--record", options.record, "write a recording")->type_name("FILE");
@@ -260,8 +262,6 @@ void addMatchOutputs(CLI::App& command, MatchCommand& options) {
              {OutputKind::kJsonLines, Dash::kStdout});
 }
 
-}  // namespace
-
 CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
   CLI::App* command = app.add_subcommand("match", "play a match, or a series of swapped pairs");
   command->footer(
@@ -273,6 +273,7 @@ CLI::App* addMatch(CLI::App& app, MatchCommand& options) {
       "  fulbito match libero classic --rules vsss-5v5 --half-seconds 60 --json > result.json\n"
       "  fulbito match libero idle --start corner.toml --events -\n"
       "  fulbito match libero classic --view --record game.fbr   watch it, drag the ball and robots\n"
+      "  fulbito match libero wire:yellow --robot firasim   against a client of the league: docs/league.md\n"
       "Names: fulbito list teams, fulbito list rules. More: docs/matches.md.");
   command
       ->add_option("blue", options.settings.blue,

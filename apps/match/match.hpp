@@ -32,6 +32,9 @@ struct MatchCommand {
   bool force = false;  ///< replace existing files
 };
 
+/// Adds the options that name files for a single match.
+void addMatchOutputs(CLI::App& command, MatchCommand& options);
+
 /// Adds `match`.
 CLI::App* addMatch(CLI::App& app, MatchCommand& options);
 

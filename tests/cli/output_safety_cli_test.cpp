@@ -26,6 +26,10 @@ std::vector<Line> lines() {
       {"match",
        "idle 'cmd:python3 team/team.py' --half-seconds 1 --rules rules.toml --start start.toml",
        {"rules.toml", "start.toml", "team/team.py", "team/team.toml"}},
+      {"serve",
+       "--blue idle --rules rules.toml --start start.toml --interface 127.0.0.1 --wait 0.1",
+       {"rules.toml", "start.toml"}},
+      {"client", "idle --rules rules.toml --host nowhere", {"rules.toml"}},
       {"run", "--layout layout.toml --robot robot.toml", {"layout.toml", "robot.toml"}},
       {"compare",
        "--suite corner --trials 1 --navigators straight --speeds 1 --pictures 0 --robot robot.toml "

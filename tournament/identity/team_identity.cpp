@@ -193,6 +193,13 @@ Result<TeamIdentity> ofProgram(const Entrant& entrant) {
   return TeamIdentity{parts.hash(), false, true, parts.files()};
 }
 
+/// A team that plays elsewhere, such as a client of the league: nobody knows what it is made of.
+TeamIdentity ofElsewhere(const Entrant& entrant) {
+  TeamParts parts;
+  parts.addText("elsewhere", entrant.team.text);
+  return TeamIdentity{parts.hash(), true, false, "its specification only"};
+}
+
 }  // namespace
 
 Result<TeamIdentity> identityOf(const Entrant& entrant) {
@@ -200,6 +207,7 @@ Result<TeamIdentity> identityOf(const Entrant& entrant) {
     return fail(ErrorCode::kUsage, fmt::format("entrant '{}' has no team", entrant.name));
   }
   if (isOutside(entrant.team.text)) return ofFiles(entrant);
+  if (entrant.team.info->outside && entrant.files.empty()) return ofElsewhere(entrant);
   const std::string_view group = groupOf(entrant.team.info->name);
   return group.empty() ? ofProgram(entrant) : ofBuiltIn(entrant, group);
 }

@@ -59,6 +59,17 @@ MatchId idOf(const TournamentPlan& plan, const Fixture& fixture = {0, 1, 0, 0}, 
 
 }  // namespace
 
+TEST_CASE("of a team that plays elsewhere only the specification is known, and no result is used again",
+          "[unit]") {
+  const auto identity = identityOf(outside("wire:yellow@10002"));
+  REQUIRE(identity);
+  CHECK(identity->outside);
+  CHECK_FALSE(identity->deterministic);
+  CHECK(identity->covers == "its specification only");
+  CHECK(identity->hash == hashOf(outside("wire:yellow@10002")));
+  CHECK(identity->hash != hashOf(outside("wire:blue@10002")));
+}
+
 TEST_CASE("every built-in team has the hash of its sources", "[unit]") {
   std::set<std::string> hashes;
   for (const auto& info : TeamCatalogue::builtIn().teams()) {

@@ -1,0 +1,252 @@
+#include "apps/match/league_player.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "referee/restarts/restart_call.hpp"
+#include "referee/restarts/restart_placement.hpp"
+#include "strategies/interface/team_frame.hpp"
+
+namespace fulbito::app {
+namespace {
+
+using wire::Foul;
+
+constexpr double kFieldAlike = 0.01;  // [m]
+
+RestartKind kindOf(Foul foul) {
+  switch (foul) {
+    case Foul::kFreeKick:
+      return RestartKind::kFreeKick;
+    case Foul::kPenaltyKick:
+      return RestartKind::kPenalty;
+    case Foul::kGoalKick:
+      return RestartKind::kGoalKick;
+    case Foul::kFreeBall:
+      return RestartKind::kFreeBall;
+    case Foul::kKickOff:
+      return RestartKind::kKickOff;
+    case Foul::kStop:
+    case Foul::kGameOn:
+    case Foul::kHalt:
+      break;
+  }
+  return RestartKind::kGiven;
+}
+
+int periodOf(wire::Half half) {
+  switch (half) {
+    case wire::Half::kNone:
+    case wire::Half::kFirst:
+      return 1;
+    case wire::Half::kSecond:
+      return 2;
+    case wire::Half::kOvertimeFirst:
+    case wire::Half::kOvertimeSecond:
+      return kOvertimePeriod;
+    case wire::Half::kShootOut:
+      return kShootOutPeriod;
+  }
+  return 1;
+}
+
+bool sameCommand(const wire::RefereeCommand& a, const wire::RefereeCommand& b) {
+  return a.foul == b.foul && a.team == b.team && a.quadrant == b.quadrant && a.half == b.half;
+}
+
+/// A point in the quadrant, counter-clockwise from x > 0, y > 0; without one the point itself.
+Vec2 inQuadrant(int quadrant, Vec2 point) {
+  if (quadrant == 0) return point;
+  const bool right = quadrant == 1 || quadrant == 4, upper = quadrant <= 2;
+  return {right ? std::abs(point.x) : -std::abs(point.x), upper ? std::abs(point.y) : -std::abs(point.y)};
+}
+
+bool finite(const RobotState& robot) {
+  return isFinite(robot.pose.position) && std::isfinite(robot.pose.heading) && isFinite(robot.velocity) &&
+         std::isfinite(robot.angular_velocity);
+}
+
+/// What encoders would show, from the motion over ground.
+WheelSpeeds wheelsOf(const RobotModel& model, const RobotState& robot) {
+  const double forward = dot(robot.velocity, math::unit(robot.pose.heading));
+  const double turn = robot.angular_velocity * model.axle_track / 2;
+  return {(forward - turn) / model.wheel_radius, (forward + turn) / model.wheel_radius};
+}
+
+}  // namespace
+
+LeaguePlayer::LeaguePlayer(const MatchConfig& config, TeamId team, Seat&& seat)
+    : config_(config), setup_(refereeSetup(config)), team_(team), seat_(std::move(seat)) {
+  world_.balls.resize(1);
+  beginPeriod(wire::Half::kFirst);
+}
+
+Result<LeaguePlayer> LeaguePlayer::create(const MatchConfig& config, TeamId team, const MatchClock& clock) {
+  auto seat = Seat::create(config, team, clock);
+  if (!seat) return tl::unexpected<Error>(seat.error());
+  return LeaguePlayer(config, team, std::move(*seat));
+}
+
+double LeaguePlayer::playSeconds() const {
+  return static_cast<double>(state_.match_ticks) * config_.physics.controlPeriod();
+}
+
+void LeaguePlayer::beginPeriod(wire::Half half) {
+  state_.period = periodOf(half);
+  state_.play_ticks = 0;
+  double seconds = config_.rules.half_seconds;
+  if (state_.period == kOvertimePeriod) seconds = config_.rules.periods.overtime_seconds;
+  if (state_.period == kShootOutPeriod) seconds = config_.rules.shoot_out.kick_seconds;
+  state_.period_ticks = static_cast<Tick>(std::lround(seconds / config_.physics.controlPeriod()));
+}
+
+std::optional<wire::TeamPlaces> LeaguePlayer::take(const wire::RefereeCommand& command) {
+  if (told_ && sameCommand(*told_, command)) return command.foul < Foul::kStop ? placement_ : std::nullopt;
+  if (!told_ || told_->half != command.half) beginPeriod(command.half);
+  const bool was_playing = state_.playing;
+  told_ = command;
+  state_.playing = command.foul == Foul::kGameOn;
+  if (state_.playing) {
+    played_ = true;
+    state_.play_began = tick_;
+    return std::nullopt;
+  }
+  placement_.reset();
+  if (command.foul >= Foul::kStop) return std::nullopt;
+  ready_ = false;
+  if (was_playing) seat_.strategy().stopped({GameEvent{}, seat_.exactly(moment())});
+  placement_ = place(command);
+  return placement_;
+}
+
+wire::TeamPlaces LeaguePlayer::place(const wire::RefereeCommand& command) {
+  const Side side = state_.sideOf(team_);
+  const MatchView view{tick_, ids_, world_.robots, world_.balls.front(), {}};
+  Stoppage stoppage;
+  stoppage.kind = kindOf(command.foul);
+  stoppage.team = command.team.value_or(team_);
+  stoppage.ball = inQuadrant(command.quadrant, world_.balls.front().position);
+  stoppage.view = ids_.empty() ? nullptr : &view;
+  const RestartCall call = makeCall(setup_, state_, stoppage);
+  state_.last = call;
+  PlacementRequest request;
+  request.kind = call.kind;
+  request.ours = call.team == team_;
+  request.ball = inTeamFrame(side, call.ball);
+  for (std::size_t i = 0; i < kMaxTeamSize; ++i) {
+    const auto& pose = defaultPoses(call, team_)[i];
+    if (pose) request.defaults[i] = inTeamFrame(side, *pose);
+  }
+  request.delay = static_cast<double>(call.delay) * setup_.dt;
+  request.now = seat_.before(call, request.delay, moment());
+  Proposals proposals;
+  if (const auto wishes = seat_.place(request)) {
+    TeamPoses& poses = proposals[indexOf(team_)].emplace();
+    for (std::size_t i = 0; i < kMaxTeamSize; ++i) {
+      if (wishes->robots[i]) poses[i] = inTeamFrame(side, *wishes->robots[i]);
+    }
+  }
+  // Repaired here: the league's referee stops for a human otherwise.
+  std::vector<GameEvent> repairs;
+  state_.placed = fulbito::place(setup_, state_, call, proposals, repairs);
+  ++counts_.placements;
+  wire::TeamPlaces places{team_, {}};
+  for (std::size_t i = 0; i < kMaxTeamSize; ++i) {
+    const auto& pose = state_.placed.robots[indexOf(team_)][i];
+    if (pose) places.robots.push_back({static_cast<std::uint32_t>(i), *pose});
+  }
+  return places;
+}
+
+bool LeaguePlayer::see(const wire::Vision& vision) {
+  WorldState seen;
+  std::vector<RobotId> ids;
+  for (const TeamId team : kTeams) {
+    for (const wire::SeenRobot& robot : vision.robots[indexOf(team)]) {
+      if (robot.number >= static_cast<std::uint32_t>(config_.rules.team_size)) continue;
+      if (!finite(robot.state)) return false;
+      ids.push_back({team, static_cast<std::uint8_t>(robot.number)});
+      seen.robots.push_back(robot.state);
+      seen.robots.back().wheels = wheelsOf(config_.robot.robot, robot.state);
+    }
+  }
+  if (!isFinite(vision.ball.position) || !isFinite(vision.ball.velocity)) return false;
+  seen.balls.push_back(vision.ball);
+  world_ = std::move(seen);
+  ids_ = std::move(ids);
+  state_.score = {static_cast<int>(vision.goals[0]), static_cast<int>(vision.goals[1])};
+  return true;
+}
+
+/// Frames that were lost or skipped count too. A server that begins anew starts again at 0.
+void LeaguePlayer::advance(std::uint32_t step) {
+  Tick passed = 1;
+  if (step_ && step > *step_) {
+    passed = std::max<Tick>(1, std::lround((step - *step_) * 1e-3 / config_.physics.controlPeriod()));
+  }
+  step_ = step;
+  tick_ += passed;
+  if (!state_.playing) return;
+  state_.play_ticks += passed;
+  state_.match_ticks += passed;
+}
+
+Result<wire::Packet> LeaguePlayer::play(const wire::Vision& vision) {
+  const FieldGeometry& field = config_.field;
+  if (std::abs(vision.field.length - field.length) > kFieldAlike ||
+      std::abs(vision.field.width - field.width) > kFieldAlike) {
+    return fail(
+        ErrorCode::kUsage,
+        fmt::format("the server's field is {:.2f} x {:.2f} m, that of the rules {} is {:.2f} x {:.2f} m; "
+                    "choose others with --rules",
+                    vision.field.length, vision.field.width, config_.rules.name, field.length, field.width));
+  }
+  if (!see(vision)) {
+    ++counts_.odd;
+    return wire::Packet{};
+  }
+  ++counts_.frames;
+  advance(vision.step);
+  wire::Packet packet = decide();
+  if (const auto error = seat_.cut()) return tl::unexpected<Error>(*error);
+  if (seat_.lost()) return fail(ErrorCode::kBadInput, "the team failed too often: " + faults().failure);
+  return packet;
+}
+
+wire::Packet LeaguePlayer::decide() {
+  const bool placed = told_ && (told_->foul == Foul::kStop || told_->foul == Foul::kGameOn);
+  if (placed && !ready_) {
+    ready_ = true;
+    seat_.reset(moment());
+    seat_.strategy().ready(seat_.exactly(moment()));
+  }
+  std::vector<WheelSpeeds> wheels(ids_.size());
+  if (placed) {
+    std::vector<GameEvent> events;
+    seat_.sense(moment(), false);
+    seat_.ask();
+    seat_.decide();
+    seat_.clean({}, events);
+    seat_.countFailures({}, events);
+    seat_.drive(ids_, !state_.playing, wheels);
+  }
+  wire::Packet packet;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (ids_[i].team == team_) packet.commands.push_back({ids_[i].number, team_, wheels[i]});
+  }
+  return packet;
+}
+
+void LeaguePlayer::end() {
+  MatchEnd told;
+  told.reason = halted() ? MatchEnd::Reason::kPlayed : MatchEnd::Reason::kInterrupted;
+  told.tick = tick_;
+  told.own_score = state_.score[indexOf(team_)];
+  told.opponent_score = state_.score[indexOf(other(team_))];
+  seat_.strategy().ended(told);
+}
+
+}  // namespace fulbito::app

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "fulbito/detail/values.hpp"
+
+namespace fulbito::wire {
+
+/// A file descriptor that closes itself.
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& from) noexcept : number_(std::exchange(from.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& from) noexcept {
+    std::swap(number_, from.number_);
+    return *this;
+  }
+  ~Descriptor();
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// Where datagrams go to or come from: an address of IPv4 and a port.
+struct UdpAddress {
+  std::string host;  ///< such as "224.0.0.1"; as a place to listen, empty: all
+  int port = 0;      ///< 1 ... 65535
+};
+
+/// Sends datagrams to one address.
+class UdpSender {
+ public:
+  /// @param interface  address of the interface for multicast; empty: the system's choice
+  /// Errors: kUsage for what is no address, kIo if there is no way to it, kMachine.
+  static Result<UdpSender> open(const UdpAddress& to, const std::string& interface);
+  /// False if the system did not take it.
+  bool send(std::string_view datagram);
+
+ private:
+  explicit UdpSender(Descriptor socket) : socket_(std::move(socket)) {}
+  Descriptor socket_;
+};
+
+/// A datagram that came.
+struct Datagram {
+  std::size_t size = 0;      ///< [bytes] of it, also if the room was too small
+  std::uint64_t sender = 0;  ///< address and port
+};
+
+/// Receives datagrams at one port. Never waits.
+class UdpReceiver {
+ public:
+  /// @param at  a multicast group, which is joined and shared with others; or an address of this machine or
+  ///            none, which is taken for this socket alone
+  /// @param interface  as of `UdpSender::open`
+  /// Errors: kUsage for what is no address; kIo if the port is taken or the group cannot be joined; kMachine.
+  static Result<UdpReceiver> open(const UdpAddress& at, const std::string& interface);
+  /// The next datagram into `room`; empty: none is there.
+  std::optional<Datagram> receive(std::span<char> room);
+  /// For `waitForAny`.
+  int number() const { return socket_.number(); }
+
+ private:
+  explicit UdpReceiver(Descriptor socket) : socket_(std::move(socket)) {}
+  Descriptor socket_;
+};
+
+/// Waits until a datagram is there for any of the sockets, at most so long. A signal may end the wait early.
+void waitForAny(std::span<const int> sockets, double seconds);
+
+}  // namespace fulbito::wire

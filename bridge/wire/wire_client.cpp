@@ -1,0 +1,59 @@
+#include "bridge/wire/wire_client.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "bridge/wire/wire_settings.hpp"
+
+namespace fulbito::wire {
+namespace {
+
+constexpr int kMostAtOnce = 1024;  // datagrams per look at a socket, so that a flood does not hold us
+
+/// Hands on each message that waits. @return datagrams that are none
+template <typename Read, typename Take>
+int receiveAll(UdpReceiver& socket, const Read& read, const Take& take) {
+  std::array<char, kLongestMessage> room{};
+  int malformed = 0;
+  for (int i = 0; i < kMostAtOnce; ++i) {
+    const auto datagram = socket.receive(room);
+    if (!datagram) break;
+    auto message = read(std::string_view(room.data(), std::min(datagram->size, room.size())));
+    if (message && datagram->size <= room.size()) {
+      take(std::move(*message));
+    } else {
+      ++malformed;
+    }
+  }
+  return malformed;
+}
+
+}  // namespace
+
+Result<WireClient> WireClient::open(const std::string& host, int port_base, const std::string& interface) {
+  auto vision = UdpReceiver::open({kVisionGroup, port_base + kVisionOffset}, interface);
+  if (!vision) return tl::unexpected<Error>(vision.error());
+  auto referee = UdpReceiver::open({kRefereeGroup, port_base + kRefereeOffset}, interface);
+  if (!referee) return tl::unexpected<Error>(referee.error());
+  auto commands = UdpSender::open({host, port_base + kCommandOffset}, interface);
+  if (!commands) return tl::unexpected<Error>(commands.error());
+  auto placements = UdpSender::open({kRefereeGroup, port_base + kPlacementOffset}, interface);
+  if (!placements) return tl::unexpected<Error>(placements.error());
+  return WireClient(std::move(*vision), std::move(*referee), std::move(*commands), std::move(*placements));
+}
+
+Heard WireClient::listen(double seconds) {
+  const std::array<int, 2> sockets{vision_.number(), referee_.number()};
+  waitForAny(sockets, seconds);
+  Heard heard;
+  heard.malformed += receiveAll(referee_, readRefereeCommand,
+                                [&](RefereeCommand&& command) { heard.commands.push_back(command); });
+  heard.malformed += receiveAll(vision_, readVision, [&](Vision&& vision) {
+    heard.skipped += heard.vision ? 1 : 0;
+    heard.vision = std::move(vision);
+  });
+  return heard;
+}
+
+}  // namespace fulbito::wire

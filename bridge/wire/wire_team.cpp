@@ -1,0 +1,201 @@
+#include "bridge/wire/wire_team.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "fulbito/detail/math.hpp"
+#include "strategies/interface/team_frame.hpp"
+
+namespace fulbito::wire {
+namespace {
+
+Foul foulOfRestart(RestartKind kind) {
+  switch (kind) {
+    case RestartKind::kKickOff:
+      return Foul::kKickOff;
+    case RestartKind::kFreeBall:
+      return Foul::kFreeBall;
+    case RestartKind::kFreeKick:
+      return Foul::kFreeKick;
+    case RestartKind::kPenalty:
+      return Foul::kPenaltyKick;
+    case RestartKind::kGoalKick:
+      return Foul::kGoalKick;
+    case RestartKind::kGiven:
+      return Foul::kStop;  // the wire has no word for it
+  }
+  return Foul::kStop;
+}
+
+Half halfOf(int period) {
+  constexpr Half kHalves[] = {Half::kNone, Half::kFirst, Half::kSecond, Half::kOvertimeFirst,
+                              Half::kShootOut};
+  return kHalves[std::clamp(period, 0, kShootOutPeriod)];
+}
+
+int quadrantOf(Vec2 ball) {
+  if (ball.y > 0.0) return ball.x > 0.0 ? 1 : 2;
+  return ball.x > 0.0 ? 4 : 3;
+}
+
+/// [s] Length of the period.
+double lengthOf(int period, const Rules& rules) {
+  if (period == kOvertimePeriod) return rules.periods.overtime_seconds;
+  return period == kShootOutPeriod ? rules.shoot_out.kick_seconds : rules.half_seconds;
+}
+
+void show(const std::array<ObservedRobot, kMaxTeamSize>& robots, int size, Side side,
+          std::vector<SeenRobot>& out) {
+  for (int i = 0; i < size; ++i) {
+    const ObservedRobot& robot = robots[static_cast<std::size_t>(i)];
+    if (!robot.present) continue;
+    out.push_back({static_cast<std::uint32_t>(i), inTeamFrame(side, robot.state)});
+    out.back().state.wheels = {};
+  }
+}
+
+/// Robots at these places, at rest. Those without a place keep theirs.
+void standAt(const TeamPlacement& places, std::array<ObservedRobot, kMaxTeamSize>& robots) {
+  for (std::size_t i = 0; i < kMaxTeamSize; ++i) {
+    if (places[i]) robots[i] = {true, {*places[i], {}, 0.0, {}}};
+  }
+}
+
+bool anyPresent(const std::array<ObservedRobot, kMaxTeamSize>& robots) {
+  return std::any_of(robots.begin(), robots.end(), [](const ObservedRobot& robot) { return robot.present; });
+}
+
+TeamPlacement turned(const TeamPlacement& places) {
+  TeamPlacement result;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i]) result[i] = inTeamFrame(Side::kRight, *places[i]);
+  }
+  return result;
+}
+
+}  // namespace
+
+WireTeam::WireTeam(std::shared_ptr<WireServer> server, TeamId colour)
+    : server_(std::move(server)),
+      colour_(colour),
+      side_(colour == TeamId::kBlue ? Side::kLeft : Side::kRight) {}
+
+void WireTeam::begin(const MatchInfo& info) {
+  info_ = info;
+  condition_ = {};
+  condition_.seconds = 0.0;  // time passes by the wire's clock, and is not the team's
+  server_->begin(info.rules.team_size, info.dt());
+}
+
+void WireTeam::lose(const char* reason) {
+  condition_.state = TeamCondition::State::kLost;
+  condition_.failures = 1;
+  condition_.reason = reason;
+}
+
+Vision WireTeam::visionOf(const Observation& observation) const {
+  Vision vision;
+  vision.field = info_.field;
+  vision.ball = inTeamFrame(side_, observation.ball);
+  vision.ball_height = info_.ball.radius;
+  show(observation.own, observation.team_size, side_, vision.robots[indexOf(colour_)]);
+  show(observation.opponents, observation.team_size, side_, vision.robots[indexOf(other(colour_))]);
+  vision.goals[indexOf(colour_)] = static_cast<std::uint32_t>(std::max(observation.own_score, 0));
+  vision.goals[indexOf(other(colour_))] = static_cast<std::uint32_t>(std::max(observation.opponent_score, 0));
+  return vision;
+}
+
+/// While play is stopped the robots are where they were, at rest. Before the first placement they are where
+/// the rules would place them.
+Vision WireTeam::restingVision(const PlacementRequest& request) const {
+  Observation now = request.now;
+  if (!anyPresent(now.own) && !anyPresent(now.opponents)) {
+    now.team_size = info_.rules.team_size;
+    standAt(request.defaults, now.own);
+    standAt(request.opponents.value_or(turned(request.defaults)), now.opponents);
+    now.ball.position = request.ball;
+  }
+  for (auto* robots : {&now.own, &now.opponents}) {
+    for (ObservedRobot& robot : *robots) {
+      robot.state.velocity = {};
+      robot.state.angular_velocity = 0.0;
+    }
+  }
+  now.ball.velocity = {};
+  return visionOf(now);
+}
+
+RefereeCommand WireTeam::commandOf(Foul foul, const Observation& observation) const {
+  RefereeCommand command;
+  command.foul = foul;
+  command.half = halfOf(observation.period);
+  command.seconds = std::max(0.0, lengthOf(observation.period, info_.rules) - observation.remaining);
+  return command;
+}
+
+RefereeCommand WireTeam::foulOf(const PlacementRequest& request) const {
+  RefereeCommand command = commandOf(foulOfRestart(request.kind), request.now);
+  if (request.kind == RestartKind::kFreeBall) {
+    command.quadrant = quadrantOf(inTeamFrame(side_, request.ball));
+  } else if (request.kind != RestartKind::kGiven) {
+    command.team = request.ours ? colour_ : other(colour_);
+  }
+  return command;
+}
+
+std::optional<TeamProposal> WireTeam::place(const PlacementRequest& request) {
+  if (lost()) return std::nullopt;
+  const RefereeCommand foul = foulOf(request);
+  const Vision vision = restingVision(request);
+  if (!server_->awaitClient(colour_, foul, vision)) {
+    if (server_->silent(colour_)) lose("no client came");
+    return std::nullopt;
+  }
+  const auto places = server_->awaitPlaces(colour_, foul, vision);
+  if (!places) return std::nullopt;
+  TeamProposal proposal;
+  for (const PlacedRobot& robot : places->robots) {
+    const Pose2 pose{robot.pose.position, math::wrapAngle(robot.pose.heading)};
+    proposal.robots[robot.number] = inTeamFrame(side_, pose);
+  }
+  return proposal;
+}
+
+void WireTeam::ready(const Observation& observation) {
+  if (lost()) return;
+  const RefereeCommand stop = commandOf(Foul::kStop, observation);
+  if (!server_->awaitClient(colour_, stop, visionOf(observation)) && server_->silent(colour_)) {
+    return lose("no client came");
+  }
+  server_->say(stop);
+}
+
+void WireTeam::ask(const Observation& observation) {
+  server_->say(commandOf(observation.playing ? Foul::kGameOn : Foul::kStop, observation));
+  server_->showTick(observation.tick, visionOf(observation));
+}
+
+TeamCommand WireTeam::decide(const Observation& observation) {
+  TeamCommand command;
+  if (lost()) return command;
+  std::uint32_t present = 0;
+  for (std::size_t i = 0; i < kMaxTeamSize; ++i) present |= (observation.own[i].present ? 1U : 0U) << i;
+  condition_.state = TeamCondition::State::kWell;
+  if (server_->settings().lockstep) {
+    // Clients may be silent until the signal, and that is not late.
+    const double limit = observation.playing ? server_->settings().answer : info_.dt();
+    const bool answered = server_->awaitCommands(colour_, present, limit);
+    if (!answered && observation.playing) condition_.state = TeamCondition::State::kLate;
+  } else {
+    server_->finishFrame();
+  }
+  if (server_->silent(colour_)) lose("its client has said nothing for too long");
+  for (std::size_t i = 0; i < kMaxTeamSize; ++i) {
+    command.robots[i] = RobotCommand::byWheels(server_->wheels(colour_, i));
+  }
+  return command;
+}
+
+void WireTeam::ended(const MatchEnd&) { server_->sayHalt(RefereeCommand{}); }
+
+}  // namespace fulbito::wire

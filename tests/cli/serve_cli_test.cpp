@@ -1,0 +1,126 @@
+#include "tests/cli/sandbox.hpp"
+
+// `fulbito serve` and the sample clients, over real sockets on the loopback interface.
+namespace fulbito::test {
+namespace {
+
+/// Bash: ports of this test alone in $P, and functions that start the sample clients.
+const std::string kClients =
+    "P=$((20100 + RANDOM))\n"
+    "cpp() { '" FULBITO_CHASER_CLIENT
+    "' $1 --port-base $P --interface 127.0.0.1 & }\n"
+    "python() { PYTHONPATH='" FULBITO_CLIENT_MESSAGES "' '" FULBITO_PYTHON "' '" FULBITO_SOURCE_DIR
+    "/examples/clients/chaser_client.py' $1 --port-base $P --interface 127.0.0.1 & }\n"
+    "serve() { \"$F\" serve --port-base $P --interface 127.0.0.1 \"$@\"; }\n";
+
+Json resultOf(const Output& output) {
+  INFO(output.err);
+  REQUIRE(output.code == 0);
+  return Json::parse(output.out);
+}
+
+}  // namespace
+
+TEST_CASE("the sample clients play a whole match unattended, and its recording verifies", "[cli]") {
+  const Sandbox box;
+  const Output output =
+      box.shell(kClients +
+                "cpp blue; python yellow\n"
+                "serve --lockstep --answer 20 --half-seconds 3 --record game.fbr --json || exit 1\n"
+                "wait\n"  // the clients end with the match
+                "\"$F\" replay verify game.fbr >verified.txt || exit 2\n");
+  const Json result = resultOf(output);
+  CHECK(result["score"]["complete"] == true);
+  CHECK(result["teams"].dump().find("wire:blue@") != std::string::npos);
+  CHECK(contains(output.err, "waiting for a client of "));
+  for (const char* team : {"blue", "yellow"}) {
+    INFO(result.dump(1));
+    CHECK(result["stats"][team]["distance_m"].get<double>() > 0.5);
+    CHECK(result["stats"][team]["commands"]["late"] == 0);
+  }
+}
+
+TEST_CASE("a client plays against a team of ours, in other commands, too", "[cli]") {
+  const Sandbox box;
+  const Json result = resultOf(
+      box.shell(kClients +
+                "cpp yellow\n"
+                "\"$F\" match libero wire:yellow@$P:interface=127.0.0.1,speed=20 --half-seconds 2 --json\n"
+                "code=$?; wait; exit $code\n"));
+  CHECK(result["score"]["complete"] == true);
+}
+
+TEST_CASE("teams of ours play as clients, and end with the match", "[cli]") {
+  const Sandbox box;
+  const Json result = resultOf(box.shell(
+      kClients +
+      "\"$F\" client libero --colour blue --port-base $P --interface 127.0.0.1 --json >blue.json & b=$!\n"
+      "\"$F\" client chaser --colour yellow --port-base $P --interface 127.0.0.1 >yellow.txt & y=$!\n"
+      "serve --speed 10 --half-seconds 3 --json || exit 1\n"
+      "wait $b && wait $y\n"));
+  CHECK(result["stats"]["blue"]["distance_m"].get<double>() > 0.2);
+  CHECK(result["stats"]["yellow"]["distance_m"].get<double>() > 0.2);
+  const Json blue = Json::parse(box.read("blue.json"));
+  CHECK(blue["halted"] == true);
+  CHECK(blue["play_s"] == Approx(6.0).margin(0.5));
+  CHECK(blue["placements"].get<int>() >= 2);
+  CHECK(blue["frames"].get<int>() > 100);
+  CHECK(blue["malformed"] == 0);
+  CHECK(contains(box.read("yellow.txt"), "chaser played yellow for "));
+}
+
+TEST_CASE("a client says what keeps it from playing", "[cli]") {
+  const Sandbox box;
+  box.fails("client libero --host nowhere", 2, "address 'nowhere' is no address such as 127.0.0.1");
+  box.fails("client nobody --interface 127.0.0.1", 2, "nobody");
+  const Output output =
+      box.shell(kClients +
+                "\"$F\" client libero --rules vsss-5v5 --port-base $P --interface 127.0.0.1 & c=$!\n"
+                "serve --yellow idle --wait 2 --half-seconds 1 --speed 20 >/dev/null\n"
+                "wait $c; echo code $?\n");
+  CHECK(contains(output.out, "code 2"));
+  CHECK(contains(output.err, "that of the rules vsss-5v5 is 2.20 x 1.80 m; choose others with --rules"));
+}
+
+TEST_CASE("a client plays a pair of matches, in either seat with its own colour", "[cli]") {
+  const Sandbox box;
+  const Output output = box.shell(
+      kClients +
+      "T=\"wire:yellow@$P:interface=127.0.0.1,speed=20\"\n"
+      "\"$F\" client chaser --colour yellow --stay --port-base $P --interface 127.0.0.1 >played.txt & c=$!\n"
+      "\"$F\" match idle $T -n 1 --jobs 1 --half-seconds 2 --json; code=$?\n"
+      "kill $c; wait $c; exit $code\n");
+  const Json result = resultOf(output);
+  REQUIRE(result["matches"].size() == 2);
+  // A forfeit would cost a goal less than none.
+  for (const Json& match : result["matches"]) CHECK(match["goals_b"].get<int>() >= 0);
+  CHECK(contains(box.read("played.txt"), "chaser played yellow for "));
+}
+
+TEST_CASE("Ctrl-C ends a server with a summary and the recording up to there", "[cli]") {
+  const Sandbox box;
+  const Output output = box.shell(kClients +
+                                  "cpp yellow\n"
+                                  "client=$!\n"
+                                  "\"$F\" serve --port-base $P --interface 127.0.0.1 --blue idle --record "
+                                  "game.fbr --events events.jsonl --json >summary.json &\n"
+                                  "server=$!\n"
+                                  "until [ -s events.jsonl ] || ! kill -0 $server; do sleep 0.1; done\n"
+                                  "kill -INT $server; wait $server; echo code $?\n"
+                                  "kill $client 2>/dev/null\n"
+                                  "\"$F\" replay verify game.fbr\n");
+  CHECK(contains(output.out, "code 130"));
+  CHECK(contains(output.out, "identical, bit for bit"));
+  CHECK(Json::parse(box.read("summary.json"))["score"]["complete"] == false);
+}
+
+TEST_CASE("a server says what keeps it from starting", "[cli]") {
+  const Sandbox box;
+  box.fails("serve --blue libero --yellow idle", 2, "no team is left for a client");
+  box.fails("serve --interface nowhere", 2, "interface 'nowhere' is no address such as 127.0.0.1");
+  box.fails("serve --port-base 60000", 2, "--port-base");
+  box.fails("serve --speed 2 --lockstep", 2, "--speed");
+  box.fails("match idle wire:green", 2, "'green' is neither blue nor yellow");
+}
+
+}  // namespace fulbito::test

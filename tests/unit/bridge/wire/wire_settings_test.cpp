@@ -1,0 +1,63 @@
+#include "bridge/wire/wire_settings.hpp"
+
+#include <string>
+
+#include "tests/support/catch.hpp"
+
+namespace fulbito::wire {
+
+TEST_CASE("a specification of a team of the wire has a colour, maybe ports, maybe settings", "[unit]") {
+  const auto plain = parseWire("wire:yellow");
+  REQUIRE(plain);
+  CHECK(plain->colour == TeamId::kYellow);
+  CHECK(plain->settings == WireSettings{});
+  const auto full = parseWire("wire:blue@20000:interface=127.0.0.1,speed=2.5,lockstep=on,wait=0,lock=true");
+  REQUIRE(full);
+  CHECK(full->colour == TeamId::kBlue);
+  WireSettings expected;
+  expected.port_base = 20000;
+  expected.interface = "127.0.0.1";
+  expected.speed = 2.5;
+  expected.lockstep = true;
+  expected.wait = 0.0;
+  expected.lock = true;
+  CHECK(full->settings == expected);
+}
+
+TEST_CASE("the default ports are the league's", "[unit]") {
+  CHECK(kDefaultPortBase + kVisionOffset == 10002);
+  CHECK(kDefaultPortBase + kRefereeOffset == 10003);
+  CHECK(kDefaultPortBase + kPlacementOffset == 10004);
+  CHECK(kDefaultPortBase + kCommandOffset == 20011);
+}
+
+TEST_CASE("only specifications that begin with `wire` are of the wire", "[unit]") {
+  CHECK(isWire("wire"));
+  CHECK(isWire("wire:green"));
+  CHECK_FALSE(isWire("wires"));
+  CHECK_FALSE(isWire("libero:wire=1"));
+}
+
+TEST_CASE("a wrong specification is refused with what is wrong", "[unit]") {
+  const std::pair<const char*, const char*> cases[] = {
+      {"wire", "'' is neither blue nor yellow"},
+      {"wire:green", "'green' is neither blue nor yellow"},
+      {"wire:blue@", "'' is no first port, 1 ... 55526"},
+      {"wire:blue@0", "'0' is no first port"},
+      {"wire:blue@55527", "'55527' is no first port"},
+      {"wire:blue@1x", "'1x' is no first port"},
+      {"wire:blue:speed", "speed"},
+      {"wire:blue:speed=100", "speed"},
+      {"wire:blue:sped=1", "speed"},
+      {"wire:blue:lockstep=perhaps", "'perhaps' is not true or false"},
+  };
+  for (const auto& [specification, words] : cases) {
+    CAPTURE(specification);
+    const auto parsed = parseWire(specification);
+    REQUIRE_FALSE(parsed);
+    CHECK(parsed.error().code == ErrorCode::kUsage);
+    CHECK(parsed.error().message.find(words) != std::string::npos);
+  }
+}
+
+}  // namespace fulbito::wire
