@@ -29,7 +29,7 @@ PlacedBody bodyOf(const RobotModel& robot, const Pose2& pose) {
   return {pose.position, math::unit(pose.heading), robot.length / 2, robot.width / 2};
 }
 
-/// One placement while it is judged.
+/// Judges one placement.
 class Editor {
  public:
   Editor(const MatchConfig& config, const Placement& before, const Placement& after)

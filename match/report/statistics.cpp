@@ -55,9 +55,9 @@ struct StatisticsObserver::Impl {
   struct Shot {
     RobotId shooter;
     bool on_goal = false;
-    Tick last = 0;  ///< tick at which it was last seen
+    Tick last = 0;  ///< last tick in which it was under way
   };
-  /// The ball heads at a goal, or close to a post.
+  /// A direction of the ball toward a goal, or close to a post.
   struct Aim {
     TeamId attacker = TeamId::kBlue;
     bool on_goal = false;

@@ -100,7 +100,7 @@ double squaredDistance(const Polygon& polygon, Vec2 p) {
   return inside ? 0.0 : least;
 }
 
-/// What the circle around the body already decides.
+/// What the circle around the body shows about it without its heading.
 enum class Rough { kOutside, kInside, kNear };
 
 Rough roughly(const AreaShape& area, Vec2 centre, double radius) {

@@ -29,7 +29,7 @@ struct AreaBody {
 /// The robot's body in the frame of the goal at `side`.
 AreaBody intoGoalFrame(const FieldGeometry& field, Side side, const RobotModel& robot, const Pose2& pose);
 
-/// Whether the body and the area share more than a line. Exact, the arc too.
+/// Whether the body and the area share more than a line. Exact, including the arc.
 bool overlaps(const AreaShape& area, const AreaBody& body);
 /// The share of the body inside the area, 0 ... 1. Exact, including the arc.
 double shareInside(const AreaShape& area, const AreaBody& body);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // [m]
 
-/// The law's demand.
+/// The kind of zone in which the law wants a robot to be.
 enum class Zone {
   kAnywhere,
   kOwnHalf,

@@ -18,8 +18,8 @@ class CMember(NamedTuple):
     name: str
     type: str
     doc: str
-    core: Optional[str]  # where the simulator has it; None: handwritten code fills it in
-    repeat: int = 1  # of bytes that the layout reserves
+    core: Optional[str]  # expression of the simulator's value; None: handwritten code fills it in
+    repeat: int = 1  # number of bytes that the layout reserves
 
 
 class Member:
@@ -64,7 +64,7 @@ class Value:
         self.doc = table["doc"]
         self.members = [Member(row) for row in table["members"]]
         self.layout: List[str] = table.get("layout", [])
-        self.answer = table.get("answer", False)  # teams give it; the simulator presets its members in C
+        self.answer = table.get("answer", False)  # teams answer with it; the simulator presets its members in C
         self.code: Dict[str, str] = table.get("code", {})
 
     def of(self, place: str) -> Iterator[Member]:

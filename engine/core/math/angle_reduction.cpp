@@ -23,7 +23,7 @@ std::uint64_t bitsFrom(unsigned position) {
   return shift == 0 ? high : high | (kTwoOverPiBits[word + 1] >> (64 - shift));
 }
 
-/// 0.xxx... in binary, by its first 128 bits, as a sum of two doubles.
+/// The binary fraction that these 128 bits after the point are, as a sum of two doubles.
 DoubleDouble toDoubles(Wide bits) {
   const auto top = static_cast<std::uint64_t>(bits >> 64);
   const int zeros =

@@ -23,7 +23,7 @@ inline constexpr std::size_t kNoRobot = std::numeric_limits<std::size_t>::max();
 /// Outlines of all walls and bodies of a world, for rays and cones.
 class WorldOutlines {
  public:
-  /// @param field  where the worlds to trace are
+  /// @param field  the field of all worlds to trace
   explicit WorldOutlines(const FieldGeometry& field);
   /// The world's outlines as its bodies stand now; valid until the next call.
   /// @param without  index of a robot that is left out, e.g. the one that looks
@@ -39,12 +39,12 @@ class WorldOutlines {
 /// @param without  index of a robot that is left out
 RayHit castRay(const World& world, Vec2 from, Vec2 direction, double range, std::size_t without = kNoRobot);
 
-/// The ultrasonic sensors of one robot. Each listens in its cone for the nearest surface that throws its call
-/// back (see EchoScene::castCone). The robot's own body is no obstacle to them. Deterministic: the same world
+/// The ultrasonic sensors of one robot. Each listens in its cone for the nearest surface that reflects its
+/// call (see EchoScene::castCone). The robot's own body is no obstacle to them. Deterministic: the same world
 /// and stream give the same readings. Allocates nothing once warm.
 class SonarArray {
  public:
-  /// @param field  of the worlds to measure in
+  /// @param field  the field of all worlds to measure in
   /// @param model  valid, see `validate`
   /// @param random  a stream of its own, e.g. Rng(seed, Stream::kSonar, trial)
   SonarArray(const FieldGeometry& field, SonarModel model, const Rng& random);
@@ -57,7 +57,7 @@ class SonarArray {
 
  private:
   double heardRange(std::size_t sonar);                               // [m] with errors
-  double strayRange(std::size_t sonar, std::size_t neighbour) const;  // [m] of a neighbour's call
+  double strayRange(std::size_t sonar, std::size_t neighbour) const;  // [m] for a neighbour's call
 
   SonarModel model_;
   Rng random_;
@@ -71,8 +71,8 @@ class SonarArray {
 /// absolute temperature over that of melting ice.
 double speedOfSound(double celsius);
 
-/// Times echoes as an ultrasonic sensor's counter does: whole microseconds from the pulse to its echo. It
-/// knows no temperature; who reads it turns time into distance.
+/// Times echoes like the counter of an ultrasonic sensor: in whole microseconds from the pulse to its echo.
+/// To get a distance from the count, the reader must assume a temperature.
 class EchoTimer {
  public:
   /// @param celsius  temperature of the air; it must have a speed of sound above 0
@@ -93,14 +93,14 @@ struct EncoderModel {
   double slip_noise = 0.0;          ///< [m/sqrt(m)] random slip: standard deviation over one metre
 };
 
-/// What the encoders counted since they were read last.
+/// Counts of the encoders since the last reading.
 struct EncoderCounts {
   std::int64_t left = 0;   ///< of the left wheel
   std::int64_t right = 0;  ///< of the right wheel
 };
 
-/// Encoders on the wheels of a robot of the world. They count the way of the rims, so a wheel that spins
-/// counts more than the floor passes. Fractions of a count stay for the next reading.
+/// Encoders on the wheels of a robot of the world. They count the travel of the rims, so a spinning wheel
+/// counts more than it moves over the floor. Fractions of a count stay for the next reading.
 class WheelEncoders {
  public:
   /// @param random  a stream of its own for the slip
@@ -108,18 +108,18 @@ class WheelEncoders {
 
   /// Counts of one tick of `dt` [s] that brought the robot from `before` to `after`.
   EncoderCounts read(const RobotState& before, const RobotState& after, double dt);
-  /// [m] nominal way of a rim per count
+  /// Nominal travel [m] of a rim per count.
   double metresPerCount() const { return metres_per_count_; }
 
  private:
-  // Counts of a way [m] of one rim; `rest` is what no count has been given for.
+  // Counts for the travel [m] of one rim; `rest` is the travel that is not counted yet.
   std::int64_t count(double travel, double scale, double& rest);
 
   EncoderModel model_;
   double radius_;            // [m]
   double half_track_;        // [m]
   double metres_per_count_;  // [m]
-  double left_rest_ = 0.0;   // [m] counted later
+  double left_rest_ = 0.0;   // [m] travel that is not counted yet
   double right_rest_ = 0.0;  // [m]
   Rng random_;
 };
@@ -132,7 +132,7 @@ struct GyroModel {
   double scale = 1.0;  ///< measured over true rate
 };
 
-/// A gyro on a robot of the world. Its bias walks at random.
+/// A gyro on a robot of the world. Its bias is a random walk.
 class Gyro {
  public:
   /// @param random  a stream of its own for noise and drift
@@ -140,7 +140,7 @@ class Gyro {
 
   /// Mean yaw rate [rad/s] over a tick of `dt` [s] in which the robot turned by `turned` [rad].
   double read(double turned, double dt);
-  /// [rad/s] its present bias
+  /// The present bias [rad/s].
   double bias() const { return bias_; }
 
  private:

@@ -458,7 +458,7 @@ struct Parameter {
   std::function<void(double)> set;   ///< takes a checked value; of a choice: its index
 };
 
-/// What teams and navigators have in common: their description, their parameters, and a way to say something.
+/// Common base of teams and navigators: their description, their parameters, and the log.
 class Described {
  public:
   virtual ~Described() = default;
@@ -527,7 +527,7 @@ class Described {
                            [&value](double v) { value = static_cast<int>(v); }});
   }
   /// @}
-  /// Says something to the user; without a runner, on standard error.
+  /// Sends a line to the user; without a runner, to standard error.
   void log(std::string_view line) const {  // determinism-ok: a message
     if (sink_) {
       sink_(line);
@@ -577,7 +577,7 @@ class Team : public Described {
   const std::string& version() const { return version_; }
   /// Default of the setting `navigator`; empty: the team takes none.
   const std::string& defaultNavigator() const { return default_navigator_; }
-  /// Takes the setting `name=value`. @return what is wrong with it; empty: it is taken
+  /// Takes the setting `name=value`. @return the problem; empty: the setting is taken
   std::string set(std::string_view name, std::string_view value);
   /// Keeps `info`, seeds the random stream, then calls `begin`.
   void start(const Info& info) {
@@ -593,7 +593,7 @@ class Team : public Described {
     default_navigator_ = std::move(by_default);
     navigator_ = default_navigator_;
   }
-  /// What the team knows since `begin`.
+  /// The knowledge before the match, as given to `begin`.
   const Info& info() const { return info_; }
   /// The team's random stream: the same numbers in each match with the same seed.
   Random& random() { return random_; }  // determinism-ok: seeded
@@ -643,7 +643,7 @@ struct Guidance {
 /// caught and reported, and stop the robot.
 class Navigator : public Described {
  public:
-  /// Describes the method: its name in specifications, one line about it, and where it is from.
+  /// Describes the method: its name in specifications, one line about it, and its source, such as a paper.
   /// @param plans_speed  it gives its own speeds or wheel speeds; tables mark it
   explicit Navigator(std::string name, std::string summary = "", std::string source = "",
                      bool plans_speed = false)
@@ -686,6 +686,6 @@ class Navigator : public Described {
     return fulbito::team::detail::navigatorLibraryOf<__VA_ARGS__>();             \
   }
 
-// Last, as they join the classes above to the C interface.
+// Included last, since these headers use the classes above.
 #include "fulbito/detail/library/entry.hpp"
 #include "fulbito/detail/library/settings.hpp"

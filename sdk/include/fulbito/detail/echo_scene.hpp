@@ -24,7 +24,7 @@ struct RayHit {
   bool isHit() const { return distance < 1e300; }
 };
 
-/// The nearest place that throws sound back.
+/// The nearest place that reflects sound.
 struct Echo {
   double distance = std::numeric_limits<double>::infinity();  ///< [m] infinity: none
   Vec2 point;                                                 ///< [m]
@@ -44,8 +44,8 @@ class EchoScene {
   void addBody(std::span<const Vec2> outline) { addOutline(outline, -1.0); }
   void addDisc(Vec2 centre, double radius);
 
-  /// The first surface on the way from `from` along the unit vector `direction`. Faces are met from their
-  /// free side only; a start inside a disc hits it at once.
+  /// The first surface along the unit vector `direction` from `from`. Rays meet faces from their free side
+  /// only; a start inside a disc hits it at once.
   RayHit castRay(Vec2 from, Vec2 direction, double range) const;
 
   /// The nearest point in the cone that throws an echo back to its apex. That is a visible point

@@ -30,8 +30,8 @@ struct PageRow {
 
 /// A play without jumps: bodies are interpolated between its rows.
 struct PagePlay {
-  std::size_t row = 0;  ///< its first one
-  Tick tick = 0;        ///< of that row
+  std::size_t row = 0;  ///< index of its first row
+  Tick tick = 0;        ///< tick of that row
   Tick signal = 0;      ///< the clock runs from here on; beyond the play's end: never
   double clock = 0.0;   ///< [s] of the period at the beginning
   int period = 1;
