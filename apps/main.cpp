@@ -36,7 +36,7 @@ namespace {
 
 constexpr std::uint64_t kMostTrials = 1'000'000;
 
-/// The whole command line as values.
+/// The options of all commands.
 struct Options {
   RunOptions run;
   std::string run_png;
@@ -247,7 +247,7 @@ std::vector<std::string> commandNames(const CLI::App& app) {
   return names;
 }
 
-/// An error for an unknown command or subcommand. CLI11 would only say that one is missing.
+/// An error for an unknown command or subcommand. CLI11 would only report that one is missing.
 std::optional<Error> wrongCommand(const CLI::App& app, std::span<char*> words) {
   const std::vector<std::string> names = commandNames(app);
   if (words.empty() || words.front()[0] == '-' || names.empty()) return std::nullopt;
@@ -273,7 +273,7 @@ std::string remedyFor(const std::string& word, const std::vector<std::string>& f
   return suggestion(word, flags);
 }
 
-/// CLI11's message; for an unknown option, one with a suggestion.
+/// CLI11's message; for an unknown option, a message with a suggestion.
 Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<char*> words) {
   const CLI::App* last = &app;
   std::string name;
@@ -299,7 +299,7 @@ Error parseError(const CLI::App& app, const CLI::ParseError& error, std::span<ch
                                          message, name, name.empty() ? "" : " ")};
 }
 
-/// The command that was named, within its groups.
+/// The command or subcommand that was given.
 const CLI::App& commandOf(const CLI::App& app) {
   const auto named = app.get_subcommands();
   return named.empty() ? app : commandOf(*named.front());
@@ -377,7 +377,7 @@ int mainWithoutCatch(int argc, char** argv) {
   if (const auto error = wrongCommand(app, words)) return report(*error);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& help) {  // --help, --version
+  } catch (const CLI::Success& help) {  // thrown for --help and --version
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     return report(parseError(app, error, words));
@@ -386,7 +386,7 @@ int mainWithoutCatch(int argc, char** argv) {
   return dispatch(app, *run_command, *compare_command, options);
 }
 
-/// Runs the program. What the machine lacks is not an internal error.
+/// Runs the program. A lack of memory or other resources is not reported as an internal error.
 int codeOf(int argc, char** argv) {
   try {
     return mainWithoutCatch(argc, argv);

@@ -12,7 +12,7 @@
 namespace fulbito {
 namespace {
 
-/// The largest file that is read: 1 GiB, which is more than ten days of 3v3.
+/// Largest file that is read [bytes]: 1 GiB, more than ten days of 3v3.
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;
 
 std::string nameOf(BlockType type) {
@@ -78,12 +78,12 @@ struct RecordingReader::Impl {
     return {};
   }
 
-  /// Everything after the header, up to the end or the first flaw.
+  /// Reads all blocks after the header, up to the end of the file or the first flaw.
   Step readBlocks() {
     for (std::uint64_t number = 1; next < bytes.size(); ++number) {
       const auto block = blockAt(bytes, next, blockSeed(header_checksum, number));
       if (!block) {
-        // A finished file ends in its end mark, so there no block can have been cut.
+        // A complete file ends with the end magic, so a block that seems cut in it is damaged.
         if (block.error() == BlockFlaw::kCut && !BytesView(bytes).ends_with(kEndMagic)) return {};
         return bad(fmt::format("damaged at byte {}, after {} good blocks", next, number));
       }

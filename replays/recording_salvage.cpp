@@ -8,12 +8,12 @@
 namespace fulbito {
 namespace {
 
-/// How many blocks in a row may be lost and the next one still be known by its number.
+/// Most consecutive blocks that may be lost if the next block is still to be recognised by its number.
 constexpr std::uint64_t kMostLost = 4096;
-/// Where a block's type stands in it.
+/// Offset of the type in a block [bytes].
 constexpr std::size_t kTypeOffset = 8;
 
-/// The next good block at or after `offset`, and its number.
+/// The next intact block at or after `offset`, and its number.
 struct Found {
   Block block;
   std::uint64_t number = 0;

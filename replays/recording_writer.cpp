@@ -43,7 +43,7 @@ struct RecordingWriter::Impl {
     if (state) places.push_back(place);
   }
 
-  /// Without a whole chunk a file that could not be written on is nothing that can be read.
+  /// Completes the file, or drops it: a file without a whole chunk cannot be read.
   void endFile() {
     if (!file) return;
     if (state) {
@@ -51,13 +51,14 @@ struct RecordingWriter::Impl {
     } else if (places.empty()) {
       file->discard();
     } else {
-      (void)file->commit();  // keeps what a new file holds, and the old file where there was one
+      (void)file->commit();  // a growing file keeps its content; a file to replace another one is removed,
+                             // and the old one stays
     }
   }
 
-  std::shared_ptr<OutputFile> file;  ///< null: the sink is somebody's
+  std::shared_ptr<OutputFile> file;  ///< null: the sink belongs to the caller
   Sink sink;
-  Result<void> state;  ///< the first error
+  Result<void> state;  ///< the first error, if any
   const RecordingHeader header;
   ChunkBuilder chunk;
   const Packer packer{Packer::kFast};

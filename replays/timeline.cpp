@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-/// Of a tick: a time that was computed from a tick means that tick.
+/// Tolerance in ticks, so that a time computed from a tick leads back to this tick.
 constexpr double kRounding = 1e-6;
 
 template <typename T>
@@ -50,12 +50,12 @@ void ReplayTimeline::append(RecordedChunk chunk) {
   moveTo(playing_, chunk.playing);
 }
 
-/// The referee counts a tick of play where it was playing before the tick: not the one of the signal itself,
-/// but the one that ends the match.
+/// Counts the ticks of play as the referee does: those before which it was playing. So the tick of the signal
+/// itself does not count, but the tick that ends the match does.
 void ReplayTimeline::countPlay() {
   for (const RecordedPlay& play : plays_) {
-    // A restart that was repeated too often needs no signal whatever its delay says; then its first tick is
-    // played, as otherwise only after a delay of one tick.
+    // A restart that was repeated too often needs no signal, whatever its delay. Then its first tick is
+    // played; otherwise the first tick is only played after a delay of one tick.
     const bool first = play.tick < ticks_ && playing_[static_cast<std::size_t>(play.tick)] != 0;
     begun_.push_back(play.delay == 0 || (first && play.delay > 1) ? 1 : 0);
   }
@@ -99,7 +99,7 @@ ReplayMoment ReplayTimeline::at(double seconds) const {
 void ReplayTimeline::at(double seconds, ReplayMoment& moment) const {
   const double last = static_cast<double>(ticks_);
   double ticks = seconds * header_.control_rate;
-  ticks = ticks >= 0.0 ? std::min(ticks, last) : 0.0;  // what is no number counts as the beginning
+  ticks = ticks >= 0.0 ? std::min(ticks, last) : 0.0;  // NaN and negative times count as the beginning
   const double nearest = std::floor(ticks + 0.5);
   if (std::abs(ticks - nearest) < kRounding) ticks = nearest;
   moment.tick = static_cast<Tick>(std::floor(ticks));
@@ -120,7 +120,7 @@ void ReplayTimeline::at(double seconds, ReplayMoment& moment) const {
 }
 
 PerTeam<int> ReplayTimeline::scoreAt(const ReplayMoment& moment) const {
-  // The end may also change the score at the table: a walk-over.
+  // A walk-over changes the score after the last tick.
   if (moment.tick == ticks_ && result_ && result_->complete) return result_->score;
   const RecordedPlay& play = plays_[moment.play];
   const auto goals_until = [this](Tick tick) {

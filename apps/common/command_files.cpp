@@ -20,7 +20,7 @@ constexpr std::array kProductEndings{".json", ".csv", ".png", ".gif", ".fbr"};
 
 tl::unexpected<Error> usage(std::string message) { return fail(ErrorCode::kUsage, std::move(message)); }
 
-/// Whether `file` is a device, pipe or socket: writing to it replaces nothing.
+/// Whether `file` is a device, pipe or socket. Writing to it replaces no file.
 bool isStream(const std::string& file) {
   std::error_code error;
   const fs::file_type kind = fs::status(file, error).type();
@@ -33,7 +33,7 @@ bool exists(const std::string& file) {
   return fs::exists(file, error);
 }
 
-/// The path with all links resolved that lead anywhere.
+/// The path with all links resolved, as far as they exist.
 fs::path wholeName(const std::string& file) {
   std::error_code error;
   fs::path whole = fs::weakly_canonical(fs::absolute(file, error), error);
@@ -66,7 +66,7 @@ Result<void> CommandFiles::add(const NamedOutput& output) {
   return {};
 }
 
-/// A name that promises another kind of file is a mistake.
+/// A file name with the ending of another kind of file is a mistake. Errors: kUsage.
 Result<void> CommandFiles::checkName(const NamedOutput& output) const {
   const auto promised = kindOfName(output.file);
   if (!promised || *promised == output.traits.kind) return {};
@@ -91,7 +91,8 @@ Result<void> CommandFiles::checkApart(const NamedOutput& output) const {
                            other->second));
 }
 
-/// The folder must be there, or the command makes it with a folder of its own. That has no use for the name.
+/// The folder of the output must exist, or be a folder that the command creates. In that folder, no output
+/// may have the name of one of the command's own files. Errors: kUsage; kIo.
 Result<void> CommandFiles::checkPlace(const NamedOutput& output) const {
   const fs::path folder = wholeName(output.file).parent_path();
   bool made = false;
@@ -119,7 +120,7 @@ Result<void> CommandFiles::checkReserved(const NamedOutput& output, const UsedFo
                            output.flag, used.name, output.file));
 }
 
-/// What stays also with --force. `head`: of the file that is to take its place; empty: not known.
+/// Checks for files that stay even with --force. `head`: beginning of the new file; empty: not known.
 Result<void> CommandFiles::checkKept(const std::string& what, const std::string& file,
                                      std::string_view head) const {
   if (!exists(file)) return {};
@@ -154,7 +155,7 @@ Result<void> CommandFiles::mayAppear(const std::string& file, std::string_view h
   const std::string old = headOf(file);
   if (old.empty() || sameKind(old, head)) return {};
   for (const UsedFolder& used : named_.folders) {
-    // A cache replaces what is damaged.
+    // A cache replaces damaged files itself.
     if (used.use == FolderUse::kCache && isBelow(wholeName(file), wholeName(used.name))) return {};
   }
   return usage(fmt::format("{} exists and is another kind of file; {}", what, advice()));

@@ -17,14 +17,14 @@ struct UsedFolder {
   FolderUse use{};
 };
 
-/// What the command line says of a command's files.
+/// The files and folders on the command line.
 struct NamedFiles {
   InputFiles inputs;
   std::vector<UsedFolder> folders;
   std::vector<NamedOutput> outputs;
-  std::vector<std::pair<std::string, OutputKind>> offered;  ///< all options of the command that are outputs
-  bool force = false;                                       ///< --force was given
-  bool can_force = false;                                   ///< the command has --force
+  std::vector<std::pair<std::string, OutputKind>> offered;  ///< all options of the command that name outputs
+  bool force = false;                                       ///< whether --force was given
+  bool can_force = false;                                   ///< whether the command has --force
 };
 
 /// Decides which files a command may write.
@@ -35,7 +35,7 @@ class CommandFiles {
 
   /// Checks an output and remembers it. Errors: kUsage; kIo.
   Result<void> add(const NamedOutput& output);
-  /// Whether a file that begins so may appear: the `ReplacementRule`.
+  /// Whether a new file with this beginning may appear at the path: the `ReplacementRule`.
   Result<void> mayAppear(const std::string& file, std::string_view head) const;
 
  private:
@@ -48,8 +48,8 @@ class CommandFiles {
   std::string advice() const;
 
   NamedFiles named_;
-  std::vector<std::string> to_stdout_;               ///< flags
-  std::map<std::string, std::string> flag_of_file_;  ///< by the whole names of all outputs
+  std::vector<std::string> to_stdout_;               ///< flags of the outputs that go to stdout
+  std::map<std::string, std::string> flag_of_file_;  ///< by resolved path of each output
 };
 
 }  // namespace fulbito::app

@@ -18,20 +18,20 @@ enum ExitCode {
   kInconclusive = 6,
   kDifferent = 7,
   kInternal = 70,
-  kInterruptedBase = 128,  ///< plus the signal's number: 129 hang-up, 130 Ctrl-C, 143 SIGTERM
+  kInterruptedBase = 128,  ///< plus the signal number: 129 hang-up, 130 Ctrl-C, 143 SIGTERM
 };
 
 struct RunOptions {
   std::string navigator = kDefaultNavigator;
-  std::string layout = "corner:0";  ///< file, named case, or suite:index
-  double speed = 1.0;               ///< [m/s]
+  std::string layout = "corner:0";  ///< a file, a named case, or suite:index
+  double speed = 1.0;               ///< [m/s] top speed
   std::string robot = "jung-lee-2015";
   std::string physics = "standard";
   std::uint64_t seed = 2015;
   SensorModel sensors;
-  std::optional<std::string> png;  ///< empty: named after the layout
+  std::optional<std::string> png;  ///< picture file; empty name: named after the layout
   std::string trace;
-  std::string record;     ///< file; empty: none
+  std::string record;     ///< recording file; empty: none
   bool drawings = false;  ///< also record the path or field of the navigator
   bool json = false;
   bool force = false;  ///< replace existing files
@@ -41,10 +41,10 @@ struct CompareOptions {
   ComparisonConfig config;
   std::string out = "fulbito-out";
   std::string html;  ///< page of races; empty: none
-  std::string tune;  ///< empty: no tuning
+  std::string tune;  ///< method to tune; empty: no tuning
   int tune_evaluations = 150;
-  bool mapped = false;  ///< run the ring map instead
-  MapConfig map;        ///< its base is `config`
+  bool mapped = false;  ///< run the ring map instead of the suite
+  MapConfig map;        ///< options of the ring map; its base is `config`
   bool json = false;
 };
 
@@ -61,11 +61,11 @@ struct ShowOptions {
 struct BenchCommand {
   bool json = false;
   bool signature_only = false;
-  int repetitions = 5;  ///< per row of the table
-  int episodes = 48;    ///< per repetition, of ten simulated seconds each
+  int repetitions = 5;  ///< repetitions per row of the table
+  int episodes = 48;    ///< episodes per repetition, with ten simulated seconds each
 };
 
-/// @{ Each runs one command and returns its exit code; results go to stdout, all else to stderr.
+/// @{ Each runs one command and returns its exit code. Results go to stdout, all other output to stderr.
 int run(const RunOptions& options);
 int compare(const CompareOptions& options);
 int list(const ListOptions& options);
@@ -74,13 +74,13 @@ int version(bool json);
 int bench(const BenchCommand& command);
 /// @}
 
-/// Prints the error on stderr, truncated if very long, and returns its exit code.
+/// Prints the error on stderr, truncated if very long. Returns its exit code.
 int report(const Error& error);
 
 /// Monotonic time [ns]. The libraries get this function because they read no clock themselves.
 std::int64_t now();
 
-/// True from the first SIGINT, SIGTERM or SIGHUP on. The process exits after a few seconds, or at a second
+/// True after the first SIGINT, SIGTERM or SIGHUP. The process exits a few seconds later, or at a second
 /// signal; unfinished files are removed.
 bool interrupted();
 /// The exit code after a signal.

@@ -28,7 +28,8 @@ void look(bool written) {
 void openStandardDescriptors() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
-    // This is the lowest free number. Writing to a read-only descriptor fails, as it should.
+    // `open` returns the lowest free descriptor, which is this one. Writing to a read-only descriptor fails,
+    // as it should.
     const int opened = ::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
     if (opened != descriptor) return;
   }
@@ -51,7 +52,7 @@ bool drawsLines() {
 
 int finishOutput(int code) {
   flushOut();
-  if (!lost && std::ferror(stdout) != 0) lost = 0;  // written by CLI11, as --help is
+  if (!lost && std::ferror(stdout) != 0) lost = 0;  // CLI11 writes --help with its own calls
   if (!lost || code > kInterruptedBase) return code;
   if (*lost == EPIPE) return kIo;
   const std::string why = *lost != 0 ? ": " + std::generic_category().message(*lost) : "";

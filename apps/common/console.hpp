@@ -8,12 +8,13 @@
 namespace fulbito::app {
 
 /// Opens closed standard descriptors on /dev/null, so that no other file gets their numbers. Writing to a
-/// closed stdout counts as a failed write; text for a closed stderr is lost.
+/// closed stdout counts as a failed write; text for a closed stderr is dropped.
 void openStandardDescriptors();
 
-/// Writes to stdout unchanged: for JSON, tables and files. `finishOutput` reports failures.
+/// Writes bytes to stdout unchanged: JSON, tables and files. `finishOutput` reports failures.
 void writeOut(std::string_view text);
-/// @{ Writes to stdout or stderr for people: control characters appear as \x1b, since names may contain any.
+/// @{ Writes text for people to stdout or stderr. Control characters appear as \x1b, since names may contain
+/// them.
 void printOut(std::string_view text);
 void printNote(std::string_view text);
 template <typename... Args>

@@ -12,8 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestToml = std::size_t{1} << 20;  // [bytes] in which names are looked for
-constexpr std::size_t kMostEntries = 100'000;               // of a folder
+// [bytes] larger TOML files are not searched for names.
+constexpr std::size_t kLargestToml = std::size_t{1} << 20;
+constexpr std::size_t kMostEntries = 100'000;  // largest number of entries of a folder that are added
 constexpr std::string_view kBetweenNames = " \t\n,=:;'\"";
 
 std::optional<struct stat> statusOf(const std::string& file) {
@@ -31,7 +32,7 @@ bool InputFiles::has(const std::string& file) const {
   return found && files_.contains({found->st_dev, found->st_ino});
 }
 
-/// `folder`: where names are looked for as well.
+/// Adds the names in a word. @param folder  where names are looked up besides the present folder
 void InputFiles::addParts(const std::string& word, const std::string& folder) {
   const auto add = [&](const std::string& name) {
     addName(name);
@@ -67,7 +68,7 @@ void InputFiles::addFile(const std::string& name) {
   if (name.ends_with(".toml")) addNamesIn(name);
 }
 
-/// The texts of a TOML file that are names of files.
+/// Adds the texts in a TOML file that are names of files.
 void InputFiles::addNamesIn(const std::string& toml) {
   const auto text = readFoundFile(toml, kLargestToml);
   if (!text) return;

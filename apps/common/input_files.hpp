@@ -7,15 +7,15 @@
 
 namespace fulbito::app {
 
-/// The files that a command may read, found by the words of its command line. It may hold files that are not
-/// read: nobody loses one by that.
+/// The files that a command may read, found from the words of its command line. It may contain files that are
+/// not read; the only effect is that outputs do not replace them.
 class InputFiles {
  public:
-  /// Adds what a word names: files, the files of a folder, names within a longer word such as
-  /// "cmd:python3 team.py" or "bezier:file=a.toml", what the TOML files among them name, and the `team.toml`
-  /// next to each.
+  /// Adds the files that a word names: files; the files of a folder; names within a longer word such as
+  /// "cmd:python3 team.py" or "bezier:file=a.toml"; the files that TOML files among these name; and the
+  /// `team.toml` next to each.
   void addWord(const std::string& word);
-  /// Whether `file` is one of them, under any name.
+  /// Whether `file` is one of these files, also under another name.
   bool has(const std::string& file) const;
 
  private:

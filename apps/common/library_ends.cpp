@@ -35,8 +35,8 @@ void write(const char* words) {
   if (::write(STDERR_FILENO, words, std::strlen(words)) < 0) return;
 }
 
-/// One line on standard error, by calls that are allowed in a handler of signals. The library is unknown
-/// where a thread of its own ends the program.
+/// Writes one line to stderr with calls that are allowed in signal handlers. If a thread of the library ends
+/// the program, the line cannot name the library.
 void sayHow(const char* how) {
   const char* library = libraryOfThisThread();
   write(library != nullptr ? "fulbito: the library '" : "fulbito: a library");
@@ -57,7 +57,7 @@ void onExit() {
   if (!main_is_over) endByLibrary("it calls exit");
 }
 
-/// This program itself calls endProcess, so that whoever gets here is a library, or a child that it forked.
+/// This program itself calls `endProcess`. So only a library, or a child process that it forked, gets here.
 [[noreturn]] void onHardExit(int code) {
   if (this_process == 0 || ::getpid() != this_process) endProcess(code);
   if (main_is_over) endProcess(code_of_main);
@@ -65,7 +65,7 @@ void onExit() {
 }
 
 void onCrash(int signal) {
-  // The handler is gone by now (SA_RESETHAND), so that the signal ends the process.
+  // The handler is already reset (SA_RESETHAND), so the signal ends the process.
   for (const Crash& crash : kCrashes) {
     if (crash.signal == signal && libraryOfThisThread() != nullptr) {
       abandonUnfinishedWork();
@@ -88,7 +88,7 @@ void watchLibraries() {
   for (const Crash& crash : kCrashes) {
     struct sigaction before{};
     ::sigaction(crash.signal, nullptr, &before);
-    if (before.sa_handler != SIG_DFL) continue;  // sanitizers have their own
+    if (before.sa_handler != SIG_DFL) continue;  // sanitizers install their own handlers
     struct sigaction action{};
     action.sa_handler = onCrash;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
@@ -103,7 +103,7 @@ void endOfMain(int code) {
 
 }  // namespace fulbito::app
 
-// The dynamic linker finds these before the C library's, whose only way to tell of such a call is its end.
+// The dynamic linker finds these before those of the C library. There is no hook for such calls.
 extern "C" {
 void _exit(int code) { fulbito::app::onHardExit(code); }
 void _Exit(int code) { fulbito::app::onHardExit(code); }  // NOLINT(bugprone-reserved-identifier)

@@ -2,15 +2,15 @@
 
 namespace fulbito::app {
 
-/// Says which library ends this process, and how: with `--isolate none`, and for navigators of libraries,
-/// nothing contains them. After `exit` or `_exit` the exit code is kTeamFailed instead of the library's. A
+/// Prints which library ends this process, and how. Nothing contains libraries with `--isolate none`, or
+/// navigators of libraries. After `exit` or `_exit` the exit code is kTeamFailed instead of the library's. A
 /// crash keeps its signal, for debuggers and core files.
 void watchLibraries();
 
-/// From now on `exit` is this program's own, with the code that `main` returns.
+/// Call it at the end of `main`. Then `exit` is no longer reported, and its code is the one `main` returns.
 void endOfMain(int code);
 
-/// Ends this process at once, as the C library's `_exit` does. May be called in handlers of signals.
+/// Ends this process immediately, like `_exit` of the C library. May be called in signal handlers.
 [[noreturn]] void endProcess(int code);
 
 }  // namespace fulbito::app

@@ -31,7 +31,7 @@ Result<void> shorten(const MatchSettings& settings, Rules& rules) {
   return {};
 }
 
-/// Takes the values of a flag: one value for both teams, or those of blue and yellow.
+/// Applies the values of a flag: one value for both teams, or one for blue and one for yellow.
 template <typename T>
 Result<void> readPerTeam(const char* flag, const std::vector<T>& values, PerTeam<VisionModel>& vision,
                          T VisionModel::* part) {
@@ -51,12 +51,12 @@ Result<PerTeam<VisionModel>> visionOf(const MatchSettings& settings, const Robot
         readPerTeam("--dropout", settings.sensors.dropout, vision, &VisionModel::dropout)}) {
     if (!done) return tl::unexpected<Error>(done.error());
   }
-  // As in trials: the heading noise that follows from the position noise.
+  // As in trials, heading noise follows from position noise.
   for (VisionModel& seat : vision) seat.heading_noise = headingNoise(seat.position_noise, robot.length);
   return vision;
 }
 
-/// The limit of both teams: that of the rules with another time per decision.
+/// The time limit of both teams: that of the rules, with the time per decision replaced by `text`.
 Result<DecisionTime> limitOf(const std::string& text, const Rules& rules) {
   DecisionTime limit = rules.decision_time;
   if (text == kUnlimited) {

@@ -14,7 +14,7 @@ class App;
 
 namespace fulbito::app {
 
-/// What commands that play matches take: teams, rules, models, what teams see and how long they may think.
+/// Options of all commands that play matches: teams, rules, models, vision and time limits.
 struct MatchSettings {
   std::string blue = "libero";
   std::string yellow = "classic";
@@ -22,20 +22,20 @@ struct MatchSettings {
   std::string physics = "standard";
   std::string robot = "vsss";
   std::uint64_t seed = kDefaultMatchSeed;
-  std::optional<double> half_seconds;  ///< empty: the profile's
-  std::string start;                   ///< start state file; empty: a kick-off
-  SeatSensors sensors;                 ///< of both teams, or of blue and yellow
-  std::string time;                    ///< [ms] that a decision may take, or "unlimited"; empty: by the rules
-  TeamFlags outside;                   ///< teams that are files or programs
+  std::optional<double> half_seconds;  ///< [s] length of a half; empty: as in the rules
+  std::string start;                   ///< file with a start state; empty: a kick-off
+  SeatSensors sensors;                 ///< vision of both teams, or of blue and yellow
+  std::string time;                    ///< [ms] limit for a decision, or "unlimited"; empty: as in the rules
+  TeamFlags outside;                   ///< options for teams that are files or programs
 };
 
-/// Adds the options; the teams are left to the command.
-/// @param seats  whom the two values of a list belong to
+/// Adds all options except those for the teams, which each command adds itself.
+/// @param seats  names of the two teams that the two values of a list belong to
 void addMatchSettings(CLI::App& command, MatchSettings& settings, const char* seats = "BLUE,YELLOW");
 
-/// The match that they describe. Errors: as the loaders of its parts, kUsage naming the flag.
+/// The configuration of the match. Errors: as the loaders of its parts; kUsage naming the flag.
 Result<MatchConfig> configOf(const MatchSettings& settings);
-/// The same with empty teams.
+/// As `configOf`, but without teams.
 Result<MatchConfig> configWithoutTeams(const MatchSettings& settings);
 
 }  // namespace fulbito::app

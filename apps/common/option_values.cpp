@@ -21,7 +21,7 @@ bool isWhole(std::string_view text) {
   return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Without leading zeros, which CLI11 reads as an octal prefix.
+/// Removes leading zeros, which CLI11 reads as an octal prefix.
 std::string decimal(std::string_view text) {
   std::string_view digits = digitsOf(text);
   while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);

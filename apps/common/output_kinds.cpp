@@ -13,8 +13,8 @@
 namespace fulbito::app {
 namespace {
 
-/// What is known of a kind of output. Of the kinds that replace nothing without --force, `beginning` may be
-/// what all its files share with others.
+/// The properties of a kind of output. For kinds that never replace a file without --force, other kinds of
+/// files may have the same `beginning`.
 struct Known {
   OutputKind kind;
   const char* words;
@@ -75,9 +75,9 @@ bool sameKind(std::string_view head, std::string_view other) {
   for (const Known& known : kKnown) {
     if (other.starts_with(known.beginning)) return head.starts_with(known.beginning);
   }
-  // The first line of an object says nothing.
+  // The first line of a JSON object does not identify its kind.
   if (other.starts_with(kObjectBeginning)) return head.starts_with(kObjectBeginning);
-  // Of a table, further columns may depend on settings.
+  // Of a table, only the first column counts, because other columns may depend on settings.
   const auto mark = [](std::string_view line) { return line.substr(0, line.find(',')); };
   return mark(firstLine(head)) == mark(firstLine(other));
 }

@@ -9,7 +9,7 @@
 
 namespace fulbito::app {
 
-/// What an output file holds.
+/// The kinds of output files.
 enum class OutputKind : std::uint8_t {
   kRecording,
   kPng,
@@ -27,26 +27,26 @@ enum class OutputKind : std::uint8_t {
 /// "a PNG picture", for messages.
 const char* wordsOf(OutputKind kind);
 
-/// How an object of JSON begins that a command writes.
+/// The beginning of all JSON objects that commands write.
 constexpr std::string_view kObjectBeginning = "{\n  \"schema_version\": ";
 
-/// How the files of a kind begin.
+/// The first bytes of all files of a kind.
 std::string_view beginningOf(OutputKind kind);
 
-/// The kind that the ending of a file's name promises, without regard to case; none for other endings.
+/// The kind that belongs to the ending of a file name, in upper or lower case. Empty for other endings.
 std::optional<OutputKind> kindOfName(const std::string& file);
 
-/// The beginning of a file; empty if there is none or it is no regular file.
+/// The first bytes of a file; empty if it does not exist or is not a regular file.
 std::string headOf(const std::string& file);
 
-/// Whether the beginning of a file shows that this program wrote an output of that kind.
+/// Whether the first bytes of a file show that this program wrote it as an output of that kind.
 bool isOfKind(std::string_view head, OutputKind kind);
 
-/// Whether the beginnings of two files show the same kind: both begin with what one kind of output begins
-/// with, or, of other files, with the same line or, of tables, the same first column.
+/// Whether the first bytes of two files show the same kind. Both begin like the same kind of output; or, for
+/// other files, with the same line or, for tables, with the same first column.
 bool sameKind(std::string_view head, std::string_view other);
 
-/// Whether the beginning is that of a file in which a tournament, a tuning or a cache keeps its results.
+/// Whether the first bytes are those of a file with the results of a tournament, a tuning or a cache.
 bool keepsResults(std::string_view head);
 
 }  // namespace fulbito::app

@@ -12,9 +12,9 @@ namespace fulbito::app {
 namespace {
 
 constexpr const char* kForce = "--force";
-constexpr const char* kNoName = "{}";  // CLI11's value of an option whose value was omitted
+constexpr const char* kNoName = "{}";  // CLI11 returns this for an option without its optional value
 
-/// The variables of a marked folder option.
+/// The variable that holds the folder or folders of a marked option.
 struct FolderMark {
   const std::string* one = nullptr;
   const std::vector<std::string>* many = nullptr;
@@ -31,7 +31,7 @@ Marks& marks() {
   return all;
 }
 
-/// Of the command that runs.
+/// The files of the command that is running.
 CommandFiles& commandFiles() {
   static CommandFiles files;
   return files;

@@ -15,7 +15,8 @@
 namespace fulbito::app {
 namespace {
 
-constexpr std::size_t kMostWords = 2000;  // [bytes] longest error message: arguments may be of any length
+// [bytes] longest error message, because arguments may have any length.
+constexpr std::size_t kMostWords = 2000;
 /// Seconds until the process exits after a signal. An alarm each second also ends a wait that began just
 /// after the signal.
 constexpr int kGrace = 4;
@@ -76,12 +77,12 @@ void catchSignals() {
   struct sigaction action{};
   action.sa_handler = onSignal;
   sigfillset(&action.sa_mask);
-  // Without SA_RESTART, so that a signal ends waits.
+  // Without SA_RESTART, so that a signal interrupts waits.
   for (const int signal : {SIGINT, SIGTERM, SIGALRM}) ::sigaction(signal, &action, nullptr);
   struct sigaction hang_up{};
   ::sigaction(SIGHUP, nullptr, &hang_up);
-  if (hang_up.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // as nohup has it
-  // These come back as errors of the write.
+  if (hang_up.sa_handler != SIG_IGN) ::sigaction(SIGHUP, &action, nullptr);  // nohup ignores this signal
+  // With these signals ignored, the write returns an error.
   for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 

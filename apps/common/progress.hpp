@@ -5,8 +5,8 @@
 
 namespace fulbito::app {
 
-/// Progress on stderr: a bar with the time left on a terminal, otherwise a plain line every ten seconds.
-/// Silent when `quiet`.
+/// Progress on stderr: on a terminal a bar with the remaining time, otherwise a plain line every ten seconds.
+/// Prints nothing if `quiet`.
 class ProgressBar {
  public:
   explicit ProgressBar(const std::string& what, bool quiet = false);

@@ -34,7 +34,7 @@ void addSensors(CLI::App& command, SeatSensors& sensors, const char* seats) {
   number(options[1]);
   number(options[2]);
   for (CLI::Option* option : options) {
-    // Only the delimiter makes a list: a word after a space is a team.
+    // Only a comma makes a list: a word after a space is a team.
     option->delimiter(',')->allow_extra_args(false)->type_name("N[,N]");
   }
 }

@@ -10,7 +10,7 @@ class App;
 
 namespace fulbito::app {
 
-/// How teams see: one value for all, or one for each of two seats.
+/// Vision of teams: one value for all, or one for each of two seats.
 struct SeatSensors {
   std::vector<int> latency_ticks{0};
   std::vector<double> position_noise{0.0};  ///< [m]

@@ -13,10 +13,10 @@
 namespace fulbito::app {
 namespace {
 
-constexpr std::size_t kStack = std::size_t{1} << 23;  // [bytes] as Linux gives by default
+constexpr std::size_t kStack = std::size_t{1} << 23;  // [bytes] the default of Linux
 
-/// Raises the limit in force as far as may be. @return whether the first thread can count on enough: where
-/// address space is limited, its stack may find none to grow into
+/// Raises the limit of the stack as far as possible. @return whether the first thread has enough: if address
+/// space is limited, its stack may have no room to grow
 bool raiseLimit() {
   rlimit limit{};
   if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) return false;
@@ -25,7 +25,8 @@ bool raiseLimit() {
   return ::setrlimit(RLIMIT_STACK, &limit) == 0 && limit.rlim_cur == kStack;
 }
 
-/// The C library takes the size for new threads from the limit at the start.
+/// Raises the size of new stacks. The C library derives the default from the limit at the start of the
+/// process.
 void enlargeNewThreads(pthread_attr_t& attributes) {
   std::size_t size = 0;
   ::pthread_getattr_default_np(&attributes);
@@ -54,7 +55,7 @@ int withAmpleStack(const std::function<int()>& work) {
   enlargeNewThreads(attributes);
   if (raiseLimit()) return work();
   Job job{work};
-  // Signals are for the thread that works: they end its waits.
+  // Only the working thread gets signals, so that they interrupt its waits.
   sigset_t all;
   sigfillset(&all);
   ::pthread_sigmask(SIG_SETMASK, &all, &job.signals);

@@ -23,7 +23,7 @@ struct TeamFlags {
 /// Adds --isolate, --sandbox, --team-memory, --team-processes and --team-network.
 void addTeamFlags(CLI::App& command, TeamFlags& flags);
 
-/// The built-in teams, and teams that are files or programs. Their standard error appears on ours.
+/// Built-in teams, and teams that are files or programs. Their stderr goes to the stderr of this program.
 TeamCatalogue catalogueOf(const TeamFlags& flags);
 
 }  // namespace fulbito::app

@@ -41,7 +41,7 @@ std::string valueText(const ParameterSpec& spec) {
   return fmt::format("{}", spec.default_value);
 }
 
-/// The default in the parameter's own JSON type.
+/// The default value of a parameter, in its JSON type.
 Json defaultJson(const ParameterSpec& spec) {
   switch (spec.type) {
     case ParameterSpec::Type::kNumber:
@@ -120,7 +120,7 @@ void printTeams() {
   say("Example with parameters: fulbito match classic:navigator=bezier:clearance=0.03+follower=classic\n");
 }
 
-/// The first sentence of the comment at the top of a preset file.
+/// The first sentence of the comment at the beginning of a preset file.
 std::string firstSentence(const std::string& text) {
   std::string sentence;
   for (std::size_t begin = 0; text.compare(begin, 2, "# ") == 0;) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kMostTrials = 1'000'000;
 
-/// The number of the drill that `word` names by number or name.
+/// The number of the drill that `word` means, which is a number or a name.
 Result<int> drillNumber(const std::vector<Drill>& drills, const std::string& word) {
   int number = 0;
   const auto parsed = std::from_chars(word.data(), word.data() + word.size(), number);
@@ -74,7 +74,7 @@ CLI::App* addDrill(CLI::App& app, DrillCommand& options) {
 
 namespace {
 
-/// The built-in drills, or those of --drills.
+/// The built-in drills, or those in the folder of --drills.
 Result<std::vector<Drill>> chosenDrills(const DrillCommand& options) {
   if (options.folder.empty()) return builtInDrills();
   return loadDrills(options.folder);
@@ -87,7 +87,7 @@ Result<std::vector<DrillReport>> runTeam(const std::vector<Drill>& drills, const
                    [&](std::size_t done, std::size_t total) { return bar.update(done, total); });
 }
 
-/// Teams by name. Errors: kUsage.
+/// The teams to test. Errors: kUsage.
 Result<std::vector<TeamChoice>> chosenTeams(const DrillCommand& options) {
   if (options.teams.empty()) return fail(ErrorCode::kUsage, "drill: name a team. See fulbito drill --help.");
   if (options.json && options.teams.size() > 1) {

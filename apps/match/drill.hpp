@@ -14,11 +14,11 @@ namespace fulbito::app {
 
 /// The command line of `fulbito drill`.
 struct DrillCommand {
-  std::vector<std::string> teams;   ///< more than one: one table for all
+  std::vector<std::string> teams;   ///< with more than one, all are in one table
   std::vector<std::string> drills;  ///< numbers or names
   DrillOptions run;
-  TeamFlags outside;   ///< teams that are files or programs
-  std::string folder;  ///< empty: the built-in drills
+  TeamFlags outside;   ///< options for teams that are files or programs
+  std::string folder;  ///< folder with drills; empty: the built-in drills
   bool json = false;
   bool check = false;
   bool list = false;

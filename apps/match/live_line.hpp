@@ -6,7 +6,7 @@
 
 namespace fulbito::app {
 
-/// A live status line on stderr: score, clock, speed. Silent if stderr is not a terminal.
+/// A status line on stderr with score, clock and speed. Prints nothing if stderr is not a terminal.
 class LiveLine {
  public:
   explicit LiveLine(const MatchConfig& config);

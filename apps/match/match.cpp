@@ -22,13 +22,13 @@
 namespace fulbito::app {
 namespace {
 
-constexpr Tick kTicksBetweenChecks = 64;  // match ticks between looks at the clock and for signals
+constexpr Tick kTicksBetweenChecks = 64;  // ticks between checks of the clock and for signals
 constexpr const char* kStdout = "-";
-constexpr int kMostAttempts = 3;  // at a match that the machine cuts
+constexpr int kMostAttempts = 3;  // attempts at a match that the machine interrupts
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
 
-/// A file, or stdout, that writes each line at once and keeps the first failure.
+/// A file, or stdout, to which each line is written immediately. Keeps the first failure.
 class LineFile {
  public:
   static Result<LineFile> open(const std::string& name, bool replace) {
@@ -45,15 +45,15 @@ class LineFile {
       flushOut();
     }
   }
-  /// Ends the file. Errors: the first failed write.
+  /// Completes the file. Errors: the first failed write.
   Result<void> finish() { return file_ ? file_->commit() : Result<void>(); }
 
  private:
   explicit LineFile(std::optional<OutputFile> file) : file_(std::move(file)) {}
-  std::optional<OutputFile> file_;  ///< none: stdout; `finishOutput` reports its failures
+  std::optional<OutputFile> file_;  ///< empty: stdout; `finishOutput` reports its failures
 };
 
-/// Checks flags that apply to a single match only.
+/// Checks the combination of flags for a single match.
 Result<void> checkFlags(const MatchCommand& options) {
   if (options.json && options.events == kStdout) {
     return fail(ErrorCode::kUsage, "--events - and --json both write to stdout; give --events a file");
@@ -82,7 +82,7 @@ struct Watchers {
   std::optional<MatchRecorder> recorder;
 
   Result<void> attach(const MatchCommand& options, Match& match);
-  /// Ends all files. Errors: the first failed write.
+  /// Completes all files. Errors: the first failed write.
   Result<void> finish();
 };
 
@@ -116,7 +116,7 @@ Result<void> Watchers::finish() {
   return {};
 }
 
-/// Plays until the end or a signal.
+/// Plays the match until its end or a signal.
 void play(Match& match) {
   LiveLine live(match.config());
   while (match.step()) {
@@ -151,7 +151,7 @@ Result<void> play(Match& match, std::optional<ViewWindow>& window, const MatchCo
   return {};
 }
 
-/// Closing the window early is not a failure.
+/// The exit code of a match. A window that is closed early is not a failure.
 int exitCode(const MatchReport& report, bool closed) {
   if (report.faults.abandoned) {
     return app::report(
@@ -160,7 +160,7 @@ int exitCode(const MatchReport& report, bool closed) {
   return report.complete || (closed && !interrupted()) ? kOk : interruptedCode();
 }
 
-/// Says which layers a team's containment lacks.
+/// Prints which layers of containment a team lacks on this machine.
 void noteContainment(const MatchConfig& config) {
   for (const TeamChoice& team : config.teams) {
     for (const Setting& entry : team.origin) {
@@ -174,16 +174,17 @@ int reportUnplayed(Error error) {
   return report(error);
 }
 
-/// Whether to play a match again that the machine cut. What went to stdout or a window cannot be taken back.
+/// Whether to repeat a match that the machine interrupted. Output on stdout or in a window cannot be taken
+/// back.
 bool worthAnother(const MatchCommand& options, const MatchReport& report) {
   return report.faults.abandoned && report.faults.abandoned->code == ErrorCode::kMachine && !options.view &&
          options.events != kStdout;
 }
 
-/// @param last  whether this attempt counts even if the machine cuts the match
-/// @return the exit code; empty: the match is to be played again
+/// @param last  whether this attempt counts even if the machine interrupts the match
+/// @return the exit code; empty: the match has to be repeated
 std::optional<int> attempt(const MatchCommand& options, const MatchConfig& config, bool last) {
-  // Opens before any output file, so that a failure leaves no file.
+  // Opens the window before any output file, so that a failure leaves no file.
   auto window = windowOf(options);
   if (!window) return report(window.error());
   auto made = MachineRoom().run([&] { return Match::create(config, now); });
@@ -212,7 +213,7 @@ std::optional<int> attempt(const MatchCommand& options, const MatchConfig& confi
 int playOne(MatchCommand options, const MatchConfig& config) {
   for (int attempts = 1;; ++attempts) {
     if (const auto code = attempt(options, config, attempts == kMostAttempts)) return *code;
-    options.force = true;  // over the files of the last attempt
+    options.force = true;  // replaces the files of the last attempt
   }
 }
 

@@ -19,13 +19,13 @@ namespace fulbito::app {
 /// Options of `fulbito match`.
 struct MatchCommand {
   MatchSettings settings;
-  std::string record;          ///< file; empty: none
-  bool record_recipe = false;  ///< the recording holds only what cannot be computed again
-  bool drawings = false;       ///< the recording also holds what the teams draw
-  std::string events;          ///< file or "-"; empty: none
-  std::optional<int> pairs;    ///< empty: one match
-  RunFlags series;             ///< of a series
-  bool view = false;           ///< play in a window
+  std::string record;          ///< recording file; empty: none
+  bool record_recipe = false;  ///< the recording contains only what cannot be simulated again
+  bool drawings = false;       ///< the recording also contains debug drawings of the teams
+  std::string events;          ///< file for events, or "-"; empty: none
+  std::optional<int> pairs;    ///< number of pairs in a series; empty: a single match
+  RunFlags series;             ///< options of a series
+  bool view = false;           ///< play the match in a window
   ViewOptions window;
   bool profile = false;
   bool json = false;

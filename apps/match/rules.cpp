@@ -21,7 +21,7 @@ namespace {
 int showRules(const std::string& name_or_file) {
   const auto loaded = loadRules(name_or_file);
   if (!loaded) return report(loaded.error());
-  // A preset keeps its comments. A file is printed with the keys that it leaves to the defaults.
+  // A preset is printed with its comments. A file is printed with all keys, including those left to defaults.
   const std::vector<std::string> presets = rulesPresetNames();
   const bool preset = std::find(presets.begin(), presets.end(), name_or_file) != presets.end();
   const std::string text = preset ? rulesPresetText(name_or_file).value_or("") : toToml(*loaded);
@@ -34,7 +34,7 @@ int checkRules(const std::string& file) {
   if (!loaded) return report(loaded.error());
   const auto field = loadField(loaded->field);
   if (!field) return report(field.error());
-  // The ball of a match by default.
+  // The default ball of a match.
   const auto robot = loadRobot(MatchSettings().robot);
   if (!robot) return report(robot.error());
   if (auto playable = checkField(*loaded, *field, robot->ball); !playable) {

@@ -39,7 +39,7 @@ Json verdictJson(const std::optional<ShadowVerdict>& verdict, Tick begin, double
   return json;
 }
 
-/// A compared recording and the length of its tick [s].
+/// One of the compared recordings, and the length of its tick [s].
 struct Source {
   std::string file;
   double dt = 0.0;

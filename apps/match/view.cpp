@@ -57,7 +57,7 @@ ViewSettings settingsOf(const ViewOptions& options) {
   return settings;
 }
 
-/// The file's recording, simulated again if it has no samples.
+/// The timeline of a recording, which is simulated again if it has no samples.
 Result<ReplayTimeline> timelineOf(const std::string& file) {
   auto recording = RecordingReader::open(file);
   if (!recording) return tl::unexpected<Error>(recording.error());
@@ -168,7 +168,7 @@ Result<void> playInWindow(Match& match, ViewWindow& window, const ViewOptions& o
   stages.push_back(std::make_unique<MatchStage>(match));
   Viewer viewer(std::move(stages), settingsOf(options));
   auto shown = window.run(viewer);
-  match.finish();  // while the stage, which watches it, is there
+  match.finish();  // ends the match while the stage that observes it still exists
   return shown;
 }
 

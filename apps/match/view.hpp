@@ -18,7 +18,7 @@ namespace fulbito::app {
 struct ViewOptions {
   double speed = 1.0;
   std::string theme = "dark";
-  std::string size;  ///< WIDTHxHEIGHT; empty: what fits
+  std::string size;  ///< WIDTHxHEIGHT; empty: as large as fits
   bool paused = false;
   bool full_screen = false;
   bool help = false;
@@ -29,23 +29,23 @@ struct ViewOptions {
 /// Options of `fulbito view`.
 struct ViewCommand {
   std::vector<std::string> files;
-  double from = 0.0;  ///< [s]
+  double from = 0.0;  ///< [s] time at which the display begins
   bool json = false;
   ViewOptions window;
 };
 
 /// Adds `view`.
 CLI::App* addView(CLI::App& app, ViewCommand& options);
-/// Adds the window options; with `needed`, each requires that option.
+/// Adds the window options. If `needed` is given, each of them requires that option.
 void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed = nullptr);
 
 /// Shows recordings and returns the exit code.
 int view(const ViewCommand& options);
 
-/// Opens the window. Errors: kUsage for the options; as ViewWindow::create.
+/// Opens the window. Errors: kUsage for invalid options; as `ViewWindow::create`.
 Result<ViewWindow> openWindow(const ViewOptions& options);
-/// Plays a match in the window until the user closes it, and ends the match as it stands then. Errors: as
-/// ViewWindow::run.
+/// Plays a match in the window until the user closes it. The match then ends at its present state. Errors: as
+/// `ViewWindow::run`.
 Result<void> playInWindow(Match& match, ViewWindow& window, const ViewOptions& options);
 
 }  // namespace fulbito::app

@@ -17,7 +17,7 @@ namespace {
 
 double secondsSince(std::int64_t begin) { return static_cast<double>(now() - begin) * 1e-9; }
 
-/// Tunes the method at each speed and adds the results to the compared navigators.
+/// Tunes the navigator at each speed, and adds the results to the navigators to compare.
 Result<void> tuneFirst(const CompareOptions& options, ComparisonConfig& config) {
   if (config.suite == kPaperSuite) config.suite = "corner";
   const auto suite = findSuite(config.suite);
@@ -67,7 +67,7 @@ int compare(const CompareOptions& options) {
   if (options.mapped) return compareMap(options);
   const std::int64_t begin = now();
   ComparisonConfig config = options.config;
-  // Check all options before the work starts.
+  // Checks all options before the work starts.
   if (auto planned = planComparison(config); !planned) return report(planned.error());
   const std::string_view png = beginningOf(OutputKind::kPng);
   const Products products{

@@ -24,7 +24,7 @@ void listExperiments() {
   }
 }
 
-/// "name=value" as a setting.
+/// A setting from a text "name=value".
 Result<Setting> settingOf(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
@@ -45,7 +45,7 @@ Result<ExperimentRequest> requestOf(const ExperimentCommand& command) {
   return request;
 }
 
-/// Runs an experiment and writes its files. Returns its JSON; without --json it is printed as tables.
+/// Runs an experiment and writes its files. Returns its report as JSON; prints tables unless --json is given.
 Result<std::string> runOne(const ExperimentCommand& command, const PaperExperiment& experiment,
                            ExperimentRequest request) {
   const std::string folder = command.out + "/" + experiment.name;
@@ -64,7 +64,7 @@ Result<std::string> runOne(const ExperimentCommand& command, const PaperExperime
   return experimentJson(*report, request);
 }
 
-/// One object, also for several experiments.
+/// One JSON object, also for several experiments.
 std::string jsonOf(const ExperimentCommand& command, const std::vector<std::string>& reports) {
   if (command.name != "all") return reports.front();
   return fmt::format("{{\"schema_version\": 1, \"experiments\": [\n{}]}}\n", fmt::join(reports, ","));

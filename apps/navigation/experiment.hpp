@@ -10,12 +10,12 @@ class App;
 
 namespace fulbito::app {
 
-/// `fulbito experiment`.
+/// Options of `fulbito experiment`.
 struct ExperimentCommand {
-  std::string name;  ///< of an experiment, or "list" or "all"
+  std::string name;  ///< name of an experiment, "list" or "all"
   std::uint64_t seed = 1;
   int jobs = 0;
-  std::vector<std::string> settings;  ///< "name=value" each
+  std::vector<std::string> settings;  ///< "name=value" for each setting
   std::string out = "fulbito-out";
   bool json = false;
 };
@@ -23,7 +23,7 @@ struct ExperimentCommand {
 /// Adds the command with its options, unless the program is built without experiments.
 void addExperiment(CLI::App& app, ExperimentCommand& command);
 
-/// Runs it. Returns the exit code.
+/// Runs the command and returns its exit code.
 int experiment(const ExperimentCommand& command);
 
 }  // namespace fulbito::app

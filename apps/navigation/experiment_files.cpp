@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kPictureWidth = 1000;                                  // [px]
 constexpr double kGifWidth = 460, kGifFps = 12.5, kLongestFilm = 12.0;  // [px], [Hz], [s]
-constexpr std::size_t kLastFrames = 12;                                 // the end stays for a second
+constexpr std::size_t kLastFrames = 12;  // copies of the last frame, so that the end is shown for a second
 
-/// Rows of a film of at most `kLongestFilm`, in real time where that is shorter.
+/// The rows to show in a film: in real time if that takes at most `kLongestFilm`, else evenly spread over it.
 std::vector<std::size_t> filmRows(const PageScene& page) {
   const double seconds = static_cast<double>(page.rows.back().tick) / page.rate;
   const double speed = std::max(1.0, seconds / kLongestFilm);
@@ -55,8 +55,8 @@ Result<std::string> sceneGif(const ReportScene& scene) {
   return gif->finish();
 }
 
-/// Writes files into one folder and keeps their names. Where a foreign file has the name of one, the others
-/// are written all the same.
+/// Writes files into a folder and keeps their names. If it may not replace a file of another kind, it still
+/// writes the other files.
 class Folder {
  public:
   explicit Folder(std::string path) : path_(std::move(path)) {}
@@ -70,7 +70,7 @@ class Folder {
     return noted(name, canvas->writePng(path_ + "/" + name));
   }
   std::vector<std::string> names;
-  std::optional<Error> refused;  ///< of the first file that was not written for that reason
+  std::optional<Error> refused;  ///< error of the first file that it could not replace
 
  private:
   Result<void> noted(const std::string& name, Result<void> written) {

@@ -12,7 +12,7 @@
 namespace fulbito::app {
 namespace {
 
-/// A layout with the rules of its suite.
+/// A layout, with the rules of its suite.
 struct Problem {
   Layout layout;
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;
@@ -91,7 +91,7 @@ void printScore(const TrialConfig& config, const TrialResult& result) {
       quantile(compute, 0.99), quantile(compute, 1.0), result.final_hash);
 }
 
-/// The picture's file: the given one, or one named after the layout.
+/// Name of the picture's file: the given one, or one derived from the layout.
 std::string pictureOf(const RunOptions& options, const TrialConfig& config) {
   if (!options.png) return {};
   return options.png->empty() ? config.layout.name + ".png" : *options.png;

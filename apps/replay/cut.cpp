@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// `3-5` or `3`, counted from 1.
+/// Parses `3-5` or `3`; plays count from 1.
 Result<PlayRange> parsePlays(const std::string& text) {
   PlayRange range;
   const char *at = text.data(), *end = at + text.size();

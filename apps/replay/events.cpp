@@ -20,7 +20,7 @@ std::string whoText(const RecordedEvent& call) {
   return call.robot ? fmt::format("{} {}", nameOf(*call.team), *call.robot) : nameOf(*call.team);
 }
 
-/// One row of the table. The longest clause fits into its column.
+/// One row of the table. The columns are wide enough for the longest clause.
 std::string rowOf(const std::string& time, const std::string& period, const std::string& clock,
                   const std::string& score, const std::string& what, const std::string& who,
                   const std::string& place, const std::string& law, const std::string& measured) {
@@ -43,7 +43,7 @@ std::string lineOf(const ReplayEvent& event, double dt) {
                oneLine(call.law), event.restart ? "" : measuredText(call));
 }
 
-/// Whether the call only repeats the restart before it: a kick-off.
+/// Whether the call repeats the restart before it, as a kick-off does.
 bool repeatsRestart(const ReplayEvent& event, const std::optional<RestartKind>& last) {
   return !event.restart && event.call.clause == "kick-off" && last == RestartKind::kKickOff;
 }

@@ -12,7 +12,7 @@
 namespace fulbito::app {
 namespace {
 
-/// A product and whether the user wants it.
+/// An output of the command, and whether the user wants it.
 struct Product {
   bool wanted;
   Result<void> (*make)(const ExportRequest&);
@@ -28,7 +28,7 @@ std::vector<Product> productsOf(const ReplayExportCommand& options) {
 
 constexpr const char* kProducts = "Products (OUT: a file, - for stdout; default: named after the recording)";
 
-/// An option whose file name may be omitted: the product is then named after the recording.
+/// Adds an option with an optional file name. Without one, the product is named after the recording.
 void addProduct(CLI::App& command, const char* flag, std::optional<std::string>& file, OutputKind kind,
                 const char* what, Existing existing = Existing::kRefused) {
   CLI::Option* option = command.add_option_function<std::vector<std::string>>(

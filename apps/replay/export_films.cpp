@@ -18,13 +18,13 @@ namespace {
 
 constexpr int kVideoWidth = 900, kGifWidth = 480;  // [px]
 constexpr double kVideoFps = 30.0, kGifFps = 12.5;
-constexpr double kHurried = 4.0;    // times real time
+constexpr double kHurried = 4.0;    // default speed of longer films, relative to real time
 constexpr double kPatience = 30.0;  // [s] films up to this length are shown in real time
 constexpr std::size_t kPaletteSamples = 12;
 
 bool quiet() { return ::isatty(STDERR_FILENO) == 0; }
 
-/// Real time for events and short ranges; otherwise four times as fast.
+/// The speed of a film: real time for events and short ranges, otherwise `kHurried`.
 double speedOf(const ExportRequest& request) {
   const bool scene = !request.events.empty() || request.whole.to - request.whole.from <= kPatience;
   return request.options->speed.value_or(scene ? 1.0 : kHurried);
@@ -39,7 +39,7 @@ std::string lengthText(std::size_t frames, double fps) {
   return fmt::format("{} frames, {:.1f} s", frames, static_cast<double>(frames) / fps);
 }
 
-/// Draws all frames and passes them to `sink`; shows a progress bar.
+/// Draws all frames and passes them to `sink`, with a progress bar.
 Result<void> film(const FrameJob& job, const char* what, const std::function<FramePacker()>& packer,
                   const FrameSink& sink) {
   ProgressBar progress(what, quiet());
@@ -76,7 +76,7 @@ Result<void> exportVideo(const ExportRequest& request, VideoFormat format, const
   return {};
 }
 
-/// The palette of a few frames spread over the film.
+/// The palette for a film, from a few frames spread over it.
 Result<GifPalette> paletteOf(const FrameJob& job) {
   FrameJob samples = job;
   samples.times.clear();
@@ -101,10 +101,10 @@ Result<GifPalette> paletteOf(const FrameJob& job) {
   return GifPalette(all);
 }
 
-/// Frames of a film of which the rest is judged, and of those of one stretch.
+/// Number of parts of a film from which its size is estimated, and frames per part.
 constexpr std::size_t kStretches = 3, kStretch = 8;
 
-/// The frames of a job as a GIF. `shown`: with a progress bar.
+/// The frames of a job as a GIF. `shown`: whether to show a progress bar.
 Result<std::string> gifOf(const FrameJob& job, const GifPalette& palette, int delay, bool shown) {
   auto gif = GifWriter::create(job.picture->spec().width, job.picture->spec().height, palette, delay);
   if (!gif) return tl::unexpected<Error>(gif.error());
@@ -120,13 +120,13 @@ Result<std::string> gifOf(const FrameJob& job, const GifPalette& palette, int de
   return gif->finish();
 }
 
-/// Says what a long GIF will weigh, by some stretches of it, and how to make a short one.
+/// Prints the estimated size of a long GIF, and how to make a shorter one.
 Result<void> noteWeight(const ExportRequest& request, const FrameJob& job, const GifPalette& palette,
                         int delay) {
   const std::size_t frames = job.times.size();
   const double fps = 100.0 / delay;
   if (static_cast<double>(frames) <= kPatience * fps) return {};
-  double first = 0.0, all = 0.0;  // bytes of a lone frame, and of one with those that follow it
+  double first = 0.0, all = 0.0;  // bytes of a first frame, and of a whole part
   for (std::size_t i = 0; i < kStretches; ++i) {
     FrameJob stretch = job;
     const auto begin =
@@ -160,7 +160,7 @@ Result<void> exportWebm(const ExportRequest& request) {
 Result<void> exportGif(const ExportRequest& request) {
   const auto file = outputFile(request, {"--gif", OutputKind::kGif, *request.options->gif}, ".gif");
   if (!file) return tl::unexpected<Error>(file.error());
-  // GIF delays are in hundredths of a second.
+  // The delay of GIF frames is a whole number of hundredths of a second.
   const int delay =
       std::max(2, static_cast<int>(std::floor(100.0 / request.options->fps.value_or(kGifFps) + 0.5)));
   const double fps = 100.0 / delay;

@@ -10,7 +10,7 @@
 namespace fulbito::app {
 namespace {
 
-/// A flag and the products that use it.
+/// A flag, and the products that it applies to.
 struct Use {
   const char* flag;
   std::vector<std::string_view> products;

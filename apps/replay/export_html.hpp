@@ -10,7 +10,7 @@ class App;
 
 namespace fulbito::app {
 
-/// `fulbito replay export FILE --html`: a page with the viewer in it.
+/// Options of `fulbito replay export FILE --html`, which writes a page with the viewer.
 struct HtmlExport {
   std::string html;   ///< output file; - for stdout; empty: none
   std::string ghost;  ///< second recording, drawn over the first; empty: none
@@ -19,7 +19,7 @@ struct HtmlExport {
 /// Adds --html and --ghost to `export`.
 void addHtmlOptions(CLI::App& command, HtmlExport& options);
 
-/// The page of a recording. Errors: as RecordingReader::open, with the file's name.
+/// The HTML page of a recording. Errors: as `RecordingReader::open`, with the file's name.
 Result<std::string> replayPage(const std::string& file);
 
 /// Writes the page of the recording `file` and returns the exit code.

@@ -17,7 +17,7 @@ constexpr int kPictureWidth = 900, kSheetWidth = 1600;  // [px]
 constexpr int kSheetCells = 12;
 constexpr double kStillFps = 10.0;
 
-/// A still: the state of all bodies, and what is drawn over it.
+/// A still picture: the state of all bodies, and its overlays.
 struct Still {
   ReplayMoment moment;
   MatchOverlays overlays;
@@ -29,7 +29,7 @@ Still stillAt(const ExportRequest& request, double seconds) {
   return still;
 }
 
-/// The last tick before the restart, with the call that was made and the score after it.
+/// The last tick before the restart after an event, with the banner of the event and the new score.
 Still stillOf(const ExportRequest& request, const RecordedEvent& event) {
   const ReplayTimeline& timeline = request.timeline;
   Still still = stillAt(request, timeline.secondsAt(std::max<Tick>(0, event.tick - 1)));
@@ -41,7 +41,7 @@ Still stillOf(const ExportRequest& request, const RecordedEvent& event) {
   return still;
 }
 
-/// `game.png` as `game-0012.png`.
+/// Inserts a number into a file name: `game.png` becomes `game-0012.png`.
 std::string numbered(const std::string& file, std::size_t index) {
   const std::size_t dot = file.rfind('.'), slash = file.rfind('/');
   const std::size_t end =
@@ -49,7 +49,7 @@ std::string numbered(const std::string& file, std::size_t index) {
   return fmt::format("{}-{:04}{}", file.substr(0, end), index, file.substr(end));
 }
 
-/// The names of `count` pictures: numbered where there are several. Errors: as outputFile.
+/// The file names of `count` pictures, numbered if there are several. Errors: as `outputFile`.
 Result<std::vector<std::string>> pictureFiles(const ExportRequest& request, const ProductName& product,
                                               const std::string& ending, std::size_t count) {
   const std::string& given = product.given;
@@ -113,7 +113,7 @@ Result<void> writeSequence(const ExportRequest& request) {
   return {};
 }
 
-/// Stills at --at and of the events; empty if neither was given.
+/// The stills at the times of --at and at the events. Empty if neither was given.
 std::vector<Still> stillsOf(const ExportRequest& request) {
   std::vector<Still> stills;
   stills.reserve(request.options->at.size() + request.events.size());
@@ -161,7 +161,7 @@ Result<void> exportTrails(const ExportRequest& request) {
   auto canvas = picture->canvas();
   if (!canvas) return tl::unexpected<Error>(canvas.error());
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    // For an event, show the paths up to it, not those after the restart.
+    // For an event, shows the paths up to it, not those after the restart.
     const bool event = !request.events.empty();
     Still still = event ? stillOf(request, request.events[i]) : stillAt(request, ranges[i].to);
     still.overlays.trails = pathsBetween(request.timeline, ranges[i].from, still.moment.seconds);
@@ -187,7 +187,7 @@ Result<void> exportSvg(const ExportRequest& request) {
 
 namespace {
 
-/// The bodies that a word names: ball, blue, yellow, blue:1; in a trial also robot.
+/// The bodies that a word selects: ball, blue, yellow, blue:1; in a trial also robot.
 Result<HeatMapChoice> heatChoice(const ExportRequest& request, const std::string& word) {
   HeatMapChoice choice;
   choice.from = request.whole.from;

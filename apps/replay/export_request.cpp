@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kAround = 5.0;  // [s] before and after an event
 constexpr int kLeastSide = 160, kMostSide = 16384;
-constexpr std::size_t kMostDrawers = 256;  // each has a canvas of its own
+constexpr std::size_t kMostDrawers = 256;  // largest number of threads, since each has its own canvas
 constexpr std::size_t kShownCalls = 20;
 
 tl::unexpected<Error> usage(std::string message) { return fail(ErrorCode::kUsage, std::move(message)); }
@@ -55,7 +55,7 @@ Result<void> setRange(const ReplayExportCommand& options, ExportRequest& request
   return usage(fmt::format("--from {} is after --to {}", request.whole.from, request.whole.to));
 }
 
-/// Whether `name` covers that clause: "penalty" covers all penalties, "goals" means "goal".
+/// Whether the event name `name` covers a clause: "penalty" covers all penalties, "goals" means "goal".
 bool means(std::string name, const std::string& clause) {
   if (name == clause || clause.starts_with(name + ".")) return true;
   if (!name.ends_with('s')) return false;
@@ -63,10 +63,10 @@ bool means(std::string name, const std::string& clause) {
   return name == clause || clause.starts_with(name + ".");
 }
 
-/// The events that --around names: all of a name, or only one of them, as in "goals:2".
+/// The events that --around selects: all with a name, or only one of them, as in "goals:2".
 struct EventChoice {
   std::string name;
-  std::optional<std::size_t> number;  ///< from 1
+  std::optional<std::size_t> number;  ///< number of the event, from 1; empty: all
 };
 
 Result<EventChoice> eventChoice(const std::string& text) {

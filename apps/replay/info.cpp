@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Counts over the whole recording.
+/// Numbers summed over the whole recording.
 struct Tally {
   std::int64_t plays = 0;
   std::map<std::string, int> calls, restarts;
@@ -40,7 +40,7 @@ Result<Tally> tallyOf(const RecordingReader& recording) {
   return tally;
 }
 
-/// The names inside the recipe's texts; empty for a text that cannot be parsed.
+/// The names in the texts of the recipe; empty for a text that cannot be parsed.
 struct RecipeNames {
   std::string rules, physics, robot, field;
 };

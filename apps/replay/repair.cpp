@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// `repaired` is empty for an undamaged file.
+/// The result as JSON. `repaired` is empty for an undamaged file.
 Json toJson(const ReplayRepairCommand& options, const Salvage& found, const std::optional<Repair>& repaired) {
   Json json{{"schema_version", 1}, {"file", options.file}, {"whole", found.whole}};
   json["out"] = repaired ? Json(options.out) : Json(nullptr);

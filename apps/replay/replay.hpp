@@ -10,10 +10,10 @@ namespace CLI {
 class App;
 }
 
-/// `fulbito replay`: one part per file of the same name.
+/// `fulbito replay`. Each subcommand is in the file of its name.
 namespace fulbito::app {
 
-/// What `fulbito replay info` was asked.
+/// Options of `fulbito replay info`.
 struct ReplayInfoCommand {
   std::string file;
   bool json = false;
@@ -22,10 +22,10 @@ struct ReplayInfoCommand {
 /// Adds `info` to `replay`.
 CLI::App* addReplayInfo(CLI::App& replay, ReplayInfoCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayInfo(const ReplayInfoCommand& options);
 
-/// What `fulbito replay events` was asked.
+/// Options of `fulbito replay events`.
 struct ReplayEventsCommand {
   std::string file;
   bool json = false;
@@ -34,12 +34,12 @@ struct ReplayEventsCommand {
 /// Adds `events` to `replay`.
 CLI::App* addReplayEvents(CLI::App& replay, ReplayEventsCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayEvents(const ReplayEventsCommand& options);
 
-/// What `fulbito replay verify` was asked.
+/// Options of `fulbito replay verify`.
 struct ReplayVerifyCommand {
-  std::vector<std::string> files;  ///< or folders
+  std::vector<std::string> files;  ///< files or folders
   int jobs = 0;
   bool json = false;
 };
@@ -47,10 +47,10 @@ struct ReplayVerifyCommand {
 /// Adds `verify` to `replay`.
 CLI::App* addReplayVerify(CLI::App& replay, ReplayVerifyCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayVerify(const ReplayVerifyCommand& options);
 
-/// What `fulbito replay diff` was asked.
+/// Options of `fulbito replay diff`.
 struct ReplayDiffCommand {
   std::string a;
   std::string b;
@@ -60,26 +60,26 @@ struct ReplayDiffCommand {
 /// Adds `diff` to `replay`.
 CLI::App* addReplayDiff(CLI::App& replay, ReplayDiffCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayDiff(const ReplayDiffCommand& options);
 
-/// What `fulbito replay cut` was asked.
+/// Options of `fulbito replay cut`.
 struct ReplayCutCommand {
   std::string file;
   std::string out;
-  std::optional<double> from;  ///< [s] of the recording
-  std::optional<double> to;    ///< [s]
-  std::string plays;           ///< A-B, counted from 1
+  std::optional<double> from;  ///< [s] time in the recording; empty: its begin
+  std::optional<double> to;    ///< [s] time in the recording; empty: its end
+  std::string plays;           ///< range of plays A-B, counted from 1
   bool json = false;
 };
 
 /// Adds `cut` to `replay`.
 CLI::App* addReplayCut(CLI::App& replay, ReplayCutCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayCut(const ReplayCutCommand& options);
 
-/// What `fulbito replay repair` was asked.
+/// Options of `fulbito replay repair`.
 struct ReplayRepairCommand {
   std::string file;
   std::string out;
@@ -89,22 +89,22 @@ struct ReplayRepairCommand {
 /// Adds `repair` to `replay`.
 CLI::App* addReplayRepair(CLI::App& replay, ReplayRepairCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayRepair(const ReplayRepairCommand& options);
 
-/// What `fulbito replay export` was asked. Of a product that was asked for without a file the name is empty:
-/// it is named after the recording.
+/// Options of `fulbito replay export`. A product has an empty name if it was requested without a file; it is
+/// then named after the recording.
 struct ReplayExportCommand {
-  const CLI::App* command = nullptr;  ///< knows which flags were given
+  const CLI::App* command = nullptr;  ///< tells which flags were given
   std::string file;
   std::optional<std::string> png, contact_sheet, trails, gif, mp4, webm, svg, csv, jsonl;
-  std::vector<std::string> heatmap;  ///< whose, and where it is written
+  std::vector<std::string> heatmap;  ///< whose heat map, and optionally its file
   HtmlExport html;
-  std::vector<double> at;  ///< [s]
-  std::string around;      ///< name of events
+  std::vector<double> at;  ///< times of pictures [s]
+  std::string around;      ///< name of events; empty: none
   bool highlights = false;
   std::optional<double> from, to, fps, speed;
-  std::string size;  ///< "W" or "WxH"; empty: the product's own
+  std::string size;  ///< "W" or "WxH"; empty: the default of the product
   std::string theme = "dark";
   double trail_seconds = 1.0;
   bool no_banner = false, no_drawings = false;
@@ -115,12 +115,12 @@ struct ReplayExportCommand {
 /// Adds `export` to `replay`.
 CLI::App* addReplayExport(CLI::App& replay, ReplayExportCommand& options);
 
-/// Runs it and returns the exit code.
+/// Runs the command and returns its exit code.
 int replayExport(const ReplayExportCommand& options);
 
-/// What `fulbito replay` was asked: each part keeps its own.
+/// Options of `fulbito replay` and its subcommands.
 struct ReplayCommands {
-  CLI::App* command = nullptr;  ///< knows which part was named
+  CLI::App* command = nullptr;  ///< tells which subcommand was given
   ReplayInfoCommand info;
   ReplayEventsCommand events;
   ReplayVerifyCommand verify;
@@ -130,10 +130,10 @@ struct ReplayCommands {
   ReplayExportCommand exporting;
 };
 
-/// Adds `replay` with its parts.
+/// Adds `replay` with its subcommands.
 CLI::App* addReplay(CLI::App& app, ReplayCommands& options);
 
-/// Runs the part that was named and returns its exit code.
+/// Runs the given subcommand and returns its exit code.
 int replay(const ReplayCommands& options);
 
 }  // namespace fulbito::app

@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 /// The number of files per verdict.
 struct Counts {
   std::size_t same = 0, different = 0, cut = 0, bad = 0;
-  double simulated = 0.0;  ///< [s]
+  double simulated = 0.0;  ///< simulated time [s]
 };
 
 Counts countsOf(const std::vector<VerifiedFile>& files) {
@@ -143,8 +143,8 @@ Json toJson(const std::vector<VerifiedFile>& files, double wall) {
   return json;
 }
 
-/// A difference counts more than damage. Files that cannot be opened give kIo, or
-/// kInconclusive if only the machine fails; damaged ones kBadInput.
+/// The exit code for several files. A difference takes precedence over damage. Files that cannot be opened
+/// give kIo, or kInconclusive if all failures are the machine's; damaged files give kBadInput.
 int exitCodeOf(const std::vector<VerifiedFile>& files) {
   const Counts counts = countsOf(files);
   if (counts.different > 0) return kDifferent;

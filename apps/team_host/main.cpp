@@ -1,5 +1,5 @@
-// Runs a team of a shared library in a process of its own. Messages of `bridge/abi/frames.hpp` come on
-// standard input, and replies go to standard output. What the team prints goes to standard error.
+// Runs a team of a shared library in its own process. Messages of `bridge/abi/frames.hpp` arrive on standard
+// input; replies go to standard output. Text that the team prints goes to standard error.
 
 #include <cerrno>
 #include <cstdio>
@@ -19,13 +19,14 @@
 namespace fulbito {
 namespace {
 
-constexpr int kUsage = 2, kBadInput = 3, kIo = 5;  // exit codes, as those of the program `fulbito`
-constexpr std::size_t kLongestReason = 2000;       // [bytes] a pipe takes it at once
+constexpr int kUsage = 2, kBadInput = 3, kIo = 5;  // exit codes, the same as those of the program `fulbito`
+constexpr std::size_t kLongestReason = 2000;       // [bytes] short enough that a pipe takes it at once
 
-// How long to wait awake. Two teams that take turns need some microseconds, other work takes longer.
-constexpr double kAwake = 1e-4;       // [s] for one request, at most
-constexpr double kOthersWork = 2e-5;  // [s] without the processor: others need it
-constexpr int kAsleep = 16;           // requests, before it tries again
+// Times of busy waiting. Two teams that take turns need some microseconds; a wait for other work takes
+// longer.
+constexpr double kAwake = 1e-4;       // [s] longest busy wait for one request
+constexpr double kOthersWork = 2e-5;  // [s] a longer gap means that other processes need the processor
+constexpr int kAsleep = 16;  // number of requests to wait for asleep before it tries busy waiting again
 
 double now() {
   timespec time{};
@@ -43,8 +44,8 @@ int say(const Error& error) {
   return codeOf(error);
 }
 
-/// The two ends of the conversation, moved away from the standard descriptors: the team gets an empty input,
-/// and its output goes to standard error.
+/// Input and output of the messages, moved away from the standard descriptors. The team gets an empty
+/// standard input, and its standard output goes to standard error.
 struct Ends {
   int in = -1;
   int out = -1;
@@ -52,7 +53,7 @@ struct Ends {
 
 Ends moveEnds() {
   const int least = STDERR_FILENO + 1;
-  // Of this end only: the match has a description of its own.
+  // Affects only this end of the pipe; the simulator has a file description of its own.
   fcntl(STDIN_FILENO, F_SETFL, fcntl(STDIN_FILENO, F_GETFL) | O_NONBLOCK);
   const Ends ends{fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, least), fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, least)};
   const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
@@ -72,7 +73,7 @@ bool writeAll(int to, const std::string& bytes) {
   return true;
 }
 
-/// Tells the simulator why this program ends.
+/// Sends the simulator the reason why this program ends.
 int tell(const Error& error, Ends ends) {
   std::string message;
   const std::string reason = error.message.substr(0, kLongestReason);
@@ -82,12 +83,12 @@ int tell(const Error& error, Ends ends) {
   return writeAll(ends.out, message) ? codeOf(error) : say(error);
 }
 
-/// What has arrived and is not answered yet.
+/// The received messages that are not answered yet.
 class Inbox {
  public:
   explicit Inbox(int from) : from_(from), bytes_(kLargestFrame) {}
 
-  /// Waits for more. @return false at the end
+  /// Waits for more bytes. @return false at the end of the input
   bool receive() {
     const double since = now();
     if (crowded_ > 0) --crowded_;
@@ -100,15 +101,15 @@ class Inbox {
     }
   }
   std::string_view waiting() const { return {bytes_.data(), filled_}; }
-  /// Removes the first `size` bytes. There is always room for a whole message, so `receive` never stalls.
+  /// Removes the first `size` bytes. The buffer has room for a whole message, so `receive` never stalls.
   void drop(std::size_t size) {
     filled_ -= size;
     std::memmove(bytes_.data(), bytes_.data() + size, filled_);
   }
 
  private:
-  /// Waits a little. The next request of a fast match comes sooner than a sleeping processor wakes up, so
-  /// this stays awake, but where others need the processor it sleeps.
+  /// Waits for a short time. It waits busily, because the next request of a fast match arrives sooner than a
+  /// sleeping processor wakes up. If other processes need the processor, it sleeps.
   void rest(double since) {
     if (crowded_ == 0 && now() - since < kAwake) {
       const double before = now();
@@ -123,10 +124,10 @@ class Inbox {
   int from_;
   std::vector<char> bytes_;
   std::size_t filled_ = 0;
-  int crowded_ = 0;  ///< for so many requests the processor is left to others
+  int crowded_ = 0;  ///< number of requests to wait for asleep
 };
 
-/// Answers all whole messages of the inbox and removes them.
+/// Answers all complete messages in the inbox, and removes them.
 Result<void> answerAll(TeamHost& host, Inbox& inbox, std::string& replies) {
   std::size_t done = 0;
   for (;;) {

@@ -14,12 +14,12 @@ namespace fulbito::app {
 
 /// Options of `fulbito check-team`.
 struct CheckTeamCommand {
-  std::string team;  ///< specification
+  std::string team;  ///< specification of the team
   std::uint64_t seed = kDefaultMatchSeed;
   int jobs = 0;
   bool quick = false;
   bool json = false;
-  std::string junit;  ///< file; empty: none
+  std::string junit;  ///< JUnit file; empty: none
   TeamFlags outside;
 };
 

@@ -6,7 +6,7 @@
 
 namespace fulbito::app {
 
-/// The report as JUnit XML, which most build servers read: one test case per check; warnings pass.
+/// The report as JUnit XML, which most build servers can read. Each check is a test case; warnings pass.
 std::string junitOf(const TeamReport& report);
 
 }  // namespace fulbito::app

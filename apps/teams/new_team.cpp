@@ -27,18 +27,18 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 40;
 
-/// A kind of team: its files, and how it is built and named.
+/// A kind of team: its files, how it is built, and its specification.
 struct Kind {
   std::string_view name;
   std::string_view what;
-  std::string_view starter;               ///< folder and file of its source
-  std::string_view header;                ///< what a source in C++ includes
-  std::string_view macro;                 ///< what ends a source in C++
+  std::string_view starter;               ///< folder and file of its source in sdk/starters
+  std::string_view header;                ///< header that a C++ source includes
+  std::string_view macro;                 ///< macro at the end of a C++ source
   std::vector<std::string_view> sdk;      ///< files of the SDK
-  std::vector<std::string_view> details;  ///< folders below fulbito/detail that these include
-  std::string_view build;                 ///< recipe of the Makefile; empty: nothing to build
-  std::string_view target;                ///< what the recipe makes
-  std::string_view specification;         ///< of the built team
+  std::vector<std::string_view> details;  ///< folders below fulbito/detail that `sdk` files include
+  std::string_view build;                 ///< recipe in the Makefile; empty: there is nothing to build
+  std::string_view target;                ///< file that the recipe creates
+  std::string_view specification;         ///< specification of the built team
 };
 
 const std::array<Kind, 4>& kinds() {
@@ -166,7 +166,8 @@ Result<std::string> nameOf(const NewTeamCommand& options, const fs::path& folder
                   name, kLongestName));
 }
 
-/// Headers go where `#include "fulbito/..."` finds them; Python's module lies beside the team.
+/// The place of a file in the new folder. `#include "fulbito/..."` finds the headers; Python's module lies
+/// beside the team.
 fs::path placeOf(const EmbeddedFile& file) {
   if (file.kind == "python") return fs::path(file.file);
   const fs::path headers = fs::path("sdk") / "fulbito";

@@ -11,8 +11,8 @@ namespace fulbito::app {
 /// Options of `fulbito new-team`.
 struct NewTeamCommand {
   std::string kind;    ///< cpp, c, python or program
-  std::string folder;  ///< to create
-  std::string name;    ///< empty: that of the folder
+  std::string folder;  ///< folder to create
+  std::string name;    ///< name of the team; empty: that of the folder
 };
 
 /// Adds `new-team`.

@@ -18,13 +18,13 @@ constexpr std::size_t kLargestPlan = 1 << 20;  // [bytes]
 constexpr double kLongText = 4096;
 constexpr double kMost = std::numeric_limits<int>::max();
 
-/// Values of a plan file that the settings keep in another form.
+/// Values of a plan file that are stored in another form in the settings.
 struct PlanFile {
   PlanSettings settings;
   int seed = static_cast<int>(kDefaultMatchSeed);
   int starts_seed = 1;
   std::string starts = "kick-off";
-  double half_seconds = 0.0;  // 0: by the rules
+  double half_seconds = 0.0;  // 0: as in the rules
   int latency = 0;
   double noise = 0.0;
   double dropout = 0.0;

@@ -12,14 +12,14 @@ class App;
 
 namespace fulbito::app {
 
-/// A team as flags or a plan file name it.
+/// A team, as given by flags or a plan file.
 struct EntrantSettings {
   std::string team;                ///< specification
-  std::string name;                ///< empty: the specification
-  std::vector<std::string> files;  ///< what determines it besides its specification
+  std::string name;                ///< name of the team; empty: the specification
+  std::vector<std::string> files;  ///< files that determine the team, besides its specification
 };
 
-/// A tournament as flags or a plan file describe it.
+/// A tournament, as given by flags or a plan file.
 struct PlanSettings {
   std::string name = "tournament";
   std::string format = "round-robin";
@@ -32,7 +32,7 @@ struct PlanSettings {
   std::vector<double> bounds;  ///< normalized Elo of H0 and H1; empty: no test
   double alpha = 0.05;
   double beta = 0.05;
-  MatchSettings match;  ///< its teams are not used
+  MatchSettings match;  ///< settings of all matches; its teams are not used
 };
 
 /// Adds --starts and --starts-seed.
@@ -43,7 +43,7 @@ void addBounds(CLI::App& command, PlanSettings& settings);
 /// Reads a plan file (docs/tournaments.md). Errors: kIo; kBadInput as `file:line: table.key ...`.
 Result<PlanSettings> readPlanFile(const std::string& file);
 
-/// The plan that they describe, with its teams. Errors: of teams, models and rules; kUsage naming the flag.
+/// The tournament plan with its teams. Errors: of teams, models and rules; kUsage naming the flag.
 Result<TournamentPlan> planOf(const PlanSettings& settings);
 
 }  // namespace fulbito::app

@@ -17,7 +17,7 @@ constexpr double kBarPeriod = 0.1;    // [s] between redraws on a terminal
 constexpr double kLinePeriod = 10.0;  // [s] between plain lines
 constexpr int kBarWidth = 20;
 
-/// The ratio between its bounds: fail on the left, pass on the right.
+/// The log-likelihood ratio between its bounds, as a bar: fail on the left, pass on the right.
 std::string ratioBar(const Sprt& sprt) {
   const double lower = sprt.bounds().lower(), upper = sprt.bounds().upper();
   const double share = std::clamp((sprt.ratio() - lower) / (upper - lower), 0.0, 1.0);

@@ -7,7 +7,7 @@
 
 namespace fulbito::app {
 
-/// Progress of a tournament on stderr: one line that is redrawn on a terminal, otherwise a plain line every
+/// Progress of a tournament on stderr: on a terminal one line that is redrawn, otherwise a plain line every
 /// ten seconds.
 class ProgressLine {
  public:
@@ -23,16 +23,17 @@ class ProgressLine {
   bool terminal_;
   std::int64_t begin_;
   std::int64_t last_;
-  std::size_t begun_ = 0;  // matches that were there at the first update
+  std::size_t begun_ = 0;  // matches that had results at the first update
   bool started_ = false;
   bool drawn_ = false;
 };
 
-/// The line without its time: "ladder: 12 of 40 matches, 1 with a failed team, ratio 1.20 [--|=====---]".
+/// The line without the remaining time: "ladder: 12 of 40 matches, 1 with a failed team, ratio 1.20
+/// [--|=====---]".
 std::string progressText(const std::string& what, const RunProgress& progress);
 
-/// [s] that remain after `elapsed` seconds for `fresh` matches of this run, by the pace so far; with a test,
-/// by the drift of its ratio toward a bound if that is sooner. Negative: not known yet.
+/// Remaining time [s], from the pace of `fresh` matches of this run in `elapsed` seconds. With a test, the
+/// time until its ratio reaches a bound at the present drift, if that is sooner. Negative: not known yet.
 double secondsLeft(const RunProgress& progress, std::size_t fresh, double elapsed);
 
 }  // namespace fulbito::app

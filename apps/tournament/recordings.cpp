@@ -26,7 +26,7 @@ bool exists(const std::string& file) {
   return std::filesystem::exists(file, ignored);
 }
 
-/// A recording whose file appears once it is complete.
+/// A recording whose file appears only when it is complete.
 struct WholeRecording {
   OutputFile file;
   std::optional<MatchRecorder> recorder;  ///< writes into the file
@@ -34,7 +34,8 @@ struct WholeRecording {
   Result<void> finish() { return recorder->written() ? file.commit(false) : recorder->written(); }
 };
 
-/// What has the name of a file of ours must be a file: a pipe would wait for its reader.
+/// Checks that the path of a recording is not a pipe or device: opening a pipe would wait for its reader.
+/// Errors: kIo.
 Result<void> checkPlain(const std::string& file) {
   std::error_code ignored;
   if (!exists(file) || std::filesystem::is_regular_file(file, ignored)) return {};

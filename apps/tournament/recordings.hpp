@@ -10,21 +10,22 @@
 
 namespace fulbito::app {
 
-/// The recordings that a tournament keeps.
+/// The recordings that a tournament makes.
 enum class KeptRecordings : std::uint8_t {
   kNone,
-  kUpsets,  ///< of the matches to look at in its reports: upsets, the worst losses, failed teams
+  kUpsets,  ///< notable matches of its reports: upsets, worst losses, failed teams
   kAll
 };
 
-/// The policy of that name. Errors: kUsage.
+/// The value with this name. Errors: kUsage.
 Result<KeptRecordings> keptOf(const std::string& name);
 
-/// Records a match of a tournament into `folder`/ID.fbr, which appears once the match has ended. Errors: kIo.
+/// Records a match of a tournament to `folder`/ID.fbr. The file appears when the match has ended. Errors:
+/// kIo.
 Result<MatchWatch> recordingWatch(const std::string& folder, const MatchConfig& match, const MatchId& id);
 
-/// Plays the notable matches of a tournament again and records those that `folder` lacks. A match
-/// that does not repeat is left out, with a note. Errors: of a match; kIo.
+/// Plays notable matches of a tournament again and records those without a recording in `folder`. A match
+/// with another result than before is left out, with a note. Errors: of a match; kIo.
 Result<void> recordNotable(const TournamentState& state, const std::vector<NotableMatch>& notable,
                            const std::string& folder);
 
@@ -32,7 +33,7 @@ Result<void> recordNotable(const TournamentState& state, const std::vector<Notab
 bool areRecorded(const std::vector<NotableMatch>& notable, const std::string& folder);
 
 /// Writes pages with the viewer for notable matches that have recordings, into a folder beside the report.
-/// @return names of the pages relative to the report, by the text of the match id. Errors: kIo.
+/// @return names of the pages relative to the report, by match id as text. Errors: kIo.
 Result<std::map<std::string, std::string>> writePages(const std::vector<NotableMatch>& notable,
                                                       const std::string& recordings,
                                                       const std::string& report);

@@ -28,7 +28,7 @@ bool printsOn(const ReportFiles& files) {
   return files.annotations || files.csv == kStdout || files.markdown == kStdout || files.junit == kStdout;
 }
 
-/// A word as a shell takes it.
+/// The text as one word of a shell, quoted if necessary.
 std::string shellWord(const std::string& text) {
   const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

@@ -20,7 +20,7 @@
 namespace fulbito::app {
 namespace {
 
-/// A share from a text such as "1%"; 0 from an empty one.
+/// Parses a share such as "1%"; 0 for an empty text.
 Result<double> shareOf(const std::string& text) {
   if (text.empty()) return 0.0;
   double percent = 0.0;
@@ -32,7 +32,8 @@ Result<double> shareOf(const std::string& text) {
   return percent / 100.0;
 }
 
-/// Teams from files may not repeat their matches whatever they declare: then a cache would mix matches.
+/// Tests whether teams from files repeat themselves, whatever they declare. If not, a cache would mix up
+/// their matches.
 Result<void> checkRepeats(const TournamentPlan& plan, MatchIdentity& identity) {
   for (std::size_t i = 0; i < plan.entrants.size(); ++i) {
     if (!identity.teams()[i].outside || !identity.teams()[i].deterministic) continue;
@@ -46,7 +47,7 @@ Result<void> checkRepeats(const TournamentPlan& plan, MatchIdentity& identity) {
   return {};
 }
 
-/// What a run needs besides the plan.
+/// Objects that a run needs besides the plan.
 struct Tools {
   MatchMemory memory;
   LogFolder folder;
@@ -70,14 +71,14 @@ Result<void> openTools(const RunFlags& flags, PlanRecord& record, Tools& tools) 
   return {};
 }
 
-/// What the flags say, read.
+/// The parsed values of the flags.
 struct Choices {
   Shard shard;
   double verify = 0.0;
   KeptRecordings kept = KeptRecordings::kNone;
 };
 
-/// Errors: kUsage naming the flag.
+/// Parses the flags. Errors: kUsage naming the flag.
 Result<Choices> choicesOf(const RunFlags& flags) {
   const auto shard = shardOf(flags.shard);
   if (!shard) return tl::unexpected<Error>(shard.error());
@@ -107,7 +108,7 @@ RunnerOptions optionsOf(const RunFlags& flags, const Choices& choices, Tools& to
   return options;
 }
 
-/// Records upsets once all results are known.
+/// Records upsets when all results are known.
 Result<void> recordUpsets(const RunOutcome& outcome, const std::string& folder) {
   if (outcome.interrupted || !outcome.state.finished()) return {};
   return recordNotable(outcome.state, tableOf(outcome.state).notable, folder);

@@ -12,15 +12,15 @@ class App;
 
 namespace fulbito::app {
 
-/// How a tournament is run: none of it changes results.
+/// Options of a tournament run that do not affect its results.
 struct RunFlags {
-  std::string out;  ///< folder; empty: nothing is kept
+  std::string out;  ///< folder for the results; empty: results are not stored
   int jobs = 0;
   std::string shard;   ///< see `shardOf`
-  std::string cache;   ///< folder; empty: none
-  std::string verify;  ///< share of the matches to play again: "1%"
+  std::string cache;   ///< folder of the cache; empty: none
+  std::string verify;  ///< share of the matches to play again and compare: "1%"
   std::string recordings = "none";
-  bool strict = false;  ///< exit code 4 if a team crashed or forfeited
+  bool strict = false;  ///< whether a crashed or forfeiting team gives exit code 4
 };
 
 /// Adds --out, --jobs, --shard, --cache, --verify and --strict.
@@ -35,17 +35,18 @@ struct PlayedPlan {
   Shard shard;
 };
 
-/// Plays what is missing of a plan, with progress on stderr. Errors: of the plan, its teams, folders, flags.
+/// Plays the missing matches of a plan, with progress on stderr. Errors: of the plan, its teams, folders,
+/// flags.
 Result<PlayedPlan> runPlan(const TournamentPlan& plan, const RunFlags& flags);
 
-/// Says on stderr what a report leaves out: matches that were played again and differ, retries, what to do
-/// next.
+/// Prints notes on stderr that are not part of a report: matches that differ when played again, retries, what
+/// to do next.
 void noteOutcome(const PlayedPlan& played, const RunFlags& flags);
 
-/// The exit code of a run: 7 for matches that differ, 4 for failed teams where that counts, that of a signal,
-/// 6 for matches that the machine failed, then that of the test if there is one.
+/// The exit code of a run, by precedence: 7 for matches that differ; 4 for failed teams with `strict`; that
+/// of a signal; 6 for matches that the machine failed; that of the sequential test, if there is one.
 int exitCodeOf(const PlayedPlan& played, const RunFlags& flags);
-/// The exit code of the test of a tournament; 0 without one.
+/// The exit code of the sequential test of a tournament; 0 without one.
 int exitCodeOf(const TournamentState& state);
 
 }  // namespace fulbito::app

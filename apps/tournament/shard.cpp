@@ -29,7 +29,7 @@ tl::unexpected<Error> wrong(const std::string& text, const std::string& why) {
   return fail(ErrorCode::kUsage, fmt::format("--shard: {}, not '{}'", why, text));
 }
 
-/// A task of a Slurm array: tasks are numbered from any number, in any step.
+/// The shard of a task in a Slurm array. Task numbers may begin anywhere and have any step.
 std::optional<Shard> ofSlurm() {
   const auto task = variable("SLURM_ARRAY_TASK_ID"), least = variable("SLURM_ARRAY_TASK_MIN");
   const auto count = variable("SLURM_ARRAY_TASK_COUNT"), most = variable("SLURM_ARRAY_TASK_MAX");

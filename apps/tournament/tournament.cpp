@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kFolder = "fulbito-tournament";
 constexpr std::size_t kShownFixtures = 20;
 
-/// "match, gauntlet or ladder"
+/// The names of all formats as a list in words: "match, gauntlet or ladder".
 std::string formatWords() {
   const auto last = kFormatNames.end() - 1;
   return fmt::format("{} or {}", fmt::join(kFormatNames.begin(), last, ", "), *last);
@@ -94,12 +94,12 @@ void addMerge(CLI::App& tournament, TournamentMerge& options) {
   addReportFiles(*command, options.files);
 }
 
-/// The words are teams unless the only one is a file with the ending of a plan.
+/// Whether the words name a plan: a single file with the ending of a plan. Otherwise they are teams.
 bool namesPlan(const std::vector<std::string>& words) {
   return words.size() == 1 && words.front().ends_with(".toml");
 }
 
-/// Sets the variables of all given flags again, over what a plan file says.
+/// Applies all given flags again, after a plan file has overwritten their variables.
 void applyGivenFlags(CLI::App& command) {
   for (CLI::Option* option : command.get_options()) {
     if (option->count() > 0) option->run_callback();
@@ -141,7 +141,7 @@ int print(const TournamentState& state, const ReportFiles& files, const std::str
   return kOk;
 }
 
-/// Plays the matches to look at again, with the teams that the plan names.
+/// Plays the notable matches again, with the teams that the plan names, and records them.
 Result<void> recordUpsets(TournamentState& state, const TeamFlags& outside, const std::string& folder) {
   const TeamCatalogue catalogue = catalogueOf(outside);
   for (Entrant& entrant : state.plan.entrants) {

@@ -16,19 +16,19 @@ namespace fulbito::app {
 
 /// Options of `fulbito tournament run`.
 struct TournamentRun {
-  CLI::App* command = nullptr;     ///< knows which flags were given
+  CLI::App* command = nullptr;     ///< tells which flags were given
   std::vector<std::string> words;  ///< a plan file, or teams
   PlanSettings settings;
   RunFlags flags;
   ReportFiles files;
-  bool dry = false;  ///< print the first fixtures, play nothing
+  bool dry = false;  ///< print the first fixtures without playing
 };
 
 /// Options of `fulbito tournament report`.
 struct TournamentReport {
   std::string folder;
-  std::string recordings = "none";  ///< or "upsets"
-  TeamFlags outside;                ///< for the matches that are recorded
+  std::string recordings = "none";  ///< "none" or "upsets"
+  TeamFlags outside;                ///< options of teams for the matches to record
   ReportFiles files;
 };
 

@@ -21,12 +21,13 @@ namespace {
 constexpr std::uint64_t kMostIterations = 1'000'000;
 constexpr int kUsualTunePairs = 8;
 
-/// r_end if no flag gives it: a parameter that wins every match would travel about four times its range.
+/// Default of r_end. With it, a parameter whose one version wins every match would move about four times its
+/// range.
 double usualStep(double perturbation, int iterations) {
   return std::min(1.0, 2.0 / (perturbation * iterations));
 }
 
-/// Without an opponent both versions see the same: a second value would belong to nobody.
+/// Without an opponent both versions have the same vision, so a second value is an error. Errors: kUsage.
 Result<void> checkSight(const TuneCommand& options) {
   const SeatSensors& seen = options.settings.match.sensors;
   const std::size_t most =
@@ -36,7 +37,7 @@ Result<void> checkSight(const TuneCommand& options) {
               "two values of what teams see need an --opponent: both versions see the same");
 }
 
-/// The plan that all iterations share. The team meets itself where there is no opponent.
+/// The plan that all iterations share. Without an opponent the team meets itself.
 Result<TournamentPlan> baseOf(const TuneCommand& options) {
   PlanSettings settings = options.settings;
   settings.name = "tune " + options.team;
@@ -69,7 +70,7 @@ Result<TunePlan> tunePlanOf(const TuneCommand& options) {
   return plan;
 }
 
-/// Where the matches are kept.
+/// Where results are stored: in memory or in a folder.
 struct Keep {
   MatchMemory memory;
   LogFolder folder;
@@ -121,7 +122,7 @@ int exitCodeOfTuning(const TuneOutcome& outcome) {
   return outcome.unplayed.empty() ? kOk : kInconclusive;
 }
 
-/// The options of the method itself.
+/// Adds the options of the SPSA method.
 void addSpsa(CLI::App& command, TuneCommand& options) {
   wholeNumber(command.add_option("--iterations", options.iterations, "moves of the parameters"), 1,
               kMostIterations)

@@ -6,8 +6,8 @@
 
 namespace fulbito::app {
 
-/// Draws the path of a tuning: all parameters over the iterations, as shares of their ranges. Errors: of the
-/// canvas; kIo.
+/// Draws the path of a tuning: all parameters over the iterations, as shares of their ranges. Errors: as
+/// `Canvas`; kIo.
 Result<void> writeTuneChart(const TunePlan& plan, const TuneOutcome& outcome, const std::string& file);
 
 }  // namespace fulbito::app

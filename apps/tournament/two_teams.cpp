@@ -7,7 +7,7 @@
 namespace fulbito::app {
 namespace {
 
-/// The settings of the tournament. A team may meet itself: then its second entry has another name.
+/// The settings of a tournament of two teams. If a team meets itself, its second entry gets another name.
 PlanSettings settingsOf(const std::string& first, const std::string& second, PlanSettings settings) {
   settings.format = nameOf(TournamentFormat::kMatch);
   settings.name = fmt::format("{} against {}", first, second);

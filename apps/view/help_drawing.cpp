@@ -14,13 +14,13 @@ namespace {
 
 constexpr double kText = 17.0, kBadgeText = 12.0;   // [px] at 900 x 780
 constexpr double kSmallest = 7.0, kLargest = 30.0;  // [px]
-constexpr double kLine = 1.62;                      // line height, in font sizes
+constexpr double kLine = 1.62;                      // line height, relative to the font size
 constexpr double kHintText = 12.0;                  // [px] at 900 x 780
 constexpr double kEdge = 22.0;                      // [px] from the board's ends to its texts at 900 x 780
 constexpr double kNoteText = 13.0;                  // [px] at 900 x 780
 constexpr double kFoot = 36.0;                      // [px] height of the bar of time at 900 x 780
 constexpr double kBoard = 84.0;                     // [px] height of the score board at 900 x 780
-constexpr double kShare = 0.94;                     // largest share of the picture for the plate
+constexpr double kShare = 0.94;                     // largest part of the picture that the plate covers
 
 struct HelpColours {
   Colour plate, edge, keys, text;
@@ -61,7 +61,7 @@ void drawPlate(Canvas& canvas, Vec2 corner, Vec2 size, double radius, Colour col
 
 /// Layout of the list of keys.
 struct HelpPlan {
-  double size = 0.0, keys = 0.0, words = 0.0;  ///< [px] font size, widths of the two columns
+  double size = 0.0, keys = 0.0, words = 0.0;  ///< font size, and widths of the two columns [px]
 
   double gap() const { return 1.4 * size; }
   double width() const { return keys + words + 3 * gap(); }

@@ -10,7 +10,7 @@ namespace fulbito {
 /// Draws the list of keys in the middle of the picture, for a live match or a recording.
 void drawHelp(Canvas& canvas, PictureTheme theme, bool live);
 
-/// Draws a conspicuous word under the score.
+/// Draws a short word on a coloured badge under the score.
 void drawBadge(Canvas& canvas, const std::string& word);
 
 /// Draws a small line at the lower right of the score board.

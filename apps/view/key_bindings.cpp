@@ -7,7 +7,7 @@ namespace {
 
 struct Binding {
   ViewKey key;
-  std::optional<bool> shift;  ///< empty: either
+  std::optional<bool> shift;  ///< empty: with or without shift
   ViewAction action;
 };
 

@@ -68,7 +68,7 @@ enum class ViewAction : std::uint8_t {
   kQuit
 };
 
-/// Empty for a key that does nothing.
+/// The action of a key; empty if it has none.
 std::optional<ViewAction> actionOf(KeyPress press);
 
 /// A line of the viewer's list of keys.

@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kReach = 0.015;  // [m] tolerance of the pointer
+constexpr double kReach = 0.015;  // [m] tolerance when grabbing a body
 
 }  // namespace
 

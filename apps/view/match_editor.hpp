@@ -11,25 +11,25 @@ namespace fulbito {
 /// new play (`Match::replace`). A body dragged onto an occupied place stays at the last free one.
 class MatchEditor {
  public:
-  /// Refers to `match`.
+  /// Keeps a reference to `match`.
   explicit MatchEditor(Match& match) : match_(&match) {}
 
-  /// Grabs the body at a place [m]: the ball or a robot to move it, or a robot to turn it. False: there is
-  /// none, or the match is over.
+  /// Grabs the body at a place [m]: the ball or a robot to move it, or a robot to turn it. Returns false if
+  /// there is none, or the match is over.
   bool grab(Vec2 place, bool turn);
   bool holding() const { return held_.has_value(); }
   /// Moves the grabbed body to the place, or turns its front toward it.
   void drag(Vec2 place);
-  /// Drops the body. True: the match has changed.
+  /// Drops the body. Returns whether the match has changed.
   bool drop();
   /// Drops the body without changing the match.
   void release() { held_.reset(); }
-  /// Turns the robot at a place by an angle [rad]. True: the match has changed.
+  /// Turns the robot at a place by an angle [rad]. Returns whether the match has changed.
   bool turn(Vec2 place, double angle);
 
   /// The placement during a drag.
   const Placement& placement() const { return placement_; }
-  /// Why the last drag was not possible; empty if it was.
+  /// The reason why the last drag was not possible; empty if it was.
   const std::string& flaw() const { return flaw_; }
 
  private:

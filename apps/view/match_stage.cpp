@@ -10,8 +10,8 @@
 namespace fulbito {
 namespace {
 
-constexpr double kTrail = 1.0;   // [s]
-constexpr double kBanner = 2.5;  // [s]
+constexpr double kTrail = 1.0;   // [s] length of trails
+constexpr double kBanner = 2.5;  // [s] time for which a banner is shown
 
 Pose2 between(const Pose2& a, const Pose2& b, double share) {
   return {a.position + (b.position - a.position) * share,
@@ -98,7 +98,7 @@ void MatchStage::onTick(const MatchTick& tick) {
   }
   for (const GameEvent& event : tick.events) {
     describe(event, event_);
-    // If one tick has several calls, show the goal.
+    // If one tick has several calls, the goal is shown.
     const bool goal_stays = called_ && call_.tick == event.tick && call_.clause == "goal";
     if (goal_stays || bannerOf(event_, header_.recipe).title.empty()) continue;
     call_ = event_;

@@ -45,14 +45,14 @@ class MatchStage final : public ViewStage, private MatchObserver {
   MatchPictureSpec look_;
   std::string name_;
   MatchEditor editor_;
-  Poses before_, now_;  ///< at the last two ticks, of the header's bodies
+  Poses before_, now_;  ///< poses of the header's bodies at the last two ticks
   double share_ = 1.0;  ///< interpolation from `before_` (0) to `now_` (1)
   std::vector<std::vector<Vec2>> paths_;
   std::vector<RecordedDrawing> drawings_;
   RecordedPlay play_;    ///< without its starts
   RecordedEvent call_;   ///< the last call with a banner
-  bool called_ = false;  ///< whether there was one
-  RecordedEvent event_;  ///< reused
+  bool called_ = false;  ///< whether there was a call with a banner
+  RecordedEvent event_;  ///< reused for each event
   bool edited_ = false;
   bool over_ = false;
 };

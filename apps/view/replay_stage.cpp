@@ -10,7 +10,7 @@ constexpr double kSameTime = 1e-6;  // [s]
 std::vector<double> eventsOf(const ReplayTimeline& timeline) {
   std::vector<double> times;
   for (const RecordedEvent& event : timeline.events()) {
-    // Skip events without a banner, such as a repaired placement.
+    // Events without a banner, such as a repaired placement, are skipped.
     if (bannerOf(event, timeline.header().recipe).title.empty()) continue;
     times.push_back(std::max(0.0, timeline.secondsAt(event.tick) - ReplayStage::kLead));
   }

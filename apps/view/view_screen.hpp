@@ -18,7 +18,7 @@ class ViewScreen {
   const Canvas* canvas() const { return canvas_ ? &*canvas_ : nullptr; }
   /// Writes the last picture as PNG, without help and notes. Errors: kIo.
   Result<void> save(const Viewer& viewer, const std::string& file) const;
-  /// Adds to a pointer event what it points at in the last picture.
+  /// Sets what a pointer event points at in the last picture.
   void aim(PointerEvent& event, Vec2 pixel) const;
 
  private:

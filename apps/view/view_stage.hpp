@@ -17,14 +17,14 @@ class ViewStage {
   ViewStage& operator=(const ViewStage&) = delete;
   virtual ~ViewStage() = default;
 
-  /// The specification of its pictures, with default size and theme.
+  /// The specification of the stage's pictures, with default size and theme.
   virtual const MatchPictureSpec& look() const = 0;
-  /// For the window's title, e.g. the file's name.
+  /// The name in the window's title, such as the file's name.
   virtual const std::string& name() const = 0;
   virtual bool live() const { return false; }
   /// Whether a user has edited the match.
   virtual bool edited() const = 0;
-  /// Whether this is the end.
+  /// Whether the recording or match is at its end.
   virtual bool over() const = 0;
   virtual double seconds() const = 0;
   /// Length of a frame or tick [s].

@@ -17,7 +17,7 @@ namespace {
 constexpr int kWidth = 900;                           // [px]
 constexpr int kLeastWidth = 320, kLeastHeight = 240;  // [px]
 constexpr std::int64_t kFrame = 1'000'000'000 / 60;   // [ns]
-constexpr std::int64_t kLook = 100'000'000;           // [ns] between checks of what sends no event
+constexpr std::int64_t kLook = 100'000'000;           // [ns] between checks of conditions that send no event
 constexpr double kRoom = 0.9;                         // largest share of the display for a new window
 
 struct WindowFree {
@@ -154,7 +154,8 @@ Result<ViewWindow> ViewWindow::create(const WindowOptions& options) {
   SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // the program handles Ctrl-C itself
   SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
   SDL_SetHint(SDL_HINT_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR, "0");
-  // Otherwise SDL tries its other drivers and prints an error for each. A console screen must be requested.
+  // Without a display, SDL would try its other drivers and print an error for each. A console screen must be
+  // requested.
   if (!isSet("DISPLAY") && !isSet("WAYLAND_DISPLAY") && !isSet("SDL_VIDEODRIVER")) {
     return tl::unexpected<Error>(noDisplay());
   }
@@ -190,7 +191,7 @@ Result<void> ViewWindow::Impl::present() {
   SDL_Surface* target = SDL_GetWindowSurface(window.get());
   if (target == nullptr) return tl::unexpected<Error>(sdlError("cannot draw in the window"));
   const Canvas& canvas = *screen.canvas();
-  // SDL only reads it, although its type is not const.
+  // SDL only reads the pixels, although its parameter is not const.
   auto* pixels = const_cast<std::uint32_t*>(canvas.row(0).data());
   const std::ptrdiff_t pitch = canvas.height() > 1 ? 4 * (canvas.row(1).data() - canvas.row(0).data())
                                                    : 4 * static_cast<std::ptrdiff_t>(canvas.width());
@@ -313,7 +314,7 @@ Result<void> ViewWindow::run(Viewer& viewer) {
     if (then < due) continue;
     viewer.advance(then);
     if (!viewer.stale()) continue;
-    // After a late frame, do not catch up.
+    // After a late frame, the next ones keep their distance instead of catching up.
     due = std::max(due + kFrame, then);
     if (auto drawn = w.draw(viewer); !drawn) return drawn;
   }

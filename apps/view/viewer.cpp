@@ -12,10 +12,10 @@
 namespace fulbito {
 namespace {
 
-constexpr double kLongestGap = 0.1;              // [s]
-constexpr std::int64_t kNotice = 2'500'000'000;  // [ns]
+constexpr double kLongestGap = 0.1;              // [s] longest time that one frame may advance
+constexpr std::int64_t kNotice = 2'500'000'000;  // [ns] time for which a notice is shown
 constexpr double kBackSlack = 0.5;  // [s] after seeking to an event, going back within this time skips it
-constexpr double kNotch = math::kPi / 12;  // [rad] per notch of the wheel
+constexpr double kNotch = math::kPi / 12;  // [rad] turn of a robot per notch of the wheel
 
 std::string speedText(double speed) {
   if (speed == 0.25) return "1/4x";
@@ -160,7 +160,7 @@ void Viewer::act(ViewAction action) {
       save_ = true;
       return;
     case ViewAction::kQuit:
-      // As everywhere, Escape and Q first close what is open.
+      // Escape and Q first close the help.
       quits_ = !std::exchange(settings_.help, false);
       return;
     default:

@@ -30,11 +30,11 @@ struct ViewSettings {
 struct PointerEvent {
   enum class Kind : std::uint8_t { kDown, kMove, kUp, kWheel };
   Kind kind = Kind::kMove;
-  bool right = false;        ///< button; else the left one
+  bool right = false;        ///< true: right button, false: left button
   Vec2 place;                ///< [m] on the field as shown
   bool on_bar = false;       ///< on the time bar
   double bar_seconds = 0.0;  ///< [s] time at that position of the bar
-  double wheel = 0.0;        ///< notches, away from the user
+  double wheel = 0.0;        ///< notches of the wheel, positive away from the user
 };
 
 /// The player behind a window: what it shows, its speed, and the effects of keys and mouse. Uses no toolkit
@@ -54,9 +54,9 @@ class Viewer {
   bool moving() const;
   /// Whether the picture must be redrawn.
   bool stale() const { return stale_; }
-  /// Requests a redraw, as after a change of the window's size.
+  /// Requests a redraw, for example after a change of the window's size.
   void spoil() { stale_ = true; }
-  /// Fills in what to draw, flipped if set, and marks it as drawn.
+  /// Fills in the moment and overlays to draw, flipped if set, and marks the picture as drawn.
   void show(ReplayMoment& moment, MatchOverlays& overlays);
 
   /// Shows a notice for a few seconds.
@@ -93,11 +93,11 @@ class Viewer {
   std::vector<std::unique_ptr<ViewStage>> stages_;
   std::size_t current_ = 0;
   ViewSettings settings_;
-  std::optional<std::int64_t> now_;  ///< [ns]
+  std::optional<std::int64_t> now_;  ///< [ns] time of the last `advance`
   std::string notice_;
-  std::optional<std::int64_t> notice_until_;  ///< [ns]; empty: from the next `advance` on
+  std::optional<std::int64_t> notice_until_;  ///< [ns]; empty: the time starts with the next `advance`
   PerTeam<int> score_{};
-  std::vector<RecordedDrawing> turned_;  ///< drawings, flipped
+  std::vector<RecordedDrawing> turned_;  ///< drawings of the flipped field
   bool scrubbing_ = false;
   bool stale_ = true;
   bool save_ = false;

@@ -11,11 +11,11 @@
 #include "fulbito/recording.hpp"
 #include "replays/coding/byte_io.hpp"
 
-/// A file is its magic number and version, then blocks. A block is a checksum (8 bytes), type and size (4
-/// each), then its content; the checksum covers all that follows it in the block.
+/// A file consists of its magic number and version, then blocks. A block is a checksum (8 bytes), a type and
+/// a size (4 bytes each), then its content. The checksum covers all bytes of the block after it.
 namespace fulbito {
 
-/// As in a PNG file: not text, and broken by any change of line ends.
+/// Like that of a PNG file: it does not look like text, and any conversion of line ends breaks it.
 inline constexpr BytesView kMagic{
     "\x89"
     "FBR\r\n\x1a\n",
@@ -23,10 +23,10 @@ inline constexpr BytesView kMagic{
 inline constexpr BytesView kEndMagic{"FBR.END\n", 8};
 inline constexpr std::size_t kPrologueSize = 12;  ///< magic and version
 inline constexpr std::size_t kBlockHeadSize = 16;
-inline constexpr std::size_t kFooterSize = 24;  ///< place of the index, its checksum, end magic
+inline constexpr std::size_t kFooterSize = 24;  ///< offset of the index, checksum of the index, end magic
 
 inline constexpr std::size_t kMaxBlockBytes = std::size_t{64} << 20;
-/// The most that a header, a result or an index may unpack to.
+/// Largest unpacked size of a header, a result or an index [bytes].
 inline constexpr std::size_t kMaxTextBytes = std::size_t{8} << 20;
 
 constexpr std::uint32_t blockName(const char (&name)[5]) {
@@ -35,7 +35,7 @@ constexpr std::uint32_t blockName(const char (&name)[5]) {
   return value;
 }
 
-/// What a block is; the numbers read as four letters in a file.
+/// Types of blocks. In a file, each number reads as four letters.
 enum class BlockType : std::uint32_t {
   kHeader = blockName("HEAD"),
   kChunk = blockName("CHNK"),
@@ -43,29 +43,29 @@ enum class BlockType : std::uint32_t {
   kIndex = blockName("INDX"),
 };
 
-/// A block as it lies in a file, its size checked against what is left.
+/// A block in a file. Its size has been checked against the rest of the file.
 struct Block {
   BlockType type{};
-  std::size_t offset = 0;  ///< of its first byte in the file
+  std::size_t offset = 0;  ///< offset of the block's first byte in the file
   std::uint64_t checksum = 0;
   BytesView payload;
   std::size_t end() const { return offset + kBlockHeadSize + payload.size(); }
 };
 
-/// The seed of the header's checksum: a header of another format is none of this one.
+/// Seed of the header's checksum. It depends on the version, so a header of another version is rejected.
 inline constexpr std::uint64_t kHeaderSeed = kRecordingVersion;
-/// The seed of any other block's checksum: no block can stand in another's place or come from another file.
+/// Seed of the checksum of block `number`. A block in another position or from another file is rejected.
 std::uint64_t blockSeed(std::uint64_t header_checksum, std::uint64_t number);
 
 /// Appends a block to `out`; returns its checksum.
 std::uint64_t appendBlock(BlockType type, BytesView payload, std::uint64_t seed, Bytes& out);
 
-/// What may be wrong with the next block of a file.
+/// Flaws of the next block of a file.
 enum class BlockFlaw : std::uint8_t { kCut, kDamaged };
 /// The block at `offset`.
 tl::expected<Block, BlockFlaw> blockAt(BytesView file, std::size_t offset, std::uint64_t seed);
 
-/// Where a chunk is, for the index.
+/// The position of a chunk, as stored in the index.
 struct ChunkPlace {
   std::uint64_t offset = 0;
   std::uint64_t first_tick = 0;
@@ -75,7 +75,7 @@ struct ChunkPlace {
 
 Bytes indexBytes(std::span<const ChunkPlace> chunks);
 std::optional<std::vector<ChunkPlace>> readIndex(BytesView bytes);
-/// The last bytes of a finished file.
+/// The last bytes of a complete file.
 Bytes footerBytes(std::uint64_t index_offset, std::uint64_t index_checksum);
 
 }  // namespace fulbito

@@ -4,7 +4,7 @@
 namespace fulbito {
 namespace {
 
-/// Bytes that events and drawings of a chunk usually stay below.
+/// Initial capacity for the events and drawings of a chunk, enough for most chunks [bytes].
 constexpr std::size_t kListBytes = 16384;
 
 std::size_t samplesPerChunk(const RecordingHeader& header) {
@@ -36,7 +36,7 @@ void writePlay(const RecordedPlay& play, Tick offset, Bytes& bytes) {
   }
 }
 
-/// The same heading from half a turn to the right to just below half a turn to the left.
+/// A heading [steps] wrapped to -turn / 2 ... turn / 2 - 1.
 std::int32_t wrapped(std::int32_t steps, int turn) {
   const std::int32_t half = turn / 2, over = (steps % turn + turn + half) % turn;
   return over - half;

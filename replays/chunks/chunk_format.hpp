@@ -8,7 +8,7 @@
 #include "replays/coding/byte_io.hpp"
 #include "replays/coding/columns.hpp"
 
-/// What the writing and the reading of a chunk share.
+/// Parts of the chunk format that writer and reader share.
 namespace fulbito {
 
 /// The parts of a chunk, in the order of the file.
@@ -26,13 +26,13 @@ inline constexpr std::array<const char*, 8> kSectionNames{"plays",  "commands", 
                                                           "checks", "events",   "drawings", "samples"};
 constexpr std::size_t indexOf(Section section) { return static_cast<std::size_t>(section); }
 
-/// How the values of tables go on: commands jump, bodies move.
+/// How the columns of the tables are predicted: commands jump, bodies keep moving.
 inline constexpr Trend kCommandTrend = Trend::kStays, kSampleTrend = Trend::kGoesOn;
 
-/// The most bytes of the clause or law of an event.
+/// Largest length of the clause or law of an event [bytes].
 inline constexpr std::size_t kMaxClauseBytes = 100;
 
-/// Columns of one body in the table of samples: a ball has no heading.
+/// Number of columns of one body in the table of samples; a ball has no heading.
 constexpr std::size_t sampleColumns(BodyKind kind) { return kind == BodyKind::kBall ? 2 : 3; }
 inline std::size_t sampleColumns(const RecordingHeader& header) {
   std::size_t columns = 0;
@@ -40,7 +40,7 @@ inline std::size_t sampleColumns(const RecordingHeader& header) {
   return columns;
 }
 
-/// How many of the ticks first + 1 ... first + count are multiples of `every`.
+/// The number of ticks among first + 1 ... first + count that are multiples of `every`.
 constexpr std::int64_t multiplesIn(Tick first, std::int64_t count, std::int64_t every) {
   return (first + count) / every - first / every;
 }
@@ -65,7 +65,7 @@ inline std::vector<std::uint8_t> readFlags(std::size_t count, ByteReader& in) {
   return flags;
 }
 
-/// Up to eight numbers, most of which are 0: a mask, then those that are not. -0 counts as not 0.
+/// Writes up to eight numbers, most of which are 0: a bit mask, then the others. -0 counts as not 0.
 template <std::size_t N>
 void writeNumbers(const double (&values)[N], ByteWriter& out) {
   static_assert(N <= 8);

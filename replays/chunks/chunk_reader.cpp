@@ -12,7 +12,7 @@ namespace {
 
 using Flaw = std::string;
 
-/// The most bytes that a list of a chunk may unpack to.
+/// Largest unpacked size of a list in a chunk [bytes].
 constexpr std::size_t kMaxListBytes = std::size_t{16} << 20;
 constexpr std::uint64_t kMaxTick = std::uint64_t{1} << 40;
 
@@ -20,7 +20,7 @@ using Sections = std::array<BytesView, kSectionNames.size()>;
 
 struct ChunkLayout {
   ChunkHead head;
-  Sections sections;  ///< as packed
+  Sections sections;  ///< packed
 };
 
 tl::expected<ChunkHead, Flaw> takeHead(ByteReader& in, const RecordingHeader& header) {
@@ -48,7 +48,7 @@ tl::expected<ChunkLayout, Flaw> layoutOf(BytesView payload, const RecordingHeade
   return layout;
 }
 
-/// Turns the sections of one chunk into values.
+/// Parses the sections of one chunk.
 class ChunkParser {
  public:
   ChunkParser(const RecordingHeader& header, ChunkLayout layout)
@@ -74,7 +74,8 @@ class ChunkParser {
   std::size_t count(BodyKind kind) const { return static_cast<std::size_t>(countOf(header_, kind)); }
   std::size_t ticks() const { return static_cast<std::size_t>(chunk_.ticks); }
 
-  /// The content of a section; empty without it. No value: it is broken or larger than `most`.
+  /// The unpacked content of a section, empty if the chunk lacks it. No value if it is broken or larger than
+  /// `most`.
   std::optional<Bytes> open(Section section, std::size_t most) const {
     const BytesView packed = layout_.sections[indexOf(section)];
     return packed.empty() ? Bytes() : unpacked(packed, most);
@@ -90,7 +91,7 @@ class ChunkParser {
     return bytes ? readColumns(*bytes, columns, rows, trend) : std::nullopt;
   }
 
-  /// Reads a section that is a list of so many items: `each` takes one off the reader.
+  /// Reads a section that is a list of `count` items. `each` reads one item.
   template <typename Each>
   bool list(Section section, std::uint64_t count, const Each& each) const {
     const auto bytes = open(section, kMaxListBytes);
@@ -290,7 +291,7 @@ std::uint64_t listBytes(BytesView payload, const RecordingHeader& header) {
   const Sections sections = sectionsOf(payload, header);
   std::uint64_t bytes = 0;
   for (const Section list : {Section::kPlays, Section::kEvents, Section::kDrawings}) {
-    // What a list may not unpack to is refused when it is read.
+    // A larger claim is rejected when the list is read.
     bytes += ByteReader(sections[indexOf(list)]).varint(kMaxListBytes);
   }
   return bytes;

@@ -14,7 +14,7 @@ constexpr std::uint64_t kPlays = 2'000, kBytesPerPlay = 8;
 constexpr std::uint64_t kEvents = 20'000, kBytesPerEvent = 16;
 constexpr std::uint64_t kDrawings = 100'000, kDrawingsPerByte = 1;
 
-/// False: there is not so much left.
+/// Takes `amount` off `left`. False if `left` is too small.
 bool spend(std::uint64_t& left, std::uint64_t amount) {
   if (amount > left) return false;
   left -= amount;

@@ -8,20 +8,20 @@
 
 namespace fulbito {
 
-/// How much a recording may unpack to, by its size: a small file must not fill the memory. A tick that was
-/// really played takes two bytes for its hash alone, whatever the bodies do, and a play some hundred; lists
-/// are packed to a tenth at best. Calls of the referee come with plays, drawings with ticks. The limits lie
-/// ten times and more above that, and bound what is made of a recording too, such as a page.
+/// Limits the unpacked size of a recording by its file size, so that a small file cannot fill the memory. A
+/// simulated tick takes at least two bytes, for its hash, and a play about a hundred; lists shrink to a tenth
+/// at best. Calls of the referee come with plays, drawings with ticks. The limits are at least ten times
+/// higher than these numbers allow. They also bound what is made from a recording, such as a page.
 class DecodingBudget {
  public:
   explicit DecodingBudget(std::size_t file_bytes);
-  /// Takes what a chunk will need; gives what there is too much of, if anything.
+  /// Takes off what the chunk needs. Returns an error message if too little is left.
   std::optional<std::string> take(const ChunkHead& head, BytesView payload, const RecordingHeader& header);
 
  private:
-  std::uint64_t rows_;        ///< bodies times ticks that are left
-  std::uint64_t starts_;      ///< bodies times plays
-  std::uint64_t list_bytes_;  ///< of plays, events and drawings, unpacked
+  std::uint64_t rows_;        ///< remaining rows: bodies times ticks
+  std::uint64_t starts_;      ///< remaining bodies times plays
+  std::uint64_t list_bytes_;  ///< remaining unpacked bytes of plays, events and drawings
   std::uint64_t plays_, events_, drawings_;
 };
 

@@ -6,13 +6,13 @@
 #include <string>
 #include <string_view>
 
-/// Numbers as bytes, least significant first, whatever the machine.
+/// Numbers as bytes, least significant byte first on every machine.
 namespace fulbito {
 
 using Bytes = std::string;
 using BytesView = std::string_view;
 
-/// Appends values to a buffer that belongs to someone else.
+/// Appends values to a buffer that it does not own.
 class ByteWriter {
  public:
   explicit ByteWriter(Bytes& out) : out_(out) {}
@@ -23,12 +23,12 @@ class ByteWriter {
     for (std::size_t i = 0; i < sizeof value; ++i) byte(static_cast<std::uint8_t>(value >> (8 * i)));
   }
   void number(double value) { fixed(std::bit_cast<std::uint64_t>(value)); }
-  /// Seven bits a byte, the lowest first; the highest bit says that more follow.
+  /// Seven bits per byte, the lowest first; the highest bit means that more bytes follow.
   void varint(std::uint64_t value) {
     for (; value > 0x7f; value >>= 7) byte(static_cast<std::uint8_t>(value | 0x80));
     byte(static_cast<std::uint8_t>(value));
   }
-  /// Small magnitudes of either sign in few bytes: 0, -1, 1, -2 ... become 0, 1, 2, 3 ...
+  /// Few bytes for small absolute values of either sign: 0, -1, 1, -2 ... are written as 0, 1, 2, 3 ...
   void signedVarint(std::int64_t value) {
     varint((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
   }
@@ -41,8 +41,8 @@ class ByteWriter {
   Bytes& out_;
 };
 
-/// Takes values from the front of a buffer. Past its end, or at a value that is too long, it fails once and
-/// for all: everything after that is 0 and empty, so that callers need to ask but once.
+/// Reads values from the front of a buffer. Past its end, or at a value that is too long, it fails
+/// permanently: all later values are 0 or empty. So callers need to check only once, at the end.
 class ByteReader {
  public:
   explicit ByteReader(BytesView bytes) : left_(bytes) {}
@@ -85,7 +85,7 @@ class ByteReader {
     fail();
     return 0;
   }
-  /// A varint that may not exceed `most`.
+  /// A varint of at most `most`; a larger one is a failure.
   std::uint64_t varint(std::uint64_t most) {
     const std::uint64_t value = varint();
     if (value <= most) return value;
@@ -97,7 +97,7 @@ class ByteReader {
     return static_cast<std::int64_t>((value >> 1) ^ (~(value & 1) + 1));
   }
   BytesView text() { return bytes(static_cast<std::size_t>(varint(left_.size()))); }
-  /// A text of at most `most` bytes.
+  /// A text of at most `most` bytes; a longer one is a failure.
   BytesView text(std::size_t most) { return bytes(static_cast<std::size_t>(varint(most))); }
 
  private:

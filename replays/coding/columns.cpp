@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-/// The largest number of which all values of a column are multiples; 1 where all are 0.
+/// The greatest common divisor of all values of a column; 1 if all are 0.
 std::int32_t unitOf(const Columns& table, std::size_t column) {
   std::int32_t unit = 0;
   for (std::size_t row = 0; row < table.rows() && unit != 1; ++row) {

@@ -9,7 +9,7 @@
 
 namespace fulbito {
 
-/// A table of whole numbers, kept column by column: each column is one quantity over time.
+/// A table of whole numbers, stored column by column; each column is one quantity over time.
 class Columns {
  public:
   Columns() = default;
@@ -20,7 +20,7 @@ class Columns {
   std::size_t columns() const { return columns_; }
   std::size_t rows() const { return rows_; }
   void clear() { rows_ = 0; }
-  /// Makes one more row; all its values must be set.
+  /// Adds a row. The caller must set all its values.
   std::size_t addRow() { return rows_++; }
   std::int32_t& at(std::size_t column, std::size_t row) { return values_[column * capacity_ + row]; }
   std::int32_t at(std::size_t column, std::size_t row) const { return values_[column * capacity_ + row]; }
@@ -30,13 +30,14 @@ class Columns {
   std::vector<std::int32_t> values_;
 };
 
-/// What the next value of a column is expected to be.
+/// How the next value of a column is predicted.
 enum class Trend : std::uint8_t {
-  kStays,  ///< the last value
-  kGoesOn  ///< the last value and its last change; no change is known from a value that was expected to stay
+  kStays,  ///< the last value again
+  kGoesOn  ///< the last value plus its last change; the change counts as 0 after a value predicted with
+           ///< kStays
 };
 
-/// Predicts a column. A column is stored as the differences of its values from what this predicts.
+/// Predicts the values of a column. A column is stored as the differences from the predicted values.
 class ColumnPredictor {
  public:
   std::int64_t predicted(Trend trend) const { return last_ + (trend == Trend::kGoesOn ? change_ : 0); }
@@ -49,24 +50,25 @@ class ColumnPredictor {
   std::int64_t last_ = 0, change_ = 0;
 };
 
-/// Appends a table: for each column a varint, the unit of which all its values are multiples, then a signed
-/// varint for each value: its difference, in units, from what `trend` predicts. The first one is predicted as
+/// Appends a table. Each column is a varint, the unit of which all its values are multiples, then a signed
+/// varint per value: its difference, in units, from the value that `trend` predicts. The first prediction is
 /// 0.
 void writeColumns(const Columns& table, Trend trend, Bytes& out);
 
-/// The table of so many columns and rows. Empty when the bytes are not those of such a table.
+/// Reads a table with this number of columns and rows. Empty if the bytes do not contain one.
 std::optional<Columns> readColumns(BytesView bytes, std::size_t columns, std::size_t rows, Trend trend);
 
-/// The most bytes that a table may take.
+/// Largest size of a written table [bytes].
 constexpr std::size_t mostColumnBytes(std::size_t columns, std::size_t rows) {
   return columns * (rows + 1) * 5;
 }
 
-/// `value / step` as the nearest whole number; 0 for what is not finite or too large.
+/// `value / step` rounded to the nearest whole number; 0 if it is not finite or too large.
 inline std::int32_t wholeSteps(double value, double step) {
   const double steps = value / step;
   if (!(std::abs(steps) < 2147483000.0)) return 0;
-  return static_cast<std::int32_t>(steps + std::copysign(0.5, steps));  // branch-free: signs are random
+  // Without branches, because the signs are random.
+  return static_cast<std::int32_t>(steps + std::copysign(0.5, steps));
 }
 
 }  // namespace fulbito

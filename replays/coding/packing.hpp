@@ -10,19 +10,19 @@
 
 struct libdeflate_compressor;
 
-/// Raw deflate (RFC 1951, without header or checksum): the packing of recordings, and of pages, as browsers
-/// can unpack it. The same version of libdeflate gives the same bytes.
+/// Raw deflate (RFC 1951, without header or checksum). Recordings and pages use it, as browsers can unpack
+/// it. The same version of libdeflate gives the same bytes.
 namespace fulbito {
 
-/// Deflates bytes; keeps its tables between calls.
+/// Deflates bytes. Keeps its tables between calls.
 class Packer {
  public:
   enum Effort : int { kFast = 6, kSmallest = 12 };
   explicit Packer(Effort effort);
 
-  /// Appends the deflated bytes alone.
+  /// Appends only the deflated bytes.
   void deflate(BytesView raw, Bytes& out) const;
-  /// Appends a varint, how many the bytes are, and the deflated bytes.
+  /// Appends a varint, the number of raw bytes, and then the deflated bytes.
   void pack(BytesView raw, Bytes& out) const;
 
  private:
@@ -32,10 +32,10 @@ class Packer {
   std::unique_ptr<libdeflate_compressor, Free> compressor_;
 };
 
-/// The smallest deflated form of some bytes.
+/// The bytes deflated at the highest compression level.
 std::string deflated(std::string_view bytes);
 
-/// What `Packer::pack` packed. Empty if it is more than `most` bytes or damaged.
+/// Undoes `Packer::pack`. Empty if the result has more than `most` bytes or the input is damaged.
 std::optional<Bytes> unpacked(BytesView packed, std::size_t most);
 
 /// CRC-32 as in PNG and gzip.

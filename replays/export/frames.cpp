@@ -10,15 +10,16 @@
 namespace fulbito {
 namespace {
 
-/// Pictures that may wait for the sink, for each thread.
+/// Number of finished pictures per thread that may wait for the sink.
 constexpr std::size_t kAhead = 3;
 
-/// Where threads leave pictures and the sink finds them in order.
+/// Passes pictures from the drawing threads to the sink, in order.
 class FrameQueue {
  public:
   FrameQueue(std::size_t count, std::size_t room) : count_(count), slots_(room) {}
 
-  /// The next picture to draw, once there is room for it; none: all are drawn, or it was stopped.
+  /// The next picture to draw, after waiting for room in the queue. Empty if all are drawn or drawing was
+  /// stopped.
   std::optional<std::size_t> take() {
     std::unique_lock lock(mutex_);
     room_.wait(lock, [this] { return stopped_ || next_ >= count_ || next_ < sunk_ + slots_.size(); });
@@ -36,7 +37,7 @@ class FrameQueue {
     if (!error_) error_ = std::move(error);
     ready_.notify_one();
   }
-  /// Waits for the picture. Errors: a thread's.
+  /// Waits until the picture is drawn. Errors: of the thread that draws it.
   Result<void> await(std::size_t index) {
     std::unique_lock lock(mutex_);
     Slot& slot = slots_[index % slots_.size()];
@@ -71,7 +72,7 @@ class FrameQueue {
   std::optional<Error> error_;
 };
 
-/// Draws one picture after the other.
+/// Draws pictures one after the other and packs them.
 class FramePainter {
  public:
   static Result<FramePainter> create(const FrameJob& job, FramePacker pack) {
@@ -101,7 +102,7 @@ class FramePainter {
   MatchOverlays overlays_;
 };
 
-/// The work of a thread. Whatever happens to it, nobody waits for its pictures for ever.
+/// The loop of a drawing thread. It reports any failure to the queue, so that nobody waits forever.
 void drawFrames(const FrameJob& job, const std::function<FramePacker()>& make_packer, FrameQueue& queue) {
   try {
     auto painter = FramePainter::create(job, make_packer());
@@ -116,7 +117,7 @@ void drawFrames(const FrameJob& job, const std::function<FramePacker()>& make_pa
   }
 }
 
-/// Without other threads: the sink's draws.
+/// Draws in the thread of the sink, without other threads.
 Result<void> drawAndSink(const FrameJob& job, const std::function<FramePacker()>& make_packer,
                          const FrameSink& sink) {
   auto painter = FramePainter::create(job, make_packer());
@@ -129,7 +130,7 @@ Result<void> drawAndSink(const FrameJob& job, const std::function<FramePacker()>
   return {};
 }
 
-/// Ends the threads' waits, also when the sink throws.
+/// Stops the drawing threads at the end of the scope, also when the sink throws.
 class StopAtEnd {
  public:
   explicit StopAtEnd(FrameQueue& queue) : queue_(queue) {}

@@ -18,7 +18,7 @@ struct ReplayRange {
 /// recording per second of film. Ranges that touch or overlap are joined; each has at least one frame.
 std::vector<double> filmTimes(std::vector<ReplayRange> ranges, double fps, double speed);
 
-/// The ranges around some ticks, clamped to the recording.
+/// The time ranges around these ticks, clamped to the recording.
 std::vector<ReplayRange> rangesAround(const ReplayTimeline& timeline, const std::vector<Tick>& ticks,
                                       double before, double after);
 
@@ -27,8 +27,8 @@ struct FrameJob {
   const ReplayTimeline* timeline = nullptr;
   const MatchPicture* picture = nullptr;
   OverlayChoice overlays;
-  std::vector<double> times;  ///< [s]
-  int jobs = 1;               ///< threads that draw
+  std::vector<double> times;  ///< recording times of the pictures [s]
+  int jobs = 1;               ///< number of drawing threads
 };
 
 /// Encodes a picture in the thread that drew it, reusing the string's memory.

@@ -11,7 +11,7 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kMostColours = 255;  // one index is left for what did not change
+constexpr std::size_t kMostColours = 255;  // one more index stands for unchanged pixels
 constexpr std::size_t kKnown = 1u << 14;
 
 int part(std::uint32_t argb, int shift) { return static_cast<int>(argb >> shift & 255u); }
@@ -43,7 +43,7 @@ void GifPalette::add(std::uint32_t argb) {
   for (const int shift : {16, 8, 0}) colours_.push_back(static_cast<std::uint8_t>(argb >> shift));
 }
 
-/// Squared, green counting most, as the eye does.
+/// Squared distance between colours. Green has the highest weight, because the eye is most sensitive to it.
 int GifPalette::distanceTo(std::uint32_t argb, std::size_t index) const {
   const int r = part(argb, 16) - colours_[3 * index], g = part(argb, 8) - colours_[3 * index + 1],
             b = part(argb, 0) - colours_[3 * index + 2];
@@ -69,7 +69,7 @@ GifIndexer::GifIndexer(const GifPalette& palette) : palette_(&palette), known_(k
 
 std::uint8_t GifIndexer::lookUp(std::uint32_t argb) {
   Known& known = known_[(argb * 2654435761u) >> 18];
-  if (known.argb != argb) known = {argb, palette_->nearest(argb)};  // 0, without opacity, is no picture's
+  if (known.argb != argb) known = {argb, palette_->nearest(argb)};  // 0 is transparent: no picture has it
   return known.index;
 }
 
@@ -87,13 +87,13 @@ void GifIndexer::index(const Canvas& canvas, std::string& out) {
 
 namespace {
 
-constexpr int kKeepsPlace = 1;  // what a frame draws stays for the next
+constexpr int kKeepsPlace = 1;  // disposal method: the frame stays visible under the next one
 
 struct ColourTableDeleter {
   void operator()(ColorMapObject* table) const { GifFreeMapObject(table); }
 };
 
-/// @return the colours, and one more that is never drawn: it stands for what did not change
+/// @return the colours, and one more that is never drawn: it stands for unchanged pixels
 std::unique_ptr<ColorMapObject, ColourTableDeleter> colourTable(const std::vector<std::uint8_t>& colours) {
   const int count = static_cast<int>(colours.size() / 3);
   std::unique_ptr<ColorMapObject, ColourTableDeleter> table(
@@ -105,12 +105,12 @@ std::unique_ptr<ColorMapObject, ColourTableDeleter> colourTable(const std::vecto
   return table;
 }
 
-/// Columns and rows of a frame, the ends left out.
+/// A rectangle of a frame [px]; `right` and `bottom` are one past the end.
 struct Window {
   int left, top, right, bottom;
 };
 
-/// What differs between two frames; one pixel if nothing does, since a frame must have one.
+/// The rectangle in which two frames differ. One pixel if they are equal, since a frame must not be empty.
 Window changed(std::string_view before, std::string_view now, int width) {
   Window window{std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), 0, 0};
   for (std::size_t i = 0; i < now.size(); ++i) {
@@ -141,12 +141,12 @@ struct GifWriter::Impl {
   bool draw(const Window& window, std::string_view indices);
 
   std::string bytes;
-  std::string shown;  ///< the last frame's indices; empty before the first
+  std::string shown;  ///< palette indices of the last frame; empty before the first frame
   std::string row;
   GifFileType* gif = nullptr;
   int width = 0, height = 0;   ///< [pixels]
   int delay = 4;               ///< [s/100]
-  std::uint8_t unchanged = 0;  ///< index
+  std::uint8_t unchanged = 0;  ///< palette index for unchanged pixels
 };
 
 bool GifWriter::Impl::begin(const std::vector<std::uint8_t>& colours) {
@@ -156,7 +156,7 @@ bool GifWriter::Impl::begin(const std::vector<std::uint8_t>& colours) {
   return EGifPutScreenDesc(gif, width, height, table->BitsPerPixel, 0, table.get()) == GIF_OK && loop();
 }
 
-/// Says that the film begins again at its end, for ever.
+/// Writes the extension that makes the film loop forever.
 bool GifWriter::Impl::loop() const {
   constexpr std::string_view kName = "NETSCAPE2.0";
   constexpr std::array<GifByteType, 3> kForEver{1, 0, 0};

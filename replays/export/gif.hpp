@@ -46,7 +46,7 @@ class GifIndexer {
   std::uint8_t lookUp(std::uint32_t argb);
 
   const GifPalette* palette_;
-  std::vector<Known> known_;  ///< by a hash of the colour
+  std::vector<Known> known_;  ///< cache, indexed by a hash of the colour
 };
 
 /// A looping GIF in memory, written frame by frame.

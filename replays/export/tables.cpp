@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kTableSchemaVersion = 1;
 
-/// What a column or key calls a body: ball, blue0, robot0, obstacle2.
+/// The names of the bodies in columns and keys: ball, blue0, robot0, obstacle2.
 std::vector<std::string> bodyNames(const RecordingHeader& header) {
   std::vector<std::string> names;
   std::size_t robots = 0, balls = 0, obstacles = 0;
@@ -34,7 +34,7 @@ std::vector<std::string> bodyNames(const RecordingHeader& header) {
   return names;
 }
 
-/// The times of a table's lines: starts of plays and samples, in order.
+/// The ticks of a table's rows, in order: starts of plays and samples.
 std::vector<Tick> ticksBetween(const ReplayTimeline& timeline, double from, double to) {
   std::vector<Tick> ticks;
   const auto add = [&](Tick tick) {
@@ -48,7 +48,7 @@ std::vector<Tick> ticksBetween(const ReplayTimeline& timeline, double from, doub
   return ticks;
 }
 
-/// Without the noise of rounding in binary, and without a negative zero.
+/// Rounded to 4 decimals, without a negative zero.
 double rounded(double value) { return std::floor(value * 1e4 + 0.5) / 1e4 + 0.0; }
 
 Json stateJson(const ReplayMoment& moment, const std::vector<std::string>& names,

@@ -15,8 +15,8 @@ using TableSink = std::function<void(const std::string&)>;
 /// radians.
 void writeCsv(const ReplayTimeline& timeline, double from, double to, const TableSink& sink);
 
-/// The same as one JSON object per line with a `type`: first `recording`, then `play`, `event` and `state` in
-/// order of time.
+/// The same data as one JSON object per line with a `type`: first `recording`, then `play`, `event` and
+/// `state` in order of time.
 void writeJsonLines(const ReplayTimeline& timeline, double from, double to, const TableSink& sink);
 
 }  // namespace fulbito

@@ -22,7 +22,7 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kMostSaid = 4000;  // of ffmpeg's complaints
+constexpr std::size_t kMostSaid = 4000;  // [bytes] longest part of ffmpeg's messages in an error
 
 std::vector<std::string> codecWords(const VideoSettings& settings) {
   const std::string quality = std::to_string(settings.quality);
@@ -35,7 +35,7 @@ std::vector<std::string> codecWords(const VideoSettings& settings) {
           "-pix_fmt",  "yuv420p"};
 }
 
-/// `stream`: it cannot be wound back to write the index.
+/// Arguments of ffmpeg. `stream`: the output cannot seek, so the index cannot be written at its start.
 std::vector<std::string> ffmpegWords(const std::string& out, bool stream, const VideoSettings& settings) {
   std::vector<std::string> words{"ffmpeg",       "-hide_banner",
                                  "-loglevel",    "error",
@@ -57,7 +57,7 @@ std::vector<std::string> ffmpegWords(const std::string& out, bool stream, const 
   return words;
 }
 
-/// Removed when it is closed, whatever happens.
+/// A temporary file that disappears when it is closed. Returns its descriptor.
 int temporaryFile() {
   std::FILE* file = std::tmpfile();
   if (file == nullptr) return -1;
@@ -76,16 +76,16 @@ struct VideoPipe::Impl {
 
   Result<void> start(const VideoSettings& settings);
   Error complaint(const std::string& what) const;
-  /// Its exit status, once; -1 when it could not be had. Of a process that is waited for when all work shall
-  /// end, kInterrupted.
+  /// Waits for ffmpeg once. Returns its exit status, or -1 if there is none. Errors: kInterrupted if this
+  /// process is asked to stop while it waits.
   Result<int> wait();
   void kill();
 
   std::string file;
-  std::optional<OutputFile> out;  ///< none: stdout
+  std::optional<OutputFile> out;  ///< empty: the video goes to stdout
   pid_t child = -1;
-  int in = -1;    ///< ffmpeg's stdin
-  int said = -1;  ///< its stderr, a file without a name
+  int in = -1;    ///< pipe to ffmpeg's stdin
+  int said = -1;  ///< ffmpeg's stderr: a temporary file without a name
 };
 
 VideoPipe::Impl::~Impl() {
@@ -126,8 +126,8 @@ Result<void> VideoPipe::Impl::start(const VideoSettings& settings) {
   posix_spawnattr_init(&attributes);
   posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, said, STDERR_FILENO);
-  // Ctrl-C is for this program, which then ends ffmpeg and removes its file. What is ignored here (SIGPIPE)
-  // is not to be ignored there.
+  // Own process group and default signals: Ctrl-C reaches only this program, which then ends ffmpeg and
+  // removes its file. Signals ignored here (SIGPIPE) must not be ignored by ffmpeg.
   sigset_t defaults;
   sigemptyset(&defaults);
   sigaddset(&defaults, SIGPIPE);

@@ -14,14 +14,15 @@ struct VideoSettings {
   int width = 0;   ///< [px] even
   int height = 0;  ///< [px] even
   double fps = 30.0;
-  int quality = 22;  ///< as x264's: 0 (best) ... 51
+  int quality = 22;  ///< on the scale of x264: 0 (best) ... 51
 };
 
-/// A video that ffmpeg, as a child in its own process group, makes from frames on a pipe. The file appears
-/// under its name when it is complete. An unfinished file is removed.
+/// A video that ffmpeg encodes from frames on a pipe, as a child process in its own process group. The file
+/// appears under its name when it is complete; an unfinished file is removed.
 class VideoPipe {
  public:
-  /// `file` "-" is stdout. Errors: kIo if ffmpeg is missing or cannot be started; as OutputFile::create.
+  /// If `file` is "-", the video goes to stdout. Errors: kIo if ffmpeg is missing or cannot be started; as
+  /// `OutputFile::create`.
   static Result<VideoPipe> open(const std::string& file, const VideoSettings& settings);
   VideoPipe(VideoPipe&&) noexcept;
   VideoPipe& operator=(VideoPipe&&) noexcept;

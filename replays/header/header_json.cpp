@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 2> kKinds{"match", "trial"};
 constexpr std::array<std::string_view, 2> kLevels{"recipe", "full"};
 constexpr std::array<std::string_view, 4> kBodies{"wall", "robot", "ball", "obstacle"};
 
-/// Takes typed values out of an object; the first flaw is kept and everything after it is default.
+/// Reads typed values from an object. After the first flaw, which it keeps, all values are defaults.
 class Fields {
  public:
   Fields(const Json& object, std::string where, std::string& flaw)
@@ -104,7 +104,8 @@ class Fields {
 constexpr std::uint64_t kAny = ~std::uint64_t{0};
 constexpr int kMaxSampleTurn = 1'000'000;
 constexpr std::uint64_t kMost = 1'000'000'000'000;
-constexpr std::int64_t kMostGoals = 1'100'000;  // of a team; what a walk-over costs goes below zero as far
+// Per team; a walk-over may make the score as negative as this.
+constexpr std::int64_t kMostGoals = 1'100'000;
 
 std::string hexOf(std::uint64_t value) { return fmt::format("{:016x}", value); }
 
@@ -187,7 +188,7 @@ void readBuild(const Json& json, BuildInfo& build, std::string& flaw) {
   fields.text("box2d", build.box2d);
 }
 
-/// Text from outside may hold anything; what is no UTF-8 is replaced.
+/// Dumps JSON and replaces invalid UTF-8, because texts from outside may contain any bytes.
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 tl::expected<Json, std::string> parseJson(BytesView text) {
@@ -197,7 +198,7 @@ tl::expected<Json, std::string> parseJson(BytesView text) {
   return Json::parse(text);
 }
 
-/// NaN and infinities, which JSON does not know, come back as null.
+/// The number, or 0 for null: NaN and infinities are written as null, because JSON does not have them.
 double figureOf(const Json& json) { return json.is_number() ? json.get<double>() : 0.0; }
 
 }  // namespace

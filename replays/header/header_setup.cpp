@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kLeastStep = 1e-6;  // [rad/s]
+constexpr double kLeastStep = 1e-6;  // [rad/s] finer steps do not fit into whole numbers
 
 constexpr int kChunkSeconds = 6;
 constexpr int kSampleRate = 30;  // [Hz]

@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Counts, and ends the reading when there are too many.
+/// Counts keys and values, and stops parsing when there are too many.
 class ItemCounter final : public nlohmann::json_sax<Json> {
  public:
   bool null() override { return count(); }

@@ -5,8 +5,8 @@
 
 namespace fulbito {
 
-/// Largest number of keys and values in a JSON text of a recording: a hundred times what is written. Without
-/// a limit, an ordered object would take quadratic time, since it searches all its keys for each new one.
+/// Largest number of keys and values in a JSON text of a recording, a hundred times what the writer produces.
+/// Ordered objects search all their keys for each new one, so large ones would take quadratic time.
 inline constexpr std::size_t kMaxJsonItems = 8192;
 
 /// Whether a text is JSON with at most `kMaxJsonItems` keys and values. Stops reading beyond that.

@@ -5,10 +5,10 @@
 
 namespace fulbito {
 
-/// RFC 4648, with padding.
+/// Base64 (RFC 4648) with padding.
 std::string base64Of(std::string_view bytes);
 
-/// The bytes of pairs of hexadecimal digits; stops at any other character.
+/// The bytes given as pairs of hexadecimal digits. Stops at the first other character.
 std::string bytesOfHex(std::string_view digits);
 
 }  // namespace fulbito

@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-/// The relation of a page's scenes.
+/// How the scenes of a page relate to each other.
 enum class PageKind : std::uint8_t {
   kReplay,  ///< one scene
   kGhost,   ///< two scenes with the same bodies: the second is drawn faintly over the first

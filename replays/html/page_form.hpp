@@ -10,15 +10,16 @@
 
 namespace fulbito {
 
-/// The text of the embedded file of that name; empty if there is none.
+/// The text of the embedded file with this name; empty if there is none.
 std::string_view textOfFile(std::span<const EmbeddedFile> files, std::string_view name);
 
-/// Replaces each mark `{{name}}` of a form by its text. Marks inside the texts are not replaced.
+/// Replaces each placeholder `{{name}}` in a form by the text with that name. Placeholders in the texts are
+/// not replaced.
 std::string filledForm(std::string_view form,
                        const std::vector<std::pair<std::string_view, std::string>>& texts);
 
-/// The entry of a Content-Security-Policy that allows the script or style with this SHA-256 digest, given as
-/// hexadecimal digits.
+/// The entry of a Content-Security-Policy that allows the script or style with this SHA-256 digest
+/// (hexadecimal).
 std::string allowedDigest(std::string_view digest);
 
 }  // namespace fulbito

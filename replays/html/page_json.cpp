@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kPageFormat = 1;
 
-/// To a tenth of a millimetre, as short as it can be written.
+/// Rounded to 0.1 mm, so that JSON stores few digits.
 double shortOf(double value) { return std::floor(value * 1e4 + 0.5) / 1e4; }
 
 Json pointOf(Vec2 point) { return Json::array({shortOf(point.x), shortOf(point.y)}); }
@@ -51,7 +51,7 @@ Json bodyJson(const PageBody& body) {
     json["size"] = {body.length, body.width};
   } else {
     json["radius"] = body.radius;
-    // A round robot turns, a ball does not: the page asks for the column of headings by this.
+    // A round robot has a heading, a ball has none: the page reads the column of headings if `turns` is set.
     if (hasHeading(body)) json["turns"] = true;
   }
   return json;
@@ -68,7 +68,7 @@ Json playJson(const PagePlay& play) {
   if (!play.kind.empty()) json["kind"] = play.kind;
   if (play.team) json["team"] = indexOf(*play.team);
   if (play.favours) json["favours"] = indexOf(*play.favours);
-  // Mostly all are there: then nothing is said.
+  // Only absent bodies are listed, because usually all are present.
   Json absent = Json::array();
   for (std::size_t i = 0; i < play.present.size(); ++i) {
     if (play.present[i] == 0) absent.push_back(i);
@@ -122,7 +122,7 @@ Json listOf(const Items& items, const Make& make) {
   return list;
 }
 
-/// The score and from when on it stood.
+/// The scores, each with the time from which it was valid.
 Json scoresJson(const PageScene& scene) {
   Json scores = Json::array();
   PerTeam<int> score{};
@@ -180,7 +180,7 @@ Json sceneJson(const PageScene& scene, std::size_t bytes) {
   return json;
 }
 
-/// Texts from outside may hold anything: none may steer how the page is shown.
+/// Makes each text one line, because texts from outside may contain characters that affect the layout.
 void calm(Json& json) {
   if (json.is_string()) {
     json = oneLine(json.get_ref<const std::string&>());
@@ -189,7 +189,7 @@ void calm(Json& json) {
   }
 }
 
-/// What is no UTF-8 is replaced, and nothing may end the element.
+/// Dumps JSON. Invalid UTF-8 is replaced, and the text cannot end the script element.
 std::string dumped(Json json) {
   calm(json);
   const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);

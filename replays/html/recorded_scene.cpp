@@ -15,7 +15,7 @@ namespace {
 constexpr double kRowRate = 30.0;      // [Hz]
 constexpr double kCommandRate = 10.0;  // [Hz]
 
-/// The shapes of the bodies, from the recipe's files.
+/// The shapes of the bodies, read from the files in the recipe.
 struct Shapes {
   RobotPreset robot;
   std::vector<ObstacleSpec> obstacles;
@@ -37,7 +37,7 @@ PageBody bodyOf(const RecordedBody& body, const Shapes& shapes, std::size_t& obs
   return page;
 }
 
-/// The first tick of the play from which its clock runs.
+/// The first tick of a play at which its clock runs.
 Tick signalOf(const ReplayTimeline& timeline, std::size_t play, ReplayMoment& moment) {
   const auto plays = timeline.plays();
   const Tick end = play + 1 < plays.size() ? plays[play + 1].tick : timeline.ticks() + 1;
@@ -73,7 +73,7 @@ PageRow startRow(const RecordedPlay& play) {
   return row;
 }
 
-/// Rows of every play: its start, then samples, some of them left out where there are more than are needed.
+/// Adds rows for every play: its start, then samples. Samples in excess of the row rate are skipped.
 void addRows(const ReplayTimeline& timeline, PageScene& scene) {
   const RecordingHeader& header = timeline.header();
   const double rate = static_cast<double>(header.control_rate) / header.sample_every;
@@ -111,7 +111,8 @@ Result<void> addCommands(const RecordingReader& recording, PageCommands& command
   return {};
 }
 
-/// The profile's name. Rules have no reader at this level; their table's first key is the name.
+/// The name of the rules profile: the first key of its table. The parser of rules is not available in this
+/// layer.
 std::string nameOfRules(std::string_view toml) {
   constexpr std::string_view kKey = "name = \"";
   const std::size_t at = toml.find(kKey);

@@ -6,9 +6,9 @@
 
 namespace fulbito {
 
-/// A recording of level full for the HTML viewer: about 30 rows and ten commands per second. `timeline`
-/// belongs to `recording`. Errors: kBadInput for an unreadable field, robot or layout in the recipe; as
-/// RecordingReader::chunk.
+/// Converts a recording of level full for the HTML viewer, with about 30 rows and ten commands per second.
+/// `timeline` belongs to `recording`. Errors: kBadInput for an unreadable field, robot or layout in the
+/// recipe; as `RecordingReader::chunk`.
 Result<PageScene> recordedScene(const RecordingReader& recording, const ReplayTimeline& timeline);
 
 }  // namespace fulbito

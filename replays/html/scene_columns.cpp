@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMostSteps = 1e9;
 
-/// What is no number counts as 0.
+/// `value / step` as a whole number; NaN counts as 0.
 std::int64_t stepsOf(double value, double step) {
   if (std::isnan(value)) return 0;
   return static_cast<std::int64_t>(std::floor(std::clamp(value / step, -kMostSteps, kMostSteps) + 0.5));
@@ -21,7 +21,7 @@ std::int64_t stepsOf(double value, double step) {
 class Column {
  public:
   explicit Column(ByteWriter& out) : out_(out) {}
-  /// `jump`: the value does not go on as those before it.
+  /// @param jump  the value does not continue the ones before it, so no trend is used
   void add(std::int64_t value, bool jump = true) {
     const Trend trend = jump ? Trend::kStays : Trend::kGoesOn;
     out_.signedVarint(value - predictor_.predicted(trend));
@@ -33,12 +33,12 @@ class Column {
   ColumnPredictor predictor_;
 };
 
-/// Rows of a scene with the play that each is in.
+/// The rows of a scene, each with its play.
 class Rows {
  public:
   explicit Rows(const PageScene& scene) : scene_(scene) {}
 
-  /// Calls `each(row, play, first of its play)` in order.
+  /// Calls `each(row, play, is first row of its play)` in order.
   template <typename Each>
   void visit(const Each& each) const {
     std::size_t play = 0;
@@ -66,7 +66,7 @@ void packPlace(const Rows& rows, std::size_t body, double Vec2::* part, ByteWrit
   });
 }
 
-/// Headings go on over a full turn, so that nothing jumps in the middle of a play.
+/// Headings are unwrapped beyond a full turn, so that they have no jumps within a play.
 void packHeading(const Rows& rows, std::size_t body, ByteWriter& out) {
   Column column(out);
   double heading = 0.0;
@@ -94,7 +94,7 @@ void packCommands(const PageScene& scene, ByteWriter& out) {
   }
 }
 
-/// Texts are in the page's other part.
+/// Packs all values of the drawings except the texts, which are in the page's JSON.
 void packDrawings(const std::vector<RecordedDrawing>& drawings, ByteWriter& out) {
   const auto column = [&](const auto& value) {
     Column written(out);

@@ -36,7 +36,7 @@ std::string_view titleOf(RestartKind kind) {
   return "";
 }
 
-/// Details that depend on the event.
+/// The second part of the words of an event: its details.
 std::string detailOf(const RecordedEvent& event, const Clause& clause,
                      const std::vector<std::string>& teams) {
   if (clause.name == "full-time" && !event.team) return "draw";
@@ -73,7 +73,7 @@ CallWords wordsOf(RestartKind kind, TeamId team, const std::vector<std::string>&
 
 std::string measuredText(const RecordedEvent& event) {
   const Clause* clause = clause::find(event.clause);
-  // Other events are counts: a command was rejected for the first, tenth ... time.
+  // Events without a clause are counts, such as the first, tenth ... rejected command.
   const Measure measure = clause != nullptr ? clause->measure : Measure{"count ", ""};
   const bool nothing = event.value == 0.0 && event.threshold == 0.0;
   if (measure.before.empty() || nothing) return {};

@@ -3,8 +3,8 @@
 namespace fulbito {
 namespace {
 
-/// The tick after which an event is written. The one call that belongs to the play that begins at its tick
-/// waits for that play's first tick; all others ended the play before.
+/// The tick after which an event is written. A "placement" belongs to the play that begins at its tick, so it
+/// is written after that play's first tick. All other events ended the play before.
 Tick dueAt(const RecordedEvent& event) { return event.tick + (event.clause == "placement" ? 1 : 0); }
 
 }  // namespace
@@ -16,7 +16,7 @@ void PlayCopier::chunkBegins(const RecordedChunk& chunk) {
 
 bool PlayCopier::playBegins(const ReplayedPlay& play) {
   RecordedPlay copy = *play.recorded;
-  // The first play brings its hash along; after a gap the hash goes on from what is there.
+  // The first play has its recorded hash. After a gap, the copy's hash continues from the last copied play.
   if (plays_ == 0) hash_ = StateHash(copy.hash);
   copy.hash = hash_.value();
   writer_.beginPlay(copy);

@@ -11,7 +11,7 @@
 
 namespace fulbito {
 
-/// Writes the visited plays to a new recording and compares them with the recorded ones. Stops at a
+/// Writes the visited plays to a new recording, and compares them with the recorded ones. Stops at the first
 /// difference.
 class PlayCopier final : public ReplayVisitor {
  public:
@@ -25,11 +25,11 @@ class PlayCopier final : public ReplayVisitor {
   Tick ticks() const { return writer_.tick(); }
   /// First tick of the recording whose state differs from the recorded one, if any.
   const std::optional<Tick>& differs() const { return differs_; }
-  /// Writes the remaining data and the result, whose ticks and hash are set here.
+  /// Writes the remaining data and the result. Sets the ticks and the hash of the result.
   Result<void> finish(RecordingResult result);
 
  private:
-  /// Writes the events and drawings up to this tick of the original.
+  /// Writes the events and drawings up to this tick of the original recording.
   void pass(Tick until);
 
   RecordingWriter writer_;
@@ -37,7 +37,7 @@ class PlayCopier final : public ReplayVisitor {
   std::deque<RecordedDrawing> drawings_;
   StateHash hash_;
   std::int64_t plays_ = 0;
-  Tick shift_ = 0;  ///< difference between ticks of the copy and the original
+  Tick shift_ = 0;  ///< tick of the copy minus tick of the original
   std::optional<Tick> differs_;
 };
 

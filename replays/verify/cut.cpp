@@ -23,7 +23,7 @@ RecordingHeader headerOf(const RecordingReader& recording, const std::vector<Rec
                          const PlayRange& range) {
   RecordingHeader header = recording.header();
   auto& more = header.recipe.more;
-  // A cut of a cut says where it is in what it was cut from.
+  // A cut of a cut gives its position in the recording that it was cut from, not in the first original.
   std::erase_if(more, [](const auto& entry) { return entry.first.starts_with("cut_"); });
   const double begin =
       static_cast<double>(plays[static_cast<std::size_t>(range.first)].tick) / header.control_rate;
@@ -35,7 +35,7 @@ RecordingHeader headerOf(const RecordingReader& recording, const std::vector<Rec
   return header;
 }
 
-/// The end of the last play, as far as the recording tells.
+/// The result at the end of the last play, as far as the recording contains it.
 RecordingResult endOf(const RecordingReader& recording, const std::vector<RecordedPlay>& plays,
                       const PlayRange& range) {
   const auto next = static_cast<std::size_t>(range.last) + 1;

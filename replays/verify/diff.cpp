@@ -31,7 +31,7 @@ class RecipeDiff {
   void number(const std::string& name, double a, double b) {
     value(name, fmt::format("{}", a), fmt::format("{}", b));
   }
-  /// Whole files: the lines that differ, where they have the same lines otherwise.
+  /// Compares two whole files: the lines that differ, if both have as many lines.
   void text(const std::string& name, const std::string& a, const std::string& b) {
     const auto lines_a = linesOf(a), lines_b = linesOf(b);
     if (lines_a.size() != lines_b.size())
@@ -87,7 +87,7 @@ std::vector<RecipeDifference> recipeDifferences(const RecordingHeader& a, const 
   return found;
 }
 
-/// Everything of a recording that is compared without playing it.
+/// The parts of a recording that are compared without simulating it.
 struct Content {
   std::vector<std::uint16_t> hashes;
   std::vector<WheelSpeeds> commands;
@@ -120,7 +120,7 @@ bool sameStart(const RecordedStart& a, const RecordedStart& b) {
          sameBits(a.spin.y, b.spin.y);
 }
 
-/// The first play that does not begin the same.
+/// The first play whose start differs.
 std::optional<std::size_t> firstOtherPlay(const Content& a, const Content& b) {
   for (std::size_t i = 0; i < std::min(a.plays.size(), b.plays.size()); ++i) {
     const RecordedPlay &pa = a.plays[i], &pb = b.plays[i];
@@ -229,7 +229,7 @@ class BodyDiff {
   RecordingDifference& out_;
 };
 
-/// Plays both again up to where they part.
+/// Simulates both recordings up to the first difference, and compares all values of the states there.
 Result<void> lookCloser(const RecordingReader& a, const RecordingReader& b, RecordingDifference& found) {
   StateAt state_a(*found.tick), state_b(*found.tick);
   const PlayRange play{found.play, found.play};

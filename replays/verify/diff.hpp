@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-/// One difference between the recipes.
+/// One difference between two recipes.
 struct RecipeDifference {
   std::string name;  ///< e.g. seed, teams.blue, physics: substeps
   std::string a, b;
@@ -29,9 +29,9 @@ struct RecordingDifference {
   Tick ticks_a = 0, ticks_b = 0;
   /// The first differing tick; empty: both are identical, or one is a prefix of the other.
   std::optional<Tick> tick;
-  std::int64_t play = 0;               ///< from 0
-  bool start = false;                  ///< the start of the play differs, not a step
-  std::vector<BodyDifference> bodies;  ///< at that tick, commands first, then states after the step
+  std::int64_t play = 0;               ///< number of the play, from 0
+  bool start = false;                  ///< true: the start of the play differs; false: a step differs
+  std::vector<BodyDifference> bodies;  ///< at that tick: commands first, then states after the step
 
   bool same() const { return recipe.empty() && comparable && !tick && ticks_a == ticks_b; }
 };

@@ -16,7 +16,7 @@ RecordingHeader fullHeader(RecordingHeader header) {
   return header;
 }
 
-/// Writes what it is shown, and stops where that is not what was recorded.
+/// Writes the visited plays and ticks, and stops at the first that differs from the recording.
 class Expander final : public ReplayVisitor {
  public:
   explicit Expander(RecordingWriter writer) : writer_(std::move(writer)) {}
@@ -39,9 +39,10 @@ class Expander final : public ReplayVisitor {
     pass(drawings_, tick.tick);
     return true;
   }
-  /// The tick that differs, if any.
+  /// The first tick that differs, if any.
   const std::optional<Tick>& differs() const { return differs_; }
-  /// Writes what is left and the end; a recording that was cut becomes one that was stopped.
+  /// Writes the remaining events and the result. If the recording was cut off, the result says that it was
+  /// stopped.
   Result<void> finish(const std::optional<RecordingResult>& result) {
     pass(events_, kLastTick);
     pass(drawings_, kLastTick);

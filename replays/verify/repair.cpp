@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-/// The chunks of a salvage in order; counts where some are missing.
+/// Counts the gaps between the chunks of a salvage.
 int gapsOf(const Salvage& salvage) {
   int gaps = 0;
   Tick expected = 0;

@@ -8,10 +8,10 @@ namespace fulbito {
 
 /// The result of a repair.
 struct Repair {
-  std::string bytes;  ///< of the repaired recording
+  std::string bytes;  ///< bytes of the repaired recording
   std::int64_t plays = 0;
   Tick ticks = 0;
-  Tick lost_ticks = 0;  ///< lost ticks of known number
+  Tick lost_ticks = 0;  ///< number of lost ticks, as far as known
   int gaps = 0;         ///< number of gaps
   bool end_lost = false;
 };

@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-/// What all worlds of a recording have in common.
+/// The models that all worlds of a recording share.
 struct Models {
   FieldGeometry field;
   PhysicsProfile physics;
@@ -54,9 +54,9 @@ class Replay {
   }
 
  private:
-  /// False when the visitor has seen enough.
+  /// Simulates the plays of a chunk. False if the visitor ended the resimulation.
   Result<bool> play(const RecordedChunk& chunk) {
-    if (chunk.first_tick != expected_) {  // some are missing
+    if (chunk.first_tick != expected_) {  // chunks are missing
       world_.reset();
       plays_ = chunk.plays_before;
     } else if (chunk.first_tick == 0 && chunk.ticks > 0 &&
@@ -145,7 +145,7 @@ class Replay {
   std::vector<WheelSpeeds> commands_;
   StateHash hash_;
   std::int64_t plays_ = 0;
-  Tick expected_ = 0;  ///< where the next chunk begins if none is missing
+  Tick expected_ = 0;  ///< first tick of the next chunk if no chunk is missing
 };
 
 }  // namespace

@@ -16,9 +16,9 @@ namespace fulbito {
 /// The start of a play in a resimulation.
 struct ReplayedPlay {
   const RecordedPlay* recorded = nullptr;
-  std::int64_t number = 0;       ///< from 0
-  const World* world = nullptr;  ///< new, from the recorded start
-  std::span<const RobotId> ids;  ///< of the world's robots; blue 0 in a trial
+  std::int64_t number = 0;       ///< number of the play, from 0
+  const World* world = nullptr;  ///< created from the recorded start
+  std::span<const RobotId> ids;  ///< ids of the world's robots; blue 0 in a trial
   std::span<const std::size_t>
       bodies;              ///< header indices of the world's robots, balls and obstacles, in this order
   std::uint64_t hash = 0;  ///< running hash of the resimulation
@@ -26,14 +26,14 @@ struct ReplayedPlay {
 
 /// One resimulated tick of a recording.
 struct ReplayedTick {
-  Tick tick = 0;  ///< of the recording, after the step
+  Tick tick = 0;  ///< tick of the recording, after the step
   const World* world = nullptr;
   std::span<const RobotId> ids;
-  std::span<const std::size_t> bodies;    ///< see ReplayedPlay
+  std::span<const std::size_t> bodies;    ///< see `ReplayedPlay`
   std::span<const WheelSpeeds> commands;  ///< as recorded, one per robot of the world
   std::uint64_t hash = 0;                 ///< running hash, continued from the play's recorded one
   const RecordedChunk* chunk = nullptr;   ///< chunk of this tick
-  std::size_t row = 0;                    ///< row of the tick in it
+  std::size_t row = 0;                    ///< row of the tick in the chunk
 };
 
 /// The recorded hashes of the bodies at this tick; null except once per second.
@@ -45,7 +45,7 @@ bool asRecorded(const ReplayedTick& tick);
 class ReplayVisitor {
  public:
   virtual ~ReplayVisitor() = default;
-  /// A chunk has been unpacked; its plays and ticks follow.
+  /// Called when a chunk has been unpacked. Its plays and ticks follow.
   virtual void chunkBegins(const RecordedChunk&) {}
   /// @{ Returning false ends the resimulation.
   virtual bool playBegins(const ReplayedPlay&) { return true; }
@@ -62,12 +62,12 @@ struct PlayRange {
   std::int64_t first = 0;
   std::int64_t last = std::numeric_limits<std::int64_t>::max();
 };
-/// The same for only these plays.
+/// Simulates only these plays.
 Result<void> resimulate(const RecordingReader& recording, const PlayRange& plays, ReplayVisitor& visitor);
 
 /// Returns the chunks of a recording one after the other, then an empty value.
 using ChunkSource = std::function<Result<std::optional<RecordedChunk>>()>;
-/// The same for chunks from any source. Chunks may be missing: data of plays that began in them are skipped.
+/// Simulates chunks from any source. Chunks may be missing; data of plays that began in them are skipped.
 Result<void> resimulate(const RecordingHeader& header, const ChunkSource& chunks, const PlayRange& plays,
                         ReplayVisitor& visitor);
 

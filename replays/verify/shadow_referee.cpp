@@ -12,7 +12,7 @@
 namespace fulbito {
 namespace {
 
-/// A referee that judges one play and then falls silent.
+/// A referee that judges one play. After its first call it makes no more.
 class Shadow {
  public:
   explicit Shadow(RefereeSetup setup) : setup_(std::move(setup)) {}
@@ -46,7 +46,7 @@ class Shadow {
       verdict_->restart_team = call->team;
     }
     for (const GameEvent& event : events_) {
-      if (event.clause == "kick-off") continue;  // announced at a play's first tick
+      if (event.clause == "kick-off") continue;  // not a call: announced at the first tick of a play
       verdict_->clause = event.clause;
       verdict_->team = event.team;
       verdict_->value = event.value;
@@ -118,7 +118,7 @@ class Comparer final : public ReplayVisitor {
     const MatchView view{tick.tick, tick.ids, world.robots, world.balls.front(), tick.world->contacts()};
     a_.observe(view);
     b_.observe(view);
-    // The recorded calls of the latest tick that has any.
+    // Keeps the recorded calls of the latest tick that has any.
     if (const auto calls = calls_.find(tick.tick); calls != calls_.end()) {
       called_tick_ = tick.tick;
       called_ = calls->second;
@@ -126,7 +126,7 @@ class Comparer final : public ReplayVisitor {
     return true;
   }
 
-  /// Why it was stopped, if it was.
+  /// The reason why the comparison stopped; empty if it did not.
   const std::string& flaw() const { return flaw_; }
 
   void end() {
@@ -164,7 +164,7 @@ class Comparer final : public ReplayVisitor {
   const double dt_;
   RulesComparison& to_;
   PlayVerdicts current_;
-  std::map<Tick, std::vector<std::string>> calls_;  ///< of the present chunk
+  std::map<Tick, std::vector<std::string>> calls_;  ///< by tick, of the present chunk
   std::vector<std::string> called_;
   std::string flaw_;
   Tick called_tick_ = -1;
@@ -190,7 +190,7 @@ Result<RefereeSetup> setupOf(const RecordingRecipe& recipe, const Rules& own, in
   return setup;
 }
 
-/// Name of a call among those that differ; the restart is told where the rule is the same.
+/// Name of a call in the list of differences. It includes the restart if both calls are of the same rule.
 std::string callName(const ShadowVerdict& verdict, bool with_restart) {
   if (!with_restart) return verdict.clause;
   return verdict.clause + " (" + nameOf(verdict.restart) + ", " + nameOf(verdict.restart_team) + ")";
@@ -253,7 +253,7 @@ std::vector<RuleAgreement> byRule(const RulesComparison& comparison) {
     if (play.a) ++rules[play.a->clause].a;
     if (play.b) ++rules[play.b->clause].b;
     if (play.a) count(rules[play.a->clause], play);
-    // The same rule twice is one play.
+    // If both profiles call the same rule, the play counts once.
     if (play.b && (!play.a || play.a->clause != play.b->clause)) count(rules[play.b->clause], play);
   }
   std::vector<RuleAgreement> list;

@@ -12,7 +12,7 @@
 namespace fulbito {
 namespace {
 
-/// In steps of a sample: half of one is what rounding does.
+/// Smallest difference from a sample that counts, in steps of the sample. Rounding causes up to half a step.
 constexpr double kRounding = 0.75;
 
 class Verifier final : public ReplayVisitor {
@@ -24,7 +24,7 @@ class Verifier final : public ReplayVisitor {
     play_ = play.number;
     began_ = play.recorded->tick;
     ++result_.plays;
-    // What was cut out of a longer recording begins with the hash that had been reached there.
+    // A recording that was cut out of a longer one begins with the hash of that place in the longer one.
     const bool first = result_.plays == 1;
     if (!first && play.hash != play.recorded->hash) {
       diverge(began_, "the play does not continue the previous one");
@@ -96,7 +96,7 @@ class Verifier final : public ReplayVisitor {
     return world.obstacles[i - world.balls.size()].pose;
   }
 
-  /// The body that is farthest from where it was recorded, by at least one step of the samples.
+  /// Names the body that is farthest from its recorded sample, if by at least `kRounding` steps.
   void nameBySample(const ReplayedTick& tick, const RecordedSample& sample) {
     double most = kRounding;
     int differ = 0;

@@ -39,7 +39,7 @@ Result<std::vector<VerifiedFile>> verifyRecordings(
   WorkProgress progress(watcher, files.size());
   const auto done = parallelFor(jobs, files.size(), progress, [&](std::size_t i) -> Result<void> {
     auto verified = verifyRecording(files[i]);
-    // A bad file is a result; one that was broken off is none.
+    // An unreadable file is a result; an interruption is not.
     if (!verified && verified.error().code == ErrorCode::kInterrupted) {
       return tl::unexpected<Error>(verified.error());
     }

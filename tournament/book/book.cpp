@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kKinds[] = {"kick-off", "free-ball", "penalty", "goal-kick", "play"};
 static_assert(std::size(kKinds) == kStartKinds);
 
-/// Of all but the teams, which may be chosen later.
+/// Checks a match with placeholder teams, because the real teams may be chosen later.
 Result<void> checkWithoutTeams(MatchConfig match) {
   match.teams = {sparringTeam(), sparringTeam()};
   return checkMatch(match);

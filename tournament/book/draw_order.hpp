@@ -6,11 +6,11 @@
 
 namespace fulbito {
 
-/// Which of `count` cases start `key` takes, at most 8: each block of `count` turns has every case once, in
-/// an order of its own that the book's seed draws.
+/// Which of `count` cases (at most 8) start `key` takes. Each block of `count` turns has every case once, in
+/// an order drawn from the book's seed.
 std::size_t caseOf(const StartKey& key, std::size_t count);
 
-/// The stream index of a start's draws. Every kind has its own.
+/// The index of the random stream that a start draws from. Every kind has its own indices.
 std::uint64_t drawIndex(StartKind kind, std::uint64_t number);
 
 }  // namespace fulbito

@@ -16,17 +16,17 @@ namespace fulbito {
 namespace {
 
 constexpr int kAttempts = 20;
-constexpr std::uint64_t kAttemptRoom = 32;  // numbers of draws that a start may use
-constexpr double kEarliest = 1.5;           // [s] of a match
-constexpr double kLatest = 5.0;             // [s] of a match
-constexpr double kPatience = 4.0;           // [s] for a good state after that
-constexpr double kSettled = 1.0;            // [s] of play: robots have left their places
-constexpr double kGoesOn = 0.5;             // [s] of play after the state
-constexpr double kSlowest = 0.1;            // [m/s] of the ball
-constexpr double kGap = 0.001;              // [m] between bodies and to walls
-constexpr double kHalf = 600.0;             // [s] so that no half ends before a state is found
+constexpr std::uint64_t kAttemptRoom = 32;  // indices of random draws reserved for each start
+constexpr double kEarliest = 1.5;           // [s] earliest match time of a state
+constexpr double kLatest = 5.0;             // [s] latest match time at which the search begins
+constexpr double kPatience = 4.0;           // [s] how long the search lasts
+constexpr double kSettled = 1.0;  // [s] of play since the last restart, so that robots have left its places
+constexpr double kGoesOn = 0.5;   // [s] that play must go on after the state
+constexpr double kSlowest = 0.1;  // [m/s] least speed of the ball
+constexpr double kGap = 0.001;    // [m] between bodies and to walls
+constexpr double kHalf = 600.0;   // [s] long enough that no half ends before a state is found
 
-/// The match that the state is taken from.
+/// The match between sparring teams that the state is taken from.
 MatchConfig sparringMatch(const MatchConfig& match, std::uint64_t seed) {
   MatchConfig config;
   config.teams = {sparringTeam(), sparringTeam()};
@@ -54,7 +54,7 @@ PlacedBody bodyOf(const RobotModel& robot, const Pose2& pose, double margin) {
   return {pose.position, math::unit(pose.heading), robot.length / 2 + margin, robot.width / 2 + margin};
 }
 
-/// Whether the robot keeps the gap to walls, ball and the robots before it.
+/// Whether robot `i` keeps the gap to the walls, the ball and the robots before it in `poses`.
 bool isFree(const MatchConfig& match, const std::vector<Pose2>& poses, std::size_t i, Vec2 ball) {
   const RobotModel& robot = match.robot.robot;
   const PlacedBody body = bodyOf(robot, poses[i], 0.0);
@@ -77,7 +77,7 @@ bool isGood(const MatchConfig& match, const Placement& placement) {
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (!isFree(match, poses, i, placement.ball)) return false;
   }
-  // Whoever was sent off is missing; a start has all.
+  // A robot that was sent off is missing here, but a start needs all robots.
   return poses.size() == 2 * static_cast<std::size_t>(match.rules.team_size);
 }
 
@@ -86,7 +86,7 @@ class StateSearch {
  public:
   StateSearch(Match match, double earliest) : match_(std::move(match)), earliest_(earliest) {}
 
-  /// Empty if there is none in time.
+  /// The state, or nothing if the match shows no good state in time.
   std::optional<Placement> find() {
     std::optional<Placement> found;
     Tick found_at = 0;
@@ -106,7 +106,7 @@ class StateSearch {
  private:
   double dt() const { return match_.config().physics.controlPeriod(); }
   Tick ticksOf(double seconds) const { return static_cast<Tick>(std::ceil(seconds / dt())); }
-  /// Since the signal of the last restart; a call begins anew.
+  /// Seconds since the signal of the last restart; a referee call starts the count again.
   double secondsOfPlay() const {
     const RefereeState& referee = match_.referee();
     return referee.playing ? static_cast<double>(match_.tick() - referee.play_began) * dt() : 0.0;

@@ -22,7 +22,7 @@ RestartKind restartOf(StartKind kind) {
   }
 }
 
-/// Whether the field has the spot of the ball.
+/// Whether the field has the mark that this kind of start puts the ball on.
 bool hasMark(StartKind kind, const FieldGeometry& field) {
   if (kind == StartKind::kFreeBall) return field.free_ball_mark.x > 0.0 && field.free_ball_mark.y > 0.0;
   return kind != StartKind::kPenalty || field.penalty_mark > 0.0;
@@ -41,7 +41,7 @@ Stoppage stoppageOf(const StartKey& key, const FieldGeometry& field) {
   return stoppage;
 }
 
-/// Whether every robot of the rules' places has found one.
+/// Whether every robot of `wanted` has a place in `placed`.
 bool allPlaced(const Placement& wanted, const Placement& placed) {
   for (const TeamId team : kTeams) {
     for (std::size_t i = 0; i < kMaxTeamSize; ++i) {

@@ -12,14 +12,14 @@ namespace fulbito {
 namespace {
 
 constexpr double kHomeSeconds = 2.0;  // [s] after which a robot gets another place
-constexpr double kRoom = 3.0;         // [radii] between centres: nearer robots are avoided
-constexpr double kNear = 0.04;        // [m] from a place: there is no hurry to get nearer
+constexpr double kRoom = 3.0;   // [radii] between centres: a robot keeps away from robots nearer than this
+constexpr double kNear = 0.04;  // [m] from its place: within this, a robot slows down
 
-/// Backs off a robot that is meant to move and is held. It is the book's own, like all of this team: starts
-/// do not depend on the skills of the built-in teams.
+/// Backs off a robot that should move but is held. The sparring team has its own copy, so that starts do not
+/// depend on the skills of the built-in teams.
 class BackingOff {
  public:
-  /// @return what replaces the command for a moment, if anything
+  /// @return the command that replaces the team's for a moment, if any
   std::optional<Twist> update(const RobotState& robot, bool meant, double dt) {
     constexpr double kStill = 0.03, kTurning = 1.0;      // [m/s], [rad/s]
     constexpr double kPatience = 0.8, kDuration = 0.25;  // [s]
@@ -33,7 +33,7 @@ class BackingOff {
     if (held_ < kPatience) return std::nullopt;
     held_ = 0.0;
     left_ = kDuration;
-    // Away from where the wheels push.
+    // Away from the direction in which the wheels push.
     speed_ = robot.wheels.left + robot.wheels.right > 0.0 ? -kSpeed : kSpeed;
     return Twist{speed_, kWiggle};
   }
@@ -93,7 +93,7 @@ class Sparring final : public Strategy {
     return nearest;
   }
 
-  /// Through the ball from behind it; around it from the front.
+  /// The target: through the ball for a robot behind it, around the ball for one in front of it.
   Vec2 behindBall(const RobotState& robot, const BallState& ball) const {
     const double room = 2.0 * info_.robot.circumradius();
     const Vec2 from_ball = robot.pose.position - ball.position;
@@ -112,7 +112,8 @@ class Sparring final : public Strategy {
     return insideWalls(info_.field, homes_[robot] + Vec2{0.4 * seen.ball.position.x, 0.0}, margin);
   }
 
-  /// From the robot toward its place, away from robots that come near: who only holds a place makes room.
+  /// Direction from the robot to its place, bent away from near robots. A robot that only holds a place makes
+  /// room.
   Vec2 freeWay(std::size_t robot, Vec2 place, const Observation& seen) const {
     const Vec2 at = seen.own[robot].state.pose.position;
     const double room = kRoom * info_.robot.circumradius();

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Lines `key = value` of a TOML text as pairs; keys begin with their table.
+/// The `key = value` lines of a TOML text as pairs; each key begins with the name of its table.
 std::map<std::string, std::string> keysOfToml(const std::string& text) {
   std::map<std::string, std::string> keys;
   std::string table;
@@ -30,7 +30,7 @@ std::map<std::string, std::string> keysOfToml(const std::string& text) {
   return keys;
 }
 
-/// All values of a JSON value as texts, by their paths; TOML texts by their keys.
+/// Adds all values of a JSON value as texts by path. A TOML text inside it is split by its keys.
 void flatten(const Json& json, const std::string& path, std::map<std::string, std::string>& values) {
   if (json.is_structured() && !json.empty()) {
     std::size_t i = 0;

@@ -13,9 +13,9 @@ namespace fulbito {
 namespace {
 
 constexpr std::size_t kLargestRecord = 16 << 20;  // [bytes]
-constexpr std::size_t kMostChanges = 5;           // shown
+constexpr std::size_t kMostChanges = 5;           // changes that a message lists
 
-/// Errors: kUsage.
+/// Checks that the folder does not keep the other kind of work. Errors: kUsage.
 Result<void> checkOtherWork(const std::string& folder, FolderWork work) {
   const bool tuning = work == FolderWork::kTuning;
   if (!keeps(folder, tuning ? FolderWork::kTournament : FolderWork::kTuning)) return {};
@@ -61,7 +61,7 @@ Result<LogFolder> openLogFolder(const std::string& folder, FolderWork work, cons
   auto log = MatchLog::open(logFile(folder));
   if (!log) return tl::unexpected<Error>(log.error());
   opened.log = std::move(*log);
-  // Only once the log is locked: another run may be using the folder.
+  // Written only after the log is locked, because another run may be using the folder.
   if (auto written = writeFile(recordFile(folder, work), record); !written) {
     return tl::unexpected<Error>(written.error());
   }

@@ -9,33 +9,33 @@
 
 namespace fulbito {
 
-/// A folder that keeps the matches of one piece of work, beside a record of what that work is.
+/// A folder with the log of matches of a tournament or tuning, and a record that describes it.
 struct LogFolder {
   std::unique_ptr<MatchLog> log;     ///< open for writing
-  std::vector<std::string> changed;  ///< teams or engine that are not those of the last run
+  std::vector<std::string> changed;  ///< teams or engine that have changed since the last run
 };
 
-/// The work that a folder keeps.
+/// The kinds of work that a folder can keep.
 enum class FolderWork : std::uint8_t { kTournament, kTuning };
 
-/// The file of a folder with the record of its work: `plan.json` or `tune.json`.
+/// Path of the record of a folder: `plan.json` or `tune.json`.
 std::string recordFile(const std::string& folder, FolderWork work);
 
-/// The file of a folder with its matches.
+/// Path of the match log of a folder.
 std::string logFile(const std::string& folder);
 
-/// Whether a folder keeps such work.
+/// Whether a folder holds the record of this kind of work.
 bool keeps(const std::string& folder, FolderWork work);
 
 /// The text of the record of a folder. Errors: kIo; kBadInput if it is too long.
 Result<std::string> readRecordText(const std::string& folder, FolderWork work);
 
-/// A message: "HEAD What differs:", and the first changes, a line each.
+/// A message of several lines: "HEAD What differs:", then the first changes, one per line.
 std::string withChanges(const std::string& head, const std::vector<std::string>& changes);
 
-/// Creates a folder, or continues it: then `compare` says what has changed since, or an error if the folder
-/// belongs to other work. Errors: kUsage if it keeps work of another kind; of `compare`; kIo; as
-/// `MatchLog::open`.
+/// Creates a folder, or opens an existing one to continue it. For an existing folder, `compare` returns what
+/// has changed, or an error if the folder belongs to other work. Errors: kUsage if the folder keeps the other
+/// kind of work; of `compare`; kIo; as `MatchLog::open`.
 /// @param record  text of the record, written once the log is locked
 Result<LogFolder> openLogFolder(const std::string& folder, FolderWork work, const std::string& record,
                                 const std::function<Result<std::vector<std::string>>()>& compare);

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSchemaVersion = 1;
 
-/// Infinity has no number in JSON.
+/// A time limit as JSON, which has no number for infinity.
 Json timeJson(double seconds) {
   return seconds == std::numeric_limits<double>::infinity() ? Json("unlimited") : Json(seconds);
 }
@@ -212,7 +212,7 @@ Result<PlanRecord> parsePlanRecord(std::string_view text, const std::string& ori
       if (!checked) return fail(ErrorCode::kBadInput, origin + ": " + checked.error().message);
     }
     return PlanRecord{std::move(*plan), std::move(*identity)};
-  } catch (const std::exception& error) {  // of the JSON library, or an unknown name
+  } catch (const std::exception& error) {  // from the JSON library, or an unknown name
     return fail(ErrorCode::kBadInput,
                 fmt::format("{}: not the plan of a tournament: {}", origin, error.what()));
   }

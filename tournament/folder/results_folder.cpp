@@ -13,7 +13,7 @@ Result<PlanRecord> readRecord(const std::string& folder) {
   return parsePlanRecord(*text, recordFile(folder, FolderWork::kTournament));
 }
 
-/// Errors: kUsage if the folder belongs to another plan.
+/// Compares the folder's record with `record`. Errors: kUsage if the folder belongs to another plan.
 Result<std::vector<std::string>> compare(const std::string& folder, const PlanRecord& record) {
   const auto old = readRecord(folder);
   if (!old) return tl::unexpected<Error>(old.error());
@@ -59,12 +59,12 @@ Result<MergedFolders> mergeFolders(const std::vector<std::string>& folders, cons
     logs.push_back(logFile(folder));
   }
   if (!keeps(into, FolderWork::kTournament)) {
-    // Runs that differ leave no new folder.
+    // Merges the logs first: if the runs conflict, no new folder is created.
     auto merged = mergeLogs(logs);
     if (!merged) return tl::unexpected<Error>(merged.error());
     if (!merged->conflicts.empty()) return MergedFolders{0, std::move(merged->conflicts)};
   }
-  // Locks the log against a run in the folder until all is there, and writes the plan.
+  // Writes the plan, and keeps other runs out of the folder until all results are written.
   const auto locked = openResultsFolder(into, *first);
   if (!locked) return tl::unexpected<Error>(locked.error());
   auto merged = mergeLogs(logs);

@@ -10,14 +10,14 @@
 
 namespace fulbito {
 
-/// Creates the folder of a tournament, or continues it. Errors: kUsage naming what differs, if it belongs to
-/// another plan, or if it holds a tuning; kIo; kBadInput; as `MatchLog::open`.
+/// Creates the folder of a tournament, or opens it to continue. Errors: kUsage naming the differences if the
+/// folder belongs to another plan, or if it holds a tuning; kIo; kBadInput; as `MatchLog::open`.
 Result<LogFolder> openResultsFolder(const std::string& folder, const PlanRecord& record);
 
-/// The folder of a tournament's recordings.
+/// Path of the folder with a tournament's recordings.
 std::string recordingsOf(const std::string& folder);
 
-/// What a folder has, also while a tournament is running in it.
+/// The content of a tournament's folder. It may be read while the tournament is running.
 struct FolderState {
   PlanRecord record;
   TournamentState state;
@@ -26,14 +26,15 @@ struct FolderState {
 /// Reads a folder. Errors: kIo; kBadInput.
 Result<FolderState> readFolder(const std::string& folder);
 
-/// What became of a merge.
+/// The outcome of a merge.
 struct MergedFolders {
-  std::size_t matches = 0;               ///< in the new folder
-  std::vector<MatchConflict> conflicts;  ///< if there are any, no match was written
+  std::size_t matches = 0;  ///< in the new folder
+  /// Matches with different results in two folders; if there are any, nothing was written.
+  std::vector<MatchConflict> conflicts;
 };
 
-/// Unions the folders of shards of one plan into a folder, with what that folder holds of the plan already.
-/// Errors: kUsage when the plans or the teams differ, saying how; kIo; kBadInput.
+/// Merges the folders of shards of one plan into the folder `into`, together with the results already there.
+/// Errors: kUsage naming the differences when plans or teams differ; kIo; kBadInput.
 Result<MergedFolders> mergeFolders(const std::vector<std::string>& folders, const std::string& into);
 
 }  // namespace fulbito

@@ -6,7 +6,7 @@
 
 namespace fulbito {
 
-/// Disjoint pairs.
+/// Pairs of numbers; no number is in two pairs.
 using Pairing = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// Round `round` of the circle method for an even number of `places`: place 0 stays, the others turn by one

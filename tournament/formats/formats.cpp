@@ -7,7 +7,7 @@
 
 namespace fulbito {
 
-/// @{ Each is defined in the file of its name.
+/// @{ Each format is defined in the file of its name.
 extern const Format kMatchFormat, kGauntletFormat, kRoundRobinFormat, kKnockOutFormat, kSwissFormat,
     kLadderFormat;
 /// @}

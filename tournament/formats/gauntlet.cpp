@@ -6,8 +6,8 @@
 namespace fulbito {
 namespace {
 
-/// The first entrant against each other one, all with the first start, then all with the next. With two
-/// entrants: a match.
+/// The first entrant against each other one: all with the first start, then all with the second, and so on.
+/// With two entrants this is a match.
 Schedule gauntletSchedule(const TournamentPlan& plan, ResultsView /*results*/) {
   Schedule schedule;
   schedule.complete = true;
@@ -24,11 +24,11 @@ std::int64_t mostMeetings(const TournamentPlan& plan) {
   return (static_cast<std::int64_t>(plan.entrants.size()) - 1) * plan.pairs;
 }
 
-/// The first entrant plays more matches than the others, so that all count per match: points, goal
-/// difference, goals scored, then fewer walk-overs.
+/// Ranks per match, because the first entrant plays more matches than the others: points, goal difference,
+/// goals scored; then by fewer walk-overs.
 std::vector<Standing> gauntletTable(const CountedResults& counted) {
   const std::vector<Standing> table = tally(counted);
-  // Quotients of whole numbers are rounded correctly: equal ratios are equal numbers.
+  // Division rounds correctly, so equal ratios of whole numbers give equal doubles.
   const auto per_match = [&](std::string_view name, auto value) {
     return criterion(name, table, [&](const Standing& line) {
       return static_cast<double>(value(line)) / std::max(1, line.matches);
@@ -44,7 +44,7 @@ std::vector<Standing> gauntletTable(const CountedResults& counted) {
 
 extern const Format kGauntletFormat{
     .schedule = gauntletSchedule, .table = gauntletTable, .most_fixtures = mostMeetings};
-/// With two entrants, a gauntlet is a match; its table is that of a league.
+/// A match is a gauntlet of two entrants, but with the table of a league.
 extern const Format kMatchFormat{.schedule = gauntletSchedule,
                                  .table = leagueTable,
                                  .most_fixtures = mostMeetings,

@@ -9,17 +9,17 @@
 namespace fulbito {
 namespace {
 
-/// A level tie has so many further pairs at most, one at a time.
+/// The largest number of further pairs of a level tie. They are played one at a time.
 constexpr int kMostExtraPairs = 3;
 
-/// A knock-out so far.
+/// The state of a knock-out.
 struct KnockOutCourse {
   Schedule schedule;
   std::vector<KnockOutTie> ties;  ///< see `bracketOf`
 };
 
-/// The order of `size` seeds, a power of two, in a bracket: the best two meet in the final at the earliest,
-/// the best four in the semi-finals: 0 7 3 4 1 6 2 5.
+/// The order of `size` seeds (a power of two) in a bracket: the best two can only meet in the final, the best
+/// four not before the semi-finals. For 8: 0 7 3 4 1 6 2 5.
 std::vector<std::size_t> bracketOrder(std::size_t size) {
   std::vector<std::size_t> order{0};
   while (order.size() < size) {
@@ -81,7 +81,8 @@ class KnockOut {
     }
   }
 
-  /// The winner goes on, at once: the bracket shows who waits for an opponent.
+  /// Decides a tie. The winner enters its next tie at once, so that the bracket shows who waits for an
+  /// opponent.
   void decide(KnockOutTie& tie, std::size_t side, std::string by) {
     tie.winner = side == 0 ? tie.a : tie.b;
     tie.decided_by = std::move(by);
@@ -112,7 +113,8 @@ class KnockOut {
     return true;
   }
 
-  /// Schedules the plan's pairs (`extra` 0) or a further pair for each tie. Returns whether all have results.
+  /// Schedules the plan's pairs (`extra` 0) or one further pair for each tie. Returns whether all have
+  /// results.
   bool playPairs(std::vector<Open>& open, int extra) {
     bool all = true;
     for (auto& [tie, score] : open) {
@@ -146,12 +148,12 @@ class KnockOut {
   const TournamentPlan& plan_;
   ResultsView results_;
   KnockOutCourse course_;
-  std::vector<std::size_t> rounds_;  // the first tie of each round
+  std::vector<std::size_t> rounds_;  // index of the first tie of each round
 };
 
-/// Each tie has the plan's pairs. It is decided by points of matches, then goal difference, then further
-/// pairs, then the better seeding. All ties of a round have the same number of pairs before further pairs are
-/// scheduled.
+/// Plays all rounds. Each tie has the plan's pairs and is decided by points of matches, then goal difference,
+/// then further pairs, then the better seeding. All ties of a round have the same number of pairs before
+/// further pairs are scheduled.
 KnockOutCourse knockOutCourse(const TournamentPlan& plan, ResultsView results) {
   return KnockOut(plan, results).play();
 }
@@ -160,8 +162,8 @@ Schedule knockOutSchedule(const TournamentPlan& plan, ResultsView results) {
   return knockOutCourse(plan, results).schedule;
 }
 
-/// Of each tie with two entrants but the last, the loser leaves. From four entrants on there is a match for
-/// the third place.
+/// The loser of each tie leaves, so n entrants need n - 1 ties. From four entrants on, the match for the
+/// third place is added.
 std::int64_t mostMeetings(const TournamentPlan& plan) {
   const auto entrants = static_cast<std::int64_t>(plan.entrants.size());
   return (entrants - (entrants >= 4 ? 0 : 1)) * (plan.pairs + kMostExtraPairs);
@@ -188,7 +190,7 @@ struct Progress {
   Criterion rounds, still_in, third;
 };
 
-/// The round reached; who is still in; the match for the third place. The others share a rank.
+/// Ranks by the round reached, then who is still in, then the match for the third place. Others share a rank.
 std::vector<Standing> knockOutTable(const CountedResults& counted) {
   std::vector<Standing> table = tally(counted);
   Progress progress(table.size());

@@ -8,13 +8,13 @@
 namespace fulbito {
 namespace {
 
-/// A ladder so far.
+/// The state of a ladder.
 struct LadderCourse {
   Schedule schedule;
-  std::vector<std::size_t> order;  ///< entrants after the last round with all results, the upper first
+  std::vector<std::size_t> order;  ///< entrants after the last complete round, the top of the ladder first
 };
 
-/// A meeting of the neighbours at `upper` and the place below.
+/// A meeting of the entrants at place `upper` and at the place below it.
 struct Challenge {
   std::size_t upper = 0;
   MeetingFixtures fixtures;
@@ -35,7 +35,8 @@ class Ladder {
     return challenges;
   }
 
-  /// Exchanges the places. Returns whether all results exist; otherwise nothing changes.
+  /// Exchanges the places of challengers who won. Returns whether all results exist; otherwise nothing
+  /// changes.
   bool settle(const std::vector<Challenge>& challenges, ResultsView results) {
     std::vector<std::size_t> order = course_.order;
     for (const auto& [upper, fixtures] : challenges) {
@@ -61,12 +62,13 @@ class Ladder {
 
   const TournamentPlan& plan_;
   LadderCourse course_;
-  std::map<std::pair<std::size_t, std::size_t>, int> meetings_;  // so far
+  // Meetings scheduled so far, by pair of entrants.
+  std::map<std::pair<std::size_t, std::size_t>, int> meetings_;
 };
 
-/// The ladder begins in order of seeding. In even rounds places 1-2, 3-4 ... meet, in odd ones 2-3, 4-5 ...
-/// The lower one takes the upper's place if it wins the meeting (`MeetingScore::winner`). Entrants who meet
-/// again go on with the starts after those of their last meeting: equal starts would repeat the same matches.
+/// The ladder begins in order of seeding. In even rounds places 1-2, 3-4, ... meet, in odd rounds 2-3, 4-5,
+/// ... The lower entrant takes the upper place if it wins the meeting (`MeetingScore::winner`). Entrants who
+/// meet again continue with the next starts, because equal starts would repeat the same matches.
 LadderCourse ladderCourse(const TournamentPlan& plan, ResultsView results) {
   Ladder ladder(plan);
   for (int round = 0; round < roundsOf(plan); ++round) {
@@ -79,10 +81,10 @@ Schedule ladderSchedule(const TournamentPlan& plan, ResultsView results) {
   return ladderCourse(plan, results).schedule;
 }
 
-/// Neighbours that change places in alternate pairs sort any order of n in n rounds.
+/// Odd-even transposition sort: exchanges of neighbours in alternate pairs sort n entrants within n rounds.
 int roundsToSort(std::size_t entrants) { return static_cast<int>(entrants); }
 
-/// The order of the ladder after the last complete round.
+/// Ranks by the order of the ladder after the last complete round.
 std::vector<Standing> ladderTable(const CountedResults& counted) {
   std::vector<Standing> table = tally(counted);
   Criterion place{"place", std::vector<double>(table.size())};

@@ -48,7 +48,7 @@ bool PerfectMatching::settle(std::size_t a, std::size_t b) {
   return false;
 }
 
-/// Pairs one more entrant: exchanges the pairs along a path from `root` to another without an opponent.
+/// Pairs one more entrant by an augmenting path from `root` to another unpaired entrant.
 bool PerfectMatching::augment(std::size_t root) {
   std::size_t v = pathFrom(root);
   if (v == kNone) return false;
@@ -60,7 +60,8 @@ bool PerfectMatching::augment(std::size_t root) {
   return true;
 }
 
-/// Searches breadth first. Returns the end of the path, of which `parent_` has the way back, or kNone.
+/// Breadth-first search for an augmenting path. Returns its end, or kNone; `parent_` leads from the end back
+/// to `root`.
 std::size_t PerfectMatching::pathFrom(std::size_t root) {
   base_.resize(mate_.size());
   std::iota(base_.begin(), base_.end(), std::size_t{0});
@@ -82,7 +83,8 @@ std::size_t PerfectMatching::pathFrom(std::size_t root) {
   return kNone;
 }
 
-/// Reaches `to` from v, and its opponent from there. Returns `to` if it has none.
+/// Visits `to` from v, and then the opponent of `to`. Returns `to` if it has no opponent, since the path ends
+/// there.
 std::size_t PerfectMatching::visit(std::size_t v, std::size_t to) {
   parent_[to] = v;
   if (mate_[to] == kNone) return to;
@@ -91,7 +93,7 @@ std::size_t PerfectMatching::visit(std::size_t v, std::size_t to) {
   return kNone;
 }
 
-/// The meeting of v and `to` closes an odd cycle: it becomes one vertex that is reached evenly.
+/// The edge from v to `to` closes an odd cycle (blossom): contracts it to one vertex at even distance.
 void PerfectMatching::contract(std::size_t v, std::size_t to) {
   const std::size_t base = commonBase(v, to);
   std::vector<bool> in_blossom(mate_.size());
@@ -106,7 +108,7 @@ void PerfectMatching::contract(std::size_t v, std::size_t to) {
   }
 }
 
-/// Marks the blossoms from v up to `base`, and leads their predecessors the other way round the cycle.
+/// Marks the blossoms from v up to `base`, and sets the predecessors that lead round the cycle the other way.
 void PerfectMatching::markPath(std::size_t v, std::size_t base, std::size_t child,
                                std::vector<bool>& in_blossom) {
   while (base_[v] != base) {
@@ -117,7 +119,7 @@ void PerfectMatching::markPath(std::size_t v, std::size_t base, std::size_t chil
   }
 }
 
-/// The first blossom that the ways back from both have in common.
+/// The first blossom that is on the paths from both vertices back to the root.
 std::size_t PerfectMatching::commonBase(std::size_t a, std::size_t b) const {
   std::vector<bool> passed(mate_.size());
   for (;;) {

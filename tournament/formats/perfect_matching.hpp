@@ -20,21 +20,21 @@ class OpenMeetings {
   std::vector<bool> open_;
 };
 
-/// A pairing of all entrants by possible meetings. Pairs are settled one after the other, as long as all
-/// others can still be paired. Method: augmenting paths with blossoms (J. Edmonds, Paths, trees, and flowers,
-/// 1965). Whether a pair can be settled does not depend on the pairing that the method finds.
+/// A pairing of all entrants by possible meetings. The caller settles pairs one after the other; each keeps a
+/// pairing of all others possible. Method: augmenting paths with blossoms (J. Edmonds, Paths, trees, and
+/// flowers, 1965). Whether a pair can be settled does not depend on which pairing the method finds.
 class PerfectMatching {
  public:
-  /// The possible meetings must outlive it. Entrants whose numbers add up to `sum`, counted in a circle, are
-  /// paired first: so different sums give different pairings.
+  /// `open` must outlive this object. Entrants whose numbers add up to `sum`, modulo the number of entrants,
+  /// are paired first, so that different sums give different pairings.
   explicit PerfectMatching(const OpenMeetings& open, std::size_t sum = 0);
 
-  /// Whether all can be paired.
+  /// Whether all entrants can be paired.
   bool exists() const;
-  /// The opponent of each, if it exists.
+  /// The opponent of each entrant in the pairing, by entrant. Valid only if the pairing exists.
   const std::vector<std::size_t>& opponents() const { return mate_; }
-  /// Takes out A and B as a pair if they may meet and the others can still be paired. Both must wait, and all
-  /// must be pairable. Otherwise nothing changes.
+  /// Settles A and B as a pair if they may meet and the others can still be paired; otherwise nothing
+  /// changes. Requires that A and B are not settled yet, and that the pairing exists.
   bool settle(std::size_t a, std::size_t b);
 
  private:
@@ -51,7 +51,7 @@ class PerfectMatching {
   const OpenMeetings& open_;
   std::vector<std::size_t> mate_;
   std::vector<bool> settled_;
-  // Of one search: the blossom that a vertex belongs to, its predecessor, whether it is reached evenly.
+  // State of one search, by vertex: its blossom, its predecessor, whether its distance from the root is even.
   std::vector<std::size_t> base_, parent_, queue_;
   std::vector<bool> even_;
 };

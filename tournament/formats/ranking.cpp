@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-/// The first criterion that separates both, or null.
+/// The first criterion in which the lines differ, or null.
 const Criterion* separating(const Standing& a, const Standing& b, std::span<const Criterion> criteria) {
   const auto found = std::find_if(criteria.begin(), criteria.end(), [&](const Criterion& criterion) {
     return criterion.values[a.entrant] != criterion.values[b.entrant];

@@ -8,19 +8,19 @@
 
 namespace fulbito {
 
-/// What lines of a table are ranked by: larger values come first.
+/// A value that tables are ranked by; larger values come first.
 struct Criterion {
   std::string_view name;       ///< for `Standing::decided_by`
   std::vector<double> values;  ///< by entrant
 };
 
-/// Sorts lines by the criteria, the first first; equal lines by number of entrant. Names at each line the
-/// criterion that separates it from the line above, or nothing. The first line keeps its name.
+/// Sorts lines by the criteria in order; equal lines by number of entrant. Sets `Standing::decided_by` of
+/// each line to the criterion that separates it from the line above, or to nothing. The first line keeps its
+/// text.
 /// @return the blocks of two or more lines that no criterion separates
 std::vector<std::span<Standing>> sortBy(std::span<Standing> lines, std::span<const Criterion> criteria);
 
-/// Gives ranks to lines that `sortBy` has sorted. The first criterion goes without its name if it is
-/// `silent`.
+/// Gives ranks to lines that `sortBy` has sorted. Does not show the name `silent` as deciding criterion.
 void giveRanks(std::span<Standing> lines, std::string_view silent);
 
 /// `sortBy` and `giveRanks`.

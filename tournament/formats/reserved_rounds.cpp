@@ -9,9 +9,9 @@ namespace {
 using Mates = std::vector<std::size_t>;
 using Points = std::vector<double>;
 
-constexpr std::size_t kMostRenewed = 64;  // places: beyond, a search takes long
-constexpr std::size_t kAttempts = 8;      // the first one succeeds mostly
-constexpr int kMostSweeps = 20;           // bounds the time of long tournaments; a few suffice
+constexpr std::size_t kMostRenewed = 64;  // places: for more, the search takes too long
+constexpr std::size_t kAttempts = 8;      // the first attempt mostly succeeds
+constexpr int kMostSweeps = 20;  // bounds the time of long tournaments; a few sweeps are usually enough
 
 Mates matesOf(const Pairing& pairs) {
   Mates mates(2 * pairs.size());
@@ -19,7 +19,7 @@ Mates matesOf(const Pairing& pairs) {
   return mates;
 }
 
-/// Points are multiples of 1/4, so sums of squares are exact.
+/// Square of the difference in points. Points are multiples of 1/4, so sums of squares are exact.
 double costOf(const Points& points, std::size_t a, std::size_t b) {
   const double difference = points[a] - points[b];
   return difference * difference;
@@ -31,7 +31,7 @@ double costOf(const Points& points, const Mates& mates) {
   return cost;
 }
 
-/// The places of the cycle through `start` whose meetings belong to both rounds in turn.
+/// The places on the cycle through `start` whose edges alternate between meetings of both rounds.
 std::vector<std::size_t> cycleThrough(std::size_t start, const Mates& round, const Mates& other) {
   std::vector<std::size_t> cycle;
   std::size_t place = start;
@@ -43,7 +43,7 @@ std::vector<std::size_t> cycleThrough(std::size_t start, const Mates& round, con
   return cycle;
 }
 
-/// Exchanges each cycle that makes the meetings of `round` more equal. Returns whether there was one.
+/// Exchanges each cycle that pairs `round` by more equal points. Returns whether there was one.
 bool exchangeCycles(const Points& points, Mates& round, Mates& other) {
   bool better = false;
   std::vector<bool> seen(round.size());
@@ -62,7 +62,7 @@ bool exchangeCycles(const Points& points, Mates& round, Mates& other) {
   return better;
 }
 
-/// The pairs of a round, those with the better entrant first in the lead; an absent last place comes last.
+/// The pairs of a round, better entrant first, sorted by the points of the better entrant. A bye comes last.
 Pairing pairsOf(const Mates& mates, const Points& points) {
   const auto better = [&](std::size_t a, std::size_t b) {
     return points[a] != points[b] ? points[a] > points[b] : a < b;
@@ -76,8 +76,8 @@ Pairing pairsOf(const Mates& mates, const Points& points) {
   return pairs;
 }
 
-/// Takes pairings out of the possible meetings, one after the other; fewer than `count` if there is none
-/// left.
+/// Takes pairings out of the possible meetings one after the other. Returns fewer than `count` if no more
+/// exist.
 std::vector<Mates> disjointRounds(OpenMeetings open, std::size_t count, std::size_t first_sum) {
   std::vector<Mates> rounds;
   while (rounds.size() < count) {

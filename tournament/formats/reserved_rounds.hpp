@@ -7,12 +7,12 @@
 
 namespace fulbito {
 
-/// Pairings for all rounds to come of a long Swiss tournament, without a common pair. They begin as rounds of
-/// the circle method. As long as they exist, no tournament ends early: the next round is one of them, or
-/// another for which as many rounds after it have been found.
+/// Pairings for all remaining rounds of a long Swiss tournament; no pair is in two of them. They begin as
+/// rounds of the circle method. They guarantee that no tournament runs out of possible pairings: the next
+/// round is one of them, or another one after which enough pairings are left.
 ///
-/// Two pairings together are cycles through all places. Exchanging one such cycle between them gives two
-/// pairings again: so the next round is adapted to the points without losing a later one.
+/// Two pairings together form cycles through all places. Exchanging one such cycle between them gives two
+/// pairings again. So the next round can be adapted to the points without losing a later round.
 class ReservedRounds {
  public:
   /// @param places  an even number
@@ -21,12 +21,12 @@ class ReservedRounds {
 
   bool empty() const { return rounds_.empty(); }
 
-  /// Looks for one round less than now among the meetings that are possible after the next round. Returns
-  /// whether it found them; otherwise nothing changes. In large tournaments it does not try.
+  /// Looks for reserved rounds, one fewer than at present, among the meetings possible after the next round.
+  /// Returns whether it found them; otherwise nothing changes. Large tournaments skip the search.
   bool renew(const OpenMeetings& after_next);
 
-  /// Takes out a round in which opponents have as equal points as exchanges of cycles reach: a local least
-  /// sum of squared differences. `points` by place; an absent last place counts as the least of them.
+  /// Removes and returns a round, adapted so that opponents have similar points: a local minimum of the sum
+  /// of squared differences. `points` by place; an absent last place counts as having the lowest points.
   Pairing take(std::vector<double> points);
 
  private:

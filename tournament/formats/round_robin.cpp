@@ -7,10 +7,10 @@
 namespace fulbito {
 namespace {
 
-/// Rounds in which each of `entrants` meets each other once: with an odd number one rests per round.
+/// Rounds in which each of `entrants` meets each other once. If their number is odd, one rests per round.
 std::size_t roundsPerCycle(std::size_t entrants) { return entrants + entrants % 2 - 1; }
 
-/// All fixtures of one start, rounds from 0.
+/// All fixtures of one start. Rounds count from 0.
 std::vector<Fixture> cycleOf(const std::vector<std::vector<std::size_t>>& groups, std::size_t rounds) {
   std::vector<Fixture> cycle;
   for (std::size_t round = 0; round < rounds; ++round) {
@@ -24,8 +24,8 @@ std::vector<Fixture> cycleOf(const std::vector<std::vector<std::size_t>>& groups
   return cycle;
 }
 
-/// Each against each other of its group, all with the first start, then all with the next. Rounds of all
-/// groups go side by side.
+/// Each entrant against each other of its group: all with the first start, then all with the second, and so
+/// on. All groups play their rounds at the same time.
 Schedule roundRobinSchedule(const TournamentPlan& plan, ResultsView /*results*/) {
   const auto groups = groupsOf(plan);
   std::size_t rounds = 0;
@@ -63,7 +63,7 @@ class HeadToHead {
     forEachResult(counted, [this](const Fixture& fixture, const PairResult& pair) { add(pair, fixture); });
   }
 
-  /// Both criteria, of the matches between the entrants of a block.
+  /// Points and goal difference in the matches between the entrants of a block, as criteria.
   std::array<Criterion, 2> within(std::span<const Standing> block) const {
     std::array<Criterion, 2> criteria{
         Criterion{"points between those tied", std::vector<double>(size_)},

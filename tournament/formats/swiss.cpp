@@ -15,7 +15,7 @@ class Swiss {
         pairing_(plan.entrants.size(), static_cast<std::size_t>(roundsOf(plan))),
         points_(plan.entrants.size()) {}
 
-  /// Returns whether all results of the round exist.
+  /// Schedules the next round. Returns whether all its results exist.
   bool playRound(int round, ResultsView results) {
     bool all = true;
     for (const auto& [a, b] : pairing_.next(points_)) {
@@ -44,12 +44,13 @@ class Swiss {
 
   const TournamentPlan& plan_;
   SwissPairing pairing_;
-  std::vector<double> points_;  // of pairs, by entrant
+  std::vector<double> points_;  // points of pairs, by entrant
   Schedule schedule_;
 };
 
-/// Each round pairs entrants with as equal points of pairs as possible who have not met (`SwissPairing`).
-/// With an odd number of entrants one has a bye per round, nobody twice; it counts as a meeting won in full.
+/// Each round pairs entrants who have not met and have points of pairs as equal as possible (`SwissPairing`).
+/// With an odd number of entrants, one has a bye per round, nobody twice. A bye counts as a meeting with all
+/// pairs won.
 Schedule swissSchedule(const TournamentPlan& plan, ResultsView results) {
   Swiss swiss(plan);
   for (int round = 0; round < roundsOf(plan); ++round) {
@@ -58,7 +59,7 @@ Schedule swissSchedule(const TournamentPlan& plan, ResultsView results) {
   return swiss.take(true);
 }
 
-/// The smallest k with 2^k >= entrants: so many rounds leave one winner of all.
+/// The smallest k with 2^k >= entrants: after k rounds at most one entrant has won all its meetings.
 int roundsToOne(std::size_t entrants) {
   int rounds = 0;
   while ((std::size_t{1} << rounds) < entrants) ++rounds;
@@ -67,8 +68,8 @@ int roundsToOne(std::size_t entrants) {
 
 constexpr std::string_view kPairPoints = "points of pairs";
 
-/// Gives a bye to who has no fixture in a round that has begun to count. Rounds are known to the last
-/// fixture.
+/// Gives a bye to each entrant without a fixture in a round that has begun to count. Requires that rounds are
+/// scheduled as a whole.
 void addByes(const CountedResults& counted, std::vector<Standing>& lines) {
   const auto& fixtures = counted.fixtures;
   std::size_t next = 0;
@@ -86,7 +87,8 @@ void addByes(const CountedResults& counted, std::vector<Standing>& lines) {
   }
 }
 
-/// Buchholz and Sonneborn-Berger. Sums over pairs are `pairs` times those over meetings.
+/// Criteria Buchholz and Sonneborn-Berger. Both sum over pairs, so values are `pairs` times those over
+/// meetings.
 std::array<Criterion, 2> opponentsOf(const CountedResults& counted, const std::vector<Standing>& lines) {
   std::array<Criterion, 2> sums{Criterion{"Buchholz", std::vector<double>(lines.size())},
                                 Criterion{"Sonneborn-Berger", std::vector<double>(lines.size())}};
@@ -106,9 +108,9 @@ std::array<Criterion, 2> opponentsOf(const CountedResults& counted, const std::v
   return sums;
 }
 
-/// Points of pairs; Buchholz: the sum of the opponents' points of pairs; Sonneborn-Berger: the same sum, each
-/// times one's own points against that opponent; goal difference; goals scored. A bye counts as an opponent
-/// with as many points as oneself, from whom all pairs are won.
+/// Criteria: points of pairs; Buchholz (sum of the opponents' points of pairs); Sonneborn-Berger (that sum
+/// with each term times the points won against the opponent); goal difference; goals scored. A bye counts as
+/// an opponent with the same points as the entrant, against whom it won all pairs.
 std::vector<Standing> swissTable(const CountedResults& counted) {
   std::vector<Standing> table = tally(counted);
   addByes(counted, table);

@@ -16,8 +16,9 @@ std::vector<std::size_t> ranked(const std::vector<double>& points) {
   return order;
 }
 
-/// Possible opponents of the first of `waiting`, the most suitable first: the lower half of its group with
-/// equal points downward, the rest of the upper half upward, all below downward.
+/// Possible opponents of the first of `waiting`, most suitable first. Within its group of equal points: the
+/// lower half from top to bottom, then the rest of the upper half from bottom to top. Then all below the
+/// group from top to bottom.
 std::vector<std::size_t> preferences(const std::vector<std::size_t>& waiting,
                                      const std::vector<double>& points) {
   const auto below = std::find_if(waiting.begin(), waiting.end(), [&](std::size_t entrant) {

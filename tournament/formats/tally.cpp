@@ -3,7 +3,7 @@
 namespace fulbito {
 namespace {
 
-/// Adds a match in which an entrant had this share of the points.
+/// Adds a match in which the line's entrant won this share of the points (1, 1/2 or 0).
 void addMatch(Standing& line, double share, int goals_for, int goals_against) {
   ++line.matches;
   line.won += share == 1.0;

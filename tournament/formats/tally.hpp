@@ -6,7 +6,7 @@
 
 namespace fulbito {
 
-/// What tables count: fixtures, and results of the first of them.
+/// The results that a table counts: the schedule's fixtures, and results of the first of them.
 struct CountedResults {
   const TournamentPlan& plan;
   const std::vector<Fixture>& fixtures;
@@ -24,10 +24,10 @@ void forEachResult(const CountedResults& counted, Use use) {
   }
 }
 
-/// A line per entrant, by number: matches, goals, points, without ranks.
+/// One line per entrant, by number, with matches, goals and points; without ranks.
 std::vector<Standing> tally(const CountedResults& counted);
 
-/// Walk-overs that each entrant lost, as a criterion: fewer are better.
+/// The walk-overs that each entrant lost, as a criterion: fewer are better.
 Criterion fewerForfeits(const CountedResults& counted);
 
 constexpr int goalDifferenceOf(const Standing& line) { return line.goals_for - line.goals_against; }

@@ -67,13 +67,13 @@ void add(WideHash& hash, const std::optional<T>& value) {
   if (value) add(hash, *value);
 }
 
-/// The rules without the path of the field's file: the field counts by its values.
+/// The rules as text, without the path of the field's file, because the field is hashed by its values.
 std::string textOf(Rules rules, const FieldGeometry& field) {
   rules.field = field.name;
   return toToml(rules);
 }
 
-/// Of all matches with this configuration, whatever their teams, vision, start in the book and seed.
+/// Hash of everything that matches share, whatever their teams, vision, start in the book and seed.
 WideHashValue sharedHash(const MatchConfig& match) {
   WideHash hash;
   hash.add(engineIdentity());
@@ -98,7 +98,7 @@ WideHashValue playerHash(const TeamIdentity& team, const VisionModel& vision) {
   return hash.value();
 }
 
-/// The same on all machines, and without the running hash's set-up.
+/// Hash of a few words. It is the same on all machines and faster than setting up a `WideHash`.
 template <std::size_t N>
 WideHashValue hashOf(const std::array<std::uint64_t, N>& words) {
   std::array<char, 8 * N> bytes;
@@ -147,7 +147,7 @@ Result<MatchIdentity> MatchIdentity::restore(const TournamentPlan& plan, std::st
 MatchId MatchIdentity::of(const Fixture& fixture, std::size_t leg) const {
   const std::size_t blue = leg == 0 ? fixture.a : fixture.b, yellow = leg == 0 ? fixture.b : fixture.a;
   const StartKey start = startKey(book_, fixture.start);
-  // Two matches of a team that varies against itself are two samples, although nothing tells them apart.
+  // Two matches of a non-deterministic team against itself are two samples, although their inputs are equal.
   const bool repeats = teams_[blue].deterministic && teams_[yellow].deterministic;
   return {hashOf<12>({base_[0], base_[1], players_[blue][0], players_[blue][1], players_[yellow][0],
                       players_[yellow][1], seedOfStart(seed_, fixture.start),

@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kEvery = 4;  // each repeated situation starts the team four times
+constexpr std::size_t kEvery = 4;  // checks every fourth situation, because each starts the team four times
 
 }  // namespace
 

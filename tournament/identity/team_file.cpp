@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-/// Takes the values of one file, and tells what is wrong with them.
+/// Reads the values of one `team.toml`, and reports what is wrong with them.
 class TeamFileReader {
  public:
   explicit TeamFileReader(std::string origin) : origin_(std::move(origin)) {}

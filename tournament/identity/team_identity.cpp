@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kNamesShown = 5;
 
-/// A built-in team and the group of its sources.
+/// A built-in team and the group of its sources in tournament/identity/sources.txt.
 struct BuiltTeam {
   std::string_view team, group;
 };
@@ -42,13 +42,13 @@ bool isFile(const fs::path& path) {
   return fs::is_regular_file(path, ignored);
 }
 
-/// Whether a program belongs to the machine: an interpreter is no part of a team.
+/// Whether a program belongs to the system: an interpreter such as python3 is not part of a team.
 bool isOfSystem(const std::string& program) {
   constexpr std::array kFolders{"/usr/bin/", "/usr/local/bin/", "/bin/"};
   return std::any_of(kFolders.begin(), kFolders.end(), [&](const char* f) { return program.starts_with(f); });
 }
 
-/// What a team consists of, in the order in which it is found.
+/// Collects the parts of a team, in the order in which they are found.
 class TeamParts {
  public:
   void addText(std::string_view kind, std::string_view text) {
@@ -85,7 +85,8 @@ class TeamParts {
   std::vector<std::string> names_;
 };
 
-/// The name of a team's file: within the team's folder if it is there, so that the folder's place is free.
+/// The name under which a team's file is hashed: relative to the team's folder, so that the folder may be
+/// moved.
 std::string nameWithin(const std::string& folder, const fs::path& file) {
   if (folder.empty()) return file.filename().string();
   const fs::path relative = file.lexically_relative(folder);
@@ -93,7 +94,7 @@ std::string nameWithin(const std::string& folder, const fs::path& file) {
   return inside ? relative.generic_string() : file.filename().string();
 }
 
-/// A navigator may come from a library of its own.
+/// Adds the files that settings name: a navigator may come from a library of its own.
 Result<void> addSettings(const std::vector<Setting>& settings, TeamParts& parts) {
   for (const Setting& setting : settings) {
     parts.addText("setting", setting.name);
@@ -122,7 +123,7 @@ Result<void> addCommand(const TeamCommandLine& line, TeamParts& parts) {
   return {};
 }
 
-/// The `team.toml` of the folder, without one its defaults.
+/// The `team.toml` of the folder, or default values if there is none.
 Result<TeamFile> teamFileOf(const std::string& folder) {
   const fs::path file = fs::path(folder) / kTeamFile;
   std::error_code ignored;
@@ -179,7 +180,7 @@ Result<TeamIdentity> ofFiles(const Entrant& entrant) {
                       parts.hasFiles() ? parts.files() : "its command line only"};
 }
 
-/// A program's own team, whose sources only the program knows.
+/// The identity of a team that a program defines itself; only that program can name its sources.
 Result<TeamIdentity> ofProgram(const Entrant& entrant) {
   if (entrant.files.empty()) {
     return fail(ErrorCode::kUsage,

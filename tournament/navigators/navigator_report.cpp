@@ -22,14 +22,14 @@ const std::string& nameOf(const NavigatorTournament& tournament, std::size_t nav
 }
 
 std::size_t longestName(const NavigatorTournament& tournament) {
-  std::size_t longest = 9;  // of "navigator"
+  std::size_t longest = 9;  // length of the column head "navigator"
   for (const NavigatorChoice& choice : blockOf(tournament).navigators) {
     longest = std::max(longest, choice.text.size());
   }
   return longest;
 }
 
-/// A number of digits after the point, or a dash for none.
+/// A number with `digits` decimals, or a dash for NaN.
 std::string figure(double value, int digits) {
   return std::isnan(value) ? "-" : fmt::format("{:.{}f}", value, digits);
 }

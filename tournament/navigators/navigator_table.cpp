@@ -20,7 +20,7 @@ std::vector<UnitResult> resultsOf(const LayoutRuns& runs, double tie) {
   return results;
 }
 
-/// Layouts on which all of them arrived.
+/// Indices of the layouts on which all of `navigators` arrived.
 std::vector<std::size_t> commonLayouts(const LayoutRuns& runs, std::span<const std::size_t> navigators) {
   std::vector<std::size_t> common;
   for (std::size_t k = 0; !runs.empty() && k < runs.front().size(); ++k) {

@@ -9,7 +9,7 @@ constexpr double kLeastSpeed = 0.05;  // [m/s]
 constexpr double kMostSpeed = 10.0;
 
 Result<void> checkConfig(const NavigatorTournamentConfig& config) {
-  if (config.suite == ComparisonConfig{}.suite) {  // the comparison with Jung & Lee (2015)
+  if (config.suite == ComparisonConfig{}.suite) {  // the suite of the comparison with Jung & Lee (2015)
     return fail(
         ErrorCode::kUsage,
         fmt::format("--suite: '{}' is a comparison of several suites; a tournament takes one", config.suite));
@@ -80,7 +80,7 @@ Result<NavigatorTournament> runNavigatorTournament(const NavigatorTournamentConf
   if (!plan) return tl::unexpected<Error>(plan.error());
   NavigatorTournament tournament;
   tournament.comparison = std::move(*plan);
-  // Without a clock: measured times would differ between runs.
+  // Runs without a clock, because measured times would differ between runs.
   if (auto ran = runComparison(tournament.comparison, {}, progress); !ran) {
     return tl::unexpected<Error>(ran.error());
   }

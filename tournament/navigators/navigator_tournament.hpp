@@ -12,20 +12,20 @@ namespace fulbito {
 /// A tournament of navigators: all drive through the same layouts of a suite.
 struct NavigatorTournamentConfig {
   std::string suite = "moving";         ///< name of the suite
-  std::vector<std::string> navigators;  ///< specifications, each once; empty: all built-in ones
-  std::optional<double> speed;          ///< [m/s] top speed; empty: the first of the suite
-  int trials = 0;                       ///< layouts; 0: the suite's
-  std::uint64_t seed = 2015;            ///< of layouts, sensor noise and resamples
+  std::vector<std::string> navigators;  ///< specifications, none twice; empty: all built-in ones
+  std::optional<double> speed;          ///< [m/s] top speed; empty: the first speed of the suite
+  int trials = 0;                       ///< number of layouts; 0: that of the suite
+  std::uint64_t seed = 2015;            ///< seed of layouts, sensor noise and resamples
   int jobs = 0;                         ///< worker threads; 0: all cores
   std::string robot = "jung-lee-2015";  ///< preset or file
   std::string physics = "standard";     ///< preset or file
-  SensorModel sensors;                  ///< quality of observations
+  SensorModel sensors;                  ///< noise and limits of observations
 };
 
-/// A tournament that has been played.
+/// A finished tournament of navigators.
 struct NavigatorTournament {
-  Comparison comparison;  ///< of one block, with the records of all trials
-  double tie = 0.0;       ///< [s] difference of times up to which a layout is drawn: a control tick
+  Comparison comparison;  ///< one block, with the records of all trials
+  double tie = 0.0;       ///< [s] largest difference of times that counts as a draw: one control tick
   NavigatorTable table;
 };
 

@@ -42,7 +42,8 @@ std::optional<TournamentFormat> formatOf(std::string_view name) {
 
 std::uint64_t seedOfStart(std::uint64_t seed, std::size_t start) {
   if (start == 0) return seed;
-  return Rng(seed, Stream::kSeries, start).bits64() >> 11;  // exact as a number in JSON
+  // 53 bits, so that JSON readers can hold it as a double.
+  return Rng(seed, Stream::kSeries, start).bits64() >> 11;
 }
 
 Result<void> validate(const SprtBounds& bounds) {

@@ -13,65 +13,67 @@
 
 namespace fulbito {
 
-/// Who meets whom.
+/// The formats of a tournament: who meets whom.
 enum class TournamentFormat : std::uint8_t {
   kMatch,       ///< the first entrant against the second
   kGauntlet,    ///< the first entrant against each other
-  kRoundRobin,  ///< all against all, in groups if asked for
-  kKnockOut,    ///< the loser of a tie leaves; seeding, byes
-  kSwiss,       ///< equals meet, nobody twice
-  kLadder       ///< neighbours challenge each other for the upper place
+  kRoundRobin,  ///< everyone meets everyone, in groups if the plan asks for them
+  kKnockOut,    ///< the loser of a tie leaves; with seeding and byes
+  kSwiss,       ///< entrants with similar points meet, nobody twice
+  kLadder       ///< neighbours on the ladder play for the upper place
 };
-/// Their names.
+/// Names of the formats, in the order of `TournamentFormat`.
 inline constexpr std::array<std::string_view, 6> kFormatNames{"match",     "gauntlet", "round-robin",
                                                               "knock-out", "swiss",    "ladder"};
 inline constexpr std::size_t kTournamentFormats = kFormatNames.size();
 std::string_view nameOf(TournamentFormat format);
-/// The format of that name, if any.
+/// The format with this name, if any.
 std::optional<TournamentFormat> formatOf(std::string_view name);
 
-/// A team of a tournament.
+/// One team that takes part in a tournament.
 struct Entrant {
   std::string name;  ///< unique in the plan; by default the specification
   TeamChoice team;
-  std::vector<std::string> files;  ///< what determines a team outside the program, besides its specification
+  /// Files outside the program that determine the team, besides its specification.
+  std::vector<std::string> files;
 };
 
-/// Most pairs per meeting of two entrants.
+/// Largest number of pairs per meeting of two entrants.
 inline constexpr int kMostPairs = 100'000;
 
-/// A tournament: everything that determines its results. A plain value.
+/// Everything that determines the results of a tournament.
 struct TournamentPlan {
   std::string name = "tournament";
   TournamentFormat format = TournamentFormat::kRoundRobin;
   std::vector<Entrant> entrants;  ///< in the order of seeding: the strongest first, if known
   int pairs = 1;                  ///< pairs of matches per meeting of two entrants, 1 ... kMostPairs
-  int rounds = 0;                 ///< of a Swiss tournament or ladder; 0: as many as the format needs
-  int groups = 1;  ///< of a round robin; entrants are dealt to groups in serpentine order of seeding
-  /// What all matches share. Teams, start and seed are replaced; `vision` of blue belongs to the first
-  /// entrant, that of yellow to all others.
+  int rounds = 0;                 ///< rounds of a Swiss tournament or ladder; 0: as many as the format needs
+  int groups = 1;  ///< groups of a round robin; entrants are dealt to them in serpentine order of seeding
+  /// The configuration that all matches share. Teams, start and seed are replaced. Blue's `vision` applies to
+  /// the first entrant, yellow's to all others.
   MatchConfig match;
-  std::uint64_t seed = kDefaultMatchSeed;  ///< of the seeds of all pairs
-  BookConfig book;                         ///< how matches start
-  std::optional<SprtBounds> sprt;          ///< a sequential test ends a tournament of format match
+  std::uint64_t seed = kDefaultMatchSeed;  ///< seed that the seeds of all pairs derive from
+  BookConfig book;                         ///< the starts of matches
+  std::optional<SprtBounds> sprt;          ///< sequential test that ends a tournament of format match
 };
 
-/// The pair of entrants in a fixture, and its start.
+/// Two entrants who play a pair of matches, and the start of that pair.
 struct Fixture {
   std::size_t a = 0, b = 0;  ///< indices of the entrants; A plays blue in the first match of the pair
-  int round = 0;             ///< from 0
-  /// Number of the start, from 0: `BookEntry` and seed of both matches. Each meeting of two entrants goes
-  /// through the starts from 0, so that all meetings have the same ones.
+  int round = 0;             ///< number of the round, from 0
+  /// Number of the start, from 0: it selects the `BookEntry` and the seed of both matches. Each meeting of
+  /// two entrants counts starts from 0, so all meetings have the same ones.
   std::size_t start = 0;
 };
 
-/// Seed of both matches of a pair with that start. The first start uses the tournament's seed.
+/// Seed of both matches of a pair with this start. Start 0 uses the tournament's seed itself.
 std::uint64_t seedOfStart(std::uint64_t seed, std::size_t start);
 
 /// Checks bounds and error rates. Errors: kUsage.
 Result<void> validate(const SprtBounds& bounds);
 
-/// Checks names and the test; `validateFormat` and `validate` of the book check the rest. Errors: kUsage.
+/// Checks names and the sequential test. `validateFormat` and the book's `validate` check the rest. Errors:
+/// kUsage.
 Result<void> validate(const TournamentPlan& plan);
 
 }  // namespace fulbito

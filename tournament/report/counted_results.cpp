@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-/// Whether the team at `seat` lost by walk-over. An absent team has no faults, but its opponents won.
+/// Whether the team at `seat` lost by walk-over. An absent team has no faults, so the winner tells.
 bool forfeited(const MatchResult& result, std::size_t seat) {
   if (result.outcome != MatchOutcome::kForfeit) return false;
   const auto& teams = result.faults.teams;

@@ -6,40 +6,40 @@
 
 namespace fulbito {
 
-/// A column of a table for people.
+/// A column of a `Grid`.
 struct GridColumn {
   std::string head;
-  bool number = false;    ///< to the right
-  bool flexible = false;  ///< a name or sentence, which a narrow table may shorten
-  bool optional = false;  ///< a narrow table may leave it out
+  bool number = false;    ///< aligned to the right
+  bool flexible = false;  ///< a name or sentence, which may be shortened in a narrow table
+  bool optional = false;  ///< may be left out in a narrow table
 };
 
-/// A cell of a table for people.
+/// A cell of a `Grid`.
 struct GridCell {
-  std::string text;             ///< by `shownText`
-  std::optional<double> share;  ///< 0 ... 1, for a colour
-  std::string hint;             ///< more about it, where there is room
-  std::string match;            ///< the text of a `MatchId` that it is about, for a link
+  std::string text;             ///< made by `shownText`
+  std::optional<double> share;  ///< points share 0 ... 1 that colours the cell
+  std::string hint;             ///< more details, shown where there is room
+  std::string match;  ///< `MatchId` as text if the cell is about a match, for a link to its recording
 };
 
-/// A table for people, whatever it is written in.
+/// A table for people, independent of the output format.
 struct Grid {
   std::string title;
   std::vector<GridColumn> columns;
   std::vector<std::vector<GridCell>> rows;
-  std::string note;  ///< a sentence below it; may be empty
+  std::string note;  ///< a sentence below the table; may be empty
 };
 
-/// Columns of a terminal that a table takes at most.
+/// Largest width of a table in a terminal [columns].
 inline constexpr int kTextColumns = 100;
 
-/// The table in text, with its title: columns in line, at most `kTextColumns` wide.
+/// The table as text with its title: aligned columns, at most `kTextColumns` wide.
 std::string textOf(const Grid& grid);
 
-/// The table in Markdown, with its title, in at most `bytes`; rows that do not fit are counted in a note.
+/// The table in Markdown with its title, in at most `bytes` bytes. A note counts the rows that do not fit.
 std::string markdownOf(const Grid& grid, std::size_t bytes);
 
-/// Text without a meaning in Markdown or HTML.
+/// The text with all characters escaped that have a meaning in Markdown or HTML.
 std::string escapedMarkdown(std::string_view text);
 
 }  // namespace fulbito

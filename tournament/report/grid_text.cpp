@@ -9,11 +9,11 @@ namespace fulbito {
 namespace {
 
 constexpr int kGap = 2;
-// A name is shortened to this before an optional column goes, and to the second if that is not enough.
+// Names shrink to the first width before an optional column is dropped, and to the second only after that.
 constexpr int kLeastFlexible = 16;
 constexpr int kLeastOfAll = 6;
 
-/// Widths of a table's columns, once they fit; 0: left out.
+/// The column widths of a table, chosen so that it fits; 0: the column is left out.
 class Widths {
  public:
   explicit Widths(const Grid& grid) : grid_(grid) {
@@ -42,7 +42,7 @@ class Widths {
     for (std::size_t c = 0; c < widths_.size(); ++c) sum += slackOf(c);
     return sum;
   }
-  /// Leaves out the last optional column, or else shortens names further; false if neither is possible.
+  /// Leaves out the last optional column, or else lets names shrink further. False if neither is possible.
   bool dropOne() {
     for (std::size_t c = widths_.size(); c-- > 0;) {
       if (!grid_.columns[c].optional || widths_[c] == 0) continue;

@@ -11,13 +11,13 @@
 /// JSON parts that the reports of tournaments and of tests share.
 namespace fulbito {
 
-/// `value`, `low`, `high`; null where one is infinite.
+/// An interval as an object: `value`, `low`, `high`; infinite ones are null.
 Json intervalJson(const Interval& interval);
-/// Ratio, bounds and error rates of a test.
+/// Log-likelihood ratio, bounds and error rates of a sequential test.
 Json sprtJson(const Sprt& sprt);
-/// Matches that the machine failed: pair (from 0), leg (1, 2), reason.
+/// Matches left out because the machine failed: pair (from 0), leg (1, 2), reason.
 Json unplayedJson(const std::vector<UnplayedMatch>& unplayed);
-/// Over several lines, those after the first `spaces` further in. Bytes that are no UTF-8 are replaced.
+/// JSON over several lines; lines after the first are indented by `spaces` more. Invalid UTF-8 is replaced.
 std::string indented(const Json& json, std::size_t spaces);
 
 }  // namespace fulbito

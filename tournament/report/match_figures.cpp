@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-/// With a test only its pairs count: a pair behind a gap has not been judged.
+/// The fixtures that count. With a test, pairs after the first gap do not count: the test has not seen them.
 std::vector<std::size_t> fixturesOf(const TournamentState& state) {
   std::vector<std::size_t> numbers = countedFixtures(state);
   if (state.sprt) {

@@ -10,19 +10,20 @@
 /// Reports of a tournament of format match: a series of pairs, or a sequential test.
 namespace fulbito {
 
-/// What such a report says.
+/// The figures of a match report.
 struct MatchFigures {
-  std::vector<std::size_t> fixtures;  ///< those that count; with a test, those before the first gap
-  MeetingSummary sums;                ///< of the first team
-  PairCounts counts;                  ///< pairs by the first team's points
-  Interval goal_difference;           ///< of the first team, per match; interval: `meanInterval` over pairs
+  /// Fixtures that count; with a test, those before the first missing result.
+  std::vector<std::size_t> fixtures;
+  MeetingSummary sums;       ///< results of the first team
+  PairCounts counts;         ///< pairs by the first team's points
+  Interval goal_difference;  ///< of the first team, per match; interval: `meanInterval` over pairs
   int goals_after_foul_for = 0, goals_after_foul_against = 0;
-  double simulated = 0.0;  ///< [s]
+  double simulated = 0.0;  ///< [s] total length of the matches
 };
 MatchFigures matchFigures(const TournamentState& state);
 
-/// The better team of a series (0 or 1): the whole 95 % interval of the points share lies on its side of
-/// 50 %. Empty: no difference is shown.
+/// The better team of a series (0 or 1): the whole 95 % interval of its points share is above 50 %. Empty if
+/// the interval contains 50 %.
 std::optional<std::size_t> betterTeam(const MatchFigures& figures);
 
 /// What the verdict of a test means: "rather +0 than -50 normalized Elo".
@@ -34,8 +35,8 @@ std::string matchTitle(const TournamentState& state, const MatchFigures& figures
 std::vector<std::pair<std::string, std::string>> matchLines(const TournamentState& state,
                                                             const MatchFigures& figures);
 
-/// @{ The report as text, and as a JSON object with a line end (docs/results-format.md). Each
-/// match of a series is in the JSON.
+/// @{ The report as text, and as a JSON object with a line end (docs/results-format.md). The JSON of a series
+/// lists each match.
 std::string matchReportText(const TournamentState& state);
 std::string matchReportJson(const TournamentState& state);
 /// @}

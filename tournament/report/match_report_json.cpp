@@ -23,7 +23,7 @@ Json legJson(const TournamentState& state, std::size_t fixture, std::size_t leg)
           {"final_hash", hashText(played.hash)}};
 }
 
-/// The matches one by one: all of them as one value would take hundreds of megabytes.
+/// The matches as JSON text, written one by one: a single JSON value would take hundreds of megabytes.
 std::string legsText(const TournamentState& state, const MatchFigures& figures) {
   std::string text;
   for (const std::size_t fixture : figures.fixtures) {
@@ -107,7 +107,7 @@ std::string matchReportJson(const TournamentState& state) {
   Json json = state.sprt ? testJson(state, figures) : seriesJson(state, figures);
   std::string text = indented(json, 0) + '\n';
   if (state.sprt) return text;
-  // No string can contain the mark: JSON escapes line ends.
+  // Only the key can match this text, because JSON strings escape line ends.
   constexpr std::string_view kMark = "\n  \"matches\": [";
   return text.insert(text.find(kMark) + kMark.size(), legsText(state, figures));
 }

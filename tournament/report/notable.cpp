@@ -15,15 +15,15 @@ namespace {
 
 constexpr std::size_t kMostFaults = 8;
 constexpr std::size_t kMostUpsets = 6;
-constexpr int kMostOfOne = 2;  // faults of one kind and team, upsets of one pairing
+constexpr int kMostOfOne = 2;  // limit for faults of one kind and team, and for upsets of one pairing
 constexpr int kNameColumns = 24;
 constexpr int kReasonColumns = 80;
 
-/// A match that may be notable. Sorted by `worse`, the larger the earlier, then by the schedule.
+/// A match that may be notable. Candidates are sorted by decreasing `worse`, then by the schedule.
 struct Candidate {
   double worse = 0.0;
   std::size_t fixture = 0, leg = 0;
-  std::size_t team = 0, opponent = 0;  // the team at fault, the winner of an upset, or the loser
+  std::size_t team = 0, opponent = 0;  // team: the one at fault, the winner of an upset, or the loser
   std::string why;
 };
 
@@ -123,7 +123,7 @@ class Search {
 
   const TournamentState& state_;
   const TournamentTable& table_;
-  // How many were found, since a long log may be full of them.
+  // Numbers of faults and upsets found so far: a long log may be full of them.
   std::map<std::pair<std::size_t, bool>, int> faults_of_;
   std::map<std::pair<std::size_t, std::size_t>, int> upsets_of_;
   int abandoned_ = 0;

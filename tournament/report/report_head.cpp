@@ -27,7 +27,8 @@ std::string progressOf(const TournamentState& state) {
 std::string shownElo(double elo) {
   if (elo > kMostShownElo) return fmt::format(">{:+.0f}", kMostShownElo);
   if (elo < -kMostShownElo) return fmt::format("<{:+.0f}", -kMostShownElo);
-  return fmt::format("{:+.0f}", std::round(elo) + 0.0);  // without the sum, -0.3 reads as -0
+  // Adding 0 turns -0 into +0, so that -0.3 does not print as -0.
+  return fmt::format("{:+.0f}", std::round(elo) + 0.0);
 }
 
 bool goesBeyond(const TournamentTable& table) {

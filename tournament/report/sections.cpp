@@ -16,7 +16,7 @@ GridCell number(int value) { return cell(fmt::format("{}", value)); }
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
-/// The points share of a meeting, coloured, with all its results as a hint.
+/// The points share of a meeting, coloured; the hint lists all its results.
 GridCell shareCell(const MeetingSummary& meeting, const std::string& text) {
   if (meeting.pairs == 0) return cell({});
   return {text,
@@ -32,7 +32,7 @@ int faultsOf(const FaultSummary& faults) {
          faults.of(MatchOutcome::kIllegal) + faults.of(MatchOutcome::kSlow);
 }
 
-/// The columns of standings that only some tournaments need.
+/// Which optional columns the standings of this tournament need.
 struct StandingColumns {
   bool pair_points = false, byes = false, faults = false, ties = false;
 };

@@ -6,10 +6,10 @@
 #include "tournament/report/grid.hpp"
 #include "tournament/report/table.hpp"
 
-/// The parts of a report for people, whatever it is written in.
+/// Parts of the reports for people, independent of the output format.
 namespace fulbito {
 
-/// What stands above the tables.
+/// The lines above the tables of a report.
 struct ReportHead {
   std::string title;               ///< "cup: round-robin of 12 teams, finished"
   std::string rules;               ///< "vsss-3v3, halves of 300 s, standard physics, seed 1"
@@ -18,37 +18,37 @@ struct ReportHead {
 };
 ReportHead headOf(const TournamentState& state, const TournamentTable& table);
 
-/// A team's name in a table; its number from 1 if nothing of the name can be shown.
+/// A team's name in a table, or its number from 1 if the name has no printable character.
 std::string shownName(const TournamentState& state, std::size_t entrant);
-/// Figures beyond this [Elo] are shown as such. Without draws they mean that the weaker side gets less than 1
-/// of 57 points, so a single lost match decides how far beyond. A series of any length has such a limit; this
-/// one belongs to those of about a hundred matches.
+/// Larger Elo figures are shown as beyond this limit [Elo]. At this lead without draws, the weaker side gets
+/// less than 1 of 57 points, so a single lost match changes the estimate widely. The value suits series of
+/// about a hundred matches.
 inline constexpr double kMostShownElo = 700.0;
-/// "+210 (+180 to +240)", ">+700 (+650 to >+700)", ">+700" if the interval lies beyond, too; "-" without a
-/// match.
+/// "+210 (+180 to +240)", ">+700 (+650 to >+700)"; ">+700" if the whole interval lies beyond the limit; "-"
+/// without a match.
 std::string eloText(const Interval& interval);
 /// Entrants, best first.
 std::vector<std::size_t> ranking(const TournamentTable& table);
-/// Kinds of starts that the book has, in its order.
+/// The kinds of starts in the book, in its order.
 std::vector<StartKind> kindsOf(const TournamentState& state);
-/// "final", "semi-final", "quarter-final", "round of 16" for a round from 0 of a knock-out.
+/// The name of a knock-out round (from 0): "final", "semi-final", "quarter-final", "round of 16".
 std::string nameOfRound(int round, std::size_t entrants);
 /// "1.5 : 0.5, goals 4:2"; "-" for a bye or a tie that was not played.
 std::string resultOf(const KnockOutTie& tie);
 
-/// @{ Tables. One without rows has nothing to show.
-/// A table per group.
+/// @{ Tables. A table without rows has nothing to show and is left out.
+/// One table per group.
 std::vector<Grid> standingGrids(const TournamentState& state, const TournamentTable& table);
-/// Ties of a knock-out by round.
+/// The ties of a knock-out by round.
 Grid bracketGrid(const TournamentState& state, const TournamentTable& table);
-/// Points shares of the row's team against the column's, of the `most` best teams.
+/// Points share of each row's team against each column's team, for the `most` best teams.
 Grid crossGrid(const TournamentState& state, const TournamentTable& table, std::size_t most);
-/// Points shares by kind of start; nothing if the book has one kind.
+/// Points share of each team by kind of start; without rows if the book has only one kind.
 Grid startGrid(const TournamentState& state, const TournamentTable& table);
-/// Teams with faults.
+/// Teams with faults, and how many of each kind.
 Grid faultGrid(const TournamentState& state, const TournamentTable& table);
 Grid notableGrid(const TournamentState& state, const TournamentTable& table);
-/// Matches that the machine failed.
+/// Matches left out because the machine failed.
 Grid unplayedGrid(const TournamentState& state);
 /// @}
 

@@ -9,12 +9,12 @@ namespace fulbito {
 /// and emoji. Combining marks count 1 here, so that no text is longer than it seems.
 int columnsOf(std::string_view utf8);
 
-/// Text of any origin as one line of at most `columns` for people: control characters, line ends and invalid
-/// bytes become spaces; invisible characters and those that turn the writing direction go. "…" ends what
-/// does not fit.
+/// Text of any origin as one line of at most `columns` columns. Control characters, line ends and invalid
+/// bytes become spaces; invisible characters and direction marks are removed. A text that does not fit ends
+/// with "…".
 std::string shownText(std::string_view text, int columns);
 
-/// `text` with spaces up to `columns`, before or behind it.
+/// `text` padded with spaces to `columns`; `before`: the spaces come before the text.
 std::string padded(const std::string& text, int columns, bool before);
 
 }  // namespace fulbito

@@ -22,7 +22,7 @@ std::vector<std::vector<MeetingSummary>> summaries(const Tallies& tallies) {
   return out;
 }
 
-/// Fills cross-table, totals and starts.
+/// Fills `cross`, `totals` and `starts` of the table.
 void countMeetings(const TournamentState& state, const std::vector<std::size_t>& counted,
                    TournamentTable& table) {
   const std::size_t entrants = state.plan.entrants.size();
@@ -44,7 +44,7 @@ void countMeetings(const TournamentState& state, const std::vector<std::size_t>&
   for (const Tally& tally : totals) table.totals.push_back(tally.summary());
 }
 
-/// Meetings of entrants while fixtures are added, as `rate` wants them.
+/// Collects the results of each two entrants while fixtures are added, in the form that `rate` takes.
 class Meetings {
  public:
   void add(const Fixture& fixture, const PairResult& pair) {
@@ -55,7 +55,7 @@ class Meetings {
     };
     meeting.pairs.add(points(0), points(1));
   }
-  /// By their entrants, so that the order of play does not matter.
+  /// The meetings sorted by entrants, so that the order of play does not matter.
   std::vector<MeetingCounts> sorted() const {
     std::vector<MeetingCounts> list;
     list.reserve(meetings_.size());
@@ -74,7 +74,7 @@ class Meetings {
   std::map<std::pair<std::size_t, std::size_t>, MeetingCounts> meetings_;
 };
 
-/// Adds a step to the course of each entrant that has played.
+/// Adds the present ratings to `course` for each entrant that has played.
 void addStep(const Ratings& ratings, const std::vector<char>& has_played,
              std::vector<std::vector<double>>& course) {
   for (std::size_t i = 0; i < course.size(); ++i) {
@@ -82,7 +82,7 @@ void addStep(const Ratings& ratings, const std::vector<char>& has_played,
   }
 }
 
-/// Fills ratings and their course.
+/// Fills the ratings and their course over the tournament.
 void rateAll(const TournamentState& state, const std::vector<std::size_t>& counted, std::size_t resamples,
              TournamentTable& table) {
   const std::size_t entrants = state.plan.entrants.size();
@@ -97,7 +97,7 @@ void rateAll(const TournamentState& state, const std::vector<std::size_t>& count
       meetings.add(fixture, *state.results[counted[added]]);
       has_played[fixture.a] = has_played[fixture.b] = 1;
     }
-    // The course shows estimates only, so it needs no bootstrap.
+    // The course contains estimates without intervals, so it needs no bootstrap.
     const bool last = step == steps;
     if (!last) addStep(rate(entrants, meetings.sorted(), state.plan.seed, 0), has_played, table.course);
   }

@@ -12,25 +12,26 @@
 
 namespace fulbito {
 
-/// One team's results against one other, or from one kind of start.
+/// One team's results against one other team, against all, or from one kind of start.
 struct MeetingSummary {
   int pairs = 0;
   int won = 0, drawn = 0, lost = 0;  ///< matches
   int goals_for = 0, goals_against = 0;
-  Interval points_share;  ///< `shareInterval` over pairs
+  Interval points_share;  ///< mean with `shareInterval` over pairs
   EloEstimate elo;
 };
 
 /// Number of kinds of `MatchOutcome`.
 inline constexpr std::size_t kMatchOutcomes = 6;
 
-/// How often a team had each outcome, and why it failed last.
+/// How often a team had each outcome, and the reason of its last failure.
 struct FaultSummary {
-  /// Matches by `MatchOutcome`: the team's own worst fault; kMercy counts the matches that it lost early.
+  /// Number of matches by `MatchOutcome`: the team's own worst fault; kMercy counts the matches it lost
+  /// early.
   std::array<int, kMatchOutcomes> outcomes{};
-  std::string last_failure;  ///< in the order of the schedule; empty: none
+  std::string last_failure;  ///< last in the order of the schedule; empty: no failure
 
-  /// Matches with the given outcome.
+  /// Number of matches with the given outcome.
   int of(MatchOutcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
 };
 
@@ -43,27 +44,27 @@ struct NotableMatch {
 
 /// Largest number of notable matches.
 inline constexpr std::size_t kMostNotable = 20;
-/// Number of steps of a rating's course.
+/// Largest number of steps of a rating's course.
 inline constexpr std::size_t kCourseSteps = 20;
 
-/// Everything that reports show: computed once, the same for any order of play.
+/// Everything that reports show. It is the same for any order of play.
 struct TournamentTable {
   std::vector<Standing> standings;
   std::vector<KnockOutTie> bracket;
   Ratings ratings;
   std::vector<std::vector<MeetingSummary>> cross;   ///< [row entrant][column entrant]
   std::vector<std::vector<MeetingSummary>> starts;  ///< [entrant][StartKind]
-  std::vector<MeetingSummary> totals;               ///< by entrant: all its matches
+  std::vector<MeetingSummary> totals;               ///< by entrant: the sum of all its matches
   std::vector<FaultSummary> faults;                 ///< by entrant
   std::vector<NotableMatch> notable;                ///< worst first, at most `kMostNotable`
-  bool recorded = false;                            ///< all of `notable` have recordings
-  /// [entrant][step]: Elo after each twentieth of the fixtures that count; NaN before its first match. Fewer
-  /// fixtures than `kCourseSteps` give as many steps.
+  bool recorded = false;                            ///< whether all of `notable` have recordings
+  /// Elo as [entrant][step], after each twentieth of the fixtures that count; NaN before the entrant's first
+  /// match. With fewer fixtures than `kCourseSteps` there is one step per fixture.
   std::vector<std::vector<double>> course;
 };
 
 /// Computes the table of a tournament so far.
-/// @param resamples  from which intervals and superiority follow: see `rate`
+/// @param resamples  number of bootstrap resamples for intervals and superiority, see `rate`
 TournamentTable tableOf(const TournamentState& state, std::size_t resamples = 1000);
 
 }  // namespace fulbito

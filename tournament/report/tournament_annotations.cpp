@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostAnnotations = 10;
 constexpr int kMessageColumns = 300;
 
-/// One annotation. The worse come first, then those of more matches.
+/// One annotation. Sorted by severity, then by decreasing number of matches.
 struct Annotation {
   bool error = true;
   int severity = 0;  // 0 is worst
@@ -21,7 +21,7 @@ struct Annotation {
   std::string title, message;
 };
 
-/// As workflow commands want it: with `%`, line ends and, in the title, separators escaped.
+/// Text escaped for a workflow command: `%`, line ends and, in the title, separators.
 std::string escapedCommand(std::string_view text, bool title) {
   std::string out;
   for (const char c : text) {

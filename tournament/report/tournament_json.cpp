@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-/// Version of the object; a higher one means that a key changed its meaning or went.
+/// Version of the object. It increases when a key changes its meaning or disappears.
 constexpr int kTournamentSchemaVersion = 1;
 
 Json indexOrNull(const std::optional<std::size_t>& entrant) {
@@ -102,7 +102,7 @@ Json tieJson(const KnockOutTie& tie) {
           {"decided_by", tie.decided_by}};
 }
 
-/// Meetings that took place, each once.
+/// All meetings that took place, each once.
 Json crossJson(const TournamentTable& table) {
   Json json = Json::array();
   for (std::size_t a = 0; a < table.cross.size(); ++a) {
@@ -110,7 +110,7 @@ Json crossJson(const TournamentTable& table) {
       if (table.cross[a][b].pairs == 0) continue;
       Json meeting{{"a", a}, {"b", b}};
       meeting.update(meetingJson(table.cross[a][b]));
-      // From the ratings of all teams, not from this meeting alone.
+      // Follows from the ratings of all teams, not from this meeting alone.
       meeting["rated_superiority"] = table.ratings.superiority[a][b];
       json.push_back(std::move(meeting));
     }

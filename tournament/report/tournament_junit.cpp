@@ -16,9 +16,9 @@ namespace {
 
 constexpr int kMessageColumns = 300;
 
-/// The test cases of a pairing, or of the tournament as a whole.
+/// The test cases of a pairing, or of the whole tournament.
 struct Suite {
-  std::string name;  // escaped
+  std::string name;  // escaped for XML
   std::string cases;
   int tests = 0, errors = 0, failures = 0, skipped = 0;
 
@@ -53,7 +53,7 @@ class Junit {
     text += fmt::format("<testsuites name=\"{}\">\n", whole.name);
     std::size_t size = text.size() + whole.cases.size() + 4096;
     for (const Suite& suite : suites_) size += suite.cases.size() + suite.name.size() + 256;
-    text.reserve(size);  // tens of megabytes of a long log
+    text.reserve(size);  // the text of a long log takes tens of megabytes
     whole.appendTo(text);
     for (const Suite& suite : suites_) suite.appendTo(text);
     text += "</testsuites>\n";
@@ -61,7 +61,7 @@ class Junit {
   }
 
  private:
-  /// Whether the tournament is complete, and the verdict of its test.
+  /// A suite with two cases: the tournament is complete, and the verdict of its sequential test.
   Suite tournamentSuite() const {
     Suite suite{escapedXml(shownText(state_.plan.name, kMessageColumns)), {}};
     const auto skip = [&suite](const std::string& why) {
@@ -95,7 +95,7 @@ class Junit {
     return suites_[at->second];
   }
 
-  /// The errors of the teams that crashed or forfeited.
+  /// The error elements of the teams that crashed or forfeited.
   std::string errorsOf(const Fixture& fixture, std::size_t leg, const MatchResult& result) const {
     std::string inside;
     for (std::size_t seat = 0; seat < 2; ++seat) {
@@ -138,7 +138,7 @@ class Junit {
 
   const TournamentState& state_;
   const RecordingLinks& recordings_;
-  std::vector<std::string> names_;  // escaped
+  std::vector<std::string> names_;  // by entrant, escaped for XML
   std::vector<Suite> suites_;       // in the order of the schedule
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> index_;
 };

@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-/// A CI summary holds 1 MiB. The tables are at most nine, since those of groups share one part.
+/// A CI summary may have 1 MiB, for at most nine tables; the standings of all groups count as one.
 constexpr std::size_t kBytesPerTable = 96 * 1024;
 constexpr std::size_t kMostCrossed = 20;
 
@@ -28,7 +28,7 @@ Grid matchGrid(const TournamentState& state) {
   return grid;
 }
 
-/// The tables of standings, of which there is one per group, in the room of one.
+/// The standings, with one table per group, together within the size of one table.
 std::string standingsMarkdown(const TournamentState& state, const TournamentTable& table) {
   std::string text;
   const std::vector<Grid> grids = standingGrids(state, table);

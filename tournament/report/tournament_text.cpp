@@ -38,7 +38,7 @@ std::string tournamentText(const TournamentState& state, const TournamentTable& 
   append(text, unplayedGrid(state));
   append(text, startGrid(state, table));
   append(text, faultGrid(state, table));
-  // A series or test is a few lines, which a list of single matches would drown.
+  // The report of a series or test has only a few lines; a list of single matches would hide them.
   if (!match) append(text, notableGrid(state, table));
   return text;
 }

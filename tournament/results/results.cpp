@@ -31,7 +31,7 @@ std::optional<MatchId> MatchId::parse(std::string_view text) {
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), id.words[i], 16);
     if (read.ec != std::errc() || read.ptr != digits.data() + digits.size()) return std::nullopt;
   }
-  // Another spelling of the same number, such as capital letters, is no identity.
+  // A different spelling of the same number, such as capital letters, is invalid.
   return id.text() == text ? std::optional(id) : std::nullopt;
 }
 

@@ -11,19 +11,19 @@
 
 namespace fulbito {
 
-/// How a match of a tournament ended, from good to bad. All kinds count by their score; a failure of the
-/// machine is no result and has no kind here.
+/// How a match ended, from good to bad. Every outcome counts by its score. A match that the machine failed
+/// has no result, so it has no outcome here.
 enum class MatchOutcome : std::uint8_t {
   kNormal,   ///< played to its end, no team at fault
-  kMercy,    ///< ended early by the lead that the rules name
-  kSlow,     ///< a team had late decisions
-  kIllegal,  ///< a team gave commands that are no numbers, or for navigators that it lacks
-  kCrash,    ///< a team outside the program failed at least once, and played on
-  kForfeit   ///< a team was absent or failed too often: walk-over
+  kMercy,    ///< ended early because a team had the lead that the rules name
+  kSlow,     ///< a team took too long for some decisions
+  kIllegal,  ///< a team sent commands that are not numbers, or for navigators that it does not have
+  kCrash,    ///< a team outside the program failed at least once, but played on
+  kForfeit   ///< a walk-over: a team was absent or failed too often
 };
 /// "normal", "mercy", "slow", "illegal", "crash", "forfeit".
 std::string_view nameOf(MatchOutcome outcome);
-/// The outcome of that name, if any.
+/// The outcome with this name, if any.
 std::optional<MatchOutcome> outcomeOf(std::string_view name);
 
 /// The identity of a match: the hash of everything that determines it (tournament/identity).
@@ -31,24 +31,24 @@ struct MatchId {
   std::array<std::uint64_t, 2> words{};
   /// 32 hexadecimal digits.
   std::string text() const;
-  /// Reads `text` back; empty if it is no such text.
+  /// Parses the result of `text`; empty for any other text.
   static std::optional<MatchId> parse(std::string_view text);
   friend auto operator<=>(const MatchId&, const MatchId&) = default;
 };
 
-/// The result of one match. Equal matches have equal results.
+/// The result of one match. Two runs of the same match have equal results.
 struct MatchResult {
   PerTeam<int> score{};             ///< goals of blue and yellow
-  std::optional<TeamId> winner;     ///< also by a shoot-out; empty for a draw
-  PerTeam<int> goals_after_foul{};  ///< these goals within `kFoulPaysWithin` of a foul of the scoring team
-  Tick ticks = 0;                   ///< length of the match
-  std::uint64_t hash = 0;           ///< `Match::hash`
+  std::optional<TeamId> winner;     ///< winner, also by a shoot-out; empty for a draw
+  PerTeam<int> goals_after_foul{};  ///< goals within `kFoulPaysWithin` after a foul of the scoring team
+  Tick ticks = 0;                   ///< length of the match [ticks]
+  std::uint64_t hash = 0;           ///< `Match::hash` at the end
   MatchOutcome outcome = MatchOutcome::kNormal;
   MatchFaults faults;  ///< faults of both teams
 };
 
-/// Two matches with the same start and seed: the statistical unit. A plays blue in the first, yellow in the
-/// second.
+/// Two matches with the same start and seed, the statistical unit. A plays blue in the first and yellow in
+/// the second.
 struct PairResult {
   std::uint64_t seed = 0;  ///< seed of both matches
   std::array<MatchResult, 2> legs;
@@ -63,7 +63,7 @@ struct PairResult {
   double points() const { return (pointsOfLeg(0) + pointsOfLeg(1)) / 2; }
 };
 
-/// A line of a tournament's log: a match and its result. It stands alone, whatever the plan.
+/// A line of a tournament's log: a match and its result. It can be read without the plan.
 struct MatchRow {
   MatchId id;
   PerTeam<std::string> teams;  ///< names of blue and yellow

@@ -41,7 +41,7 @@ void Course::judge() {
   }
 }
 
-// What was played past the verdict of a test depends on who was fast: it is left out.
+// Which matches were played after the verdict of a test depends on timing, so their results are left out.
 TournamentState Course::state() && {
   for (std::size_t i = judged_; decided() && i < results_.size(); ++i) results_[i].reset();
   TournamentState state{plan_, std::move(schedule_), std::move(results_), {}, sprt_, 0, {}};

@@ -11,9 +11,9 @@ namespace fulbito {
 namespace {
 
 constexpr Tick kTicksBetweenLooks = 4096;  // about a minute of play
-constexpr Tick kTicksPerTurn = 64;         // so that changes of turns cost little
+constexpr Tick kTicksPerTurn = 64;         // large enough that changes of turns cost little
 
-/// Hears whether the lead of the rules ended the match.
+/// Watches whether the lead that the rules name ended the match.
 class MercyWatch final : public MatchObserver {
  public:
   bool heard() const { return heard_; }
@@ -49,7 +49,7 @@ MatchOutcome outcomeOf(const MatchFaults& faults, bool walk_over, bool mercy) {
 
 Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock,
                               const std::function<bool()>& goes_on, MatchObserver* observer, Turns* turns) {
-  // From the start of the teams on: that has a limit too.
+  // Begins before the teams start, because their start also has a time limit.
   std::optional<Turn> turn;
   if (turns != nullptr) turn.emplace(*turns);
   auto match = Match::create(config, clock);
@@ -64,7 +64,7 @@ Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock
       return fail(ErrorCode::kInterrupted, "interrupted");
     }
     if (turn && match->tick() % kTicksPerTurn == 0) {
-      turn.reset();  // first, so that another match may take it
+      turn.reset();  // gives the turn back first, so that another match may take it
       turn.emplace(*turns);
     }
   }
@@ -72,7 +72,8 @@ Result<MatchResult> playMatch(const MatchConfig& config, const MatchClock& clock
   if (faults.abandoned) {
     return fail(faults.abandoned->code, "the match was abandoned: " + faults.abandoned->message);
   }
-  // Waits for teams outside the program end early then, as if the teams were late.
+  // After a stop request, waits for outside teams end early and look like late decisions, so the result does
+  // not count.
   if (hasOutsideTeam(config) && stopRequested()) return fail(ErrorCode::kInterrupted, "interrupted");
   const bool absent = !config.present[0] || !config.present[1];
   const MatchOutcome outcome = outcomeOf(faults, absent, mercy.heard());

@@ -34,14 +34,14 @@ TournamentState identified(TournamentState state, const MatchIdentity& identity)
   return state;
 }
 
-/// A match to play, or to play again and compare.
+/// A match to play, or to play a second time and compare.
 struct Task {
   std::size_t fixture = 0;
   std::size_t leg = 0;
   bool again = false;
 };
 
-/// The work of `runTournament`, while several threads share it.
+/// The state of one call of `runTournament`, shared by its threads.
 class Run {
  public:
   Run(const TournamentPlan& plan, const MatchIdentity& identity, const RunnerOptions& options)
@@ -77,13 +77,14 @@ class Run {
   const RunnerOptions& options_;
   Turns turns_{coreCount()};
   MachineRoom room_;
-  std::size_t looked_up_ = 0;   // fixtures
-  std::vector<Task> compared_;  // matches from log or cache to play again
-  std::mutex mutex_;            // of all below
+  std::size_t looked_up_ = 0;   // number of fixtures looked up in log and cache
+  std::vector<Task> compared_;  // matches from log or cache to play a second time
+  std::mutex mutex_;            // guards all members below
   Course course_;
   RunOutcome outcome_;
   RunProgress progress_;
-  std::map<std::pair<std::size_t, std::size_t>, std::string> left_out_;  // reasons by fixture and leg
+  // Reasons for matches left out, by fixture and leg.
+  std::map<std::pair<std::size_t, std::size_t>, std::string> left_out_;
 };
 
 bool Run::sampled(const MatchId& id) const {
@@ -169,12 +170,12 @@ Result<MatchResult> Run::once(const Task& task, const MatchConfig& config,
   return result;
 }
 
-/// Whether other matches could make a team outside the program late.
+/// Whether other matches running at once could make a team outside the program late.
 bool Run::crowded(const MatchConfig& config) const {
   return hasOutsideTeam(config) && options_.jobs > coreCount();
 }
 
-// A match that the machine failed is no result: it is played again.
+// A match that the machine failed has no result; it is played again.
 Result<MatchResult> Run::attempt(const Task& task, const std::function<bool()>& goes_on) {
   const auto config = matchOf(plan_, fixtureOf(task), task.leg);
   if (!config) return tl::unexpected<Error>(config.error());
@@ -187,7 +188,7 @@ Result<MatchResult> Run::attempt(const Task& task, const std::function<bool()>& 
 }
 
 Result<void> Run::keep(const Task& task, const MatchResult& result) {
-  // As a report reads it back.
+  // Rows are compared in the form in which reports read them from the log.
   const MatchRow row = storedForm(rowOf(task, result));
   auto added = options_.log->add(row);
   if (!added) return tl::unexpected<Error>(added.error());
@@ -206,7 +207,7 @@ Result<void> Run::keep(const Task& task, const MatchResult& result) {
   return {};
 }
 
-/// Other matches can do without it, but not a test, which counts them in their order.
+/// Records a match without a result. A sequential test then ends, because it needs all results in order.
 Result<void> Run::leaveOut(const Task& task, const Error& error) {
   const std::lock_guard lock(mutex_);
   left_out_[{task.fixture, task.leg}] = error.message;
@@ -215,12 +216,12 @@ Result<void> Run::leaveOut(const Task& task, const Error& error) {
 
 std::vector<UnplayedMatch> Run::unplayed() const {
   std::vector<UnplayedMatch> unplayed;
-  if (course_.decided()) return unplayed;  // those before the verdict have been played
+  if (course_.decided()) return unplayed;  // all matches before the verdict have been played
   for (const auto& [match, reason] : left_out_) unplayed.push_back({match.first, match.second, reason});
   return unplayed;
 }
 
-/// Another run of the match kept another result in the meantime.
+/// Describes a match for which another run has meanwhile stored a different result.
 Mismatch Run::mismatchOf(const Task& task, const MatchRow& row) const {
   auto first = options_.log->find(row.id);
   if (options_.cache != nullptr && (!first || sameResult(first->result, row.result))) {
@@ -231,7 +232,7 @@ Mismatch Run::mismatchOf(const Task& task, const MatchRow& row) const {
 
 Result<void> Run::playAgain(const Task& task, const std::function<bool()>& goes_on) {
   auto second = attempt({task.fixture, task.leg, true}, goes_on);
-  if (!second && second.error().code == ErrorCode::kMachine) return {};  // nothing to compare
+  if (!second && second.error().code == ErrorCode::kMachine) return {};  // there is nothing to compare
   if (!second) return tl::unexpected<Error>(second.error());
   const std::lock_guard lock(mutex_);
   const MatchResult& first = *course_.result(task.fixture, task.leg);

@@ -5,12 +5,12 @@
 
 namespace fulbito {
 
-/// Turns of matches with teams outside the program, where more matches run at once than the machine has
-/// cores: only so many play at a time, the others wait. So a team's wall time is its own, and no team is
-/// late because others think.
+/// Lets a limited number of matches play at a time. It is used for teams outside the program when more
+/// matches run at once than the machine has cores. The others wait, so the computing time of other matches
+/// makes no team late.
 class Turns {
  public:
-  /// @param at_once  matches that play at a time, at least 1
+  /// @param at_once  largest number of matches that play at a time, at least 1
   explicit Turns(int at_once) : free_(at_once) {}
   /// Waits for a turn.
   void take();
@@ -23,7 +23,7 @@ class Turns {
   int free_;
 };
 
-/// A turn, for as long as this lives.
+/// Holds a turn for the lifetime of this object.
 class Turn {
  public:
   explicit Turn(Turns& turns) : turns_(turns) { turns_.take(); }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kMostSteps = 200;
 
-/// Slope and curvature of the log-likelihood of weighted matches by half the lead d = (log p_a - log p_b) / 2
-/// and by log nu. The likelihood is of exponential form, so they are means and covariances of "win minus
+/// Slope and curvature of the log-likelihood of weighted matches, by half the lead d = (log p_a - log p_b) /
+/// 2 and by log nu. The model is an exponential family, so these are means and covariances of "win minus
 /// loss" and "draw".
 struct Slopes {
   double lead, draw;                       ///< first derivatives
@@ -29,15 +29,15 @@ Slopes slopesOf(const WeightedMeeting& m, double lead, double nu) {
           -n * balance * p.draw, n * p.draw * (1.0 - p.draw)};
 }
 
-/// The share of a Newton step that never overshoots. The third derivative along the step is at most `range`
-/// times the second, as for any mean of exponentials whose exponents differ by at most `range` (T. Sun and
-/// Q. Tran-Dinh, "Generalized self-concordant functions", 2019).
+/// The share of a Newton step that never overshoots. Along the step, the third derivative is at most `range`
+/// times the second. This holds for any mean of exponentials whose exponents differ by at most `range` (T.
+/// Sun and Q. Tran-Dinh, "Generalized self-concordant functions", 2019).
 double dampingOf(double range) { return range > 1e-8 ? math::log(1.0 + range) / range : 1.0; }
 
 }  // namespace
 
 MatchChances davidsonChances(double lead, double nu) {
-  // Over e^|d|, so that nothing overflows.
+  // All terms are divided by e^|d|, so that nothing overflows.
   const double t = math::exp(-std::abs(lead) / 2.0);
   const double sum = 1.0 + t * t + nu * t;
   const double strong = 1.0 / sum, weak = t * t / sum;
@@ -55,9 +55,9 @@ struct DavidsonFitter::Impl {
   double step(DavidsonModel& model, bool with_draws);
 
   std::vector<int> component;
-  std::size_t n;              ///< entrants; the parameter after theirs is log nu
+  std::size_t n;              ///< number of entrants; parameter n is log nu
   Eigen::VectorXd gradient;   ///< of the log-likelihood
-  Eigen::MatrixXd curvature;  ///< its negative Hessian, lower triangle
+  Eigen::MatrixXd curvature;  ///< negative Hessian of the log-likelihood, lower triangle
   Eigen::LLT<Eigen::MatrixXd> factors;
 };
 
@@ -84,8 +84,8 @@ void DavidsonFitter::Impl::addPrior(std::size_t entrant, const Slopes& s) {
   gradient[draw] += s.draw;
 }
 
-/// The likelihood does not depend on a component's mean, so a penalty on it makes the maximum unique without
-/// moving it.
+/// Adds a penalty on the mean of each component without a prior. The likelihood does not depend on this mean,
+/// so the penalty makes the maximum unique without moving it.
 void DavidsonFitter::Impl::holdMeans(std::span<const double> prior, const DavidsonModel& model) {
   for (std::size_t i = 0; i < n; ++i) {
     if (prior[i] > 0.0) continue;
@@ -113,7 +113,7 @@ void DavidsonFitter::Impl::derive(std::span<const WeightedMeeting> meetings, std
   if (!with_draws) curvature(size - 1, size - 1) = 1.0;
 }
 
-/// One damped step. Returns the largest change of a log ratio of chances by the undamped one.
+/// Does one damped step. Returns the largest change of a log ratio of chances that the undamped step gives.
 double DavidsonFitter::Impl::step(DavidsonModel& model, bool with_draws) {
   factors.compute(curvature);
   gradient = factors.solve(gradient);
@@ -134,7 +134,8 @@ void DavidsonFitter::fit(std::span<const WeightedMeeting> meetings, std::span<co
   if (impl_->n == 0) return;
   const bool with_draws =
       std::any_of(meetings.begin(), meetings.end(), [](const WeightedMeeting& m) { return m.draws > 0.0; });
-  // Near the maximum the error after a step is about the square of the step.
+  // Newton's method converges quadratically: near the maximum, the error after a step is about the step
+  // squared.
   const double last = std::sqrt(accuracy);
   for (int i = 0; i < kMostSteps; ++i) {
     impl_->derive(meetings, prior, model, with_draws);

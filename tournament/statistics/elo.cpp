@@ -13,12 +13,13 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kZ95 = 1.959963984540054;  // two-sided 95 % point of the normal distribution
 
-/// Mean and variance of the counts as they are.
+/// Mean and variance of the counts, without a minimum for scores that never occurred.
 PairMoments measured(const PairCounts& counts) { return momentsOf(distributionOf(counts, 0.0)); }
 
 Interval normalizedElo(const PairMoments& moments, double pairs) {
   if (moments.variance <= 0.0) return {moments.mean > 0.5 ? kInfinity : -kInfinity, -kInfinity, kInfinity};
-  // The mean of n pairs has the standard deviation sigma / sqrt(n), in units of a match sigma * sqrt(2).
+  // The mean of n pairs has the standard deviation sigma / sqrt(n). Divided by a match's sigma * sqrt(2) it
+  // is 1 / sqrt(2 n).
   const double half = kZ95 / std::sqrt(2.0 * pairs);
   const double strength = normalizedStrength(moments);
   return {kEloPerStrength * strength, kEloPerStrength * (strength - half),

@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-/// For shapes of at least 1.
+/// A draw for shapes of at least 1.
 double largeGamma(Rng& rng, double shape) {
   const double d = shape - 1.0 / 3.0, c = 1.0 / std::sqrt(9.0 * d);
   while (true) {

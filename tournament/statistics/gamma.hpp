@@ -4,8 +4,8 @@
 
 namespace fulbito {
 
-/// A draw from the gamma distribution with the positive `shape` and scale 1: the sum of `shape` independent
-/// Exp(1) draws, where that is whole. G. Marsaglia and W. W. Tsang, "A simple method for generating gamma
+/// A draw from the gamma distribution with the positive `shape` and scale 1. For a whole shape it is the sum
+/// of `shape` independent Exp(1) draws. G. Marsaglia and W. W. Tsang, "A simple method for generating gamma
 /// variables" (2000).
 double gammaDraw(Rng& rng, double shape);
 

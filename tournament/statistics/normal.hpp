@@ -2,7 +2,8 @@
 
 namespace fulbito {
 
-/// The share of a standard normal distribution below `z`, to 1e-7 (Abramowitz & Stegun 26.2.17).
+/// Cumulative distribution function of the standard normal distribution, to 1e-7 (Abramowitz & Stegun
+/// 26.2.17).
 double normalShareBelow(double z);
 
 }  // namespace fulbito

@@ -9,14 +9,14 @@ namespace {
 constexpr std::array<PairMatches, kPairOutcomes> kMatches{
     {{0, 0, 2}, {0, 1, 1}, {0, 2, 0}, {1, 0, 1}, {1, 1, 0}, {2, 0, 0}}};
 
-/// Matches of one kind in all pairs.
+/// Sum of the matches of one kind (wins, draws or losses) over all pairs.
 std::int64_t total(const PairOutcomes& pairs, int PairMatches::* kind) {
   std::int64_t sum = 0;
   for (std::size_t i = 0; i < kPairOutcomes; ++i) sum += pairs.counts[i] * kMatches[i].*kind;
   return sum;
 }
 
-/// 0 for a loss, 1 for a draw, 2 for a win.
+/// A match's points in halves: 0 for a loss, 1 for a draw, 2 for a win.
 std::size_t halves(double points) { return static_cast<std::size_t>(std::floor(2.0 * points + 0.5)); }
 
 PairOutcome pairOutcome(double first, double second) {

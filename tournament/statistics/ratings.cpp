@@ -22,7 +22,7 @@ void addMatches(WeightedMeeting& meeting, double weight, const PairMatches& matc
   meeting.losses += weight * matches.losses;
 }
 
-/// The same pairs as B sees them.
+/// The same pairs from the view of B.
 PairOutcomes turned(const PairOutcomes& pairs) {
   PairOutcomes other;
   constexpr std::array<PairOutcome, kPairOutcomes> kTurned{PairOutcome::kWW, PairOutcome::kWD,
@@ -34,7 +34,7 @@ PairOutcomes turned(const PairOutcomes& pairs) {
   return other;
 }
 
-/// One meeting for each two entrants, in order.
+/// The meetings with all pairs of each two entrants joined, in order of the entrants.
 std::map<EntrantPair, PairOutcomes> joined(std::span<const MeetingCounts> meetings) {
   std::map<EntrantPair, PairOutcomes> joined;
   for (const MeetingCounts& meeting : meetings) {
@@ -46,14 +46,14 @@ std::map<EntrantPair, PairOutcomes> joined(std::span<const MeetingCounts> meetin
   return joined;
 }
 
-/// The shape of the gamma distribution of a weight where `units` results say something about `unknowns`
-/// ratings. Exp(1), of shape 1, would make intervals too narrow by the ratings fitted to the same results;
-/// the variance grows as that of residuals does. For two entrants it is then that of the mean score.
+/// Shape of the gamma distribution of a weight, if `units` results determine `unknowns` ratings. Exp(1),
+/// which has shape 1, would make intervals too narrow, because the ratings are fitted to the same results.
+/// This shape raises the variance as for residuals; for two entrants it becomes that of the mean score.
 double shapeOf(double units, double unknowns) {
   return std::max(kLeastShape, (units - unknowns) / std::max(1.0, units));
 }
 
-/// That shape for the pairs of each meeting, by the pairs and entrants of its component.
+/// `shapeOf` for the pairs of each meeting, from the numbers of pairs and entrants of its component.
 std::vector<double> shapesOf(std::size_t entrants, const WeightedMeetings& observed,
                              const std::vector<PairOutcomes>& pairs) {
   const std::vector<int> component = winGraph(entrants, observed).component;
@@ -66,7 +66,7 @@ std::vector<double> shapesOf(std::size_t entrants, const WeightedMeetings& obser
   return shapes;
 }
 
-/// A result of a unit with the index of its meeting.
+/// A result of a unit, and the index of its meeting.
 struct PlacedResult {
   std::size_t unit, meeting;
   PairMatches match;
@@ -76,7 +76,7 @@ PairMatches matchOf(double points) {
   return {points > 0.75 ? 1 : 0, points > 0.25 && points <= 0.75 ? 1 : 0, points <= 0.25 ? 1 : 0};
 }
 
-/// Numbers meetings in order of their entrants and finds the meeting of each result.
+/// Fills `meetings` in order of their entrants, and returns each result with the index of its meeting.
 std::vector<PlacedResult> placed(std::span<const UnitResult> results, WeightedMeetings& meetings) {
   std::map<EntrantPair, std::size_t> numbers;
   for (const UnitResult& result : results) numbers[std::minmax(result.a, result.b)];
@@ -114,7 +114,8 @@ Ratings rate(std::size_t entrants, std::span<const MeetingCounts> meetings, std:
     for (std::size_t m = 0; m < pairs.size(); ++m) {
       for (std::size_t i = 0; i < kPairOutcomes; ++i) {
         if (pairs[m].counts[i] == 0) continue;
-        // The sum of as many weights of pairs.
+        // The sum of the weights of all pairs with this outcome: gamma distributed, with their number times
+        // the shape.
         const double weight = gammaDraw(rng, shapes[m] * static_cast<double>(pairs[m].counts[i])) / shapes[m];
         addMatches(weighed[m], weight, matchesOf(static_cast<PairOutcome>(i)));
       }

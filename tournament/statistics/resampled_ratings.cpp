@@ -12,12 +12,12 @@ namespace fulbito {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kPriorPairs = 0.5;     // pairs against the fictitious entrant
-constexpr double kFitAccuracy = 1e-12;  // of log p
+constexpr double kPriorPairs = 0.5;     // prior: pairs of each entrant against the fictitious one
+constexpr double kFitAccuracy = 1e-12;  // error of log p
 constexpr double kResampleAccuracy = 1e-6;
-constexpr double kTie = 1e-6;  // Elo; leads below it are rounding errors
+constexpr double kTie = 1e-6;  // [Elo] smaller leads are rounding errors and count as ties
 
-/// What does not change between the resamples of one set of results.
+/// Fits ratings to the results and to their resamples. Keeps what all fits share.
 class Rater {
  public:
   Rater(std::size_t entrants, WeightedMeetings observed)
@@ -38,7 +38,8 @@ class Rater {
     return sizes_[static_cast<std::size_t>(graph_.component[entrant])] > 1.0;
   }
 
-  /// Elo by entrant of the results as they are. Call it first: resamples start from it.
+  /// Elo by entrant, from the results without random weights. Call it first: resamples start from its
+  /// solution.
   std::vector<double> fit() {
     weighPrior([] { return kPriorPairs; });
     fitter_.fit(observed_, prior_, kFitAccuracy, model_);
@@ -64,7 +65,7 @@ class Rater {
                        [](const WeightedMeeting& m) { return m.draws > 0.0; });
   }
 
-  /// Starts from the draw parameter that equal entrants would have.
+  /// Sets the draw parameter at which equal entrants would have the observed share of draws.
   void startDraws() {
     double draws = 0.0, decided = 1.0;
     for (const WeightedMeeting& m : observed_) draws += m.draws, decided += m.wins + m.losses;
@@ -77,7 +78,7 @@ class Rater {
     }
   }
 
-  /// In Elo, with mean 0 in each component.
+  /// Strengths as Elo by entrant, with mean 0 in each component.
   std::vector<double> eloOfModel(const DavidsonModel& model) const {
     std::vector<double> means(sizes_.size(), 0.0), elo(model.strength.size());
     const auto group = [&](std::size_t i) { return static_cast<std::size_t>(graph_.component[i]); };
@@ -89,12 +90,12 @@ class Rater {
   WeightedMeetings observed_, weighed_;
   WinGraph graph_;
   DavidsonFitter fitter_;
-  std::vector<double> sizes_;  ///< entrants by component
-  std::vector<double> prior_;  ///< see DavidsonFitter::fit
+  std::vector<double> sizes_;  ///< number of entrants by component
+  std::vector<double> prior_;  ///< see `DavidsonFitter::fit`
   DavidsonModel model_;
 };
 
-/// How often the first of two sets of resampled ratings is above the second; a tie counts half.
+/// Share of the resamples in which the first entrant is rated above the second; a tie counts half.
 double shareAbove(const std::vector<double>& first, const std::vector<double>& second) {
   double above = 0.0;
   for (std::size_t k = 0; k < first.size(); ++k) {

@@ -10,10 +10,10 @@
 
 namespace fulbito {
 
-/// One meeting for each two entrants that met, in order of a, then b.
+/// One entry for each two entrants that met, in order of a, then b.
 using WeightedMeetings = std::vector<WeightedMeeting>;
 
-/// Adds the randomly weighted results of a resample to meetings that have none. Weights have mean 1.
+/// Adds the results of a resample, with random weights of mean 1, to meetings without results.
 using Reweigh = std::function<void(Rng&, WeightedMeetings&)>;
 
 /// Ratings of the observed results, with intervals and superiority from `resamples` resamples.

@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-/// log of (n choose k) / 2^n.
+/// log((n choose k) / 2^n): log of the probability of k wins in n matches between equal sides.
 double logChance(std::int64_t n, std::int64_t k) {
   double sum = -static_cast<double>(n) * math::log(2.0);
   for (std::int64_t i = 0; i < k; ++i) {
@@ -17,7 +17,7 @@ double logChance(std::int64_t n, std::int64_t k) {
   return sum;
 }
 
-/// The chances of 0 ... k wins of n over that of k wins.
+/// Probability of 0 ... k wins in n matches, divided by that of exactly k wins.
 double tailOver(std::int64_t n, std::int64_t k) {
   double sum = 1.0, term = 1.0;
   for (std::int64_t i = k; i > 0 && term > 1e-17 * sum; --i) {

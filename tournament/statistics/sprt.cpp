@@ -10,10 +10,10 @@ namespace fulbito {
 namespace {
 
 constexpr int kMostRounds = 60;
-constexpr double kSettled = 1e-9;  // change of a probability
+constexpr double kSettled = 1e-9;  // largest change of a probability that ends the iteration
 
-/// The multiplier x at which sum(p[i] a[i] / (1 + x a[i])) = 0. The sum falls with x between the poles, which
-/// lie at -1 / max(a) and -1 / min(a). The values must have both signs.
+/// The x with sum(p[i] a[i] / (1 + x a[i])) = 0. The sum decreases with x between its poles at -1 / max(a)
+/// and -1 / min(a). `a` must have values of both signs.
 double multiplierOf(const PairDistribution& p, const PairDistribution& a) {
   const auto [least, most] = std::minmax_element(a.begin(), a.end());
   double low = -1.0 / *most, high = -1.0 / *least;
@@ -27,9 +27,9 @@ double multiplierOf(const PairDistribution& p, const PairDistribution& a) {
   return low + (high - low) / 2;
 }
 
-/// The constraint "mean - 1/2 = s sigma", linearised about a distribution with these moments: the values
-/// whose mean must be 0. The derivative of sigma by p[i] is ((a[i] - mean)^2 - mean^2) / (2 sigma); what does
-/// not depend on i is chosen so that the constraint holds exactly for the distribution itself.
+/// The constraint "mean - 1/2 = s sigma", linearised about a distribution with these moments. Returns the
+/// values whose mean must be 0. The derivative of sigma by p[i] is ((a[i] - mean)^2 - mean^2) / (2 sigma).
+/// The constant part makes the constraint exact for the distribution itself.
 PairDistribution constraintAbout(const PairMoments& moments, double s) {
   const double sigma = std::sqrt(moments.variance);
   PairDistribution values{};
@@ -57,14 +57,14 @@ double SprtBounds::lower() const { return math::log(beta / (1.0 - alpha)); }
 double SprtBounds::upper() const { return math::log((1.0 - beta) / alpha); }
 
 PairDistribution likeliestDistribution(const PairDistribution& frequencies, double strength) {
-  // A pair's score has sqrt(2) times less spread than a match's.
+  // The standard deviation of a match's score is sqrt(2) times that of a pair's score.
   const double s = strength * std::sqrt(2.0);
   PairDistribution likeliest;
   likeliest.fill(1.0 / kPairScores);
   for (int round = 0; round < kMostRounds; ++round) {
     const PairDistribution values = constraintAbout(momentsOf(likeliest), s);
     if (!haveBothSigns(values)) {
-      // Too far off for a linear constraint: begin again with more spread.
+      // The distribution is too far off for a linear constraint: starts again from one with more spread.
       for (double& share : likeliest) share = (share + 1.0 / kPairScores) / 2;
       continue;
     }

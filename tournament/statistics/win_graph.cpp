@@ -5,9 +5,9 @@
 namespace fulbito {
 namespace {
 
-using Edges = std::vector<std::vector<std::size_t>>;  // by entrant: where its edges lead
+using Edges = std::vector<std::vector<std::size_t>>;  // by entrant: entrants that its edges lead to
 
-/// Edges from winners to losers and both ways for draws, or the reverse.
+/// Edges from winner to loser, and both ways for draws. `reverse` turns all of them round.
 Edges edgesOf(std::size_t entrants, std::span<const WeightedMeeting> meetings, bool reverse) {
   Edges edges(entrants);
   for (const WeightedMeeting& m : meetings) {
@@ -18,7 +18,7 @@ Edges edgesOf(std::size_t entrants, std::span<const WeightedMeeting> meetings, b
   return edges;
 }
 
-/// Marks with `mark` all that edges lead to from `first` and that have no mark (-1) yet.
+/// Sets the mark of `first` and of all unmarked (-1) entrants that can be reached from it.
 void spread(const Edges& edges, std::size_t first, int mark, std::vector<int>& marks) {
   std::vector<std::size_t> open{first};
   marks[first] = mark;
@@ -33,7 +33,7 @@ void spread(const Edges& edges, std::size_t first, int mark, std::vector<int>& m
   }
 }
 
-/// From each entrant that has no mark yet, in order.
+/// Spreads a new mark from each entrant without one, in order.
 std::vector<int> spreadAll(const Edges& edges) {
   std::vector<int> marks(edges.size(), -1);
   int next = 0;
@@ -51,7 +51,7 @@ std::vector<int> componentsOf(std::size_t entrants, std::span<const WeightedMeet
   return spreadAll(both);
 }
 
-/// Marks components with an entrant that their first one does not reach.
+/// Marks components in which the first entrant does not reach all others.
 void markUnreached(const Edges& edges, const std::vector<int>& component, std::vector<bool>& unreached) {
   std::vector<int> marks(edges.size(), -1);
   std::vector<bool> begun(unreached.size());
@@ -72,7 +72,7 @@ bool raise(double& value, double least) {
 }
 
 /// Bellman-Ford: raises leads until each winner is 1 above the loser and drawn entrants are at most 1 apart.
-/// That goes on for ever if and only if a closed walk has more wins than draws.
+/// This never ends if and only if some closed walk has more wins than draws.
 bool winsOutnumberDraws(std::size_t entrants, std::span<const WeightedMeeting> meetings) {
   std::vector<double> lead(entrants, 0.0);
   bool raised = true;

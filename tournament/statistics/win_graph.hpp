@@ -8,18 +8,21 @@
 
 namespace fulbito {
 
-/// Who met whom, and whether the results have most likely ratings.
+/// The components of the graph of meetings, and whether their ratings have a maximum of the likelihood.
 struct WinGraph {
-  std::vector<int> component;       ///< by entrant: groups of entrants that met, directly or not, from 0
-  std::vector<bool> without_bound;  ///< by component: its likelihood has no maximum
+  /// By entrant: number, from 0, of the group of entrants that met directly or indirectly.
+  std::vector<int> component;
+  std::vector<bool> without_bound;  ///< by component: the likelihood has no maximum
 };
 
-/// Finds both. The likelihood of Davidson's model has a maximum if and only if
-/// - the results of each component are strongly connected, where a win leads from the winner to the loser and
-///   a draw both ways (otherwise a group won or lost everything against the rest), and
+/// Finds components and whether their likelihood is bounded. The likelihood of Davidson's model has a maximum
+/// if and only if
+/// - each component is strongly connected, with an edge from winner to loser for a win, and both ways for a
+///   draw (otherwise a group won or lost everything against the rest), and
 /// - no match was drawn, or some closed walk has more wins than draws, where draws may be walked both ways
-///   (otherwise leads and draws can grow together for ever: a win and a draw without a loss, for instance).
-/// The second concerns all components, which share the draw parameter.
+///   (otherwise leads and draws can grow together without limit: a win and a draw without a loss, for
+///   instance).
+/// The second condition is about all components together, because they share the draw parameter.
 WinGraph winGraph(std::size_t entrants, std::span<const WeightedMeeting> meetings);
 
 }  // namespace fulbito

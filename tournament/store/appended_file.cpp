@@ -45,12 +45,12 @@ Result<void> AppendedFile::append(std::string_view line) {
 }
 
 Result<void> AppendedFile::appendAt(std::string_view line) {
-  // Also afterwards: a line in a file without a name is lost.
+  // Checked before and after: lines written to a file that has been removed are lost.
   auto done = checkPlace();
   if (!done) return done;
   done = write(line).and_then([&] { return sync(); });
   if (!done) {
-    // If this fails too, the next run finds a torn line and cuts it.
+    // If this fails too, the next run finds the torn line and cuts it off.
     [[maybe_unused]] const int cut = ::ftruncate(descriptor(), static_cast<off_t>(size_));
     return done;
   }
@@ -81,7 +81,7 @@ Result<void> AppendedFile::write(std::string_view bytes) const {
 
 Result<void> AppendedFile::sync() const {
   const int synced = repeatCall([&] { return ::fdatasync(descriptor()); });
-  // Some file systems have no fsync.
+  // Some file systems do not support fsync; they report EINVAL.
   return synced == 0 || errno == EINVAL ? Result<void>() : ioFailure(kWhat, file_, errno);
 }
 

@@ -8,21 +8,22 @@
 
 namespace fulbito {
 
-/// A file that grows line by line, each on the disk before the next. Locked: one writer at a time, also
-/// across processes.
+/// A file that grows line by line; each line reaches the disk before the next is written. It is locked, so
+/// that there is only one writer at a time, also across processes.
 class AppendedFile {
  public:
-  /// Opens the file or creates it. Errors: kIo naming it; kUsage when another writer has it.
+  /// Opens or creates the file. Errors: kIo naming it; kUsage when another writer has locked it.
   static Result<AppendedFile> open(const std::string& file);
 
-  /// To read what is there, from the start.
+  /// For reading the existing content, from the start.
   int descriptor() const { return opened_.descriptor(); }
-  /// Cuts off everything after the first `size` bytes, then waits until these and the file's name are on the
-  /// disk: what an earlier process wrote may not be yet. Errors: kIo.
+  /// Cuts off everything after the first `size` bytes. Then waits until these bytes and the file's name are
+  /// on the disk, because an earlier process may not have synced them. Errors: kIo.
   Result<void> begin(std::uint64_t size);
-  /// Appends a line and waits for the disk. If that fails, the line is cut off again and all further calls
-  /// return the same error: after a failed sync, nobody knows what the disk has (a later one succeeds without
-  /// writing). Errors: kIo, also when another program removed, replaced or changed the file.
+  /// Appends a line and waits until it is on the disk. If this fails, the line is cut off again and all
+  /// further calls return the same error. After a failed sync the state of the disk is unknown: a later sync
+  /// may succeed without writing. Errors: kIo, also when another program removed, replaced or changed the
+  /// file.
   Result<void> append(std::string_view line);
 
  private:
@@ -34,7 +35,7 @@ class AppendedFile {
 
   std::string file_;
   RegularFile opened_;
-  std::uint64_t size_ = 0;  ///< [bytes] of whole lines
+  std::uint64_t size_ = 0;  ///< size of all whole lines [bytes]
   Result<void> state_;
 };
 

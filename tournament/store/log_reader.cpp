@@ -22,31 +22,31 @@ namespace {
 
 constexpr std::size_t kStep = std::size_t{1} << 18;  // [bytes] per read
 
-/// The lines of a file, one at a time.
+/// Reads a file line by line.
 class LineReader {
  public:
   LineReader(int descriptor, const std::string& file) : descriptor_(descriptor), file_(file) {}
 
-  /// The next line without its end, valid until the next call; empty behind the last whole line.
+  /// The next line without its line end, valid until the next call; empty after the last whole line.
   Result<std::optional<std::string_view>> next();
   /// Number of the last line, from 1.
   std::size_t line() const { return line_; }
-  /// Bytes up to the end of the last line, and before it.
+  /// Offset of the end of the last line, and of its begin [bytes].
   std::uint64_t end() const { return end_; }
   std::uint64_t begin() const { return begin_; }
-  /// What follows the last whole line: of use when `next` is empty.
+  /// Bytes after the last whole line; valid once `next` has returned nothing.
   std::string_view rest() const { return std::string_view(buffer_).substr(at_); }
   /// Whether nothing follows the last line.
   Result<bool> isLast();
 
  private:
-  /// Reads more. @return whether there was any
+  /// Reads more of the file. @return whether there was more
   Result<bool> fill();
 
   const int descriptor_;
   const std::string& file_;
   std::string buffer_;
-  std::size_t at_ = 0;  ///< of the next line in the buffer
+  std::size_t at_ = 0;  ///< index of the next line in the buffer
   std::size_t line_ = 0;
   std::uint64_t begin_ = 0, end_ = 0;
 };
@@ -87,7 +87,7 @@ Result<bool> LineReader::isLast() {
   return fill().map([](bool more) { return !more; });
 }
 
-/// One reading of a log.
+/// Reads the rows of one log.
 class LogReading {
  public:
   LogReading(int descriptor, const std::string& file, const RowReceiver& receive)
@@ -149,7 +149,7 @@ Result<void> LogReading::takeDamaged() {
 
 Result<void> LogReading::takeRest() {
   end_.torn = !lines_.rest().empty();
-  // A file that is something else must not lose its content to a torn header.
+  // Only a log may have a torn header; any other file must not be overwritten.
   return lines_.line() > 0 || logHeader().starts_with(lines_.rest()) ? Result<void>() : noLog();
 }
 

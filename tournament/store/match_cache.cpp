@@ -15,7 +15,7 @@
 namespace fulbito {
 namespace {
 
-/// Folders by the first two digits: some file systems are slow with many files in one.
+/// One folder for each first two digits, because some file systems are slow with many files in one folder.
 std::string folderOf(const std::string& folder, const MatchId& id) {
   return fmt::format("{}/{}", folder, id.text().substr(0, 2));
 }
@@ -24,8 +24,8 @@ std::string fileOf(const std::string& folder, const MatchId& id) {
   return fmt::format("{}/{}.jsonl", folderOf(folder, id), id.text());
 }
 
-/// Removes what has the name of an entry and is no file: a pipe, a device, a link that leads nowhere, an
-/// empty folder. Whether the name is free for a file then.
+/// Removes anything at the path of an entry that is not a file: a pipe, a device, a dangling link, an empty
+/// folder. Returns whether a file can be created there.
 bool makeRoom(const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -53,7 +53,7 @@ Result<Added> MatchCache::add(const MatchRow& row) const {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) return ioFailure("create the folder", folder, error.value());
-  // What cannot make room counts as missing for ever: the cache is only a help.
+  // A path that cannot be freed counts as a missing entry: the cache is optional.
   if (!makeRoom(fileOf(folder_, row.id))) return Added::kNew;
   const auto written = writeFile(fileOf(folder_, row.id), std::string(logHeader()) + toLine(row));
   return written.map([] { return Added::kNew; });

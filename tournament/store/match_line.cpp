@@ -23,7 +23,7 @@ bool isPlain(char c) { return c >= 0x20 && c < 0x7f; }
 
 std::string storedText(const std::string& text) {
   if (text.size() <= kLongestRowText && std::all_of(text.begin(), text.end(), isPlain)) return text;
-  // The library itself knows what it replaces when it writes.
+  // Encodes and parses the text, because only the JSON library determines which invalid bytes it replaces.
   return shortened(Json::parse(dumped(text)).get<std::string>(), kLongestRowText);
 }
 

@@ -28,7 +28,7 @@ Added MatchMemory::take(MatchRow&& row) {
   const MatchId id = row.id;
   const auto [place, is_new] = impl_->rows.try_emplace(id, std::move(row));
   if (is_new) return Added::kNew;
-  // `try_emplace` moves nothing when the key is there.
+  // `try_emplace` does not move from `row` if the key exists.
   return sameResult(place->second.result, row.result) ? Added::kSame : Added::kDifferent;
 }
 

@@ -9,28 +9,28 @@
 
 namespace fulbito {
 
-/// What became of a match that was added to a store.
+/// The outcome of adding a match to a store.
 enum class Added : std::uint8_t {
-  kNew,   ///< it is kept
-  kSame,  ///< it was there with this result (`sameResult`); nothing changed
-  /// It was there with another result; nothing changed. Equal matches have equal results, so a team or the
-  /// machine is not deterministic, or the identity misses something.
+  kNew,   ///< the match is stored
+  kSame,  ///< the store has the match with this result (`sameResult`); nothing changed
+  /// The store has the match with another result; nothing changed. As equal matches have equal results, a
+  /// team or the machine is not deterministic, or the identity misses an input.
   kDifferent
 };
 
-/// Hash of an identity for maps: it is one already.
+/// Hash of a `MatchId` for maps: the identity is a hash itself.
 struct WordOfId {
   std::size_t operator()(const MatchId& id) const { return id.words[0]; }
 };
 
-/// Where finished matches are kept. Safe to use from several threads.
+/// A store of finished matches. Safe to use from several threads.
 class MatchStore {
  public:
   virtual ~MatchStore() = default;
-  /// The match, if it is there, in its stored form.
+  /// The match in its stored form, if the store has it.
   virtual std::optional<MatchRow> find(const MatchId& id) const = 0;
-  /// Keeps a finished match in its stored form (`storedForm`). After kNew or kSame, not even a power failure
-  /// loses it. Errors: kIo naming the file; what was kept before stays whole.
+  /// Stores a finished match in its stored form (`storedForm`). After kNew or kSame it survives a power
+  /// failure. Errors: kIo naming the file; earlier matches stay intact.
   virtual Result<Added> add(const MatchRow& row) = 0;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 18;  // [bytes] per write
 
-/// What rows with the same result may differ in.
+/// The texts in which rows with the same result may differ.
 auto wordsOf(const MatchRow& row) {
   const MatchFaults& faults = row.result.faults;
   const std::string_view abandoned = faults.abandoned ? faults.abandoned->message : std::string_view();
@@ -24,7 +24,7 @@ auto wordsOf(const MatchRow& row) {
                     abandoned);
 }
 
-/// A union that grows.
+/// A union of logs that grows row by row.
 class Merging {
  public:
   explicit Merging(const std::vector<std::string>& files) : files_(files) {}
@@ -38,7 +38,8 @@ class Merging {
 
   const std::vector<std::string>& files_;
   MergedLogs merged_;
-  std::unordered_map<MatchId, std::uint32_t, WordOfId> sources_;  ///< index of the file of each row
+  /// Index of the file that each row comes from.
+  std::unordered_map<MatchId, std::uint32_t, WordOfId> sources_;
 };
 
 Result<void> Merging::readFile(std::size_t file) {
@@ -57,7 +58,7 @@ void Merging::add(MatchRow row, std::size_t file) {
   if (is_new) {
     sources_[id] = static_cast<std::uint32_t>(file);
   } else {
-    meet(place->second, std::move(row), file);  // `try_emplace` has moved nothing
+    meet(place->second, std::move(row), file);  // `try_emplace` has not moved from `row`
   }
 }
 

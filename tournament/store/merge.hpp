@@ -9,7 +9,7 @@
 
 namespace fulbito {
 
-/// Two runs of one match that differ.
+/// Two rows of the same match with different results.
 struct MatchConflict {
   MatchRow first, second;
   std::string first_file, second_file;
@@ -17,19 +17,19 @@ struct MatchConflict {
 
 /// The union of logs.
 struct MergedLogs {
-  /// By identity. Of rows with the same result, that with the lesser words (names, failures), so that the
-  /// order of the files changes nothing.
+  /// Rows by identity. Of several rows with the same result, the one whose texts (names, failures) sort
+  /// first, so that the order of the files does not matter.
   std::map<MatchId, MatchRow> rows;
-  std::vector<MatchConflict> conflicts;  ///< each against the run that was read first
-  std::size_t repeated = 0;              ///< rows whose match was there already, with the same result
-  std::size_t torn = 0;                  ///< logs whose last line was torn
+  std::vector<MatchConflict> conflicts;  ///< each between the first row that was read and a later one
+  std::size_t repeated = 0;              ///< rows whose match had already been read with the same result
+  std::size_t torn = 0;                  ///< logs with an incomplete last line
 };
 
 /// Unions logs by match id. Errors: as `readRows`.
 Result<MergedLogs> mergeLogs(const std::vector<std::string>& files);
 
-/// Writes a log with these rows, in the order of their identities: equal rows give equal bytes. It appears
-/// complete or not at all, and not even a power failure loses it. Errors: kIo.
+/// Writes a log with these rows, in the order of their identities, so equal rows give equal bytes. The file
+/// appears complete or not at all, and survives a power failure. Errors: kIo.
 Result<void> writeMatchLog(const std::string& file, const std::map<MatchId, MatchRow>& rows);
 
 }  // namespace fulbito

@@ -22,8 +22,8 @@ std::optional<std::uint64_t> hexValue(std::string_view text) {
   return whole && text.size() == row::kHashDigits ? std::optional(value) : std::nullopt;
 }
 
-/// Reads a line as it was written: each key once, in its order. Without a tree in memory, a log of 100,000
-/// matches is read in half the time.
+/// Parses a line exactly as it was written: each key once, in order. Without a JSON tree in memory, a log of
+/// 100,000 matches is read in half the time.
 class RowReader final : public nlohmann::json_sax<Json> {
  public:
   bool key(string_t& name) override { return depth_ == 1 ? rowKey(name) : faultKey(name); }
@@ -48,7 +48,7 @@ class RowReader final : public nlohmann::json_sax<Json> {
   bool boolean(bool value) override {
     return faults() != nullptr && fault_ == kForfeitedAt && (faults()->forfeited = value);
   }
-  // Only a score is below zero, after a walk-over.
+  // Only scores can be negative, after a walk-over.
   bool number_integer(number_integer_t value) override {
     const bool score = depth_ == 1 && part_ == row::kScore && in_array_ && at_ < kTeams.size();
     return score && set(row_.result.score[at_++], value);
@@ -64,7 +64,7 @@ class RowReader final : public nlohmann::json_sax<Json> {
   }
 
   MatchRow& row() { return row_; }
-  /// Where the reading is or stopped.
+  /// Name of the part that is being read, or at which reading stopped.
   const char* part() const {
     return part_ < std::size(row::kKeys) ? row::kKeys[part_] : row::kKeys[row::kId];
   }
@@ -160,7 +160,7 @@ class RowReader final : public nlohmann::json_sax<Json> {
 
   MatchRow row_;
   std::size_t depth_ = 0, part_ = kNoPart, fault_ = kNoFault;
-  std::size_t at_ = 0;  ///< index in the array
+  std::size_t at_ = 0;  ///< index of the next element in the present array
   bool in_array_ = false;
 };
 

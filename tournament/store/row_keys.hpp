@@ -7,10 +7,10 @@
 #include "fulbito/detail/state_hash.hpp"
 #include "tournament/results/results.hpp"
 
-/// Names and checksum of a line, for its writer and its reader.
+/// Keys and checksum of a line, shared by its writer and its reader.
 namespace fulbito::row {
 
-/// The parts of a line, in their order.
+/// The parts of a line, in the order in which they are written.
 enum Part : std::size_t {
   kId,
   kTeamNames,
@@ -30,7 +30,7 @@ inline constexpr const char* kKeys[] = {
     "id",    "teams",      "start",   "seed",   "score",     "winner", "goals_after_foul",
     "ticks", "final_hash", "outcome", "faults", "abandoned", "sum"};
 
-/// A count of `TeamFaults` and its key.
+/// The key of a count, and its member of `TeamFaults`.
 struct FaultCount {
   const char* key;
   std::int64_t TeamFaults::* count;
@@ -47,7 +47,7 @@ inline constexpr std::string_view kAfterSum = "\"}";
 inline constexpr std::size_t kHashDigits = 16;
 inline constexpr std::size_t kSumSize = kBeforeSum.size() + kHashDigits + kAfterSum.size();
 
-/// Hash of the bytes before the checksum.
+/// The checksum of a line: a hash of the bytes before the checksum.
 inline std::uint64_t sumOf(std::string_view bytes) {
   StateHash hash;
   hash.add(bytes);

@@ -11,14 +11,14 @@
 namespace fulbito {
 namespace {
 
-// Spall's practical exponents of the gains, and the share of the iterations that damps the first moves.
+// Spall's practical exponents of the gains, and A as a share of the iterations; A damps the first moves.
 constexpr double kMoveExponent = 0.602, kPerturbationExponent = 0.101, kDamping = 0.1;
 constexpr int kMostMoves = 1'000'000;
 constexpr std::size_t kMostTuned = 1000;
 
 double clamped(double share) { return std::clamp(share, 0.0, 1.0); }
 
-/// 1 or -1 for each parameter.
+/// A random direction of the iteration: 1 or -1 for each parameter.
 std::vector<double> directionOf(const Spsa& spsa, int iteration) {
   Rng rng(spsa.seed, Stream::kPerturbation, static_cast<std::uint64_t>(iteration));
   std::vector<double> direction(spsa.parameters.size());
@@ -55,7 +55,7 @@ Result<void> validate(const TunedParameter& p) {
 SpsaGain gainOf(const TunedParameter& parameter, int iteration, int iterations) {
   const double k = iteration, last = iterations, damping = kDamping * last;
   const double perturbation = parameter.perturbation * math::pow(last / k, kPerturbationExponent);
-  // a_k, from a_last = r_end c_end^2.
+  // a_k, computed from a_last = r_end c_end^2.
   const double gain = parameter.step * parameter.perturbation * parameter.perturbation *
                       math::pow((damping + last) / (damping + k), kMoveExponent);
   return {perturbation, gain / perturbation};

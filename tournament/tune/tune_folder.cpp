@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kSchemaVersion = 1;
 
-/// The settings that the plan of the matches does not have.
+/// The settings of a tuning that are not part of the plan of its matches.
 Json settingsJson(const TunePlan& plan) {
   Json parameters = Json::object();
   for (const TunedParameter& p : plan.spsa.parameters) {
@@ -33,7 +33,7 @@ std::string recordText(const TunePlan& plan, const MatchIdentity& identity) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-/// What was kept of the last run.
+/// The record that the last run stored.
 struct OldRecord {
   Json settings;
   PlanRecord matches;
@@ -57,7 +57,7 @@ Result<OldRecord> readRecord(const std::string& folder) {
   }
 }
 
-/// What has changed besides the settings. Errors: kUsage if a setting has changed.
+/// The changes besides the settings since the last run. Errors: kUsage if a setting has changed.
 Result<std::vector<std::string>> compare(const std::string& folder, const TunePlan& plan,
                                          const MatchIdentity& identity) {
   const auto old = readRecord(folder);

@@ -9,14 +9,14 @@
 namespace fulbito {
 namespace {
 
-constexpr int kFinal = 0;  // in the place of an iteration
+constexpr int kFinal = 0;  // stands for an iteration number in the final match-ups
 
 std::uint64_t seedOf(const TunePlan& plan, int iteration) {
-  // Exact as a number in JSON.
+  // 53 bits, so that JSON readers can hold it as a double.
   return Rng(plan.base.seed, Stream::kTuneStarts, static_cast<std::uint64_t>(iteration)).bits64() >> 11;
 }
 
-/// The common plan on the starts of an iteration. Kinds of starts go on where the iteration before ended.
+/// The base plan with the starts of an iteration. Kinds of starts continue where the last iteration ended.
 TournamentPlan onStarts(const TunePlan& plan, int iteration) {
   TournamentPlan own = plan.base;
   own.entrants.clear();
@@ -29,7 +29,7 @@ TournamentPlan onStarts(const TunePlan& plan, int iteration) {
   return own;
 }
 
-/// @{ The seats of the base plan: both versions see as the team does.
+/// @{ Vision by seat of the base plan. Both versions have the vision of the team.
 const VisionModel& sightOfTeam(const TunePlan& plan) { return plan.base.match.vision[0]; }
 const VisionModel& sightOfOpponent(const TunePlan& plan) { return plan.base.match.vision[1]; }
 /// @}
@@ -82,7 +82,7 @@ double iterationResult(const TunePlan& plan, const Schedule& schedule, ResultsVi
     const double points = results[i]->points();
     if (!plan.opponent) {
       sum += 2.0 * points - 1.0;
-    } else {  // the opponent is first: what it wins, the version loses
+    } else {  // the opponent is first: the version loses the points that the opponent wins
       sum += schedule.fixtures[i].b == 1 ? -points : points;
     }
   }

@@ -14,10 +14,10 @@
 namespace fulbito {
 namespace {
 
-/// Bounds of "is it stronger?" that a few hundred pairs can decide (docs/statistics.md).
+/// Bounds of the test "is it stronger?", which a few hundred pairs can decide (docs/statistics.md).
 constexpr SprtBounds kStronger{0.0, 50.0, 0.05, 0.05};
 
-/// Version of the object; a higher one means that a key changed its meaning or went.
+/// Version of the object. It increases when a key changes its meaning or disappears.
 constexpr int kTuneReportVersion = 1;
 
 std::string finalText(const FinalResult& final) {
@@ -27,7 +27,7 @@ std::string finalText(const FinalResult& final) {
                      eloText(estimate.normalized_elo));
 }
 
-/// A sequential test of the first team: is it stronger? It ends at its verdict, in the order of the schedule.
+/// A sequential test whether the first team is stronger. It takes pairs in order and ends at its verdict.
 Sprt testOf(const FinalResult& final) {
   Sprt test(kStronger);
   for (const double points : final.points) test.add(points);
@@ -42,7 +42,7 @@ std::string testText(const Sprt& test) {
                      end, test.counts().pairs());
 }
 
-/// A specification as a word of a shell: command lines have spaces.
+/// A specification as one word of a shell, quoted if it contains spaces or other special characters.
 std::string shellWord(const std::string& text) {
   if (text.find_first_of(" '\"\\$") == std::string::npos) return text;
   std::string word = "'";
@@ -50,7 +50,7 @@ std::string shellWord(const std::string& text) {
   return word + "'";
 }
 
-/// Of both teams on the same starts: what they have in common cancels.
+/// The gain of the tuned team over the start team. Both played the same starts, so common effects cancel.
 std::string gainText(const Interval& gain) {
   const std::string line = fmt::format(
       "  tuned less start, both against the opponent: {:+.3f} points per match ({:+.3f} to {:+.3f})\n",

@@ -10,7 +10,7 @@
 
 namespace fulbito {
 
-/// What a final match-up shows about its first team, at 95 %.
+/// What a final match-up shows about its first team, at a confidence of 95 %.
 enum class Improvement : std::uint8_t {
   kShown,     ///< the whole interval is above 0
   kNotShown,  ///< 0 is in the interval
@@ -18,15 +18,15 @@ enum class Improvement : std::uint8_t {
 };
 /// "shown", "not shown", "worse".
 std::string_view nameOf(Improvement improvement);
-/// The judgement of a difference with its interval.
+/// Judges a difference by its interval.
 Improvement improvementOf(const Interval& difference);
 
-/// What the tuned team wins against the opponent and the start does not: the mean difference of their points
-/// per match over the same starts, with Student's interval. Empty without an opponent or its results.
+/// The gain against the opponent: mean difference of the points per match of the tuned team and the start
+/// team, over the same starts, with Student's t interval. Empty without an opponent or its results.
 std::optional<Interval> gainOf(const TuneOutcome& outcome);
 
-/// The report for people: parameters, the tuned team's specification, final match-ups. Also of a tuning that
-/// goes on.
+/// The report for people: parameters, specification of the tuned team, final match-ups. Also for an
+/// unfinished tuning.
 std::string tuneText(const TunePlan& plan, const TuneOutcome& outcome);
 
 /// The report as JSON (docs/results-format.md), with a line end. Equal tunings give equal bytes.

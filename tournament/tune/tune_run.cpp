@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-/// The work of `runTune`.
+/// The state of one call of `runTune`.
 class TuneRun {
  public:
   TuneRun(const TunePlan& plan, const TeamCatalogue& teams, const TuneOptions& options)
@@ -18,7 +18,7 @@ class TuneRun {
   Result<void> iterate();
   Result<void> judge();
   bool stopped() const { return outcome_.interrupted || !outcome_.unplayed.empty(); }
-  /// Plays a plan; empty after a stop.
+  /// Plays a plan. Empty if the run was stopped.
   Result<std::optional<TournamentState>> play(const TournamentPlan& plan);
   void count(RunOutcome& outcome);
 
@@ -26,7 +26,7 @@ class TuneRun {
   const TeamCatalogue& teams_;
   const TuneOptions& options_;
   TunePoint point_;
-  std::size_t done_ = 0;  // matches
+  std::size_t done_ = 0;  // matches with results
   TuneOutcome outcome_;
 };
 

@@ -10,11 +10,11 @@
 
 namespace fulbito {
 
-/// How a tuning is run. None of this affects its path.
+/// Options that do not affect the path of a tuning.
 struct TuneOptions {
-  int jobs = 0;               ///< matches at once; 0: one per core
+  int jobs = 0;               ///< matches played at once; 0: one per core
   MatchClock clock;           ///< monotonic time [ns]
-  MatchStore* log = nullptr;  ///< finished matches: a tuning continues from them; required
+  MatchStore* log = nullptr;  ///< store of finished matches, from which a tuning continues; required
   /// Called with each finished match, from one thread at a time. False stops the run.
   std::function<bool(const RunProgress&)> progress;
 };
@@ -22,28 +22,29 @@ struct TuneOptions {
 /// The result of a final match-up.
 struct FinalResult {
   std::string first, second;
-  PairCounts counts;           ///< of the first
-  std::vector<double> points;  ///< of the first by start: share of the pair's points, 0 ... 1
+  PairCounts counts;           ///< pairs by score of the first team
+  std::vector<double> points;  ///< by start: the first team's share of the pair's points, 0 ... 1
 };
 
-/// What a tuning has so far.
+/// The results of a tuning so far.
 struct TuneOutcome {
-  std::vector<double> results;       ///< of the iterations, in order
-  std::vector<FinalResult> finals;   ///< once all iterations have results
-  std::size_t played = 0;            ///< matches of this run
-  std::size_t taken = 0;             ///< from the log
-  std::size_t failures = 0;          ///< matches in which a team crashed or forfeited
-  std::vector<Mismatch> mismatches;  ///< matches that another run of the tuning played with another result
-  /// Matches that the machine failed: the tuning ends before its next step, which needs their results.
+  std::vector<double> results;      ///< results of the iterations, in order
+  std::vector<FinalResult> finals;  ///< final match-ups, after all iterations have results
+  std::size_t played = 0;           ///< matches that this run played
+  std::size_t taken = 0;            ///< matches taken from the log
+  std::size_t failures = 0;         ///< matches in which a team crashed or forfeited
+  /// Matches for which another run of the tuning stored a different result.
+  std::vector<Mismatch> mismatches;
+  /// Matches that the machine failed. The tuning stops after them, because its next step needs their results.
   std::vector<UnplayedMatch> unplayed;
   bool interrupted = false;
 };
 
-/// Matches of a whole tuning.
+/// Number of matches of a whole tuning.
 std::size_t matchesOf(const TunePlan& plan);
 
-/// Plays what is missing of a tuning, iteration by iteration. The path is a pure function of the plan:
-/// neither `jobs` nor stops change it. Errors: as `validate`, `iterationPlan`, `runTournament`.
+/// Plays the missing matches of a tuning, iteration by iteration. The path depends only on the plan, not on
+/// `jobs` or interruptions. Errors: as `validate`, `iterationPlan`, `runTournament`.
 Result<TuneOutcome> runTune(const TunePlan& plan, const TeamCatalogue& teams, const TuneOptions& options);
 
 }  // namespace fulbito

@@ -13,7 +13,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kGrid = 1e-5;  // of the range
+constexpr double kGrid = 1e-5;  // coarsest step of values, as share of the range
 constexpr int kMostDecimals = 17;
 constexpr std::string_view kProgram = "cmd:";
 
@@ -21,7 +21,7 @@ bool isNumeric(const ParameterSpec& spec) {
   return spec.type == ParameterSpec::Type::kNumber || spec.type == ParameterSpec::Type::kInteger;
 }
 
-/// The value of a text that is a number as a whole.
+/// The number in a text, if the whole text is a number.
 std::optional<double> numberIn(std::string_view text) {
   double value = 0.0;
   const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -43,14 +43,14 @@ std::string withoutZeros(std::string text) {
 }
 
 const Setting* findSetting(const std::vector<Setting>& settings, const std::string& name) {
-  const Setting* found = nullptr;  // of equal names the last one counts
+  const Setting* found = nullptr;  // the last of several settings with the same name counts
   for (const Setting& setting : settings) {
     if (setting.name == name) found = &setting;
   }
   return found;
 }
 
-/// One word of `--parameters` and what becomes of it.
+/// Parses one word of `--parameters`.
 class WordReader {
  public:
   WordReader(const TeamChoice& team, const TunedTeam& parts, double perturbation, double step)
@@ -149,7 +149,7 @@ Result<ParameterChoice> allOf(const TeamChoice& team, const WordReader& reader) 
   return choice;
 }
 
-/// The place of the settings in a command line: the colon of its last word.
+/// Position of the settings in a command line: the colon that begins its last word.
 Result<std::size_t> settingsOfProgram(const std::string& text, const std::vector<Setting>& settings) {
   const std::size_t space = text.rfind(" :");
   if (space != std::string::npos) {

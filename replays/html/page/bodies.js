@@ -1,4 +1,4 @@
-// Part 6: what moves. A team is told by colour, by the shape behind its numbers and by their lightness.
+// Part 6: bodies that move. Teams differ in colour, in the shape behind robot numbers and in lightness.
 
 function paintMark(ctx, team, x, y, size, number) {
   ctx.fillStyle = colours.badge[team];
@@ -19,10 +19,10 @@ function paintMark(ctx, team, x, y, size, number) {
   ctx.fillText(number, x, y + size * 0.04);
 }
 
-/** Length and width [m]; of a round body its diameter twice. */
+/** Length and width [m]; for a round body, its diameter. */
 const extentOf = (body) => body.size || [2 * body.radius, 2 * body.radius];
 
-/** Body with wheels and a front that can be seen, along +x. */
+/** Draws a body with wheels and a visible front, which points along +x. */
 function paintRobot(ctx, view, body, x, y, heading, colour) {
   const [length, width] = extentOf(body).map((v) => v * view.scale);
   const team = body.team;

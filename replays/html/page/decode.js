@@ -1,6 +1,6 @@
 'use strict';
-// Fulbito's replay viewer. Part 1: from the texts in the page to columns of numbers. All sizes are checked
-// before memory is asked for: the file may come from anyone.
+// Fulbito's replay viewer. Part 1: decodes the texts in the page to columns of numbers. All sizes are checked
+// before memory is allocated, because the file may come from anyone.
 
 const kLimits = { scenes: 5000, bodies: 1024, rows: 4e6, values: 2e7, bytes: 2.6e8 };
 
@@ -89,7 +89,7 @@ async function readPayload(payload) {
   }
 }
 
-/** Signed varints from the front of some bytes; past the end they are 0, which `sound` tells. */
+/** Reads signed varints from the front of some bytes. Past the end they are 0, and `sound` returns false. */
 class Varints {
   constructor(bytes) {
     this.bytes = bytes;
@@ -109,7 +109,7 @@ class Varints {
   }
 }
 
-/** Undoes scene_columns.cpp: `first[row]` tells where a value continues nothing. */
+/** Undoes scene_columns.cpp. `first[row]` is true where a value does not continue the one before it. */
 function unpackColumn(from, rows, first, step, to = new Float64Array(rows)) {
   let last = 0, change = 0;
   for (let r = 0; r < rows; ++r) {

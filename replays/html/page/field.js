@@ -1,6 +1,6 @@
-// Part 5: what does not move.
+// Part 5: the field and its markings.
 
-/** Half of the markings, mirrored by `s`. */
+/** Draws the markings of one half; `s` is the sign of its x. */
 function paintGoalArea(ctx, view, field, [depth, width], s) {
   const goal = (s * field.length) / 2;
   line(ctx, view, [[goal, width / 2], [goal - s * depth, width / 2], [goal - s * depth, -width / 2], [goal, -width / 2]]);
@@ -41,7 +41,7 @@ function paintField(ctx, view, field) {
   ctx.clip();
   ctx.strokeStyle = colours.line;
   ctx.lineWidth = Math.max(1, 0.005 * view.scale);
-  // A field without goals and circle is a room, which has no lines.
+  // A field without goals and circle is a room; rooms have no lines.
   if (field.goalDepth || field.circle) {
     line(ctx, view, [[0, field.width], [0, -field.width]]);
     ctx.stroke();
@@ -64,7 +64,7 @@ function paintField(ctx, view, field) {
   ctx.restore();
 }
 
-/** Goals in the colour of the team that defends them, since teams change sides. */
+/** Draws the goals in the colour of the team that defends them, as teams change sides. */
 function paintGoals(ctx, view, field, side) {
   if (!field.goalDepth) return;
   for (const team of [0, 1]) {
@@ -94,7 +94,7 @@ function paintTask(ctx, view, task) {
   }
 }
 
-/** The field as a picture that is made again only when its size or colours change. */
+/** The field as a cached picture, redrawn only when its size or colours change. */
 class FieldLayer {
   constructor() {
     this.canvas = document.createElement('canvas');

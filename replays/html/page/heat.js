@@ -1,4 +1,4 @@
-// Part 8: where the ball, a team or a robot has been up to now.
+// Part 8: heat maps, which show where the ball, a team or a robot has been so far.
 
 const kHeatCell = 0.025;  // [m]
 const kHeatSpread = [1, 0.75, 0.56, 0, 0.32, 0.24, 0, 0, 0.1];  // by squared cells of distance
@@ -28,7 +28,7 @@ class HeatMap {
       if (!play.present[i]) continue;
       const c = Math.floor((scene.bodies[i].x[row] - this.left) / kHeatCell);
       const l = Math.floor((this.top - scene.bodies[i].y[row]) / kHeatCell);
-      // A body is larger than a cell.
+      // A body is larger than a cell, so it is spread over its neighbours.
       for (let dl = -2; dl <= 2; ++dl) {
         for (let dc = -2; dc <= 2; ++dc) {
           const inside = c + dc >= 0 && c + dc < columns && l + dl >= 0 && l + dl < lines;
@@ -38,7 +38,7 @@ class HeatMap {
     }
   }
 
-  /** Brings the map to a row; going on is cheap. */
+  /** Brings the map to a row. Moving on to a later row is cheap. */
   update(row, bodies) {
     const key = bodies.join();
     if (key === this.bodies && row === this.row) return;
@@ -54,7 +54,7 @@ class HeatMap {
   colour() {
     const ctx = this.canvas.getContext('2d');
     const image = ctx.createImageData(this.columns, this.lines);
-    // A body that waits for long would dim all else: the brightest hundredth is cut off.
+    // A body that waits for long would darken all other cells, so the brightest hundredth is clipped.
     const sorted = this.counts.filter((count) => count > 0).sort();
     const most = Math.max(1, sorted[Math.floor(sorted.length * 0.99)] || 0);
     for (let i = 0; i < this.counts.length; ++i) {
@@ -83,7 +83,7 @@ class HeatMap {
   }
 }
 
-/** The bodies of a kind of map; none: there is no such map here. */
+/** The bodies that a kind of map shows; empty if the scene has no such map. */
 function heatBodies(scene, kind, selected) {
   if (kind === 'ball') return scene.ball >= 0 ? [scene.ball] : [];
   if (kind === 'robot') return selected >= 0 ? [selected] : [];

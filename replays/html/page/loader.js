@@ -1,5 +1,6 @@
 'use strict';
-// Unpacks the viewer, which the page carries deflated, and runs it. The page's security policy names its digest: nothing else runs.
+// Unpacks the viewer, which the page contains in deflated form, and runs it. The page's security policy
+// allows only scripts with the named digests.
 addEventListener('DOMContentLoaded', async () => {
   const message = document.getElementById('message');
   const packed = document.getElementById('viewer');

@@ -1,4 +1,4 @@
-// Part 12: buttons, keys, links and the beginning.
+// Part 12: buttons, keys, links and start-up.
 
 const kKeys = [
   ['Space K', 'toggle', 'play or pause'], ['← →', '', '1 s back or forward (Shift: 10 s)'],
@@ -82,7 +82,7 @@ function followLink(viewer) {
   return true;
 }
 
-/** A picture of the moment with its score above the field. */
+/** Saves a picture of the moment, with the score above the field. */
 function savePicture(viewer) {
   const { scene, moment } = viewer;
   const width = 1600, strip = 96;
@@ -168,9 +168,9 @@ function listenToKeys(actions) {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const target = event.target;
     if (target.matches('select, textarea, input:not([type="range"])')) return;
-    // A button does what it is for.
+    // Space on a button or link triggers that element.
     if (event.key === ' ' && target.matches('button, a')) return;
-    // Lists scroll by these keys; the slider is time.
+    // These keys scroll a focused list; elsewhere they move in time.
     if (/^(Page|Home|End)/.test(event.key) && target.matches('.scroll')) return;
     let name = kKeyActions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (event.shiftKey && (name === 'back' || name === 'forward')) name = name === 'back' ? 'farBack' : 'farForward';

@@ -1,11 +1,11 @@
-// Part 7: trails, velocities, what teams drew, and the ghost.
+// Part 7: trails, velocities, debug drawings of teams, and the ghost.
 
 const kTrailSeconds = 3;
 const kTrailParts = 5;
 const kVectorSeconds = 0.25;
 const velocity = [0, 0];
 
-/** The way of a body in the last seconds of its play, fading backwards; `seconds` Infinity: all of it, even. */
+/** Draws the path of a body in the last seconds of its play, fading backwards; Infinity: all of it, not fading. */
 function paintTrail(ctx, view, scene, moment, index, seconds, colour, alpha) {
   const { x, y } = scene.bodies[index];
   const begin = Math.max(scene.plays[moment.play].row, scene.rowAt(moment.tick / scene.rate - seconds));
@@ -62,7 +62,7 @@ function paintVectors(ctx, view, scene, moment, wanted) {
   }
 }
 
-/** Debug drawings of the teams, and ways that navigators showed. */
+/** Debug drawings of the teams, and paths that navigators drew. */
 function paintDrawings(ctx, view, scene, moment) {
   const [from, to] = scene.drawnAt(moment);
   const { what, x, y, toX, toY, radius, text } = scene.drawn;
@@ -83,7 +83,7 @@ function paintDrawings(ctx, view, scene, moment) {
       ctx.arc(view.x(x[i]), view.y(y[i]), Math.max(2, radius[i] * view.scale), 0, 7);
       ctx.stroke();
     } else {
-      // On a seam of the floor's colour words can be read over lines.
+      // An outline in the floor's colour keeps words readable over lines.
       ctx.strokeStyle = colours.floor;
       ctx.lineWidth = seam;
       ctx.strokeText(text[i].slice(0, 80), view.x(x[i]), view.y(y[i]));
@@ -92,7 +92,7 @@ function paintDrawings(ctx, view, scene, moment) {
   }
 }
 
-/** The second replay over the first: outlines only. */
+/** Draws the second replay over the first, as outlines only. */
 function paintGhost(ctx, view, scene, moment) {
   ctx.globalAlpha = 0.9;
   ctx.setLineDash([4, 3]);

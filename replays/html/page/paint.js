@@ -1,4 +1,4 @@
-// Part 4: colours, and the view that turns metres into pixels.
+// Part 4: colours, and the view that converts metres to pixels.
 
 const kSeries = [];
 const colours = {};
@@ -14,7 +14,7 @@ function readColours() {
   for (let i = 0, colour; (colour = read(`series-${i}`)) !== ''; ++i) kSeries.push(colour);
 }
 
-/** Black or white, whichever can be read on a colour of the form #rrggbb. */
+/** Black or white, whichever is readable on a colour of the form #rrggbb. */
 function inkOn(colour) {
   const [r, g, b] = [1, 3, 5].map((at) => (parseInt(colour.slice(at, at + 2), 16) / 255) ** 2.2);
   return 0.2126 * r + 0.7152 * g + 0.0722 * b < 0.18 ? '#fff' : '#000';
@@ -27,12 +27,12 @@ function colourOf(scene, index) {
   return body.team === undefined ? kSeries[index % kSeries.length] : colours.team[body.team];
 }
 
-/** Colours come again after a dozen runs: dashes tell the second dozen from the first. */
+/** Whether a run is dashed: colours repeat after a dozen runs, and dashes mark the second dozen. */
 function isDashed(index) {
   return Math.floor(index / kSeries.length) % 2 === 1;
 }
 
-/** A rectangle of the canvas that shows a whole field. */
+/** Maps a field to a rectangle of the canvas. */
 class View {
   constructor(field, x, y, width, height, flip) {
     const margin = 0.04;
@@ -52,7 +52,7 @@ class View {
   angle(heading) {
     return (this.sign < 0 ? Math.PI : 0) - heading;
   }
-  /** Metres of a place on the canvas. */
+  /** World coordinates [m] of a point on the canvas [px]. */
   metres(px, py) {
     return [(this.sign * (px - this.middleX)) / this.scale, (-this.sign * (py - this.middleY)) / this.scale];
   }

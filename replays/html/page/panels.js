@@ -1,4 +1,5 @@
-// Part 9: all text beside the field. Names come from files of others: they go in as text, never as markup.
+// Part 9: all texts beside the field. Names come from foreign files: they are inserted as text, never as
+// markup.
 
 const $ = (selector, from = document) => from.querySelector(selector);
 
@@ -30,10 +31,10 @@ const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 const periodNames = ['', '1st half', '2nd half', 'Overtime', 'Shoot-out'];
 const teamNames = ['blue', 'yellow'];
 
-/** A specification such as classic:navigator=bezier is a long name; its first word is a short one. */
+/** A specification such as classic:navigator=bezier is long; the name before its settings is short. */
 const shortName = (name) => (name.length > 24 ? name.split(':')[0] : name);
 
-/** Titles, details and colours (`favours`) come with the data: pictures and films have the same. */
+/** An event as text. Titles, details and colours (`favours`) are part of the data, as in pictures and films. */
 function eventText(event) {
   const [head, rest] = event.clause.split('.');
   const named = event.goal ? 'Goal' : (!event.restart && event.title) || capital(words(head));
@@ -139,7 +140,7 @@ class RobotCards {
       setText(values, lines.join('\n').replace(/-/g, '−'));
     }
   }
-  /** The last text that the robot's team wrote beside it in the last seconds. */
+  /** The latest debug text of its team near the robot, from the last seconds. */
   message(scene, moment, i) {
     const { what, x, y, text, tick } = scene.drawn;
     const [, end] = scene.drawnAt(moment);

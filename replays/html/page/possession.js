@@ -1,6 +1,6 @@
-// Part 3: who had the ball and where it was, summed up row by row while play ran.
+// Part 3: possession and ball position, summed up row by row over the time of play.
 
-const kLead = 0.02;  // as in match statistics: a team must be this much nearer [m] to take the ball over
+const kLead = 0.02;  // [m] as in match statistics: a team must be this much nearer than the other to take the ball over
 
 class BallShare {
   constructor(scene) {
@@ -25,13 +25,13 @@ class BallShare {
       }
       const nearer = near[0] < near[1] ? 0 : 1;
       if (near[nearer] < near[1 - nearer] - kLead) holder = nearer;
-      if (holder >= 0) this.held[holder][r] += ticks;  // while both are equally far, nobody has had it yet
-      const side = play.side ? -1 : 1;  // thirds are blue's own, the middle and yellow's
+      if (holder >= 0) this.held[holder][r] += ticks;  // nobody has held the ball yet while both teams are equally far from it
+      const side = play.side ? -1 : 1;  // thirds: blue's own, the middle, yellow's
       const forward = (side * ball.x[r]) / scene.field.length;
       this.third[forward < -1 / 6 ? 0 : forward > 1 / 6 ? 2 : 1][r] += ticks;
     }
   }
-  /** Shares in whole per cent that add up to 100. */
+  /** The shares as whole percentages that add up to 100. */
   static percent(sums, row) {
     const values = sums.map((sum) => sum[row]);
     const total = values.reduce((a, b) => a + b, 0);

@@ -1,4 +1,4 @@
-// Part 10: all navigators on the same layout, over each other or side by side; and where two replays part.
+// Part 10: races of navigators on the same layout, overlaid or side by side; and where two replays diverge.
 
 class RaceTable {
   constructor(viewer) {
@@ -33,7 +33,7 @@ class RaceTable {
   }
 }
 
-/** Columns and lines that make panels of this shape large and leave few places empty. */
+/** Columns and lines of a grid that makes panels of this shape large and leaves few cells empty. */
 function gridOf(count, width, height, wide, high) {
   const grids = [];
   for (let columns = 1; columns <= count; ++columns) {
@@ -70,7 +70,7 @@ function paintPanelLabel(ctx, viewer, run, i, x, y, grid) {
   const over = viewer.time >= run.seconds;
   const size = grid.label, middle = y + size * 0.85;
   ctx.fillStyle = kSeries[i % kSeries.length];
-  // A dashed trail's is two bars.
+  // The swatch of a dashed trail consists of two bars.
   for (const [from, share] of isDashed(i) ? [[0, 0.4], [0.6, 0.4]] : [[0, 1]]) {
     roundRect(ctx, x + size * (0.4 + 0.8 * from), middle - size * 0.4, size * 0.8 * share, size * 0.8, size * 0.2 * share);
     ctx.fill();
@@ -89,7 +89,7 @@ function paintPanelLabel(ctx, viewer, run, i, x, y, grid) {
   ctx.fillText(label, x + size * 1.5, middle);
 }
 
-/** Time from which on the ghost is elsewhere by more than the rounding; -1: never. */
+/** Time [s] at which the ghost first differs by more than the rounding; -1: never. */
 function partingOf(scene, ghost) {
   const rows = Math.min(scene.rows, ghost.rows);
   for (let r = 0; r < rows; ++r) {

@@ -1,8 +1,8 @@
-// Part 2: a scene answers what was where, and how the match stood, at any time.
+// Part 2: a scene, which returns positions and the state of the match at any time.
 
 const kDrawingStep = 1e-4;
 
-/** Where everything is at one time; used again and again. */
+/** The state of all bodies at one time. The object is reused for other times. */
 class Moment {
   constructor(count) {
     this.x = new Float64Array(count);
@@ -60,7 +60,7 @@ class Scene {
     demand(from.sound(), 'The replay is damaged.');
   }
 
-  /** Last index whose value in the rising `list` is at most `value`; -1 before all. */
+  /** Last index in the increasing `list` with a value of at most `value`; -1 if there is none. */
   static last(list, value) {
     let low = 0, high = list.length;
     while (low < high) {
@@ -72,7 +72,7 @@ class Scene {
   }
 
   rowAt(seconds) {
-    // A time that was computed from a tick means that tick.
+    // The small margin makes sure that a time computed from a tick leads back to this tick.
     return Math.max(0, Scene.last(this.tickOf, seconds * this.rate + 1e-6));
   }
 
@@ -96,7 +96,7 @@ class Scene {
     return moment;
   }
 
-  /** Of a body [m/s], from the rows around the moment. */
+  /** Velocity of a body [m/s], from the rows around the moment. */
   velocity(body, moment, to) {
     const { x, y } = this.bodies[body];
     let a = moment.row, b = a;
@@ -114,7 +114,7 @@ class Scene {
     return i < 0 ? null : [left[i], right[i]];
   }
 
-  /** Indices of what teams drew for the moment: [from, to). */
+  /** Index range [from, to) of the drawings that are visible at the moment. */
   drawnAt(moment) {
     const tick = Math.floor(moment.tick + 1e-6);
     const last = Scene.last(this.drawn.tick, tick);
@@ -128,7 +128,7 @@ class Scene {
     return moment.tick + 1e-6 >= this.plays[moment.play].signal && moment.tick < this.ticks;
   }
 
-  /** Seconds of the period. */
+  /** Seconds since the begin of the period. */
   clock(moment) {
     const play = this.plays[moment.play];
     return play.clock + Math.max(0, moment.tick - play.signal) / this.rate;
@@ -140,12 +140,12 @@ class Scene {
     return [score[1], score[2]];
   }
 
-  /** Restarts and the referee's calls, in order, for the list and for stepping through. */
+  /** Restarts and the referee's calls in order, for the event list and for steps between events. */
   listEvents() {
     const marks = this.events.map((event) => ({ ...event, seconds: event.tick / this.rate, goal: event.clause === 'goal' }));
     for (const play of this.plays) {
       if (!play.kind) continue;
-      // A restart that the referee also calls is one event.
+      // A restart that the referee also calls is shown as one event.
       const called = marks.findIndex((event) => event.clause === play.kind && event.tick >= play.tick - 1 && event.tick <= play.signal + 1 && !event.restart);
       const call = called < 0 ? {} : marks.splice(called, 1)[0];
       marks.push({ ...call, ...play, seconds: play.tick / this.rate, restart: true, clause: play.kind });

@@ -1,4 +1,4 @@
-// Part 11: time, what is shown, and one frame of it.
+// Part 11: time control, and drawing of one frame.
 
 const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16];
 const kPanelPause = 100;  // [ms] between updates of texts while playing
@@ -56,13 +56,13 @@ class Viewer {
     this.seek(0);
   }
 
-  /** The stage is as the field, or as many fields. */
+  /** Gives the stage the shape of the field, or of a grid of fields. */
   shape() {
     const { wide, high } = new View(this.scene.field, 0, 0, 1, 1, false);
     const split = this.scene.race && this.options.split;
     $('#stage').classList.toggle('split', split);
     $('#stage').style.aspectRatio = `${wide} / ${high}`;
-    // Beside a field that cannot grow higher, the panels get the rest.
+    // The panels get the width that a field of limited height leaves free.
     $('#main').style.setProperty('--shape', split ? 9 : wide / high);
   }
 
@@ -88,7 +88,7 @@ class Viewer {
     setText($('#speed'), `${{ 0.25: '¼', 0.5: '½' }[this.speed] || this.speed}×`);
   }
 
-  /** Chosen again: no robot. */
+  /** Selects a robot; the selected one again deselects it. */
   select(index) {
     this.selected = this.selected === index ? -1 : index;
     this.stale = true;
@@ -104,7 +104,7 @@ class Viewer {
     return this.seek(times.filter((t) => t < this.time - (this.playing ? 0.7 : 1e-3)).pop() || 0);
   }
 
-  /** By one row of the recording. */
+  /** Moves by one row of the recording. */
   stepFrame(step) {
     this.setPlaying(false);
     const row = this.scene.rowAt(this.time);
@@ -146,7 +146,7 @@ class Viewer {
     setText($('#live'), `${eventText(goal)}, ${score.join(' to ')}`);
   }
 
-  /** The canvas has as many points as the screen shows. */
+  /** Gives the canvas as many pixels as the screen shows. */
   fit() {
     const box = this.canvas.getBoundingClientRect();
     const ratio = Math.min(window.devicePixelRatio || 1, 4);
@@ -181,7 +181,7 @@ class Viewer {
     return (this.view = view);
   }
 
-  /** In a race the chosen run stands out, and who has failed fades. */
+  /** Opacity of run `i` in a race: the selected run stands out, failed runs fade. */
   alphaOf(i) {
     if (this.selected >= 0 && i !== this.selected) return 0.25;
     const run = this.scene.runs[i];
@@ -198,7 +198,7 @@ class Viewer {
     this.heat.paint(ctx, view);
   }
 
-  /** Brings all texts to the moment. */
+  /** Updates all texts to the moment. */
   tell(now) {
     this.told = now;
     this.stale = false;

@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kSmallest = 1e-9, kLargest = 1e9;  // for which plain decimals can be read
+constexpr double kSmallest = 1e-9, kLargest = 1e9;  // range in which plain decimals are readable
 
 }  // namespace
 
@@ -16,7 +16,7 @@ int Axis::steps() const { return static_cast<int>(std::round((high - low) / step
 
 std::string Axis::text(double value, int more) const {
   if (std::abs(value) > kLargest) return fmt::format("{:.3g}", value);
-  // A negative zero would be written "-0".
+  // Removes the sign of a negative zero.
   const std::string text = fmt::format("{:.{}f}", value, decimals + more);
   return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1) : text;
 }

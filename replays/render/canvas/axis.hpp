@@ -9,14 +9,15 @@ struct Axis {
   double low = 0.0;
   double high = 1.0;
   double step = 0.2;
-  int decimals = 1;  ///< that the steps need
+  int decimals = 1;  ///< decimals that the steps need
 
   int steps() const;
   /// `value` with `decimals` + `more` decimals.
   std::string text(double value, int more = 0) const;
 };
 
-/// The axis with 4 to 10 steps around low <= 0 <= high, both finite, cut at +-1e9; [0, 1] when both are 0.
+/// An axis with 4 to 10 steps around low <= 0 <= high. Both must be finite; they are limited to +-1e9. [0, 1]
+/// if both are 0.
 Axis niceAxis(double low, double high);
 
 }  // namespace fulbito

@@ -18,7 +18,7 @@ namespace {
 constexpr int kLongestSide = 16384;               // [px]
 constexpr std::int64_t kMostPixels = 64'000'000;  // 256 MB
 
-/// Line breaks and tabs have no glyph.
+/// Replaces line breaks and tabs by spaces, because they have no glyph.
 std::string printable(std::string text) {
   std::replace_if(text.begin(), text.end(), [](unsigned char c) { return c < 32 || c == 127; }, ' ');
   return text;
@@ -29,13 +29,13 @@ constexpr std::uint8_t mixed(std::uint32_t below, std::uint32_t above, std::uint
   return static_cast<std::uint8_t>((below * (whole - weight) + above * weight + whole / 2) / whole);
 }
 
-/// `above` over `below`, with `coverage` 0...255 as a further factor of its opacity.
+/// `above` blended over `below`. `coverage` (0...255) is a further factor of the opacity.
 Colour over(Colour below, Colour above, std::uint32_t coverage) {
   const std::uint32_t alpha = (above.a * coverage + 127) / 255;
   if (alpha == 0) return below;
   if (alpha == 255) return above;
   const std::uint32_t whole = below.a == 255 ? 255 : alpha + (below.a * (255 - alpha) + 127) / 255;
-  if (whole == 255) {  // by a constant the division is a multiplication
+  if (whole == 255) {  // a division by a constant compiles to a multiplication
     return {mixed(below.r, above.r, alpha, 255), mixed(below.g, above.g, alpha, 255),
             mixed(below.b, above.b, alpha, 255), 255};
   }
@@ -58,7 +58,8 @@ void* checked(void* memory) {
   return memory;
 }
 
-/// SDL, which tells of missing memory in more memory, and so crashes, throws std::bad_alloc instead.
+/// Makes SDL throw std::bad_alloc. By default it allocates an error message when memory runs out, and
+/// crashes.
 void useCheckedMemory() {
   [[maybe_unused]] static const int once = SDL_SetMemoryFunctions(
       [](std::size_t size) { return checked(std::malloc(size)); },
@@ -174,7 +175,7 @@ void Canvas::label(Vec2 place, const std::string& utf8, const TextStyle& style) 
   const double part = style.align == TextAlign::kLeft ? 0.0 : style.align == TextAlign::kCentre ? 0.5 : 1.0;
   const double left = place.x - part * mask.width, top = place.y - mask.ascent;
   const double x0 = std::floor(left), y0 = std::floor(top);
-  // Bilinear weights in 1/256: whole pixels keep the letters as they are.
+  // Bilinear weights in 1/256. At whole pixels, the letters stay unchanged.
   const auto fx = static_cast<std::uint32_t>((left - x0) * 256.0);
   const auto fy = static_cast<std::uint32_t>((top - y0) * 256.0);
   const auto covered = [&mask](int x, int y) -> std::uint32_t {

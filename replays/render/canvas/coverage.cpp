@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kFarthest = 1e6;  // [px]
+constexpr double kFarthest = 1e6;  // [px] largest coordinate that is drawn
 
 bool drawable(Vec2 p) { return std::abs(p.x) <= kFarthest && std::abs(p.y) <= kFarthest; }
 bool drawableSize(double size) { return size > 0.0 && size <= kFarthest; }
@@ -39,12 +39,12 @@ double distanceToOutline(std::span<const Vec2> points, Vec2 p) {
   return best;
 }
 
-/// A share 0...1 as the nearest of 0...255; lround would take half of a shape's time.
+/// A share 0...1 as the nearest of 0...255. lround would take half of the time of drawing a shape.
 std::uint8_t asByte(double share) {
   return static_cast<std::uint8_t>(static_cast<int>(share * 510.0 + 1.0) / 2);
 }
 
-/// A stroke thinner than a pixel covers at most its own thickness of one.
+/// Coverage of a pixel by a stroke. A stroke thinner than a pixel covers at most its thickness.
 double strokeCoverage(double to_middle, double thickness) {
   return std::min(0.5 + thickness / 2 - to_middle, thickness);
 }
@@ -102,7 +102,8 @@ void CoverageMask::addRing(Vec2 centre, double radius, double thickness) {
 
 void CoverageMask::addStroke(Vec2 a, Vec2 b, double thickness) {
   if (!drawable(a) || !drawable(b) || !drawableSize(thickness)) return;
-  // A long slanted stroke fills little of its bounding box: in pieces, only pixels near it are visited.
+  // A long slanted stroke fills little of its bounding box. Split into pieces, only pixels near it are
+  // visited.
   const double longest = std::max(64.0, 2.0 * thickness);
   const int pieces = std::max(1, static_cast<int>(std::ceil(distance(a, b) / longest)));
   for (int i = 0; i < pieces; ++i) {
@@ -165,8 +166,8 @@ void CoverageMask::addConvex(std::span<const Vec2> points) {
 }
 
 void CoverageMask::addConvexRow(int y, const Box& box, std::span<const ConvexEdge> edges) {
-  // Only near its ends does a row have to ask all edges: between `left` and `right` it is covered, before
-  // `first` and after `last` it is not.
+  // Only pixels near the ends of a row have to be tested against all edges: those between `left` and `right`
+  // are covered, those before `first` and after `last` are not.
   const auto cut = [&box](double x) {
     return static_cast<int>(std::clamp(x, static_cast<double>(box.left), static_cast<double>(box.right)));
   };

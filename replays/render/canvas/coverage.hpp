@@ -8,10 +8,10 @@
 
 namespace fulbito {
 
-/// Which part of each pixel a shape covers, gathered from several pieces before it is painted once: where
-/// pieces of one shape overlap, a translucent colour does not add up. Edges are anti-aliased by the distance
-/// of the pixel's centre to the shape's edge, which SDL's software renderer cannot do. Coordinates are
-/// pixels, y down; pieces that are not finite or farther than 1e6 pixels away are left out.
+/// The coverage of each pixel by a shape. It is collected from several pieces and painted once, so that
+/// translucent colours do not add up where pieces overlap. Edges are anti-aliased by the distance of the
+/// pixel's centre to the shape's edge, which SDL's software renderer cannot do. Coordinates are pixels, y
+/// down. Pieces that are not finite or more than 1e6 pixels away are left out.
 class CoverageMask {
  public:
   CoverageMask(int width, int height);
@@ -21,16 +21,16 @@ class CoverageMask {
   void addRing(Vec2 centre, double radius, double thickness);
   /// A straight stroke with round ends.
   void addStroke(Vec2 a, Vec2 b, double thickness);
-  /// One end of a stroke that changes along its way.
+  /// One end of a stroke whose thickness and opacity change along its length.
   struct TaperEnd {
     Vec2 place;
     double thickness = 0.0;
-    double share = 1.0;  ///< 0...1, of a pixel that is covered
+    double share = 1.0;  ///< opacity 0...1 of the stroke
   };
   void addTaper(const TaperEnd& a, const TaperEnd& b);
-  /// A closed polygon, convex or not, that does not cross itself.
+  /// A simple polygon (no crossing edges), convex or not.
   void addPolygon(std::span<const Vec2> points);
-  /// A closed convex polygon of up to 16 corners, in either sense.
+  /// A convex polygon of up to 16 corners, clockwise or counterclockwise.
   void addConvex(std::span<const Vec2> points);
 
   /// Calls `paint(x, y, coverage)` with coverage 1...255 for each covered pixel and empties the mask.
@@ -51,7 +51,7 @@ class CoverageMask {
     int left, top, right, bottom;  // right and bottom are one past the end
   };
 
-  /// A pixel's centre is dot(inward, centre) + offset - 0.5 pixels inside of it.
+  /// A pixel's centre is dot(inward, centre) + offset - 0.5 pixels inside of the edge.
   struct ConvexEdge {
     Vec2 inward;
     double offset;
@@ -62,7 +62,8 @@ class CoverageMask {
     return covered_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                     static_cast<std::size_t>(x)];
   }
-  /// The pixels between two corners with a margin, inside the picture; extends what drain has to visit.
+  /// The pixels between two corners with a margin, clipped to the picture. Also extends the area that `drain`
+  /// visits.
   Box touch(Vec2 low, Vec2 high, double margin);
   template <typename Coverage>
   void add(Box box, Coverage coverage);

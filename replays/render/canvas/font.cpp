@@ -16,19 +16,19 @@ namespace fulbito {
 namespace {
 
 constexpr double kSmallestText = 4.0, kLargestText = 400.0;  // [px]
-constexpr std::size_t kMostMasks = 512;                      // clocks and measured values never end
-constexpr std::size_t kRoom = std::size_t{1} << 20;          // [bytes] more than SDL_ttf asks for at once
+constexpr std::size_t kMostMasks = 512;  // bound of the cache: clocks and measured values never stop changing
+constexpr std::size_t kRoom = std::size_t{1} << 20;  // [bytes] more than SDL_ttf allocates at once
 
-/// SDL_ttf keeps one FreeType library for the whole process, which is not safe in several threads.
+/// Guards SDL_ttf, which uses one FreeType library for the whole process without locking.
 std::mutex& fontMutex() {
   static std::mutex mutex;
   return mutex;
 }
 
-/// SDL_ttf does not tell that it fails for lack of memory. Throws std::bad_alloc if there is none.
+/// SDL_ttf does not report a lack of memory. Throws std::bad_alloc if there is none.
 void checkRoom() { const std::vector<char> room(kRoom); }
 
-/// @return nullptr for a text without extent
+/// @return nullptr for an empty text
 SDL_Surface* rendered(TTF_Font* font, const std::string& text, Colour colour) {
   SDL_Surface* const surface =
       TTF_RenderUTF8_Blended(font, text.c_str(), {colour.r, colour.g, colour.b, colour.a});
@@ -66,7 +66,7 @@ Result<void> Font::open() {
     return fail(ErrorCode::kIo, "cannot open the font " + file + " (" + TTF_GetError() +
                                     "); install fonts-dejavu-core or set FULBITO_FONT to a .ttf file");
   }
-  // A font of the user's own is made bold by its outline.
+  // A font chosen by the user is made bold by thicker outlines.
   fonts_[1] = own ? nullptr : TTF_OpenFont(FULBITO_DEFAULT_BOLD_FONT, sizes_[1]);
   if (fonts_[1] == nullptr) {
     checkRoom();
@@ -81,7 +81,8 @@ Result<void> Font::open() {
 
 TTF_Font* Font::at(double size, bool bold) {
   const int index = bold && fonts_[1] != nullptr ? 1 : 0;
-  const double most = size < kLargestText ? size : kLargestText;  // so is one that is no number
+  // A size that is not a number also becomes the largest one.
+  const double most = size < kLargestText ? size : kLargestText;
   const int wanted = static_cast<int>(std::round(std::max(most, kSmallestText)));
   if (wanted != sizes_[index]) TTF_SetFontSize(fonts_[index], sizes_[index] = wanted);
   return fonts_[index];

@@ -17,8 +17,8 @@ const std::uint32_t* rowOf(const void* pixels, int pitch, int y) {
                                                 std::ptrdiff_t{y} * pitch);
 }
 
-/// Rows without a filter: for flat colours that is both the fastest and the smallest. Gives all pixels' bits
-/// that are set in every one of them.
+/// Converts rows to PNG bytes without a filter, which for flat colours is both the fastest and the smallest.
+/// Returns the bitwise AND of all pixels.
 template <std::size_t kChannels>
 std::uint32_t convert(int width, int height, const void* pixels, int pitch, std::uint8_t* out) {
   std::uint32_t common = ~0u;
@@ -57,7 +57,7 @@ void writeChunks(png_structp png, png_infop info, const PngShape& shape,
   png_write_chunk(png, reinterpret_cast<png_const_bytep>("IEND"), nullptr, 0);
 }
 
-/// Appends the file to `out`; false when memory runs out.
+/// Appends the PNG file to `out`. False if memory runs out.
 bool writeContainer(const PngShape& shape, std::span<const std::uint8_t> packed, std::string* out) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   if (png == nullptr) return false;

@@ -12,12 +12,12 @@ struct libdeflate_compressor;
 
 namespace fulbito {
 
-/// Makes PNG files in memory. libpng writes the container; libdeflate packs the pixels in half of zlib's
+/// Creates PNG files in memory. libpng writes the container; libdeflate packs the pixels in half of zlib's
 /// time.
 class PngEncoder {
  public:
-  /// Pixels of 32 bits, 0xAARRGGBB in the machine's byte order, rows `pitch` bytes apart, as an 8-bit PNG:
-  /// RGB, or RGBA where a pixel is not opaque. Empty when memory runs out.
+  /// Encodes pixels as an 8-bit PNG: RGB, or RGBA if a pixel is not opaque. A pixel is 32 bits, 0xAARRGGBB in
+  /// the machine's byte order; rows are `pitch` bytes apart. Empty if memory runs out.
   std::string encode(int width, int height, const void* pixels, int pitch, PngEffort effort);
 
  private:
@@ -27,10 +27,10 @@ class PngEncoder {
 
   std::unique_ptr<libdeflate_compressor, Free> compressor_;
   PngEffort effort_ = PngEffort::kFast;
-  std::vector<std::uint8_t> raw_, packed_;  ///< used again for the next picture
+  std::vector<std::uint8_t> raw_, packed_;  ///< reused for the next picture
 };
 
-/// Writes the bytes of a picture by `writeFile`; none: there was no memory for them. Errors: kIo naming the
+/// Writes the bytes of a picture by `writeFile`. Empty bytes mean that memory ran out. Errors: kIo naming the
 /// file.
 Result<void> writePngFile(const std::string& file, const std::string& bytes);
 

@@ -4,10 +4,10 @@ namespace fulbito {
 namespace {
 
 constexpr const char* kEllipsis = "\u2026";
-// More than fits in any picture, and little enough to be measured quickly.
+// Longer than fits in any picture, and short enough to be measured quickly.
 constexpr std::size_t kLongest = 4096;
 
-/// The nearest end of a character at or before `end`.
+/// The position at or before `end` that is a boundary between characters.
 std::size_t characterEnd(const std::string& utf8, std::size_t end) {
   while (end > 0 && end < utf8.size() && (static_cast<unsigned char>(utf8[end]) & 0xC0U) == 0x80U) --end;
   return end;

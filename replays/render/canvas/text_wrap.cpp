@@ -5,11 +5,11 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kLongest = 4096;  // more than any picture holds; the rest would only cost time
+constexpr std::size_t kLongest = 4096;  // more than any picture can show; the rest would only take time
 
 bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-/// The pieces between which a line may be broken.
+/// Splits a text at all places where a line may be broken.
 std::vector<std::string> piecesOf(const std::string& text) {
   std::vector<std::string> pieces(1);
   for (char c : text.substr(0, kLongest)) {

@@ -7,8 +7,9 @@
 
 namespace fulbito {
 
-/// `utf8` in lines of at most `width` [px], broken after blanks, commas, colons and hyphens, inside a word
-/// only where it alone is too wide. No text is left out. At least one line, empty for an empty text.
+/// Breaks `utf8` into lines of at most `width` [px], after blanks, commas, colons and hyphens. A word is only
+/// broken if it is wider than a line. No text is left out. Returns at least one line, which is empty for an
+/// empty text.
 std::vector<std::string> wrapped(const Canvas& canvas, const std::string& utf8, double size, double width);
 
 }  // namespace fulbito

@@ -14,7 +14,7 @@ std::uint8_t encoded(double linear) {
   return static_cast<std::uint8_t>(std::lround(srgb * 255.0));
 }
 
-/// Oklab of lightness, chroma and hue [degrees] as sRGB.
+/// Converts a colour in Oklch (lightness, chroma, hue [degrees]) to sRGB.
 Colour fromOklch(double lightness, double chroma, double hue) {
   const Vec2 ab = math::unit(math::wrapAngle(hue * math::kPi / 180.0)) * chroma;
   const auto cubed = [](double x) { return x * x * x; };
@@ -33,9 +33,9 @@ std::array<Colour, 256> heatColours(PictureTheme theme) {
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const double t = static_cast<double>(i) / 255.0;
     const double chroma = 0.02 + 0.15 * std::min(1.0, 3.0 * t) * (1.0 - 0.25 * t);
-    if (theme == PictureTheme::kDark) {  // from the dark floor over violet and orange to a light yellow
+    if (theme == PictureTheme::kDark) {  // from the dark floor over violet and orange to light yellow
       colours[i] = fromOklch(0.24 + 0.68 * t, chroma, 275.0 + 185.0 * t);
-    } else {  // from the light floor over yellow and red to a dark violet
+    } else {  // from the light floor over yellow and red to dark violet
       colours[i] = fromOklch(0.94 - 0.62 * t, chroma, 100.0 - 180.0 * t);
     }
   }

@@ -5,14 +5,14 @@
 namespace fulbito {
 namespace {
 
-/// What a theme has besides the colours that it shares with the page.
+/// The colours of a theme that the HTML page does not share.
 struct OwnColours {
   Colour goal, ball_light, shadow, banner;
   TeamColours lone;
   Colour blue_goal, blue_ink, yellow_goal, yellow_ink;
 };
 
-/// The marks - disc and diamond - tell the teams apart without any colour.
+/// A theme's style. Robot marks (disc and diamond) tell the teams apart even without colour.
 constexpr MatchStyle styleWith(const SharedColours& shared, const OwnColours& own) {
   return {.page = shared.page,
           .panel = shared.panel,

@@ -4,7 +4,7 @@
 
 namespace fulbito {
 
-/// Colours of the field pictures; those of the series are `seriesColour`.
+/// Colours of field pictures, without the series (`seriesColour`).
 namespace theme {
 inline constexpr Colour kPage{15, 18, 23};
 inline constexpr Colour kPanel{24, 29, 36};
@@ -26,19 +26,18 @@ struct FieldColours {
   Colour wall, floor, left_goal, right_goal, line;
 };
 
-/// How many colours `seriesColour` has before it starts again.
+/// Number of different colours of `seriesColour`; further indices repeat them.
 inline constexpr std::size_t kSeriesColours = 12;
 
-/// The colour that the i-th path or bar has in every picture of the project; distinguishable by colour-blind
-/// readers.
+/// The colour of the i-th path or bar, the same in every picture. Colour-blind readers can tell them apart.
 Colour seriesColour(std::size_t index);
 
-/// `colour` with another opacity 0...255.
+/// `colour` with the opacity `alpha`, 0...255.
 constexpr Colour withAlpha(Colour colour, std::uint8_t alpha) {
   return {colour.r, colour.g, colour.b, alpha};
 }
 
-/// `colour` with `share` 0...1 of black mixed in.
+/// `colour` mixed with black; `share` 0...1 is the part of black.
 Colour darkened(Colour colour, double share);
 
 }  // namespace fulbito

@@ -6,13 +6,13 @@
 
 namespace fulbito {
 
-/// The colour 0xRRGGBB, opaque.
+/// The opaque colour 0xRRGGBB.
 constexpr Colour opaque(std::uint32_t rgb) {
   return {static_cast<std::uint8_t>(rgb >> 16), static_cast<std::uint8_t>(rgb >> 8),
           static_cast<std::uint8_t>(rgb)};
 }
 
-/// One theme's colours of shared_colours.def, which the HTML viewer has as well.
+/// One theme's colours in shared_colours.def; the HTML viewer uses the same ones.
 struct SharedColours {
 #define SHARED_COLOUR(name, light, dark) Colour name;
 #define SERIES_COLOUR(number, colour)
@@ -37,7 +37,7 @@ inline constexpr SharedColours kSharedDark{
 #undef SERIES_COLOUR
 };
 
-/// Colours of series, in their order.
+/// Colours of the series, in order.
 inline constexpr auto kSeries = std::to_array<Colour>({
 #define SHARED_COLOUR(name, light, dark)
 #define SERIES_COLOUR(number, colour) opaque(colour),

@@ -19,17 +19,17 @@ using namespace chart_style;
 
 constexpr Colour kReferenceInk{178, 34, 52};
 
-// [px]
+// Sizes of the chart's parts [px].
 constexpr double kMargin = 36, kPlotWidth = 640, kGap = 12, kIndent = 10;
 constexpr double kMostLabel = 300, kMostRemark = 300, kLabelLine = 17;
-constexpr std::size_t kMostLines = 4;  // of a label
+constexpr std::size_t kMostLines = 4;  // largest number of lines of a label
 constexpr double kTop = 114, kBottom = 72, kHeading = 38, kRow = 25, kBarHeight = 16, kGroupGap = 14;
 constexpr double kTitleText = 24, kHeadingText = 15, kText = 14, kSmallText = 13;
 
-/// What the text parts take, and the scale between them.
+/// Layout of the chart: the text columns, and the scale between them.
 struct Plan {
   Axis axis;
-  double left;  ///< [px] of the axis' low end
+  double left;  ///< x of the axis' low end [px]
   double width;
   double height;
 
@@ -42,7 +42,7 @@ bool hasInterval(const Bar& bar) {
   return std::isfinite(bar.low) && std::isfinite(bar.high) && bar.low < bar.high;
 }
 
-/// Empty without a bar.
+/// The value of a bar, or an empty text for a bar without a value.
 std::string valueText(const Axis& axis, const Bar& bar) {
   return std::isfinite(bar.value) ? axis.text(bar.value, 1) : std::string();
 }
@@ -63,7 +63,7 @@ Axis axisOf(const BarChart& chart) {
   return niceAxis(low, high);
 }
 
-/// The widest of the texts that `text_of` gives for the bars.
+/// The width of the widest text that `text_of` returns for the bars [px].
 template <typename TextOf>
 double columnWidth(const Canvas& canvas, const BarChart& chart, TextOf text_of) {
   double widest = 0.0;
@@ -152,7 +152,7 @@ void drawWhisker(Canvas& canvas, const Plan& plan, const Bar& bar, double middle
   for (double x : {low, high}) canvas.fillRectangle({x - 0.75, middle - 4.5}, 1.5, 9, kInk);
 }
 
-/// Text on the paper's colour, so that grid and reference line do not run through it.
+/// Draws text on a background of the paper's colour, so that grid and reference line do not cross it.
 void drawOnPaper(Canvas& canvas, Vec2 baseline, const std::string& text, Colour colour) {
   canvas.fillRectangle(baseline - Vec2{3, 12}, canvas.textWidth(text, kText) + 6, 16, kPaper);
   canvas.text(baseline, text, kText, colour);
@@ -195,7 +195,7 @@ void drawHeading(Canvas& canvas, const Plan& plan, const BarGroup& group, double
               fitted(canvas, group.heading, kHeadingText, end - kMargin - 2 * kIndent), kHeadingText, kInk);
 }
 
-/// Calls `draw(bar, middle)` with the height of each bar's middle, and `heading(group, top)` before.
+/// Calls `heading(group, top)` for each group and `draw(bar, middle)` for each of its bars; both y in [px].
 template <typename Heading, typename Draw>
 void forEachRow(const Canvas& canvas, const BarChart& chart, Heading heading, Draw draw) {
   double top = kTop;

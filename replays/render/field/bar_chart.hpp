@@ -12,11 +12,11 @@ namespace fulbito {
 struct Bar {
   std::string label;
   double value = 0.0;  ///< NaN: no bar, only the remark (e.g. "no safe run")
-  double low = 0.0;    ///< interval; equal to `high` = none
+  double low = 0.0;    ///< low end of the interval; equal to `high`: no interval
   double high = 0.0;
   std::string remark;
-  std::size_t colour = 0;  ///< index for seriesColour
-  bool hollow = false;     ///< with a bright core: of two bars of one colour the other variant
+  std::size_t colour = 0;  ///< index for `seriesColour`
+  bool hollow = false;     ///< drawn with a bright core, to tell two bars of the same colour apart
 };
 
 /// A group of bars under a heading, e.g. one speed.
@@ -35,9 +35,9 @@ struct BarChart {
   std::string reference_label;
 };
 
-/// Draws it, as tall as it needs. Long labels take two lines or more; remarks that are too long, and labels
-/// beyond four lines, end in an ellipsis. Errors: kIo as
-/// Canvas; kUsage when there are more bars than fit in the tallest picture (about 640).
+/// Draws the chart, as tall as it needs to be. Long labels take two lines or more. Remarks that are too long,
+/// and labels beyond four lines, end in an ellipsis. Errors: kIo as `Canvas`; kUsage for more bars than fit
+/// in the tallest picture (about 640).
 Result<Canvas> drawBarChart(const BarChart& chart);
 
 }  // namespace fulbito

@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kLine = 0.004;  // [m] white lines
+constexpr double kLine = 0.004;  // [m] width of white lines
 
 double lineThickness(const FieldView& view) { return std::max(1.4, view.px(kLine)); }
 
@@ -25,14 +25,15 @@ void drawBorder(const FieldView& view, const FieldGeometry& field, const FieldCo
   view.canvas.polyline(contour, lineThickness(view), colours.line);
 }
 
-/// Three lines of an area before a goal line at `x`.
+/// Draws the three lines of an area in front of the goal line; `x` is the goal line's.
 void drawArea(const FieldView& view, double x, double front, double half_width, Colour line) {
   const std::array<Vec2, 4> lines{view.at({x, -half_width}), view.at({front, -half_width}),
                                   view.at({front, half_width}), view.at({x, half_width})};
   view.canvas.polyline(lines, lineThickness(view), line);
 }
 
-/// The goal area's arc: through the two ends of its chord on the area's front line and its foremost point.
+/// Draws the arc of the goal area: a circle through the ends of its chord on the front line and its foremost
+/// point.
 void drawAreaArc(const FieldView& view, const FieldGeometry& field, double front, double side, Colour line) {
   constexpr int kPieces = 24;
   const double half = field.goal_area_arc_width / 2, depth = field.goal_area_arc_depth;
@@ -47,7 +48,7 @@ void drawAreaArc(const FieldView& view, const FieldGeometry& field, double front
   view.canvas.polyline(arc, lineThickness(view), line);
 }
 
-/// Crosses where free balls lie, in one half.
+/// Draws the crosses at the free-ball marks of one half.
 void drawFreeBallMarks(const FieldView& view, Vec2 mark, double side, Colour line) {
   constexpr double kArm = 0.0125;  // [m]
   for (double y : {mark.y, -mark.y}) {
@@ -57,7 +58,7 @@ void drawFreeBallMarks(const FieldView& view, Vec2 mark, double side, Colour lin
   }
 }
 
-/// Lines of the right half, or of the left one with `side` -1.
+/// Draws the lines of the right half, or of the left one if `side` is -1.
 void drawHalf(const FieldView& view, const FieldGeometry& field, double side, const FieldColours& colours) {
   const double x = side * field.length / 2, thickness = lineThickness(view);
   const double g = field.goal_width / 2, area = field.goal_area_width / 2;
@@ -80,10 +81,11 @@ void drawHalf(const FieldView& view, const FieldGeometry& field, double side, co
   }
 }
 
-/// The two seams of a tennis ball: arcs around points outside of it.
+/// Draws the two seams of a tennis ball, as arcs around points outside of it.
 void drawSeams(const FieldView& view, Vec2 centre, double radius, double turn) {
   constexpr int kPieces = 14;
-  const double away = 1.25, arc = 0.85, half_opening = 0.86;  // in radii; the ends lie on the ball's rim
+  // In radii, so that the arcs end on the ball's rim.
+  const double away = 1.25, arc = 0.85, half_opening = 0.86;
   for (double side : {0.0, math::kPi}) {
     const Vec2 middle = centre + math::unit(turn + side) * (away * radius);
     std::vector<Vec2> seam;
@@ -122,7 +124,7 @@ void drawObstaclePath(const FieldView& view, const ObstacleSpec& obstacle, Colou
   if (obstacle.path_end == PathEnd::kCycle) path.push_back(path.front());
   const double u = view.unit, head = 14 * u;
   drawDashed(view.canvas, path, {9 * u, 5 * u}, 1.6 * u, colour);
-  // A cycle comes back under the obstacle, so its arrow stands at the end of the first stretch.
+  // The path of a cycle ends under the obstacle, so its arrow is drawn at the end of the first segment.
   const std::size_t end = obstacle.path_end == PathEnd::kCycle ? 1 : path.size() - 1;
   drawArrowHead(view.canvas, path[end], unitOr(path[end] - path[end - 1], {}), head, colour);
   if (obstacle.path_end == PathEnd::kBounce) {
@@ -153,7 +155,7 @@ void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field, const 
   fillWorldRectangle(view, -x, y, field.length, field.width, colours.floor);
   if (!(field.corner > 0.0)) return;
   for (Vec2 s : {Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}}) {
-    // A little into the walls, so that no seam shows.
+    // The triangle extends a little into the walls, so that no gap shows.
     const double seam = 0.3 * wall, leg = field.corner + seam;
     const std::array<Vec2, 3> triangle{view.at({s.x * (x + seam), s.y * (y + seam)}),
                                        view.at({s.x * (x - leg), s.y * (y + seam)}),
@@ -230,7 +232,7 @@ void drawDashed(Canvas& canvas, std::span<const Vec2> points, Dashes dashes, dou
     if (dash.size() > 1) canvas.polyline(dash, thickness, colour);
     dash.clear();
   };
-  double walked = dashes.period - dashes.phase;  // since the last dash began
+  double walked = dashes.period - dashes.phase;  // [px] since the begin of the last dash
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Vec2 a = points[i - 1], b = points[i];
     const double length = distance(a, b);

@@ -10,37 +10,38 @@
 
 namespace fulbito {
 
-/// Width [m] of the walls' tops around the field.
+/// Width of the walls around the field, seen from above [m].
 inline constexpr double kDrawnWall = 0.025;
 
-/// Those of the pictures of trials.
+/// The field colours of the pictures of trials.
 FieldColours defaultFieldColours();
 
-/// Whether a field is one of soccer: it has goals, or a centre circle. Rooms and halls are not, and have no
+/// Whether a field is a soccer field: it has goals or a centre circle. Rooms and halls have neither, and no
 /// lines.
 bool isPitch(const FieldGeometry& field);
 
-/// Floor, walls and, on a pitch, lines.
+/// Draws floor, walls and, on a pitch, lines.
 void drawField(const FieldView& view, const FieldGeometry& field,
                const FieldColours& colours = defaultFieldColours());
 /// @{ The two parts of drawField.
 void drawFloorAndWalls(const FieldView& view, const FieldGeometry& field, const FieldColours& colours);
 void drawFieldLines(const FieldView& view, const FieldGeometry& field, const FieldColours& colours);
 /// @}
-/// Colours of an obstacle.
+/// The colour of an obstacle, by its kind of motion.
 Colour obstacleColour(const ObstacleSpec& obstacle);
-/// Its shape alone, at its pose.
+/// Draws only the shape of an obstacle, at its pose.
 void drawObstacleBody(const FieldView& view, const ObstacleSpec& obstacle);
-/// The obstacle as it is at the start; a moving one also with its path.
+/// Draws an obstacle at its start; a moving one also with its path.
 void drawObstacle(const FieldView& view, const ObstacleSpec& obstacle);
-/// The robot's body and heading at `layout.start`.
+/// Draws the robot's body and heading at `start`.
 void drawStart(const FieldView& view, const RobotModel& robot, const Pose2& start);
-/// @{ A target with its tolerance circle; an arrow when an arrival heading is wanted.
+/// @{ Draws the target with its tolerance circle, and with an arrow if an arrival heading is wanted.
 void drawGoal(const FieldView& view, const Layout& layout);
 void drawGoal(const FieldView& view, const Layout& layout, Colour colour);
 /// @}
 
-/// A stroke in pieces: `on` pixels drawn of every `period`, from the pixel `phase` of the first period.
+/// The dash pattern of a stroke [px]: `on` of every `period` are drawn; the stroke begins `phase` into a
+/// period.
 struct Dashes {
   double period;
   double on;

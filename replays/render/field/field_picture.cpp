@@ -13,22 +13,22 @@
 namespace fulbito {
 namespace {
 
-// In typographic units.
+// Sizes in typographic units.
 constexpr double kMargin = 26, kHeader = 84, kFooter = 54, kCaptionLine = 21, kCaptionText = 15;
 
-/// Where everything stands [px].
+/// Layout of the picture [px].
 struct Plan {
   double unit;
   Vec2 field_corner;
-  Vec2 field_size;  // with walls and goals
+  Vec2 field_size;  // including walls and goals
   Vec2 legend_corner;
   double legend_height;
   Vec2 size;
-  Vec2 middle;  ///< [m] of what is shown of the field
+  Vec2 middle;  ///< centre of the shown part of the field [m]
   std::vector<std::string> caption;
 };
 
-/// What is shown of the field: with its walls and goals unless there is a window.
+/// The part of the field that is shown: the picture's window, or else all of it with walls and goals.
 FieldWindow shownPart(const FieldPicture& picture) {
   if (picture.window) return *picture.window;
   const FieldGeometry& field = picture.field;
@@ -60,8 +60,7 @@ Plan makePlan(const Canvas& measure, const FieldPicture& picture) {
   return plan;
 }
 
-/// The paths as far as they are within the window, for marks that are to stand there; an end outside has
-/// none.
+/// The paths clipped to the window, for marks on them. A path that ends outside has no end mark.
 std::vector<DrawnPath> shownPaths(std::vector<DrawnPath> paths, const FieldWindow& window) {
   const auto outside = [&](Vec2 p) {
     return !(p.x > window.low.x && p.x < window.high.x && p.y > window.low.y && p.y < window.high.y);
@@ -73,10 +72,10 @@ std::vector<DrawnPath> shownPaths(std::vector<DrawnPath> paths, const FieldWindo
   return paths;
 }
 
-/// NaN and sizes beyond int become one that is refused.
+/// A size as int. NaN and sizes beyond int become a size that Canvas rejects.
 int wholePixels(double size) { return size < 1e6 ? static_cast<int>(size) : 1'000'000; }
 
-/// Paths and obstacles may leave the field; what they drew beside it is painted over.
+/// Paints over what paths and obstacles drew outside the field.
 void clearMargins(Canvas& canvas, const Plan& plan) {
   const Vec2 a = plan.field_corner, b = plan.field_corner + plan.field_size;
   const double width = canvas.width(), height = canvas.height();
@@ -136,7 +135,7 @@ Result<Canvas> drawFieldPicture(const FieldPicture& picture) {
   drawField(view, picture.field);
   drawArrows(view, picture.arrows);
   for (const ObstacleSpec& obstacle : picture.layout.obstacles) drawObstacle(view, obstacle);
-  // A detail shows what happens at the start itself.
+  // In a detail the paths lie above the start, because they show what happens there.
   if (picture.window) drawStart(view, picture.robot, picture.layout.start);
   drawPaths(view, picture.robot, picture.paths);
   if (!picture.window) drawStart(view, picture.robot, picture.layout.start);

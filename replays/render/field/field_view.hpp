@@ -4,12 +4,12 @@
 
 namespace fulbito {
 
-/// Where world coordinates land on a canvas, and how large letters and strokes are there.
+/// Maps world coordinates to a canvas, and scales letters and strokes.
 struct FieldView {
   Canvas& canvas;
-  Vec2 centre;  ///< [px] of the field's centre
+  Vec2 centre;  ///< centre of the field [px]
   double pixels_per_metre;
-  double unit;  ///< [px] of one typographic unit: text is 14 of them high
+  double unit;  ///< size of one typographic unit [px]; text is 14 units high
 
   Vec2 at(Vec2 world) const {
     return {centre.x + world.x * pixels_per_metre, centre.y - world.y * pixels_per_metre};

@@ -12,17 +12,17 @@
 namespace fulbito {
 namespace {
 
-// All in typographic units.
+// Sizes in typographic units.
 constexpr double kWidth = 400, kPadding = 20, kHeading = 34, kPathRow = 29, kKeyRow = 30, kGap = 18;
 constexpr double kSwatch = 72, kText = 15, kRemark = 13, kTextLine = 19;
-constexpr std::size_t kMostLines = 6;  // of a label
+constexpr std::size_t kMostLines = 6;  // largest number of lines of a label
 
 struct KeyRow {
   std::string label;
-  std::function<void(const FieldView&, Vec2)> draw;  // around a point
+  std::function<void(const FieldView&, Vec2)> draw;  // draws the symbol around a point
 };
 
-/// The view in which world coordinates are metres around `centre`, for a symbol of the key.
+/// A view for a symbol of the key, with world coordinates in metres around `centre`.
 FieldView symbolView(const FieldView& view, Vec2 centre) {
   return {view.canvas, centre, 300.0 * view.unit, view.unit};
 }
@@ -54,7 +54,7 @@ const char* obstacleLabel(ObstacleMotion motion) {
   return "obstacle";
 }
 
-/// A row for the first obstacle that moves as `motion`, if there is one.
+/// Adds a row for the first obstacle with this kind of motion, if there is one.
 void addObstacleRow(std::vector<KeyRow>& rows, const Layout& layout, ObstacleMotion motion) {
   const auto found = std::find_if(layout.obstacles.begin(), layout.obstacles.end(),
                                   [motion](const ObstacleSpec& o) { return o.motion == motion; });

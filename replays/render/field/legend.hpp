@@ -8,19 +8,21 @@
 
 namespace fulbito {
 
-/// The panel next to the field: a row per path, and a key of the marks in the picture.
+/// The panel next to the field, with a row per path and a key to the marks in the picture.
 class Legend {
  public:
-  /// `unit` as in FieldView; `measure` is any canvas. Refers to `picture`.
+  /// @param measure  any canvas, for measuring text
+  /// @param picture  must outlive the legend
+  /// @param unit  as in `FieldView`
   Legend(const Canvas& measure, const FieldPicture& picture, double unit);
 
   double width() const;   ///< [px]
-  double height() const;  ///< [px] that the rows need
-  /// Draws it with its upper left corner at `corner`, over `height` pixels.
+  double height() const;  ///< height of all rows [px]
+  /// Draws the panel with its upper left corner at `corner`, `height` pixels high.
   void draw(const FieldView& view, Vec2 corner, double height) const;
 
  private:
-  /// The texts of one path: its label, in lines, and its remark after the last line or below.
+  /// The texts of one path: its label in lines, and its remark after the last line or below it.
   struct PathRow {
     std::vector<std::string> label;
     std::string remark;

@@ -17,7 +17,7 @@ namespace {
 
 using namespace chart_style;
 
-// [px]
+// Sizes of the chart's parts [px].
 constexpr double kMargin = 36, kPlotWidth = 820, kPlotHeight = 460, kLegendSample = 34, kLegendRow = 24;
 constexpr double kTop = 64, kCaptionLine = 20, kBottom = 68, kTickRoom = 74, kGap = 18;
 constexpr double kMostLegend = 320, kMarkRoom = 22;
@@ -32,12 +32,12 @@ struct Range {
 
 bool drawable(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-/// Where the plot lies and what scale it has.
+/// Layout and scale of the plot.
 struct Plan {
   Axis x, y;
-  Vec2 corner;  ///< [px] upper left one of the plot
-  Vec2 size;    ///< [px] of the plot
-  Vec2 whole;   ///< [px] of the picture
+  Vec2 corner;  ///< upper left corner of the plot [px]
+  Vec2 size;    ///< size of the plot [px]
+  Vec2 whole;   ///< size of the picture [px]
   std::vector<std::string> caption;
 
   Vec2 at(Vec2 p) const {
@@ -46,7 +46,7 @@ struct Plan {
   }
 };
 
-/// A scale needs some extent.
+/// An axis over a range. An empty range is extended, because a scale needs an extent.
 Axis axisOver(Range range, bool from_zero) {
   if (from_zero) range.include(0.0);
   if (range.low == range.high) range.low -= 0.5, range.high += 0.5;
@@ -70,7 +70,7 @@ double legendHeight(const LineChart& chart) {
                                                         [](const auto& l) { return !l.label.empty(); }));
 }
 
-/// With equal scales the plot takes the shape of its ranges, within its usual size.
+/// The size of the plot. With equal scales it has the shape of its ranges, within the usual size.
 Vec2 plotSize(const Plan& plan, bool equal_scales) {
   if (!equal_scales) return {kPlotWidth, kPlotHeight};
   const double wide = plan.x.high - plan.x.low, high = plan.y.high - plan.y.low;

@@ -10,9 +10,10 @@ namespace {
 
 using Line = std::vector<Vec2>;  // [px]
 
-constexpr double kLongestTurn = 18.0, kShortestTurn = 8.0;  // [units]
-constexpr double kRound = 160.0;  // [units] after which each path of a bundle should have had its turn
-constexpr int kBadgePlaces = 48;  // tried along a path
+// [units] length of a path's turn on top of a bundle.
+constexpr double kLongestTurn = 18.0, kShortestTurn = 8.0;
+constexpr double kRound = 160.0;  // [units] after this length each path of a bundle should have had a turn
+constexpr int kBadgePlaces = 48;  // positions that are tried along a path
 
 std::vector<Line> linesOf(const FieldView& view, const std::vector<DrawnPath>& paths) {
   std::vector<Line> lines;
@@ -31,7 +32,7 @@ double lengthOf(const Line& line) {
   return length;
 }
 
-/// Points at equal distances between 8 % and 92 % of the line: its ends belong to the start and the goal.
+/// Points at equal distances between 8 % and 92 % of the line, because its ends belong to start and goal.
 Line badgePlaces(const Line& line) {
   Line places;
   const double length = lengthOf(line);
@@ -54,7 +55,8 @@ double nearest(Vec2 p, const Line& others, double limit) {
   return std::sqrt(best);
 }
 
-/// Where the badge of path `index` stands: far from other paths and badges, as a tie-break spread evenly.
+/// The place of the badge of path `index`: far from other paths and badges. Ties are spread evenly along the
+/// path.
 Vec2 badgePlace(const std::vector<Line>& places, const Line& taken, std::size_t index, double reach) {
   const Line& mine = places[index];
   Vec2 best = mine.front();
@@ -96,7 +98,8 @@ void drawFootprints(const FieldView& view, const RobotModel& robot, const DrawnP
   }
 }
 
-/// The lines of `members`, dashed as `each` is; then each line again in its turn of one such dash.
+/// Draws the lines of `members` with the dashes `each`; then parts of each line again, in turns one dash
+/// long.
 void drawBundle(const FieldView& view, const std::vector<DrawnPath>& paths, const std::vector<Line>& lines,
                 const std::vector<std::size_t>& members, Dashes each) {
   const auto colour_of = [&](std::size_t i) { return pathColour(paths[i], i); };

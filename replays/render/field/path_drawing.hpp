@@ -8,31 +8,31 @@
 
 namespace fulbito {
 
-/// All paths of a picture, each in its series colour, with their footprints. Paths that lie on each other
-/// come to the top in turn, so that a bundle shows all its colours; failed ones lie above the others, which
-/// show through their gaps.
+/// Draws all paths of a picture in their series colours, with their footprints. Overlapping paths come to the
+/// top in turn, so that all colours of a bundle are visible. Failed paths lie above the others, which show
+/// through their gaps.
 void drawPaths(const FieldView& view, const RobotModel& robot, const std::vector<DrawnPath>& paths);
 
-/// The arrows of a heading field, faint.
+/// Draws the arrows of a heading field, faintly.
 void drawArrows(const FieldView& view, const FieldArrows& arrows);
 
-/// What stands on the paths: a cross where a run failed, a ringed one where it touched, and the number of
-/// each path (1, 2, ...) on a badge where it runs farthest from the others.
+/// Draws the marks on the paths. A cross marks where a run failed, a ringed cross where the robot touched
+/// something. A badge has the path's number (1, 2, ...) and lies where the path is farthest from the others.
 void drawPathMarks(const FieldView& view, const std::vector<DrawnPath>& paths);
 
 /// The colour of path `index`.
 Colour pathColour(const DrawnPath& path, std::size_t index);
-/// The round mark with the number of path `index` that path and legend share.
+/// Draws the round mark with the number of path `index`, as used on the path and in the legend.
 void drawBadge(const FieldView& view, Vec2 centre, std::size_t index, Colour colour);
-/// A ringed cross where a robot touched something.
+/// Draws a ringed cross, for a place where a robot touched something.
 void drawTouch(const FieldView& view, Vec2 centre, Colour colour);
-/// The dark core of a hollow path.
+/// Draws the dark core of a hollow path.
 void drawCore(const FieldView& view, std::span<const Vec2> line);
-/// A cross where a run failed.
+/// Draws a cross, for a place where a run failed.
 void drawCross(const FieldView& view, Vec2 centre, double size, Colour colour);
 /// Thickness [px] of the paths.
 double pathThickness(const FieldView& view);
-/// How a failed path is dashed.
+/// The dashes of a failed path.
 Dashes failedDashes(const FieldView& view);
 
 }  // namespace fulbito

@@ -13,18 +13,18 @@ namespace {
 constexpr Colour kPaper{252, 252, 250}, kInk{30, 35, 42}, kDimInk{88, 97, 108};
 constexpr Colour kEmpty{232, 234, 236}, kPale{244, 245, 245}, kBarGround{214, 218, 222};
 constexpr Colour kMark{178, 34, 52}, kWhite{255, 255, 255};
-// Ends of the two scales.
+// The darkest colours of the two scales, for negative and positive ratios.
 constexpr Colour kLess{8, 48, 107}, kMore{140, 45, 4};
-constexpr double kMost = 0.5;  // ratio at the ends
+constexpr double kMost = 0.5;  // absolute ratio at the ends of the scales
 
-// [px]
+// Sizes of the map's parts [px].
 constexpr double kMargin = 36, kTileWidth = 84, kTileHeight = 52, kTileGap = 3, kBar = 7;
 constexpr double kRowLabel = 84, kPanelTitle = 30, kColumnLabel = 44, kPanelGap = 34;
 constexpr double kTitleText = 24, kText = 14, kLine = 20, kFigure = 14, kSmallFigure = 11;
 constexpr double kKeyTile = 40, kScaleWidth = 420, kScaleHeight = 14;
 constexpr std::size_t kPanelsPerRow = 2;
 
-/// Where everything stands [px].
+/// Layout of the map [px].
 struct Plan {
   std::vector<std::string> caption;
   double panel_width, panel_height, top, key_top, width, height;
@@ -71,7 +71,7 @@ Colour inkOn(Colour ground) {
   return 0.299 * ground.r + 0.587 * ground.g + 0.114 * ground.b < 140 ? kWhite : kInk;
 }
 
-/// Percent without a sign that only rounding made.
+/// A ratio as a whole percentage, without a sign for 0.
 std::string figure(double value) {
   const long percent = std::lround(100.0 * value);
   return percent < 0 ? fmt::format("\u2212{}", -percent) : percent > 0 ? fmt::format("+{}", percent) : "0";
@@ -139,7 +139,7 @@ void drawPanel(Canvas& canvas, const Plan& plan, const TileMap& map, std::size_t
   }
   canvas.text(at(map.rows.size(), 0) + Vec2{0, 34}, map.column_axis, 13, kDimInk);
   canvas.text(corner + Vec2{kRowLabel - 8, 18}, map.row_axis, 13, kDimInk, TextAlign::kRight);
-  for (std::size_t i = 0; i < panel.tiles.size(); ++i) {  // above all frames
+  for (std::size_t i = 0; i < panel.tiles.size(); ++i) {  // badges are drawn after, and so above, all frames
     const MapTile& tile = panel.tiles[i];
     if (tile.badge.empty()) continue;
     for (std::size_t letter = 0; letter < tile.badge.size(); ++letter) {

@@ -8,12 +8,13 @@
 namespace fulbito {
 namespace {
 
-constexpr double kCut = 0.16;      // of the shorter side, off each corner
-constexpr double kBadge = 0.29;    // of the shorter side: the mark's radius
-constexpr double kDiamond = 1.24;  // a diamond needs more room for its number than a disc
-constexpr double kLeastNumber = 6.0, kSmallNumber = 8.0;  // [px] below the least a number is a blot
+constexpr double kCut = 0.16;    // of the shorter side: part cut off each corner
+constexpr double kBadge = 0.29;  // of the shorter side: radius of the mark
+// Factor of a diamond's radius, because it has less room for a number than a disc.
+constexpr double kDiamond = 1.24;
+constexpr double kLeastNumber = 6.0, kSmallNumber = 8.0;  // [px] numbers below the first are not drawn
 
-/// A robot's own frame on the canvas: x ahead, y to its left, in halves of its body.
+/// A robot's frame on the canvas: x ahead, y to its left, in units of half the body's length and width.
 class BodyFrame {
  public:
   BodyFrame(const FieldView& view, const Pose2& pose, double length, double width)
@@ -22,7 +23,7 @@ class BodyFrame {
   Vec2 at(double x, double y) const {
     return view_.at(pose_.position + outOfFrame(ahead_, {x * half_.x, y * half_.y}));
   }
-  /// The body's outline with cut corners, drawn in by `inset` [px].
+  /// The body's outline with cut corners, shrunk by `inset` [px].
   std::array<Vec2, 8> outline(double inset) const {
     const double ix = inset / view_.px(half_.x), iy = inset / view_.px(half_.y);
     const double cut = kCut * 2 * std::min(half_.x, half_.y) + 0.41 * inset / view_.pixels_per_metre;
@@ -38,7 +39,7 @@ class BodyFrame {
   const FieldView& view_;
   const Pose2& pose_;
   Vec2 ahead_;
-  Vec2 half_;  ///< [m]
+  Vec2 half_;  ///< half length and width of the body [m]
 };
 
 }  // namespace

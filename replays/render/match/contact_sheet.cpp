@@ -5,7 +5,7 @@ namespace fulbito {
 namespace {
 
 constexpr int kColumns = 4;
-constexpr double kGap = 0.006;  // of the sheet's width
+constexpr double kGap = 0.006;  // gap between pictures, as share of the sheet's width
 
 }  // namespace
 

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kCell = 0.01;    // [m]
 constexpr double kSmooth = 2.5;   // [cells] standard deviation
-constexpr double kFullAt = 0.97;  // share of the used cells that are below the brightest colour
+constexpr double kFullAt = 0.97;  // share of the used cells that are darker than the brightest colour
 
-/// Seconds a square decimetre over the field.
+/// Time spent at each place of the field [s/dm^2].
 class HeatGrid {
  public:
   explicit HeatGrid(const FieldGeometry& field)
@@ -40,7 +40,7 @@ class HeatGrid {
     blur(rows_, columns_, columns_, 1);
   }
 
-  /// Between cells: interpolated.
+  /// The density at a place, interpolated between cells.
   double density(Vec2 place) const {
     const double x = (place.x + half_.x) / kCell - 0.5, y = (place.y + half_.y) / kCell - 0.5;
     const double x0 = std::floor(x), y0 = std::floor(y), fx = x - x0, fy = y - y0;
@@ -49,7 +49,7 @@ class HeatGrid {
            (value(i, j + 1) * (1 - fx) + value(i + 1, j + 1) * fx) * fy;
   }
 
-  /// Above all but a few of the cells that are not empty; 0 when all are.
+  /// A high quantile of the cells that are not empty, for the brightest colour; 0 if all are empty.
   double top() const {
     std::vector<double> used;
     std::copy_if(cells_.begin(), cells_.end(), std::back_inserter(used), [](double d) { return d > 1e-3; });
@@ -70,8 +70,8 @@ class HeatGrid {
                   static_cast<std::size_t>(x)];
   }
 
-  /// Lines of `length` cells that are `step` apart; `lines` of them, `stride` apart. What would go beyond the
-  /// walls stays inside.
+  /// Blurs `lines` lines of `length` cells. The cells of a line are `step` apart, the lines `stride` apart.
+  /// Amounts that would spread beyond the walls stay inside.
   void blur(int length, int lines, int step, int stride) {
     const int reach = static_cast<int>(3 * kSmooth);
     std::vector<double> weights, line(static_cast<std::size_t>(length));
@@ -167,7 +167,7 @@ std::string legendText(const HeatMapChoice& choice) {
 Result<Canvas> drawHeatMap(const ReplayTimeline& timeline, const MatchPictureSpec& wanted,
                            const HeatMapChoice& choice) {
   MatchPictureSpec spec = wanted;
-  spec.seconds = std::max(spec.seconds, 1.0);  // the legend takes the place of the bar of time
+  spec.seconds = std::max(spec.seconds, 1.0);  // the legend takes the place of the time bar
   auto picture = MatchPicture::create(spec);
   if (!picture) return tl::unexpected<Error>(picture.error());
   spec = picture->spec();

@@ -36,7 +36,8 @@ struct MatchPicture::Impl {
   MatchPictureSpec spec;
   MatchPlan plan;
   const MatchStyle& style;
-  std::vector<Canvas> backgrounds;  ///< by the side of blue: its goals have the teams' colours
+  /// By the side of blue, because the goals have the colours of their teams.
+  std::vector<Canvas> backgrounds;
 };
 
 Result<Canvas> MatchPicture::Impl::background(Side blue_side) const {

@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-// In units, at 900 x 780.
+// Sizes in units, for a picture of 900 x 780.
 constexpr double kWidth = 900.0, kHeight = 780.0, kBoard = 84.0, kFoot = 34.0, kMargin = 14.0;
 constexpr double kSmallestText = 9.0;  // [px]
 
@@ -43,7 +43,7 @@ int matchPictureHeight(const FieldGeometry& field, int width) {
   const double unit = width / kWidth;
   const double rest = (kBoard + kFoot + kMargin) * unit;
   const double height = rest + (width - 2 * kMargin * unit) * outer.y / outer.x;
-  return static_cast<int>(std::clamp(height, 1.0, 1e6)) / 2 * 2;  // videos want even sides
+  return static_cast<int>(std::clamp(height, 1.0, 1e6)) / 2 * 2;  // even, as videos need
 }
 
 }  // namespace fulbito

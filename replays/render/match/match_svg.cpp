@@ -19,7 +19,7 @@
 namespace fulbito {
 namespace {
 
-/// Writes one picture. Letters are measured on a canvas that is thrown away.
+/// Writes one picture as SVG. A temporary canvas measures the texts.
 class SvgScene {
  public:
   SvgScene(const MatchPictureSpec& spec, Canvas& measure)
@@ -186,7 +186,7 @@ class SvgScene {
 
 Result<std::string> matchSvg(const MatchPictureSpec& wanted, const ReplayMoment& moment,
                              const MatchOverlays& overlays) {
-  auto picture = MatchPicture::create(wanted);  // checks the spec and completes its size
+  auto picture = MatchPicture::create(wanted);  // checks the spec and fills in its size
   if (!picture) return tl::unexpected<Error>(picture.error());
   auto measure = Canvas::create(1, 1, {});
   if (!measure) return tl::unexpected<Error>(measure.error());

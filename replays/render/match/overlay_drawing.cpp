@@ -10,9 +10,10 @@
 namespace fulbito {
 namespace {
 
-constexpr double kLongestText = 0.6;  // of the picture's width
+constexpr double kLongestText = 0.6;  // share of the picture's width
 
-/// A word around its place, on a seam of the floor's colour so that it can be read over lines.
+/// Draws a text centred at its place, with an outline in the floor's colour that keeps it readable over
+/// lines.
 void drawWord(Canvas& canvas, Vec2 place, const std::string& text, const TextStyle& ink, Colour floor) {
   const Vec2 baseline = place + Vec2{0.0, 0.33 * ink.size};
   const double seam = std::max(1.0, 0.09 * ink.size);
@@ -24,7 +25,7 @@ void drawWord(Canvas& canvas, Vec2 place, const std::string& text, const TextSty
   canvas.label(baseline, text, ink);
 }
 
-/// A plate with round ends.
+/// Draws a plate with round ends.
 void drawPlate(Canvas& canvas, Vec2 corner, double width, double height, Colour colour) {
   const std::array<Vec2, 2> middle{corner + Vec2{height / 2, height / 2},
                                    corner + Vec2{width - height / 2, height / 2}};
@@ -50,7 +51,7 @@ void drawTrails(const FieldView& view, const MatchPictureSpec& spec, const std::
       line.clear();
       for (const Vec2 p : trail.points) line.push_back(view.at(p));
       const TrailLook look = lookOf(body, spec);
-      const bool thick = balls || !body.id;  // what matters most: the ball, or a trial's robot
+      const bool thick = balls || !body.id;  // the important bodies: the ball, or a trial's robot
       if (trail.fading) {
         view.canvas.fadingLine(line, view.px(look.first), view.px(look.last), look.colour);
       } else {

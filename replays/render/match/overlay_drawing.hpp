@@ -6,21 +6,21 @@
 
 namespace fulbito {
 
-/// What the trail of a body looks like.
+/// The style of a body's trail.
 struct TrailLook {
-  double first, last;  ///< [m] thickness at its old end and at the body
-  Colour colour;       ///< at the body
+  double first, last;  ///< thickness at the old end of the trail and at the body [m]
+  Colour colour;       ///< colour at the body
 };
 TrailLook lookOf(const RecordedBody& body, const MatchPictureSpec& spec);
 
-/// Trails of balls lie over those of robots.
+/// Draws trails; those of balls lie above those of robots.
 void drawTrails(const FieldView& view, const MatchPictureSpec& spec, const std::vector<BodyTrail>& trails);
-/// What the teams drew, in their colours; of a trial, what its navigator wanted.
+/// Draws the debug drawings of the teams in their colours, or in a trial those of its navigator.
 void drawDrawings(const FieldView& view, const MatchPlan& plan, const MatchPictureSpec& spec,
                   std::span<const RecordedDrawing> drawings);
 /// The colour of a drawing.
 Colour inkOf(const RecordedDrawing& drawing, const MatchPictureSpec& spec);
-/// A plate over the upper part of the field.
+/// Draws a banner on a plate over the upper part of the field.
 void drawBanner(Canvas& canvas, const MatchPlan& plan, const MatchBanner& banner, const MatchStyle& style);
 
 }  // namespace fulbito

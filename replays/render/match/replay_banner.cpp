@@ -8,10 +8,10 @@
 namespace fulbito {
 namespace {
 
-constexpr double kShown = 2.5;  // [s]
+constexpr double kShown = 2.5;  // [s] time for which a banner is shown
 
 MatchBanner bannerOf(CallWords words) {
-  // Details of what is no news are of no use without it.
+  // A banner without a title is not shown, so its details are dropped as well.
   if (words.title.empty()) return {};
   return {std::move(words.title), std::move(words.detail), words.favours};
 }
@@ -39,7 +39,7 @@ MatchBanner bannerAt(const ReplayTimeline& timeline, const ReplayMoment& moment)
     const bool waits = !moment.playing && event->tick >= play.tick;
     if (!waits && moment.seconds - timeline.secondsAt(event->tick) >= kShown) break;
     if (wordsOf(*event, {}).title.empty()) continue;
-    // Of several calls at one tick a goal is the news.
+    // A goal takes precedence over other calls at the same tick.
     if (latest == nullptr || (latest->tick == event->tick && event->clause == "goal")) latest = &*event;
   }
   if (latest != nullptr) return bannerOf(*latest, recipe);

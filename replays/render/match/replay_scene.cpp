@@ -9,8 +9,8 @@ namespace fulbito {
 namespace {
 
 constexpr double kTrailStep = 1.0 / 30.0;  // [s]
-constexpr double kFewPaths = 30.0;         // [s] of play whose paths can be told apart
-constexpr double kPathStep = 0.002;        // [m] below this a body has not moved on
+constexpr double kFewPaths = 30.0;         // [s] length of play up to which single paths are distinguishable
+constexpr double kPathStep = 0.002;        // [m] smaller movements count as standing still
 
 bool moves(const RecordedBody& body) { return body.kind != BodyKind::kObstacle; }
 
@@ -64,7 +64,8 @@ void ReplayDirector::direct(const ReplayMoment& moment, MatchOverlays& overlays)
   }
 }
 
-/// At the sampled times, so that a trail does not change its shape while it is shown; it ends at the body.
+/// Adds trails with points at the sampled times, so that they keep their shape over time; each ends at its
+/// body.
 void ReplayDirector::addTrails(const ReplayMoment& moment, MatchOverlays& overlays) {
   const auto& bodies = timeline_->header().bodies;
   overlays.trails.resize(bodies.size());
@@ -89,9 +90,9 @@ void ReplayDirector::addTrails(const ReplayMoment& moment, MatchOverlays& overla
 std::vector<BodyTrail> pathsBetween(const ReplayTimeline& timeline, double from, double to) {
   const auto& bodies = timeline.header().bodies;
   std::vector<BodyTrail> paths;
-  std::vector<std::size_t> open(bodies.size());  // one past the body's line in the present play
+  std::vector<std::size_t> open(bodies.size());  // by body: index of its line in the present play plus one
   std::optional<std::size_t> play;
-  // Where many lines lie over each other, each has to be faint.
+  // Many overlapping lines have to be faint.
   const double strength = std::clamp(kFewPaths / std::max(to - from, 1e-3), 0.25, 1.0);
   ReplayMoment moment;
   for (double step = std::ceil(from / kTrailStep - 1e-6); step * kTrailStep <= to + 1e-6; step += 1.0) {

@@ -12,16 +12,16 @@
 namespace fulbito {
 namespace {
 
-constexpr double kName = 26, kScore = 42, kClock = 15;  // [units] sizes of letters
+constexpr double kName = 26, kScore = 42, kClock = 15;  // [units] text sizes
 constexpr double kPad = 22;                             // [units]
-constexpr double kScoreRoom = 0.13;                     // of the width, on each side of the middle
+constexpr double kScoreRoom = 0.13;                     // share of the width, on each side of the middle
 
 bool isMatch(const MatchPictureSpec& spec) {
   return std::any_of(spec.bodies.begin(), spec.bodies.end(),
                      [](const RecordedBody& body) { return body.id.has_value(); });
 }
 
-/// Where the bar of time runs [px].
+/// Position of the time bar [px].
 struct TimeBar {
   double left, right, y, thickness;
 
@@ -34,9 +34,10 @@ TimeBar barOf(const MatchPlan& plan) {
           std::max(2.0, 4 * plan.unit)};
 }
 
-/// A moment of a recording of `whole` seconds: minutes say too little of a trial.
+/// A time in a recording of `whole` seconds, as text. Short recordings show tenths of seconds, as minutes are
+/// too coarse.
 std::string barTime(double seconds, double whole) {
-  // Cut as clocks are.
+  // Rounded down, like clocks.
   if (whole < 30.0) return fmt::format("{:.1f} s", std::floor(seconds * 10 + 1e-6) / 10);
   const int count = static_cast<int>(std::clamp(std::floor(seconds), 0.0, 1e8));
   return fmt::format("{}:{:02}", count / 60, count % 60);
@@ -51,7 +52,7 @@ void drawName(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spe
   const TeamColours& colours = style.teams[indexOf(team)];
   canvas.fillRectangle({blue ? 0.0 : plan.width - 6 * u, 0.0}, 6 * u, plan.board, colours.body);
   drawTeamMark(canvas, {edge + side * mark, y}, mark * (blue ? 1.0 : 1.2), team, colours.body);
-  // The fitting measures regular letters; bold ones are up to a sixth wider.
+  // The available width is measured with regular letters; bold ones are up to a sixth wider.
   const std::string name = fitted(canvas, spec.names[indexOf(team)], size, 0.84 * room);
   canvas.label({std::round(edge + side * 3.2 * mark), std::round(y + 0.36 * size)}, name,
                {size, style.text, blue ? TextAlign::kLeft : TextAlign::kRight, true});
@@ -92,7 +93,7 @@ void drawBoardNumbers(Canvas& canvas, const MatchPlan& plan, const MatchPictureS
                {score, style.text, TextAlign::kRight, true});
   canvas.label({std::round(middle + gap), baseline}, std::to_string(moment.score[1]),
                {score, style.text, TextAlign::kLeft, true});
-  // The parts stand still while the clock runs: its digits are all of one width.
+  // All digits of the clock have the same width, so that nothing moves while it runs.
   const double foot = std::round(plan.board * 0.87), space = 0.45 * clock;
   canvas.label({middle - space, foot}, periodName(moment.period),
                {clock, style.dim_text, TextAlign::kRight, false});

@@ -7,18 +7,18 @@
 
 namespace fulbito {
 
-/// What of the score board never changes: its panel, names and marks.
+/// Draws the parts of the score board that never change: panel, names and marks.
 void drawBoard(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, const MatchStyle& style);
-/// Score, clock and period.
+/// Draws score, clock and period.
 void drawBoardNumbers(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec,
                       const ReplayMoment& moment, const MatchStyle& style);
 
-/// @{ The bar of time at the foot: its goals, and how far it has come.
+/// @{ Draws the time bar at the bottom: its goals, and the progress of the recording.
 void drawTimeBar(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec,
                  const MatchStyle& style);
 void drawTimeBarNow(Canvas& canvas, const MatchPlan& plan, const MatchPictureSpec& spec, double seconds,
                     const MatchStyle& style);
-/// The time [s] that stands at column `x` [px] of the bar.
+/// The time at column `x` [px] of the bar [s].
 double secondsOnBar(const MatchPlan& plan, const MatchPictureSpec& spec, double x);
 /// @}
 

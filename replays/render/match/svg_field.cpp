@@ -12,7 +12,7 @@
 namespace fulbito {
 namespace {
 
-/// A colour as the value of `name`, and its opacity where it has one.
+/// A colour as SVG attribute `name`, with an opacity attribute if it is not opaque.
 std::string paint(const char* name, Colour c) {
   std::string text = fmt::format("{}=\"#{:02x}{:02x}{:02x}\"", name, c.r, c.g, c.b);
   if (c.a != 255) text += fmt::format(" {}-opacity=\"{:.3f}\"", name, c.a / 255.0);
@@ -25,7 +25,7 @@ std::string pointList(std::span<const Vec2> points) {
   return text;
 }
 
-/// Draws field lines in metres.
+/// Draws field lines, with coordinates in metres.
 class LinePen {
  public:
   LinePen(SvgText& svg, const MatchPlan& plan, Colour colour)
@@ -39,7 +39,7 @@ class LinePen {
     svg_.ring(pixelOf(plan_, centre), radius * plan_.pixels_per_metre, thickness_, colour_);
   }
   void dot(Vec2 centre) const { svg_.circle(pixelOf(plan_, centre), 1.8 * thickness_, colour_); }
-  /// Of a goal area: an arc from one point to the other, bulging by `depth` [m].
+  /// Draws the arc of a goal area from one point to the other, bulging by `depth` [m].
   void arc(Vec2 from, Vec2 to, double depth, bool sweep) const {
     const double half = distance(from, to) / 2, radius = (half * half + depth * depth) / (2 * depth);
     const Vec2 a = pixelOf(plan_, from), b = pixelOf(plan_, to);
@@ -135,7 +135,7 @@ void SvgText::text(Vec2 baseline, const std::string& utf8, const TextStyle& styl
   const char* anchor = style.align == TextAlign::kLeft     ? "start"
                        : style.align == TextAlign::kCentre ? "middle"
                                                            : "end";
-  // The canvas' sizes are of the font's em square.
+  // Text sizes of the canvas refer to the font's em square, as in SVG.
   raw(fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" text-anchor=\"{}\"{} {}>{}</text>",
                   baseline.x, baseline.y, style.size, anchor, style.bold ? " font-weight=\"bold\"" : "",
                   paint("fill", style.colour), escapedXml(utf8)));

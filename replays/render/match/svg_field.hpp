@@ -15,7 +15,7 @@ class SvgText {
   void polygon(std::span<const Vec2> points, Colour fill);
   void circle(Vec2 centre, double radius, Colour fill);
   void ring(Vec2 centre, double radius, double thickness, Colour stroke);
-  /// With round ends.
+  /// A line with round ends.
   void polyline(std::span<const Vec2> points, double thickness, Colour stroke);
   void text(Vec2 baseline, const std::string& utf8, const TextStyle& style);
   void raw(const std::string& line) { text_ += line + '\n'; }
@@ -25,10 +25,10 @@ class SvgText {
   std::string text_;
 };
 
-/// Floor, walls and lines.
+/// Writes floor, walls and lines.
 void svgField(SvgText& svg, const MatchPlan& plan, const FieldGeometry& field, const FieldColours& colours);
 
-/// Where a place [m] of the field is [px].
+/// The pixel of a place [m] on the field.
 inline Vec2 pixelOf(const MatchPlan& plan, Vec2 place) {
   return plan.centre + Vec2{place.x, -place.y} * plan.pixels_per_metre;
 }

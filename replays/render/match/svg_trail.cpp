@@ -13,15 +13,15 @@ constexpr std::size_t kBands = 12;
 
 struct BandPoint {
   Vec2 place;
-  double share = 0.0;  ///< 0...1 of the trail's length so far
+  double share = 0.0;  ///< position along the trail, 0...1 of its length
 };
 
-/// The trail's points, and where bands meet.
+/// The trail's points, and the points where bands meet.
 std::vector<BandPoint> bandPoints(std::span<const Vec2> points) {
   double length = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
   std::vector<BandPoint> marked;
-  if (!(length > 0.5)) return marked;  // [px] a body that stands leaves no trail
+  if (!(length > 0.5)) return marked;  // [px] a body that stands still leaves no trail
   double so_far = 0.0;
   std::size_t next = 1;
   marked.push_back({points.front(), 0.0});
@@ -40,7 +40,7 @@ std::vector<BandPoint> bandPoints(std::span<const Vec2> points) {
   return marked;
 }
 
-/// Along the trail at point `i`.
+/// Direction of the trail at point `i`.
 Vec2 wayAt(const std::vector<BandPoint>& points, std::size_t i) {
   const Vec2 before = points[i == 0 ? 0 : i - 1].place,
              after = points[std::min(i + 1, points.size() - 1)].place;

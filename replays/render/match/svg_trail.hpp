@@ -6,8 +6,8 @@
 
 namespace fulbito {
 
-/// A trail as `Canvas::fadingLine` draws it: a band [px] that goes from nothing to `colour` and from the
-/// thickness `first` to `last`, in twelve steps, since SVG knows no gradient along a line.
+/// Draws a trail like `Canvas::fadingLine`: a band [px] that fades in to `colour` and changes its thickness
+/// from `first` to `last`. It has twelve steps, because SVG has no gradient along a line.
 void svgFadingLine(SvgText& svg, std::span<const Vec2> points, double first, double last, Colour colour);
 
 }  // namespace fulbito

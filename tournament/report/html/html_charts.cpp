@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kMostBars = 100;
 constexpr std::size_t kMostLines = 10;
 
-/// The largest of some ratings on either side of 0, rounded up to a step of the axis [Elo], but no more than
-/// reports show.
+/// The range of the rating axis: the largest rating on either side of 0, rounded up to a step of the axis
+/// [Elo], at most `kMostShownElo`.
 class Reach {
  public:
   void take(double elo) {
@@ -52,12 +52,12 @@ std::string barOf(const Interval& elo, double reach) {
 /// A line of the chart of ratings over time.
 struct CourseLine {
   std::string points;
-  double end = 0.0;    // y of its last point
-  double label = 0.0;  // y of its name
-  std::string name;    // escaped
+  double end = 0.0;    // y of the line's last point
+  double label = 0.0;  // y of the label
+  std::string name;    // name of the team, escaped
 };
 
-/// Pixels of that chart.
+/// Layout of the chart of ratings over time [px].
 struct CourseFrame {
   static constexpr double kLeft = 48, kRight = 640, kTop = 12, kBottom = 300, kLabelHeight = 17;
   double reach = 100.0;
@@ -83,7 +83,7 @@ CourseLine lineOf(const CourseFrame& frame, const std::vector<double>& course, c
   return line;
 }
 
-/// Moves names apart, in the order of their lines' ends, and back into the frame.
+/// Moves labels apart, in the order of their lines' ends, and back into the frame.
 void spreadLabels(std::vector<CourseLine>& lines) {
   std::vector<CourseLine*> order;
   order.reserve(lines.size());
@@ -118,7 +118,7 @@ std::string axisOf(const CourseFrame& frame) {
 }
 
 std::string drawn(const CourseLine& line, std::size_t colour) {
-  // Thin light lines need an edge on a light page, and more than colours tell them apart.
+  // An edge makes thin light lines visible on a light page; dashes tell lines apart without colours.
   const char* dash = colour % 2 == 1 ? " stroke-dasharray=\"9 4\"" : "";
   return fmt::format(
       "<polyline class=\"halo\" points=\"{0}\"/><polyline class=\"c{1}\"{2} points=\"{0}\"/>"

@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-/// The bar of a test: from the bound at which it fails to that at which it passes.
+/// The bar of a sequential test: from the lower bound (fail) to the upper bound (pass).
 std::string testBar(const Sprt& sprt) {
   const double low = sprt.bounds().lower(), high = sprt.bounds().upper();
   const auto place = [&](double ratio) {

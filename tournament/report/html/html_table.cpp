@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-/// The colour of a share: s0 (lost all) ... s10 (won all).
+/// The CSS class for the colour of a share: s0 (lost all) ... s10 (won all).
 std::string shadeOf(double share) {
   return fmt::format("s{}", static_cast<int>(std::lround(10.0 * std::clamp(share, 0.0, 1.0))));
 }
@@ -33,7 +33,7 @@ std::string rowOf(const Grid& grid, const std::vector<GridCell>& row, const Reco
   bool named = false;
   for (std::size_t c = 0; c < row.size(); ++c) {
     const GridColumn& column = grid.columns[c];
-    // The first name of a row is its heading.
+    // The first flexible cell of a row is the row's heading.
     const bool heading = column.flexible && !named;
     named = named || heading;
     const std::string hint = row[c].hint.empty() ? "" : " title=\"" + escapedXml(row[c].hint) + '"';
