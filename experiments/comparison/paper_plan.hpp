@@ -17,9 +17,9 @@ inline constexpr const char* kUntunedField = "univector:goal=bearing,k0=0,d_min=
 inline constexpr const char* kTunedField = "tangent-field:offset=0.0784,range=5.56,hysteresis=0.239";
 inline constexpr const char* kWideField = "vector-field:offset=0.10,width=0.20,follower=classic";
 
-/// The rings with the least mean T/T* of their own runs (failures as 8) under the classic law at 1.0 m/s, on
-/// two hundred training layouts each, corner to corner and at close range. Their gap to the Bezier method had
-/// no part in the choice. The commands are in scripts/reproduction.sh.
+/// The rings with the least mean T/T* of their own runs (failures as 8) under the classic law at 1.0 m/s.
+/// Each has two hundred training layouts: corner to corner, or at close range. Their gap to the Bezier method
+/// had no part in the choice. The commands are in scripts/reproduction.sh.
 inline constexpr const char* kTunedRing = "vector-field:goal=bearing,offset=0,width=0.25,follower=classic";
 inline constexpr const char* kTunedCloseRing =
     "vector-field:goal=bearing,offset=0.02,width=0.30,follower=classic";

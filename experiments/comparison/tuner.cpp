@@ -15,8 +15,7 @@ namespace {
 constexpr std::uint64_t kTrainingSeedOffset =
     1000003;  // the training layouts must differ from those of comparisons
 constexpr int kMostEvaluations = 100000;
-constexpr double kFirstSpread = 0.1,
-                 kLastSpread = 0.002;  // deviation of tries near the best, see tuningSpread
+constexpr double kFirstSpread = 0.1, kLastSpread = 0.002;  // of tries near the best, see tuningSpread
 constexpr double kOwnSize = 10.0, kZeroSize = 0.1;
 constexpr double kAnywhere = 1.0 / 3.0;  // share of tries over the whole ranges
 constexpr double kMoved = 0.3;           // share of the parameters that a try near the best changes

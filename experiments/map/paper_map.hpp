@@ -11,7 +11,7 @@ namespace fulbito {
 
 /// A cell matches a result if both numbers differ by at most this.
 inline constexpr double kTargetTolerance = 0.02;
-/// Number of fresh seeds, and what is added to the map's first seed for the first of them.
+/// Number of fresh seeds, and the offset of the first of them from the map's first seed.
 inline constexpr int kFreshSeeds = 3;
 inline constexpr std::uint64_t kFreshSeedOffset = 7000003;
 /// Cells with fewer safe pairs are ignored: their means would depend on a few lucky runs.

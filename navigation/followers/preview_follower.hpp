@@ -18,8 +18,8 @@ struct PreviewParams {
 };
 
 /// The follower that all methods share, so that comparisons rate methods and not controllers. It previews a
-/// polyline (a path, or 40 points integrated through a heading field), steers at a point some centimetres
-/// ahead, and drives as fast as the bends in the preview allow. A timed path is driven at its own speeds. A
+/// polyline: a path, or 40 points integrated through a heading field. It steers at a point some centimetres
+/// ahead and drives as fast as the bends in the preview allow. A timed path is driven at its own speeds. A
 /// slow robot at a goal with a heading turns to it in place.
 class PreviewFollower final : public Follower {
  public:

@@ -19,9 +19,9 @@ struct SpeedLimits {
 /// The limits of `robot`. The shares (0 ... 1] of its wheel acceleration and lateral grip leave a reserve.
 SpeedLimits speedLimits(const RobotModel& robot, double acceleration_share, double lateral_share);
 
-/// Curvature [1/m] at each point of a polyline from the circle through the point and the points two before
-/// and two after it, which the vertices of a coarse polyline do not disturb. Next to the ends it uses the
-/// direct neighbours; at the ends it is 0.
+/// Curvature [1/m] at each point of a polyline, from the circle through the point and the points two before
+/// and two after it. The vertices of a coarse polyline do not disturb this circle. Next to the ends it uses
+/// the direct neighbours; at the ends it is 0.
 /// @param curvature  same size as `path`
 void pathCurvature(std::span<const Vec2> path, std::span<double> curvature);
 

@@ -10,8 +10,8 @@
 #include "fulbito/models.hpp"
 #include "fulbito/team.h"
 
-/// Conversions of shared values to the C interface and back. sdk/values/values.toml is the source of those
-/// for structures, which are generated.
+/// Conversions of shared values to the C interface and back. Those for structures are generated from
+/// sdk/values/values.toml.
 namespace fulbito {
 
 /// @{ To the C interface.

@@ -23,7 +23,7 @@ void predictObstacles(const NavigationScene& scene, double horizon, std::vector<
 /// Tests whether a polyline keeps away from discs and walls.
 ///
 /// Near its ends a path may have to come closer than wanted. If the start or the goal is within the clearance
-/// of a disc, up to 1 cm more of the clearance is given up there, but not the robot's circumscribed circle. A
+/// of a disc, the clearance there shrinks by up to 1 cm more. The robot's circumscribed circle stays free. A
 /// disc that still holds the point is shrunk until the point is on its edge. Within 10 cm of an end that is
 /// closer to a wall than the margin, the margin is that end's distance.
 class PathGuard {

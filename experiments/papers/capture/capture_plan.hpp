@@ -61,9 +61,8 @@ CaptureStart captureStart(const CaptureLimits& limits, const Pose2& robot, doubl
 /// The line and the last curve from a robot that drives straight.
 /// @param motion  the motion so far; the object's time counts from its start
 /// @param early   share of the line's spare length that is driven at the higher speed before braking; the
-/// paper's robot brakes at once
-/// Empty if the line to the object's line is too short for braking, or meets it at an angle below 0.25 rad,
-/// or if the object is faster than the robot.
+///   paper's robot brakes at once. Empty if the line to the object's line is too short for braking, or meets
+///   it at an angle below 0.25 rad, or if the object is faster than the robot.
 std::optional<CapturePlan> captureEnd(const CaptureLimits& limits, const MotionProfile& motion, double speed,
                                       const ObjectMotion& object, double radius, double early = 0.0);
 
@@ -83,9 +82,9 @@ enum class CaptureRefusal : std::uint8_t {
 /// Name for tables.
 std::string nameOf(CaptureRefusal refusal);
 
-/// The fastest plan with the wanted gap. The search tries both sides and several first and last radii, with
-/// the roots of the gap over the first turn, for a robot that brakes at the start of the line. If there is
-/// none, it takes the fastest for a robot that brakes later. If the plan is empty, `refusal` says why.
+/// The fastest plan with the wanted gap. For both sides and several first and last radii, the search finds
+/// the first turns with this gap, for a robot that brakes at the start of the line. If there is none, it
+/// takes the fastest for a robot that brakes later. If the plan is empty, `refusal` says why.
 struct CaptureAnswer {
   std::optional<CapturePlan> plan;
   CaptureRefusal refusal = CaptureRefusal::kNoLine;

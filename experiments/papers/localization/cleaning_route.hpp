@@ -13,8 +13,8 @@ struct CleaningRoute {
   std::size_t round_ends = 0;    ///< index of the origin after the round, where the stripes begin
 };
 
-/// The route leads straight ahead to the wall, to the corner of the origin, once round along all walls, in
-/// stripes along the longer side of the room, and back to the origin along the walls.
+/// The route leads straight ahead to the wall, to the corner of the origin and once round along all walls.
+/// Then it covers the room in stripes along its longer side and returns to the origin along the walls.
 /// @param start    facing a wall
 /// @param margin   [m] from the robot's centre to the walls
 /// @param spacing  [m] greatest distance between stripes

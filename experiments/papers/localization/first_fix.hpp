@@ -16,10 +16,10 @@ struct FirstFix {
   /// @}
 };
 
-/// Aligns the robot with a wall and finds its pose. It measures the gyro bias at standstill, sweeps the front
-/// sensor by +-45 degrees, sweeps by +-40 degrees about the middle of the near-shortest echoes until the
-/// middle stays, turns to the fitted perpendicular, and averages echoes at standstill. Errors: kBadInput if
-/// no wall answers, and as `locate`.
+/// Aligns the robot with a wall and finds its pose. It measures the gyro bias at standstill and sweeps the
+/// front sensor by +-45 degrees. Then it sweeps by +-40 degrees about the middle of the near-shortest echoes
+/// until the middle stays. It turns to the fitted perpendicular and averages echoes at standstill. Errors:
+/// kBadInput if no wall answers, and as `locate`.
 /// @param range_noise  [m] standard deviation of a range, as the robot knows it
 Result<FirstFix> findStart(Rig& rig, const Room& room, double range_noise);
 

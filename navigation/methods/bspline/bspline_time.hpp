@@ -16,7 +16,6 @@ namespace fulbito {
 /// improve the part of the spline ahead. It plans anew if the goal moves, the robot is off the path, or discs
 /// block the path. Discs are predicted along straight lines, mirrored at walls. Until a new plan is clear of
 /// them, the robot slows down or stops.
-/// slower or stops.
 class BsplineTime final : public Navigator {
  public:
   using Params = BsplineTimeParams;

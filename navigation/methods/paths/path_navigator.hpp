@@ -14,8 +14,9 @@ struct PathNavigatorParams {
   Replan replan = Replan::kChange;
 };
 
-/// Common base of the path methods. It plans with obstacles at the places where the robot will meet them,
-/// keeps the path until the scene changes or the robot leaves it, and slows down for obstacles that cross it.
+/// Common base of the path methods. It plans with obstacles at the places where the robot will meet them and
+/// keeps the path until the scene changes or the robot leaves it. It slows down for obstacles that cross the
+/// path.
 class PathNavigator : public Navigator {
  public:
   void reset() final;

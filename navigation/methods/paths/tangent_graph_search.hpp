@@ -30,9 +30,9 @@ struct SidePreference {
 /// graph; Latombe 1991 calls it the generalised visibility graph). The search makes tangents when it reaches
 /// their circle and tests them for collision when they come first in the queue, so that it tests few of them.
 ///
-/// Discs may overlap. A disc that holds the start or the goal shrinks until the point is on its edge, and a
-/// wall that is nearer to one of them than the margin moves out to it. So tracking errors of a millimetre
-/// change the path by a millimetre, and there is always a way out.
+/// Discs may overlap. A disc that holds the start or the goal shrinks until the point is on its edge. A wall
+/// that is nearer to one of them than the margin moves out to it. So tracking errors of a millimetre change
+/// the path by a millimetre, and there is always a way out.
 ///
 /// Cost: O(n) for each tested tangent, at most 4 n^2 of them; the test's survey has measurements. The graph
 /// keeps its memory between searches and only allocates for more circles than before.

@@ -25,14 +25,14 @@ struct DwaParams {
 };
 
 /// Dynamic window approach (Fox, Burgard & Thrun, IEEE RAM 4(1), 1997). It samples the speeds and yaw rates
-/// that the wheels can reach within a short time and drops those from which the robot could not stop before
+/// that the wheels can reach within a short time. It drops those from which the robot could not stop before
 /// the first obstacle on their arc. It drives the best of the rest by a weighted sum of heading to the goal,
 /// clear arc, speed and progress. It plans its own speed.
 ///
 /// Differences from the paper: obstacles move at constant velocity. Samples respect wheel saturation, the
 /// lateral grip and the joint reach of the wheels. The arc starts with the change from the present twist. A
-/// progress term (reduction of the distance to the goal over the preview, relative to the best possible)
-/// replaces the heading term, which would hold a robot in front of an obstacle that hides the goal. The
+/// progress term replaces the heading term, which would hold a robot in front of an obstacle that hides the
+/// goal. It is the reduction of the distance to the goal over the preview, relative to the best possible. The
 /// paper's second bound on the yaw rate is left out, as v and omega fall together along the same arc. The
 /// method does not aim at an arrival heading.
 class Dwa final : public Navigator {

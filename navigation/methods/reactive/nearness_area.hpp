@@ -41,8 +41,8 @@ bool isWide(const NearnessView& view, const WalkingArea& area);
 double areaDirection(const NearnessView& view, const WalkingArea& area);
 
 /// Whether the robot can reach `target` [m, robot frame]: obstacle points beside the way (0 <= x < its
-/// distance, |y| <= 2 R) are at least R from the target, and no point on the left is closer than 2 R to one
-/// on the right.
+/// distance, |y| <= 2 R) are at least R from the target. No point on the left is closer than 2 R to one on
+/// the right.
 bool isNavigable(const NearnessView& view, Vec2 target);
 
 /// Free walking area (Minguez & Montano 2004): the goal itself if it is visible and reachable. Otherwise it

@@ -23,10 +23,10 @@ struct NearnessDiagramParams {
 /// In each tick it takes the nearest point of obstacles and walls in every sector, classifies the situation
 /// and returns one direction and a speed. It has no memory.
 ///
-/// The direction becomes a constant heading field and the speed a cap, so that the shared follower drives it
-/// and comparisons rate methods, not controllers (the paper's own law is v_max k cos, omega_max k sin). The
-/// published method has no model of inertia. As an addition to it, the cap also lets the robot stop in front
-/// of anything straight ahead.
+/// The direction becomes a constant heading field and the speed a cap, so that the shared follower drives the
+/// robot and comparisons rate methods, not controllers. The paper's own law is v_max k cos, omega_max k sin.
+/// The published method has no model of inertia. As an addition to it, the cap also lets the robot stop in
+/// front of anything straight ahead.
 class NearnessDiagram final : public Navigator, public HeadingField {
  public:
   using Params = NearnessDiagramParams;

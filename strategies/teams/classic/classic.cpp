@@ -31,8 +31,8 @@ void Classic::begin(const MatchInfo& info) {
   attacker_ = std::min<std::size_t>(1, static_cast<std::size_t>(info.rules.team_size) - 1);
 }
 
-/// Roles by robot number: 0 keeper, 1 attacker, 2 supporter, 3 defender, 4 and up winger. Another robot may
-/// exchange its role with the attacker.
+/// Roles by robot number: 0 keeper, 1 attacker, 2 supporter, 3 defender, 4 and up winger. The attacker may
+/// exchange its role with another robot.
 Classic::Role Classic::roleOf(std::size_t robot) const {
   constexpr std::array<Role, 5> kByNumber = {Role::kKeeper, Role::kAttacker, Role::kSupporter,
                                              Role::kDefender, Role::kWinger};
