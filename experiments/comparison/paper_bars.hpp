@@ -32,7 +32,7 @@ std::vector<PaperBars> paperBars(const Comparison& comparison);
 int slowerPairs(const PaperBars& bars);
 int longerPairs(const PaperBars& bars);
 
-/// Table for people: the paper's figures beside those of the comparison. Empty without bars.
+/// Markdown table: the paper's figures beside those of the comparison. Empty without bars.
 std::string barsReport(const std::vector<PaperBars>& all);
 
 }  // namespace fulbito

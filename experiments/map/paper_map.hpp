@@ -119,9 +119,9 @@ struct RingRecord {
 /// The ring of a suite with the least mean `time_ratio_all`: one setting for all uses. Does not use the gap.
 RingRecord bestRing(const std::vector<MapCell>& cells, const std::string& suite);
 
-/// Lines for people: the nearest cells on their own and on fresh layouts. Empty without fresh cells.
+/// Readable lines on the nearest cells: results on their own and on fresh layouts. Empty without fresh cells.
 std::string freshReport(const PaperMap& map);
-/// Text for people: the findings, the fresh layouts, and the safest ring per suite, law, heading and speed.
+/// Readable text: the findings, the fresh layouts, and the safest ring per suite, law, heading and speed.
 std::string mapReport(const PaperMap& map);
 /// CSV with one line per cell and a header.
 std::string mapCsv(const PaperMap& map);

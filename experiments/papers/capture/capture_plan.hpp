@@ -58,11 +58,11 @@ struct CaptureStart {
 CaptureStart captureStart(const CaptureLimits& limits, const Pose2& robot, double side, double radius,
                           double turn);
 
-/// The line and the last curve from a robot that drives straight.
+/// The line and the last curve from a robot that drives straight. Empty if the line to the object's line is
+/// too short for braking, or meets it at an angle below 0.25 rad, or if the object is faster than the robot.
 /// @param motion  the motion so far; the object's time counts from its start
 /// @param early   share of the line's spare length that is driven at the higher speed before braking; the
-///   paper's robot brakes at once. Empty if the line to the object's line is too short for braking, or meets
-///   it at an angle below 0.25 rad, or if the object is faster than the robot.
+///   paper's robot brakes at once
 std::optional<CapturePlan> captureEnd(const CaptureLimits& limits, const MotionProfile& motion, double speed,
                                       const ObjectMotion& object, double radius, double early = 0.0);
 

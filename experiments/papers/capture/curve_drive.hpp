@@ -31,9 +31,9 @@ struct CurveDriveResult {
 /// The end of the curves without slip, for a start at the origin with a heading of 90 degrees.
 Vec2 idealEnd(const CurveDriveSetup& setup);
 
-/// Drives it in its own world, from the origin with a heading of 90 degrees, to the right first. The first
-/// curve ends on the ray from the centre of the curve without slip through the end of that curve. Then the
-/// wheels change, and the second curve ends where the heading is 90 degrees again. Errors: of the world;
+/// Drives `setup` in its own world, from the origin with a heading of 90 degrees and first to the right. The
+/// first curve ends on the ray from the centre of the curve without slip through the end of that curve. Then
+/// the wheels change, and the second curve ends where the heading is 90 degrees again. Errors: of the world;
 /// kUsage for a drive that does not end within 200 s.
 Result<CurveDriveResult> driveCurve(const CurveDriveSetup& setup);
 

@@ -10,8 +10,8 @@
 namespace fulbito::localization {
 namespace {
 
-constexpr double kSlack = 1.5;          // factor of the expected time of the route
-constexpr double kSlackSeconds = 60.0;  // [s] added to it
+constexpr double kSlack = 1.5;          // time limit, relative to the expected time
+constexpr double kSlackSeconds = 60.0;  // [s] added to that limit
 
 Knowledge knowledgeOf(const CleaningTask& task, const FirstFix& fix) {
   Knowledge known;

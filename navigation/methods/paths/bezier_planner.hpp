@@ -41,7 +41,7 @@ class BezierPlanner {
   /// @param bodies      obstacles without inflation
   /// @param shortest    planned for the same scene; gives the sides
   /// @param clearances  [m] to the robot's circumscribed circle: the wanted one first, then smaller ones for
-  /// when no curve keeps it; at most kMostClearances
+  ///   when no curve keeps it; at most kMostClearances
   std::optional<std::size_t> plan(const NavigationScene& scene, std::span<const Circle> bodies,
                                   const TangentPath& shortest, std::span<const double> clearances);
   const BezierSamples& path() const { return levels_[chosen_].path; }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTouch = 1e-9;  // [m] a path may enter a disc that it touches this far
 constexpr double kTurn = 2.0 * math::kPi;
-constexpr double kSameAngle = 1e-9;  // [rad] a whole turn less than this is a rounding error
+constexpr double kSameAngle = 1e-9;  // [rad] arcs this close to a whole turn are rounding errors
 constexpr double kMostPieces = 2000.0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();

@@ -43,7 +43,7 @@ class TangentGraph {
 
   /// Finds the shortest path. Returns false if there is none.
   /// @param bounds       field whose walls are at least `wall_margin` [m] away; null: no walls. The insides
-  /// of the goals count as outside.
+  ///   of the goals count as outside.
   /// @param preference   see `SidePreference`
   bool search(Vec2 start, Vec2 goal, std::span<const Circle> circles, const FieldGeometry* bounds = nullptr,
               double wall_margin = 0.0, SidePreference preference = {});

@@ -10,7 +10,7 @@ namespace fulbito::libero {
 namespace {
 
 constexpr double kHeldSpeed = 0.3;   // [m/s] above this speed the leading end stays
-constexpr double kHeldAngle = 0.26;  // [rad] beyond a right angle, up to which it stays
+constexpr double kHeldAngle = 0.26;  // [rad] beyond a right angle; smaller errors keep the end
 constexpr double kBraking = 0.75;    // share of the acceleration that a robot plans to use for braking
 
 }  // namespace
