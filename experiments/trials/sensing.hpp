@@ -34,7 +34,7 @@ class Sensing {
   Sensor sensor_;
   Sight last_;  ///< last sighting of each body, at different times
   DelayedPictures<Sight> sights_;
-  std::vector<WheelSpeeds> commands_;  ///< ring of the last `latency` commands
+  std::vector<WheelSpeeds> commands_;  ///< ring of the last `latency_ticks` commands
   std::size_t given_ = 0;
   RobotState robot_;
   std::vector<DiscObstacle> discs_;

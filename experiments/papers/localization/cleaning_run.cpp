@@ -89,7 +89,7 @@ class Judge {
   int notes_ = 0;
 };
 
-/// Length [m] of the route up to the place of `place` on a part.
+/// Length [m] of the route up to the point of a part that is nearest to `place`.
 double wayUntil(const std::vector<Vec2>& route, std::size_t part, Vec2 place) {
   double sum = 0.0;
   for (std::size_t i = 1; i <= part; ++i) sum += distance(route[i - 1], route[i]);
