@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kStraight = 3e-3;  // [m] off a line that counts as on it
+constexpr double kStraight = 3e-3;  // [m] greatest distance from a line of a point that counts as on it
 
 /// Whether all points between `first` and `last` are on the line between these two.
 bool isStraight(std::span<const Vec2> path, std::size_t first, std::size_t last) {
@@ -34,8 +34,8 @@ void addPath(std::span<const Vec2> path, std::vector<GuidanceStroke>& strokes) {
 void addField(const HeadingField& field, Vec2 position, Vec2 goal, std::vector<GuidanceStroke>& strokes) {
   constexpr int kArrows = 10, kSteps = 3;
   constexpr double kStep = 0.02;   // [m]
-  constexpr double kHead = 0.014;  // [m] length of a head's side
-  constexpr double kAngle = 2.5;   // [rad] between a head's side and the way
+  constexpr double kHead = 0.014;  // [m] length of a side of an arrow head
+  constexpr double kAngle = 2.5;   // [rad] between a side of the head and the direction of travel
   Vec2 at = position;
   for (int arrow = 0; arrow < kArrows; ++arrow) {
     double heading = field.heading(at);

@@ -6,15 +6,15 @@
 
 namespace fulbito {
 
-/// A straight line that shows a part of what a navigator wants.
+/// A straight line that shows a part of a navigator's guidance.
 struct GuidanceStroke {
   Vec2 from;  ///< [m]
   Vec2 to;    ///< [m]
 };
 
-/// Appends lines that show a guidance to a viewer: of a path all of it, within 3 mm; of a field arrow heads
-/// along the way on which it leads a point from `position` toward `goal`, 6 cm apart, ten at most. Nothing of
-/// a method that controls the wheels itself.
+/// Appends lines that show a guidance to a viewer. For a path they show all of it, within 3 mm. For a field
+/// they are up to ten arrow heads, 6 cm apart, along the streamline from `position` toward `goal`. A method
+/// that controls the wheels itself has none.
 void addStrokes(const Guidance& guidance, Vec2 position, Vec2 goal, std::vector<GuidanceStroke>& strokes);
 
 }  // namespace fulbito

@@ -11,7 +11,7 @@
 
 namespace fulbito {
 
-/// @{ The built-in methods: each is defined in a file of its own below navigation/methods.
+/// @{ The built-in methods. A file of its own below navigation/methods defines each of them.
 NavigatorInfo straightInfo();
 NavigatorInfo vectorFieldInfo();
 NavigatorInfo univectorInfo();
@@ -33,7 +33,7 @@ NavigatorInfo doubleCurvatureInfo();
 
 namespace {
 
-/// In the order in which tables list them.
+/// Entries in the order of tables.
 const std::vector<NavigatorInfo>& registry() {
   static const std::vector<NavigatorInfo> entries = {
       straightInfo(),        vectorFieldInfo(),
@@ -73,7 +73,7 @@ const std::vector<ParameterSpec>& common() {
   return specs;
 }
 
-/// Whether `setting` is one that all methods share; it is then set in `choice`. Errors: of its value.
+/// Whether all methods share `setting`; it is then set in `choice`. Errors: kUsage for its value.
 Result<bool> takeShared(const Setting& setting, NavigatorChoice& choice) {
   for (const ParameterSpec& spec : common()) {
     if (setting.name != spec.name) continue;
@@ -89,7 +89,7 @@ Result<bool> takeShared(const Setting& setting, NavigatorChoice& choice) {
   return false;
 }
 
-/// The entry of a built-in method. The registry lives as long as the program, so nothing owns it.
+/// The entry of a built-in method. It has no owner, since the registry lives as long as the program.
 Result<std::shared_ptr<const NavigatorInfo>> builtIn(const std::string& name) {
   std::vector<std::string> names;
   for (const NavigatorInfo& info : registry()) {
@@ -106,7 +106,7 @@ Result<std::shared_ptr<const NavigatorInfo>> loaded(const std::string& path, con
   return libraryNavigator(*library, name);
 }
 
-/// The choice of an entry with the settings `text`, such as `clearance=0.02,follower=classic`.
+/// The choice of the entry `info` with the settings `text`, such as `clearance=0.02,follower=classic`.
 Result<NavigatorChoice> choose(Result<std::shared_ptr<const NavigatorInfo>> info, const std::string& text,
                                const std::string& specification) {
   if (!info) return tl::unexpected<Error>(info.error());
@@ -122,7 +122,7 @@ Result<NavigatorChoice> choose(Result<std::shared_ptr<const NavigatorInfo>> info
       if (!*shared) choice.settings.push_back(std::move(setting));
     }
   }
-  // Making one now reports a wrong parameter before anything runs.
+  // The trial reports wrong parameters before a match starts.
   const auto trial = choice.info->make(choice.settings);
   if (!trial) return tl::unexpected<Error>(trial.error());
   return choice;

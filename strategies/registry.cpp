@@ -10,15 +10,16 @@ namespace fulbito {
 
 // The built-in teams: each is defined in a file of its own below strategies/teams.
 
-/// Nobody moves: what a striker is tried against first.
+/// No robot moves: the first opponent for a new striker.
 TeamInfo idleInfo();
-/// All robots drive at random, smoothly: what the referee and the engine are tried with.
+/// All robots drive smoothly at random, for tests of the referee and the engine.
 TeamInfo randomTeamInfo();
-/// All robots drive straight at the ball: the least that a team must beat.
+/// All robots drive straight at the ball: the weakest opponent that a team must beat.
 TeamInfo chaserInfo();
 /// The textbook team: fixed roles, and a field that leads to the ball with the right heading.
 TeamInfo classicInfo();
-/// The flagship: one striker, a support and a keeper who change roles as the ball asks (docs/libero.md).
+/// The flagship team: a striker, a support and a keeper who exchange their roles during play
+/// (docs/libero.md).
 TeamInfo liberoInfo();
 
 TeamChoice TeamChoice::own(std::string name, std::function<std::unique_ptr<Strategy>()> make) {
@@ -72,7 +73,7 @@ Result<TeamChoice> TeamCatalogue::parse(const std::string& specification) const 
     if (!settings) return tl::unexpected<Error>(settings.error());
     choice.settings = std::move(*settings);
   }
-  // Making one now reports a wrong parameter before anything runs.
+  // The trial reports wrong parameters before a match starts.
   const auto trial = makeTeam(choice);
   if (!trial) return tl::unexpected<Error>(trial.error());
   return choice;

@@ -11,23 +11,23 @@
 namespace fulbito {
 namespace {
 
-constexpr double kSpeeds = 256.0;  // of a wheel each way
+constexpr double kSpeeds = 256.0;  // speed steps of a wheel in each direction
 
-/// The step [rad/s] in which wheels are commanded: a whole number of those that the physics rounds to.
+/// The step [rad/s] of wheel commands: a whole multiple of the step to which the physics rounds.
 double commandStep(const MatchInfo& info) {
   const double step = info.robot.max_wheel_speed / kSpeeds;
   const double least = info.physics.wheel_command_step;
   return least > 0.0 ? std::max(1.0, std::floor(step / least + 1e-9)) * least : step;
 }
 
-/// The same robot with its back called its front.
+/// The same robot with front and back exchanged.
 RobotState turnedRound(RobotState robot) {
   robot.pose.heading = math::wrapAngle(robot.pose.heading + math::kPi);
   robot.wheels = {-robot.wheels.right, -robot.wheels.left};
   return robot;
 }
 
-/// Direction [rad] in which `pilot` last wanted to leave `from`.
+/// Direction [rad] in which `pilot` wanted to leave `from` at its last plan, or toward `goal` without a plan.
 double wantedDirection(const Pilot& pilot, bool planned, Vec2 from, Vec2 goal) {
   const Guidance& guidance = pilot.guidance();
   if (planned && guidance.kind == GuidanceKind::kField && guidance.field != nullptr) {
@@ -65,8 +65,8 @@ Result<TeamPilots> TeamPilots::create(const MatchInfo& info, std::span<const Nav
   return team;
 }
 
-// A navigator may lie idle for minutes before the strategy asks for it; its buffers are filled here, on a
-// full field, so that no tick allocates.
+// Each navigator drives once on a full field, so that its buffers have their size. Otherwise a navigator that
+// the strategy asks for minutes later would allocate memory in a tick.
 void TeamPilots::warmUp() {
   Observation full;
   full.dt = info_.physics.controlPeriod();
@@ -135,15 +135,15 @@ WheelSpeeds TeamPilots::driveRobot(const Observation& observation, int robot, co
   return inSteps(inverseKinematics(info_.robot, limited));
 }
 
-// As the radio of a real robot would carry them. No team plays measurably better or worse for it, and
-// recordings are a fifth smaller.
+// The rounding models a real robot's radio. It has no measurable effect on any team's results and makes
+// recordings a fifth smaller.
 WheelSpeeds TeamPilots::inSteps(WheelSpeeds wheels) const {
   const WheelSpeeds rounded = roundedTo(wheels, step_);
   return {std::clamp(rounded.left, -top_, top_), std::clamp(rounded.right, -top_, top_)};
 }
 
 void TeamPilots::chooseFront(Driver& driver, const RobotState& robot, const GoTo& go_to) const {
-  // Of a fast robot turning round costs less than stopping; near a right angle either end is as good.
+  // A fast robot turns round in less time than it stops. Near a right angle both ends are equally good.
   constexpr double kSlow = 0.3;                // [m/s]
   constexpr double kClearly = math::kPi / 12;  // [rad] beyond a right angle
   if (!go_to.either_front) {

@@ -25,7 +25,7 @@ struct Task {
 };
 
 std::vector<std::string> defaultNavigators(const Suite& suite) {
-  if (suite.always_traced) return figureMethods();  // what the suite is judged by
+  if (suite.always_traced) return figureMethods();  // the methods that the suite's verdicts need
   std::vector<std::string> names;
   for (const NavigatorInfo& info : navigators()) names.push_back(info.name);
   return names;

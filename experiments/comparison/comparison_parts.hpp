@@ -7,25 +7,25 @@
 
 namespace fulbito {
 
-/// Loads robot and physics and checks ranges, without blocks. Errors: kUsage, kIo, kBadInput.
+/// Loads robot and physics and checks ranges; the blocks stay empty. Errors: kUsage, kIo, kBadInput.
 Result<Comparison> prepareComparison(const ComparisonConfig& config);
 
-/// Index of the navigator with which the others are paired: `bezier` if present, else the first.
+/// Index of the navigator with which the others are compared in pairs: `bezier` if present, else the first.
 std::size_t referenceOf(const ComparisonBlock& block);
 
-/// Where a method's runs are.
+/// Where the runs of a method are in a comparison.
 struct MethodPlace {
   std::size_t block;
   std::size_t navigator;
 };
-/// The runs of the specification `text` on a suite at a top speed [m/s].
+/// Finds the runs of the navigator specification `text` on a suite at a top speed [m/s].
 std::optional<MethodPlace> findMethod(const Comparison& comparison, const std::string& suite, double speed,
                                       const std::string& text);
 
 /// The robot of a block: the comparison's with its top speed set to the block's.
 RobotPreset robotAt(const RobotPreset& robot, double speed);
 
-/// The trial config of one trial of the comparison. Errors: of the layout's field.
+/// The config of one trial of the comparison. Errors: those of the layout's field.
 Result<TrialConfig> trialConfig(const Comparison& comparison, const ComparisonBlock& block,
                                 std::size_t navigator, std::uint64_t index);
 

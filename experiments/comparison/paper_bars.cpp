@@ -23,7 +23,7 @@ constexpr BarsRuns kRuns[] = {{&kPaperTargets[0], "corner", 1.0, "bezier", kUntu
 
 bool counts(const TrialScore& score) { return score.success() && score.timeRatio() <= kHung; }
 
-/// Means per run.
+/// Mean lengths and times of the pairs.
 LayoutPair meanOf(const PaperBars& bars) {
   LayoutPair sum;
   for (const LayoutPair& p : bars.pairs) {
@@ -34,7 +34,8 @@ LayoutPair meanOf(const PaperBars& bars) {
   return {0, sum.field_length / n, sum.bezier_length / n, sum.field_time / n, sum.bezier_time / n};
 }
 
-/// What a result of the paper implies: its savings in units over its savings in per cent.
+/// The mean lengths and times that a result of the paper implies: the printed savings divided by their
+/// shares.
 LayoutPair impliedBy(const PaperTarget& paper) {
   LayoutPair mean;
   mean.field_length = -paper.length_saved / paper.length;

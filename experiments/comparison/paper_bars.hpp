@@ -8,15 +8,15 @@
 
 namespace fulbito {
 
-/// Way and time of both methods on one layout that both solve.
+/// Path lengths and times of both methods on one layout that both solve.
 struct LayoutPair {
   std::uint64_t index = 0;
   double field_length = 0.0, bezier_length = 0.0;  ///< [m]
   double field_time = 0.0, bezier_time = 0.0;      ///< [s]
 };
 
-/// What Figs 28 and 29 of Jung & Lee (2015) show layout by layout, from the runs whose means come nearest to
-/// each. Without hung runs.
+/// The data of Figs 28 and 29 of Jung & Lee (2015) layout by layout, from the runs whose means are nearest to
+/// each figure. Hung runs are left out.
 struct PaperBars {
   const PaperTarget* paper = nullptr;
   std::string suite;
@@ -25,14 +25,14 @@ struct PaperBars {
   std::vector<LayoutPair> pairs;
 };
 
-/// The bars of both figures, as far as the comparison has their runs.
+/// The bars of both figures, for each whose runs are in the comparison.
 std::vector<PaperBars> paperBars(const Comparison& comparison);
 
-/// Number of the pairs in which the Bezier method needs more time, or drives farther, than the field.
+/// Number of the pairs in which the Bezier method needs more time, or drives farther, than the field method.
 int slowerPairs(const PaperBars& bars);
 int longerPairs(const PaperBars& bars);
 
-/// Table for people: the paper's figures beside these. Empty without bars.
+/// Markdown table: the paper's figures beside those of the comparison. Empty without bars.
 std::string barsReport(const std::vector<PaperBars>& all);
 
 }  // namespace fulbito

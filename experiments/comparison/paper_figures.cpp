@@ -13,7 +13,7 @@ namespace {
 
 std::string times(std::size_t count) { return count == 1 ? "once" : fmt::format("{} times", count); }
 
-/// The trace up to the first touch: what follows is the bump's doing.
+/// The trace up to the first touch; the motion after it is an effect of the collision.
 std::span<const TraceRow> untouched(const TrialRecord& run) {
   const std::span<const TraceRow> trace = run.trace;
   if (run.touches.empty()) return trace;
@@ -22,7 +22,7 @@ std::span<const TraceRow> untouched(const TrialRecord& run) {
   return trace.first(static_cast<std::size_t>(end - trace.begin()));
 }
 
-/// The trace until the robot is `reach` from its start.
+/// The trace until the robot is `reach` [m] from its start.
 std::span<const TraceRow> nearStart(const Layout& layout, std::span<const TraceRow> trace, double reach) {
   const auto end = std::find_if(trace.begin(), trace.end(), [&](const TraceRow& row) {
     return distance(row.robot.pose.position, layout.start.position) >= reach;
@@ -43,7 +43,7 @@ FigureVerdict touches(const char* what, int count, const TrialRecord& run) {
 }
 
 FigureVerdict turns(const FigureCase& figure, const TrialRecord& run) {
-  std::vector<long> angles;  // [degrees] of the turns that count
+  std::vector<long> angles;  // [degrees] of the turns that are abrupt enough
   for (const HeadingTurn& turn : turnsOf(untouched(run), figure.turn, figure.within)) {
     if (turn.abrupt >= figure.turn) angles.push_back(std::lround(turn.angle * 180.0 / math::kPi));
   }
@@ -69,7 +69,7 @@ FigureVerdict turnsBack(const FigureCase& figure, const Layout& layout, const Tr
 
 FigureVerdict bentBehind(const FigureCase& figure, const Layout& layout, const TrialRecord& run) {
   const Vec2 along = unitOr(layout.goal - layout.start.position, {1.0, 0.0});
-  double passed = 0.0;  // [m] along the way, of the last obstacle
+  double passed = 0.0;  // [m] along the line start - goal, of the last obstacle
   for (const ObstacleSpec& o : layout.obstacles) {
     passed = std::max(passed, dot(o.pose.position - layout.start.position, along));
   }
@@ -95,7 +95,7 @@ std::optional<std::size_t> placeOf(const ComparisonBlock& block, const std::stri
   return std::nullopt;
 }
 
-/// The figure's runs on the block's record number `i`.
+/// The verdicts of the figure's runs in the block's record number `i`.
 FigureRow judged(const Comparison& comparison, std::size_t b, std::size_t i, const FigureCase& figure,
                  const Layout& layout) {
   FigureRow row{&figure, comparison.blocks[b].speed, 0.0, {}};
@@ -217,7 +217,7 @@ std::vector<FigureRow> judgeSweeps(const Comparison& comparison) {
 
 namespace {
 
-/// A place on a trace: the way [m] to it and the heading [rad], unwrapped, both from the trace's first row.
+/// A place on a trace: path length [m] and unwrapped heading [rad], both relative to the trace's first row.
 struct Place {
   double way = 0.0;
   double heading = 0.0;
@@ -234,11 +234,12 @@ std::vector<Place> placesOf(std::span<const TraceRow> trace) {
   return places;
 }
 
-/// Where the first turn of more than `least` begins, and where each of these alternating turns ends.
+/// Indices of the start of the first turn of more than `least` [rad], and of the end of each alternating
+/// turn.
 std::vector<std::size_t> turningPoints(const std::vector<Place>& places, double least) {
   std::vector<std::size_t> points;
-  std::size_t low = 0, high = 0;  // extremes since the last turn began
-  double sense = 0.0;             // of the last turn
+  std::size_t low = 0, high = 0;  // rows of least and greatest heading since the last turn began
+  double sense = 0.0;             // direction of the last turn
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double heading = places[i].heading;
     const bool right = sense >= 0.0 && places[high].heading - heading > least;
@@ -256,7 +257,7 @@ std::vector<std::size_t> turningPoints(const std::vector<Place>& places, double 
   return points;
 }
 
-/// The most that the heading changes to the left within `within` of way, between two places.
+/// The greatest change of heading [rad] in the direction `sense` within `within` [m] of path.
 double steepest(std::span<const Place> places, double within, double sense) {
   double most = 0.0;
   for (std::size_t a = 0, z = 0; a < places.size(); ++a) {

@@ -15,7 +15,7 @@ namespace {
 
 const Suite* suiteNamed(const std::string& name) { return *findSuite(name); }
 
-/// Methods of the block: the caller's choice, or all with the block's own opponents.
+/// The block of a suite: the caller's methods, or all methods and the opponents `own` of the block.
 Result<ComparisonBlock> blockOf(const ComparisonConfig& config, const std::string& suite, double speed,
                                 const std::vector<std::string>& own, bool all_methods) {
   ComparisonBlock block;
@@ -53,15 +53,15 @@ std::string bandText(Band band) {
 
 /// One claim that is a difference between the Bezier method and an opponent.
 struct DifferenceClaim {
-  const char* id;  ///< opponent and where; the rows put distance- and time- before it
+  const char* id;  ///< opponent and conditions; the ids of the rows add the prefix distance- or time-
   const char* suite;
   double speed;
   const char* bezier;  ///< specification of the Bezier method in this claim
   const char* opponent;
-  const char* what;  ///< of the opponent, in the claim
+  const char* what;  ///< description of the opponent in the claim
   Band length;
   Band time;
-  const PaperTarget* paper;  ///< null: the paper compares with no such opponent
+  const PaperTarget* paper;  ///< null if the paper does not compare with this opponent
   const char* length_reason;
   const char* time_reason;
 };
@@ -104,11 +104,11 @@ void judgeDifference(Comparison& comparison, const DifferenceClaim& claim) {
   addRow(comparison, claim, false, all, true);
 }
 
-/// Share of the printed method's runs that touch something, over 20 seeds of 400 layouts (5001 ... 5020).
-/// Seeds differ as draws of as many layouts do: by 2.1 points, one standard deviation.
+/// Share of the printed method's runs that touch something, over 20 seeds of 400 layouts (5001 ... 5020). The
+/// standard deviation between seeds is 2.1 points, as expected for this number of layouts.
 constexpr double kRawCollisions = 0.813;
 
-/// How often the method as printed collides, and whether the guarded one does.
+/// Adds how often the method as printed collides, and whether the guarded one does.
 void judgeCollisions(Comparison& comparison) {
   const auto raw = findMethod(comparison, "corner", 1.0, "bezier-raw");
   const auto guarded = findMethod(comparison, "corner", 1.0, "bezier");

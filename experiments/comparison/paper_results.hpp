@@ -4,14 +4,14 @@
 
 namespace fulbito {
 
-/// One of the results of Jung & Lee (2015): what the Bezier method saves over the vector field, as ratios
+/// One of the results of Jung & Lee (2015): the savings of the Bezier method over the vector field, as ratios
 /// (-0.256 is 25.6 % less) and as printed in the units of its figure.
 struct PaperTarget {
   const char* name;  ///< name in the paper
-  double length;     ///< @{ of the vector field's
+  double length;     ///< @{ relative to that of the vector field
   double time;       ///< @}
   const char* figure = "";
-  double length_saved = 0.0;  ///< [length_unit]
+  double length_saved = 0.0;  ///< saved length in units of `length_unit`
   double time_saved = 0.0;    ///< [s]
   const char* length_unit = "";
 };

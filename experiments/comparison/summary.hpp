@@ -9,14 +9,14 @@ namespace fulbito {
 /// Fills in `comparison.summary` from its records, one row per block and navigator.
 void summarise(Comparison& comparison);
 
-/// A run longer than this multiple of T* has hung and would dominate any mean.
+/// A run longer than this multiple of T* counts as hung, since it would dominate any mean.
 inline constexpr double kHung = 4.0;
 inline constexpr double kNeverHung = 1e9;
-/// The T/T* of a failed run in means over all runs.
+/// The T/T* that a failed run counts with in means over all runs.
 inline constexpr double kFailureTimeRatio = 8.0;
 
-/// Relative difference "a against b" of length and time over the layouts that both solved within `hung` times
-/// T*.
+/// Relative difference of length and time of method a against method b, over the layouts that both solve
+/// within `hung` times T*.
 struct PairedDifference {
   int pairs = 0;
   Interval length;

@@ -13,19 +13,19 @@ namespace fulbito {
 namespace {
 
 constexpr std::uint64_t kTrainingSeedOffset =
-    1000003;  // training layouts are not those that the method is judged on
+    1000003;  // the training layouts must differ from those of comparisons
 constexpr int kMostEvaluations = 100000;
 constexpr double kFirstSpread = 0.1, kLastSpread = 0.002;  // of tries near the best, see tuningSpread
 constexpr double kOwnSize = 10.0, kZeroSize = 0.1;
 constexpr double kAnywhere = 1.0 / 3.0;  // share of tries over the whole ranges
 constexpr double kMoved = 0.3;           // share of the parameters that a try near the best changes
 constexpr std::size_t kFinalists = 5;
-constexpr int kLastRound = 3;  // times as many layouts
+constexpr int kLastRound = 3;  // factor of the number of layouts
 
 using Point = std::vector<double>;
 
 struct Space {
-  std::string fixed;  ///< name and fixed settings
+  std::string fixed;  ///< name and fixed settings of the method
   std::vector<ParameterSpec> parameters;
 };
 
@@ -66,8 +66,8 @@ Point drawAnywhere(const Space& space, Rng& rng) {
   return point;
 }
 
-/// `best` with at least one parameter changed, by `spread` times the smaller of its range and ten times its
-/// value.
+/// A point near `best` with at least one parameter changed. The standard deviation is `spread` times the
+/// smaller of the parameter's range and ten times its value.
 Point drawNear(const Space& space, Rng& rng, const Point& best, double spread) {
   Point point = best;
   const std::size_t always = rng.below(static_cast<std::uint32_t>(point.size()));
@@ -76,7 +76,7 @@ Point drawNear(const Space& space, Rng& rng, const Point& best, double spread) {
     if (!moved) continue;
     const ParameterSpec& spec = space.parameters[i];
     const double range = spec.maximum - spec.minimum;
-    // A value of centimetres in a range of metres: its own size is the measure, a zero has none.
+    // The value's own size limits the change, since some values are centimetres in a range of metres.
     const double size = best[i] != 0.0 ? std::min(range, kOwnSize * std::abs(best[i])) : kZeroSize * range;
     point[i] = std::clamp(best[i] + rng.normal(0.0, spread * size), spec.minimum, spec.maximum);
   }
@@ -88,7 +88,7 @@ struct Candidate {
   double value = 0.0;
 };
 
-/// The first few candidates by value.
+/// Inserts a candidate into the list of the best, which is sorted by value.
 void keepBest(std::vector<Candidate>& best, Candidate candidate) {
   const auto place = std::upper_bound(best.begin(), best.end(), candidate.value,
                                       [](double value, const Candidate& c) { return value < c.value; });
@@ -96,7 +96,7 @@ void keepBest(std::vector<Candidate>& best, Candidate candidate) {
   if (best.size() > kFinalists) best.pop_back();
 }
 
-/// The comparison whose layouts candidates are tried on.
+/// The comparison on whose layouts the candidates are tried.
 ComparisonConfig trainingOf(const ComparisonConfig& base, const TuneConfig& config) {
   ComparisonConfig training = base;
   if (training.suite == kPaperSuite) training.suite = "corner";
@@ -109,7 +109,7 @@ ComparisonConfig trainingOf(const ComparisonConfig& base, const TuneConfig& conf
   return training;
 }
 
-/// What is minimised: measures candidates one after the other, and reports each to `progress`.
+/// The function to minimise. It measures candidates one after the other and reports each to `progress`.
 class Objective {
  public:
   Objective(const Space& space, ComparisonConfig training, std::size_t total, const Progress& progress)
@@ -121,14 +121,14 @@ class Objective {
     training_.navigators = {specificationAt(space_, point)};
     auto comparison = planComparison(training_);
     if (!comparison) return tl::unexpected<Error>(comparison.error());
-    // A measurement takes seconds: it can be stopped after each trial.
+    // A measurement takes seconds, so the user can stop it after each trial.
     const auto in_between = [&](std::size_t, std::size_t) { return !progress_ || progress_(done_, total_); };
     if (auto ran = runComparison(*comparison, {}, in_between); !ran)
       return tl::unexpected<Error>(ran.error());
     return comparison->summary.front().time_ratio_all;
   }
 
-  /// From here on, fresh layouts, and more of them.
+  /// Changes to more layouts, which are new.
   void beginLastRound() {
     training_.seed += kTrainingSeedOffset;
     training_.trials *= kLastRound;

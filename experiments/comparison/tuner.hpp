@@ -11,14 +11,14 @@ struct TuneConfig {
   std::string navigator;  ///< name of the method, optionally with fixed settings
   double speed = 1.0;     ///< [m/s]
   int evaluations = 150;  ///< number of parameter sets to try
-  int layouts = 100;      ///< training layouts of the suite, with a seed of their own
+  int layouts = 100;      ///< number of training layouts of the suite, with their own seed
 };
 
 struct TuneResult {
   std::string navigator;   ///< specification of the best set found
   double objective = 0.0;  ///< its mean T/T* on the layouts of the last round, failures as 8
   double initial = 0.0;    ///< the same for the defaults
-  int layouts = 0;         ///< of the last round
+  int layouts = 0;         ///< number of layouts in the last round
   int evaluations = 0;
 };
 
@@ -27,10 +27,10 @@ struct TuneResult {
 double tuningSpread(double progress);
 
 /// Seeded random search over the method's numeric parameters. A third of the tries cover the whole range. The
-/// rest change some parameters of the best set, at first by up to their value and finally by a fiftieth of
+/// others change some parameters of the best set, at first by up to their value and finally by a fiftieth of
 /// it. Minimises the mean T/T*, where a failure counts as 8: one failure in a hundred weighs as much as 7 %
-/// of time. The best of many tries is partly luck, so the five best and the defaults compete in a last round
-/// on three times as many fresh layouts. Errors: kUsage if the method has no numeric parameter.
+/// of time. Since the best of many tries is partly luck, the five best and the defaults compete in a last
+/// round on three times as many new layouts. Errors: kUsage if the method has no numeric parameter.
 Result<TuneResult> tune(const ComparisonConfig& base, const TuneConfig& config, const Progress& progress);
 
 }  // namespace fulbito

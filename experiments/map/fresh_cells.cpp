@@ -20,7 +20,7 @@ std::vector<std::size_t> nearestCells(const PaperMap& map) {
   return cells;
 }
 
-/// The blocks of one cell on the fresh seeds, with its Bezier method and its ring.
+/// Adds the blocks of one cell on the fresh seeds, with the cell's Bezier method and ring.
 void addFreshBlocks(const PaperMap& map, std::size_t cell, std::vector<ComparisonBlock>& blocks) {
   const std::size_t rings = map.config.radii.size() * map.config.widths.size();
   const std::size_t first = cell / rings * static_cast<std::size_t>(map.config.seeds);

@@ -17,8 +17,8 @@ namespace fulbito {
 namespace {
 
 constexpr int kMostSeeds = 100, kMostFresh = 100000;
-constexpr std::size_t kMostValues = 40;      // most values of one list
-constexpr std::size_t kMapResamples = 1000;  // few, since there are thousands of intervals
+constexpr std::size_t kMostValues = 40;      // greatest number of values in a list
+constexpr std::size_t kMapResamples = 1000;  // a small number, since there are thousands of intervals
 constexpr double kMostRing = 1.0;            // [m] the limit of the method's own parameters
 
 struct Axes {
@@ -108,14 +108,14 @@ Result<std::vector<NavigatorChoice>> methodsOf(const Axes& axes, bool classic) {
   return choices;
 }
 
-/// The blocks of one law, heading and speed: one per seed, consecutive in the comparison.
+/// The indices of the blocks of one law, heading and speed: one per seed, consecutive in the comparison.
 std::vector<std::size_t> blocksFrom(std::size_t first, int seeds) {
   std::vector<std::size_t> blocks(static_cast<std::size_t>(seeds));
   std::iota(blocks.begin(), blocks.end(), first);
   return blocks;
 }
 
-/// Safety and time of one method over some blocks.
+/// Adds the safety and the time of one ring's own runs in some blocks to its cell.
 void addOwn(const Comparison& comparison, std::span<const std::size_t> blocks, std::size_t ring,
             MapCell& cell) {
   int safe = 0, bezier_safe = 0;

@@ -11,7 +11,7 @@ namespace fulbito {
 
 /// A cell matches a result if both numbers differ by at most this.
 inline constexpr double kTargetTolerance = 0.02;
-/// Number of fresh seeds, and what is added to the map's first seed for the first of them.
+/// Number of fresh seeds, and the offset of the first of them from the map's first seed.
 inline constexpr int kFreshSeeds = 3;
 inline constexpr std::uint64_t kFreshSeedOffset = 7000003;
 /// Cells with fewer safe pairs are ignored: their means would depend on a few lucky runs.
@@ -19,11 +19,12 @@ inline constexpr int kLeastMapPairs = 10;
 
 /// The configuration of the ring map. Empty lists mean the defaults.
 struct MapConfig {
-  /// Set by planMap: base.suite, or for the paper's comparison its long and its short runs.
+  /// Set by planMap: `base.suite`, or the long and the short suite of the paper's comparison.
   std::vector<std::string> suites;
-  ComparisonConfig base;  ///< suite, speeds, trials (layouts of each seed), first seed, robot ...
+  ComparisonConfig base;  ///< suite, speeds, trials (number of layouts per seed), first seed, robot ...
   int seeds = 3;          ///< number of layout seeds, counted up from base.seed
-  /// Layouts of each of `kFreshSeeds` other seeds on which the cells nearest to the paper run again; 0: none.
+  /// Number of layouts of each of `kFreshSeeds` other seeds, on which the cells nearest to the paper run
+  /// again; 0: none.
   int fresh = 400;
   std::vector<double> radii;          ///< [m] `offset` of the ring
   std::vector<double> widths;         ///< [m] `width` of the ring
@@ -31,7 +32,7 @@ struct MapConfig {
   std::vector<std::string> headings;  ///< `goal`, `random`, `away`
 };
 
-/// Bezier method against the ring on layouts that both solved, as ratios; NaN without a pair.
+/// Relative difference of the Bezier method to the ring on layouts that both solve; NaN without a pair.
 struct MapGap {
   int pairs = 0;
   Interval length;
@@ -51,7 +52,7 @@ struct MapCell {
   Interval bezier_safe;       ///< the same for the Bezier method
   double time_ratio_all = 0;  ///< mean T/T* of the ring; a failure counts as 8
   MapGap cut;                 ///< without pairs in which a run hung (over 4 T*)
-  MapGap raw;                 ///< with them
+  MapGap raw;                 ///< including pairs in which a run hung
 };
 
 /// The cells that match both numbers of one of the paper's results.
@@ -61,11 +62,11 @@ struct MapFinding {
   bool with_hung = false;
   std::vector<std::size_t> region;  ///< matching cells, nearest first
   std::size_t nearest = 0;          ///< the nearest cell, even if `region` is empty
-  double off = 0.0;                 ///< its larger difference; NaN: no cell has enough pairs
+  double off = 0.0;                 ///< its larger difference to the result; NaN: no cell has enough pairs
 };
 
-/// A cell that is nearest to one of the paper's results, on layouts that had no part in choosing it. Of many
-/// cells the nearest is partly luck, so its figures on its own layouts flatter it.
+/// The cell nearest to one of the paper's results, measured on layouts that had no part in the choice. The
+/// nearest of many cells is partly luck, so its values on the layouts of the choice are too good.
 struct FreshCell {
   std::size_t cell = 0;         ///< index in `PaperMap::cells`
   std::vector<MapGap> by_seed;  ///< per fresh seed, without hung runs
@@ -76,11 +77,11 @@ struct FreshCell {
 
 /// The map: cells in the order suite, law, heading, speed, width, radius.
 struct PaperMap {
-  MapConfig config;       ///< resolved
+  MapConfig config;       ///< with defaults filled in
   Comparison comparison;  ///< all its trials
   std::vector<MapCell> cells;
   std::vector<MapFinding> findings;  ///< per suite and target, without and with hung runs
-  std::vector<FreshCell> fresh;      ///< the cells that findings name as nearest, each once
+  std::vector<FreshCell> fresh;      ///< the nearest cells of the findings, each once
 };
 
 /// Checks names and ranges and plans the trials. Errors: kUsage, kIo, kBadInput.
@@ -89,7 +90,7 @@ Result<PaperMap> planMap(const MapConfig& config);
 /// Runs all trials and fills in cells and findings. Errors: as runComparison.
 Result<void> runMap(PaperMap& map, const Progress& progress);
 
-/// Bezier method against method `ring` of a comparison, over its blocks `blocks`; see kHung.
+/// Bezier method against method `ring` of a comparison in the blocks `blocks`; see kHung.
 MapGap gapOf(const Comparison& comparison, std::span<const std::size_t> blocks, std::size_t ring,
              double hung);
 
@@ -97,15 +98,15 @@ MapGap gapOf(const Comparison& comparison, std::span<const std::size_t> blocks, 
 /// runComparison.
 Result<void> runFreshCells(PaperMap& map, const Progress& progress);
 
-/// Distance of `gap` from the target: the larger of both differences; NaN if it has too few pairs.
+/// Difference between `gap` and the target: the larger one of length and time; NaN with too few pairs.
 double distanceTo(const PaperTarget& target, const MapGap& gap);
 
-/// Searches the cells of a suite for the target.
+/// Finds the cells of a suite that match the target.
 MapFinding findTarget(const std::vector<MapCell>& cells, const std::string& suite, const PaperTarget& target,
                       bool with_hung);
 
-/// Per suite, law, heading and speed, the cell whose ring is safest in its own runs; among equals the
-/// fastest. Does not use the gap.
+/// For each suite, law, heading and speed, the cell whose ring is safest in its own runs, and the fastest of
+/// equally safe ones. Does not use the gap.
 std::vector<std::size_t> safestCells(const std::vector<MapCell>& cells);
 
 /// A ring's own runs over all laws, starts and speeds of a map.
@@ -118,9 +119,9 @@ struct RingRecord {
 /// The ring of a suite with the least mean `time_ratio_all`: one setting for all uses. Does not use the gap.
 RingRecord bestRing(const std::vector<MapCell>& cells, const std::string& suite);
 
-/// Lines for people: the nearest cells on their own and on fresh layouts. Empty without fresh cells.
+/// Readable lines on the nearest cells: results on their own and on fresh layouts. Empty without fresh cells.
 std::string freshReport(const PaperMap& map);
-/// Text for people: the findings, the fresh layouts, and the safest ring per suite, law, heading and speed.
+/// Readable text: the findings, the fresh layouts, and the safest ring per suite, law, heading and speed.
 std::string mapReport(const PaperMap& map);
 /// CSV with one line per cell and a header.
 std::string mapCsv(const PaperMap& map);

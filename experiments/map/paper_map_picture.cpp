@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-constexpr const char* kLetters = "SE";  // of kPaperTargets, in order
+constexpr const char* kLetters = "SE";  // initials of kPaperTargets, in order
 
 std::string centimetres(double metres) { return fmt::format("{:.4g}", 100 * metres); }
 

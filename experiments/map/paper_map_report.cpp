@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSchemaVersion = 1;
-constexpr std::size_t kMostListed = 8;  // most cells of a region in the text; map.csv has all
+constexpr std::size_t kMostListed = 8;  // greatest number of a region's cells in the text; map.csv has all
 
 const char* lawOf(const MapCell& cell) { return cell.classic ? "classic" : "preview"; }
 

@@ -18,14 +18,15 @@ namespace fulbito {
 namespace {
 
 constexpr double kFarAway = std::numeric_limits<double>::infinity();
-// The paper's section V: sectors, ranges [m]. I1 and I2 are not in print; these are the hybrid's.
+// The paper's section V: number of sectors, and ranges in m. The paper does not print I1 and I2; these are
+// the values of the hybrid method.
 constexpr int kSectors = 36;
 constexpr double kRange = 1.5, kSecurity = 0.8;
 constexpr AvoidanceRanges kTableRanges{0.3, 0.6};
-constexpr double kSide = 0.311;  // [m] of the square whose circumradius is the paper's 0.22 m
-constexpr double kArrow = 0.75;  // [m] of a direction as drawn
+constexpr double kSide = 0.311;  // [m] side of the square whose circumradius is the paper's 0.22 m
+constexpr double kArrow = 0.75;  // [m] drawn length of a direction
 
-/// What a picture shows: a floor [m], and where the robot is on it.
+/// The content of a picture: a floor [m] and the robot's place on it.
 struct Frame {
   double length, width;
   Vec2 robot;
@@ -33,7 +34,7 @@ struct Frame {
 constexpr Frame kRound{4.3, 3.3, {-0.4, 0.0}}, kZone{3.3, 2.3, {-0.5, 0.0}}, kAhead{2.4, 1.5, {-0.85, 0.0}};
 
 struct DiscObstacle {
-  Vec2 centre;  // [m] robot frame
+  Vec2 centre;  // [m] in the robot's frame
   double radius;
 };
 
@@ -43,7 +44,7 @@ RobotModel paperRobot() {
   return robot;
 }
 
-/// A picture whose robot looks to the right, with everything in its frame.
+/// A picture whose robot points to the right, and everything relative to it.
 class Still {
  public:
   Still(const Frame& frame, std::string name, std::string title, std::vector<DiscObstacle> discs, Vec2 goal)
@@ -106,7 +107,7 @@ class Still {
   Vec2 goal_;
 };
 
-/// What the diagram sees of a picture, within its range.
+/// What the diagram sees in a picture, within its range.
 struct Seen {
   SectorCircle circle{kSectors};
   std::vector<SectorHit> hits;
@@ -179,7 +180,7 @@ ReportScene lowSafety(const char* name, const char* title, std::vector<DiscObsta
                   situation, math::wrapAngle(motion.direction - wanted) * 180 / math::kPi));
 }
 
-/// What one of the paper's sonars hears in a picture.
+/// The reading of one of the paper's sonars in a picture.
 struct Heard {
   SonarSpec sonar;
   bool heard;

@@ -50,7 +50,7 @@ std::vector<ReportColumn> columnsOf(const std::string& words) {
 
 void finishScene(ReportScene& scene) {
   PageScene& page = scene.page;
-  // The page calls its robots by numbers.
+  // In the page's data, robots have numbers.
   for (std::size_t i = 0, robot = 0; i < scene.labels.size() && i < page.bodies.size(); ++i) {
     if (page.bodies[i].kind != BodyKind::kRobot) continue;
     page.facts.emplace_back(fmt::format("Robot {}", ++robot), scene.labels[i]);

@@ -11,7 +11,7 @@ namespace {
 std::string numberText(double value, int decimals) {
   if (!std::isfinite(value)) return "-";
   const std::string text = fmt::format("{:.{}f}", value, decimals);
-  // A negative zero would be written "-0.00".
+  // Avoids "-0.00" for negative values that round to zero.
   return text.find_first_not_of("-0.") == std::string::npos && text[0] == '-' ? text.substr(1) : text;
 }
 
@@ -68,7 +68,7 @@ void appendTable(std::string& out, const ReportTable& table) {
   }
 }
 
-/// Quotes what would be read as more than one value.
+/// Quotes text that a CSV reader would split or misread.
 std::string csvText(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";

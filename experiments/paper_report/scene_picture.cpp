@@ -14,9 +14,9 @@
 namespace fulbito {
 namespace {
 
-// In typographic units.
+// In units of `Plan::unit`.
 constexpr double kMargin = 22, kTitle = 22, kText = 15, kLine = 21, kSample = 30, kTrail = 2.5;
-constexpr int kOutlines = 24;  // of each body on its way, in the picture of a whole scene
+constexpr int kOutlines = 24;  // greatest number of outlines per body in the picture of a whole scene
 
 /// A row of the legend.
 struct LegendEntry {
@@ -25,7 +25,7 @@ struct LegendEntry {
   bool dashed;
 };
 
-/// Where everything stands [px].
+/// Layout of the picture [px].
 struct Plan {
   double unit;
   Vec2 size;
@@ -36,7 +36,7 @@ struct Plan {
   std::vector<LegendEntry> legend;
 };
 
-/// What the bodies' colours mean: who a body is, or what its role is.
+/// The names of the bodies' colours: roles if the scene has them, otherwise the bodies themselves.
 const std::vector<std::string>& namesOf(const ReportScene& scene) {
   return scene.roles.names.empty() ? scene.labels : scene.roles.names;
 }
@@ -63,7 +63,7 @@ Plan makePlan(const Canvas& measure, const ReportScene& scene, double width) {
   const FieldGeometry& field = scene.page.field;
   const double goals = field.hasGoals() ? 2 * field.goal_depth : 0.0;
   const Vec2 metres{field.length + goals + 2 * kDrawnWall, field.width + 2 * kDrawnWall};
-  // Tall rooms are as large as wide ones.
+  // The longer side of the room has the given width, whether the room is tall or wide.
   plan.scale = width / std::max(metres.x, metres.y);
   plan.field_size = metres * plan.scale;
   plan.unit = std::clamp(width / 900.0, 0.75, 2.0);
@@ -107,7 +107,7 @@ void drawTexts(Canvas& canvas, const Plan& plan, const ReportScene& scene, doubl
   }
 }
 
-/// The longest bar of 1, 2 or 5 times a power of ten that takes at most a quarter of a length [m].
+/// The longest bar of 1, 2 or 5 times a power of ten [m] that takes at most a quarter of `length` [m].
 double scaleBar(double length) {
   double bar = 0.01;
   for (const double step : {0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0}) {
@@ -116,7 +116,7 @@ double scaleBar(double length) {
   return bar;
 }
 
-/// A bar with its length, below the field's right end.
+/// Draws a bar with its length below the right end of the field.
 void drawScale(Canvas& canvas, const Plan& plan) {
   const double u = plan.unit, bar = scaleBar(plan.field_size.x / plan.scale);
   const Vec2 right = plan.field + plan.field_size + Vec2{0.0, (kMargin - 1) * u};
@@ -127,7 +127,7 @@ void drawScale(Canvas& canvas, const Plan& plan) {
               TextAlign::kRight);
 }
 
-/// The part of a drawing that lies on the canvas above the field.
+/// Draws the part of a drawing that belongs on top of the field.
 void drawDrawing(const FieldView& view, const RecordedDrawing& drawing) {
   const Colour colour = withAlpha(theme::kDimText, 150);
   switch (drawing.kind) {
@@ -144,7 +144,7 @@ void drawDrawing(const FieldView& view, const RecordedDrawing& drawing) {
 }
 
 void drawDrawings(const FieldView& view, const PageScene& page, Tick tick) {
-  // As in the viewer: the newest ones, for as long as they are shown.
+  // Like the viewer, shows the newest drawings while they are valid.
   Tick newest = -1;
   for (const RecordedDrawing& drawing : page.drawings) {
     if (drawing.tick <= tick) newest = std::max(newest, drawing.tick);
@@ -173,7 +173,7 @@ void drawHeading(const FieldView& view, const PageBody& body, const Pose2& pose)
                    theme::kPage);
 }
 
-/// The number of a body's colour: of its role, or its own.
+/// The index of a body's colour: that of its role, or the body's own.
 std::size_t colourNumber(const ReportScene& scene, std::size_t body, std::size_t row) {
   return scene.roles.names.empty() ? body : scene.roles.rows[row][body];
 }
@@ -185,14 +185,14 @@ Colour colourOf(const ReportScene& scene, std::size_t body, std::size_t row) {
              : seriesColour(body);
 }
 
-/// Bodies that never move have neither trail nor outlines.
+/// Whether a body moves; other bodies have neither a trail nor outlines.
 bool moves(const PageScene& page, std::size_t body) {
   const Vec2 first = page.rows.front().poses[body].position;
   return std::any_of(page.rows.begin(), page.rows.end(),
                      [&](const PageRow& row) { return distance(row.poses[body].position, first) > 1e-3; });
 }
 
-/// Pieces in the colour that the body has there.
+/// Draws a body's trail. Each piece has the colour that the body has there.
 void drawTrail(const FieldView& view, const ReportScene& scene, std::size_t body, std::size_t row) {
   const std::vector<PageRow>& rows = scene.page.rows;
   std::vector<Vec2> piece;
@@ -204,7 +204,7 @@ void drawTrail(const FieldView& view, const ReportScene& scene, std::size_t body
   }
 }
 
-/// A body on its way to `row`. Points are stronger than boxes, which cover each other.
+/// Draws outlines of a body up to `row`. Those of points are stronger than those of boxes, which overlap.
 void drawOutlines(const FieldView& view, const ReportScene& scene, std::size_t body, std::size_t row) {
   if (scene.outlines_every < 0.0) return;
   const PageScene& page = scene.page;
@@ -221,7 +221,7 @@ void drawOutlines(const FieldView& view, const ReportScene& scene, std::size_t b
   }
 }
 
-/// Dashed paths lie above the trails, which would hide them.
+/// Draws the paths. Dashed ones are drawn above the trails, which would hide them.
 void drawPaths(const FieldView& view, const ReportScene& scene, bool dashed) {
   for (std::size_t i = 0; i < scene.paths.size(); ++i) {
     const ScenePath& path = scene.paths[i];
@@ -246,7 +246,7 @@ void drawBodies(const FieldView& view, const ReportScene& scene, std::size_t row
   }
 }
 
-/// The middle of all bodies that move.
+/// The mean position of all bodies that move.
 Vec2 middleOf(const PageScene& page, std::size_t row) {
   Vec2 sum;
   double count = 0.0;
@@ -264,7 +264,7 @@ void drawLabel(const FieldView& view, const ReportScene& scene, const SceneMomen
   view.canvas.text(at + Vec2{0.0, 0.45 * radius}, moment.label, 13 * u, theme::kText, TextAlign::kCentre);
 }
 
-/// Hides what was drawn beyond the walls.
+/// Clears everything that was drawn beyond the walls.
 void clearMargins(Canvas& canvas, const Plan& plan) {
   const Vec2 a = plan.field, b = plan.field + plan.field_size;
   canvas.fillRectangle({0, 0}, plan.size.x, a.y, theme::kPage);

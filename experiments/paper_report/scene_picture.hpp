@@ -4,16 +4,16 @@
 
 namespace fulbito {
 
-/// Draws the scenes of experiments: the field, reference paths, trails, bodies, drawings, a legend.
+/// Draws scenes of experiments: the field, reference paths, trails, bodies, drawings and a legend.
 class ScenePicture {
  public:
-  /// @param width  [px] of the field with its walls
+  /// @param width  [px] width of the field with its walls
   ScenePicture(const ReportScene& scene, double width) : scene_(&scene), width_(width) {}
 
-  /// All bodies at `row` of the scene with their trails until then, and the drawings shown then. Errors: as
-  /// Canvas::create.
+  /// Draws all bodies at `row` of the scene with their trails up to it, and the drawings shown at that time.
+  /// Errors: as Canvas::create.
   Result<Canvas> draw(std::size_t row) const;
-  /// The whole scene: trails to their ends, with outlines of the bodies on the way.
+  /// Draws the whole scene: complete trails, with outlines of the bodies along them.
   Result<Canvas> drawWhole() const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace fulbito {
 
-/// All experiments, by name; none in a build without them (`FULBITO_EXPERIMENTS`).
+/// All experiments by name. The list is empty in a build without them (`FULBITO_EXPERIMENTS`).
 std::span<const PaperExperiment> paperExperiments();
 
 }  // namespace fulbito

@@ -16,7 +16,7 @@ std::optional<std::size_t> navigatorNamed(const ComparisonBlock& block, const st
   return std::nullopt;
 }
 
-/// The runs of a block that the file of a figure's case names; none if the block has none of them.
+/// The navigators of a block that the case file of a figure lists.
 std::vector<std::size_t> figureNavigators(const ComparisonBlock& block, const FigureCase& figure) {
   std::vector<std::size_t> chosen;
   for (std::size_t n = 0; n < block.navigators.size(); ++n) {
@@ -25,7 +25,7 @@ std::vector<std::size_t> figureNavigators(const ComparisonBlock& block, const Fi
   return chosen;
 }
 
-/// What Jung & Lee compare, in the settings of their comparison where the block has them.
+/// The navigators that Jung & Lee compare, with the settings of their comparison if the block has them.
 std::vector<std::size_t> paperNavigators(const ComparisonBlock& block) {
   std::vector<std::size_t> chosen;
   for (const auto& [exact, plain] : {std::pair{"bezier", "bezier"}, std::pair{kUntunedField, "univector"},
@@ -37,8 +37,8 @@ std::vector<std::size_t> paperNavigators(const ComparisonBlock& block) {
   return chosen;
 }
 
-/// All navigators of a block, those that a picture shows first: the paper's, then by their time over all
-/// trials.
+/// All navigators of a block in the order in which a picture prefers them: those of the paper, then by their
+/// time over all trials.
 std::vector<std::size_t> byInterest(const Comparison& comparison, std::size_t b) {
   std::size_t first_row = 0;
   for (std::size_t before = 0; before < b; ++before) first_row += comparison.blocks[before].navigators.size();

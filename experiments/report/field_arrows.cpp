@@ -5,7 +5,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kAcross = 34.0;  // arrows along the longer side
+constexpr double kAcross = 34.0;  // number of arrows along the longer side
 
 bool onObstacle(const std::vector<DiscObstacle>& discs, Vec2 p) {
   return std::any_of(discs.begin(), discs.end(),

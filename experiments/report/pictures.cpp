@@ -18,8 +18,8 @@
 namespace fulbito {
 namespace {
 
-constexpr Vec2 kShown{1050, 810};         // [px] that a window fills
-constexpr double kFootprintEvery = 0.15;  // [m] path length between outlined bodies
+constexpr Vec2 kShown{1050, 810};         // [px] size of a picture of a window
+constexpr double kFootprintEvery = 0.15;  // [m] path length between outlines of the body
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 std::string remarkOf(const TrialScore& score) {
@@ -28,7 +28,7 @@ std::string remarkOf(const TrialScore& score) {
                          : std::string(nameOf(score.outcome)) + (score.arrived ? ", " + figures : "");
 }
 
-/// A method has one colour in all pictures.
+/// The colour of a method, which is the same in all pictures.
 std::size_t colourOf(const NavigatorChoice& navigator) {
   std::size_t index = 0;
   for (const NavigatorInfo& info : navigators()) {
@@ -38,7 +38,7 @@ std::size_t colourOf(const NavigatorChoice& navigator) {
   return index;
 }
 
-/// Among paths of one colour, all but the first are hollow.
+/// Makes all but the first path of each colour hollow.
 void markVariants(std::vector<DrawnPath>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     paths[i].hollow = std::any_of(paths.begin(), paths.begin() + static_cast<std::ptrdiff_t>(i),
@@ -68,7 +68,7 @@ DrawnPath drawnPath(const NavigatorChoice& navigator, const TrialScore& score,
   return path;
 }
 
-/// The path of a moving obstacle in the first `seconds`; that of a whole long trial would fill the field.
+/// Shortens an obstacle's path to the first `seconds`, since a long trial's path would fill the field.
 void shorten(ObstacleSpec& obstacle, double seconds) {
   if (obstacle.motion != ObstacleMotion::kPath || obstacle.path_end != PathEnd::kStop) return;
   double left = obstacle.speed * seconds;
@@ -81,7 +81,7 @@ void shorten(ObstacleSpec& obstacle, double seconds) {
   }
 }
 
-/// Uses the title and window of the paper's figure if the layout belongs to one.
+/// An empty picture with the title and window of the paper's figure if the layout belongs to one.
 FieldPicture pictureOf(const TrialConfig& config) {
   FieldPicture picture;
   const FigureCase* figure = figureOf(config.layout.name);
@@ -100,7 +100,7 @@ FieldPicture pictureOf(const TrialConfig& config) {
   return picture;
 }
 
-/// Draws the obstacles' paths for the duration of the longest run.
+/// Limits the obstacles' paths to the duration of the longest run.
 void limitMotion(FieldPicture& picture, double dt) {
   std::size_t ticks = 1;
   for (const DrawnPath& path : picture.paths) ticks = std::max(ticks, path.points.size());
@@ -112,13 +112,13 @@ Result<void> save(Result<Canvas> canvas, const std::string& file) {
   return canvas->writePng(file);
 }
 
-/// The statement of the paper's figure, what a run must do to show it, and what `method` does.
+/// Caption with the statement of the paper's figure, its rule, and the result of `method`.
 std::string captionOf(const FigureCase& figure, const std::string& method, const FigureVerdict& verdict) {
   return fmt::format("Jung & Lee (2015): {}. To show it, a run {}. Here {} {}: it {}.", figure.sentence,
                      ruleText(figure), method, verdict.measured, verdict.shown ? "shows it" : "does not");
 }
 
-/// Arrows of a field method over the shown part of the field.
+/// Adds the arrows of a field method over the shown part of the field.
 Result<void> addArrows(FieldPicture& picture, const TrialConfig& config) {
   FieldWindow shown{{-config.field.length / 2, -config.field.width / 2},
                     {config.field.length / 2, config.field.width / 2}};
@@ -130,7 +130,7 @@ Result<void> addArrows(FieldPicture& picture, const TrialConfig& config) {
   return {};
 }
 
-/// A bar per navigator with at least one success; a text for the others.
+/// A bar for each navigator with at least one success, and a text for each of the others.
 BarChart chartOf(const Comparison& comparison, const std::string& title, const std::string& axis,
                  double SummaryRow::* ratio) {
   BarChart chart;
@@ -160,7 +160,7 @@ BarChart chartOf(const Comparison& comparison, const std::string& title, const s
   return chart;
 }
 
-/// The first layouts of Fig. 28 or 29 as bars, as the paper draws them.
+/// The first layouts of Fig. 28 or 29 as bars, like in the paper.
 BarChart barsChart(const PaperBars& bars, bool length) {
   constexpr std::size_t kLayouts = 6;
   BarChart chart;

@@ -7,13 +7,13 @@
 
 namespace fulbito {
 
-/// A picture of layout `index` of a block with the driven paths of its trials. For a named case of the paper
-/// it has the figure's title, a caption with the figure's statement and the result, the field's arrows, and
-/// only the relevant runs. Errors: kIo; kUsage if the traces were not kept.
+/// Writes a picture of layout `index` of a block with the driven paths of its trials. A case of the paper has
+/// the figure's title, a caption with its statement and the result, the field's arrows, and only the relevant
+/// runs. Errors: kIo; kUsage if the traces were not kept.
 Result<void> writePathPicture(const std::string& file, const Comparison& comparison, std::size_t block,
                               std::uint64_t index);
 
-/// A picture of one trial; for a field method with the field's arrows.
+/// Writes a picture of one trial, with the field's arrows for a field method.
 Result<void> writeTrialPicture(const std::string& file, const TrialConfig& config, const TrialResult& result);
 
 /// Writes all pictures of a comparison to `folder`: one per layout with kept traces, and the charts time.png

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRowRate = 30.0;  // [Hz]
 
-/// Bodies of a race: a robot for each navigator, then the obstacles.
+/// The bodies of a race: one robot per navigator, then the obstacles.
 std::vector<PageBody> bodiesOf(const TrialConfig& config, std::size_t navigators) {
   const RobotModel& robot = config.robot.robot;
   const PageBody runner{BodyKind::kRobot, {}, true, robot.length, robot.width, 0.0};
@@ -38,7 +38,7 @@ PageRow rowAt(const TrialConfig& config, std::span<const TrialRecord* const> rec
   return row;
 }
 
-/// A finished robot stays at its last place until the last one has finished.
+/// Adds the rows of all runs. A finished robot stays at its last place until the last robot has finished.
 void addRows(const TrialConfig& config, std::span<const TrialRecord* const> records, PageScene& scene) {
   for (const TrialRecord* record : records) {
     scene.ticks = std::max(scene.ticks, static_cast<Tick>(record->trace.size()) - 1);

@@ -39,7 +39,7 @@ void appendBlock(std::string& out, const Comparison& comparison, const Compariso
 
 const char* yesNo(bool yes) { return yes ? "yes" : "no"; }
 
-/// The figures' verdicts, then what each run does.
+/// Appends the verdicts of the figures, then the result of each run.
 void appendFigures(std::string& out, const std::vector<FigureRow>& rows) {
   if (rows.empty()) return;
   out +=
@@ -61,7 +61,7 @@ void appendFigures(std::string& out, const std::vector<FigureRow>& rows) {
   }
 }
 
-/// One table per figure: a line per value, a column per speed and run.
+/// Appends one table per figure: a line per value and a column per speed and run.
 void appendSweeps(std::string& out, const std::vector<FigureRow>& rows) {
   for (std::size_t first = 0; first < rows.size();) {
     const FigureCase& figure = *rows[first].figure;

@@ -11,7 +11,7 @@ namespace fulbito {
 namespace {
 
 constexpr std::size_t kRobots = 6;
-constexpr double kPatience = 6.0;     // [s] after this time a robot gets another goal
+constexpr double kPatience = 6.0;     // [s] time after which a robot gets another goal
 constexpr double kWallMargin = 0.12;  // [m] between goals and walls
 
 /// One robot and its present goal.
@@ -89,7 +89,7 @@ class Crowd {
   std::vector<double>& computeMicroseconds() { return compute_us_; }
 
  private:
-  /// Another goal for a robot that has arrived or has tried for too long.
+  /// Sets another goal for a robot that has arrived or has tried for too long.
   void renew(Errand& errand) {
     const bool arrived = distance(scene_.self.pose.position, errand.goal) < scene_.goal.tolerance;
     if (!arrived && scene_.tick - errand.since <= patience_) return;

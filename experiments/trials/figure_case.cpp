@@ -16,7 +16,7 @@ std::span<const EmbeddedFile> embeddedCases();
 
 namespace {
 
-constexpr double kRobotHalf = 0.0375;  // [m] half side of the robot that the cases are made for
+constexpr double kRobotHalf = 0.0375;  // [m] half side of the robot of the cases
 constexpr double kFarthest = 2.0;      // [m] limit of lengths
 constexpr double kLongestText = 300;
 constexpr double kDegree = math::kPi / 180.0;
@@ -53,7 +53,7 @@ Schema runSchema(FigureRun& run) {
           {"judged", &run.judged, 0, 0, "", "the paper's statement is about this method"}};
 }
 
-/// In front of the robot at `start`, along its heading.
+/// The point `distance` [m] in front of a robot at `start`.
 Vec2 ahead(const Pose2& start, double distance) {
   return start.position + math::unit(start.heading) * distance;
 }

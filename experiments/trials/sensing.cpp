@@ -10,7 +10,7 @@ Sensing::Sensing(const TrialConfig& config)
       commands_(static_cast<std::size_t>(config.sensors.latency_ticks) + 1) {}
 
 void Sensing::look(const WorldState& world) {
-  const bool first = sights_.empty();  // at the start the robot knows where all stand
+  const bool first = sights_.empty();  // at the start the robot knows all places
   last_.obstacles.resize(world.obstacles.size());
   if (first || sensor_.sees()) {
     last_.robot = world.robots.front();

@@ -17,7 +17,7 @@ FieldGeometry plainField() {
   return plain;
 }
 
-/// The eight front sonars with 5 % of drop-outs, echoes from smooth faces up to 30 degrees, no cross-talk.
+/// Eight front sonars with 5 % of drop-outs, echoes from smooth surfaces up to 30 degrees, and no cross-talk.
 /// @param noise  [m] standard deviation of a range; 5 mm in the suites
 SonarModel suiteSonars(const RobotModel& robot, double noise) {
   SonarModel model;

@@ -29,7 +29,7 @@ Layout sweepLayout(std::uint64_t, std::uint64_t index) {
 
 using DrawLayout = decltype(Suite::layout);
 
-/// The robot touches nothing, at the clearance by default.
+/// A suite in which the robot must touch nothing, with the default clearance.
 Suite openSuite(std::string name, std::string summary, int trials, std::vector<double> speeds,
                 DrawLayout layout) {
   return {.name = std::move(name),
@@ -39,7 +39,7 @@ Suite openSuite(std::string name, std::string summary, int trials, std::vector<d
           .layout = layout};
 }
 
-/// Contacts that nobody can avoid are allowed.
+/// A suite that allows contacts which cannot be avoided.
 Suite touchingSuite(std::string name, std::string summary, int trials, ForbiddenContacts forbidden,
                     double clearance, DrawLayout layout) {
   Suite suite = openSuite(std::move(name), std::move(summary), trials, {1.0, 2.6}, layout);
@@ -48,14 +48,14 @@ Suite touchingSuite(std::string name, std::string summary, int trials, Forbidden
   return suite;
 }
 
-/// Gaps between obstacles, which the robot enters straight.
+/// A suite with gaps between obstacles, which the robot must enter straight.
 Suite gapSuite(std::string name, std::string summary, int trials, DrawLayout layout) {
   Suite suite = openSuite(std::move(name), std::move(summary), trials, {1.0, 2.6}, layout);
   suite.limit_clearance = kSquareClearance;
   return suite;
 }
 
-/// Gaps that the robot knows by its sonars only.
+/// A suite with gaps that the robot knows only by its sonars.
 Suite sonarSuite(std::string name, std::string summary, DrawLayout layout) {
   Suite suite = gapSuite(std::move(name), std::move(summary), 300, layout);
   suite.speeds = {0.3};

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kBall = 0.0335;          // [m] radius of a tennis ball
 constexpr double kRobotHalf = 0.0375;     // [m] half side of the robot
-constexpr double kRobotRadius = 0.05303;  // [m] of the robot's circumscribed circle
-constexpr double kNear = 0.0865;  // [m] robot against ball: closer than this to the line is in the way
+constexpr double kRobotRadius = 0.05303;  // [m] radius of the robot's circumscribed circle
+constexpr double kNear = 0.0865;          // [m] robot against ball; a centre nearer to the line is in the way
 constexpr Vec2 kStart{0.12 - 0.75, 0.12 - 0.65};
 constexpr Vec2 kGoal{1.38 - 0.75, 1.18 - 0.65};
 
@@ -37,7 +37,7 @@ ObstacleSpec disc(Vec2 position, double radius) {
   return spec;
 }
 
-/// Distance from `p` to the nearest obstacle's surface.
+/// Distance [m] from `p` to the surface of the nearest obstacle.
 double gapTo(const std::vector<ObstacleSpec>& obstacles, Vec2 p) {
   double gap = 1e9;
   for (const ObstacleSpec& o : obstacles) gap = std::min(gap, distance(o.pose.position, p) - o.radius);
@@ -51,8 +51,8 @@ Vec2 anywhere(Rng& rng, double wall_margin) {
   }
 }
 
-/// Four tennis balls that do not overlap: two in the lower left, two in the upper right box of the paper's
-/// setting.
+/// Four tennis balls that do not overlap: two in the lower left box of the paper's setting, and two in the
+/// upper right.
 std::vector<ObstacleSpec> fourBalls(Rng& rng) {
   std::vector<ObstacleSpec> balls;
   while (balls.size() < 4) {
@@ -100,7 +100,7 @@ Layout barrierLayout(Rng& rng, const char* suite, std::uint64_t index, double ga
   double y = -field().width / 2;
   for (int i = 0; i < count; ++i) {
     y += (i == open ? gap : narrow) + kRobotHalf;
-    // The two at the gap are square to it, so that its width is exact; the others are slightly out of line.
+    // The two at the gap have equal x, so that the width of the gap is exact. The others have small offsets.
     const double x = i == open || i + 1 == open ? x0 : x0 + rng.uniform(-0.01, 0.01);
     layout.obstacles.push_back(disc({x, y}, kRobotHalf));
     y += kRobotHalf;
@@ -137,27 +137,27 @@ Layout clutterLayout(std::uint64_t seed, std::uint64_t index, const char* suite,
   return index % 2 == 0 ? barrierLayout(rng, suite, index, gap) : scatteredLayout(rng, suite, index, gap);
 }
 
-/// Obstacles side by side along x = x0 from `low` to `high` [m], at least `least` and at most `most` [m] in
-/// radius, with slits that no robot passes between them.
+/// Adds obstacles with radii of `least` to `most` [m] side by side along x = x0 from `low` to `high` [m]. The
+/// slits between them are too narrow for a robot.
 void addRow(Rng& rng, Layout& layout, double x0, double low, double high, double least, double most) {
   constexpr double kSlit = 0.03;  // [m] far below the robot's width
   for (double y = low; y + 2.0 * least <= high;) {
     double radius = rng.uniform(least, most);
-    // The last one fills what is left.
+    // The last obstacle fills the rest.
     if (y + 2.0 * radius + kSlit + 2.0 * least > high) radius = std::min(most, (high - y) / 2);
     layout.obstacles.push_back(disc({x0, y + radius}, radius));
     y += 2.0 * radius + kSlit;
   }
 }
 
-/// The same downwards, so that the first obstacle ends exactly at `high`.
+/// The same from `high` downward, so that the first obstacle begins exactly at `high`.
 void addRowBelow(Rng& rng, Layout& layout, double x0, double low, double high, double least, double most) {
   const std::size_t first = layout.obstacles.size();
   addRow(rng, layout, x0, -high, -low, least, most);
   for (std::size_t i = first; i < layout.obstacles.size(); ++i) layout.obstacles[i].pose.position.y *= -1.0;
 }
 
-/// A start whose body touches the wall nearest to `toward`, facing it within 20 degrees.
+/// A start pose whose body touches the wall nearest to `toward` and faces it within 20 degrees.
 Pose2 facingWall(Rng& rng, Vec2 toward) {
   const Vec2 normal = nearestWallNormal(field(), toward);
   const double off = rng.uniform(-0.35, 0.35);
@@ -167,7 +167,7 @@ Pose2 facingWall(Rng& rng, Vec2 toward) {
   return {position, math::wrapAngle(math::angleOf(-normal) + off)};
 }
 
-/// The waypoints of a disc that moves straight and is reflected by the walls, over at least `length`.
+/// The waypoints of a disc that moves straight and bounces off the walls, for at least `length` [m].
 std::vector<Vec2> bouncingPath(Vec2 from, Vec2 direction, double radius, double length) {
   const Vec2 room{field().length / 2 - radius, field().width / 2 - radius};
   std::vector<Vec2> path = {from};
@@ -208,7 +208,7 @@ Layout shortLayout(std::uint64_t seed, std::uint64_t index) {
   for (;;) {
     layout.obstacles = fourBalls(rng);
     layout.start.position = anywhere(rng, 0.08);
-    // In separate statements, since the compiler may reorder draws in one expression.
+    // Separate statements, since the compiler may reorder draws within one expression.
     const double way = rng.uniform(0.55, 0.75);
     layout.goal = layout.start.position + math::unit(rng.uniform(-math::kPi, math::kPi)) * way;
     const bool on_field = wallClearance(field(), layout.goal) >= 0.08;
@@ -248,7 +248,7 @@ Layout headingLayout(std::uint64_t seed, std::uint64_t index) {
   layout.start.heading = rng.uniform(-math::kPi, math::kPi);
   for (;;) {
     layout.goal_heading = rng.uniform(-math::kPi, math::kPi);
-    // The approach needs room: 20 cm behind the goal along the wanted heading.
+    // The approach needs 20 cm of room behind the goal along the wanted heading.
     const Vec2 behind = layout.goal - math::unit(*layout.goal_heading) * 0.20;
     bool free = wallClearance(field(), behind) >= 0.08;
     for (const ObstacleSpec& o : layout.obstacles) {
@@ -272,7 +272,7 @@ Layout wallsLayout(std::uint64_t seed, std::uint64_t index) {
     case 1:  // facing a corner
       layout.start = facingWall(rng, {sx * 0.70, sy * 0.60});
       break;
-    case 2:  // the goal so near a wall that the robot just fits
+    case 2:  // the goal is so near to a wall that the robot just fits
       layout.goal = {rng.uniform(-0.5, 0.5), sy * (0.65 - rng.uniform(0.056, 0.07))};
       break;
     default:
@@ -280,7 +280,7 @@ Layout wallsLayout(std::uint64_t seed, std::uint64_t index) {
   }
   while (distance(layout.start.position, layout.goal) < 0.4) layout.goal = anywhere(rng, 0.20);
   scatterBalls(rng, layout, 3, 0.22);
-  if (index % 4 == 3) {  // a ball so near the goal that the goal is within 2 cm of its inflated disc
+  if (index % 4 == 3) {  // a ball so near to the goal that the goal is within 2 cm of its inflated disc
     for (;;) {
       const double reach = kBall + kRobotRadius + rng.uniform(0.0, 0.02);
       const Vec2 p = layout.goal + math::unit(rng.uniform(-math::kPi, math::kPi)) * reach;
@@ -340,7 +340,7 @@ Layout movingLayout(std::uint64_t seed, std::uint64_t index) {
     o.motion = ObstacleMotion::kPath;
     o.path_end = PathEnd::kStop;
     o.speed = rng.uniform(0.3, 1.5);
-    // Across the path, at least 30 degrees from it, up or down.
+    // The direction crosses the path at 30 degrees or more, up or down.
     const double side = rng.below(2) == 0 ? 1.0 : -1.0;
     o.path = bouncingPath(from, math::unit(side * rng.uniform(math::kPi / 6, math::kPi * 5 / 6)), o.radius,
                           30.0 * o.speed);
@@ -369,7 +369,7 @@ Layout gapLayout(std::uint64_t seed, std::uint64_t index, double widths) {
 
 Layout rowLayout(std::uint64_t seed, std::uint64_t index, double widths) {
   Rng rng(seed, Stream::kLayout, index + (std::uint64_t{11} << 32));
-  constexpr double kWayRound = 0.40;  // [m] free beside both ends
+  constexpr double kWayRound = 0.40;  // [m] of free way round each end
   Layout layout = named("row", index);
   const double half_gap = widths * kRobotHalf, end = field().width / 2 - kWayRound;
   const double x0 = rng.uniform(-0.10, 0.10), y0 = rng.uniform(-0.05, 0.05);

@@ -62,7 +62,7 @@ NavigationGoal goalOf(const Layout& layout) {
   return {layout.goal, layout.goal_heading, layout.goal_tolerance, layout.heading_tolerance, false};
 }
 
-/// What of a scene stays the same through the trial.
+/// The constant part of the scenes of a trial.
 NavigationScene sceneOf(const TrialConfig& config) {
   NavigationScene scene;
   scene.dt = config.physics.controlPeriod();
@@ -81,7 +81,7 @@ TrialRules rulesOf(const TrialConfig& config, double length_limit) {
   return rules;
 }
 
-/// Checks the ranges of the options. Layouts, robots and profiles are checked when read.
+/// Checks the ranges of the options. Layouts, robots and profiles are checked when they are read.
 Result<void> check(const TrialConfig& config) {
   const double speed = config.robot.robot.maxSpeed();
   if (!(speed >= 0.05 && speed <= 10.0)) {

@@ -12,20 +12,20 @@ namespace fulbito {
 /// Records a trial as one play of a robot and its obstacles (docs/recordings.md).
 class TrialRecorder {
  public:
-  /// Starts the file. Errors: as RecordingWriter::create.
+  /// Creates the file. Errors: as RecordingWriter::create.
   static Result<TrialRecorder> create(const std::string& file, const TrialConfig& config,
                                       bool replace = true);
-  /// The same into a sink.
+  /// The same, but writes into a sink.
   static Result<TrialRecorder> create(RecordingWriter::Sink sink, const TrialConfig& config);
 
   /// Also records the navigator's path or field, ten times per second.
   void keepGuidance();
 
-  /// The world before its first step.
+  /// Records the world before its first step.
   void begins(const WorldState& world);
-  /// Call before a step, with the navigator's guidance for it.
+  /// Must be called before a step, with the navigator's guidance for it.
   void planned(const Guidance& guidance, Vec2 position, Vec2 goal);
-  /// Call after a step; `hash` is the hash of all states so far.
+  /// Must be called after a step; `hash` is the hash of all states so far.
   void ticked(const WorldState& world, WheelSpeeds command, std::uint64_t hash);
   /// Completes the file. Errors: the first failed write.
   Result<void> ends(const TrialResult& result);
@@ -33,8 +33,8 @@ class TrialRecorder {
  private:
   explicit TrialRecorder(RecordingWriter writer) : writer_(std::move(writer)) {}
   RecordingWriter writer_;
-  Tick drawn_every_ = 0;                 ///< ticks between kept guidances; 0: none is kept
-  std::vector<GuidanceStroke> strokes_;  ///< of the step to come
+  Tick drawn_every_ = 0;                 ///< ticks between recorded guidances; 0: none is recorded
+  std::vector<GuidanceStroke> strokes_;  ///< guidance of the next step
 };
 
 }  // namespace fulbito

@@ -8,8 +8,8 @@
 namespace fulbito {
 namespace {
 
-constexpr double kProbe = 0.01;      // [m] along the heading, for the field's curvature
-constexpr double kPathReach = 0.04;  // [m] ahead on a path that is read as a field
+constexpr double kProbe = 0.01;      // [m] along the heading, to measure the field's curvature
+constexpr double kPathReach = 0.04;  // [m] look-ahead distance on a path that is treated as a field
 
 }  // namespace
 
@@ -26,7 +26,7 @@ Twist ClassicFollower::follow(const Guidance& guidance, const NavigationScene& s
   const double wanted = fieldHeading(guidance, pose.position);
   const double ahead = fieldHeading(guidance, pose.position + math::unit(pose.heading) * kProbe);
   const double error = math::wrapAngle(wanted - pose.heading);
-  const double bend = math::wrapAngle(ahead - wanted) / kProbe;  // [rad/m] of the field along the heading
+  const double bend = math::wrapAngle(ahead - wanted) / kProbe;  // [rad/m] the field's turn along the heading
 
   const double pull = params_.yaw_gain * std::sqrt(std::abs(error));
   const double track = scene.robot->axle_track, k = std::abs(bend);

@@ -13,7 +13,7 @@ struct ClassicParams {
 
 /// The control law of univector fields (Y.-J. Kim et al. 2001, Lim et al. 2008): forward speed and yaw rate
 /// from the heading error and the curvature of the field at the robot. It has no preview and is unsafe above
-/// about 1 m/s; kept as the papers' own law.
+/// about 1 m/s. It serves as the reference from the papers.
 class ClassicFollower final : public Follower {
  public:
   explicit ClassicFollower(ClassicParams params = {}) : params_(params) {}

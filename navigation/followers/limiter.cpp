@@ -20,7 +20,7 @@ Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt
   const double half_track = robot.axle_track / 2;
   const double most_turn = robot.turnAcceleration() * dt;
   const double turn = std::clamp(wanted.angular - current.angular, -most_turn, most_turn);
-  // The motors' share that turning leaves.
+  // The share of the acceleration that turning leaves to the speed.
   const double rest =
       most_turn > 0.0 ? robot.wheel_acceleration * dt * (1.0 - std::abs(turn) / most_turn) : 0.0;
   Twist limited;

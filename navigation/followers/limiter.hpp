@@ -4,16 +4,17 @@
 
 namespace fulbito {
 
-/// Motion of the robot body as the limiter sees it: forward speed and yaw rate.
+/// Motion of the robot's body: forward speed and yaw rate.
 Twist bodyTwist(const RobotState& state);
 
-/// The robot as the twists of teams count with it: its rims change no faster in place than straight on. Turns
-/// as quick as the motors can make them throw off the ball that a robot pushes.
+/// A copy of the robot model for teams' twists: its wheels change speed no faster in a turn than straight
+/// ahead. Turns at the full acceleration of the motors would throw off a ball that the robot pushes.
 RobotModel steady(RobotModel robot);
 
-/// Yaw-priority acceleration limiter (docs/followers.md): what the motors can do in one tick goes to the
-/// yaw rate first and the share that is left to the forward speed; then wheel saturation keeps the yaw rate
-/// and lowers the speed. Without it both wheels saturate while speeding up and the robot cannot steer.
+/// Yaw-priority acceleration limiter (docs/followers.md): the acceleration of one tick goes to the yaw rate
+/// first, and the forward speed gets the share that is left. Then wheel saturation keeps the yaw rate and
+/// lowers the speed. Without the limiter both wheels would saturate during acceleration, and the robot could
+/// not steer.
 Twist limitTwist(const RobotModel& robot, Twist current, Twist wanted, double dt);
 
 }  // namespace fulbito

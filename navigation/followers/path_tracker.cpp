@@ -3,7 +3,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kWindowAhead = 0.25;  // [m] searched ahead of the last place
+constexpr double kWindowAhead = 0.25;  // [m] length of path searched ahead of the last place
 
 }  // namespace
 

@@ -14,10 +14,9 @@ constexpr std::size_t kFieldPoints = 40;
 constexpr double kSpacing = 0.0125;          // [m] between preview points
 constexpr std::size_t kMaxPathPoints = 800;  // 10 m at that spacing
 constexpr std::size_t kReserve = kMaxPathPoints + 8;
-constexpr double kUrgentYaw = 0.3;  // of the wheel acceleration for turning while a cap asks to brake
-constexpr double kAtGoal = 0.95;    // of the goal's tolerance, where a robot turns to the wanted heading
-constexpr double kSlow =
-    0.08;  // [m/s] faster robots brake first: turning would take all of the wheel acceleration
+constexpr double kUrgentYaw = 0.3;  // share of the turn acceleration that stays while a speed cap brakes
+constexpr double kAtGoal = 0.95;    // share of the goal's tolerance, where the robot turns in place
+constexpr double kSlow = 0.08;      // [m/s] a faster robot must brake before it turns in place
 
 }  // namespace
 
@@ -54,7 +53,7 @@ Twist PreviewFollower::follow(const Guidance& guidance, const NavigationScene& s
   }
   Twist wanted = steer(ahead, scene, speed, timed);
   if (guidance.speed_cap < speed) {
-    // Slowing down for a cap is urgent: the yaw rate, which the limiter serves first, leaves room for it.
+    // A speed cap is urgent. The limiter serves the yaw rate first, so its change is limited here.
     const double swing = kUrgentYaw * scene.robot->turnAcceleration() * scene.dt;
     const double yaw_rate = scene.self.angular_velocity;
     wanted.angular = std::clamp(wanted.angular, yaw_rate - swing, yaw_rate + swing);
@@ -82,7 +81,7 @@ PreviewFollower::Ahead PreviewFollower::aheadOnField(const Guidance& guidance, c
     }
     p += step;
     points_.push_back(p);
-    // Beyond the goal the field turns back on itself: go on straight.
+    // Beyond the goal the field turns back toward it, so the preview continues straight.
     arrived = arrived || distance(p, scene.goal.position) < kSpacing;
   }
   timeCached(scene);
@@ -105,7 +104,7 @@ PreviewFollower::Ahead PreviewFollower::aheadOnPath(const Guidance& guidance, co
       speeds[next.segment] + next.fraction * (speeds[next.segment + 1] - speeds[next.segment]);
   const PathPlace aim = advance(path, here, reach);
   Vec2 target = pointAt(path, aim);
-  // A path that ends within reach is drawn on in its last direction, or the robot would steer at a point
+  // Extend a path that ends within reach in its last direction. Otherwise the robot would steer at a point
   // beside it.
   const double missing = reach - distance(pointAt(path, here), target);
   if (aim.segment + 2 >= path.size() && aim.fraction >= 1.0 && missing > 0.0) {
@@ -134,7 +133,7 @@ void PreviewFollower::timeCached(const NavigationScene& scene) {
   pathCurvature(points_, curvature_);
   speeds_.assign(points_.size(), 0.0);
   SpeedLimits limits = speedLimits(*scene.robot, params_.acceleration_share, params_.lateral_share);
-  // Speeding up is the limiter's business, braking is what the preview is for.
+  // The profile limits braking only. The limiter limits acceleration.
   limits.start_speed = 1e9;
   timePath(points_, curvature_, limits, speeds_);
 }

@@ -6,21 +6,21 @@
 
 namespace fulbito {
 
-/// Shares and gains of the preview follower; the defaults are those of the comparison.
+/// Parameters of the preview follower. The defaults are those of the comparison.
 struct PreviewParams {
   double lookahead = 0.03;          ///< [m] steering point ahead of the robot at rest
-  double lookahead_time = 0.04;     ///< [s] more of it per speed
+  double lookahead_time = 0.04;     ///< [s] additional look-ahead distance per speed
   double yaw_gain = 10.0;           ///< [1/s] least gain from bearing error to yaw rate
   double acceleration_share = 0.6;  ///< of the wheel acceleration, for braking ahead of bends
   double lateral_share = 0.6;       ///< of the lateral grip, in bends
-  double spin_above = 0.785398;     ///< [rad] bearing error above which a start turns in place
-  double spin_until = 0.174533;     ///< [rad] where that turn ends
+  double spin_above = 0.785398;     ///< [rad] a robot that starts with a larger bearing error turns in place
+  double spin_until = 0.174533;     ///< [rad] bearing error at which that turn ends
 };
 
-/// The follower that all methods share, so that methods are compared and not controllers. It looks at a
-/// polyline of what lies ahead (a path, or 40 points integrated through a heading field), steers at a point
-/// some centimetres ahead and drives as fast as the bends in the preview allow; a path that comes with its
-/// own speeds is driven at those. A slow robot at a goal with a wanted heading turns to it in place.
+/// The follower that all methods share, so that comparisons rate methods and not controllers. It previews a
+/// polyline: a path, or 40 points integrated through a heading field. It steers at a point some centimetres
+/// ahead and drives as fast as the bends in the preview allow. A timed path is driven at its own speeds. A
+/// slow robot at a goal with a heading turns to it in place.
 class PreviewFollower final : public Follower {
  public:
   explicit PreviewFollower(PreviewParams params = {});

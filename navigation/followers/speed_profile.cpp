@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kCrawl = 0.01;  // [m/s] a profile never stops inside the path
+constexpr double kCrawl = 0.01;  // [m/s] least speed inside a path
 
 double acceleration(const SpeedLimits& limits, double curvature) {
   return limits.acceleration / (1.0 + 0.5 * limits.axle_track * std::abs(curvature));

@@ -16,19 +16,18 @@ struct SpeedLimits {
   double end_speed = 1e9;     ///< [m/s] allowed at the last point
 };
 
-/// The limits of `robot`, with shares (0 ... 1] of its wheel acceleration and lateral grip held back as
-/// reserve.
+/// The limits of `robot`. The shares (0 ... 1] of its wheel acceleration and lateral grip leave a reserve.
 SpeedLimits speedLimits(const RobotModel& robot, double acceleration_share, double lateral_share);
 
-/// Curvature [1/m] at each point of a polyline by the circle through the points two before and after it,
-/// which the vertices of a coarse polyline do not upset; next to the ends one before and after, 0 at the
-/// ends.
+/// Curvature [1/m] at each point of a polyline, from the circle through the point and the points two before
+/// and two after it. The vertices of a coarse polyline do not disturb this circle. Next to the ends it uses
+/// the direct neighbours; at the ends it is 0.
 /// @param curvature  same size as `path`
 void pathCurvature(std::span<const Vec2> path, std::span<double> curvature);
 
 /// Fastest speeds along a path of given curvature under the limits: pointwise caps, then a forward and a
 /// backward pass (the wheels' rim acceleration in a bend of radius R is (1 + b/2R) times the robot's).
-/// @param speeds  same size as `path`; every entry is at least 1 cm/s but where end_speed is lower
+/// @param speeds  same size as `path`; every entry is at least 1 cm/s, except where end_speed is lower
 /// @return travel time [s]
 double timePath(std::span<const Vec2> path, std::span<const double> curvature, const SpeedLimits& limits,
                 std::span<double> speeds);

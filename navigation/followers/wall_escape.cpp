@@ -15,23 +15,22 @@ constexpr double kFree = 0.005;  // [m] beyond the circumradius, where the escap
 constexpr double kWallCone = 50.0 * math::kPi / 180.0;
 constexpr double kCornerCone = 75.0 * math::kPi / 180.0;
 constexpr double kConeHysteresis = 10.0 * math::kPi / 180.0;
-constexpr double kSpeedShare = 0.2;  // of the top speed ...
-constexpr double kMostSpeed =
-    0.3;  // [m/s] ... for a faster one still rolls into the wall when it has turned about
+constexpr double kSpeedShare = 0.2;   // share of the top speed
+constexpr double kMostSpeed = 0.3;    // [m/s] a faster robot would still roll into the wall after the turn
 constexpr double kYawGain = 4.0;      // [1/s]
 constexpr double kSlow = 0.15;        // [m/s]
-constexpr double kLeastTurn = 1.0;    // [rad/s] of a robot that wants elsewhere than where it faces
+constexpr double kLeastTurn = 1.0;    // [rad/s] a smaller wanted yaw rate needs no escape
 constexpr double kTouch = 0.001;      // [m]
-constexpr double kLongest = 1.0;      // [s]
-constexpr double kRest = 0.5;         // [s]
-constexpr double kWayOut = 0.02;      // [m] that must be free of obstacles
-constexpr int kSamples = 6;           // of the motion that the wanted twist would give ...
-constexpr double kSampleTime = 0.02;  // [s] ... each
+constexpr double kLongest = 1.0;      // [s] longest escape
+constexpr double kRest = 0.5;         // [s] time before the next escape
+constexpr double kWayOut = 0.02;      // [m] length of the way out that must be free of obstacles
+constexpr int kSamples = 6;           // samples of the motion under the wanted twist
+constexpr double kSampleTime = 0.02;  // [s] between samples
 
-/// The walls within `reach` of the robot taken as one.
+/// The walls within reach of the robot, treated as one.
 struct Barrier {
   int walls = 0;
-  double gap = 1e9;  ///< [m] of the centre to the nearest
+  double gap = 1e9;  ///< [m] from the robot's centre to the nearest wall
   Vec2 inward;
 };
 
@@ -46,7 +45,7 @@ Barrier barrierAt(const FieldGeometry& field, Vec2 p, double reach, double post)
   return barrier;
 }
 
-/// Distance [m] of the body's nearest corner to the walls, negative beyond.
+/// Distance [m] from the body's nearest corner to the walls; negative beyond them.
 double bodyGap(const NavigationScene& scene, const Pose2& pose) {
   const Vec2 ux = math::unit(pose.heading);
   const Vec2 ahead = ux * (scene.robot->length / 2), left = perp(ux) * (scene.robot->width / 2);
@@ -59,7 +58,7 @@ double bodyGap(const NavigationScene& scene, const Pose2& pose) {
   return least;
 }
 
-/// Whether moving as `wanted` says would soon press the body into a wall, or deeper into one.
+/// Whether the wanted twist would soon press the body into a wall, or deeper into one.
 bool pressesIntoWall(const NavigationScene& scene, Twist wanted) {
   Pose2 pose = scene.self.pose;
   double speed = bodyTwist(scene.self).linear;
@@ -84,7 +83,7 @@ bool wayOutFree(const NavigationScene& scene, double direction) {
   return true;
 }
 
-/// -1 when the heading points at the barrier, +1 when away from it, both within the cone, else 0.
+/// -1 if the heading points at the barrier, +1 if it points away from it, both within the cone; otherwise 0.
 double wayOut(const Barrier& barrier, double heading, double widening) {
   if (barrier.walls == 0) return 0.0;
   const double cone = (barrier.walls > 1 ? kCornerCone : kWallCone) + widening;
@@ -96,7 +95,7 @@ double wayOut(const Barrier& barrier, double heading, double widening) {
 Twist escapeTwist(const NavigationScene& scene, double direction) {
   const Pose2& pose = scene.self.pose;
   const double turn = math::wrapAngle(math::angleOf(scene.goal.position - pose.position) - pose.heading);
-  // A corner of the body swings out no faster than the body leaves.
+  // A corner of the body may swing toward the wall no faster than the body moves away.
   const double leaving = std::max(0.0, direction * bodyTwist(scene.self).linear);
   const double most = leaving / scene.robot->circumradius();
   const double speed = std::min(kSpeedShare * scene.robot->maxSpeed(), kMostSpeed);

@@ -7,7 +7,7 @@ namespace fulbito {
 namespace {
 
 constexpr double kDepth = 0.095;  // [m] from the wall to the robot's centre
-// Of the top speed: a fifth on average, on a circle of twice the axle track in diameter.
+// Shares of the top speed: a fifth on average, on a circle of twice the axle track in diameter.
 constexpr double kFasterWheel = 0.3, kSlowerWheel = 0.1;
 
 }  // namespace

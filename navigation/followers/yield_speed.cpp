@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::array<double, 5> kShares = {1.0, 0.7, 0.45, 0.2, 0.0};
 constexpr double kStep = 0.025;             // [s]
-constexpr double kApart = 0.01;             // [m] beside the circumscribed circle
-constexpr double kAccelerationShare = 0.6;  // of the wheels', as the follower keeps it
+constexpr double kApart = 0.01;             // [m] gap beside the circumscribed circle
+constexpr double kAccelerationShare = 0.6;  // share of the wheel acceleration, as in the follower
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Whether the robot at `p` at time `t` is nearer to a moving obstacle than it may be, and than it is now.
+/// Whether the robot at `p` at time `t` [s] is too near to a moving obstacle, and nearer than now.
 bool meets(const NavigationScene& scene, Vec2 p, double t) {
   const double radius = scene.robot->circumradius() + kApart;
   return std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [&](const DiscObstacle& o) {
@@ -27,7 +27,7 @@ bool meets(const NavigationScene& scene, Vec2 p, double t) {
   });
 }
 
-/// Time [s] of the first meeting when the robot changes to `target` [m/s]; infinite when there is none.
+/// Time [s] of the first meeting if the robot changes its speed to `target` [m/s]; infinite if there is none.
 double meetingAt(const NavigationScene& scene, std::span<const Vec2> path, PathPlace place, double target,
                  double horizon) {
   const double change = kAccelerationShare * scene.robot->wheel_acceleration * kStep;

@@ -14,7 +14,7 @@ double sinc(double a) { return std::abs(a) < 1e-4 ? 1.0 - a * a / 6.0 : math::si
 }  // namespace
 
 Pose2 poseAt(const Arc& arc, double distance) {
-  // The chord of a turn 2 h has length 2 sin(h) / curvature and leads in the direction of half the turn.
+  // The chord of a turn 2 h has the length 2 sin(h) / curvature and the direction of half the turn.
   const double half = arc.curvature * distance / 2;
   const double chord = distance * sinc(half), direction = arc.start.heading + half;
   return {arc.start.position + Vec2{math::cos(direction), math::sin(direction)} * chord,

@@ -5,9 +5,9 @@
 
 namespace fulbito {
 
-/// Half sizes [m] of a robot's rectangle. The clearances below are those of engine/core/models/shapes.hpp for
-/// a body whose direction is at hand as a unit vector: planners ask thousands of times a second, and an angle
-/// would cost a sine and a cosine each.
+/// Half sizes [m] of a robot's rectangle. The clearances below are those of engine/core/models/shapes.hpp,
+/// but take the body's direction as a unit vector. Planners call them thousands of times per second, and an
+/// angle would cost a sine and a cosine each time.
 struct BodyShape {
   double half_length = 0.0375;
   double half_width = 0.0375;

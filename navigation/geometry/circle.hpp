@@ -4,7 +4,7 @@
 
 namespace fulbito {
 
-/// A round region that a robot's centre shall keep out of.
+/// A round region that a robot's centre must not enter.
 struct Circle {
   Vec2 centre;
   double radius = 0.0;  ///< [m]

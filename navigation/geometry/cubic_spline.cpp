@@ -3,7 +3,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kStill = 1e-9;  // [m] per parameter
+constexpr double kStill = 1e-9;  // [m] per unit of the parameter
 
 }  // namespace
 

@@ -46,14 +46,14 @@ class CubicSpline {
 
   /// Empties the spline.
   void clear() { count_ = 0; }
-  /// Adds a control point; ignored when there are kMaxControls already.
+  /// Adds a control point; ignored if there are already kMaxControls.
   void add(Vec2 control);
   void set(std::size_t i, Vec2 control);
   Vec2 control(std::size_t i) const { return points_[i + 1]; }
   std::size_t controls() const { return count_; }
-  /// Spans between control points; the spline has none with less than two.
+  /// Number of spans between control points; 0 with fewer than two.
   std::size_t spans() const { return count_ < 2 ? 0 : count_ - 1; }
-  /// The place in `span` (less than `spans()`) that the weights belong to.
+  /// The place in `span` (less than `spans()`) at the parameter of `weights`.
   SplinePoint at(std::size_t span, const SplineWeights& weights) const {
     SplinePoint point;
     for (std::size_t k = 0; k < 4; ++k) {

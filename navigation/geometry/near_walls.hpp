@@ -9,12 +9,12 @@ namespace fulbito {
 
 /// A wall near a point.
 struct NearWall {
-  double gap = 0.0;  ///< [m] from the point to it, negative beyond
+  double gap = 0.0;  ///< [m] from the point to the wall, negative beyond
   Vec2 inward;       ///< unit normal into the field
 };
 
-/// The end wall, side wall and corner triangle, in this order, of the quarter of the field that `p` lies in.
-/// In front of and inside a goal, which begins `post` [m] inside of its posts, the end wall is the goal's.
+/// The end wall, side wall and corner triangle, in this order, of the quarter of the field that holds `p`. In
+/// a goal, and in front of it more than `post` [m] from its posts, the end wall is the goal's back wall.
 std::array<NearWall, 3> nearWalls(const FieldGeometry& field, Vec2 p, double post);
 
 }  // namespace fulbito

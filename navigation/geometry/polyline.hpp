@@ -21,22 +21,22 @@ inline double squaredDistanceToSegment(Vec2 a, Vec2 b, Vec2 p) {
   return squaredNorm(a + (b - a) * nearestShare(a, b, p) - p);
 }
 
-/// Distance [m] from `p` to a polyline; infinite where that has less than 2 points.
+/// Distance [m] from `p` to a polyline; infinite with fewer than 2 points.
 double distanceToPath(std::span<const Vec2> path, Vec2 p);
 
-/// Sum of the segments [m].
+/// Length [m] of the polyline.
 double polylineLength(std::span<const Vec2> path);
 
 /// A place on a polyline.
 struct PathPlace {
   std::size_t segment = 0;  ///< between points `segment` and `segment + 1`
-  double fraction = 0.0;    ///< 0 ... 1 of that segment
+  double fraction = 0.0;    ///< 0 ... 1 along that segment
 };
 
 /// The point at `place`.
 Vec2 pointAt(std::span<const Vec2> path, PathPlace place);
 
-/// The place `length` [m] further along; the last point when the path ends before.
+/// The place `length` [m] further along; the last point if the path ends before.
 PathPlace advance(std::span<const Vec2> path, PathPlace place, double length);
 
 }  // namespace fulbito

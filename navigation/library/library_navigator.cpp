@@ -33,7 +33,7 @@ class LibraryField final : public HeadingField {
   void* self_;
 };
 
-/// A navigator of a shared library. What is not valid guidance stops the robot; the first time is logged.
+/// A navigator of a shared library. Invalid guidance stops the robot, and the first time is logged.
 class LibraryNavigator final : public Navigator {
  public:
   LibraryNavigator(std::shared_ptr<const PluginLibrary> library, const fulbito_navigator& table,

@@ -5,9 +5,9 @@
 
 namespace fulbito {
 
-/// How many bytes the file of a shared library has at least, by its own headers. The loader maps them, and a
-/// process that touches what lies beyond a file's end is ended by a signal. 0 if it is no library for
-/// machines of this kind: the loader says so itself.
+/// The number of bytes that the file of a shared library needs at least, by its own headers. The loader maps
+/// this many bytes, and the system ends a process that reads mapped bytes beyond the end of the file. 0 if
+/// the file is no library for this kind of machine; the loader reports that.
 std::uint64_t mappedLength(const std::string& file);
 
 }  // namespace fulbito

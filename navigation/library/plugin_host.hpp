@@ -10,26 +10,26 @@
 
 namespace fulbito {
 
-/// Receives the lines that a library logs. Empty: they go to standard error.
+/// Receives the lines that a library logs. If it is empty, they go to standard error.
 using PluginLog = std::function<void(std::string_view line)>;
 
 /// The simulator's services for one team or navigator of a library.
 class PluginHost {
  public:
-  /// @param owner  begins each line of the log
+  /// @param owner  start of each line in the log
   PluginHost(std::string owner, PluginLog log);
   PluginHost(const PluginHost&) = delete;
   PluginHost& operator=(const PluginHost&) = delete;
 
-  /// A match begins: the random stream starts anew, and the text of the rules is known.
+  /// Starts a match: restarts the random stream and stores the text of the rules.
   void begin(std::uint64_t seed, std::string rules_text);
-  /// The slip in curves of the present robots.
+  /// Stores the slip in curves of the robots.
   void know(const fulbito_curve_widening& widening) { widening_ = widening; }
-  /// The table for the library. It lives as long as this object.
+  /// The table of host functions for the library, valid as long as this object.
   const fulbito_host* table() const { return &table_; }
   /// Logs a line.
   void log(std::string_view line);  // determinism-ok: a message
-  /// The last line that the library has logged; empty: none.
+  /// The last line that the library has logged, or an empty text.
   const std::string& lastLine() const { return last_line_; }
 
  private:

@@ -17,26 +17,26 @@ namespace {
 
 thread_local const char* library_of_this_thread = nullptr;
 
-/// The reason of the last failure of the loader, without the file's name, which it often puts first.
+/// The loader's last error message, without the file's name at its start.
 std::string loaderReason(const std::string& file) {
   const char* reason = dlerror();
   const std::string text = reason == nullptr ? "unknown reason" : reason;
   return text.starts_with(file + ": ") ? text.substr(file.size() + 2) : text;
 }
 
-/// A name without '/' would be looked for in the system's folders.
+/// The loader would search for a name without '/' in the system's folders.
 std::string fileOf(const std::string& path) {
   return path.find('/') == std::string::npos ? "./" + path : path;
 }
 
 Result<void> checkReadable(const std::string& file, const std::string& path) {
-  // By the effective rights: a contained team of root has another user and may still read root's folders.
+  // Checks the effective rights, because a contained team of root has another user id.
   if (faccessat(AT_FDCWD, file.c_str(), R_OK, AT_EACCESS) != 0) {
     const int reason = errno;
     return fail(ioCode(reason), fmt::format("cannot read the library '{}': {}", path,
                                             std::generic_category().message(reason)));
   }
-  // The loader would wait for the writer of a pipe.
+  // The loader would wait for a writer if the file were a pipe.
   std::error_code code;
   if (!std::filesystem::is_regular_file(file, code)) {
     return fail(ErrorCode::kBadInput, fmt::format("the library '{}' is no regular file", path));
@@ -64,7 +64,7 @@ Result<std::shared_ptr<const PluginLibrary>> PluginLibrary::open(const std::stri
   if (auto readable = checkReadable(file, path); !readable) return tl::unexpected<Error>(readable.error());
   void* handle = nullptr;
   {
-    const LibraryCall running(path);  // start-up code of -ffast-math changes the thread's mode
+    const LibraryCall running(path);  // start-up code of -ffast-math changes the thread's floating-point mode
     handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   }
   if (handle == nullptr) {

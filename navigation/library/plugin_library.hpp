@@ -9,10 +9,10 @@
 
 namespace fulbito {
 
-/// A shared library with the C interface of `fulbito/team.h`. It stays loaded as long as the object lives.
+/// A shared library with the C interface of `fulbito/team.h`. It stays loaded as long as the object exists.
 class PluginLibrary {
  public:
-  /// Loads a library and checks its table; the thread's floating-point mode stays. Errors, which name the
+  /// Loads a library and checks its table. The thread's floating-point mode does not change. Errors name the
   /// file: kIo if it cannot be read, kBadInput if it is no library of this version of the interface.
   static Result<std::shared_ptr<const PluginLibrary>> open(const std::string& path);
   PluginLibrary(const PluginLibrary&) = delete;
@@ -23,7 +23,7 @@ class PluginLibrary {
   const std::string& path() const { return path_; }
   /// The library's table: version, size and name are valid.
   const fulbito_library& table() const { return *table_; }
-  /// An extension of the library; null if it has none of this name.
+  /// An extension of the library, or null if it has none with this name.
   template <typename T>
   const T* extension(const char* name) const {
     return static_cast<const T*>(extensionNamed(name));
@@ -39,15 +39,15 @@ class PluginLibrary {
   const fulbito_library* table_ = nullptr;
 };
 
-/// The file of the library whose code this thread runs now; null: none. For handlers of signals and of
-/// `exit`.
+/// The file of the library whose code this thread runs at present, or null. Handlers of signals and of `exit`
+/// use it.
 const char* libraryOfThisThread();
 
-/// While it lives, this thread runs code of a library, in the expected floating-point mode. The destructor
-/// restores the thread's mode.
+/// As long as the object exists, this thread runs code of a library in the expected floating-point mode. The
+/// destructor restores the thread's mode.
 class LibraryCall {
  public:
-  /// @param path  the library's file; it outlives the call
+  /// @param path  the library's file; it must outlive the call
   explicit LibraryCall(const std::string& path);
   ~LibraryCall();
   LibraryCall(const LibraryCall&) = delete;
@@ -58,7 +58,7 @@ class LibraryCall {
   ForeignCall mode_;
 };
 
-/// Calls a function of a library. An exception, which the interface forbids, becomes `otherwise`.
+/// Calls a function of a library. Exceptions, which the interface forbids, give the result `otherwise`.
 template <typename R, typename Call>
 R callForeign(const PluginLibrary& library, R otherwise, const Call& call) {
   const LibraryCall running(library.path());

@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-constexpr std::uint32_t kMost = 256;  // parameters, and choices of one
+constexpr std::uint32_t kMost = 256;  // greatest number of parameters, and of choices of one parameter
 
 std::string textOf(const char* text) { return text == nullptr ? "" : text; }
 
@@ -24,7 +24,7 @@ bool takeChoices(const fulbito_parameter& from, ParameterSpec& spec) {
   return true;
 }
 
-/// What is wrong with the parameter's values; empty: nothing.
+/// The error in the parameter's specification, or an empty text.
 const char* flawOf(const ParameterSpec& spec) {
   if (!std::isfinite(spec.minimum) || !std::isfinite(spec.maximum) || spec.minimum > spec.maximum) {
     return "has no range from a least to a largest value";

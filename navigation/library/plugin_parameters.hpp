@@ -9,12 +9,12 @@
 
 namespace fulbito {
 
-/// The parameters of a library as the simulator's. Errors: kBadInput naming `where` and the parameter.
+/// Converts the parameters of a library. Errors: kBadInput naming `where` and the parameter.
 Result<std::vector<ParameterSpec>> pluginParameters(const fulbito_parameter* parameters, std::uint32_t count,
                                                     const std::string& where);
 
-/// The values of all parameters, in order: those of `settings`, or the defaults. Errors: kUsage naming
-/// `owner` and the parameter, with a suggestion or the range.
+/// The values of all parameters in order, from `settings` or the defaults. Errors: kUsage naming `owner` and
+/// the parameter, with a suggestion or the range.
 Result<std::vector<double>> pluginValues(const std::vector<ParameterSpec>& specs,
                                          const std::vector<Setting>& settings, const std::string& owner);
 

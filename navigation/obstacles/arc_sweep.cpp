@@ -9,12 +9,12 @@
 namespace fulbito {
 namespace {
 
-constexpr double kSliver = 1e-4;  // [m] room that a touching robot is granted
-constexpr double kFar = 1e6;      // [m], [m/s] beyond it squares might not stay finite
+constexpr double kSliver = 1e-4;  // [m] least motion that a touching robot may make
+constexpr double kFar = 1e6;      // [m] or [m/s]; limit that keeps squares finite
 constexpr std::size_t kReserve = 64;
 
-/// Share [0, 1] of a relative move after which a point at `from` enters the circle around the origin; > 1 if
-/// it does not.
+/// Share [0, 1] of a relative move at which a point at `from` enters the circle about the origin; > 1 if it
+/// does not.
 double entry(Vec2 from, Vec2 move, double radius) {
   const double square = squaredNorm(move), approach = dot(from, move);
   const double outside = squaredNorm(from) - radius * radius;
@@ -108,7 +108,7 @@ double RampedArc::lengthAt(double time) const {
 Pose2 poseOnArc(Twist twist, double time) {
   const double half = twist.angular * time / 2;
   const math::SinCos sc = math::sinCos(half);
-  // Chord = arc * sin(half) / half, in the direction of half the turn.
+  // The chord is the arc times sin(half) / half, in the direction of half the turn.
   const double ratio = std::abs(half) > 1e-6 ? sc.sin / half : 1.0;
   const double chord = twist.linear * time * ratio;
   return {{chord * sc.cos, chord * sc.sin}, math::wrapAngle(2.0 * half)};

@@ -11,8 +11,8 @@ namespace {
 constexpr double kBallRadius = 0.0335;
 constexpr double kRobotCircumradius = 0.0375 * std::numbers::sqrt2;
 
-/// Half the angle under which a circle is seen. From inside, it grows past a right angle, so that the edge of
-/// the view turns smoothly to straight out at the centre.
+/// Half the angle [rad] of a circle as seen from a distance. From inside, it grows beyond a right angle up to
+/// pi at the centre, so that the direction of its edge changes smoothly.
 double halfWidth(const Circle& circle, double distance_to_centre) {
   if (distance_to_centre > circle.radius) return math::asin(circle.radius / distance_to_centre);
   return math::kPi / 2 * (2.0 - distance_to_centre / circle.radius);

@@ -9,22 +9,23 @@
 #include "fulbito/detail/math.hpp"
 
 namespace fulbito {
-/// One reading, world frame.
+/// One reading in the world frame.
 struct EchoMap::Call {
   Vec2 apex;
   Vec2 axis;
-  std::array<Vec2, 3> triangle;  ///< holds the cone
+  std::array<Vec2, 3> triangle;  ///< triangle that contains the cone
   double sin2;                   ///< square of the sine of the half cone
-  double free2;                  ///< [m^2] square of the distance up to which cells are free
-  double most2;                  ///< [m^2] square of the distance where the echo's cells end
+  /// [m^2] square of the distance up to which the reading shows cells to be free
+  double free2;
+  double most2;  ///< [m^2] square of the greatest distance of the echo's cells
   bool heard;
-  bool clears_near;  ///< the echo itself is near
+  bool clears_near;  ///< the echo is so near that cells near the sonar may be cleared
   float free_weight;
 };
 
 namespace {
 
-/// The part of a triangle on the line at height `y`; empty where `low` > `high`.
+/// The part of a triangle on the line at height `y`; empty if `low` > `high`.
 struct Chord {
   double low = 1e300, high = -1e300;
 };
@@ -67,7 +68,7 @@ int EchoMap::cellOf(double coordinate) const {
   return static_cast<int>(std::clamp(std::floor(coordinate / settings_.cell), -kFarthest, kFarthest));
 }
 
-/// Moves the grid along with the robot. Cells that enter it are unknown.
+/// Moves the grid with the robot. Cells that enter the grid are unknown.
 void EchoMap::centre(Vec2 position) {
   const int x = cellOf(position.x) - size_ / 2, y = cellOf(position.y) - size_ / 2;
   if (!placed_ || std::abs(x - x_) >= size_ || std::abs(y - y_) >= size_) {
@@ -130,7 +131,7 @@ void EchoMap::weigh(const Call& call, Cell& cell, Vec2 to) const {
   }
 }
 
-/// Where the robot stands, nothing else does.
+/// Clears the cells of the robot's body, since nothing else can be there.
 void EchoMap::clearBody(const NavigationScene& scene) {
   const Pose2& pose = scene.self.pose;
   const Vec2 ahead = math::unit(pose.heading);
@@ -154,7 +155,7 @@ void EchoMap::forOccupied(const Work& work) const {
   for (int y = y_; y < y_ + size_; ++y) {
     const Cell* row = &cells_[static_cast<std::size_t>(y & mask) * static_cast<std::size_t>(stride_)];
     for (int x = x_; x < x_ + size_; ++x) {
-      // Nearly all cells fail the first test.
+      // Nearly all cells fail this first test, which is cheap.
       const Cell& cell = row[x & mask];
       if (cell.evidence > threshold && isOccupied(cell)) work(middle(x, y));
     }
@@ -169,7 +170,7 @@ void EchoMap::scan(const SectorCircle& circle, const Pose2& pose, double range,
     const Vec2 p = intoFrame(ahead, place - pose.position);
     const double far = norm(p);
     if (!(far > 0.0 && far <= range)) return;
-    // A cell covers the sectors that it is seen in: at its corners half a diagonal to either side.
+    // A cell covers all sectors in which it is seen: up to half a diagonal to each side.
     const double bearing = math::angleOf(p), half = math::atan2(0.7 * settings_.cell, far);
     const int last = circle.sectorOf(bearing - half);
     for (int i = circle.sectorOf(bearing + half);; i = circle.wrap(i + 1)) {

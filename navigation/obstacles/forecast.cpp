@@ -21,7 +21,7 @@ bool forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out) {
     disc.velocity = o.velocity;
     disc.radius = o.radius;
     disc.moves = squaredNorm(o.velocity) > kMoving * kMoving;
-    // A disc in a goal or half in a wall keeps at least the room that it has.
+    // A disc in a goal or partly in a wall keeps at least its present room.
     disc.room = {std::max(scene.field->length / 2 - o.radius, std::abs(o.position.x)),
                  std::max(scene.field->width / 2 - o.radius, std::abs(o.position.y))};
     any_moves = any_moves || disc.moves;

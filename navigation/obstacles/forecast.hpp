@@ -9,15 +9,15 @@
 
 namespace fulbito {
 
-/// A disc obstacle with its motion foreseen: straight on, mirrored where it meets a wall of the field.
+/// A disc obstacle with a predicted motion: straight on, mirrored at the walls of the field.
 struct ForecastDisc {
   Vec2 position;
   Vec2 velocity;
   double radius = 0.0;
-  Vec2 room;           ///< [m] |x| and |y| that its centre keeps within
-  bool moves = false;  ///< faster than a few centimetres a second
+  Vec2 room;           ///< [m] greatest |x| and |y| of its centre
+  bool moves = false;  ///< whether it is faster than 3 cm/s
 
-  /// Where its centre will be after `time` [s].
+  /// Predicted position [m] of its centre after `time` [s].
   Vec2 at(double time) const {
     if (!moves) return position;
     const Vec2 p = position + velocity * time;
@@ -32,11 +32,10 @@ struct ForecastDisc {
   }
 };
 
-/// Foresees all obstacles of `scene` into `out`, reusing its memory; returns whether any of them moves.
+/// Predicts all obstacles of `scene` into `out`, reusing its memory. Returns whether any of them moves.
 bool forecast(const NavigationScene& scene, std::vector<ForecastDisc>& out);
 
-/// Whether the body, if it goes on with `velocity` [m/s] and keeps its direction, meets the disc within
-/// `horizon` [s].
+/// Whether the body meets the disc within `horizon` [s] if it keeps its `velocity` [m/s] and its direction.
 bool meetsWithin(const BodyShape& body, Vec2 position, Vec2 along, Vec2 velocity, const ForecastDisc& disc,
                  double horizon);
 

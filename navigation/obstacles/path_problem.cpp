@@ -9,10 +9,10 @@ namespace fulbito {
 namespace {
 
 constexpr double kTouch = 1e-9;       // [m]
-constexpr double kEndReach = 0.10;    // [m] around an end where its own wall distance is the margin
-constexpr double kGiveWay = 0.01;     // [m] of clearance given up for an end that has less than wanted
-constexpr double kPlanShare = 0.8;    // of the top speed that a robot keeps on average
-constexpr double kRestSpeed = 0.005;  // [m/s] slower obstacles are at rest
+constexpr double kEndReach = 0.10;    // [m] around an end with a margin of its own
+constexpr double kGiveWay = 0.01;     // [m] of clearance given up for an end with too little clearance
+constexpr double kPlanShare = 0.8;    // average speed of a robot as a share of its top speed
+constexpr double kRestSpeed = 0.005;  // [m/s] slower obstacles count as resting
 
 }  // namespace
 
@@ -21,7 +21,7 @@ bool isMoving(const DiscObstacle& obstacle) {
 }
 
 double meetingTime(const DiscObstacle& obstacle, Vec2 robot, double speed, double horizon) {
-  // |d + v t| = speed t, its smaller positive root in the form that has no difference of near numbers.
+  // |d + v t| = speed t; its smaller positive root, in the form without cancellation.
   const Vec2 d = obstacle.position - robot;
   const double along = dot(d, obstacle.velocity), square = squaredNorm(d);
   const double root = along * along + (speed * speed - squaredNorm(obstacle.velocity)) * square;
@@ -77,7 +77,7 @@ bool PathGuard::clearAt(Vec2 p) const {
 bool PathGuard::clear(std::span<const Vec2> path) const {
   for (const Circle& disc : discs_) {
     const double square = disc.radius * disc.radius;
-    // Points cost less than segments and tell most of the paths that are blocked.
+    // Checks of points cost less than checks of segments and find most blocked paths.
     for (Vec2 p : path) {
       if (squaredNorm(p - disc.centre) < square) return false;
     }

@@ -9,20 +9,20 @@ namespace fulbito {
 namespace {
 
 constexpr double kBand = 0.0035;  // [m] twice the error of a smoothed range
-constexpr float kFree = 3.0f;     // evidence of a farther echo against a cell; one for it weighs 1
-constexpr float kSilent = 0.4f;   // of silence: faces seen aslant are silent too
-constexpr double kBlind = 0.05;   // [m] silence and far echoes clear nothing so near to a sensor
-constexpr double kSharp = 0.9;    // of the cone, within which it clears
+constexpr float kFree = 3.0f;     // evidence of a farther echo against a cell; an echo at the cell weighs 1
+constexpr float kSilent = 0.4f;   // evidence of silence: surfaces seen at an angle are silent too
+constexpr double kBlind = 0.05;   // [m] silence and far echoes clear no cells nearer to the sensor
+constexpr double kSharp = 0.9;    // share of the cone in which a reading clears cells
 constexpr double kAslant =
-    0.82;  // cosine of 35 degrees: 30 throw sound back, and the cell's own is not exact
-constexpr float kExplained = 3.0f;   // evidence by which the best cell of an arc explains the echo
-constexpr float kUnneeded = 0.1f;    // weight of the arc's other cells
-constexpr double kNear = 0.12;       // [m] readings up to there make certain
-constexpr double kMiddle = 0.8;      // in the middle of their cone
-constexpr double kArc = 0.08;        // [m] nearer arcs are shorter: their cells weigh more
-constexpr double kMostWeight = 4.0;  // up to that
+    0.82;  // cosine of 35 degrees; surfaces reflect up to 30, and a cell's direction is not exact
+constexpr float kExplained = 3.0f;   // lead in evidence with which the best cell of an arc explains the echo
+constexpr float kUnneeded = 0.1f;    // weight of the other cells of such an arc
+constexpr double kNear = 0.12;       // [m] only nearer readings can make a cell certain
+constexpr double kMiddle = 0.8;      // share of the cone in which they can
+constexpr double kArc = 0.08;        // [m] nearer arcs are shorter, and their cells weigh more
+constexpr double kMostWeight = 4.0;  // greatest such weight
 constexpr float kLeast = -2.0f, kFarMost = 5.0f, kMost = 12.0f;
-constexpr float kTurning = 0.2f;  // of a new direction in the cell's own
+constexpr float kTurning = 0.2f;  // weight of a new direction in a cell's mean direction
 
 int directionOf(Vec2 way) {
   return static_cast<int>(std::floor(math::angleOf(way) / (math::kPi / 16) + 0.5)) & 31;
@@ -30,14 +30,14 @@ int directionOf(Vec2 way) {
 
 }  // namespace
 
-/// One reading with what all of its cells need.
+/// One reading and the values that all of its cells share.
 struct ProvenMap::Call {
   const SmoothRange& reading;
   double tan_half;
-  double free;        ///< [m] cells up to there are free
-  double most;        ///< [m] and from there up to here on the arc
-  float share;        ///< of its weight
-  float best = 0.0f;  ///< evidence of the best cell on the arc
+  double free;        ///< [m] cells up to this distance are free
+  double most;        ///< [m] cells between `free` and this distance are on the arc
+  float share;        ///< weight of the reading, 0 ... 1
+  float best = 0.0f;  ///< greatest evidence of the cells on the arc
   std::uint32_t from = 0;
 
   double off(Vec2 to) const { return std::abs(cross(reading.axis, to)) / (dot(reading.axis, to) * tan_half); }
@@ -141,7 +141,7 @@ void ProvenMap::clearBody(const NavigationScene& scene) {
 }
 
 std::uint32_t ProvenMap::about(Vec2 toward) {
-  constexpr int kBeside = 2;  // within 28 degrees: faces answer up to 30
+  constexpr int kBeside = 2;  // sectors to each side, within 28 degrees, as surfaces reflect up to 30
   const int at = directionOf(toward);
   std::uint32_t mask = 0;
   for (int i = -kBeside; i <= kBeside; ++i) mask |= 1u << ((at + i) & 31);

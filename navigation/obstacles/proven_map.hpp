@@ -7,32 +7,32 @@
 
 namespace fulbito {
 
-/// What smoothed ranges prove about the surroundings, whatever they are made of: a grid that moves with the
-/// robot and stays aligned with the world. Each reading proves its cone free up to the range, and that
-/// something stands on the arc at its end. Cones from many places leave of the arcs what is there.
+/// A grid of what smoothed ranges prove about the surroundings. It moves with the robot and stays aligned
+/// with the world. Each reading proves that its cone is free up to the range and that something is on the arc
+/// at its end. The cones of readings from many places clear the wrong parts of the arcs.
 ///
-///  - On an arc that a known surface explains, other cells gain a tenth.
-///  - Only near readings make a cell certain: far arcs are as wide as a robot.
-///  - A face throws sound off sideways where it is seen aslant. So a certain cell is not cleared from
-///    directions in which it would not be heard, and each cell remembers from where it was seen free.
+/// - If a known surface explains an arc, the other cells on it gain only a tenth.
+/// - Only near readings make a cell certain, since far arcs are as wide as a robot.
+/// - A surface seen at an angle reflects the sound away. So readings do not clear a certain cell from
+///   directions in which it would give no echo, and each cell stores from which directions it was seen free.
 class ProvenMap {
  public:
   struct Cell {
-    float evidence = 0.0f;     ///< for a surface > 0, against < 0
-    float x = 0.0f, y = 0.0f;  ///< toward the sensors that heard it, about a unit vector
-    std::int32_t tick = 0;     ///< when it was last heard
-    std::uint32_t seen = 0;    ///< a bit for each of 32 directions from which it was seen free
+    float evidence = 0.0f;     ///< positive: a surface, negative: free
+    float x = 0.0f, y = 0.0f;  ///< mean direction toward the sensors that heard it, about a unit vector
+    std::int32_t tick = 0;     ///< tick of the last echo
+    std::uint32_t seen = 0;    ///< bit i: seen free from direction i of 32
   };
 
   /// @param cell  [m] side of a cell
   explicit ProvenMap(double cell) : cell_(cell), cells_(std::size_t{kStride} * kStride) {}
   /// Forgets everything.
   void reset();
-  /// Moves the grid along with the robot. Cells that enter it are unknown.
+  /// Moves the grid with the robot. Cells that enter the grid are unknown.
   void centre(Vec2 position, Tick now);
-  /// Takes in a reading. `share` (0 ... 1): how much it tells that the last one from the same sensor did not.
+  /// Takes a reading into the grid. `share` (0 ... 1) is its new information since the sensor's last reading.
   void takeIn(const SmoothRange& reading, double share);
-  /// Where the robot stands, nothing else does.
+  /// Marks the cells of the robot's body as free, since nothing else can be there.
   void clearBody(const NavigationScene& scene);
 
   double cell() const { return cell_; }
@@ -41,11 +41,11 @@ class ProvenMap {
   const Cell& at(int x, int y) const { return cells_[indexOf(x, y)]; }
   bool isOccupied(const Cell& cell) const { return cell.evidence > kOccupied && now_ - cell.tick < kMemory; }
   bool isCertain(const Cell& cell) const { return cell.evidence > kCertain && isOccupied(cell); }
-  /// The directions about that of `toward`, as a mask of `Cell::seen`.
+  /// The directions near that of `toward`, as a mask for `Cell::seen`.
   static std::uint32_t about(Vec2 toward);
-  /// Whether the cell was seen free from about the direction of `toward`.
+  /// Whether the cell was seen free from a direction near that of `toward`.
   static bool isProven(const Cell& cell, Vec2 toward) { return (cell.seen & about(toward)) != 0; }
-  /// Calls `work(x, y, cell)` for the occupied cells of the square of half side `reach` [m] about `place`.
+  /// Calls `work(x, y, cell)` for the occupied cells in the square of half side `reach` [m] about `place`.
   template <typename Work>
   void forOccupied(Vec2 place, double reach, const Work& work) const {
     for (int y = cellOf(place.y - reach); y <= cellOf(place.y + reach); ++y) {
@@ -56,8 +56,8 @@ class ProvenMap {
   }
 
  private:
-  static constexpr int kSize = 160;    // cells a side that are used
-  static constexpr int kStride = 256;  // that are kept, a power of two
+  static constexpr int kSize = 160;    // used cells per side
+  static constexpr int kStride = 256;  // stored cells per side, a power of two
   static constexpr float kOccupied = 3.0f, kCertain = 6.0f;
   static constexpr Tick kMemory = 3600;
   struct Call;
@@ -73,7 +73,7 @@ class ProvenMap {
 
   double cell_;
   bool placed_ = false;
-  int x_ = 0, y_ = 0;  ///< the grid's lowest cell
+  int x_ = 0, y_ = 0;  ///< lowest cell of the grid
   Tick now_ = 0;
   std::vector<Cell> cells_;
 };

@@ -8,11 +8,11 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kRecent = 4;   // readings
-constexpr int kLoud = 6;             // of the window's readings: so many echoes are one surface
-constexpr int kSilent = 2;           // so few are drop-ins of a silent cone
-constexpr double kScatter = 0.0085;  // [m] about the line; 5 mm of noise stay below it in 99 of 100 windows
-constexpr double kFastest = 0.009;   // [m] change of the range in a tick
+constexpr std::size_t kRecent = 4;   // number of readings
+constexpr int kLoud = 6;             // least number of echoes in the window that count as one surface
+constexpr int kSilent = 2;           // greatest number of echoes in the window that count as noise in silence
+constexpr double kScatter = 0.0085;  // [m] about the line; 99 % of windows with 5 mm noise are below
+constexpr double kFastest = 0.009;   // [m] greatest change of the range per tick
 
 }  // namespace
 

@@ -8,27 +8,26 @@
 
 namespace fulbito {
 
-/// Readings of one range sensor over a few ticks as one: the error of the mean falls with their root.
+/// Mean of the readings of one range sensor over a few ticks. Its error falls with the root of their number.
 struct SmoothRange {
-  Vec2 apex;  ///< [m] world frame: where the sensor was on average
-  Vec2 axis;  ///< unit, world frame
+  Vec2 apex;  ///< [m] mean position of the sensor, world frame
+  Vec2 axis;  ///< unit vector along the cone's axis, world frame
   double half_cone = 0.0;
   bool heard = false;
-  double range = 0.0;  ///< [m] from `apex`; the sensor's greatest range where it heard nothing
+  double range = 0.0;  ///< [m] from `apex`; the sensor's greatest range if there was no echo
 };
 
-/// Averages the last readings of one sensor, whose pose is known. A line over time is fitted to the ranges:
-/// where they jump from one surface to another, or change faster than a robot drives, there is no answer.
+/// Averages the last readings of one sensor with a known pose. It fits a line over time to the ranges. It
+/// gives no result if they jump between surfaces or change faster than a robot drives.
 class RangeSmoother {
  public:
   static constexpr std::size_t kReadings = 9;
 
   void reset() { count_ = 0; }
-  /// Takes in one tick's reading; empty until the window is full, and where the readings do not agree.
-  /// @param pose  of the robot
+  /// Adds the reading of one tick. Empty until the window is full, or if the readings do not agree.
+  /// @param pose  the robot's pose
   std::optional<SmoothRange> add(const RangeReading& reading, const Pose2& pose);
-  /// Mean [m] of what was heard in the last four ticks, for quick reactions; empty where it was fewer than
-  /// two.
+  /// Mean [m] of the echoes in the last four ticks, for quick reactions; empty if there were fewer than two.
   std::optional<double> recent() const;
 
  private:

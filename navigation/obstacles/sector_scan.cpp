@@ -10,14 +10,14 @@
 namespace fulbito {
 namespace {
 
-constexpr double kTouching = 1e-4;  // [m] stands for "inside": 0 would have no direction
-constexpr double kFar = 1e3;        // [m] nothing beyond matters, and squares stay finite
+constexpr double kTouching = 1e-4;  // [m] stands for "inside", since distance 0 has no direction
+constexpr double kFar = 1e3;        // [m] obstacles farther away do not matter, and squares stay finite
 
 void keepNearest(SectorHit& hit, double distance, Vec2 direction) {
   if (distance < hit.distance) hit = {distance, direction * distance};
 }
 
-/// An edge belongs to the sectors on both sides of it.
+/// A hit on an edge belongs to the sectors on both sides.
 void keepOnEdge(const SectorCircle& circle, int edge, double distance, std::span<SectorHit> hits) {
   keepNearest(hits[static_cast<std::size_t>(edge)], distance, circle.edge(edge));
   keepNearest(hits[static_cast<std::size_t>(circle.wrap(edge - 1))], distance, circle.edge(edge));
@@ -25,7 +25,7 @@ void keepOnEdge(const SectorCircle& circle, int edge, double distance, std::span
 
 void addWalls(const SectorCircle& circle, std::span<const WallLine> walls, std::span<SectorHit> hits) {
   for (int i = 0; i < circle.count(); ++i) {
-    double nearness = 1.0 / kFar;  // 1 / distance: the nearest wall without a division each
+    double nearness = 1.0 / kFar;  // reciprocal of the distance, which saves a division per wall
     for (const WallLine& wall : walls)
       nearness = std::max(nearness, dot(wall.outward, circle.edge(i)) / wall.clearance);
     if (nearness > 1.0 / kFar) keepOnEdge(circle, i, 1.0 / nearness, hits);

@@ -7,7 +7,7 @@
 
 namespace fulbito {
 
-/// Largest number of sectors that a circle is cut into.
+/// Greatest number of sectors of a circle.
 inline constexpr int kMaxSectors = 360;
 
 /// The full circle around a robot cut into `count` equal sectors, robot frame. Sector i has its bisector at
@@ -19,7 +19,7 @@ class SectorCircle {
   int count() const { return count_; }
   /// Angle [rad] of one sector.
   double step() const { return step_; }
-  /// `sector` brought into 0 ... count - 1.
+  /// `sector` modulo the number of sectors, in 0 ... count - 1.
   int wrap(int sector) const { return ((sector % count_) + count_) % count_; }
   /// Bisector [rad] in [-pi, pi).
   double bearing(int sector) const;
@@ -37,22 +37,22 @@ class SectorCircle {
   std::vector<Vec2> edges_;
 };
 
-/// The obstacle point of a sector that is nearest to the robot's centre.
+/// The obstacle point in a sector that is nearest to the robot's centre.
 struct SectorHit {
-  double distance = 0.0;  ///< [m] > 0; infinity where the sector is empty
-  Vec2 point;             ///< [m] robot frame; only where `distance` is finite
+  double distance = 0.0;  ///< [m] > 0; infinite if the sector is empty
+  Vec2 point;             ///< [m] in the robot's frame; valid only if `distance` is finite
 
   bool isEmpty() const { return !(distance < 1e300); }
 };
 
-/// Adds a disc to what the sectors show: its nearest point in every sector.
-/// @param centre  [m] robot frame
+/// Adds a disc: its nearest point in every sector that it covers.
+/// @param centre  [m] in the robot's frame
 void scanDisc(const SectorCircle& circle, Vec2 centre, double radius, std::span<SectorHit> hits);
 
-/// Nearest point of discs and walls (the playing rectangle with its corner triangles) in every sector, exact:
-/// over a sector the range of a disc or a wall is least on an edge of the sector or at the foot of the
-/// perpendicular. Where the centre is inside an obstacle the distance is 0.1 mm.
-/// @param hits  one a sector
+/// Nearest exact point of discs and walls (the playing rectangle with its corner triangles) in every sector.
+/// Within a sector the range of a disc or a wall is least on an edge of the sector or at the foot of the
+/// perpendicular. If the centre is inside an obstacle, the distance is 0.1 mm.
+/// @param hits  one element per sector
 void scanScene(const SectorCircle& circle, const NavigationScene& scene, std::span<SectorHit> hits);
 
 }  // namespace fulbito

@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-/// @{ Lines, circles and names of drawings, in the team's frame.
+/// @{ Append a line, a circle or a robot's name to `drawings`, in the team's frame.
 inline void addLine(std::vector<DebugDrawing>& drawings, Vec2 from, Vec2 to) {
   drawings.push_back({DebugDrawing::Kind::kLine, from, to, 0.0, {}});
 }
@@ -19,7 +19,7 @@ inline void addCircle(std::vector<DebugDrawing>& drawings, Vec2 centre, double r
 
 /// A robot's role, next to its body.
 inline void addName(std::vector<DebugDrawing>& drawings, Vec2 robot, const char* name) {
-  constexpr double kBeside = 0.075;  // [m] clear of the body, however it is turned
+  constexpr double kBeside = 0.075;  // [m] above the robot's centre, clear of the body at any heading
   drawings.push_back({DebugDrawing::Kind::kText, robot + Vec2{0.0, kBeside}, {}, 0.0, name});
 }
 /// @}

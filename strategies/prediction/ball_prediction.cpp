@@ -9,14 +9,14 @@ namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
 
-/// Ball under way: the floor's and the walls' rules in closed form (engine/sim has them by steps).
+/// The moving ball under the rules of floor and walls in closed form; engine/sim integrates the same rules.
 struct Rolling {
   const BallCourse& course;
   BallState ball;
   Vec2 slip_direction;
   bool slides = false;
 
-  /// Motion of the stretch that begins now, and how long it lasts [s]; forever at rest.
+  /// Motion of the stretch that begins now, and its duration [s]; infinite if the ball rests.
   std::pair<EvenMotion, double> stretch() {
     constexpr double kLeastSlip = 1e-4;  // [m/s]
     const BallModel& model = course.ball;

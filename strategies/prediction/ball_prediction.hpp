@@ -14,7 +14,7 @@ namespace fulbito {
 struct BallCourse {
   BallModel ball;
   BallWalls walls;
-  double restitution_threshold = 0.1;  ///< [m/s] slower impacts do not bounce
+  double restitution_threshold = 0.1;  ///< [m/s] the ball does not bounce at slower impacts
 
   BallCourse() = default;
   BallCourse(const FieldGeometry& field, const BallModel& model, const PhysicsProfile& physics)
@@ -30,17 +30,18 @@ class BallPrediction {
   /// The time and place at which the ball crosses a line.
   struct Crossing {
     double time = 0.0;  ///< [s] from now
-    Vec2 place;         ///< [m] of the ball's centre
+    Vec2 place;         ///< [m] position of the ball's centre
     Vec2 velocity;      ///< [m/s]
   };
 
-  /// Predicts `horizon` [s] ahead; the ball stays at its place beyond it. The spin in `ball` counts, and 0
-  /// means that the ball slides. Use the spin of `BallTracker`, or the velocity for a rolling ball.
+  /// Predicts the motion for the next `horizon` [s]; after that the predicted ball stays where it is.
+  /// `ball.spin` must be valid: use the spin of `BallTracker`, or the velocity for a rolling ball. Spin 0
+  /// means that the ball slides.
   void predict(const BallCourse& course, const BallState& ball, double horizon = 3.0);
 
   Vec2 positionAt(double t) const;   ///< [m] `t` seconds from now, t >= 0
   Vec2 velocityAt(double t) const;   ///< [m/s]
-  BallState ballAt(double t) const;  ///< with its spin
+  BallState ballAt(double t) const;  ///< the same with the spin
   /// Number of bounces off walls before `t` [s].
   int bouncesBefore(double t) const;
   /// Time [s] at which the ball comes to rest, or the horizon if it rolls longer.
@@ -56,7 +57,7 @@ class BallPrediction {
  private:
   static constexpr int kMaxStretches = 24;
 
-  /// One stretch; the last one has no end.
+  /// One stretch. The last one lasts forever.
   struct Stretch {
     double begin = 0.0;  ///< [s] from now
     EvenMotion motion;   ///< time 0 is `begin`

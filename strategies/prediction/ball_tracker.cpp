@@ -5,7 +5,7 @@
 namespace fulbito {
 namespace {
 
-/// Spin after `dt` [s] on the floor.
+/// The spin [m/s] after the ball has moved on the floor for `dt` [s].
 Vec2 spinAfter(const BallModel& model, const BallState& ball, double dt) {
   const Vec2 slip = ball.velocity - ball.spin;
   const double speed = norm(slip);
@@ -17,7 +17,7 @@ Vec2 spinAfter(const BallModel& model, const BallState& ball, double dt) {
 }  // namespace
 
 BallState BallTracker::update(const BallCourse& course, BallState seen, double dt) {
-  constexpr double kLeastJump = 0.02;  // [m/s] beyond the floor's own change: the ball met something
+  constexpr double kLeastJump = 0.02;  // [m/s] beyond what friction explains: the ball hit something
   constexpr double kLeastSlip = 0.02;  // [m/s]
   seen.spin = seen.velocity;
   if (known_) {

@@ -6,12 +6,12 @@
 namespace fulbito {
 
 std::optional<double> timeOfFall(double height, double speed, double acceleration, double duration) {
-  constexpr double kSlowest = 1e-6;  // [m/s] slower is rounding, not motion
+  constexpr double kSlowest = 1e-6;  // [m/s] smaller speeds are rounding errors
   if (height <= 0.0 && speed < -kSlowest) return 0.0;
   if (height < 0.0) return std::nullopt;
   const double discriminant = speed * speed - 2.0 * acceleration * height;
   if (discriminant < 0.0) return std::nullopt;
-  // The root that belongs to falling, in the form that does not cancel.
+  // The root at which the height falls, in the form without cancellation.
   const double falling = std::sqrt(discriminant);
   if (falling <= kSlowest) return std::nullopt;
   double time;
@@ -45,8 +45,9 @@ bool BallWalls::isFree(Vec2 p, double margin) const {
 }
 
 std::optional<BallWalls::Hit> BallWalls::firstHit(const EvenMotion& motion, double duration) const {
-  // A parabola leaves its chord by at most `bulge`; from an end of the chord on by at most four times the
-  // share of the way, so that a chord which ends that far off a wall that it begins at keeps it off the wall.
+  // A parabola is at most `bulge` away from its chord. At a share s of the way from an end of the chord, it
+  // is at most 4 s `bulge` away. So the path keeps clear of a wall if its start is free and its end is 4
+  // `bulge` off that wall.
   const double bulge = norm(motion.acceleration) * duration * duration / 8.0;
   const Vec2 end = motion.positionAt(duration);
   if (isFree(motion.position) && isFree(end, 4.0 * bulge)) return std::nullopt;
@@ -63,7 +64,7 @@ std::optional<BallWalls::Hit> BallWalls::firstHit(const EvenMotion& motion, doub
 
 void BallWalls::meetLine(const Line& line, const EvenMotion& motion, std::optional<Hit>& first,
                          double& until) const {
-  constexpr double kDeepest = 0.01;  // [m] farther behind a wall it is another wall's ball
+  constexpr double kDeepest = 0.01;  // [m] a ball deeper behind this wall is on another wall's side
   const double height = dot(motion.position - line.begin, line.normal);
   if (height < -kDeepest) return;
   const auto time =
@@ -78,13 +79,14 @@ void BallWalls::meetLine(const Line& line, const EvenMotion& motion, std::option
 void BallWalls::meetPost(Vec2 post, const EvenMotion& motion, std::optional<Hit>& first,
                          double& until) const {
   constexpr double kTouch = 1e-5;  // [m]
-  constexpr double kStep = 1e-4;   // [m] that a ball which leaves the post moves at least between two looks
+  constexpr double kStep = 1e-4;   // [m] least motion between two looks of a ball that leaves the post
   constexpr int kMostLooks = 200;
   const Vec2 end = motion.positionAt(until);
   const double bulge = norm(motion.acceleration) * until * until / 8.0;
   const double reach = radius_ + bulge + distance(motion.position, end) / 2.0;
   if (squaredNorm((motion.position + end) / 2.0 - post) > reach * reach) return;
-  // Speed is greatest at an end of the motion: in the time that the gap takes at it the ball stays clear.
+  // The speed is greatest at an end of the motion. At that speed the ball needs at least the time below to
+  // close the gap.
   const double fastest = std::max(norm(motion.velocity), norm(motion.velocityAt(until)));
   if (fastest <= 0.0) return;
   double time = 0.0;

@@ -17,8 +17,8 @@ struct EvenMotion {
   constexpr Vec2 velocityAt(double t) const { return velocity + acceleration * t; }
 };
 
-/// Least t in [0, `duration`] at which `height + speed t + acceleration t^2 / 2` falls through 0; 0 if it is
-/// already below and falls.
+/// The first time t in [0, `duration`] at which `height + speed t + acceleration t^2 / 2` falls through 0. It
+/// is 0 if the height is not positive and falls at the start.
 std::optional<double> timeOfFall(double height, double speed, double acceleration, double duration);
 
 /// The field's walls for the centre of a ball: the contour with goals, corner triangles and posts, shrunk by

@@ -8,7 +8,7 @@
 namespace fulbito {
 
 Estimator::Estimator(const MatchInfo& info) : robot_(info.robot) {
-  constexpr double kFading = 0.3;  // [s] time constant of opponents' motion
+  constexpr double kFading = 0.3;  // [s] time constant with which opponents' motion fades
   const double dt = info.physics.controlPeriod();
   ticks_ = static_cast<int>(std::floor(info.observation_age / dt + 0.5));
   age_ = ticks_ * dt;
@@ -22,7 +22,7 @@ void Estimator::reset() {
 }
 
 const Observation& Estimator::update(const Observation& seen, const BallPrediction& ball) {
-  // Valid as long as `seen`, as the header says.
+  // The header says that the result is valid only as long as `seen`.
   if (ticks_ == 0) return seen;  // NOLINT(bugprone-return-const-ref-from-parameter)
   queue_[oldest_] = seen.sent;
   oldest_ = (oldest_ + 1) % queue_.size();

@@ -17,12 +17,12 @@ class Estimator {
   Estimator() = default;
   /// Allocates all memory.
   explicit Estimator(const MatchInfo& info);
-  /// Resets the past commands: a new play begins.
+  /// Forgets the past commands, for the start of a new play.
   void reset();
   /// Whether observations have an age.
   bool isNeeded() const { return ticks_ > 0; }
-  /// `seen` as of now; `seen` itself if observations are fresh. Call it once per tick. `ball` is the
-  /// prediction from the ball as seen. The result is valid until the next call.
+  /// Returns `seen` predicted to the present, or `seen` itself if observations are fresh. Call it once per
+  /// tick. `ball` is the prediction from the observed ball. The result is valid until the next call.
   const Observation& update(const Observation& seen, const BallPrediction& ball);
   /// Age of observations [s], in whole ticks.
   double age() const { return age_; }
@@ -32,7 +32,7 @@ class Estimator {
   RobotModel robot_;
   int ticks_ = 0;
   double age_ = 0.0;
-  double fade_ = 0.0;        ///< [s] time at full speed with the same distance as an opponent's fading motion
+  double fade_ = 0.0;        ///< [s] opponents cover their fading motion in this time at constant speed
   std::vector<Sent> queue_;  ///< ring of the last `ticks_` ticks' commands
   std::size_t oldest_ = 0;
   Observation now_;

@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kShareOfTurn = 0.7;  // of a turn in place: the rest goes on while the robot drives
+constexpr double kShareOfTurn = 0.7;  // share of a turn made in place; the rest is made while driving
 
 }  // namespace
 
@@ -20,7 +20,7 @@ RobotPace::RobotPace(const RobotModel& robot)
 double timeAlong(const RobotPace& pace, double distance, double speed) {
   const double v = pace.speed, a = pace.acceleration;
   if (speed < 0.0) {
-    // Braking, and the way back over the ground that it takes.
+    // The robot brakes first, then drives the braking distance again in the other direction.
     return -speed / a + timeAlong(pace, distance + speed * speed / (2.0 * a), 0.0);
   }
   const double start = std::min(speed, v);
@@ -30,7 +30,7 @@ double timeAlong(const RobotPace& pace, double distance, double speed) {
 }
 
 double timeToTurn(const RobotPace& pace, double angle) {
-  // Bang-bang turning takes 2 sqrt(angle / a); a robot that is already driving hides part of it.
+  // Bang-bang turning takes 2 sqrt(angle / a).
   return 2.0 * std::sqrt(angle / pace.turning);
 }
 
@@ -50,7 +50,7 @@ double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target) {
   if (length < 1e-6) return 0.0;
   const Vec2 ahead = way / length;
   const double turn = foldedAngle(cross(robot.facing, ahead), dot(robot.facing, ahead));
-  // A turn toward a target nearer than the body's own swing is not needed.
+  // A robot need not turn fully toward a target that is nearer than about half its body.
   const double needed = turn * std::min(1.0, length / 0.05);
   return kShareOfTurn * timeToTurn(pace, needed) + timeAlong(pace, length, dot(robot.velocity, ahead));
 }

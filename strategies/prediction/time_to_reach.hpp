@@ -7,7 +7,7 @@ namespace fulbito {
 /// The speed and acceleration of a robot, for estimates of time.
 struct RobotPace {
   double speed = 1.2;         ///< [m/s] top speed
-  double acceleration = 6.0;  ///< [m/s^2] of the body: the lesser of motors and grip
+  double acceleration = 6.0;  ///< [m/s^2] of the body: the smaller limit of motors and grip
   double turning = 289.0;     ///< [rad/s^2] in place
 
   RobotPace() = default;
@@ -26,20 +26,20 @@ double timeToTurn(const RobotPace& pace, double angle);
 /// function", eq. 8). Teams estimate many times per tick.
 double foldedAngle(double sine, double cosine);
 
-/// The part of a robot's state that estimates of time need; made once for many estimates.
+/// The part of a robot's state that time estimates use. Callers make it once for many estimates.
 struct Runner {
   Vec2 position;  ///< [m]
   Vec2 facing;    ///< unit vector of its heading
   Vec2 velocity;  ///< [m/s]
 };
 
-/// @{ Time [s] of a robot to `target` (docs/skills.md). It turns its nearer end toward the target and drives
-/// through without a stop; its present speed counts.
+/// @{ Time [s] that a robot needs to `target` (docs/skills.md). It turns its nearer end toward the target and
+/// drives through without a stop. The estimate includes its present velocity.
 double timeToReach(const RobotPace& pace, const RobotState& robot, Vec2 target);
 double timeToReach(const RobotPace& pace, const Runner& robot, Vec2 target);
 /// @}
 
-/// Time [s] over `distance` [m] from rest, after a turn by `angle` [rad] >= 0 of the leading end.
+/// Time [s] over `distance` [m] from rest, after a turn of the leading end by `angle` [rad] >= 0.
 double timeToReach(const RobotPace& pace, double distance, double angle);
 
 }  // namespace fulbito

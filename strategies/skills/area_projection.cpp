@@ -24,7 +24,7 @@ Vec2 outsideArea(const FieldGeometry& field, Vec2 p, bool own, double margin) {
   const double bulge2 = area.arc_radius * area.arc_radius - seen.y * seen.y;
   if (area.arc_radius > 0.0 && bulge2 > 0.0) out = std::max(out, area.arc_centre + std::sqrt(bulge2));
   Vec2 place{out, seen.y};
-  // Beside the area is out too, where a robot has room there.
+  // The place beside the area is nearer, and a robot fits between the area and the side wall.
   const double room = field.width / 2 - area.half_width;
   if (area.half_width - std::abs(seen.y) < out - seen.x && room > margin) {
     place = {seen.x, std::copysign(area.half_width, seen.y)};

@@ -8,9 +8,9 @@ namespace fulbito {
 /// -x of the team's frame.
 bool isInArea(const FieldGeometry& field, Vec2 p, bool own, double margin = 0.0);
 
-/// The nearest point to `p` outside that area; a point outside stays. It is the last step before navigation
-/// for robots that must not enter. A margin of 7 cm keeps all parts of a 7.5 cm robot outside: its corners
-/// are 5.3 cm from its centre.
+/// The point outside that area that is nearest to `p`; `p` itself if it is outside. Teams apply it last,
+/// before navigation, to the target of a robot that must not enter. A margin of 7 cm keeps all parts of a 7.5
+/// cm robot outside: its corners are 5.3 cm from its centre.
 Vec2 outsideArea(const FieldGeometry& field, Vec2 p, bool own, double margin);
 
 /// Distance [m] from that area (arc included, without a margin) to `p`; negative inside.

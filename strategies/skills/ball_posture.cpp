@@ -20,8 +20,8 @@ BallApproach approachBall(const RobotState& robot, Vec2 ball, Vec2 direction, bo
                           const PostureSettings& settings) {
   const Vec2 from = intoFrame(direction, robot.pose.position - ball);
   BallApproach approach;
-  // On the wrong side up to where a robot behind the ball just has room; a bit farther back once it goes
-  // round.
+  // A robot counts as on the wrong side until a robot behind the ball just has room. While it drives round,
+  // the limit is a bit farther back (hysteresis).
   approach.round = -from.x < (was_round ? 0.06 : 0.02);
   approach.go_to.position = ball - direction * (approach.round ? settings.detour : settings.standoff);
   approach.go_to.heading = math::angleOf(direction);
@@ -37,8 +37,8 @@ bool isLinedUp(const BallSide& side, bool was_lined_up, const PostureSettings& s
 }
 
 Twist strike(const RobotState& robot, Vec2 ball, Vec2 direction, double speed) {
-  // Holding the heading carries a ball farther than steering at it does (docs/skills.md); a little of the
-  // offset is worked off all the same.
+  // Holding the heading carries a ball farther than steering at the ball (docs/skills.md). The small lateral
+  // gain still reduces the offset.
   constexpr double kHeadingGain = 8.0;  // [1/s]
   constexpr double kAsideGain = 40.0;   // [rad/(s m)]
   const BallSide side = sideOfBall(robot, ball, direction);

@@ -14,24 +14,24 @@ Vec2 placeAt(const InterceptionRequest& request, Vec2 robot, Vec2 ball) {
   return ball - unitOr(from - ball, {1.0, 0.0}) * request.standoff;
 }
 
-/// Time [s] that the robot lacks at `t`: negative when it is there before the ball.
+/// How late [s] the robot is when it meets the ball at time `t`; negative if it is early.
 double lack(const BallPrediction& prediction, const RobotPace& pace, const Runner& robot,
             const InterceptionRequest& request, double t) {
   const Vec2 ball = prediction.positionAt(t);
   const Vec2 place = placeAt(request, robot.position, ball);
-  // Nearer than the standoff when there is no side to keep: it touches already.
+  // Without an aim, a robot nearer than the standoff already touches the ball.
   const bool touches = !request.aim && dot(place - robot.position, ball - robot.position) <= 0.0;
   return (touches ? 0.0 : timeToReach(pace, robot, place)) - t;
 }
 
-/// A time and what is missing then.
+/// A meeting time and how late the robot is then, both in s.
 struct Guess {
   double time;
   double missing;
 };
 
-/// Where `lack` passes zero between a guess before and one after, by halves and secants in turn; where it
-/// jumps over zero, just after that.
+/// The time between `before` and `after` at which `lack` crosses zero, by bisection and secant steps in turn.
+/// If `lack` jumps over zero, the result is just after the jump.
 template <typename Lack>
 double narrowed(const Lack& lack, Guess before, Guess after) {
   constexpr double kCloseEnough = 0.01;  // [s]
@@ -59,12 +59,13 @@ std::optional<Interception> intercept(const BallPrediction& ball, const RobotPac
     return Interception{t, place, placeAt(request, robot.pose.position, place)};
   };
   double t = 0.0, missing = lack(ball, pace, runner, request, 0.0);
-  double closing = 0.0;  // of the missing time, per second of waiting
+  double closing = 0.0;  // change of `missing` per second of waiting, as a reduction
   if (missing <= 0.0) return meeting(0.0);
   for (int i = 0; i < kMaxSteps && t < request.horizon; ++i) {
     // A ball that rests is a fixed target.
     if (missing < kCloseEnough || t >= ball.endOfMotion()) return meeting(t + missing);
-    // A ball that comes closes the gap faster than it would by waiting, one that runs away slower.
+    // The missing time falls faster than the time that passes if the ball approaches, and slower if it
+    // recedes.
     const double step = std::max(kLeastStep, closing > 0.0 ? missing / closing : 0.5 * missing);
     const double next = std::min(t + step, request.horizon);
     const double still = lack(ball, pace, runner, request, next);

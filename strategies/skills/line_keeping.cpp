@@ -11,9 +11,9 @@ std::optional<Twist> keepLine(const RobotState& robot, Vec2 place, double max_sp
   constexpr double kFarthestOff = 0.06;   // [m]
   constexpr double kPositionGain = 9.0;   // [1/s]
   constexpr double kHeadingGain = 8.0;    // [1/s]
-  constexpr double kLineGain = 6.0;       // [rad/m] lean toward the line while moving along it
-  constexpr double kGreatestLean = 0.35;  // [rad]
-  constexpr double kTurnFirst = 0.6;      // [rad]
+  constexpr double kLineGain = 6.0;       // [rad/m] turn toward the line per distance from it
+  constexpr double kGreatestLean = 0.35;  // [rad] largest turn toward the line
+  constexpr double kTurnFirst = 0.6;      // [rad] at larger heading errors the robot only turns
   const Vec2 off = place - robot.pose.position;
   if (std::abs(off.x) > kFarthestOff) return std::nullopt;
   // The end that is nearer to +y counts as the front.

@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-/// Distance [m] from `p` to the stretch from `a` to `b`.
+/// Distance [m] from `p` to the segment from `a` to `b`.
 double distanceToStretch(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 way = b - a;
   const double length2 = squaredNorm(way);
@@ -53,7 +53,7 @@ Vec2 clearanceTarget(const FieldGeometry& field, Vec2 ball, std::span<const Vec2
     const Vec2 target{std::min(ball.x + aside * upfield, field.length / 2), ball.y + side * aside};
     double berth = std::numeric_limits<double>::infinity();
     for (const Vec2 opponent : opponents) {
-      // Who stands behind the ball does not block its way.
+      // An opponent behind the ball does not block it.
       if (opponent.x < ball.x - 0.05) continue;
       berth = std::min(berth, distanceToStretch(opponent, ball, target));
     }

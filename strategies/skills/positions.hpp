@@ -13,8 +13,9 @@ constexpr Vec2 ownGoal(const FieldGeometry& field) { return {-field.length / 2, 
 /// The middle of the opponents' goal line.
 constexpr Vec2 opponentGoal(const FieldGeometry& field) { return {field.length / 2, 0.0}; }
 
-/// The keeper's place: the point where the predicted ball crosses its line toward the goal mouth, widened by
-/// `margin` [m]. Otherwise it is the equal-gap point. |y| is at most `farthest` [m].
+/// The keeper's place. If the ball goes to the goal mouth, widened by `margin` [m], it is where the predicted
+/// ball crosses the keeper's line, `depth` [m] in front of the goal line. Otherwise it is the equal-gap
+/// point. |y| is at most `farthest` [m].
 Vec2 keeperPoint(const FieldGeometry& field, const BallPrediction& ball, double depth, double farthest,
                  double margin = 0.03);
 

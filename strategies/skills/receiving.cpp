@@ -19,7 +19,7 @@ Vec2 receivingPlace(const RobotState& robot, const BallState& ball, const Receiv
   const Vec2 along = directionOf(robot, ball, settings), from = robot.pose.position - ball.position;
   const double ahead = dot(along, from), aside = cross(along, from);
   const Vec2 behind = ball.position - along * settings.standoff;
-  // Beside the ball there is room behind it only once the robot is past.
+  // A robot beside the ball can only move behind it after it has passed it.
   if (ahead < -settings.standoff / 2) return behind;
   return behind + perp(along) * std::copysign(settings.detour, aside);
 }

@@ -10,16 +10,16 @@ namespace {
 
 constexpr double kEverything = 1e9;
 
-/// y at which the ray from `ball` along `direction` meets the line x = `goal_x`; far up or down when it never
-/// does.
+/// y at which the ray from `ball` along `direction` meets the line x = `goal_x`; huge, with the sign of
+/// `direction.y`, if the ray does not meet it.
 double meetsLine(Vec2 ball, Vec2 direction, double goal_x) {
   if (direction.x <= 1e-9) return std::copysign(kEverything, direction.y);
   return ball.y + (goal_x - ball.x) * direction.y / direction.x;
 }
 
-/// How far a blocker comes to meet a ball that takes `time` [s] to it.
+/// How far [m] a blocker moves toward a ball that needs `time` [s] to reach it.
 double reachOf(const ShotModel& model, double time) {
-  constexpr double kFarthest = 0.15;  // [m] a longer run would be a save by chance
+  constexpr double kFarthest = 0.15;  // [m] limit, since longer saves succeed only by chance
   const double running = std::max(0.0, time - model.reaction);
   return std::min(kFarthest, 0.5 * model.acceleration * running * running);
 }

@@ -20,7 +20,7 @@ struct MouthInterval {
 /// A body in front of the goal.
 struct ShotBlocker {
   Vec2 position;           ///< [m] its centre
-  double radius = 0.0375;  ///< [m] half a body
+  double radius = 0.0375;  ///< [m] half the body's width
   Vec2 velocity;           ///< [m/s]
 };
 

@@ -17,7 +17,7 @@ std::optional<Twist> Unsticking::update(const RobotState& robot, bool meant, dou
   if (held_ < kPatience) return std::nullopt;
   held_ = 0.0;
   left_ = kBackingOff;
-  // Away from where the wheels push.
+  // Drive opposite to the wheels' present direction.
   speed_ = robot.wheels.left + robot.wheels.right > 0.0 ? -kSpeed : kSpeed;
   return Twist{speed_, kWiggle};
 }

@@ -4,12 +4,12 @@
 
 namespace fulbito {
 
-/// Detects a robot that is meant to move but does not, and backs it off for a moment. Each robot needs its
-/// own; call it with the command that follows.
+/// Detects a robot that should move but stands still, and drives it back for a moment. Each robot needs its
+/// own instance. Call it every tick with the command that it may replace.
 class Unsticking {
  public:
-  /// `meant`: the robot is meant to move. After 0.8 s without motion, it backs off for a quarter of a second.
-  /// The result replaces the command; empty: the command stays.
+  /// `meant`: the robot should move. After 0.8 s without motion, it drives back for 0.25 s. The result
+  /// replaces the command; empty: the command stays.
   std::optional<Twist> update(const RobotState& robot, bool meant, double dt);
 
  private:

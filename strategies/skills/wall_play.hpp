@@ -5,10 +5,10 @@
 #include "fulbito/detail/field_geometry.hpp"
 #include "fulbito/strategy.hpp"
 
-/// Balls at walls: the moment and the sense of a spin (docs/skills.md, Spins).
+/// Balls at walls: when a robot spins to kick the ball, and in which sense (docs/skills.md, Spins).
 namespace fulbito {
 
-/// Sense of a spin that sends a ball next to the robot along `wanted`: +1 counter-clockwise, -1 clockwise.
+/// Sense of rotation that kicks a ball next to the robot along `wanted`: +1 counter-clockwise, -1 clockwise.
 double spinSense(Vec2 robot, Vec2 ball, Vec2 wanted);
 
 /// Limits of a robot's spins at a ball.

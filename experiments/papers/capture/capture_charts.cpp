@@ -9,7 +9,7 @@
 namespace fulbito::capture {
 namespace {
 
-/// A line over the paper's speeds.
+/// A chart line over the speeds of the paper.
 ChartLine overSpeed(std::string label, bool paper, std::size_t colour, const auto& value) {
   ChartLine line;
   line.label = std::move(label);
@@ -81,7 +81,7 @@ LineChart radiusChart(const CaptureResults& results) {
   return chart;
 }
 
-/// Speed of a trace over half a second.
+/// Speed along a trace, as a mean over half a second.
 ChartLine speedLine(const char* label, const std::vector<Pose2>& trace) {
   ChartLine line;
   line.label = label;
@@ -114,7 +114,7 @@ LineChart captureChart(const CaptureResults& results) {
   return chart;
 }
 
-/// Errors of the estimate in use over the capture.
+/// Errors of the current estimate during the capture.
 LineChart estimateChart(const CaptureResults& results) {
   const Fig18Run& run = results.runs[kTracked];
   LineChart chart;

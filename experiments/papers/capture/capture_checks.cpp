@@ -10,7 +10,7 @@ namespace fulbito::capture {
 namespace {
 
 constexpr double kDegree = math::kPi / 180;
-constexpr double kPrintedTime = 30.2;  // [s] of the capture
+constexpr double kPrintedTime = 30.2;  // [s] printed time of the capture
 
 ReportTable crossTable() {
   ReportTable table{
@@ -29,7 +29,8 @@ ReportTable crossTable() {
   return table;
 }
 
-/// [m] that a robot at constant speed drives in the printed time, which has v / 2a for speeding up.
+/// The distance [m] that a robot drives at constant speed in the printed time, which includes v / 2a for
+/// acceleration.
 double wayIn(double time, double speed) { return (time - speed / (2 * PaperTables::kAcceleration)) * speed; }
 
 ReportTable timesTable() {
@@ -70,7 +71,7 @@ ReportTable changeTable(const CaptureResults& results) {
   return table;
 }
 
-/// The first turn of the plan that takes a time [s]: a smaller turn takes longer.
+/// The first turn [rad] of the plan with the duration `time` [s]. Smaller turns give longer plans.
 double turnOfTime(double time) {
   double low = 0.5 * fig18Turn(0.546), high = fig18Turn(0.546);
   for (int i = 0; i < 50; ++i) {

@@ -10,10 +10,10 @@ namespace fulbito::capture {
 namespace {
 
 constexpr double kDegree = math::kPi / 180;
-constexpr int kDraws = 500;         // of each row of the study of estimators
-constexpr std::size_t kAgain = 30;  // captures of Fig. 18, each with other errors of the sightings
+constexpr int kDraws = 500;         // number of draws per row of the study of estimators
+constexpr std::size_t kAgain = 30;  // number of captures of Fig. 18 with other sighting errors
 
-/// The settings as a struct of plain numbers, for the shared parser.
+/// The settings as plain numbers, for the common parser.
 struct Values {
   double gap = 0.24;           // [m]
   double range_noise = 0.02;   // [m]
@@ -58,7 +58,7 @@ std::vector<Fig18Run> waysOf(const CaptureResults& results, std::uint64_t seed) 
           {"slip, tracked, gap between the bodies", free, {}}};
 }
 
-/// Drives all ways. Errors: of the world; kUsage where the planner refuses.
+/// Drives the capture in all ways. Errors: of the world; kUsage if the planner refuses.
 Result<void> driveFig18(CaptureResults& results, std::uint64_t seed) {
   results.runs = waysOf(results, seed);
   for (Fig18Run& run : results.runs) {

@@ -15,12 +15,13 @@ namespace {
 
 constexpr double kDegree = math::kPi / 180;
 
-// [m] bands of radii: what the fit to all 15 of them leaves, rounded up. Two radii of one drive differ by up
-// to 0.09 m in print.
+// [m] bands of the radii: the residuals of the fit to all 15 of them, rounded up. Printed radii of the same
+// drive differ by up to 0.09 m.
 constexpr double kBandOfTable5 = 0.06, kBandOfTable6 = 0.11;
 constexpr const char* kCalibrated = "calibration: slip is fitted to these radii";
 
-// What radii that are kBandOfTable6 larger do to the double curve: a way 0.21 m longer, an end 0.28 m away.
+// Effect of radii that are kBandOfTable6 larger on the double curve: the path is 0.21 m longer and ends 0.28
+// m away.
 constexpr double kDistanceOfTable6 = 0.21, kErrorOfTable6 = 0.28;
 constexpr const char* kContradiction =
     "from 0.3 m/s on, the paper's times and distances contradict each other: table times-and-distances";
@@ -87,7 +88,7 @@ void addTable6(const CaptureResults& results, const Adder& add) {
     add({id("table-6-error", v), "Table 6", fmt::format("error of the end at {:.1f} m/s", v), "m", 2,
          paper.error, row.driven.end_error, paper.error - kErrorOfTable6, paper.error + kErrorOfTable6,
          fmt::format("ours over the paper's: {:.2f}", row.driven.end_error / paper.error)});
-    // The paper's columns hold different things, so that it has no such ratio.
+    // The columns of the paper's tables hold different quantities, so the paper has no such ratio.
     add({id("end-error-ratio", v), "Tables 5, 6",
          fmt::format("end error, double over single, at {:.1f} m/s", v), "", 2, std::nullopt,
          row.driven.end_error / results.curves.single[i].driven.end_error, 1.7,
@@ -95,7 +96,7 @@ void addTable6(const CaptureResults& results, const Adder& add) {
   }
 }
 
-/// Radii that the fit has not seen: slip of one table, radii of the other.
+/// Cross-validation: the slip fitted to one table predicts the radii of the other.
 void addCrossValidation(const Adder& add) {
   const char* const reason = "two radii of one drive differ by up to 0.09 m in print";
   const auto five = radiiOfTable5(), six = radiiOfTable6();
@@ -105,7 +106,7 @@ void addCrossValidation(const Adder& add) {
        std::nullopt, judgedOn(fitWidening(six), five).worst, 0.0, kBandOfTable5, reason});
 }
 
-/// The heading of the paper's own object by (21) as printed and by the mended triangle.
+/// The heading of the paper's object by (21) as printed and by the corrected triangle.
 void addHeading(const Adder& add) {
   const auto sighting = [](double time) {
     const Vec2 to = fig18Object().at(time) - fig18Robot().position;
@@ -120,7 +121,7 @@ void addHeading(const Adder& add) {
        "\"paper\" is (21) as printed; it holds for a decreasing bearing only, and here it increases"});
 }
 
-/// The plan that the paper's figures fix, without slip and with the object known.
+/// The plan that follows from the paper's values, without slip and with a known object.
 void addPrintedPlan(const Adder& add) {
   const auto plan = printedPlan();
   if (!plan) return;
@@ -130,7 +131,7 @@ void addPrintedPlan(const Adder& add) {
   add({"printed-plan-gap", "Fig. 18", "its gap between the middles", "m", 3, std::nullopt, plan->gap});
 }
 
-/// Time and gap over other errors of the sightings.
+/// Spread of time and gap over other errors of the sightings.
 void addSpread(const CaptureResults& results, const Adder& add) {
   std::vector<double> times, gaps;
   for (const PursuitResult& run : results.again) times.push_back(run.time), gaps.push_back(run.gap);

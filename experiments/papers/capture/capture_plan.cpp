@@ -11,22 +11,23 @@
 namespace fulbito::capture {
 namespace {
 
-constexpr double kTurnStep = 1.5 * math::kPi / 180;  // [rad] of the search for roots over the first turn
-constexpr int kRadii1 = 8, kRadii3 = 4;              // radii that are tried
+constexpr double kTurnStep = 1.5 * math::kPi / 180;  // [rad] step of the search for roots over the first turn
+constexpr int kRadii1 = 8, kRadii3 = 4;              // number of radii that are tried
 constexpr int kHalvings = 48;
-// [rad] of the last turn: where the lines meet at a smaller angle, the place hangs on the estimate.
+// [rad] least angle between the lines; at smaller angles small errors of the estimate move their crossing
+// far.
 constexpr double kFlattest = 0.25;
-constexpr double kGapError = 1e-4;    // [m] of a root; a jump has none
-constexpr double kRadiusCost = 0.01;  // metres of gap that are given up for a metre of last radius
-constexpr double kTouchCost = 10.0;   // [m] of a way too near to the object: any other is better
-constexpr double kCheckStep = 0.25;   // [s] between the moments that are checked for hall and clearance
+constexpr double kGapError = 1e-4;    // [m] greatest error of a root; jumps of the gap fail this test
+constexpr double kRadiusCost = 0.01;  // metres of gap per metre of the last radius, in the cost of a plan
+constexpr double kTouchCost = 10.0;   // [m] cost of a path too near to the object, higher than all others
+constexpr double kCheckStep = 0.25;   // [s] between checks of hall and clearance
 
-/// Keeps the refusal that is nearest to a plan: the later in the enumeration.
+/// Keeps the refusal nearest to a plan, which is the later one in the enumeration.
 void note(CaptureAnswer& answer, CaptureRefusal refusal) {
   answer.refusal = std::max(answer.refusal, refusal);
 }
 
-/// Whether `holds(time, place)` is true all along a plan, from `from` [s] on.
+/// Whether `holds(time, place)` is true along the whole plan from `from` [s] on.
 bool allAlong(const CapturePlan& plan, double from, const auto& holds) {
   const int checks = static_cast<int>((plan.motion.duration() - from) / kCheckStep);
   for (int i = 0; i <= checks; ++i) {
@@ -42,14 +43,14 @@ bool inHall(const CaptureLimits& limits, const CapturePlan& plan) {
   });
 }
 
-/// Whether the middles stay apart from `from` [s] on.
+/// Whether the distance between the centres stays above the clearance from `from` [s] on.
 bool keepsClear(const CaptureLimits& limits, const ObjectMotion& object, const CapturePlan& plan,
                 double from) {
   return allAlong(plan, from,
                   [&](double time, Vec2 p) { return distance(p, object.at(time)) >= limits.clearance; });
 }
 
-/// Takes a plan with the right gap if it is possible and faster than the best one.
+/// Takes a plan with the right gap if it is allowed and faster than the best plan so far.
 void offer(const CaptureLimits& limits, const CaptureTask& task, const CapturePlan& plan,
            CaptureAnswer& answer) {
   if (plan.motion.duration() > limits.longest || !inHall(limits, plan)) {
@@ -61,7 +62,7 @@ void offer(const CaptureLimits& limits, const CaptureTask& task, const CapturePl
   }
 }
 
-/// All first turns of one side and radius, from the largest down.
+/// All first turns of one side and radius, from the largest to the smallest.
 struct Starts {
   double side, radius1;
   std::vector<double> turns;
@@ -85,8 +86,8 @@ std::optional<CapturePlan> labelled(std::optional<CapturePlan> plan, const Captu
   return plan;
 }
 
-/// Halves the turns between `low` and `high`, whose gaps lie on both sides of the wanted one. Empty at a
-/// jump.
+/// Bisects between the turns `low` and `high`, whose gaps are on both sides of the wanted one. Empty if the
+/// gap jumps over it.
 std::optional<CapturePlan> rootBetween(const CaptureLimits& limits, const CaptureTask& task,
                                        const Starts& starts, double radius3, double low, double high,
                                        bool low_is_less) {
@@ -100,10 +101,10 @@ std::optional<CapturePlan> rootBetween(const CaptureLimits& limits, const Captur
   return std::nullopt;
 }
 
-/// All roots for a robot that slows down at once.
+/// Searches all roots for a robot that brakes at the start of the line.
 void searchRoots(const CaptureLimits& limits, const CaptureTask& task, const Starts& starts, double radius3,
                  CaptureAnswer& answer) {
-  std::optional<double> before;  // gap of the turn before
+  std::optional<double> before;  // [m] gap of the previous turn
   for (std::size_t i = 0; i < starts.turns.size(); ++i) {
     const CaptureStart& start = starts.motions[i];
     const auto plan = captureEnd(limits, start.motion, start.top_speed, task.object, radius3);
@@ -118,7 +119,8 @@ void searchRoots(const CaptureLimits& limits, const CaptureTask& task, const Sta
   }
 }
 
-/// Slows down where the gap becomes the wanted one, or as near to there as possible: it is linear in `early`.
+/// The plan that brakes where its gap becomes the wanted one, or as near to it as possible. The gap is linear
+/// in `early`.
 std::optional<CapturePlan> withGap(const CaptureLimits& limits, const MotionProfile& motion, double speed,
                                    const ObjectMotion& object, double radius, double gap) {
   auto late = captureEnd(limits, motion, speed, object, radius, 0.0);
@@ -128,7 +130,7 @@ std::optional<CapturePlan> withGap(const CaptureLimits& limits, const MotionProf
   return captureEnd(limits, motion, speed, object, radius, share);
 }
 
-/// All ways of a robot that slows down where the gap comes out right.
+/// Searches all plans of a robot that brakes where the gap becomes the wanted one.
 void searchLater(const CaptureLimits& limits, const CaptureTask& task, const Starts& starts, double radius3,
                  CaptureAnswer& answer) {
   for (std::size_t i = 0; i < starts.turns.size(); ++i) {
@@ -162,14 +164,14 @@ void searchAll(const CaptureLimits& limits, const std::vector<Starts>& starts, c
   }
 }
 
-/// Speeds and lengths of the line of a plan.
+/// Speeds and lengths of a plan's line.
 struct Line {
   double speed, object_speed;  // [m/s]
   double braking;              // [s]
-  double cruise, early;        // [m] spare length, and the share of it before slowing down
+  double cruise, early;        // [m] spare length, and the share of it driven before braking
 };
 
-/// Line and last curve, of a bend [1/m] and length [m].
+/// Appends the line and the last curve, which has the curvature `bend` [1/m] and the length `length` [m].
 void appendEnd(const Line& line, double bend, double length, MotionProfile& motion) {
   const Twist fast{line.speed, 0.0}, slow{line.object_speed, 0.0};
   motion.append({line.early * line.cruise / line.speed, fast, fast});
@@ -187,7 +189,7 @@ double CaptureLimits::largestFirstRadius() const {
 
 double CaptureLimits::largestTurn(double radius) const {
   const double outer = radius + track / 2;
-  // The outer wheel's time until it is at its top speed, and until straightening takes all its time.
+  // The time until the outer wheel reaches its top speed, or until straightening needs all of its time.
   const double time = std::min(speed / acceleration, 2.0 * straighten * outer / track);
   return acceleration * time * time / (2.0 * outer);
 }
@@ -214,7 +216,7 @@ std::optional<CapturePlan> captureEnd(const CaptureLimits& limits, const MotionP
   if (!(object_speed > 0.0)) return std::nullopt;
   const Vec2 line = object.velocity / object_speed, ahead = math::unit(from.heading);
   const double turn = math::wrapAngle(math::angleOf(line) - from.heading);
-  const double rise = cross(line, ahead);  // of the distance from the object's line, along the way
+  const double rise = cross(line, ahead);  // growth of the distance to the object's line per distance driven
   if (std::abs(turn) < kFlattest || std::abs(rise) < kFlattest || speed < object_speed) return std::nullopt;
   const double bend = std::copysign(1.0 / radius, turn);
   const Vec2 end = endOf(Arc{from, bend, radius * std::abs(turn)}).position;

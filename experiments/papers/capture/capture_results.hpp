@@ -11,30 +11,30 @@
 
 namespace fulbito::capture {
 
-/// What the experiment is asked for.
+/// Settings of the experiment.
 struct CaptureSettings {
   double gap = 0.24;  ///< [m]
   SightingNoise noise;
   int captures = 100;
 };
 
-/// One way of driving the capture of Fig. 18.
+/// One variant of driving the capture of Fig. 18.
 struct Fig18Run {
-  std::string way;  ///< for the table
+  std::string way;  ///< name in the table
   PursuitSetup setup;
-  PursuitResult result;  ///< of a plan, always
+  PursuitResult result;  ///< always has a plan
 };
 
-/// Ways of `CaptureResults::runs`.
+/// Indices of `CaptureResults::runs`.
 enum Fig18Way : std::size_t {
-  kIdeal = 0,      ///< a robot without slip, wheels as planned
-  kAsPlanned = 1,  ///< wheels as planned
-  kPerfect = 2,    ///< tracked, a camera without noise
+  kIdeal = 0,      ///< a robot without slip; the wheels turn as planned
+  kAsPlanned = 1,  ///< the wheels turn as planned
+  kPerfect = 2,    ///< tracked, with a camera without noise
   kTracked = 3,    ///< tracked
-  kFree = 4,       ///< tracked, both bodies in one world, the gap free between them
+  kFree = 4,       ///< tracked, with both bodies in one world; `gap` is the free space between them
 };
 
-/// Everything that the report shows.
+/// All results for the report.
 struct CaptureResults {
   CaptureSettings settings;
   std::uint64_t seed = 1;
@@ -43,14 +43,15 @@ struct CaptureResults {
   std::vector<CurveError> curve_errors;
   std::vector<EstimatorRow> estimators;
   std::vector<Fig18Run> runs;        ///< by Fig18Way
-  std::vector<PursuitResult> again;  ///< kTracked with other errors of the sightings; all have a plan
+  std::vector<PursuitResult> again;  ///< kTracked with other errors of the sightings; each has a plan
   RandomCaptures random;
 };
 
 /// @{ Parts of the report.
 void addFigures(const CaptureResults& results, ExperimentReport& report);
 void addTables(const CaptureResults& results, ExperimentReport& report);
-void addChecks(const CaptureResults& results, ExperimentReport& report);  ///< tables: paper against itself
+/// tables that compare the paper with itself
+void addChecks(const CaptureResults& results, ExperimentReport& report);
 void addCharts(const CaptureResults& results, ExperimentReport& report);
 void addScenes(const CaptureResults& results, ExperimentReport& report);
 /// @}

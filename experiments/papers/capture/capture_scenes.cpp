@@ -14,10 +14,10 @@ namespace fulbito::capture {
 namespace {
 
 constexpr std::size_t kStride = 6;  // ticks between rows
-constexpr double kMargin = 0.6;     // [m] around all that is shown
-constexpr double kPoint = 0.045;    // [m] radius of a body that is shown as a point
+constexpr double kMargin = 0.6;     // [m] around everything shown
+constexpr double kPoint = 0.045;    // [m] radius of a body that is drawn as a point
 
-/// A body of a scene and its way.
+/// A body of a scene and its trace.
 struct Actor {
   std::string label;
   RobotModel model;
@@ -27,7 +27,7 @@ struct Actor {
 /// How bodies are shown.
 enum class Shown : std::uint8_t { kOutlines, kPoints };
 
-/// Moves everything so that its middle is the origin, and sets a field around it.
+/// Moves everything so that its centre is the origin, and sets a field around it.
 void frame(ReportScene& scene) {
   Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
   const auto widen = [&](Vec2 p) {
@@ -56,7 +56,7 @@ PageBody bodyOf(const RobotModel& model, Shown shown) {
   return {BodyKind::kRobot, {}, true, model.length, model.width, 0.0};
 }
 
-/// Until the first one's way ends, or, with `all`, the last one's.
+/// Adds bodies until the trace of the first one ends or, with `all`, that of the last one.
 void addActors(const std::vector<Actor>& actors, Shown shown, bool all, ReportScene& scene) {
   std::size_t ticks = actors.front().trace->size() - 1;
   for (const Actor& actor : actors) {
@@ -83,7 +83,7 @@ ReportScene emptyScene(std::string name, std::string title, std::string caption)
   return scene;
 }
 
-/// The marks of the paper's figure: A, where the line begins, and B, where the last curve does.
+/// Draws the marks of the paper's figure: A where the line begins, and B where the last curve begins.
 void markParts(const PursuitResult& run, ReportScene& scene) {
   const auto mark = [&](const char* name, double time) {
     const auto tick = static_cast<std::size_t>(std::lround(time * scene.page.rate));
@@ -102,7 +102,7 @@ void markParts(const PursuitResult& run, ReportScene& scene) {
   const double last = plan.radius3 * std::abs(plan.turn3) / plan.motion.end().twist.linear;
   mark("A", plan.time1);
   mark("B", plan.motion.duration() - last);
-  scene.page.drawing_ticks = static_cast<Tick>(run.robot.size());  // all the time
+  scene.page.drawing_ticks = static_cast<Tick>(run.robot.size());  // shows the marks for the whole scene
 }
 
 std::vector<Vec2> points(const Arc& arc, std::vector<Vec2> path) {
@@ -112,7 +112,7 @@ std::vector<Vec2> points(const Arc& arc, std::vector<Vec2> path) {
 }
 
 ReportScene curveScene(const CaptureResults& results) {
-  constexpr std::size_t kSpeed = 4;  // 0.5 m/s
+  constexpr std::size_t kSpeed = 4;  // index of 0.5 m/s
   const Pose2 start{{0.0, 0.0}, math::kPi / 2};
   const Arc single{start, -1 / PaperTables::kSingleRadius, PaperTables::kSingleRadius * PaperTables::kTurn};
   const Arc first{start, -1 / PaperTables::kDoubleRadius, PaperTables::kDoubleRadius * PaperTables::kTurn};

@@ -6,7 +6,7 @@
 
 namespace fulbito::capture {
 
-/// A circle.
+/// A circle fitted to points.
 struct FittedCircle {
   Vec2 centre;          ///< [m]
   double radius = 0.0;  ///< [m]

@@ -19,7 +19,7 @@ constexpr double kLongest = 200.0;  // [s]
 /// The stages of a drive.
 enum class Stage : std::uint8_t { kFirst, kChange, kSecond, kDone };
 
-/// The driver: wheel commands by time, stages by pose.
+/// The controller of a drive: it commands wheels by time and changes stages by pose.
 class CurveDriver {
  public:
   explicit CurveDriver(const CurveDriveSetup& setup) : setup_(setup), curvature_(-1.0 / setup.radius) {}
@@ -28,7 +28,8 @@ class CurveDriver {
     const double speed = setup_.from_rest ? std::min(setup_.acceleration * time, setup_.speed) : setup_.speed;
     full_speed_ = speed >= setup_.speed;
     if (stage_ == Stage::kChange) {
-      // Each wheel changes by the acceleration, so their difference by twice that.
+      // Each wheel changes by the acceleration in opposite directions, so their difference changes by twice
+      // that.
       const double step = 2.0 * setup_.acceleration * dt / (setup_.robot.axle_track * setup_.speed);
       curvature_ =
           setup_.instant_change ? 1.0 / setup_.radius : std::min(curvature_ + step, 1.0 / setup_.radius);
@@ -55,7 +56,7 @@ class CurveDriver {
 
   Stage stage() const { return stage_; }
   bool fullSpeed() const { return full_speed_; }
-  double share() const { return share_; }  ///< of the last tick that the drive took
+  double share() const { return share_; }  ///< share of the last tick that belongs to the drive
 
  private:
   const CurveDriveSetup& setup_;
@@ -65,7 +66,7 @@ class CurveDriver {
   double share_ = 1.0;
 };
 
-/// Places of each curve at full speed, for the circles.
+/// Places of each curve at full speed, for the fit of circles.
 using CurvePlaces = std::array<std::vector<Vec2>, 2>;
 
 void keep(const CurveDriver& driver, Vec2 place, CurvePlaces& places) {

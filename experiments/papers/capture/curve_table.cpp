@@ -30,7 +30,7 @@ CurveDriveResult& placeOf(CurveRow& row, std::size_t way) {
 
 constexpr std::array<double, 4> kRadii{1.0, 1.875, 2.6, 3.75};  // [m]
 
-/// The place after `way` [m] of a trace; its end if it is shorter.
+/// The place after `way` [m] on a trace, or its end if the trace is shorter.
 Vec2 placeAfter(const std::vector<Pose2>& trace, double way) {
   double driven = 0.0;
   for (std::size_t i = 1; i < trace.size(); ++i) {

@@ -8,14 +8,14 @@
 
 namespace fulbito::capture {
 
-/// One trajectory at one speed, driven in several ways.
+/// One trajectory at one speed, driven in several variants.
 struct CurveRow {
-  CurveDriveResult ideal;    ///< from rest, a robot without slip: Table 4
+  CurveDriveResult ideal;    ///< at full speed from the start: Tables 5 and 6
   CurveDriveResult driven;   ///< at speed from the first metre: Tables 5 and 6
   CurveDriveResult started;  ///< from rest
-  CurveDriveResult instant;  ///< as `driven`, but the wheels change over at once; the double curvature only
+  CurveDriveResult instant;  ///< as `driven`, with an instant change; only for the double curvature
 
-  /// [s] of `driven` with the time that speeding up costs, v / 2a.
+  /// [s] of `driven` plus v / 2a, which is the time that acceleration would cost.
   double time(double speed) const;
 };
 
@@ -25,20 +25,20 @@ struct CurveTable {
   std::array<CurveRow, 5> both;  ///< the double curvature
 };
 
-/// [s] of a drive at speed from the first metre, with the time that speeding up costs, v / 2a.
+/// [s] of a drive at full speed from the start, plus v / 2a, which is the time that acceleration would cost.
 double timeOf(const CurveDriveResult& drive, double speed);
 
-/// Drives all of them. Errors: of the world; kInterrupted.
+/// Drives all rows. Errors: of the world; kInterrupted.
 Result<CurveTable> driveCurves(const RobotModel& robot, int jobs, const Progress& progress);
 
 /// The error of a curve at one speed: Choi & Lee (2005), Fig. 7.
 struct CurveError {
-  double radius = 0.0;  ///< [m] for which the wheels are set
+  double radius = 0.0;  ///< [m] radius for which the wheels are set
   double speed = 0.0;   ///< [m/s]
-  double error = 0.0;   ///< [m] from where a robot without slip is after the same way
+  double error = 0.0;   ///< [m] from the place of a robot without slip after the same distance
 };
 
-/// [m] that each curve of `driveCurveErrors` is driven.
+/// [m] length of each curve of `driveCurveErrors`.
 inline constexpr double kErrorWay = 2.5;
 
 /// Four radii at the paper's five speeds, each driven in the world over `kErrorWay`. Errors: of the world.

@@ -15,12 +15,12 @@ constexpr double kDegree = math::kPi / 180;
 constexpr std::array<SightingNoise, 3> kLevels{
     {{0.01, 0.25 * kDegree}, {0.02, 0.5 * kDegree}, {0.05, 1.0 * kDegree}}};
 
-/// A way to find the motion.
+/// A method to estimate the motion.
 struct Method {
   const char* name;
   int sightings;
-  double window;  // [s] from the first to the last
-  bool triangle;  // its heading is that of the triangle
+  double window;  // [s] from the first sighting to the last
+  bool triangle;  // whether the heading is that of the triangle
 };
 constexpr std::array<Method, 5> kMethods{{{"two sightings", 2, 1.0, false},
                                           {"two sightings, triangle", 2, 1.0, true},
@@ -63,7 +63,7 @@ EstimatorRow studied(const Method& method, const SightingNoise& noise, std::uint
 }  // namespace
 
 std::vector<EstimatorRow> studyEstimators(std::uint64_t seed, int draws) {
-  // Indices far above those of captures, which draw from the same stream.
+  // These indices are far above those of captures, which use the same stream.
   std::uint64_t index = 1'000'000;
   std::vector<EstimatorRow> rows;
   for (const SightingNoise& noise : kLevels) {

@@ -8,7 +8,7 @@
 
 namespace fulbito::capture {
 
-/// How well a method finds the motion of the paper's object from noisy sightings.
+/// Accuracy of a method that estimates the motion of the paper's object from noisy sightings.
 struct EstimatorRow {
   SightingNoise noise;
   std::string method;
@@ -18,7 +18,7 @@ struct EstimatorRow {
   double heading = 0.0;   ///< [rad] rms
 };
 
-/// Each method on `draws` noisy views of the object of Fig. 18, at three levels of noise.
+/// Tries each method on `draws` noisy sequences of the object of Fig. 18, at three levels of noise.
 std::vector<EstimatorRow> studyEstimators(std::uint64_t seed, int draws);
 
 }  // namespace fulbito::capture

@@ -7,7 +7,7 @@ namespace fulbito::capture {
 namespace {
 
 constexpr double kDegree = math::kPi / 180;
-constexpr double kRoom = 0.05;  // [m] between the bodies' circles, on the way
+constexpr double kRoom = 0.05;  // [m] between the bodies' circles during the capture
 
 }  // namespace
 
@@ -17,7 +17,7 @@ ObjectMotion fig18Object() { return {{2.0, 0.0}, math::unit(40 * kDegree) * 0.3,
 
 CaptureLimits fig18Limits() {
   CaptureLimits limits;
-  limits.least_radius1 = 2.6;  // also the largest there is
+  limits.least_radius1 = 2.6;  // also the largest possible one
   limits.least_radius3 = limits.greatest_radius3 = 2.4;
   return limits;
 }
@@ -47,7 +47,7 @@ PursuitSetup fig18Setup(const RobotModel& robot, double gap, const SightingNoise
   setup.gap = gap;
   setup.noise = noise;
   setup.seed = seed;
-  setup.index = 500'000;  // beside those of random captures
+  setup.index = 500'000;  // different from the indices of random captures
   return setup;
 }
 

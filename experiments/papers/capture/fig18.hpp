@@ -10,26 +10,27 @@ namespace fulbito::capture {
 Pose2 fig18Robot();
 ObjectMotion fig18Object();
 
-/// Limits with which the paper's plan follows: its two radii are given.
+/// Limits that lead to the paper's plan: they fix its two radii.
 CaptureLimits fig18Limits();
 
-/// The first turn [rad] after which a robot has a top speed [m/s]: a curve of 2.6 m at full acceleration.
+/// The first turn [rad] after which a robot has `top_speed` [m/s], on a curve of 2.6 m at full acceleration.
 double fig18Turn(double top_speed);
 
-/// The plan of a first turn [rad], with the paper's two radii, the object known and no slip. Empty as
-/// `capturePlan`.
+/// The plan with the first turn `turn` [rad], for the paper's two radii, a known object and no slip. Empty
+/// under the conditions of `capturePlan`.
 std::optional<CapturePlan> fig18Plan(double turn);
 
-/// The one of the top speed that the paper prints, 0.546 m/s.
+/// The plan with the top speed that the paper prints, 0.546 m/s.
 std::optional<CapturePlan> printedPlan();
 
-/// The capture of Fig. 18 with a wanted gap [m] of the middles.
+/// The capture of Fig. 18 with a wanted gap [m] between the centres.
 PursuitSetup fig18Setup(const RobotModel& robot, double gap, const SightingNoise& noise, std::uint64_t seed);
 
-/// [m] from the gap of the middles to the free one between the robot's front and the object's rear.
+/// [m] difference between the gap of the centres and the free space from the robot's front to the object's
+/// rear.
 double halfLengths(const RobotModel& robot);
 
-/// The limits of a capture of bodies that shall not touch before its end.
+/// Limits of a capture in which the bodies must not touch before the end.
 CaptureLimits limitsWithoutTouch(const RobotModel& robot);
 
 }  // namespace fulbito::capture

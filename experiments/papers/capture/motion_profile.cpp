@@ -9,10 +9,11 @@
 namespace fulbito::capture {
 namespace {
 
-constexpr int kPieces = 24;  // of a phase whose curvature changes
+constexpr int kPieces = 24;  // number of pieces of a phase with changing curvature
 
-// Gains of the errors along the way, across it and in heading. At speed v the error across the way falls as
-// that of a system of frequency sqrt(kAcross) v with damping kTurn / (2 sqrt(kAcross)): 1.5 per metre, 0.83.
+// Gains of the errors along the path, across it and in heading. At the speed v the error across the path
+// follows an oscillator with the frequency sqrt(kAcross) v and the damping kTurn / (2 sqrt(kAcross)): 1.5 per
+// metre and 0.83.
 constexpr double kAlong = 0.8;    // [1/s]
 constexpr double kAcross = 2.25;  // [1/m^2]
 constexpr double kTurn = 2.5;     // [1/m]
@@ -27,7 +28,7 @@ Pose2 poseIn(const MotionPhase& phase, const Pose2& start, double share) {
   const double time = share * phase.duration;
   const double way = (phase.from.linear + twistAt(phase, share).linear) / 2 * time;
   const double skew = phase.from.linear * phase.to.angular - phase.to.linear * phase.from.angular;
-  if (skew == 0.0) {  // both grow alike, or there is no turn
+  if (skew == 0.0) {  // speed and yaw rate stay proportional, or there is no turn
     const Twist& twist = std::abs(phase.to.linear) > std::abs(phase.from.linear) ? phase.to : phase.from;
     if (twist.linear != 0.0) return poseAt(Arc{start, twist.angular / twist.linear, 0.0}, way);
   }

@@ -4,7 +4,7 @@
 
 namespace fulbito::capture {
 
-/// Figures of Choi & Lee (2005) as printed.
+/// Values of Choi & Lee (2005) as printed.
 struct PaperTables {
   static constexpr double kAcceleration = 0.05;                             ///< [m/s^2] section V.2
   static constexpr double kTurn = 1.913718;                                 ///< [rad] 109.65 degrees, Table 1

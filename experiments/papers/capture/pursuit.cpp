@@ -13,13 +13,13 @@
 namespace fulbito::capture {
 namespace {
 
-// [s] before the start. A line through n places with errors of s over T seconds has a speed error of
-// s sqrt(12 / n) / T. With s = 2 cm, ten a second, 6.5 s tell the place 30 s ahead to 4.5 cm, a fifth of the
-// gap.
+// [s] before the start. A line through n places with errors s over T seconds has a speed error of s sqrt(12 /
+// n) / T. With s = 2 cm and ten sightings per second, 6.5 s predict the place 30 s ahead to 4.5 cm, which is
+// a fifth of the gap.
 constexpr double kWatch = 6.5;
-constexpr int kSightingTicks = 6;     // ten sightings a second
-constexpr double kShiftSpeed = 0.02;  // [m/s] at most, by which the plan shifts with the estimate
-constexpr double kShiftTime = 2.0;    // [s] in which it takes up most of a small change
+constexpr int kSightingTicks = 6;     // ten sightings per second
+constexpr double kShiftSpeed = 0.02;  // [m/s] greatest speed with which the plan shifts with the estimate
+constexpr double kShiftTime = 2.0;    // [s] time constant of the shift after small changes
 
 /// Both bodies, in one world or each in its own.
 class Arena {
@@ -69,7 +69,7 @@ class Arena {
   bool touched_ = false;
 };
 
-/// What the camera has seen, and what follows from it.
+/// The camera's sightings and the estimate from them.
 class Watcher {
  public:
   explicit Watcher(const PursuitSetup& setup)
@@ -90,13 +90,13 @@ class Watcher {
   ObjectMotion estimate_;
 };
 
-/// The plan in use, and its shift.
+/// The current plan and its shift.
 class Guide {
  public:
   Guide(const CaptureLimits& limits, const CapturePlan& plan, double gap)
       : limits_(limits), plan_(plan), gap_(gap) {}
 
-  /// Takes up a newer estimate.
+  /// Uses a newer estimate for the plan.
   void update(double time, const ObjectMotion& object) {
     if (!replanned_ && time >= plan_.straight_from) replan(object);
     if (!replanned_) return;
@@ -104,7 +104,7 @@ class Guide {
     wanted_ = object.at(plan_.motion.duration()) - line * gap_ - plan_.motion.end().pose.position;
   }
 
-  /// Shifts the plan by a tick.
+  /// Shifts the plan by one tick.
   void advance(double dt) {
     const Vec2 lack = wanted_ - shift_;
     const double speed = norm(lack) / kShiftTime;
@@ -121,7 +121,7 @@ class Guide {
  private:
   void replan(const ObjectMotion& object) {
     replanned_ = true;
-    // The start is driven: what is left begins where it ends.
+    // The robot has driven the first part, and the rest of the plan begins at its end.
     MotionProfile start(plan_.motion.at(0.0).pose);
     const double yaw = plan_.top_speed / plan_.radius1 * plan_.side;
     start.append({plan_.time1, {}, {plan_.top_speed, yaw}});
@@ -180,7 +180,7 @@ void drive(const PursuitSetup& setup, Arena& arena, Watcher& watcher, PursuitRes
       break;
     }
     guide.advance(dt);
-    // A tick ends on its reference.
+    // The command leads to the reference at the end of the tick.
     const WheelSpeeds wheels = commandOf(setup, guide.reference(time + dt), arena.robot().pose);
     result.largest_rim = std::max(result.largest_rim, fastestRim(setup.robot, wheels));
     arena.step(wheels);

@@ -12,10 +12,10 @@
 namespace fulbito::capture {
 namespace {
 
-constexpr std::uint64_t kBlock = 64;  // draws that threads share at a time
+constexpr std::uint64_t kBlock = 64;  // number of draws that the threads share at a time
 constexpr std::uint64_t kDrawsPerCapture = 40;
 
-/// A draw: a capture, or why there is none.
+/// A draw: a capture, or the reason why there is none.
 struct Draw {
   std::optional<RandomCapture> capture;
   CaptureRefusal refusal = CaptureRefusal::kNoLine;
@@ -40,7 +40,7 @@ Result<Draw> drawn(const PursuitSetup& setup) {
   return draw;
 }
 
-/// Adds draws in their order until there are `count` captures.
+/// Takes draws in their order until there are `count` captures.
 void collect(std::vector<Draw>& draws, std::size_t count, RandomCaptures& all) {
   for (Draw& draw : draws) {
     if (all.captures.size() == count) return;

@@ -10,7 +10,7 @@
 namespace fulbito::capture {
 namespace {
 
-constexpr double kLeastDeviation = 1e-4;  // [m] of a place, so that a perfect camera has a finite weight
+constexpr double kLeastDeviation = 1e-4;  // [m] gives a perfect camera a finite weight
 
 /// Inverse covariance of a place in the world frame.
 Eigen::Matrix2d weightOf(const Sighting& sighting, const SightingNoise& noise) {

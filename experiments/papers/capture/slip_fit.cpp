@@ -13,7 +13,7 @@ namespace {
 
 using Terms = std::function<Eigen::Vector2d(const DrivenRadius&)>;
 
-/// Least squares of driven - commanded over two terms; a term that is always 0 gets no share.
+/// Least squares of driven - commanded over two terms; a term that is always 0 gets the coefficient 0.
 SlipFit fit(std::span<const DrivenRadius> radii, const Terms& terms) {
   Eigen::MatrixXd model(static_cast<Eigen::Index>(radii.size()), 2);
   Eigen::VectorXd gains(static_cast<Eigen::Index>(radii.size()));

@@ -5,7 +5,7 @@
 
 namespace fulbito::capture {
 
-/// A radius that a robot drove where its wheels were set for another.
+/// A radius that a robot drove while its wheels were set for another radius.
 struct DrivenRadius {
   double speed = 0.0;      ///< [m/s]
   double commanded = 0.0;  ///< [m]
@@ -16,23 +16,24 @@ struct DrivenRadius {
 struct SlipFit {
   double tau0 = 0.0;   ///< [s]
   double tau1 = 0.0;   ///< [s^2/m]
-  double rms = 0.0;    ///< [m] of driven minus law
-  double worst = 0.0;  ///< [m] the largest of them
+  double rms = 0.0;    ///< [m] of the residuals, driven minus law
+  double worst = 0.0;  ///< [m] largest residual
 };
 
-/// R = R0 + tau0 v + tau1 v^2: what the robot's keys `curve_widening` and `curve_widening_rise` are.
+/// R = R0 + tau0 v + tau1 v^2, the law of the robot's keys `curve_widening` and `curve_widening_rise`.
 SlipFit fitWidening(std::span<const DrivenRadius> radii);
 /// R = R0 + tau0 v.
 SlipFit fitLinearWidening(std::span<const DrivenRadius> radii);
 /// R = R0 (1 + tau1 v^2): the understeer of a car, for comparison.
 SlipFit fitUndersteer(std::span<const DrivenRadius> radii);
 
-/// The 5 radii of Choi & Lee (2005), Table 5; the 10 of Table 6; all 15.
+/// The driven radii of Choi & Lee (2005): the 5 of Table 5, the 10 of Table 6, and all 15.
 std::vector<DrivenRadius> radiiOfTable5();
 std::vector<DrivenRadius> radiiOfTable6();
 std::vector<DrivenRadius> publishedRadii();
 
-/// What a law R = R0 + tau0 v + tau1 v^2 says of radii: the same `tau0` and `tau1`, with the errors there.
+/// Applies a law R = R0 + tau0 v + tau1 v^2 to other radii: the same `tau0` and `tau1` with the residuals
+/// there.
 SlipFit judgedOn(const SlipFit& law, std::span<const DrivenRadius> radii);
 
 }  // namespace fulbito::capture

@@ -7,7 +7,7 @@
 namespace fulbito::localization {
 namespace {
 
-constexpr std::uint64_t kExampleIndex = 2'000'000;  // apart from the numbers of all others
+constexpr std::uint64_t kExampleIndex = 2'000'000;  // different from the indices of all other runs
 
 CleaningTask exampleTask(std::uint64_t seed, const SensorSpread& spread) {
   CleaningTask task;
@@ -37,7 +37,7 @@ std::vector<Ground> groundsOf(const BatchSize& size, std::uint64_t seed, Batch& 
   return grounds;
 }
 
-/// One run of one scheme.
+/// One run with one scheme.
 struct Job {
   Ground* ground;
   std::size_t scheme, task;

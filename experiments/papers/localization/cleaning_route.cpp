@@ -6,16 +6,16 @@
 namespace fulbito::localization {
 namespace {
 
-constexpr double kSame = 1e-3;  // [m] points nearer than this are one
+constexpr double kSame = 1e-3;  // [m] points nearer to each other count as one
 
-/// A place in a room of which the stripes run along the second coordinate.
+/// The place `p` for a room whose stripes run along its second coordinate; otherwise swaps the coordinates.
 Vec2 swappedIf(bool swapped, Vec2 p) { return swapped ? Vec2{p.y, p.x} : p; }
 
 void add(std::vector<Vec2>& points, Vec2 p) {
   if (points.empty() || distance(points.back(), p) > kSame) points.push_back(p);
 }
 
-/// Stripes from the origin and the way back, in a room whose longer side is its second coordinate.
+/// The stripes from the origin and the way back, in a room whose longer side is its second coordinate.
 std::vector<Vec2> stripes(double across, double along, double margin, double spacing) {
   const int gaps = std::max(1, static_cast<int>(std::ceil((across - 2 * margin) / spacing - 1e-9)));
   const double step = (across - 2 * margin) / gaps;

@@ -10,8 +10,8 @@
 namespace fulbito::localization {
 namespace {
 
-constexpr double kSlack = 1.5;          // of the time that the route takes
-constexpr double kSlackSeconds = 60.0;  // beside it
+constexpr double kSlack = 1.5;          // time limit, relative to the expected time
+constexpr double kSlackSeconds = 60.0;  // [s] added to that limit
 
 Knowledge knowledgeOf(const CleaningTask& task, const FirstFix& fix) {
   Knowledge known;
@@ -53,7 +53,7 @@ std::unique_ptr<PoseEstimator> estimatorFor(Scheme scheme, const CleaningTask& t
   return std::make_unique<DeadReckoning>(known);
 }
 
-/// Compares what a robot believes with the truth, in the frame that the robot chose.
+/// Compares the robot's estimate with the truth, in the frame that the robot chose.
 class Judge {
  public:
   Judge(const Room& room, bool turned, const std::vector<Vec2>& route)
@@ -61,7 +61,7 @@ class Judge {
 
   Pose2 seen(const Pose2& truth) const { return turned_ ? halfTurned(truth, room_) : truth; }
 
-  /// Of the part that the robot drives, or the one before: it turns at the end of it.
+  /// [m] from the present part or the previous one, at whose end the robot turns.
   double deviation(Vec2 truth, std::size_t part) const {
     const double now = distanceFromPart(truth, route_[part], route_[part + 1]);
     if (part == 0) return now;
@@ -89,7 +89,7 @@ class Judge {
   int notes_ = 0;
 };
 
-/// [m] of the route until the place of `pose` on a part.
+/// Length [m] of the route up to the point of a part that is nearest to `place`.
 double wayUntil(const std::vector<Vec2>& route, std::size_t part, Vec2 place) {
   double sum = 0.0;
   for (std::size_t i = 1; i <= part; ++i) sum += distance(route[i - 1], route[i]);
@@ -162,10 +162,10 @@ class CleaningDrive {
   Judge judge_;
   CleaningResult& result_;
   bool with_moments_;
-  double echo_speed_;  // [m/s] of the moments' ranges
+  double echo_speed_;  // [m/s] for the ranges of the moments
 };
 
-/// Time [s] that a robot takes for a route: its parts, and a quarter turn and its run-up at each.
+/// Expected time [s] of a route: its parts, and a turn with deceleration and acceleration at each point.
 double timeFor(const CleaningRoute& route, const DriveLimits& limits) {
   const double per_turn = math::kPi / limits.turn_rate + 2 * limits.speed / limits.deceleration + 2.0;
   return lengthOf(route) / limits.speed + static_cast<double>(route.points.size()) * per_turn;

@@ -11,18 +11,18 @@ namespace {
 
 constexpr double kDegree = math::kPi / 180;
 constexpr double kFirstSweep = 45 * kDegree;
-// It reaches beyond both flanks of the range: half the cone and acos(1 / 1.05) are 30 degrees.
+// Reaches beyond both flanks of the range, since half the cone and acos(1 / 1.05) are 30 degrees together.
 constexpr double kSecondSweep = 40 * kDegree;
-constexpr double kCentred = 8 * kDegree;  // both flanks are in the sweep
+constexpr double kCentred = 8 * kDegree;  // with a smaller offset both flanks are in the sweep
 constexpr int kMostSweeps = 5;
 constexpr double kTurned = 0.1 * kDegree;
-constexpr double kLeastNoise = 0.001;          // [m] a counter of microseconds has some
-constexpr int kQuarters = 4;                   // turns on the spot until a wall answers
-constexpr int kLeastEchoes = 8;                // in a sweep that counts
+constexpr double kLeastNoise = 0.001;          // [m] noise of a counter of microseconds
+constexpr int kQuarters = 4;                   // attempts in directions a quarter turn apart
+constexpr int kLeastEchoes = 8;                // least number of echoes of a useful sweep
 constexpr double kAlignRate = 0.9;             // [rad/s]
-constexpr int kMostTicks = 60 * kControlRate;  // of one turn: a robot that a wall holds gives up
+constexpr int kMostTicks = 60 * kControlRate;  // limit of one turn; a wall may hold the robot
 
-/// Turns by its gyro, whose bias it knows.
+/// Turns the robot by its gyro, whose bias is known.
 class Turner {
  public:
   Turner(Rig& rig, double bias) : rig_(rig), bias_(bias) {}
@@ -35,7 +35,7 @@ class Turner {
     for (int i = 0; i < kControlRate / 4; ++i) tick(0.0);
   }
 
-  /// Sweeps about a heading, and turns on to its end.
+  /// Sweeps by `half` to both sides of `centre` [rad] and returns the echoes.
   std::vector<SweepEcho> sweep(double centre, double half, double rate) {
     turnTo(centre - half, kAlignRate);
     std::vector<SweepEcho> echoes;
@@ -64,7 +64,7 @@ double biasAtStandstill(Rig& rig) {
   return sum / kTicks;
 }
 
-/// Mean times of the sensors that hear their wall in most pings.
+/// Mean echo times of the sensors that hear their wall in most pings.
 EchoTimes meanEchoes(Rig& rig) {
   std::array<double, kBeams.size()> sums{};
   std::array<int, kBeams.size()> counts{};
@@ -90,12 +90,12 @@ int echoesOf(const std::vector<SweepEcho>& sweep) {
   return count;
 }
 
-/// Directions of a wall by three rules.
+/// The direction of a wall by three rules.
 struct Perpendiculars {
   double fitted = 0.0, level = 0.0, shortest = 0.0;  // [rad]
 };
 
-/// Sweeps about the middle of the last sweep's near-shortest echoes, until it is the middle of its own.
+/// Sweeps about the middle of the near-shortest echoes of the previous sweep until the middle stays.
 Perpendiculars perpendicular(Turner& turner, double centre, const SweepSensor& sensor, double rate) {
   for (int i = 1;; ++i) {
     const auto sweep = turner.sweep(centre, kSecondSweep, rate);

@@ -10,10 +10,10 @@ namespace fulbito::localization {
 namespace {
 
 constexpr double kSmallest = 2.4, kLargest = 5.0;  // [m]
-constexpr std::uint64_t kFieldIndex = 1'000'000;   // apart from the numbers of the rooms
+constexpr std::uint64_t kFieldIndex = 1'000'000;   // different from the indices of the rooms
 constexpr double kColdest = 5.0, kWarmest = 35.0;  // [degrees]
 
-/// What all tasks draw alike. It draws in this order: errors of the sensors, pose, temperature.
+/// Draws what all tasks share, in this order: errors of the sensors, pose, temperature.
 CleaningTask taskIn(const FieldGeometry& field, const Rover& rover, const SensorSpread& spread, Rng& draws) {
   CleaningTask task;
   task.field = field;

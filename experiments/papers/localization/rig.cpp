@@ -53,7 +53,7 @@ EchoTimes Rig::ping() {
   const std::span<const SonarReading> readings = sonars_.measure(world_, 0);
   EchoTimes times;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    // While it still rings a sensor reports its least range, which is no echo.
+    // While a sensor still rings, it reports its least range, which is no echo.
     const bool heard = readings[i].heard && readings[i].range > rover_.sonar.sonars[i].least;
     if (heard) times[i] = static_cast<double>(timer_.microseconds(readings[i].range)) * 1e-6;
   }

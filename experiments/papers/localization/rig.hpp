@@ -9,12 +9,13 @@
 
 namespace fulbito::localization {
 
-/// Control ticks per second, and ticks between echoes: 10 echoes of each sensor per second.
+/// Control ticks per second, and ticks between echoes: each sensor gives 10 echoes per second.
 inline constexpr int kControlRate = 20;
 inline constexpr int kTicksPerPing = 2;
 inline constexpr double kTick = 1.0 / kControlRate;  ///< [s]
 
-/// A robot in the world and what its sensors say: all that its program may see, and the truth for the judge.
+/// A robot in the world with its sensors' readings. It holds all that the robot's program may see, and the
+/// truth for the evaluation.
 class Rig {
  public:
   /// @param start  room frame
@@ -22,15 +23,15 @@ class Rig {
   static Result<Rig> create(const FieldGeometry& field, const Rover& rover, const Pose2& start,
                             double celsius, std::uint64_t seed, std::uint64_t index);
 
-  /// Drives one tick. @return what encoders and gyro saw
+  /// Drives one tick. @return the readings of encoders and gyro
   InnerMotion step(Twist wanted);
-  /// The air's temperature from now on.
+  /// Sets the air's temperature from now on.
   void setAir(double celsius) { timer_ = EchoTimer(celsius); }
-  /// Whether echoes are due after this tick; `ping` reads them.
+  /// Whether echoes are due after this tick; call `ping` to read them.
   bool pingDue() const { return world_.state().tick % kTicksPerPing == 0; }
   EchoTimes ping();
 
-  /// @{ The truth, room frame.
+  /// @{ The truth, in the room frame.
   Pose2 truth() const;
   bool touchesWall() const { return !world_.contacts().empty(); }
   double seconds() const { return static_cast<double>(world_.state().tick) * kTick; }
@@ -42,7 +43,7 @@ class Rig {
       std::uint64_t index);
 
   Rover rover_;
-  Vec2 corner_;  ///< [m] of the room in the world's frame
+  Vec2 corner_;  ///< [m] the room's corner in the world frame
   World world_;
   SonarArray sonars_;
   WheelEncoders encoders_;

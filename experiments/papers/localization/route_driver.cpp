@@ -11,12 +11,13 @@ namespace {
 
 constexpr double kTurnGain = 2.5;   // [1/s]
 constexpr double kSteerGain = 2.0;  // [1/s]
-constexpr double kTurned = 0.009;   // [rad] half a degree: the turn is done
-constexpr double kArrived = 0.004;  // [m] the part is done
-constexpr double kSteepest = 0.5;   // [rad] of the way back onto the line
-constexpr double kSlowest = 0.02;   // [m/s] so that a part ends
+constexpr double kTurned = 0.009;   // [rad] half a degree; the turn ends at a smaller error
+constexpr double kArrived = 0.004;  // [m] the part ends at a smaller distance
+constexpr double kSteepest = 0.5;   // [rad] greatest angle of the way back to the line
+constexpr double kSlowest = 0.02;   // [m/s] least speed, so that a part ends
 
-/// The speed from which the robot stops within a way, after its time of reaction: v t + v^2 / (2 a) = way.
+/// The speed [m/s] from which the robot stops within `way`, including its reaction time: v t + v^2 / (2 a) =
+/// way.
 double brakingSpeed(double way, const DriveLimits& limits) {
   const double a = limits.deceleration, t = limits.reaction;
   return a * (std::sqrt(t * t + 2 * way / a) - t);

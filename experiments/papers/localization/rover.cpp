@@ -37,7 +37,7 @@ Rover cleaningRobot() {
 }
 
 Rover smallRobot() {
-  Rover rover;  // its body is the model's default
+  Rover rover;  // the model's default body
   rover.sonar = sonarsOf(rover.robot, 0.02, 2.0);
   rover.limits.speed = 0.15;
   rover.limits.look_ahead = 0.15;

@@ -7,27 +7,27 @@
 
 namespace fulbito::localization {
 
-/// A robot with sensors, and how it drives.
+/// A robot with sensors and its driving limits.
 struct Rover {
   RobotModel robot;
   SonarModel sonar;  ///< front, right, left
   EncoderModel encoders;
   GyroModel gyro;
   DriveLimits limits;
-  double margin = 0.4;    ///< [m] of its centre from the walls along which it drives
-  double spacing = 0.36;  ///< [m] between stripes, at most
+  double margin = 0.4;    ///< [m] from its centre to the walls along which it drives
+  double spacing = 0.36;  ///< [m] greatest distance between stripes
 };
 
-/// What the makers state of the sensors; the errors of a single robot are drawn from it.
+/// The makers' specification of the sensors. The errors of a single robot are drawn from it.
 struct SensorSpread {
   double range_noise = 0.008;  ///< [m] of a range
-  double dropout = 0.01;       ///< share of echoes that do not come
+  double dropout = 0.01;       ///< share of missing echoes
   double wheel_scale = 0.01;   ///< standard deviation of each wheel's scale
   double wheel_slip = 0.004;   ///< [m/sqrt(m)] of each wheel
   double gyro_bias = 0.0087;   ///< [rad/s] standard deviation of the bias at the start
   double gyro_drift = 5e-5;    ///< [rad/s/sqrt(s)]
   double gyro_noise = 0.0035;  ///< [rad/s] of a reading
-  double gyro_scale = 0.005;   ///< standard deviation of its scale
+  double gyro_scale = 0.005;   ///< standard deviation of the gyro's scale
 };
 
 /// A vacuum cleaning robot of 0.44 x 0.40 m and 12 kg that drives 0.3 m/s.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegrees = 180.0 / math::kPi;
 
-/// A line over the way of one scheme's example.
+/// A chart line along the route of one scheme's example.
 template <typename Value>
 ChartLine lineOf(const Batch& batch, Scheme scheme, const Value& value) {
   ChartLine line;

@@ -7,7 +7,7 @@
 
 namespace fulbito::localization {
 
-/// Deviation and heading error along the route of the example for all schemes, and the constant over
+/// Deviation and heading error along the example's route for all schemes, and the constant over the
 /// temperature for all rooms.
 std::vector<ReportChart> runCharts(const Batch& batch);
 

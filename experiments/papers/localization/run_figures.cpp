@@ -20,7 +20,7 @@ constexpr double kDegrees = 180.0 / math::kPi;
 
 using Runs = std::vector<CleaningResult>;
 
-/// A figure of all runs that came so far as to have it.
+/// The values of `figure` of all runs that have it.
 std::vector<double> valuesOf(const Runs& runs, double CleaningResult::* figure) {
   std::vector<double> values;
   for (const CleaningResult& run : runs) {
@@ -57,7 +57,7 @@ double countOf(const Runs& runs, CleaningOutcome outcome) {
       std::count_if(runs.begin(), runs.end(), [&](const auto& run) { return run.outcome == outcome; }));
 }
 
-constexpr double kOpen = std::numeric_limits<double>::infinity();  // a band without a bound
+constexpr double kOpen = std::numeric_limits<double>::infinity();  // bound on an open side
 
 PaperFigure shareFigure(const Ground& ground, Scheme scheme, const std::string& id,
                         const std::string& where) {

@@ -7,13 +7,13 @@
 
 namespace fulbito::localization {
 
-/// The paper's bound of the deviation from the reference path [m].
+/// The paper's bound [m] of the deviation from the reference path.
 inline constexpr double kPaperDeviation = 0.05;
 
-/// The figures beside the paper's.
+/// Values for comparison with the paper's.
 std::vector<PaperFigure> runFigures(const Batch& batch);
 
-/// Tables of schemes and grounds, of rules of alignment, of all runs in rooms, and of refusals.
+/// Tables of schemes and grounds, of alignment rules, of all runs in rooms, and of refusals.
 std::vector<ReportTable> runTables(const Batch& batch);
 
 }  // namespace fulbito::localization

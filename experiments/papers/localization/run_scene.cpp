@@ -11,9 +11,9 @@ namespace fulbito::localization {
 namespace {
 
 constexpr std::size_t kMomentsPerRow = 4;  // 2.5 rows per second
-constexpr double kGhostSize = 0.4;         // of the robot
+constexpr double kGhostSize = 0.4;         // relative to the robot
 
-/// From the frame that the robot chose to the world's.
+/// Transforms from the frame that the robot chose to the world frame.
 class WorldFrame {
  public:
   WorldFrame(const CleaningTask& task, bool turned)
@@ -30,7 +30,7 @@ class WorldFrame {
   bool turned_;
 };
 
-/// A line from each sensor that heard its wall, to where the robot believes that to be.
+/// Draws a line from each sensor with an echo to the wall's estimated place.
 void drawEchoes(const CleaningMoment& moment, const Body& body, const WorldFrame& frame, Tick tick,
                 std::vector<RecordedDrawing>& drawings) {
   for (const Beam beam : kBeams) {
@@ -46,7 +46,7 @@ void drawEchoes(const CleaningMoment& moment, const Body& body, const WorldFrame
   }
 }
 
-/// The part of the reference path that the robot drives, and a ring where it believes to be.
+/// Draws the present part of the reference path, and a ring at the estimated pose.
 void drawBelief(const CleaningMoment& moment, const CleaningResult& run, const Body& body,
                 const WorldFrame& frame, Tick tick, std::vector<RecordedDrawing>& drawings) {
   RecordedDrawing part;
@@ -62,7 +62,7 @@ void drawBelief(const CleaningMoment& moment, const CleaningResult& run, const B
   drawings.push_back(ring);
 }
 
-/// The robot, or a smaller one that stands for what it believes.
+/// The robot's box, or a smaller one for its estimate.
 PageBody boxOf(const RobotModel& robot, double size) {
   return {BodyKind::kRobot, {}, true, size * robot.length, size * robot.width, 0.0};
 }

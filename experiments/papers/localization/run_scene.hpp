@@ -7,8 +7,8 @@
 
 namespace fulbito::localization {
 
-/// A run with its moments as an animated scene: the robot, a smaller one where it believes to be, the
-/// echoes as lines, the reference path.
+/// A run with moments as an animated scene: the robot, a smaller one at its estimated pose, the echoes as
+/// lines, and the reference path.
 ReportScene runScene(const Ground& example, Scheme scheme, const std::string& name, const std::string& title);
 
 }  // namespace fulbito::localization

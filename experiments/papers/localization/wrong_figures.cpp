@@ -43,7 +43,7 @@ void addTold(std::vector<WrongCase>& cases, const char* what, bool filter_only, 
     cases.push_back({what, amount, filter_only, apply, factor});
 }
 
-/// Counts and sizes of the results of one case.
+/// Counts and sizes of the results in one case.
 struct Tally {
   double home = 0, wall = 0, refused = 0, wrong_axis = 0, inside = 0;
   std::vector<double> deviations, squared_errors;

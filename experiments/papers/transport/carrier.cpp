@@ -14,9 +14,10 @@ constexpr double kAtJoint = 1e-9;        // [m]
 constexpr double kArrivedWithin = 1e-5;  // [m]
 constexpr double kRodFits = 1e-4;        // [m] a larger error is repaired before the next run
 constexpr int kHopsOfImpasse = 2;
-constexpr int kMostHops = 6;  // exchanges of roles without motion: a deadlock
+constexpr int kMostHops = 6;  // exchanges of roles without motion that count as a deadlock
 
-// Of the slave's limit. Its speed changes during the run, so each two further exchanges halve the share.
+// Share of the slave's speed limit. The slave's speed changes during the run, so after each two further
+// exchanges the share is halved.
 double easyShare(int hop) {
   double share = 0.9;
   for (int i = kHopsOfImpasse + 2; i <= hop; i += 2) share /= 2;
@@ -92,8 +93,8 @@ void Carrier::answerStart(const Message& message, double now, std::vector<Messag
   lead(MessageKind::kVelocity, SwitchCause::kNone, now, out);
 }
 
-// Its direction keeps both robots going the same way along the constraint curve. In an impasse, one robot as
-// slave would leave its part and the other one would be too fast: only a slower master helps.
+// The sign makes both robots follow the constraint curve in the same direction. In an impasse either robot as
+// the slave would leave its part or be too fast, and only a slower master helps.
 double Carrier::masterSpeed() const {
   const bool leads = id_ == CarrierId::kLead;
   const RodView view = leads ? viewRod(task_->path, own_, other_) : viewRod(task_->path, other_, own_);
@@ -105,7 +106,7 @@ double Carrier::masterSpeed() const {
   return std::copysign(speed, sign_ * others);
 }
 
-// Only a master goes on to the next part. False: there is none.
+// Lets a master enter the next part. Returns false if the path has none.
 bool Carrier::enterPart() {
   const PartPath& path = task_->path;
   if (speed_ > 0.0 && own_.q >= path.to(own_.part) - kAtJoint) {
@@ -264,7 +265,7 @@ void Carrier::breakOff(double now, std::vector<Message>& out) {
   askForStep(now, out);
 }
 
-// What is not answered goes out again; a slave that hears no kDone goes on without.
+// Sends the last message again. A slave that hears no kDone continues without it.
 void Carrier::stillWaiting(double now, std::vector<Message>& out) {
   if (now - heard_ > times_.silence) return endWith(StopReason::kSilence, out);
   if (!out_of_contact_ && now - std::max(heard_, waits_from_) > times_.timeout) {

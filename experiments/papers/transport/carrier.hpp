@@ -10,41 +10,41 @@
 
 namespace fulbito {
 
-/// The times by which robots exchange messages; alike for both.
+/// Times of the exchange of messages, equal for both robots.
 struct CarrierTimes {
-  double step = 0.05;       ///< [s] longest run
-  double beat = 0.001;      ///< [s] between beats
-  double patience = 0.005;  ///< [s] a robot that has heard nothing for this long, plus the delay, stops
-  double delay = 0.0;       ///< [s] longest time of a message on its way
-  double margin = 0.0;      ///< [s] between the arrival of kRuntime and the run
-  double timeout = 0.25;    ///< [s] without a message that counts as loss of contact
-  double silence = 30.0;    ///< [s] without a message after which a robot gives up
+  double step = 0.05;       ///< [s] greatest duration of a run
+  double beat = 0.001;      ///< [s] between two beats
+  double patience = 0.005;  ///< [s] a robot stops after this time plus the delay without a message
+  double delay = 0.0;       ///< [s] greatest delay of a message
+  double margin = 0.0;      ///< [s] between the arrival of kRuntime and the start of the run
+  double timeout = 0.25;    ///< [s] time without a message that counts as loss of contact
+  double silence = 30.0;    ///< [s] time without a message after which a robot gives up
 };
 
-/// What both robots do beyond the printed algorithm.
+/// Additions of both robots to the printed algorithm.
 struct CarrierHabits {
-  bool project = true;  ///< a slave ends each run at a rod's length from where the master ends
-  bool slow = true;     ///< after two exchanges of roles without motion the master lets the slave keep up
+  bool project = true;  ///< a slave ends each run at a rod's length from the master's end
+  bool slow = true;     ///< after two idle exchanges of roles the master waits for the slave
 };
 
-/// One of the two robots: a state machine that only messages and its own clock move. It has the path, knows
+/// One of the two robots: a state machine with messages and its own clock as inputs. It knows the path and
 /// its own place exactly, and drives along the path at the speed that it sets. Both clocks agree.
 ///
-/// A step: the slave sends kStart, the master answers kVelocity, the slave plans and answers kRuntime, both
-/// run, the master sends kDone. A slave that cannot follow answers kSwitch, which makes it the master. What
-/// is not answered is sent again. No exchange of messages over a radio that loses some can make two robots
-/// start surely together, so each beats while it runs, and stops when it does not hear the other: alone it
-/// drives less than speed times (patience + delay).
+/// In a step, the slave sends kStart, the master answers kVelocity, the slave plans and answers kRuntime,
+/// both run, and the master sends kDone. A slave that cannot follow answers kSwitch, which makes it the
+/// master. Messages without an answer are sent again. Over a lossy radio no exchange can guarantee that both
+/// robots start together. So each robot sends beats while it runs and stops if it does not hear the other's.
+/// Alone it drives less than speed times (patience + delay).
 class Carrier {
  public:
   Carrier(const TransportTask& task, const CarrierTimes& times, CarrierId id, const CarrierHabits& habits);
 
-  /// Begins at time 0. All functions append what the robot sends.
+  /// Begins at time 0. All functions append the messages that the robot sends.
   void begin(std::vector<Message>& out);
   void hear(const Message& message, double now, std::vector<Message>& out);
-  /// To be called at `alarm()`.
+  /// Must be called at the time `alarm()`.
   void wake(double now, std::vector<Message>& out);
-  double alarm() const;  ///< [s] when it wants to be woken; infinity: never
+  double alarm() const;  ///< [s] time of the next call of `wake`; infinity: none
 
   bool master() const { return master_; }
   bool running() const { return state_ == State::kRunning; }
@@ -55,7 +55,7 @@ class Carrier {
   double speed() const { return running() ? rate_ : 0.0; }  ///< [m/s] along the path
   PartPlace placeAt(double now) const;
   int timeouts() const { return timeouts_; }  ///< losses of contact
-  int aborts() const { return aborts_; }      ///< runs that it broke off
+  int aborts() const { return aborts_; }      ///< runs that the robot broke off
 
  private:
   enum class State : std::uint8_t {
@@ -96,13 +96,13 @@ class Carrier {
   CarrierId id_;
   bool master_;
   CarrierHabits habits_;
-  double sign_;  // of the direction of travel: travelSign
+  double sign_;  // direction of travel, see travelSign
   State state_ = State::kAwaitStart;
   StopReason reason_ = StopReason::kNone;
   std::uint32_t step_ = 0;
   int hop_ = 0;
-  PartPlace own_;    // while it runs: where the run began
-  PartPlace other_;  // as the other last told
+  PartPlace own_;    // during a run: where it began
+  PartPlace other_;  // last known place of the other robot
   double speed_ = 0.0;
   double rate_ = 0.0;
   double target_ = 0.0;
@@ -113,7 +113,7 @@ class Carrier {
   double heard_ = 0.0;
   double waits_from_ = 0.0;
   double next_resend_ = 0.0;
-  Message last_;  // what it sends again
+  Message last_;  // message to repeat
   bool out_of_contact_ = false;
   int timeouts_ = 0;
   int aborts_ = 0;

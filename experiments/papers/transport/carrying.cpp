@@ -11,7 +11,7 @@ CarrierTimes timesFor(const CarryPlan& plan) {
   CarrierTimes times;
   times.step = plan.step;
   times.delay = plan.radio.delay;
-  // Several beats must be able to get through before the run.
+  // Several beats must have a chance to arrive before the run.
   if (!plan.radio.ideal()) times.margin = 3 * times.beat;
   return times;
 }
@@ -22,7 +22,7 @@ TransportTask slowed(TransportTask task, double share) {
   return task;
 }
 
-/// Both robots, the radio, and who watches them.
+/// Both robots, the radio, and the bookkeeping.
 class Pair {
  public:
   Pair(const TransportTask& task, const CarryPlan& plan);
@@ -51,7 +51,7 @@ class Pair {
   Radio radio_;
   Carrying work_;
   std::vector<Message> out_;
-  std::uint32_t switched_step_ = 0;  // the last step with a switch, and its hop
+  std::uint32_t switched_step_ = 0;  // step and hop of the last exchange of roles
   int switched_hop_ = 0;
   std::uint32_t row_step_ = 0;
   double last_ = 0.0;
@@ -71,7 +71,7 @@ Pair::Pair(const TransportTask& task, const CarryPlan& plan)
 
 void Pair::note(CarrierId from, const Message& message, double now) {
   if (message.kind != MessageKind::kSwitch) return;
-  if (message.step == switched_step_ && message.hop <= switched_hop_) return;  // sent again
+  if (message.step == switched_step_ && message.hop <= switched_hop_) return;  // a repeated message
   switched_step_ = message.step;
   switched_hop_ = message.hop;
   work_.switches.push_back({now, message.cause, from, message.speed < 0.0 ? -1.0 : 1.0,
@@ -105,7 +105,7 @@ bool Pair::wakeBoth(double now) {
   return any;
 }
 
-// Messages first: one that arrives at the last moment is in time.
+// Messages come first, so that one that arrives at the last moment is in time.
 void Pair::settle(double now) {
   constexpr int kMostEvents = 10000;
   for (int i = 0; i < kMostEvents && (deliver(now) || wakeBoth(now)); ++i) {

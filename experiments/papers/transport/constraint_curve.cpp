@@ -9,12 +9,12 @@
 namespace fulbito {
 namespace {
 
-constexpr double kAtEnd = 1e-10;         // [m] a coordinate this near to a joint is at it
-constexpr double kBranchShare = 1e-4;    // of the rod's length
+constexpr double kAtEnd = 1e-10;         // [m] a coordinate nearer to a joint counts as at it
+constexpr double kBranchShare = 1e-4;    // share of the rod's length
 constexpr double kShortestStep = 1e-6;   // [m]
-constexpr double kSharpestTurn = 0.995;  // cosine of the curve's turn in one step
+constexpr double kSharpestTurn = 0.995;  // cosine of the curve's greatest turn in one step
 
-/// Direction of the curve in (q_lead, q_follower).
+/// Direction of the curve in the plane (q_lead, q_follower).
 struct Heading {
   double lead = 0.0;
   double follower = 0.0;
@@ -68,7 +68,7 @@ bool Tracer::atBranch(const RodView& view) {
   return share < kBranchShare;
 }
 
-// How far the curve may go until this robot is at the end of its part.
+// Length of the curve until this robot reaches the end of its part.
 double Tracer::roomOf(const PartPlace& place, double rate) const {
   if (rate == 0.0) return std::numeric_limits<double>::infinity();
   const double end = rate > 0.0 ? path_.to(place.part) : path_.from(place.part);
@@ -79,7 +79,7 @@ double Tracer::stepWithin(const CurvePoint& point, const Heading& heading) const
   return std::min({step_, roomOf(point.lead, heading.lead), roomOf(point.follower, heading.follower)});
 }
 
-// Newton's steps along the gradient (D t_lead, -D t_follower): the shortest way back to the curve.
+// Newton steps along the gradient (D t_lead, -D t_follower), which is the shortest way back to the curve.
 void Tracer::correct(CurvePoint& point) const {
   for (int i = 0; i < 4; ++i) {
     const RodView view = viewRod(path_, point.lead, point.follower);
@@ -100,7 +100,7 @@ CurvePoint Tracer::moved(const CurvePoint& point, const Heading& heading, double
   return next;
 }
 
-// False where a robot cannot go on: at an end of the path.
+// Moves a robot to the next part at a joint. Returns false if the robot is at an end of the path.
 bool Tracer::cross(PartPlace& place, double rate, CurveEnd at_start, CurveEnd at_end) {
   if (rate > 0.0 && place.q >= path_.to(place.part) - kAtEnd) {
     if (place.part + 1 == path_.size()) return curve_.end = at_end, false;
@@ -133,7 +133,7 @@ bool Tracer::advance() {
   return true;
 }
 
-// A curve in a square of the path's length that is as long as this has come round.
+// A longer curve in the square of both coordinates must have closed.
 bool Tracer::loops() const { return now_.along > 100 * (path_.length() + task_.rod); }
 
 ConstraintCurve Tracer::run() {
@@ -172,7 +172,7 @@ double travelSign(const TransportTask& task) {
   const PartPath& path = task.path;
   const RodView view =
       viewRod(path, {path.partAt(task.lead), task.lead}, {path.partAt(task.follower), task.follower});
-  // A follower at the path's beginning can only go forward; elsewhere, both together shall.
+  // A follower at the path's beginning can only go forward. Elsewhere both robots together should.
   if (task.follower <= kAtEnd && view.lead != 0.0) return view.lead > 0.0 ? 1.0 : -1.0;
   return view.lead + view.follower >= 0.0 ? 1.0 : -1.0;
 }

@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-/// Sides of a cell: at smaller and larger coordinates of the lead, then of the follower.
+/// Sides of a cell: at the smaller and larger coordinates of the lead, then of the follower.
 enum CellSide : int { kLeadLow, kLeadHigh, kFollowerLow, kFollowerHigh };
 
 struct Cell {
@@ -39,7 +39,7 @@ class Walker {
   ContourEnd leaving(const Cell& cell, int side) const;
 
   const TransportTask& task_;
-  std::int64_t count_;  // cells along each coordinate
+  std::int64_t count_;  // number of cells along each coordinate
   double cell_;
   double squared_;
   std::vector<Vec2> points_;
@@ -84,7 +84,7 @@ double Walker::excessInMiddle(const Cell& cell) const {
   return squaredNorm(lead - follower) - squared_;
 }
 
-// With four crossings the middle says which corners belong together.
+// With four crossings, the middle decides which corners belong together.
 int Walker::exit(const Cell& cell, int from) {
   const std::vector<int> sides = crossings(cell);
   if (sides.size() == 2) return sides[0] == from ? sides[1] : sides[0];
@@ -126,7 +126,7 @@ ContourEnd Walker::run() {
   };
   const Cell start{cell_of(task_.lead), cell_of(task_.follower)};
   Cell cell = start;
-  // Out of the start's cell in the direction of travel.
+  // Leave the start's cell in the direction of travel.
   const RodView view = viewRod(task_.path, {task_.path.partAt(task_.lead), task_.lead},
                                {task_.path.partAt(task_.follower), task_.follower});
   const double sign = travelSign(task_), lead = sign * view.follower, follower = sign * view.lead;

@@ -11,9 +11,10 @@ struct ContourEnd {
   double follower = 0.0;           ///< [m]
 };
 
-/// Follows the same set as `traceCurve` by other means: it walks through the cells of a grid, whose corners
-/// say on which side of the rod's length they are. It needs neither tangents nor speeds, so it can tell
-/// whether a refusal is right. Two ways that come closer than a cell may be mixed up.
+/// Follows the same set as `traceCurve` by another method: it walks through the cells of a grid. At each
+/// corner of a cell, the distance of the robots is above or below the rod's length. It needs neither tangents
+/// nor speeds, so it can check a refusal independently. It may confuse two branches that are closer than a
+/// cell.
 ///
 /// @param cell  [m] size of the grid's cells
 ContourEnd walkContour(const TransportTask& task, double cell);

@@ -11,7 +11,7 @@ namespace fulbito {
 namespace {
 
 double nearestOnCircle(const Arc& arc, Vec2 point) {
-  const double radius = 1.0 / arc.curvature;  // signed: the centre is on the left of a left turn
+  const double radius = 1.0 / arc.curvature;  // signed: positive for a left turn, whose centre is on the left
   const Vec2 centre = arc.start.position + perp(math::unit(arc.start.heading)) * radius;
   const Vec2 first = arc.start.position - centre, to = point - centre;
   double turn = math::atan2(cross(first, to), dot(first, to));

@@ -18,8 +18,8 @@ namespace {
 
 constexpr double kCentimetre = 0.01;           // [m]
 constexpr double kDegree = math::kPi / 180.0;  // [rad]
-constexpr double kRounding = 0.001;            // [m] printed coordinates may miss by this
-constexpr double kFarthest = 100.0;            // [m] of any coordinate
+constexpr double kRounding = 0.001;            // [m] rounding of printed coordinates
+constexpr double kFarthest = 100.0;            // [m] limit of coordinates
 constexpr std::size_t kMostRows = 10000;
 
 /// A row of the file.
@@ -32,12 +32,12 @@ struct Row {
   double angle() const { return numbers[2] * kDegree; }
 };
 
-/// What a word may stand with.
+/// A word of the file format and the numbers after it.
 struct Word {
   const char* name;
   std::size_t numbers;
   const char* form;
-  std::size_t more = 0;  // further numbers that may follow
+  std::size_t more = 0;  // number of optional numbers after the required ones
 };
 
 constexpr Word kWords[] = {{"rod", 1, "rod LENGTH"},
@@ -73,7 +73,7 @@ std::optional<double> numberOf(std::string_view word) {
   return value;
 }
 
-/// Turns rows into a task.
+/// Makes a task from the rows of a file.
 class Reader {
  public:
   explicit Reader(std::string origin) : origin_(std::move(origin)) {}
@@ -100,7 +100,7 @@ class Reader {
   std::string origin_;
   std::size_t lines_ = 0;
   std::vector<Row> parts_;   // in the order of the path
-  std::vector<Row> points_;  // the same of a polyline
+  std::vector<Row> points_;  // in the order of a polyline
   std::vector<Row> single_;
 };
 
@@ -163,7 +163,7 @@ Result<Vec2> Reader::beginning() const {
   return wrong(parts_[0].line, "a path that begins with an arc needs a row 'start X Y'");
 }
 
-// A point beside which the line ends: the next part's, or the path's end.
+// The point beside which a line ends: the next part's point, or the path's end.
 Result<Vec2> Reader::targetOf(std::size_t i, Vec2 from) const {
   if (i + 1 < parts_.size()) return parts_[i + 1].point();
   const Row* end = find("end");

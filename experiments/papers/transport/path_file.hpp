@@ -8,8 +8,8 @@
 
 namespace fulbito {
 
-/// Reads a task from text in the form of the paper's Table 2, lengths in cm, angles in degrees. A row has a
-/// word and numbers; '#' begins a comment:
+/// Reads a task from text in the form of the paper's Table 2, with lengths in cm and angles in degrees. A row
+/// has a word and numbers; '#' begins a comment:
 ///
 ///     rod LENGTH            between the robots' centres
 ///     speed V, max-speed V  cm/s of the master, and of either robot (8 and 10)
@@ -23,21 +23,21 @@ namespace fulbito {
 ///     point X Y             a vertex of a polyline, in place of lines and arcs; `fitPath` finds these
 ///     tolerance LENGTH      of that fit (0.5)
 ///
-/// The order of `line` and `arc` (or `point`) rows is that of the path, any other row may stand anywhere. A
-/// line without a length ends at the foot of the next arc's centre, so Table 2 needs no radii. Errors:
-/// kBadInput as `origin:line: ...`.
+/// The rows of `line` and `arc` (or `point`) are in the order of the path; other rows may be anywhere. A line
+/// without a length ends at the foot of the perpendicular from the next arc's centre, so Table 2 needs no
+/// radii. Errors: kBadInput as `origin:line: ...`.
 Result<TransportTask> parseTransport(std::string_view text, const std::string& origin);
 
 /// Reads such a file. Errors: kIo, and as `parseTransport`.
 Result<TransportTask> loadTransport(const std::string& file);
 
-/// The task as text that `parseTransport` reads back, to a micrometre.
+/// The task as text. `parseTransport` reads it with an accuracy of a micrometre.
 std::string toText(const TransportTask& task);
 
-/// A task that is built in: "s-path" (Fig. 8 and Table 2) or "maze" (43 parts, as Fig. 10).
+/// A built-in task: "s-path" (Fig. 8 and Table 2) or "maze" (43 parts, as Fig. 10).
 TransportTask builtInTransport(std::string_view name);
 
-/// A path file that is part of the program.
+/// A path file that is embedded in the program.
 struct PathText {
   std::string_view folder;
   std::string_view name;
@@ -45,7 +45,7 @@ struct PathText {
   std::string_view file;  ///< name with its ending
 };
 
-/// All of experiments/transport/paths.
+/// All files of experiments/papers/transport/paths.
 std::span<const PathText> embeddedPaths();
 
 }  // namespace fulbito

@@ -40,10 +40,10 @@ double gapToParts(const Parts& parts, Vec2 point) {
   return least;
 }
 
-// Arcs leave their chord by a smooth hump: these points find its height within 2 %, which the fit leaves
-// free.
+// An arc leaves its chord in a smooth bulge. This number of points finds the bulge's height within 2 %, which
+// the fit leaves as a reserve.
 constexpr int kProbes = 16;
-constexpr double kUsedShare = 0.98;  // of the tolerance
+constexpr double kUsedShare = 0.98;  // share of the tolerance
 
 bool partNear(const Arc& part, std::span<const Knot> run, double tolerance) {
   for (int i = 0; i <= kProbes; ++i) {
@@ -62,7 +62,7 @@ bool fits(const Parts& parts, std::span<const Knot> run, double tolerance) {
 
 double directionOf(Vec2 from, Vec2 to) { return math::angleOf(to - from); }
 
-// The tangent at the middle one of three points on a circle, also for points that are near to one.
+// The tangent at the middle one of three points on a circle. It is stable for points that are close together.
 double tangentAt(Vec2 before, Vec2 at, Vec2 after) {
   const double first = distance(before, at), second = distance(at, after);
   const double turn = math::wrapAngle(directionOf(at, after) - directionOf(before, at));
@@ -119,7 +119,8 @@ void Fitter::setTangents(std::span<const Vec2> points) {
   }
 }
 
-// The direction at an end of a smooth run: that of the arc over its first segment, if the arc is near to it.
+// The direction at an end of a smooth run: that of the arc over the first segment, if the arc is near enough
+// to the segment.
 double Fitter::endTangent(Vec2 from, Vec2 to, double other) const {
   const double chord = directionOf(from, to), turn = math::wrapAngle(chord - other);
   const double height = distance(from, to) * std::abs(turn) / 4;
@@ -140,7 +141,7 @@ std::size_t Fitter::lastOfRun(std::size_t i) const {
   return last;
 }
 
-// Doubles the stride while it fits, then bisects; i where not even the next knot fits.
+// Doubles the stride while the biarc fits, then bisects. Returns i if not even the next knot fits.
 std::size_t Fitter::farthest(std::size_t i) const {
   const std::size_t last = lastOfRun(i);
   std::size_t good = i, stride = 1;
@@ -182,7 +183,7 @@ bool continues(const Arc& line, const Arc& next) {
          std::abs(math::wrapAngle(next.start.heading - line.start.heading)) < kSame;
 }
 
-// Divided segments leave lines that go on straight.
+// Joins successive lines that go straight on, which remain from divided segments.
 Parts withLinesJoined(const Parts& parts) {
   Parts joined;
   for (const Arc& part : parts) {
@@ -195,14 +196,14 @@ Parts withLinesJoined(const Parts& parts) {
   return joined;
 }
 
-// Length of both tangent legs, with the chord's square over both roots' sum: no difference of near numbers.
+// Length of both tangent legs: the square of the chord over the sum of both roots, without cancellation.
 double legLength(Vec2 chord, Vec2 first, Vec2 second) {
   const double across = 2 * (1 - dot(first, second)), along = dot(chord, first + second);
   const double squared = squaredNorm(chord);
   return squared / (along + std::sqrt(along * along + across * squared));
 }
 
-// An arc so flat that its line is within a nanometre.
+// Whether an arc is within a nanometre of its chord.
 bool isFlat(const Arc& arc) { return std::abs(arc.curvature) * arc.length * arc.length < 8e-9; }
 
 void addArc(Parts& parts, const Pose2& from, Vec2 to) {

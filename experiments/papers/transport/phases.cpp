@@ -6,9 +6,9 @@
 namespace fulbito {
 namespace {
 
-/// A row of Table 1, or several alike.
+/// A row of Table 1, for one step or several.
 struct PaperPhase {
-  int first, count;  ///< of the steps
+  int first, count;  ///< first step and number of steps
   Phase phase;
 };
 
@@ -17,7 +17,7 @@ constexpr PaperPhase kTable1[] = {{1, 2, {0.0, CarrierId::kLead, false, false}},
                                   {4, 1, {0.0, CarrierId::kLead, false, false}},
                                   {5, 4, {0.0, CarrierId::kFollower, true, false}}};
 
-/// When the directions of a phase end: roles may change before.
+/// Time [s] at which the directions of a phase end; roles may change before.
 double endOfDirections(const std::vector<Phase>& phases, std::size_t phase, double last) {
   for (std::size_t i = phase + 1; i < phases.size(); ++i) {
     if (!phases[i].sameDirections(phases[phase])) return phases[i].from;

@@ -16,18 +16,18 @@ constexpr CarrierId other(CarrierId id) {
 }
 constexpr std::size_t indexOf(CarrierId id) { return static_cast<std::size_t>(id); }
 
-/// A time in which no message to a robot arrives.
+/// A period in which no message reaches a robot.
 struct Outage {
-  double from = 0.0;  ///< [s] sent from then on
-  double to = 0.0;    ///< [s] and before then
+  double from = 0.0;  ///< [s] first time of sending
+  double to = 0.0;    ///< [s] time of sending from which messages arrive again
   bool to_lead = true;
   bool to_follower = true;
 };
 
-/// What the radio between the robots does to messages.
+/// Effects of the radio on messages.
 struct RadioModel {
-  double loss = 0.0;   ///< share of messages that get lost, 0 ... 0.5
-  double delay = 0.0;  ///< [s] longest time on the way; it is uniform from half of it on
+  double loss = 0.0;   ///< share of lost messages, 0 ... 0.5
+  double delay = 0.0;  ///< [s] greatest delay; delays are uniform from half of it
   std::vector<Outage> outages;
 
   bool ideal() const { return loss == 0.0 && delay == 0.0 && outages.empty(); }
@@ -39,9 +39,9 @@ class Radio {
   Radio(const RadioModel& model, std::uint64_t seed, std::uint64_t index);
 
   void send(CarrierId to, const Message& message, double now);
-  /// When the next message arrives [s]; infinity: none is on its way.
+  /// Arrival time [s] of the next message; infinity if none is on its way.
   double next() const;
-  /// Takes the next message off.
+  /// Removes and returns the next message.
   struct Delivery {
     CarrierId to;
     Message message;
@@ -54,7 +54,7 @@ class Radio {
  private:
   struct Letter {
     double arrival;
-    std::size_t number;  // keeps the order of messages that arrive at one instant
+    std::size_t number;  // keeps the order of messages with the same arrival time
     Delivery delivery;
   };
   struct Later {

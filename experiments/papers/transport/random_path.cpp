@@ -42,7 +42,7 @@ TransportTask randomTransport(std::uint64_t seed, std::uint64_t index) {
     task.rod = rng.uniform(0.3, 1.0);
     task.path = randomPath(rng);
     const auto ahead = rodLengthAhead(task.path, 0.0, task.rod);
-    if (!ahead) continue;  // no place for the rod at all
+    if (!ahead) continue;  // there is no place for the rod
     task.lead = *ahead;
     return task;
   }

@@ -7,8 +7,8 @@
 namespace fulbito {
 
 /// A task on a random path: 5 to 14 lines of 0.2 to 1.5 m and arcs of radius 0.15 to 0.6 m by 30 to 240
-/// degrees, one joint in six a corner of 15 to 135 degrees, with a rod of 0.3 to 1 m. Nothing makes it
-/// feasible.
+/// degrees. One joint in six is a corner of 15 to 135 degrees. The rod is 0.3 to 1 m long. The task may be
+/// infeasible.
 ///
 /// @param index  number of the path
 TransportTask randomTransport(std::uint64_t seed, std::uint64_t index);

@@ -12,8 +12,8 @@ struct PartPlace {
   double q = 0.0;  ///< [m]
 };
 
-/// The rod seen from the tangents of both robots' parts. With D from the follower to the lead, |D| constant
-/// demands (D t_lead) v_lead = (D t_follower) v_follower, whatever the parts are.
+/// The rod relative to the tangents of both robots' parts. D is the vector from the follower to the lead. A
+/// constant |D| requires (D t_lead) v_lead = (D t_follower) v_follower, whatever the parts are.
 struct RodView {
   Vec2 rod;               ///< D [m]
   double lead = 0.0;      ///< [m] D along the lead's tangent
@@ -22,12 +22,12 @@ struct RodView {
 
 RodView viewRod(const PartPath& path, const PartPlace& lead, const PartPlace& follower);
 
-/// Speed of the slave [m/s] that keeps the rod's length: v_s = v_m (D t_m) / (D t_s). (4) corrected, (7) and
-/// (10) of the paper are its cases. Infinite where the rod is across the slave's way.
+/// Speed of the slave [m/s] that keeps the rod's length: v_s = v_m (D t_m) / (D t_s). The corrected (4), (7)
+/// and (10) of the paper are special cases. Infinite if the rod is perpendicular to the slave's direction.
 double slaveSpeed(double master_speed, double along_master, double along_slave);
 
-/// The slave's coordinate near `slave` at which it is `rod` away from `other`: at most three of Newton's
-/// steps, each of at most 5 mm.
+/// The slave's coordinate near `slave` at the distance `rod` from `other`: at most three Newton steps of at
+/// most 5 mm each.
 double onRod(const PartPath& path, Vec2 other, PartPlace slave, double rod);
 
 }  // namespace fulbito

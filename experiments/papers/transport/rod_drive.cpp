@@ -25,7 +25,7 @@ WorldConfig configOf(const TransportTask& task, const RodWorld& setting) {
   return config;
 }
 
-/// Drives both robots and keeps the figures.
+/// Drives both robots and records the measurements.
 class Driver {
  public:
   Driver(const TransportTask& task, const RodWorld& setting, const PathControl& control, World world)
@@ -97,7 +97,7 @@ RodDrive Driver::run(std::span<const RodReference> references) {
   keepFrame(0.0);
   for (const RodReference& reference : references) step(reference);
   const double period = setting_.physics.controlPeriod();
-  const int settling = setting_.physics.control_rate;  // a second to come to rest
+  const int settling = setting_.physics.control_rate;  // one second to come to rest
   for (int i = 0; i < settling; ++i) step(references.back());
   drive_.seconds = static_cast<double>(references.size()) * period;
   drive_.mean_force = std::sqrt(square_sum_ / static_cast<double>(references.size() + settling));

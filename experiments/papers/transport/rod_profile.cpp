@@ -10,19 +10,19 @@
 namespace fulbito {
 namespace {
 
-/// One robot's part of a point on the curve; derivatives by the curve's length.
+/// One robot's part of a point on the curve. Derivatives are by the length of the curve.
 struct CurveShare {
   double q = 0.0;
-  double rate = 0.0;  // q'
+  double rate = 0.0;  // q', derivative of q
   double bend = 0.0;  // q'' [1/m]
-  double jump = 0.0;  // [1/m] of the path's curvature here
+  double jump = 0.0;  // [1/m] jump of the path's curvature here
   double curvature = 0.0;
 };
 
 struct CurveRow {
   double along = 0.0;
   std::array<CurveShare, 2> shares;
-  double pace = 0.0;  // [m/s] of the curve's length
+  double pace = 0.0;  // [m/s] along the curve
 };
 
 class Profiler {
@@ -90,12 +90,12 @@ void Profiler::differ() {
   }
 }
 
-// Speed of the faster rim over the robot's.
+// Speed of the faster rim relative to the robot's speed.
 double Profiler::wheelShare(const CurveShare& share) const {
   return 1.0 + std::abs(share.curvature) * half_track_;
 }
 
-// Half of the acceleration is for the curve's bends, the other half for changes of pace.
+// Half of the acceleration is for the curve's bends, and the other half for changes of pace.
 double Profiler::limitOf(const CurveShare& share) const {
   const double infinite = std::numeric_limits<double>::infinity();
   const auto over = [&](double limit, double rate) { return rate > 0.0 ? limit / rate : infinite; };
@@ -146,7 +146,7 @@ std::vector<RodReference> Profiler::run(double tick) {
     const CurveRow &a = rows_[i], &b = rows_[i + 1];
     const double span = 2 * (b.along - a.along) / (a.pace + b.pace);
     while (static_cast<double>(references.size()) * tick < begin + span) {
-      // Evenly accelerated along the curve.
+      // Constant acceleration along the curve.
       const double u = (static_cast<double>(references.size()) * tick - begin) / span;
       references.push_back(between(i, u * (2 * a.pace + (b.pace - a.pace) * u) / (a.pace + b.pace)));
     }

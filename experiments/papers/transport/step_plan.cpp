@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kTouching = 1e-9;           // [m]
 constexpr double kShortestRepair = 0.01;     // [s]
-constexpr double kSpeedRounding = 1 - 1e-9;  // below the limit, whatever is rounded
+constexpr double kSpeedRounding = 1 - 1e-9;  // keeps the speed below the limit despite rounding
 
 class Planner {
  public:
@@ -50,7 +50,7 @@ double Planner::endAfter(double speed, double duration) const {
   return onRod(task_.path, task_.path.pose(ask_.master.part, master).position, slave, task_.rod);
 }
 
-// The master waits: the slave moves to where the rod fits.
+// The master waits while the slave moves to where the rod fits.
 StepPlan Planner::repair() const {
   StepPlan plan;
   plan.target = endAfter(0.0, 0.0);
@@ -58,7 +58,7 @@ StepPlan Planner::repair() const {
   return plan;
 }
 
-// A lead that is slave at the path's end stops there: the master with it.
+// If the lead is the slave and reaches the path's end, both robots stop there.
 void Planner::stopAtPathEnd(StepPlan& plan) const {
   const double end = task_.path.length();
   if (ask_.slave != CarrierId::kLead || plan.target <= end) return;

@@ -13,15 +13,15 @@ namespace {
 constexpr std::size_t kRandomPaths = 40;
 constexpr double kMillimetres = 1000.0;  // per metre
 constexpr double kCentimetres = 100.0;
-constexpr std::size_t kShownPace = 1;  // of the real rod's: 0.2 m/s
-constexpr double kShownEvery = 12.0;   // [s] between the places in the picture of the long path
+constexpr std::size_t kShownPace = 1;  // index of 0.2 m/s in the list of paces
+constexpr double kShownEvery = 12.0;   // [s] between the drawn places on the long path
 
 template <typename List, typename Test>
 double countIf(const List& list, Test test) {
   return static_cast<double>(std::count_if(list.begin(), list.end(), test));
 }
 
-/// All values of a full run.
+/// All results of a full run.
 struct Everything {
   PathWork s_path;
   TransportTask maze;
@@ -31,7 +31,7 @@ struct Everything {
   std::vector<RandomRun> random;
 };
 
-// The largest distance of an exchange of roles from where very small steps put it.
+// The largest distance [m] of an exchange of roles from its place with very small steps.
 double switchShift(const Carrying& work, const Carrying& fine) {
   if (work.switches.size() != fine.switches.size()) return std::nan("");
   double largest = 0.0;
@@ -87,7 +87,7 @@ double worstRadio(const PathWork& work) {
   return worst;
 }
 
-/// The printed rules on the long path: the run that comes farthest.
+/// Adds the farthest run of the printed rules on the long path.
 void addPrinted(std::vector<PaperFigure>& figures, const Everything& all) {
   double arrived = 0.0;
   const PrintedRun* best = &all.maze_printed.front();

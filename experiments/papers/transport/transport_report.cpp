@@ -36,7 +36,7 @@ const char* endName(StopReason reason) {
   return "";
 }
 
-/// The numbers of the paper's steps that are in each phase, or "-".
+/// For each phase, the numbers of the paper's steps in it, or "-".
 std::vector<std::string> stepNames(const std::vector<Phase>& phases, double end) {
   std::vector<std::string> names(phases.size(), "-");
   for (const PaperStep& step : paperSteps(phases, end)) {
@@ -46,9 +46,9 @@ std::vector<std::string> stepNames(const std::vector<Phase>& phases, double end)
   return names;
 }
 
-// Numbers of exchanges that are too near to each other stand together.
+// Marks of the exchanges of roles. Those close together share a mark with several numbers.
 std::vector<ChartMark> marksOf(const Carrying& work) {
-  constexpr double kTogether = 0.015;  // of the time
+  constexpr double kTogether = 0.015;  // share of the duration
   std::vector<ChartMark> marks;
   std::size_t labelled = 0;
   for (const RoleSwitch& s : work.switches) {
@@ -58,7 +58,7 @@ std::vector<ChartMark> marksOf(const Carrying& work) {
     if (!near) labelled = marks.size();
     marks.push_back({s.time, near ? "" : number});
   }
-  // Where there are too many, none has a number.
+  // Too many marks have no numbers at all.
   constexpr std::size_t kMostNumbers = 12;
   if (marks.size() > kMostNumbers) {
     for (ChartMark& mark : marks) mark.label.clear();
@@ -256,7 +256,7 @@ ReportChart stepChart(const std::vector<StepErrors>& steps) {
   chart.y_axis = "log10 of the largest error [mm]";
   chart.from_zero = false;
   chart.lines = {{"speeds of the relation alone", {}, true}, {"projected", {}, true}};
-  // math::log: the C library's logarithm differs from processor to processor.
+  // math::log, since the C library's logarithm differs between processors.
   const auto decades = [](double x) { return math::log(x) / math::log(10.0); };
   for (const StepErrors& e : steps) {
     chart.lines[0].points.push_back({decades(e.step), decades(mm(e.euler.rod_error))});

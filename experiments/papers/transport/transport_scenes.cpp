@@ -22,12 +22,12 @@ PageBody box(BodyKind kind, double length, double width) {
   return body;
 }
 
-constexpr double kRodWidth = 0.03;  // [m] as drawn
+constexpr double kRodWidth = 0.03;  // [m] drawn width
 
-/// Colours of roles, as in the paper's figures.
+/// Colour indices of the roles, as in the paper's figures.
 enum RoleColour : std::uint8_t { kMaster, kSlave, kRod };
 
-/// The row of a scene at a time.
+/// The row of a scene at `time` [s].
 std::size_t rowAt(const ReportScene& scene, double time) {
   const double ticks = time * scene.page.rate;
   std::size_t row = 0;
@@ -65,7 +65,7 @@ ReportScene planScene(const std::string& name, const std::string& title, const T
                       const Carrying& work) {
   constexpr double kRate = 10.0;       // [Hz]
   constexpr Tick kEvery = 5;           // ticks between rows
-  constexpr double kRobotShare = 0.2;  // of the rod, as drawn: the robots are points
+  constexpr double kRobotShare = 0.2;  // drawn size relative to the rod; the robots are points
   const RodWorld world = rodWorldFor(task);
   ReportScene scene = sceneOf(name, task, world, kRobotShare * task.rod);
   scene.page.title =
@@ -75,7 +75,7 @@ ReportScene planScene(const std::string& name, const std::string& title, const T
                   task.path.length(), work.seconds, inCm(task.rod));
   scene.page.rate = kRate;
   scene.roles.names = {"master", "slave", "rod"};
-  scene.first_trail = scene.page.bodies.size();  // the robots' trails are the path
+  scene.first_trail = scene.page.bodies.size();  // no trails, since the robots' trails are the path
   scene.outlines_every = -1.0;
   const double stride = static_cast<double>(kEvery) / kRate;
   const auto references = referencesOf(task, work, stride);

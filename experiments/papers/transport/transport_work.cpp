@@ -21,9 +21,9 @@ Result<void> runAll(const ExperimentRequest& request, const std::vector<Job>& jo
 }
 
 constexpr double kSteps[] = {0.01, 0.02, 0.05,
-                             0.1,  0.2,  0.5};     // [s] the first four also in the paper's range
+                             0.1,  0.2,  0.5};     // [s] the first four are also in the paper's range
 constexpr double kPaces[] = {0.1, 0.2, 0.3, 0.4};  // [m/s]
-constexpr double kFastShare = 5.0;  // over the paper's speeds, to show what wheels cannot follow
+constexpr double kFastShare = 5.0;                 // factor of the paper's speeds, too fast for the wheels
 
 void addStepJobs(PathWork& work, std::vector<Job>& jobs) {
   for (const double step : kSteps) work.steps.push_back({step, {}, {}});
@@ -83,7 +83,7 @@ Result<void> driveProfile(const PathWork& work, RealRun& run) {
   return {};
 }
 
-// The same motion in less time.
+// The same motion in a shorter time.
 Carrying faster(Carrying work, double share) {
   work.seconds /= share;
   for (CarryRow& row : work.rows) {
@@ -94,7 +94,7 @@ Carrying faster(Carrying work, double share) {
   return work;
 }
 
-// The speeds of the messages as they are, without a profile, times `share`.
+// Drives the speeds of the messages directly, times `share`, without a speed profile.
 Result<void> driveMessages(const PathWork& work, double share, RealRun& run) {
   CarryPlan plan;
   plan.keep_rows = true;

@@ -11,21 +11,21 @@ namespace fulbito {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kArrived = 0.9;     // of the goal's tolerance
-constexpr double kOffPath = 0.03;    // [m] from the path that asks for a new plan
-constexpr int kReplanTicks = 4;      // least age of a plan that is dropped
-constexpr double kEasyPace = 0.4;    // [m/s] that a waiting robot may set off with
+constexpr double kArrived = 0.9;     // share of the goal's tolerance at which the robot has arrived
+constexpr double kOffPath = 0.03;    // [m] a robot farther from the path gets a new plan
+constexpr int kReplanTicks = 4;      // least age of a plan before it is replaced
+constexpr double kEasyPace = 0.4;    // [m/s] basis of speed caps for a robot that waits
 constexpr double kCreep = 0.08;      // [m/s]
 constexpr double kBrakeRoom = 0.1;   // [m]
-constexpr double kTurnTime = 0.25;   // [s] a radian, before a robot that faces aside speeds up
-constexpr double kDisplaced = 0.01;  // [m] that a disc at rest may be moved before a plan is looked at again
+constexpr double kTurnTime = 0.25;   // [s/rad] before a robot that faces aside accelerates
+constexpr double kDisplaced = 0.01;  // [m] motion of a disc at rest after which the plan is checked again
 constexpr double kWholePath = 20.0;  // [s]
-constexpr double kSoon = 0.8;        // [s] within which moving discs make the robot slow down
-constexpr double kBraceSpeed = 0.7;  // [m/s] from which it can stop in time
-constexpr double kBraceGap = 0.003;  // [m] nearer than that it is touched already and shall come free
-constexpr double kBraceTime = 0.05;  // [s] beyond the time to stop
-constexpr int kConflictTicks = 8;    // least age of a plan that a conflict replaces
-constexpr int kCalmTicks = 20;       // age at which a plan that gives way is made anew
+constexpr double kSoon = 0.8;        // [s] time ahead in which conflicts slow the robot down
+constexpr double kBraceSpeed = 0.7;  // [m/s] a slower robot can stop in time
+constexpr double kBraceGap = 0.003;  // [m] a nearer disc touches: the robot should move away
+constexpr double kBraceTime = 0.05;  // [s] added to the time to stop
+constexpr int kConflictTicks = 8;    // least age of a plan before a conflict replaces it
+constexpr int kCalmTicks = 20;       // age at which a plan at reduced speed is replaced
 
 }  // namespace
 
@@ -41,8 +41,8 @@ void BsplineTime::reset() {
   missed_heading_ = false;
 }
 
-// Looser than ReplanMonitor: a plan that was improved over many ticks is worth more than one made in a tick,
-// and a goal far away may drift.
+// Tolerates more than ReplanMonitor: a plan that many ticks have improved is better than a new one, and a
+// distant goal may drift.
 bool BsplineTime::goalMoved(const NavigationScene& scene) const {
   const NavigationGoal& goal = scene.goal;
   const double slack = 0.5 * goal.tolerance + 0.05 * distance(scene.self.pose.position, goal.position);
@@ -56,7 +56,7 @@ bool BsplineTime::needsPlan(const NavigationScene& scene, double off_path) const
   if (!planned_once_ || goalMoved(scene)) return true;
   if (braking_) return norm(scene.self.velocity) < SplinePlanner::kAtRest;
   if (age_ < kReplanTicks) return false;
-  // A plan that gives way is for a moment only.
+  // A plan at reduced speed is temporary.
   if (planner_.task().limits.max_speed < scene.robot->maxSpeed() && age_ >= kCalmTicks) return true;
   const bool arrived =
       distance(scene.self.pose.position, scene.goal.position) <= kArrived * scene.goal.tolerance;
@@ -84,7 +84,7 @@ Guidance BsplineTime::plan(const NavigationScene& scene) {
 
 void BsplineTime::brake(const NavigationScene& scene, double speed) {
   braking_ = true;
-  // Twice the braking distance: a robot beyond the end of its path would turn back to it.
+  // Twice the braking distance, because a robot beyond the end of its path would turn back to it.
   const double length = kBrakeRoom + speed * speed / std::max(scene.robot->wheel_acceleration, 0.1);
   path_.brake(scene.self.pose.position, math::unit(scene.self.pose.heading), length);
 }
@@ -103,7 +103,7 @@ void BsplineTime::makePlan(const NavigationScene& scene) {
 }
 
 void BsplineTime::refine() {
-  // The spans that the robot is in or about to enter keep their shape; a start at rest may still turn.
+  // The spans that the robot is in or about to enter keep their shape. At the start all spans may change.
   const std::size_t first_free = path_.place() > 2 ? path_.span() + 3 : 0;
   if (!planner_.improve(any_moves_, first_free)) return;
   path_.build(planner_.spline(), planner_.task().limits);
@@ -137,9 +137,9 @@ double BsplineTime::guard(const NavigationScene& scene) {
     }
     return kInfinity;
   }
-  // If a collision cannot be avoided, stop, so that the robot is not the one driving.
+  // If a collision is unavoidable, stop, so that this robot is not the one that causes it.
   if (collisionUnavoidable(scene)) return cap_ = 0.0;
-  // Every second look is enough: in a tick a robot goes five centimetres at most.
+  // Every second tick is enough: the robot moves at most five centimetres in a tick.
   if (age_ == 0 || scene.tick % 2 == 0) cap_ = slowDown(scene);
   return cap_;
 }

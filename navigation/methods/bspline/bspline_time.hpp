@@ -8,14 +8,14 @@
 
 namespace fulbito {
 
-/// Time-optimised cubic B-spline: the future work that Jung & Lee (2015) name, and the default method.
+/// Time-optimised cubic B-spline: the future work that Jung & Lee (2015) mention, and the default method.
 ///
-/// Seeds are the shortest way among the discs (tangent graph) and its neighbours on the other side of one
-/// disc; a pattern search moves the control points so that the travel time under wheel and grip limits, with
-/// a price on little clearance, becomes least. It begins to drive at once and goes on improving the part of
-/// the spline that lies ahead. It plans anew when the goal moves, the robot is off the path, or discs,
-/// foreseen straight on and mirrored at walls, come in the way; until a new plan is clear of them it drives
-/// slower or stops.
+/// Its seeds are the shortest path among the discs (tangent graph) and variants that pass one disc on the
+/// other side. A pattern search moves the control points to minimise the travel time under wheel and grip
+/// limits, with a penalty for small clearance. The robot starts at once, while the search continues to
+/// improve the part of the spline ahead. It plans anew if the goal moves, the robot is off the path, or discs
+/// block the path. Discs are predicted along straight lines, mirrored at walls. Until a new plan is clear of
+/// them, the robot slows down or stops.
 class BsplineTime final : public Navigator {
  public:
   using Params = BsplineTimeParams;
@@ -38,14 +38,14 @@ class BsplineTime final : public Navigator {
   Params params_;
   SplinePlanner planner_;
   DrivePath path_;
-  std::vector<ForecastDisc> now_;      ///< discs as foreseen at this tick
-  std::vector<ForecastDisc> planned_;  ///< as the plan foresaw them
+  std::vector<ForecastDisc> now_;      ///< predicted discs at this tick
+  std::vector<ForecastDisc> planned_;  ///< predicted discs at the time of the plan
   NavigationGoal goal_;
   bool any_moves_ = false;
   bool planned_once_ = false;
   bool braking_ = false;
-  double cap_ = 0.0;             ///< [m/s] that the last look at moving discs allowed
-  bool missed_heading_ = false;  ///< drove through the goal in the wrong heading: turn there
+  double cap_ = 0.0;             ///< [m/s] speed cap of the last check of moving discs
+  bool missed_heading_ = false;  ///< the robot passed the goal in a wrong heading: turn there
   int age_ = 0;                  ///< ticks since the plan was made
   std::uint64_t revision_ = 0;
 };

@@ -9,11 +9,11 @@ namespace {
 
 constexpr std::size_t kPerSpan = 8;
 constexpr std::size_t kReserve = (CubicSpline::kMaxControls - 1) * kPerSpan + 2;
-constexpr std::size_t kWindow = 24;       // points searched ahead of the last place
-constexpr double kRideStep = 1.0 / 30.0;  // [s] of a slow ride
-constexpr double kRideWay = 0.04;         // [m] at most between looks of a fast one
-constexpr std::size_t kAhead = 2;         // points
-constexpr double kOwnMotion = 0.02;       // [m/s] slower than that, the other one runs into the robot
+constexpr std::size_t kWindow = 24;       // number of points searched ahead of the last place
+constexpr double kRideStep = 1.0 / 30.0;  // [s] time step of a slow ride
+constexpr double kRideWay = 0.04;         // [m] greatest step of a fast ride
+constexpr std::size_t kAhead = 2;         // number of points ahead of the robot's place
+constexpr double kOwnMotion = 0.02;       // [m/s] if the robot is slower, the disc drives into the robot
 
 constexpr auto kWeights = splineWeightTable<kPerSpan>();
 
@@ -108,7 +108,7 @@ double DrivePath::conflict(const Ride& ride, const BodyShape& body,
       const double margin = ride.margin + (disc.moves ? ride.margin_growth * time : 0.0);
       const double near = reach + margin + disc.radius;
       if (squaredNorm(centre - position) > near * near) continue;
-      // Driving away from a disc that touches the robot already is the cure, not a conflict.
+      // Driving away from a disc that already touches the robot is not a conflict.
       if (dot(along_[i], centre - position) <= 0.0) continue;
       if (discClearance(body, position, along_[i], centre, disc.radius) < margin) return time;
     }

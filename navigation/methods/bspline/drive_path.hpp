@@ -9,13 +9,13 @@
 
 namespace fulbito {
 
-/// A spline as it is driven: densely sampled, with the speeds allowed at each point and the robot's place.
+/// A spline to drive along: densely sampled, with the allowed speed at each point and the robot's place.
 class DrivePath {
  public:
   DrivePath();
   void clear();
-  /// Samples `spline` and limits its speeds. Speeding up is left to the limiter: only what brakes (bends, the
-  /// end) shows in the speeds.
+  /// Samples `spline` and limits its speeds. Only bends and the end limit them, since the limiter handles
+  /// acceleration.
   void build(const CubicSpline& spline, SpeedLimits limits);
   /// A straight way ahead with speed 0: the robot brakes without turning.
   void brake(Vec2 position, Vec2 direction, double length);
@@ -25,28 +25,28 @@ class DrivePath {
   std::span<const double> speeds() const { return speeds_; }
   double length() const { return spacing_.empty() ? 0.0 : spacing_.back(); }
 
-  /// Moves the robot's place on to the nearest point ahead; returns the distance [m] to it.
+  /// Moves the robot's place to the nearest point ahead. Returns the distance [m] to it.
   double advanceTo(Vec2 position);
   std::size_t place() const { return place_; }
   bool finished() const { return place_ + 1 >= points_.size(); }
   /// Direction of the path a little ahead of the robot's place.
   Vec2 directionAhead() const;
-  /// Span of the spline that the robot is in.
+  /// Index of the spline's span that the robot is in.
   std::size_t span() const;
 
-  /// What `conflict` simulates: driving on along the path from the robot's place.
+  /// The motion that `conflict` simulates: driving on along the path from the robot's place.
   struct Ride {
-    double speed = 0.0;           ///< [m/s] now
-    double top = 1e9;             ///< [m/s] that the ride brakes or speeds up to
+    double speed = 0.0;           ///< [m/s] present speed
+    double top = 1e9;             ///< [m/s] speed to which the ride brakes or accelerates
     double acceleration = 5.0;    ///< [m/s^2]
-    double hold = 0.0;            ///< [s] that the robot turns before it can speed up
-    double end = 1e9;             ///< [m] along the path where discs at rest are no matter any more
+    double hold = 0.0;            ///< [s] time of turning before the robot can accelerate
+    double end = 1e9;             ///< [m] along the path; discs at rest do not count beyond it
     double horizon = 0.8;         ///< [s]
-    double margin = 0.006;        ///< [m] of clearance at once
-    double margin_growth = 0.03;  ///< [m/s] of the margin to moving discs
+    double margin = 0.006;        ///< [m] least clearance at the start
+    double margin_growth = 0.03;  ///< [m/s] growth of the margin to moving discs
   };
-  /// When [s] such a ride first comes too near to a disc by the robot's own motion; infinite when it does
-  /// not.
+  /// Time [s] at which such a ride first comes too near to a disc by the robot's own motion; infinite if it
+  /// does not.
   double conflict(const Ride& ride, const BodyShape& body, std::span<const ForecastDisc> discs) const;
 
  private:
@@ -54,7 +54,7 @@ class DrivePath {
   std::vector<Vec2> along_;
   std::vector<double> curvature_;
   std::vector<double> speeds_;
-  std::vector<double> spacing_;  ///< [m] way from the first point
+  std::vector<double> spacing_;  ///< [m] length of the path from the first point
   std::size_t place_ = 0;
 };
 

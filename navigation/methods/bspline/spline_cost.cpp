@@ -6,23 +6,23 @@
 namespace fulbito {
 namespace {
 
-constexpr double kCrawl = 0.01;          // [m/s] plans never stand still on the way
-constexpr double kSwingShare = 0.8;      // of the wheel acceleration that changing the yaw rate may take
-constexpr double kLeastShare = 0.1;      // of it that stays for the speed
-constexpr double kForeseen = 1.5;        // [s] motion further ahead is not worth planning for
-constexpr double kLeastAgreement = 0.5;  // cosine of a turn between samples; curvature does not see cusps
-constexpr double kFoldPrice = 3.0;       // [s]
-constexpr double kEndZone = 0.05;        // [m] at both ends that are not the plan's to choose
-constexpr double kTight = 0.02;          // [m] below it the middle between samples is looked at too
-constexpr double kWishPrice = 0.4;       // [s/m] driven with no clearance left
-constexpr double kBlockedPrice = 20.0;   // [s/m] driven at twice the least clearance too deep
-constexpr double kTooFastPrice = 2.0;    // [s] per [m/s] that the start is too fast for the path
-constexpr double kStartTurnPrice = 0.2;  // [s] half a turn at the start
-constexpr double kEndTurnPrice = 0.5;    // [s] half a turn at the goal, with settling
+constexpr double kCrawl = 0.01;          // [m/s] least speed of a plan
+constexpr double kSwingShare = 0.8;      // greatest share of the acceleration for changes of the yaw rate
+constexpr double kLeastShare = 0.1;      // least share of the wheel acceleration that remains for the speed
+constexpr double kForeseen = 1.5;        // [s] plans ignore the motion of discs beyond this time
+constexpr double kLeastAgreement = 0.5;  // least cosine between samples; curvature does not show cusps
+constexpr double kFoldPrice = 3.0;       // [s] per fold
+constexpr double kEndZone = 0.05;        // [m] at both ends, where the plan cannot choose the clearance
+constexpr double kTight = 0.02;          // [m] below this clearance the middle between samples is checked too
+constexpr double kWishPrice = 0.4;       // [s/m] for driving with no clearance left
+constexpr double kBlockedPrice = 20.0;   // [s/m] at the least clearance; twice as much at none
+constexpr double kTooFastPrice = 2.0;    // [s] per [m/s] of excess speed at the start
+constexpr double kStartTurnPrice = 0.2;  // [s] for half a turn at the start
+constexpr double kEndTurnPrice = 0.5;    // [s] for half a turn at the goal, including settling
 
 constexpr auto kWeights = splineWeightTable<SplineCost::kPerSpan>();
 
-/// 0 for equal directions, 1 for opposite ones: sine of half the angle between unit vectors.
+/// Sine of half the angle between unit vectors: 0 for equal directions, 1 for opposite ones.
 double halfTurn(Vec2 a, Vec2 b) { return std::sqrt(std::max(0.0, 0.5 - 0.5 * dot(a, b))); }
 
 }  // namespace
@@ -73,7 +73,7 @@ void SplineCost::limitSpeeds() {
   const double h = limits.axle_track / 2;
   for (std::size_t i = 0; i < count_; ++i) {
     const double k = std::abs(curvature_[i]);
-    const double inner = 1.0 / (1.0 + h * k);  // the robot's speed when the outer wheel's is 1
+    const double inner = 1.0 / (1.0 + h * k);  // the robot's speed per speed of the outer wheel
     const double by_wheel = limits.max_speed * inner;
     const std::size_t next = std::min(i + 1, count_ - 1), from = next - 1;
     const double swing = h * std::abs(curvature_[next] - curvature_[from]) / std::max(step_[from], 1e-9);
@@ -122,7 +122,7 @@ double SplineCost::clearanceAt(Vec2 position, Vec2 along, double time) const {
   double clearance = wish;
   if (std::abs(position.x) > inner_.x || std::abs(position.y) > inner_.y) {
     const double to_wall = wallClearance(task_.body, position, along, *task_.field);
-    // Walls stand still and are straight: half the wish is enough.
+    // Walls are straight and do not move, so half of the wanted clearance is enough.
     if (to_wall < wish / 2) clearance = to_wall;
   }
   for (const ForecastDisc& disc : task_.discs) {

@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kLeastStep = 0.0008;  // [m] below it a direction has settled
+constexpr double kLeastStep = 0.0008;  // [m] a direction with a smaller step has converged
 constexpr double kMostStep = 0.08;     // [m]
 constexpr double kGrow = 1.6;
 constexpr double kShrink = 0.45;
@@ -47,7 +47,7 @@ bool SplineOptimiser::converged() const {
 CubicSpline SplineOptimiser::moved(std::size_t direction, double by) const {
   CubicSpline spline = best_;
   const std::size_t centre = direction / kWidths, width = 2 * (direction % kWidths);
-  // Narrow control points alone make bends that a fast robot pays for: wide bumps move whole stretches.
+  // Moves of single control points make bends that are slow to drive. Wide bumps move whole stretches.
   const std::size_t begin = std::max(first_, centre - std::min(centre, width));
   const std::size_t end = std::min(end_, centre + width + 1);
   for (std::size_t i = begin; i < end; ++i) {
@@ -65,7 +65,7 @@ void SplineOptimiser::learn(Direction& direction, bool better) {
   } else if (!direction.reversed) {
     direction.step = -direction.step;
     direction.reversed = true;
-    return;  // the other way is tried at once
+    return;  // the next move tries the opposite way
   } else {
     direction.step *= kShrink;
     direction.reversed = false;

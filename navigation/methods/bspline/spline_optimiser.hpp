@@ -7,18 +7,18 @@
 
 namespace fulbito {
 
-/// Improves a spline by deterministic pattern search (Hooke & Jeeves 1961, one direction a move): control
-/// points move across the seed path, one by one and as bumps five and nine wide. Every direction has a step
-/// of its own that grows where it helps, is turned about where it does not, and shrinks where neither way
-/// helps. The work can be spread over many calls; the result never gets worse.
+/// Improves a spline by deterministic pattern search (Hooke & Jeeves 1961, one direction per move). Control
+/// points move across the seed path, one at a time and as bumps of five and nine. Every direction has its own
+/// step: it grows after an improvement, changes its sign after a failure, and shrinks after failures both
+/// ways. The work can be spread over many calls, and the result never gets worse.
 class SplineOptimiser {
  public:
-  /// Begins anew from `seed`; its first and last `fixed_*` control points never move.
-  /// @param step  [m] first step
+  /// Starts from `seed`. Its first `fixed_front` and last `fixed_back` control points never move.
+  /// @param step  [m] initial step
   void start(const CubicSpline& seed, std::size_t fixed_front, std::size_t fixed_back, double step);
-  /// From now on control points before `index` stay where they are: the robot is already driving there.
+  /// Fixes the control points before `index` from now on, since the robot already drives there.
   void freezeBefore(std::size_t index);
-  /// Tries up to `evaluations` changes and returns how many were tried: less only when it has converged.
+  /// Tries up to `evaluations` changes and returns their number: fewer only if the search has converged.
   int improve(SplineCost& cost, int evaluations);
 
   bool converged() const;
@@ -29,8 +29,8 @@ class SplineOptimiser {
   static constexpr std::size_t kWidths = 3;
   static constexpr std::size_t kDirections = kWidths * CubicSpline::kMaxControls;
   struct Direction {
-    double step = 0.0;      ///< [m], signed: the way that helped last comes first
-    bool reversed = false;  ///< the other way was tried already
+    double step = 0.0;      ///< [m] signed: the way of the last improvement comes first
+    bool reversed = false;  ///< the other way has been tried
   };
 
   CubicSpline moved(std::size_t direction, double by) const;
@@ -40,10 +40,10 @@ class SplineOptimiser {
 
   CubicSpline best_;
   SplineScore score_;
-  std::array<Vec2, CubicSpline::kMaxControls> across_;  ///< unit vectors
+  std::array<Vec2, CubicSpline::kMaxControls> across_;  ///< unit vectors across the seed path
   std::array<Direction, kDirections> directions_;
-  std::size_t first_ = 0, end_ = 0;  ///< control points that may move
-  std::size_t turn_ = 0;             ///< direction that is tried next
+  std::size_t first_ = 0, end_ = 0;  ///< range of control points that may move
+  std::size_t turn_ = 0;             ///< direction of the next trial
   bool scored_ = false;
 };
 

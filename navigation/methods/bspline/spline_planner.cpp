@@ -10,18 +10,18 @@ namespace fulbito {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kSharpTurn = 0.26;     // cosine of the turn that is better made at rest
-constexpr double kMeanSpeed = 0.6;      // of the top speed, to guess where moving discs are met
-constexpr double kFirstStep = 0.02;     // [m] of the pattern search
-constexpr double kDetour = 1.12;        // length of another way that is worth a try
-constexpr double kGapGain = 0.97;       // length of a way through a narrow gap that is worth a try
-constexpr int kTrialEvaluations = 6;    // of a way on the other side
-constexpr std::size_t kTrialBends = 2;  // bends whose other side is tried
+constexpr double kSharpTurn = 0.26;     // cosine; the robot makes a sharper turn at rest
+constexpr double kMeanSpeed = 0.6;      // share of the top speed, to guess where moving discs are met
+constexpr double kFirstStep = 0.02;     // [m] initial step of the pattern search
+constexpr double kDetour = 1.12;        // greatest relative length of another way that is tried
+constexpr double kGapGain = 0.97;       // greatest relative length of a tried way through a gap
+constexpr int kTrialEvaluations = 6;    // evaluations of a way on the other side
+constexpr std::size_t kTrialBends = 2;  // number of bends whose other side is tried
 constexpr int kMovingTrials = 4;        // the same among moving discs, where plans are short-lived
 constexpr std::size_t kMovingBends = 1;
 constexpr double kPassing = 1.2;                    // [m/s] through a goal with a wanted heading
-constexpr double kTightPass = 0.015;                // [m] by moving discs that waiting may better
-constexpr std::array<double, 2> kSlower{0.5, 0.4};  // of the speed before
+constexpr double kTightPass = 0.015;                // [m] of clearance; with less, lower speeds are tried
+constexpr std::array<double, 2> kSlower{0.5, 0.4};  // relative to the best plan's top speed
 
 }  // namespace
 
@@ -95,7 +95,7 @@ void SplinePlanner::choose(const NavigationScene& scene, Arrival arrival) {
   const double length = found ? seeder_.length() : kInfinity;
   if (found) tryWays();
   if (found && seeder_.bends() == 0) return;
-  // A gap that only a straight robot fits through is worth it where the way around is long.
+  // A narrow gap, which needs a straight pass, is tried where the way round is long.
   if (seeder_.search(wanted, *scene.robot, *scene.field, task_.discs, SplineSeeder::Room::kStraight)
           ? seeder_.length() < kGapGain * length
           : !found) {
@@ -116,7 +116,7 @@ void SplinePlanner::tryCandidate(const CubicSpline& seed) {
   const bool through = wants_heading_ && task_.limits.end_speed > 0.0;
   candidate_.start(seed, task_.start_direction ? 1 : 2, through ? 2 : 1, kFirstStep);
   int trials = candidate_.improve(cost_, 1);
-  // A straight way in the open is as good as it gets.
+  // Trials cannot improve a straight way with full clearance.
   const bool straight = seeder_.bends() == 0 && task_.start_direction && !through;
   if (!straight || candidate_.score().clearance < params_.clearance) {
     trials += candidate_.improve(cost_, any_moves_ ? kMovingTrials : kTrialEvaluations);

@@ -5,39 +5,39 @@
 
 namespace fulbito {
 
-/// Shares, wishes and budgets of `bspline-time`.
+/// Parameters of `bspline-time`.
 struct BsplineTimeParams {
-  double clearance = 0.055;         ///< [m] wish
-  double least_clearance = 0.008;   ///< [m]
+  double clearance = 0.055;         ///< [m] wanted clearance
+  double least_clearance = 0.008;   ///< [m] least clearance
   double acceleration_share = 0.9;  ///< of the wheel acceleration
   double lateral_share = 0.75;      ///< of the lateral grip
-  int evaluations = 16;             ///< a tick
-  int effort = 480;                 ///< evaluations a plan, at most
+  int evaluations = 16;             ///< evaluations per tick
+  int effort = 480;                 ///< greatest number of evaluations per plan
   int moving_effort = 6;            ///< the same among moving discs
 };
 
-/// Plans the spline that `bspline-time` drives: tries the ways that the seeder offers, keeps the best and
-/// goes on improving it.
+/// Plans the spline that `bspline-time` drives. It tries the ways that the seeder offers, keeps the best and
+/// continues to improve it.
 class SplinePlanner {
  public:
-  static constexpr double kAtRest = 0.15;  ///< [m/s] slower than that a start may turn in place
+  static constexpr double kAtRest = 0.15;  ///< [m/s] a slower robot may turn in place at the start
 
   explicit SplinePlanner(const BsplineTimeParams& params) : params_(params) {}
   /// Plans anew from the robot's place.
   /// @param discs         must stay valid and unchanged until the next plan
-  /// @param any_moves     whether any of the discs does
-  /// @param turn_at_goal  stop at the goal for a wanted heading rather than to drive through it
+  /// @param any_moves     whether any of the discs moves
+  /// @param turn_at_goal  stop at the goal and turn to its heading instead of driving through it
   void plan(const NavigationScene& scene, std::span<const ForecastDisc> discs, bool any_moves,
             bool turn_at_goal);
-  /// Spends a tick's evaluations on the spline; true when it became better.
-  /// @param first_free  control points before it stay: the robot is already driving there
+  /// Spends one tick's evaluations on the spline. Returns whether it has improved.
+  /// @param first_free  control points before it stay, since the robot already drives there
   bool improve(bool any_moves, std::size_t first_free);
 
   const CubicSpline& spline() const { return best_.best(); }
   const SplineScore& score() const { return best_.score(); }
-  /// What the spline was planned for.
+  /// The task of the current plan.
   const SplineTask& task() const { return best_task_; }
-  /// Whether the spline leaves a moving robot's direction so sharply that the turn is better made at rest.
+  /// Whether the spline leaves a moving robot's direction so sharply that the robot should turn at rest.
   bool turnsSharply() const;
 
  private:
@@ -54,13 +54,13 @@ class SplinePlanner {
   SplineSeeder seeder_;
   SplineCost cost_;
   SplineOptimiser best_;       ///< of the current plan
-  SplineOptimiser candidate_;  ///< another way under trial
+  SplineOptimiser candidate_;  ///< another way on trial
   SplineTask task_;
   SplineTask best_task_;
   SeedRequest request_;
   bool any_moves_ = false;
   bool wants_heading_ = false;
-  int spent_ = 0;  ///< evaluations for this plan
+  int spent_ = 0;  ///< evaluations used by this plan
 };
 
 }  // namespace fulbito

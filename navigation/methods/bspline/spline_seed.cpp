@@ -8,13 +8,13 @@
 namespace fulbito {
 namespace {
 
-constexpr double kSpan = 0.19;  // [m] wanted between control points
+constexpr double kSpan = 0.19;  // [m] wanted length of a span
 constexpr std::size_t kLeastSpans = 5;
-constexpr double kWaySpacing = 0.04;  // [m] of the points on the shortest way
-constexpr double kLead = 0.08;        // [m] that a given direction is kept at most at an end
-constexpr double kNarrow = 0.002;     // [m] beside a robot that enters a gap straight
-constexpr double kForeseen = 2.0;     // [s]
-constexpr double kFlipPenalty = 2.0;  // [m] for the side that is not wanted
+constexpr double kWaySpacing = 0.04;  // [m] between points of the shortest way
+constexpr double kLead = 0.08;        // [m] greatest length for which an end keeps a given direction
+constexpr double kNarrow = 0.002;     // [m] gap beside a robot that enters a narrow gap straight
+constexpr double kForeseen = 2.0;     // [s] horizon of predictions
+constexpr double kFlipPenalty = 2.0;  // [m] penalty for the side that is not wanted
 
 }  // namespace
 
@@ -63,9 +63,9 @@ void SplineSeeder::placeCircles(double inflation, std::span<const ForecastDisc> 
   for (const ForecastDisc& disc : discs) {
     Vec2 centre = disc.position;
     if (disc.moves) {
-      // Where it is when a robot on the straight way comes nearest to it; if that is far, it is in nobody's
-      // way. (`predictObstacles` asks where it could be met by a robot that makes for it, which keeps every
-      // disc in the scene: the safe guess for a path that is not timed.)
+      // The disc where a robot on the straight way comes nearest to it; if that is far away, the disc is
+      // ignored. (`predictObstacles` instead uses the place where a robot that drives at the disc would meet
+      // it. This keeps every disc in the scene, which is safer for a path without times.)
       const Vec2 apart = disc.position - from_, closing = velocity - disc.velocity;
       const double square = squaredNorm(closing);
       const double time = square > 1e-9 ? std::clamp(dot(apart, closing) / square, 0.0, kForeseen) : 0.0;

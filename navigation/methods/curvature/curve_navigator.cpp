@@ -9,11 +9,12 @@ namespace fulbito {
 namespace {
 
 constexpr double kSpacing = 0.01;      // [m] between points of a curve
-constexpr double kLeastTurn = 0.1;     // [rad] between points of a tight curve, where that is shorter
-constexpr double kMostPieces = 400.0;  // of an arc
+constexpr double kLeastTurn = 0.1;     // [rad] greatest turn between points of a tight curve
+constexpr double kMostPieces = 400.0;  // greatest number of pieces of an arc
 constexpr std::size_t kReserved = 1024;
 
-/// Whether the robot's middle stays in the field with half its width, or is as near to a wall as at the ends.
+/// Whether the path keeps half the robot's width from the walls, or the distance that the path has at its
+/// ends.
 bool staysInside(const std::vector<Vec2>& path, const NavigationScene& scene) {
   const auto room = [&](Vec2 p) {
     return std::min(scene.field->length / 2 - std::abs(p.x), scene.field->width / 2 - std::abs(p.y));

@@ -8,14 +8,15 @@ namespace fulbito {
 
 namespace {
 
-constexpr double kParallel = 1e-12;  // 1 minus the cosine of headings that count as equal
+constexpr double kParallel = 1e-12;  // 1 minus the cosine; headings with a smaller value count as equal
 
-/// Where the arcs meet.
+/// The point where the arcs meet.
 Vec2 joint(const Pose2& start, const Pose2& goal) {
   const Vec2 way = goal.position - start.position, middle = (start.position + goal.position) * 0.5;
   const Vec2 leave = math::unit(start.heading), arrive = math::unit(goal.heading);
   const double b = dot(way, leave + arrive), apart = 1.0 - dot(leave, arrive), square = squaredNorm(way);
-  if (apart < kParallel) return middle;  // also of a goal beside or behind, where tangents have no end
+  // also for a goal beside or behind, where the tangents are infinitely long
+  if (apart < kParallel) return middle;
   // The ends of both tangents of length t are 2 t apart: (2 - 2 c) t^2 + 2 b t - way^2 = 0.
   const double tangent = square / (b + std::sqrt(b * b + 2.0 * apart * square));
   return middle + (leave - arrive) * (tangent / 2);

@@ -4,7 +4,7 @@
 
 namespace fulbito {
 
-/// Two arcs that meet with one tangent at a point of inflection.
+/// Two arcs that meet at a point of inflection with a common tangent.
 struct DoubleArc {
   Arc first;
   Arc second;
@@ -12,10 +12,10 @@ struct DoubleArc {
   double length() const { return first.length + second.length; }  ///< [m]
 };
 
-/// The two arcs from a pose to a pose, joined where the tangents at both ends are equally long. For equal
+/// The two arcs between two poses, joined where the tangents at both ends are equally long. For equal
 /// headings they are those of Choi & Lee (2005), Fig. 9: equal radii, joined halfway, each with half the
-/// radius of the single arc to that place. For a goal straight behind with the same heading there are none:
-/// then the length is infinite.
+/// radius of the single arc to the joint. For a goal straight behind with the same heading there is no such
+/// pair, and the length is infinite.
 DoubleArc doubleArc(const Pose2& start, const Pose2& goal);
 
 }  // namespace fulbito

@@ -6,8 +6,8 @@
 
 namespace fulbito {
 
-/// Drives two arcs through a point of inflection (Choi & Lee 2005, Fig. 8b) to the goal's heading. Without
-/// one, it arrives with the heading that the robot had when it got the goal, as in the paper.
+/// Drives two arcs through a point of inflection (Choi & Lee 2005, Fig. 8b) to the goal's heading. If the
+/// goal has none, the robot arrives with the heading that it had when it received the goal, as in the paper.
 class DoubleCurvature final : public CurveNavigator {
  public:
   explicit DoubleCurvature(Params params) : CurveNavigator(params) {}
@@ -17,7 +17,7 @@ class DoubleCurvature final : public CurveNavigator {
   void forget() override { heading_.reset(); }
   double arrivalHeading(const NavigationScene& scene);
 
-  std::optional<double> heading_;  // that the robot had when it got the goal
+  std::optional<double> heading_;  // [rad] the robot's heading when it received the goal
   Vec2 goal_;
 };
 

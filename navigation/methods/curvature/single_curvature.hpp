@@ -4,8 +4,8 @@
 
 namespace fulbito {
 
-/// Drives one arc from the robot's pose through the goal (Choi & Lee 2005, Fig. 8a). A wanted heading is
-/// turned to at the goal.
+/// Drives one arc from the robot's pose through the goal (Choi & Lee 2005, Fig. 8a). The robot turns to a
+/// wanted heading at the goal.
 class SingleCurvature final : public CurveNavigator {
  public:
   explicit SingleCurvature(Params params) : CurveNavigator(params) {}

@@ -8,8 +8,8 @@
 namespace fulbito {
 namespace {
 
-/// Turn [rad] of a spiral from the direction away from its centre, at distance `rho`: pi/2, along the circle,
-/// at `radius`, and toward the centre far away.
+/// Turn [rad] of a spiral relative to the direction away from its centre, at the distance `rho`. It is pi/2,
+/// along the circle, at `radius`, and approaches pi, toward the centre, far away.
 double spiralTurn(double rho, double radius, double smoothness) {
   if (rho > radius) return math::kPi / 2 * (2.0 - (radius + smoothness) / (rho + smoothness));
   return math::kPi / 2 * std::sqrt(rho / radius);
@@ -26,7 +26,7 @@ double spiralHeading(Vec2 p, Vec2 goal, double arrival, double radius, double sm
   if (local.y >= radius) return math::wrapAngle(about(1.0) + arrival);
   if (local.y < -radius) return math::wrapAngle(about(-1.0) + arrival);
   const Vec2 sum = math::unit(about(1.0)) * (local.y + radius) + math::unit(about(-1.0)) * (radius - local.y);
-  // On the line beyond the goal the two spirals cancel at one place; either side leads round.
+  // On the line beyond the goal the two spirals cancel at one point. Either turn leads round the goal there.
   const double turn = squaredNorm(sum) > 0.0 ? math::angleOf(sum) : math::kPi / 2;
   return math::wrapAngle(turn + arrival);
 }
@@ -35,7 +35,7 @@ double postureHeading(Vec2 p, Vec2 goal, double arrival, double sharpness, doubl
   if (p == goal) return arrival;
   const double to_goal = math::angleOf(goal - p);
   const double to_guide = math::angleOf(goal + math::unit(arrival) * guide - p);
-  // Past pi the field folds and its streamlines loop.
+  // A turn above pi would fold the field, and its streamlines would loop.
   const double turn = std::clamp(sharpness * math::wrapAngle(to_guide - to_goal), -math::kPi, math::kPi);
   return math::wrapAngle(to_goal - turn);
 }

@@ -12,7 +12,7 @@ namespace fulbito {
 enum class GoalFieldKind {
   kSpiral,   ///< hyperbolic spiral move-to-goal field
   kPosture,  ///< N-posture field
-  kBearing,  ///< straight at the goal, whatever arrival heading is wanted
+  kBearing,  ///< straight toward the goal, for any arrival heading
 };
 
 struct GoalFieldParams {
@@ -23,18 +23,18 @@ struct GoalFieldParams {
   double guide = 0.02;                ///< d [m] of the posture field's guide point beyond the goal
 };
 
-/// Hyperbolic-spiral move-to-goal field (Lim et al., IFAC 2008; docs/navigators.md): direction [rad]
-/// at `p` of curves that reach `goal` with heading `arrival` [rad]. Left of the approach line it is a spiral
-/// about a centre `radius` to the goal's left, right of it the mirror image, and a weighted sum of the two in
-/// the strip between.
+/// Hyperbolic-spiral move-to-goal field (Lim et al., IFAC 2008; docs/navigators.md): the direction [rad] at
+/// `p` of curves that reach `goal` with heading `arrival` [rad]. Left of the approach line it is a spiral
+/// about a centre `radius` to the goal's left, and right of it the mirror image. In the strip between it is a
+/// weighted sum of the two.
 double spiralHeading(Vec2 p, Vec2 goal, double arrival, double radius, double smoothness);
 
 /// N-posture field (Robot Soccer Engineering): the bearing to the goal, turned away by `sharpness` times the
 /// angle between goal and guide point, at most by pi. At the goal itself it is `arrival`.
 double postureHeading(Vec2 p, Vec2 goal, double arrival, double sharpness, double guide);
 
-/// The chosen field, aimed at one goal. Without a wanted arrival heading each kind is the bearing to the
-/// goal: a spiral about an invented heading would only lengthen the way.
+/// The chosen field for one goal. Without an arrival heading each kind is the bearing to the goal, since a
+/// spiral about an arbitrary heading would only lengthen the way.
 class GoalField {
  public:
   explicit GoalField(GoalFieldParams params) : params_(params) {}

@@ -9,9 +9,9 @@ namespace fulbito {
 namespace {
 
 constexpr double kSideHold =
-    0.02;  // [m] across the line of arrival before the orbit on the other side is taken
+    0.02;  // [m] beyond the line of arrival, where the robot changes to the other orbit
 constexpr double kAnyDistance = 1e9;
-constexpr double kPostureShares[] = {1.0, 0.75, 0.5};  // of the posture radius, for goals near a wall
+constexpr double kPostureShares[] = {1.0, 0.75, 0.5};  // shares of the posture radius, for goals near a wall
 
 }  // namespace
 

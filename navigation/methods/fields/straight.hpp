@@ -4,7 +4,7 @@
 
 namespace fulbito {
 
-/// Drives straight at the goal and avoids nothing: the reference that every table starts from.
+/// Drives straight toward the goal and avoids nothing. It is the reference in the tables of results.
 class Straight final : public Navigator, public HeadingField {
  public:
   struct Params {};

@@ -5,15 +5,15 @@
 
 namespace fulbito {
 
-/// The tangent rule of the textbook's fields: toward the goal, and where the nearest circle about an obstacle
-/// lies in the way, along its tangent. Overlapping circles are passed together, on one side that is kept. The
-/// strong baseline among the fields.
+/// The tangent rule of the textbook's fields: toward the goal, or along the tangent of the nearest circle
+/// about an obstacle in the way. Overlapping circles are passed together, on one side, which is kept. It is
+/// the strong baseline among the fields.
 class TangentField final : public Navigator, public HeadingField {
  public:
   struct Params {
     double offset = 0.087;         ///< R_o [m] radius of the circle about a ball-sized obstacle's centre
-    double range = 0.40;           ///< [m] farther obstacles do not act yet
-    double hysteresis = 0.174533;  ///< [rad] by which the other side must be better to change to it
+    double range = 0.40;           ///< [m] obstacles farther away are ignored
+    double hysteresis = 0.174533;  ///< [rad] advantage that the other side needs for a change
     GoalFieldParams goal_field{.kind = GoalFieldKind::kPosture};
   };
 

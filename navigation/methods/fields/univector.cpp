@@ -10,7 +10,7 @@ namespace fulbito {
 namespace {
 
 constexpr double kHold = 0.3;         // [s]
-constexpr double kSaddle = 2.0;       // [rad] between the two fields, above which they count as opposed
+constexpr double kSaddle = 2.0;       // [rad] two fields with a larger angle between them count as opposed
 constexpr double kLeastDelta = 1e-3;  // [m]
 
 }  // namespace

@@ -7,21 +7,21 @@
 
 namespace fulbito {
 
-/// Univector field navigation (Kim, Kim & Kwon 2001; Lim et al., IFAC 2008): a move-to-goal field composed
-/// with the field away from the nearest obstacle, which a Gaussian of the distance weighs and which is
-/// shifted by the relative velocity ("virtual obstacle"). The two directions are blended along the shorter
-/// arc. As in the sources the field is discontinuous where the nearest obstacle changes, has a saddle in
-/// front of each obstacle and may never reach a goal near one; three switches, off by default, mend that.
+/// Univector field navigation (Kim, Kim & Kwon 2001; Lim et al., IFAC 2008). It blends a move-to-goal field
+/// with the field away from the nearest obstacle, weighted by a Gaussian of the distance and shifted by the
+/// relative velocity ("virtual obstacle"). The directions are blended along the shorter arc. As in the
+/// sources, the field is discontinuous where the nearest obstacle changes, has a saddle in front of each
+/// obstacle and may never reach a goal near one. Three switches, off by default, remove these flaws.
 class Univector final : public Navigator, public HeadingField {
  public:
   struct Params {
-    double d_min = 0.09;    ///< [m] distance to the obstacle up to which only it counts
-    double delta = 0.0457;  ///< [m] width of the Gaussian beyond
+    double d_min = 0.09;    ///< [m] only the obstacle counts up to this distance
+    double delta = 0.0457;  ///< [m] width of the Gaussian beyond `d_min`
     double k0 = 0.12;       ///< K_0 [s] shift of the virtual obstacle per relative velocity
     GoalFieldParams goal_field{};
-    bool hold_side = false;      ///< in front of an obstacle keep the turning side for 0.3 s
+    bool hold_side = false;      ///< keep the side of a turn in front of an obstacle for 0.3 s
     bool shrink = false;         ///< narrow the Gaussian of obstacles near the goal
-    bool ignore_beyond = false;  ///< obstacles farther than the goal do not act
+    bool ignore_beyond = false;  ///< ignore obstacles farther away than the goal
   };
 
   explicit Univector(Params params) : params_(params), goal_(params.goal_field) {}
@@ -32,14 +32,14 @@ class Univector final : public Navigator, public HeadingField {
  private:
   struct Source {
     Vec2 position;
-    Vec2 shift;  ///< K_0 times the relative velocity
+    Vec2 shift;  ///< [m] K_0 times the relative velocity
     double extra = 0.0;
     double delta = 0.0;
   };
-  /// What acts at a point.
+  /// The obstacle that acts at a point.
   struct Influence {
     const Source* source = nullptr;
-    double distance = 0.0;  ///< [m] to the virtual obstacle, less its extra size
+    double distance = 0.0;  ///< [m] to the virtual obstacle, less the extra size of the bodies
     Vec2 away;
   };
   Influence nearest(Vec2 p) const;
@@ -48,7 +48,7 @@ class Univector final : public Navigator, public HeadingField {
   Params params_;
   GoalField goal_;
   std::vector<Source> sources_;
-  int held_ = 0;  ///< +1 turn left, -1 right at the saddle, 0 nothing held
+  int held_ = 0;  ///< +1: turn left at the saddle, -1: right, 0: not decided
   Tick held_since_ = 0;
 };
 

@@ -19,7 +19,7 @@ Guidance VectorField::plan(const NavigationScene& scene) {
 double VectorField::heading(Vec2 p) const {
   const double to_goal = goal_.heading(p);
   const Circle* nearest = nullptr;
-  double least = params_.width;  // [m] from the ring's inner edge; beyond its width nothing acts
+  double least = params_.width;  // [m] from the ring's inner edge; obstacles farther away do not act
   for (const Circle& ring : rings_) {
     const double outside = distance(p, ring.centre) - ring.radius;
     if (outside < least) least = outside, nearest = &ring;

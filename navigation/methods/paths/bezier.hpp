@@ -5,23 +5,22 @@
 
 namespace fulbito {
 
-/// Drives the guarded Bezier curve (`BezierPlanner`).
-/// Where no curve keeps the clearance, half of it and then 5 mm are tried, then the tangent graph's path is
-/// driven; `counts()` tells how often.
+/// Drives the guarded Bezier curve of `BezierPlanner`. If no curve keeps the clearance, it tries half of it,
+/// then 5 mm, then the tangent graph's path. `counts()` tells how often.
 class Bezier final : public PathNavigator {
  public:
   struct Params : PathNavigatorParams {
-    double clearance = 0.02;   ///< [m] beside the robot's circumscribed circle
+    double clearance = 0.02;   ///< [m] gap to the robot's circumscribed circle
     double alpha = 0.0;        ///< [m], see BezierPlannerParams
     bool all_sides = false;    ///< see BezierPlannerParams
     double hysteresis = 0.03;  ///< see BezierPlannerParams
   };
-  /// How the plans since the construction came out.
+  /// Numbers of plans by outcome since the construction.
   struct Counts {
     std::uint64_t plans = 0;
-    std::uint64_t tight = 0;    ///< with less clearance than wanted
-    std::uint64_t tangent = 0;  ///< no curve: the tangent graph's path
-    std::uint64_t blocked = 0;  ///< no way at all
+    std::uint64_t tight = 0;    ///< plans with less clearance than wanted
+    std::uint64_t tangent = 0;  ///< plans without a free curve: the tangent graph's path
+    std::uint64_t blocked = 0;  ///< plans without any way
   };
   explicit Bezier(Params params);
   const Counts& counts() const { return counts_; }

@@ -9,7 +9,7 @@ namespace {
 
 using Weights = std::array<std::array<double, kBezierPoints>, kBezierDegree + 1>;
 
-/// Bernstein polynomials of one degree at all sample parameters, by de Casteljau's recursion.
+/// Bernstein polynomials of one degree at all sample parameters, from de Casteljau's recursion.
 constexpr Weights bernstein(std::size_t degree) {
   Weights weights{};
   for (std::size_t s = 0; s < kBezierPoints; ++s) {

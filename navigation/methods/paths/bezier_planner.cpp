@@ -13,11 +13,12 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::array<double, 12> kDistances = {0.040, 0.064, 0.088, 0.112, 0.136, 0.160,
                                                0.200, 0.240, 0.290, 0.350, 0.420, 0.480};
-constexpr std::array<double, 3> kLeads = {0.10, 0.20, 0.35};  // [m] of the point behind the goal
-constexpr double kSettled = 0.02;                             // [m] before the goal
-constexpr double kMomentum = 0.08;                            // [s] of motion that the curve starts along
-constexpr double kInMotion = 0.15;                            // [m/s]
-constexpr std::size_t kCoarse = 8;  // samples between the points that are looked at before a whole curve
+// [m] from the goal to the control point behind it
+constexpr std::array<double, 3> kLeads = {0.10, 0.20, 0.35};
+constexpr double kSettled = 0.02;   // [m] before the goal with the arrival heading
+constexpr double kMomentum = 0.08;  // [s] of motion along which the curve starts
+constexpr double kInMotion = 0.15;  // [m/s]
+constexpr std::size_t kCoarse = 8;  // samples between the points of a quick check
 constexpr std::size_t kReserved = 64;
 
 /// The smallest disc round two discs.
@@ -29,8 +30,8 @@ Circle enclosing(const Circle& a, const Circle& b) {
   return {a.centre + (b.centre - a.centre) * ((radius - a.radius) / apart), radius};
 }
 
-/// Whether the last stretch has the arrival heading within half of its tolerance. A curve that reaches it at
-/// the very end only is one that a robot with its lag misses.
+/// Whether the last part of the curve has the arrival heading within half of its tolerance. A real robot,
+/// which lags, would miss a heading that the curve reaches only at its very end.
 bool arrivesAlong(std::span<const Vec2> path, const NavigationGoal& goal, double heading) {
   const Vec2 along = math::unit(heading);
   const double least = math::cos(goal.heading_tolerance / 2);
@@ -112,7 +113,7 @@ bool BezierPlanner::addNearest(const NavigationScene& scene, std::span<const Cir
   return true;
 }
 
-/// The side on which the shortest path passes a point, by the stretch of it that is nearest.
+/// The side on which the shortest path passes a point, from the nearest segment of the path.
 int BezierPlanner::seededSide(const NavigationScene& scene, const TangentPath& shortest, Vec2 centre) const {
   Vec2 from = scene.self.pose.position;
   double least = kInfinity, turn = 0.0;
@@ -142,7 +143,8 @@ void BezierPlanner::trySides(const NavigationScene& scene, std::uint32_t flips) 
       const double side = (flips >> i & 1U) != 0 ? -tbp : tbp;
       control[count++] = groups_[i].disc.centre + groups_[i].seed * side;
     }
-    // The points of the curve move outward in proportion to the distance: once outside, they stay there.
+    // The points of the curve move outward in proportion to the distance of the control points. Points that
+    // are outside stay there.
     if (!tryEnds(scene, control, count) || groups_.empty()) break;
   }
 }
@@ -165,7 +167,7 @@ std::size_t BezierPlanner::addArrival(Vec2 goal, Vec2 along, double lead, std::s
                                       std::size_t count) const {
   const Vec2 last = control[count - 1], left = goal - last;
   const double before = dot(left, along), beside = cross(along, last - goal);
-  // Close behind the goal the point must not lie behind the robot, or the curve would turn back.
+  // The control point close behind the goal must not be behind the robot, or the curve would turn back.
   if (std::abs(beside) < 0.6 * before) lead = std::min(lead, 0.6 * before);
   const Vec2 behind = goal - along * lead;
   if (dot(behind - last, along) < 0.0) {
@@ -177,7 +179,7 @@ std::size_t BezierPlanner::addArrival(Vec2 goal, Vec2 along, double lead, std::s
 }
 
 bool BezierPlanner::tryCurve(const NavigationScene& scene, std::span<const Vec2> control) {
-  // A few points tell of most curves that they collide, leave the field or are too long: their chords are
+  // A few points show for most curves that they collide, leave the field or are too long: the chords are
   // shorter than the curve.
   const PathGuard& loosest = levels_[open_levels_ - 1].guard;
   std::array<Vec2, kBezierPoints / kCoarse + 1> points;

@@ -11,7 +11,7 @@ constexpr std::size_t kReserved = 64;
 
 }  // namespace
 
-// The obstacles of Jung & Lee (2015) stand still.
+// In Jung & Lee (2015) obstacles do not move.
 BezierRaw::BezierRaw(Params params)
     : PathNavigator({.horizon = 0.0, .yield = 0.0, .replan = params.replan}), params_(params) {
   selected_.reserve(kReserved);

@@ -5,17 +5,17 @@
 
 namespace fulbito {
 
-/// The Bezier method of Jung & Lee (2015) as printed, but for three misprints (docs/papers.md): of the 2^n
-/// curves round the obstacles on the line, the shortest, without a test whether it is free; most are not.
-/// Kept as the comparison's baseline; `bezier` is the one to drive with. An arrival heading is not looked at.
+/// The Bezier method of Jung & Lee (2015) as printed, except for three misprints (docs/papers.md). It takes
+/// the shortest of the 2^n curves round the obstacles on the line without a test for collisions; most curves
+/// collide. It is the baseline of the comparison; use `bezier` to drive. It ignores the arrival heading.
 ///
-/// Of more than eight obstacles on the line the eight nearest to the robot count.
+/// If more than eight obstacles are on the line, the eight nearest to the robot count.
 class BezierRaw final : public PathNavigator {
  public:
   struct Params {
-    double tbp = 0.33;         ///< [m] of a control point from its obstacle: 130 pixels
+    double tbp = 0.33;         ///< [m] from an obstacle to its control point: 130 pixels in the paper
     double alpha = 0.0;        ///< [m] added to A = 3 r
-    double hysteresis = 0.03;  ///< share by which another choice of sides must be shorter
+    double hysteresis = 0.03;  ///< relative advantage that another choice of sides needs
     Replan replan = Replan::kChange;
   };
   explicit BezierRaw(Params params);
@@ -29,8 +29,8 @@ class BezierRaw final : public PathNavigator {
 
   Params params_;
   std::vector<std::size_t> selected_;
-  std::vector<std::size_t> kept_selected_;  ///< selection for which `kept_sides_` was chosen
-  std::uint32_t kept_sides_ = 0;            ///< bit i: selected obstacle i is passed at its end B
+  std::vector<std::size_t> kept_selected_;  ///< selection to which `kept_sides_` belongs
+  std::uint32_t kept_sides_ = 0;            ///< bit i: the curve passes selected obstacle i at its end B
   BezierSamples shortest_{};
   BezierSamples trial_{};
 };

@@ -14,8 +14,9 @@ namespace {
 constexpr double kSpacing = 0.01;  // [m]
 constexpr std::size_t kReservedJoints = 34;
 constexpr double kMostPieces = 2000.0;
-constexpr double kInMotion = 0.15;  // [m/s] above which a curve starts along the motion
-constexpr std::array<double, 6> kExtras = {0.0, 0.004, 0.008, 0.014, 0.024, 0.040};  // [m]
+constexpr double kInMotion = 0.15;  // [m/s] the curve of a faster robot starts along its motion
+// [m] growth of the circles of the shortest path
+constexpr std::array<double, 6> kExtras = {0.0, 0.004, 0.008, 0.014, 0.024, 0.040};
 
 }  // namespace
 
@@ -47,7 +48,7 @@ void Hermite::makePath(const NavigationScene& scene, std::span<const Circle> bod
                  clearance_, *scene.field);
   for (double extra : kExtras) {
     const auto outcome = tangent_path_.plan(scene, bodies, extra);
-    // Anything else is a corner, or a way that is narrow or that wider circles have closed.
+    // Other outcomes have a corner or a narrow way, or the wider circles have closed the way.
     if (outcome != TangentPath::Outcome::kFound) break;
     placeJoints(scene);
     drawCurve(path);
@@ -81,7 +82,7 @@ void Hermite::placeJoints(const NavigationScene& scene) {
   const bool moves = dot(scene.self.velocity, facing) > kInMotion;
   Joint &first = joints_.front(), &last = joints_.back();
   const Joint &second = joints_[1], &before = joints_[joints_.size() - 2];
-  // A free end takes the direction that makes the curvature vanish there, or nearly so.
+  // A free end gets the direction that makes the curvature there about zero.
   const Vec2 out = unitOr(second.place - first.place, facing), in = unitOr(last.place - before.place, facing);
   first.direction = moves ? facing : unitOr(out * 3.0 - second.direction, out);
   last.direction =

@@ -7,15 +7,16 @@
 
 namespace fulbito {
 
-/// When a path method plans, and how it copes with moving obstacles.
+/// When a path method plans, and how it handles moving obstacles.
 struct PathNavigatorParams {
-  double horizon = 0.5;  ///< [s] farthest look ahead at moving obstacles; 0: they are taken to stand still
-  double yield = 1.0;    ///< [s] look ahead of yieldSpeed; 0: it never slows down for them
+  double horizon = 0.5;  ///< [s] greatest prediction of moving obstacles; 0: they count as standing still
+  double yield = 1.0;    ///< [s] look ahead of yieldSpeed; 0: the robot never slows down for obstacles
   Replan replan = Replan::kChange;
 };
 
-/// What the path methods share: obstacles are planned with where they will be met, the path is kept until the
-/// scene changes or the robot strays from it, and the robot slows down for obstacles that come across it.
+/// Common base of the path methods. It plans with obstacles at the places where the robot will meet them and
+/// keeps the path until the scene changes or the robot leaves it. It slows down for obstacles that cross the
+/// path.
 class PathNavigator : public Navigator {
  public:
   void reset() final;
@@ -23,14 +24,14 @@ class PathNavigator : public Navigator {
 
  protected:
   explicit PathNavigator(PathNavigatorParams params);
-  /// Forgets what the method itself remembers.
+  /// Forgets the state of the derived method.
   virtual void forget() = 0;
   /// Plans from the robot's place.
-  /// @param bodies  obstacles without inflation, where they will be met
-  /// @param path    the path in use, to be replaced by the new one of at least 2 points
+  /// @param bodies  obstacles without inflation, at the places where the robot will meet them
+  /// @param path    the present path, to be replaced by the new one of at least 2 points
   virtual void makePath(const NavigationScene& scene, std::span<const Circle> bodies,
                         std::vector<Vec2>& path) = 0;
-  /// [m/s] that the robot may drive on the path in use, moving obstacles apart; infinite by default.
+  /// Greatest speed [m/s] on the present path, apart from moving obstacles; infinite by default.
   virtual double speedCap(const NavigationScene& scene) const;
 
  private:
@@ -41,13 +42,14 @@ class PathNavigator : public Navigator {
   std::uint64_t revision_ = 0;
 };
 
-/// The parameter `replan` of the member `replan` of `P`.
+/// Describes the parameter `replan` for the member `replan` of `P`.
 template <typename P>
 Parameter<P> replanParameter() {
   return choice<P, Replan>("replan", &P::replan, {"change", "tick"}, "when to plan again");
 }
 
-/// Adds the parameters `horizon`, `yield` and `replan` to those of a `P` that is a PathNavigatorParams.
+/// Adds the parameters `horizon`, `yield` and `replan` to those of `P`, which derives from
+/// PathNavigatorParams.
 template <typename P>
 std::vector<Parameter<P>> withPathParameters(std::vector<Parameter<P>> parameters) {
   parameters.push_back(

@@ -15,15 +15,15 @@ enum class Replan {
   kTick,    ///< at every control tick
 };
 
-/// Tells a path navigator when its path is out of date: an obstacle appeared, left or is expected more than
-/// 2 mm from where it was planned with, the goal changed, or the robot is more than 2 cm off the path.
-/// Obstacles are told apart by their order in the scene.
+/// Tells a path navigator when its path is out of date: an obstacle appeared, left or is more than 2 mm from
+/// its place in the plan, the goal changed, or the robot is more than 2 cm off the path. Obstacles are
+/// identified by their order in the scene.
 class ReplanMonitor {
  public:
   void reset() { known_ = false; }
-  /// @param obstacles  as they would be planned with now
+  /// @param obstacles  as a new plan would use them
   bool due(const NavigationScene& scene, std::span<const Circle> obstacles, std::span<const Vec2> path) const;
-  /// Notes what the path in use was planned with.
+  /// Stores the conditions of the present path.
   void planned(const NavigationScene& scene, std::span<const Circle> obstacles);
 
  private:

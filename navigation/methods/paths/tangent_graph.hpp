@@ -5,8 +5,8 @@
 
 namespace fulbito {
 
-/// Follows the exact shortest path among the discs (`TangentPath`): the distance limit that the comparison's
-/// L* stands for.
+/// Follows the exact shortest path among the discs (`TangentPath`), whose length L* is the reference of the
+/// comparison.
 class TangentGraphNavigator final : public PathNavigator {
  public:
   struct Params : PathNavigatorParams {

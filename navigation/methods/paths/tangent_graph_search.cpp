@@ -10,14 +10,14 @@
 namespace fulbito {
 namespace {
 
-constexpr double kTouch = 1e-9;  // [m] by which a path may enter a disc that it touches
+constexpr double kTouch = 1e-9;  // [m] a path may enter a disc that it touches this far
 constexpr double kTurn = 2.0 * math::kPi;
-constexpr double kSameAngle = 1e-9;  // [rad] arcs this short of a whole turn are rounding
+constexpr double kSameAngle = 1e-9;  // [rad] arcs this close to a whole turn are rounding errors
 constexpr double kMostPieces = 2000.0;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
 
-/// Angle [rad] in [0, 2 pi) turned from heading `from` to heading `to` in direction `side`.
+/// Angle [rad] in [0, 2 pi) of a turn from heading `from` to heading `to` in the direction `side`.
 double sweepBetween(double from, double to, double side) {
   double sweep = side * (to - from);
   if (sweep < 0.0) sweep += kTurn;
@@ -28,7 +28,7 @@ double sweepBetween(double from, double to, double side) {
 
 double sideOf(double signed_radius) { return signed_radius < 0.0 ? -1.0 : 1.0; }
 
-/// Pieces of at most `spacing` that a stretch is cut into; bounded, as a goal may be anywhere.
+/// Number of pieces of at most `spacing` [m] for a segment. It is bounded, since a goal may be anywhere.
 double pieceCount(double length, double spacing) {
   return std::min(std::floor(length / spacing) + 1.0, kMostPieces);
 }
@@ -117,8 +117,8 @@ void TangentGraph::placeWalls(const FieldGeometry& bounds, double margin) {
   }
 }
 
-// The ends of an arc are known to be free, so an arc runs into another disc or a wall only if it passes the
-// middle of the stretch that is closed: that angle is all that is kept.
+// The ends of an arc are known to be free. So an arc meets another disc or a wall only if it passes the
+// middle of the closed stretch, and it is enough to store the angle of the middle.
 void TangentGraph::findBlockers() {
   blockers_.clear();
   blockers_begin_.clear();
@@ -195,8 +195,8 @@ void TangentGraph::expand(std::size_t from, std::uint32_t arrival) {
   }
 }
 
-// Whoever reached this circle earlier and can roll on to the new arrival's place in time has every
-// continuation that the new arrival has.
+// An arrival is dominated if an earlier arrival at the same circle can roll on to its place in time. The
+// earlier one then has every continuation that the new one has.
 bool TangentGraph::dominated(std::size_t port, std::uint32_t arrival) const {
   const Tangent& fresh = tangents_[arrival];
   const double radius = std::abs(ports_[port].signed_radius), side = sideOf(ports_[port].signed_radius);

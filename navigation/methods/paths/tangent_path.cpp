@@ -10,17 +10,17 @@
 namespace fulbito {
 namespace {
 
-constexpr double kCreaseSin = 0.0871557427476582;  // sin 5 deg: kink where a turn joins the straight
+constexpr double kCreaseSin = 0.0871557427476582;  // sin 5 deg: greatest kink between a turn and the straight
 constexpr double kCreaseCos = 0.9961946980917455;
 constexpr double kLeastApproach = 0.03;  // [m]
 constexpr double kApproachStep = 0.005;  // [m]
-constexpr double kBesideWall = 0.010;    // [m] for the turn on the spot
-constexpr double kCrawl = 0.12;          // [m/s] while turning
-constexpr double kTurningRoom = 0.045;   // [m] before and after a turn on the spot that are driven slowly
-constexpr double kBrakingShare = 0.5;    // of the wheels' acceleration
-constexpr double kOnStraight = 0.015;    // [m] beside the final straight that count as on it
-constexpr double kAlong = 0.9;           // cosine of the heading that counts as along it
-constexpr double kSpacing = 0.01;        // [m] of the sampled points
+constexpr double kBesideWall = 0.010;    // [m] of room for a turn in place
+constexpr double kCrawl = 0.12;          // [m/s] while the robot turns
+constexpr double kTurningRoom = 0.045;   // [m] before and after a turn in place, driven slowly
+constexpr double kBrakingShare = 0.5;    // share of the wheel acceleration
+constexpr double kOnStraight = 0.015;    // [m] a point nearer to the final straight counts as on it
+constexpr double kAlong = 0.9;           // cosine; a smaller angle to the final straight counts as along it
+constexpr double kSpacing = 0.01;        // [m] between the sampled points
 constexpr std::size_t kReservedPasses = 32;
 
 }  // namespace
@@ -100,7 +100,7 @@ bool TangentPath::search(const NavigationScene& scene, std::span<const Circle> b
   return true;
 }
 
-/// The wanted length, or less so that the robot can turn where the straight begins.
+/// The wanted length [m] of the final straight, or less so that the robot can turn where it begins.
 double TangentPath::approachLength(const NavigationScene& scene) const {
   const double room = scene.robot->circumradius() + kBesideWall;
   double length = params_.approach;
@@ -110,7 +110,7 @@ double TangentPath::approachLength(const NavigationScene& scene) const {
   return length;
 }
 
-// The discs overlap a little, so that the gate between them is a notch open to the rear only.
+// The discs overlap slightly, so that the gate between them is a notch that is open only to the rear.
 Vec2 TangentPath::addGate(double bend) {
   const Vec2 gate = goal_ - along_ * (approach_ - bend * kCreaseSin),
              aside = perp(along_) * (bend * kCreaseCos);

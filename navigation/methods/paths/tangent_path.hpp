@@ -9,54 +9,53 @@
 
 namespace fulbito {
 
-/// How `TangentPath` plans.
+/// Parameters of `TangentPath`.
 struct TangentPathParams {
-  double margin = 0.005;      ///< [m] kept between the obstacles and the robot's circumscribed circle
-  double hysteresis = 0.03;   ///< share of the path that another side must save to be taken
-  double approach = 0.08;     ///< [m] straight before a goal with an arrival heading
+  double margin = 0.005;      ///< [m] between the obstacles and the robot's circumscribed circle
+  double hysteresis = 0.03;   ///< share of the path that a change to another side must save
+  double approach = 0.08;     ///< [m] length of the straight before a goal with an arrival heading
   double bend = 0.06;         ///< [m] radius of the turn onto that straight
-  double narrowing = 0.0025;  ///< [m] kept beside the robot's flank where no wider way is open
+  double narrowing = 0.0025;  ///< [m] beside the robot's flank in narrow gaps, if no wider way is open
 };
 
 /// The shortest path for a robot in a scene: the tangent graph with the obstacles inflated by the robot.
 ///
-/// Arrival heading: the path ends with a straight of length `approach` along it, or shorter where a wall is
-/// near behind the goal. Two virtual discs of radius `bend` on both sides of the straight's beginning let the
-/// path reach it only from behind, turned to within 5 degrees. Where they leave no way, half that radius is
-/// tried, then a corner at the straight's beginning, on which a robot turns in place; last, the goal is
-/// approached from anywhere.
+/// With an arrival heading the path ends with a straight of length `approach` along it, or shorter if a wall
+/// is near behind the goal. Two virtual discs of radius `bend`, one on each side of the straight's beginning,
+/// let the path enter it only from behind and within 5 degrees. If they leave no way, half that radius is
+/// tried, then a corner at which the robot turns in place, and last any arrival direction.
 ///
-/// Where no way is left, the obstacles are inflated by the circumscribed circle alone, then by half the
-/// robot's width and `narrowing`, as a robot does that passes a gap straight.
+/// If there is no way, the obstacles are inflated by the circumscribed circle alone, then by half the robot's
+/// width and `narrowing`, for a robot that passes a gap straight.
 class TangentPath {
  public:
   enum class Outcome {
     kFound,       ///< as wanted
-    kTight,       ///< with less clearance
+    kTight,       ///< with less clearance than wanted
     kCorner,      ///< with a corner before the final straight
     kAnyHeading,  ///< without the arrival heading
     kNone,        ///< no way: the path is the straight line to the goal
   };
 
   explicit TangentPath(TangentPathParams params = {});
-  /// Forgets the sides that were chosen.
+  /// Forgets the chosen sides.
   void reset();
   /// Plans from the robot's place.
   /// @param bodies  obstacles without inflation
-  /// @param extra   [m] added to the margin; the narrower tries come without it
+  /// @param extra   [m] added to the margin, except in the narrower attempts
   Outcome plan(const NavigationScene& scene, std::span<const Circle> bodies, double extra = 0.0);
-  /// The circles that the path bends around. Indices from `bodies.size()` on are the virtual discs.
+  /// The circles round which the path bends. Indices from `bodies.size()` on are the virtual discs.
   std::span<const CirclePass> passes() const { return passes_; }
-  /// Centre of the circle of a pass.
+  /// Centre of the circle of `pass`.
   Vec2 centreOf(const CirclePass& pass) const { return circles_[pass.circle].centre; }
   double length() const { return length_; }  ///< [m] of the path up to the straight
-  /// Where the final straight of an arrival heading begins; the goal where there is none.
+  /// The start of the final straight if there is an arrival heading, otherwise the goal.
   Vec2 target() const { return target_; }
-  /// [m/s] speed that lets the robot stop at the corner before the final straight, or at a goal that it
-  /// reaches without the wanted heading; infinite on other paths. The shared follower slows down in bends,
-  /// which a turn on the spot is not.
+  /// Greatest speed [m/s] with which the robot can stop at the corner before the final straight, or at a goal
+  /// that it reaches without the wanted heading; infinite on other paths. The shared follower slows down for
+  /// bends, but not for turns in place.
   double speedCap(const NavigationScene& scene) const;
-  /// The path as points at most 1 cm apart but for the final straight, from the robot to the goal.
+  /// The path from the robot to the goal as points at most 1 cm apart, except on the final straight.
   void sample(std::vector<Vec2>& out) const;
 
  private:

@@ -29,7 +29,8 @@ Guidance Dwa::plan(const NavigationScene& scene) {
   const Window window = windowOf(scene);
   sweep_.look(scene, params_.margin, scene.robot->maxSpeed());
   const Twist wanted = escape_.apply(scene, choose(scene, window));
-  // Speed and yaw rate change together, as the ramp of the sweep has it; yaw first would put off braking.
+  // Speed and yaw rate change together, as in the ramp of the sweep. The yaw-first limiter would delay
+  // braking.
   const double budget = scene.robot->wheel_acceleration * scene.dt;
   const double share = budget / std::max(budget, rimChange(scene, window, wanted));
   const Twist next{window.now.linear + share * (wanted.linear - window.now.linear),
@@ -65,7 +66,7 @@ Twist Dwa::choose(const NavigationScene& scene, const Window& window) const {
   const double turn_reach = 2.0 * window.reach * scene.robot->turnShare() / scene.robot->axle_track;
   const double low = std::max(0.0, window.now.linear - window.reach);
   const double high = std::clamp(window.now.linear + window.reach, low, std::max(low, window.top_speed));
-  Twist best{0.0, 0.0};  // brakes straight when nothing is admissible
+  Twist best{0.0, 0.0};  // brakes straight if no sample is admissible
   double best_score = kRejected;
   for (int i = 0; i < params_.speeds; ++i) {
     for (int j = 0; j < params_.turns; ++j) {
@@ -83,7 +84,7 @@ bool Dwa::isReachable(const NavigationScene& scene, const Window& window, Twist 
   const RobotModel& robot = *scene.robot;
   const double half_track = robot.axle_track / 2, slack = 1e-9;
   const double rim = twist.linear + std::abs(twist.angular) * half_track;
-  // What spins or slides too fast already must be able to calm down.
+  // A robot that spins or slides too fast may always slow down.
   const bool calming =
       twist.linear <= std::abs(window.now.linear) && std::abs(twist.angular) <= std::abs(window.now.angular);
   const bool grips = twist.linear * std::abs(twist.angular) <= params_.grip * robot.lateral_grip;
@@ -101,7 +102,7 @@ double Dwa::score(const NavigationScene& scene, const Window& window, Twist twis
   if (free_time < sweep_.horizon() && twist.linear > 0.0 && stopping > free_arc) return kRejected;
 
   const Pose2 then = arc.poseAt(std::min(params_.preview, free_time));
-  // What lies beyond the goal is no reason to swerve.
+  // Obstacles beyond the goal do not matter.
   const double clear_range = std::max(1e-3, std::min(params_.clear_range, norm(window.goal)));
   const Vec2 left = window.goal - then.position;
   const double error = math::wrapAngle(math::angleOf(left) - then.heading);

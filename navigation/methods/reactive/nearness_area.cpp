@@ -13,8 +13,8 @@ const SectorHit& hitOf(const NearnessView& view, int sector) {
   return view.hits[static_cast<std::size_t>(view.circle->wrap(sector))];
 }
 
-/// PND jumps by more than 2 R from sector `from` to its neighbour `to`, which is the deeper one. An empty
-/// sector's infinite distance makes it deeper than any other.
+/// Whether the distance jumps by more than 2 R from sector `from` to its deeper neighbour `to`. The infinite
+/// distance of an empty sector is deeper than any other.
 bool opensInto(const NearnessView& view, int from, int to) {
   return hitOf(view, to).distance > hitOf(view, from).distance + 2.0 * view.radius;
 }
@@ -93,7 +93,7 @@ WalkingArea findWalkingArea(const NearnessView& view) {
   }
   const double bearing = math::angleOf(view.goal);
   const int goal_sector = view.circle->sectorOf(bearing);
-  // Of two borders equally far from the goal's sector, the one on the goal's side of the bisector.
+  // If two borders are equally far from the goal's sector, take the one on the goal's side of its bisector.
   const int nearer = math::wrapAngle(bearing - view.circle->bearing(goal_sector)) >= 0.0 ? -1 : 1;
   for (int offset = 0; offset <= view.circle->count() / 2; ++offset) {
     for (int side : {nearer, -nearer}) {

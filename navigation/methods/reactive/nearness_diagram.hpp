@@ -7,25 +7,26 @@
 
 namespace fulbito {
 
-/// Settings of the nearness diagram. Lengths are the paper's, scaled from its 22 cm robot to a 7.5 cm one.
+/// Parameters of the nearness diagram. The lengths are the paper's, scaled from its 22 cm robot to a 7.5 cm
+/// one.
 struct NearnessDiagramParams {
   int sectors = 180;          ///< n
   double range = 0.36;        ///< d_max [m] from the centre
   double security = 0.19;     ///< d_s [m] from the hull
-  double gap_margin = 0.002;  ///< [m] added to half the robot's width for R
-  double margin = 0.01;       ///< [m] room of the emergency rules
-  double braking = 0.25;      ///< share of the wheel acceleration; more is unsafe above 1 m/s
+  double gap_margin = 0.002;  ///< [m] added to half the robot's width to get R
+  double margin = 0.01;       ///< [m] gap of the emergency rules
+  double braking = 0.25;      ///< share of the wheel acceleration; larger shares are unsafe above 1 m/s
   WideRegionRule wide_region = WideRegionRule::kCorner;
 };
 
 /// Nearness diagram navigation (Minguez & Montano, T-RA 20(1), 2004; the reactive layer of Kim et al. 2006).
-/// Each tick it sees obstacles and walls as the nearest point in every sector, names the situation and gives
-/// one direction and a speed; it remembers nothing.
+/// In each tick it takes the nearest point of obstacles and walls in every sector, classifies the situation
+/// and returns one direction and a speed. It has no memory.
 ///
-/// The direction comes as a constant heading field and the speed as a cap, so that the shared follower drives
-/// it and methods are compared, not controllers (the driver's own law is v_max k cos, omega_max k sin). As
-/// the published method knows no inertia, the cap also lets the robot stop before what lies straight ahead:
-/// our addition.
+/// The direction becomes a constant heading field and the speed a cap, so that the shared follower drives the
+/// robot and comparisons rate methods, not controllers. The paper's own law is v_max k cos, omega_max k sin.
+/// The published method has no model of inertia. As an addition to it, the cap also lets the robot stop in
+/// front of anything straight ahead.
 class NearnessDiagram final : public Navigator, public HeadingField {
  public:
   using Params = NearnessDiagramParams;
@@ -41,10 +42,10 @@ class NearnessDiagram final : public Navigator, public HeadingField {
 
   Params params_;
   SectorCircle circle_;
-  std::vector<SectorHit> seen_;     ///< all that the sectors meet
-  std::vector<SectorHit> diagram_;  ///< of that, what lies within d_max
+  std::vector<SectorHit> seen_;     ///< nearest points in all sectors
+  std::vector<SectorHit> diagram_;  ///< those of them within d_max
   NearnessMotion motion_;
-  double direction_ = 0.0;  ///< [rad] world frame
+  double direction_ = 0.0;  ///< [rad] in the world frame
 };
 
 }  // namespace fulbito

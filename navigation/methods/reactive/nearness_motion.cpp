@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kSlowest = 0.2;  // share of the top speed that low safety leaves
+constexpr double kSlowest = 0.2;  // least share of the top speed in low safety
 
 NearnessMotion turnTowardGoal(const NearnessView& view) {
   NearnessMotion motion;
@@ -42,7 +42,7 @@ bool isBesideRear(const NearnessHull& hull, Vec2 p) {
   return p.x < 0.0 && p.x > -hull.length / 2 && std::abs(p.y) < hull.width / 2 + hull.margin / 2;
 }
 
-/// A rear corner swings out on the side away from the turn.
+/// Suppresses a turn in which a rear corner, which swings out opposite to the turn, would hit something.
 void applyEmergency(const NearnessView& view, const NearnessHull& hull, NearnessMotion& motion) {
   for (const SectorHit& hit : view.hits) {
     if (hit.isEmpty()) continue;

@@ -12,9 +12,9 @@
 
 namespace fulbito {
 
-/// Turning on the spot, `sense` +1 or -1.
+/// Turning in place; `sense` is +1 (counter-clockwise) or -1.
 RobotCommand Classic::spinning(double sense) {
-  constexpr double kYawRate = 30.0;  // [rad/s] as fast as the wheels go
+  constexpr double kYawRate = 30.0;  // [rad/s] above what the wheels reach
   return RobotCommand::byTwist({0.0, sense * kYawRate});
 }
 
@@ -32,16 +32,16 @@ Vec2 Classic::aim(const Observation& now, Vec2 ball) const {
   ShotModel model;
   model.ball_radius = info_.ball.radius;
   auto shot = bestShot(info_.field, model, ball, {blockers.data(), count});
-  // A keeper in time for everything still leaves a wider and a narrower side.
+  // If the keeper reaches every shot in time, compare the gaps without its motion.
   model.acceleration = 0.0;
   if (!shot) shot = bestShot(info_.field, model, ball, {blockers.data(), count});
   return shot.value_or(opponentGoal(info_.field));
 }
 
-/// Where the ball shall go: at the free part of the goal, out of the own third up a side, along a wall that
-/// it lies at.
+/// Wanted direction of the ball: to the free part of the goal, from the own third up a side, or along a wall
+/// at which it lies.
 Vec2 Classic::wantedDirection(const Observation& now, Vec2 ball) const {
-  constexpr double kAtWall = 0.02;  // [m] of room behind the ball, where nothing can get
+  constexpr double kAtWall = 0.02;  // [m] a narrower gap at a wall has no room for a robot
   const FieldGeometry& field = info_.field;
   const double reach = info_.ball.radius + kAtWall;
   if (field.width / 2 - std::abs(ball.y) < reach) return {1.0, 0.0};
@@ -51,7 +51,7 @@ Vec2 Classic::wantedDirection(const Observation& now, Vec2 ball) const {
   return unitOr(aim(now, ball) - ball, {1.0, 0.0});
 }
 
-/// Whether an opponent will be at the ball before robot `i` could line up.
+/// Whether an opponent reaches the ball before the attacker, which needs `mine` [s], can line up.
 bool Classic::isContested(const Observation& now, double mine) const {
   constexpr double kReserve = 0.15;  // [s]
   for (std::size_t k = 0; k < static_cast<std::size_t>(now.team_size); ++k) {
@@ -73,8 +73,8 @@ bool Classic::isHeldByKeeper(const Observation& now) const {
   return false;
 }
 
-/// Whether robot `i` is taking a kick-off or penalty that it was placed for: straight on, until the ball is
-/// away.
+/// Whether robot `i` takes a kick-off or penalty for which it was placed. It then drives straight on until
+/// the ball has left.
 bool Classic::isKicking(const Observation& now, std::size_t i) const {
   constexpr double kWhile = 0.6, kAway = 0.12, kStraight = 0.15;  // [s], [m], [rad]
   const bool kick = now.restart == RestartKind::kPenalty || now.restart == RestartKind::kKickOff;
@@ -94,10 +94,10 @@ std::optional<RobotCommand> Classic::spinAtBall(const Observation& now, std::siz
       ball.x > info_.field.length / 2 - 0.08 && std::abs(ball.y) < info_.field.goal_width / 2;
   if (at_mouth) {
     wanted = {1.0, 0.0};
-    settings.slow = 2.0;  // it would roll past
+    settings.slow = 2.0;  // a ball in front of the mouth rolls past if the robot waits
     settings.wall = 0.10;
   } else if (contested && std::abs(ball.x) < info_.field.length / 2 - 0.15) {
-    settings.wall = 1.0;  // held between two robots
+    settings.wall = 1.0;  // the ball is held between two robots; no wall is needed
   }
   const auto sense = memory_[i].spin.update(info_.field, info_.ball.radius, robot, now.ball, wanted,
                                             params_.spin, now.dt, settings);
@@ -132,7 +132,7 @@ RobotCommand Classic::attacker(const Observation& now, std::size_t i) {
   if (memory.lined_up) {
     return RobotCommand::byTwist(strike(robot, now.ball.position, direction, params_.strike_speed));
   }
-  // A ball that somebody else is about to have is met straight, as long as it goes upfield.
+  // A contested ball is hit straight, as long as that sends it upfield.
   constexpr double kUpfield = 0.2;
   const Vec2 straight = unitOr(ball - robot.pose.position, {1.0, 0.0});
   if (contested && straight.x > kUpfield) {
@@ -144,7 +144,7 @@ RobotCommand Classic::attacker(const Observation& now, std::size_t i) {
   constexpr double kBodyMargin = 0.04;  // [m]
   go_to.position = insideWalls(info_.field, go_to.position, kBodyMargin);
   if (keeper_plays) go_to.position = outsideArea(info_.field, go_to.position, true, kAreaMargin);
-  // Near the ball everybody is in the way: the field would turn off it.
+  // Near the ball all robots are in the way: as obstacles they would turn the field away from the ball.
   const bool near = distance(robot.pose.position, ball) < 0.25;
   go_to.avoid_opponents = !near;
   go_to.avoid_mates = !near;

@@ -31,8 +31,8 @@ void Classic::begin(const MatchInfo& info) {
   attacker_ = std::min<std::size_t>(1, static_cast<std::size_t>(info.rules.team_size) - 1);
 }
 
-/// Roles by number: 0 keeps, 1 attacks, 2 supports, 3 defends, 4 ... wait on the other wing. The attacker's
-/// may be exchanged with a mate's.
+/// Roles by robot number: 0 keeper, 1 attacker, 2 supporter, 3 defender, 4 and up winger. The attacker may
+/// exchange its role with another robot.
 Classic::Role Classic::roleOf(std::size_t robot) const {
   constexpr std::array<Role, 5> kByNumber = {Role::kKeeper, Role::kAttacker, Role::kSupporter,
                                              Role::kDefender, Role::kWinger};
@@ -71,7 +71,8 @@ std::optional<ExerciseReply> Classic::exercise(const Observation& seen, const Ex
   return reply;
 }
 
-/// Kick-offs and penalties are taken at an angle, past whoever waits on the straight line.
+/// The taker of a kick-off or penalty stands at an angle, so that the ball passes opponents on the straight
+/// line.
 std::optional<TeamProposal> Classic::place(const PlacementRequest& request) {
   constexpr double kKickOffAngle = 0.6, kPenaltyAngle = 0.36;  // [rad]
   const bool penalty = request.kind == RestartKind::kPenalty;
@@ -96,7 +97,7 @@ void Classic::chooseAttacker(const Observation& now) {
   constexpr double kDwell = 1.0, kBetter = 0.3;  // [s]
   if (now.playing) since_exchange_ += now.dt;
   const auto size = static_cast<std::size_t>(now.team_size);
-  // Whoever a restart puts at the ball attacks in that play.
+  // The robot that a restart places at the ball is the attacker of that play.
   const bool open = !now.own[attacker_].present || foresight_.playBegan();
   if (!open && (!params_.exchange || since_exchange_ < kDwell)) return;
   double least = 1e9, present = 1e9;
@@ -144,7 +145,7 @@ TeamCommand Classic::decide(const Observation& seen) {
   return command;
 }
 
-/// Everyone's role, and the way on which the ball is meant to go.
+/// Draws every robot's role and the intended direction of the ball.
 void Classic::draw(const Observation& now, std::vector<DebugDrawing>& drawings) const {
   constexpr std::array<const char*, 5> kNames = {"keeper", "attacker", "supporter", "defender", "winger"};
   for (std::size_t i = 0; i < static_cast<std::size_t>(now.team_size); ++i) {
@@ -155,7 +156,7 @@ void Classic::draw(const Observation& now, std::vector<DebugDrawing>& drawings) 
   }
 }
 
-/// Brakes and turns back a robot on its way into an area where its role has no business.
+/// Brakes and turns back a robot that is about to enter an area in which its role is not allowed.
 std::optional<RobotCommand> Classic::keptOutOfAreas(const Observation& now, std::size_t i, Role role) const {
   constexpr double kLookahead = 0.12, kFast = 0.3, kBody = 0.07;  // [s], [m/s], [m]
   if (role == Role::kKeeper) return std::nullopt;
@@ -183,7 +184,7 @@ RobotCommand Classic::supporter(Role role) const {
   if (role == Role::kDefender || (role == Role::kSupporter && ball.x < 0.0)) {
     place = shadowPoint(info_.field, ball, 0.45 * (ball.x + info_.field.length / 2));
   } else {
-    // Behind the ball and nearer the middle: ready for balls that come back, out of the attacker's way.
+    // Behind the ball and nearer to the middle: ready for rebounds and out of the attacker's way.
     const double side = ball.y >= 0.0 ? -1.0 : 1.0;
     const double aside = role == Role::kWinger ? 0.5 : 0.15;
     place = ball + Vec2{-params_.support, side * aside};

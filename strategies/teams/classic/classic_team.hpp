@@ -14,15 +14,15 @@
 
 namespace fulbito {
 
-/// Fixed roles by number; the keeper and the attacker have files of their own.
+/// The textbook team with fixed roles by robot number. Keeper and attacker are in files of their own.
 class Classic final : public Strategy {
  public:
   struct Params {
-    double keeper_depth = 0.10;  ///< [m]
-    double support = 0.30;       ///< [m]
+    double keeper_depth = 0.10;  ///< [m] of the keeper's line in front of the goal line
+    double support = 0.30;       ///< [m] of the supporter behind the ball
     double strike_speed = 1.2;   ///< [m/s]
-    bool exchange = false;       ///< of the attacker's role
-    bool spin = true;            ///< at balls that lie at a wall
+    bool exchange = false;       ///< whether another robot may take over the attacker's role
+    bool spin = true;            ///< whether robots spin to kick a ball at a wall
   };
 
   Classic(Params params, NavigatorChoice navigator) : params_(params), navigators_{std::move(navigator)} {}

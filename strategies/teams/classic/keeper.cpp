@@ -15,13 +15,14 @@ RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
   const double farthest = info_.field.goal_width / 2 - 0.02;
   const Vec2 place = keeperPoint(info_.field, foresight_.ball(), params_.keeper_depth, farthest);
   const Vec2 ball = now.ball.position;
-  // Only outward and upfield, never across the own mouth.
+  // Spins only send the ball outward and upfield, never across the own goal mouth.
   const Vec2 out{0.5, ball.y >= robot.pose.position.y ? 1.0 : -1.0};
   const bool in_front = ball.x > robot.pose.position.x - 0.01;
   const auto sense = memory_[i].spin.update(info_.field, info_.ball.radius, robot, now.ball, out,
                                             params_.spin && in_front, now.dt, {.slow = 0.5, .wall = 0.3});
   if (sense) return spinning(*sense);
-  // A penalty is met far out, facing the ball: on the line it would be pushed in with the keeper.
+  // The keeper meets a penalty far out, facing the ball. On the line it would be pushed into the goal with
+  // the ball.
   const bool penalty =
       now.restart == RestartKind::kPenalty && !now.restart_is_ours && now.since_restart < 1.0;
   if (penalty || mayClear(now, i)) return clearing(now, i);
@@ -33,12 +34,12 @@ RobotCommand Classic::keeper(const Observation& now, std::size_t i) {
   return RobotCommand::drivingTo(back);
 }
 
-/// Whether the keeper leaves its line: for a slow ball near the goal that no opponent is about to have.
+/// Whether the keeper leaves its line: for a slow ball near the goal that no opponent reaches soon.
 bool Classic::mayClear(const Observation& now, std::size_t i) const {
   constexpr double kSlow = 0.3, kLead = 0.15;  // [m/s], [s]
   const Vec2 ball = now.ball.position;
   if (norm(now.ball.velocity) > kSlow || !isInArea(info_.field, ball, true, 0.02)) return false;
-  // Behind the keeper's back nothing good can be done.
+  // The keeper cannot clear a ball behind its back.
   const RobotState& robot = now.own[i].state;
   if (ball.x < robot.pose.position.x + 0.02) return false;
   if (now.restart == RestartKind::kGoalKick && now.restart_is_ours && now.since_restart < 2.0) return true;

@@ -9,9 +9,9 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kPlace = 0.015;  // [m] radius of the mark of a place to be at
+constexpr double kPlace = 0.015;  // [m] radius of the mark of a robot's target
 
-/// The forecast's way, a line for each stretch that is straight.
+/// Draws the predicted course of the ball, one line for each straight stretch.
 void drawBall(const Picture& picture, std::vector<DebugDrawing>& drawings) {
   constexpr double kStraight = 2e-3;  // [m]
   const BallForecast& ball = picture.ball;
@@ -45,7 +45,7 @@ void drawMove(Vec2 robot, Role role, const Move& move, std::vector<DebugDrawing>
   Vec2 from = robot;
   if (move.place) {
     addCircle(drawings, *move.place, kPlace);
-    // The keeper is at its place nearly always.
+    // The keeper is nearly always at its place: a line there says nothing.
     if (role != Role::kKeeper) addLine(drawings, from, *move.place);
     from = *move.place;
   }

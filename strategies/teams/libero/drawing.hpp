@@ -9,9 +9,8 @@
 
 namespace fulbito::libero {
 
-/// Shows what the team has decided: the ball's way, and of each robot its role and skill, where it goes,
-/// where it means to touch the ball and where to send it. `moves` and `roles` are by robot. Changes nothing
-/// that is played.
+/// Draws the team's decisions: the predicted ball, and for each robot its role and skill, its target, where
+/// it will touch the ball and where it will send it. `moves` and `roles` are by robot number.
 void draw(const Picture& picture, std::span<const Role> roles, std::span<const Move> moves,
           std::vector<DebugDrawing>& drawings);
 

@@ -8,20 +8,21 @@
 namespace fulbito::libero {
 namespace {
 
-/// As `turnTo`, but the front has to point there.
+/// As `turnTo`, but with the front, not either end.
 Twist turnFrontTo(const Pitch& pitch, const RobotState& robot, double heading) {
   const double error = math::wrapAngle(heading - robot.pose.heading);
   return {0.0, std::copysign(fastestTurn(pitch, std::abs(error)), error)};
 }
 
-/// Straight on with the ball before the front: the heading is held and not steered at the ball, which keeps
-/// its sideways speed (docs/skills.md, Pushing).
+/// Drives straight with the ball at the front. It holds the heading instead of steering at the ball, so that
+/// the ball's sideways speed stays (docs/skills.md, Pushing).
 Twist push(const RobotState& robot, const Exercise& exercise) {
   const double error = math::wrapAngle(exercise.heading - robot.pose.heading);
   return {exercise.speed, 10.0 * error};
 }
 
-/// Rests behind the ball until it is aligned, then runs at it: slower than the game's way, and sure.
+/// Waits behind the ball until the robot is aligned, then drives at it: slower than in play, and more
+/// reliable.
 Twist runUp(const Pitch& pitch, const RobotState& robot, Vec2 ball, double along, ExerciseMemory& memory) {
   const Vec2 direction = math::unit(along);
   const Vec2 local = intoFrame(direction, robot.pose.position - ball);

@@ -5,13 +5,13 @@
 
 namespace fulbito::libero {
 
-/// What the first robot remembers of a drill's task between ticks.
+/// State of the first robot in a drill's task between ticks.
 struct ExerciseMemory {
-  bool runs_up = false;  ///< it is aligned behind the ball and runs at it
-  int side = 0;          ///< way round the ball that is held, as in `approachHeading`
+  bool runs_up = false;  ///< the robot is aligned behind the ball and drives at it
+  int side = 0;          ///< present direction round the ball, as in `approachHeading`
 };
 
-/// One tick of a drill's task, by the skills of the game: what the first robot does.
+/// One tick of a drill's task: the twist of the first robot, made with the skills of play.
 Twist exerciseTwist(const Pitch& pitch, const RobotState& robot, Vec2 ball, const Exercise& exercise,
                     ExerciseMemory& memory);
 

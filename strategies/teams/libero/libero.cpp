@@ -42,12 +42,12 @@ class Libero final : public Strategy {
     const Observation& now = foresight_.update(observation);
     if (foresight_.playBegan()) {
       strike_ = {};
-      // The robot at the ball makes the first moves, even if another was striker before.
+      // The robot that is placed at the ball becomes striker, even if another was striker before.
       if (takenAtOnce(now)) forgetStriker();
     }
     ball_.take(foresight_.ballNow(), foresight_.ball());
     watchStuck(now);
-    // Before the signal no robot can move: standing still does not mean that it presses or is caught.
+    // Before the signal no robot can move, so standing still does not mean that it presses or is caught.
     if (!now.playing) strike_ = {};
     watchTouches(now);
     const Picture picture{now, pitch_, settings_, ball_, stuck_, dispute_left_};
@@ -87,7 +87,7 @@ class Libero final : public Strategy {
     held_ = 1.0;
   }
 
-  /// How long the ball has been where it is.
+  /// Measures how long the ball has stayed within a small circle.
   void watchStuck(const Observation& seen) {
     constexpr double kCircle = 0.10;  // [m]
     stuck_ += seen.dt;
@@ -98,7 +98,7 @@ class Libero final : public Strategy {
     stuck_ = 0.0;
   }
 
-  /// Which of ours have touched the ball lately.
+  /// Measures which own robots have touched the ball recently.
   void watchTouches(const Observation& seen) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
       double& left = dispute_left_[i];
@@ -108,14 +108,14 @@ class Libero final : public Strategy {
     }
   }
 
-  /// Whether play began with one of ours placed to be first at the ball. At our goal kicks that is the
-  /// keeper, and the others go on as they were.
+  /// Whether one of the field players was placed to be first at the ball. At an own goal kick that is the
+  /// keeper, and the other robots keep their roles.
   static bool takenAtOnce(const Observation& seen) {
     return seen.restart != RestartKind::kGoalKick || !seen.restart_is_ours;
   }
 
-  /// The ball counts as the keeper's if it will be in or near our area in 0.3 s: field players who follow it
-  /// would be pushed into the area.
+  /// Whether only the keeper may play the ball: it will be in or near the own area in 0.3 s. Opponents would
+  /// push a field player that follows it into the area.
   bool ballIsKeepers() const {
     constexpr double kAhead = 0.3;    // [s]
     constexpr double kMargin = 0.06;  // [m]
@@ -123,7 +123,7 @@ class Libero final : public Strategy {
     return keeper_ >= 0 && isInArea(pitch_.field, ball, true, kMargin) && std::abs(ball.y) < pitch_.area_half;
   }
 
-  /// What a robot does: its skill's move, kept legal, or a place that a navigator drives to.
+  /// The command of one robot: the twist of its skill, made legal, or a place for a navigator.
   RobotCommand play(const Picture& picture, int robot, int& rank) {
     Move& move = moves_[static_cast<std::size_t>(robot)];
     if (robot == keeper_) {
@@ -133,7 +133,7 @@ class Libero final : public Strategy {
     const bool keepers = ballIsKeepers();
     if (robot == striker_ && !keepers) {
       move = strike(picture, robot, strike_);
-      // The mark of a free ball is at the area's edge: a robot that minds that edge comes late.
+      // A free ball lies at the area's edge, and a robot that avoids the edge would come late.
       if (disputesFreeBall(picture.seen))
         return clearOfKeeper(picture, robot, move.twist).value_or(RobotCommand::byTwist(move.twist));
       return legal(picture, robot, move.twist);
@@ -157,8 +157,8 @@ class Libero final : public Strategy {
     return legal(picture, robot, move.twist);
   }
 
-  /// Whether a robot other than the striker blocks an opponent that dribbles toward our goal: not so near to
-  /// the goal that it would be pushed into the area.
+  /// Whether a robot other than the striker blocks an opponent that dribbles toward the own goal. Near the
+  /// goal it does not, since it would be pushed into the area.
   bool supportMayBlock(const Picture& picture, int robot) const {
     const RobotState& self = picture.own(robot);
     return self.pose.position.x > -pitch_.half_length + 0.45 && canBlockDribble(picture, self);
@@ -168,22 +168,23 @@ class Libero final : public Strategy {
     return robot == keeper_ ? Role::kKeeper : robot == striker_ ? Role::kStriker : Role::kSupport;
   }
 
-  /// The last step: nobody but the keeper enters our area, only the striker theirs.
+  /// The last step: only the keeper may enter the own area. In three-a-side matches only the striker may
+  /// enter the opponents' area.
   RobotCommand legal(const Picture& picture, int robot, Twist wanted) const {
-    // Five a side a second attacker gains more than its goal kicks cost.
+    // In five-a-side matches a second attacker in their area gains more than the resulting goal kicks cost.
     const bool theirs = !pitch_.isLarge() && (robot != striker_ || mateIsIn(picture));
     if (!theirs) {
       if (const auto off = clearOfKeeper(picture, robot, wanted)) return *off;
     }
     const RobotCommand kept = keptOut(picture, robot, {keeper_ >= 0, theirs}, wanted);
-    // A robot that has to leave their area does not push its way out through the keeper.
+    // A robot that must leave their area must not push the keeper aside.
     if (theirs && isInArea(pitch_.field, picture.own(robot).pose.position, false, pitch_.robot_corner)) {
       if (const auto off = clearOfKeeper(picture, robot, twistOf(pitch_, kept))) return *off;
     }
     return kept;
   }
 
-  /// The twist that a command of ours makes.
+  /// The twist that a robot command asks for.
   static Twist twistOf(const Pitch& pitch, const RobotCommand& command) {
     if (command.kind == RobotCommand::Kind::kTwist) return command.twist;
     const double left = command.wheels.left * pitch.wheel_radius;
@@ -191,7 +192,8 @@ class Libero final : public Strategy {
     return {(left + right) / 2, (right - left) / (2 * pitch.half_track)};
   }
 
-  /// Whether one of ours but the striker, who stands outside, is still in their area: a second is a foul.
+  /// Whether the striker is outside the opponents' area and another own robot is inside: a second one inside
+  /// is a foul.
   bool mateIsIn(const Picture& picture) const {
     if (distanceToArea(pitch_.field, picture.own(striker_).pose.position, false) < pitch_.robot_half)
       return false;
@@ -203,7 +205,7 @@ class Libero final : public Strategy {
     return false;
   }
 
-  /// The first robot on the field keeps goal; a lone one only while a shot comes.
+  /// The first present robot is the keeper. If it is alone, it is the keeper only while a shot comes.
   void chooseKeeper(const Picture& picture) {
     int present = 0;
     keeper_ = -1;
@@ -213,11 +215,14 @@ class Libero final : public Strategy {
     if (present == 1 && !mustSave(picture, keeper_)) keeper_ = -1;
   }
 
-  /// The robot that has the ball first; the present one is kept unless another is clearly better.
+  /// The striker is the robot that reaches the ball first. The present one stays unless another is clearly
+  /// better.
   void chooseStriker(const Picture& picture) {
     if (picture.seen.playing) held_ += picture.seen.dt;
-    constexpr double kStays = 0.5;   // [s] in their area, which the next one may enter only after it has left
-    constexpr double kAlike = 1e-9;  // [s] what is less is rounding, which is not the same on both sides
+    // [s] advantage of a striker in their area, which the next one may enter only after it has left
+    constexpr double kStays = 0.5;
+    // [s] smaller differences are rounding errors, which differ between the two sides
+    constexpr double kAlike = 1e-9;
     int best = -1;
     double least = 1e9;
     for (int i = 0; i < picture.seen.team_size; ++i) {
@@ -238,7 +243,8 @@ class Libero final : public Strategy {
 
   Settings settings_;
   Pitch pitch_;
-  std::vector<NavigatorChoice> navigators_;  // one, for those without the ball; none: by own skill
+  // at most one, for robots without the ball; empty: the team's own skills drive
+  std::vector<NavigatorChoice> navigators_;
   Foresight foresight_;
   BallForecast ball_;
   int keeper_ = -1;
@@ -246,15 +252,16 @@ class Libero final : public Strategy {
   double held_ = 1.0;  // [s] since the striker was chosen
   StrikerMemory strike_;
   ExerciseMemory exercise_;
-  std::array<Role, kMaxTeamSize> roles_{};  // of this tick, by robot
+  std::array<Role, kMaxTeamSize> roles_{};  // by robot, in the last tick
   std::array<Move, kMaxTeamSize> moves_{};
-  double kick_off_hand_ = -1.0;  // of the last one; they are played to either side in turn
+  double kick_off_hand_ = -1.0;  // side of the last kick-off, +1 or -1; kick-offs alternate between the sides
   std::array<double, kMaxTeamSize> dispute_left_{};  // [s]
   Vec2 stuck_at_;
   double stuck_ = 0.0;  // [s]
 };
 
-/// The default of `navigator`: the team's own motion skills, which cost a tenth of the registry's cheapest.
+/// The default of `navigator`: the team's own motion skills, at a tenth of the cost of the cheapest
+/// navigator.
 constexpr const char* kOwnNavigation = "own";
 
 }  // namespace

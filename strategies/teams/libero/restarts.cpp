@@ -8,17 +8,17 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kBehind = 0.085;  // [m] of the taker's centre behind the ball
+constexpr double kBehind = 0.085;  // [m] from the ball's centre to the taker's centre behind it
 
 Pose2 facing(Vec2 from, Vec2 to) { return {from, math::wrapAngle(math::angleOf(to - from))}; }
 
-/// The keeper in the middle of its line, side on.
+/// The keeper in the middle of its line and parallel to it.
 Pose2 keeperPose(const Pitch& pitch) { return {{-pitch.half_length + 0.042, 0.0}, math::kPi / 2}; }
 
-/// `p` with the whole body in the own half.
+/// `p` moved so that the whole body is in the own half.
 Vec2 ownHalf(const Pitch& pitch, Vec2 p) { return {std::min(p.x, -pitch.robot_corner - 0.001), p.y}; }
 
-/// The opponent that is to take the restart: the nearest to the ball.
+/// The position of the opponent that takes the restart: the one nearest to the ball.
 std::optional<Vec2> takerOf(const PlacementRequest& request) {
   std::optional<Vec2> taker;
   if (!request.opponents) return taker;
@@ -31,22 +31,24 @@ std::optional<Vec2> takerOf(const PlacementRequest& request) {
 }
 
 void kickOff(const Pitch& pitch, const PlacementRequest& request, double hand, TeamPlacement& placed) {
-  // Five a side the rules' places have a hand, which the robots that stay at them keep.
+  // In five-a-side matches the rules place robots on one side. Robots that stay at those places decide the
+  // side.
   if (placed[2] && placed[2]->position.y != 0.0) hand = std::copysign(1.0, placed[2]->position.y);
   const double far = 0.05 + pitch.robot_corner;
   if (request.ours) {
-    // Past robots that come straight at the ball: off the middle, toward the side on which the support waits.
+    // The ball goes past opponents that run straight at it, off the middle, toward the support's side.
     const double angle = 0.6;
     placed[1] = facing(-kBehind * math::unit(-hand * angle), {});
     placed[2] = facing({-far, -0.30 * hand}, {0.4, -0.3 * hand});
   } else if (pitch.isLarge()) {
-    // From the side: the ball leaves the face of a robot that pushes it straight on, toward the support.
+    // The robot meets the ball from the side, so that a ball pushed straight on leaves its face toward the
+    // support.
     const double angle = 0.5;
     placed[1] = facing(-(pitch.field.centre_circle_radius + 0.045) * math::unit(-hand * angle), {});
     placed[2] = facing({-pitch.field.centre_circle_radius - 0.02, -0.26 * hand}, {});
   } else {
-    // Beside the line of the kick, as the taker's place tells it: met there the ball leaves its face toward
-    // the support. A straight kick is met from farther aside.
+    // The robot stands beside the line of the kick, which the taker's place shows. There the ball leaves its
+    // face toward the support. It meets a straight kick from farther aside.
     const Vec2 taker = takerOf(request).value_or(Vec2{pitch.field.centre_circle_radius, 0.0});
     const double line = math::angleOf(taker);
     const bool straight = std::abs(line) < 0.2;
@@ -69,9 +71,9 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
                        {0.0, std::copysign(pitch.half_width, side)});
     placed[2] = facing({-pitch.half_length + 0.30, 0.0}, ball);
   } else {
-    // From our own half, as near as that is: in the way of a kick straight on, a little inside of it so that
-    // the ball goes out to the side wall, and before our goal. Five a side, where they bring it along the
-    // side wall, where that comes out.
+    // The robots stand in the own half, as near to the ball as allowed. Robot 1 is in the way of a straight
+    // kick, slightly inside, so that the ball goes out to the side wall. In five-a-side matches it stands
+    // where the ball comes out along the side wall. Robot 2 is in front of the own goal.
     const double line = -pitch.robot_corner - 0.001;
     const double way = pitch.isLarge() ? side * (pitch.half_width - 0.20) : ball.y - side * 0.05;
     placed[1] = facing({line, way}, ball);
@@ -81,9 +83,9 @@ void goalKick(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
 
 void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   if (ours) {
-    // A run-up long enough to be at full speed where a keeper that runs out meets ball and taker, and a
-    // little to the support's side, so that the ball slips past it there. The rules' places, and with them
-    // those of many teams, are not turned but mirrored between the sides: so is this.
+    // The run-up brings the taker to full speed before it meets a keeper that runs out. Its slight angle to
+    // the support's side lets the ball slip past the keeper there. The places of the rules are mirrored
+    // between the sides, not rotated, and this one follows them.
     const double hand = placed[2] && placed[2]->position.y < 0.0 ? -1.0 : 1.0;
     const bool large = pitch.isLarge();
     const double run_up = large ? 0.33 : 0.30, angle = large ? 0.03 : 0.10;
@@ -92,7 +94,7 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
   } else {
     const double hand = placed[1] && placed[1]->position.y < 0.0 ? -1.0 : 1.0;
     placed[0] = Pose2{{-pitch.half_length + pitch.robot_half, hand * 0.06}, 0.0};
-    // Wide, off the way of robots that run at the ball: they would be pushed into the area.
+    // Wide, out of the way of opponents that run at the ball: they would push the robots into the area.
     constexpr double kWide[] = {-0.55, 0.55, -0.27, 0.27};
     for (std::size_t i = 1; i < std::min<std::size_t>(5, static_cast<std::size_t>(pitch.team_size)); ++i) {
       placed[i] = facing({0.06, hand * kWide[i - 1]}, ball);
@@ -105,7 +107,8 @@ void penalty(const Pitch& pitch, bool ours, Vec2 ball, TeamPlacement& placed) {
 TeamPlacement placementAt(const Pitch& pitch, const PlacementRequest& request, double hand) {
   TeamPlacement placed = request.defaults;
   if (pitch.team_size < 3 || request.kind == RestartKind::kGiven) return placed;
-  // At a free ball all but the nearest stay where they are; a free kick's places are good as they are.
+  // At a free ball all but the nearest robots stay where they are. At a free kick the default places are
+  // good.
   if (request.kind == RestartKind::kFreeBall || request.kind == RestartKind::kFreeKick) return placed;
   placed[0] = keeperPose(pitch);
   if (request.kind == RestartKind::kKickOff) kickOff(pitch, request, hand, placed);

@@ -5,10 +5,9 @@
 
 namespace fulbito::libero {
 
-/// Where the team stands at a restart (docs/libero.md, Restarts). Robot 0 keeps goal, robot 1 takes
-/// it. `hand`, +1 or -1, tells to which side kick-offs are played that are alike on both; at the others it
-/// follows from where the ball lies or the rules place robots, whose tables are mirrored, not turned, between
-/// the sides.
+/// Where the team stands at a restart (docs/libero.md, Restarts). Robot 0 keeps goal, and robot 1 takes the
+/// restart. `hand`, +1 or -1, is the side of a kick-off that is alike on both sides. At other restarts the
+/// ball's place or the default places of the rules, which are mirrored between the sides, decide the side.
 TeamPlacement placementAt(const Pitch& pitch, const PlacementRequest& request, double hand);
 
 }  // namespace fulbito::libero

@@ -8,8 +8,8 @@
 namespace fulbito {
 namespace {
 
-/// Drives every robot straight at the ball with whichever end is nearer. All that it knows beside is to back
-/// off from a wall when it has stood at one for a while.
+/// Drives every robot straight at the ball with the nearer end leading. A robot that has stood at a wall for
+/// a while backs off.
 class Chaser final : public Strategy {
  public:
   struct Params {};

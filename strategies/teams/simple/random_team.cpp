@@ -6,12 +6,12 @@
 namespace fulbito {
 namespace {
 
-/// Each wheel's speed wanders: a pull back to zero and a random push a tick, so that it changes smoothly.
+/// Each wheel's speed changes smoothly: every tick it is pulled back toward zero and gets a random push.
 class RandomTeam final : public Strategy {
  public:
   struct Params {
-    double memory = 0.5;  ///< [s] after which a wheel has forgotten its speed
-    double share = 0.6;   ///< standard deviation, of the greatest wheel speed
+    double memory = 0.5;  ///< [s] time constant of a wheel's speed
+    double share = 0.6;   ///< standard deviation, as a share of the greatest wheel speed
   };
 
   explicit RandomTeam(Params params) : params_(params) {}
@@ -23,7 +23,7 @@ class RandomTeam final : public Strategy {
   }
 
   TeamCommand decide(const Observation& observation) override {
-    // An Ornstein-Uhlenbeck process in steps of dt, of the wanted standard deviation.
+    // An Ornstein-Uhlenbeck process in steps of dt with the wanted standard deviation.
     const double kept = 1.0 - observation.dt / (params_.memory + observation.dt);
     const double push = params_.share * fastest_ * std::sqrt(1.0 - kept * kept);
     TeamCommand command;

@@ -17,7 +17,7 @@ double echoSpeed(const Room& room, const Body& body, Facing facing, double side_
   return (acrossOf(room, facing) - body.width) / side_time;
 }
 
-/// Whether some temperature and a likely noise explain the side times.
+/// Whether some temperature in the band and a likely noise explain the side times.
 bool fits(const Room& room, const Body& body, Facing facing, double side_time, double sigma) {
   const double between = acrossOf(room, facing) - body.width;
   const EchoSpeedBand band = echoSpeedBand();
@@ -37,13 +37,13 @@ Facing nearestFacing(const Room& room, const Body& body, double side_time) {
 }
 
 double nearestSeparation(double longer, const Body& body) {
-  // In the warmest air the room seems shorter by this share; the other extent must be twice as far away.
+  // In the warmest air the room seems smaller by this share. The extents must differ by twice as much.
   return -2 * nominalError(kWarmest) * (longer - body.width);
 }
 
 double bandSeparation(double longer, const Body& body, double sigma) {
   const EchoSpeedBand band = echoSpeedBand();
-  // In the warmest air the longer side sounds shortest; even then the shorter one must not explain it.
+  // In the warmest air the longer side seems shortest. Even then the shorter side must not explain it.
   const double shortest_seen = (longer - body.width - kSigmas * sigma) * band.low / band.high;
   return longer - (shortest_seen - kSigmas * sigma + body.width);
 }

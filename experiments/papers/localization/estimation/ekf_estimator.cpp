@@ -23,7 +23,8 @@ Eigen::Map<Covariance> mapped(std::array<double, EkfEstimator::kStates * EkfEsti
 
 double squared(double value) { return value * value; }
 
-// The farthest from its perpendicular that an echo is used, in shares of the cone: the heading has an error.
+// Greatest angle from a wall's perpendicular at which an echo is used, as a share of the cone. It leaves room
+// for heading errors.
 constexpr double kUsedCone = 0.8;
 
 }  // namespace
@@ -39,7 +40,7 @@ EkfEstimator::EkfEstimator(const Knowledge& known, const EkfSettings& settings)
   }
   p(kHeading, kHeading) = squared(settings.start_heading);
   p(kBias, kBias) = squared(settings.start_bias);
-  p(kScale, kScale) = squared(settings.encoder_scale) / 2;  // the mean of two wheels
+  p(kScale, kScale) = squared(settings.encoder_scale) / 2;  // mean of two wheels
 }
 
 void EkfEstimator::advance(const InnerMotion& motion) {
@@ -64,8 +65,8 @@ void EkfEstimator::advance(const InnerMotion& motion) {
 }
 
 void EkfEstimator::addTurnErrors(double turned, double distance, double dt) {
-  // A scale error makes errors that belong together over a turn. As white noise with this variance per
-  // radian they have the same sum over a quarter turn.
+  // A scale error causes correlated errors during a turn. White noise with this variance per radian has the
+  // same sum over a quarter turn.
   const double per_turn = math::kPi / 2 * std::abs(turned);
   const double wheel_way = settings_.encoder_scale * known_.axle_track / 2;
   const double along = squared(settings_.slip) / 2 * std::abs(distance) + squared(wheel_way) / 2 * per_turn;

@@ -10,13 +10,14 @@ namespace {
 
 double timeOf(const EchoTimes& times, Beam beam) { return *times[indexOf(beam)]; }
 
-/// Product of a row and a row of derivatives by the three echo distances, times their variance.
+/// Covariance of two quantities from their derivatives by the three echo distances.
 double covarianceOf(const std::array<double, 3>& a, const std::array<double, 3>& b, double sigma) {
   return (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * sigma * sigma;
 }
 
-/// How x, y and the constant follow small changes of the distances front, side and other side. The constant
-/// makes both sides together fit the room, so x takes only half a change of each when they are equal.
+/// Covariance of x, y and the constant from the distances to the front, one side and the other side. The
+/// constant makes the sum of both sides fit the room, so x takes only half of each change if the sides are
+/// equal.
 std::array<double, 9> covarianceFrom(const AxisDecision& axis, double front, double side, double other,
                                      double sigma) {
   const double between = side + other;
@@ -32,7 +33,7 @@ std::array<double, 9> covarianceFrom(const AxisDecision& axis, double front, dou
   return covariance;
 }
 
-/// The side whose wall goes through the origin: right when facing -y, left when facing -x.
+/// The side whose wall contains the origin: right when facing -y, left when facing -x.
 Beam originSide(Facing facing) { return facing == Facing::kMinusY ? Beam::kRight : Beam::kLeft; }
 
 }  // namespace

@@ -6,17 +6,17 @@
 
 #include "fulbito/models.hpp"
 
-/// A robot that finds its place in a room of known size by ultrasonic sensors (Jeong et al.). Room frame: the
-/// room is [0, x] x [0, y], the origin is a corner.
+/// A robot that finds its place in a room of known size with ultrasonic sensors (Jeong et al.). In the room
+/// frame the room is [0, x] x [0, y], and the origin is a corner.
 namespace fulbito::localization {
 
 /// A rectangular room.
 struct Room {
-  double x = 0.0;  ///< [m] its extent along x
-  double y = 0.0;  ///< [m] along y
+  double x = 0.0;  ///< [m] extent along x
+  double y = 0.0;  ///< [m] extent along y
 };
 
-/// The body of a robot with a sensor in the middle of its front, right and left face.
+/// The body of a robot with a sensor in the middle of its front, right and left faces.
 struct Body {
   double length = 0.0;  ///< [m] along its heading
   double width = 0.0;   ///< [m]
@@ -33,7 +33,7 @@ constexpr double directionOf(Beam beam) {
   return kDirections[indexOf(beam)];
 }
 
-/// [m] from the robot's centre to the sensor, along its direction.
+/// [m] from the robot's centre to the sensor along its direction.
 constexpr double reachOf(const Body& body, Beam beam) {
   return (beam == Beam::kFront ? body.length : body.width) / 2;
 }
@@ -41,7 +41,7 @@ constexpr double reachOf(const Body& body, Beam beam) {
 /// Times [s] from each sensor to its wall and back; empty without an echo.
 using EchoTimes = std::array<std::optional<double>, kBeams.size()>;
 
-/// The pose in the frame whose origin is the opposite corner: echoes cannot tell the two apart.
+/// The pose in the frame whose origin is the opposite corner. Echoes cannot distinguish the two.
 inline Pose2 halfTurned(const Pose2& pose, const Room& room) {
   return {{room.x - pose.position.x, room.y - pose.position.y}, math::wrapAngle(pose.heading + math::kPi)};
 }

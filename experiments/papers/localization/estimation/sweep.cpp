@@ -11,16 +11,16 @@
 namespace fulbito::localization {
 namespace {
 
-constexpr double kLevel = 1.05;   // of the shortest range
-constexpr double kOutlier = 4.0;  // sigmas beyond which an echo counts as one of something else
+constexpr double kLevel = 1.05;   // relative to the shortest range
+constexpr double kOutlier = 4.0;  // sigmas; an echo with a larger error counts as one from something else
 constexpr double kDegree = math::kPi / 180;
 constexpr double kCoarse = 0.5 * kDegree, kFine = 0.05 * kDegree;
-constexpr double kFarthestFit = 45.0 * kDegree;  // beyond, no smooth wall throws sound back
+constexpr double kFarthestFit = 45.0 * kDegree;  // smooth walls return no echo beyond this angle
 
-/// Echoes of a wall at distance 1 of the robot's centre, and what the sensor's reach takes off.
+/// How an echo's range follows from the distance of a wall, at one angle.
 struct Shape {
-  double stretch = 1.0;  // range over the distance of the sensor from the wall
-  double reach = 0.0;    // [m] of the sensor toward the wall
+  double stretch = 1.0;  // range per distance from the sensor to the wall
+  double reach = 0.0;    // [m] from the robot's centre to the sensor, perpendicular to the wall
 };
 
 Shape shapeAt(double off, const SweepSensor& sensor) {
@@ -37,8 +37,8 @@ void forEchoesNear(std::span<const SweepEcho> sweep, double perpendicular, const
   }
 }
 
-/// The distance of the robot's centre from a wall in that direction which fits best: the median of what each
-/// echo says, then the least squares over those that agree with it.
+/// The distance [m] from the robot's centre to a wall with the given perpendicular that fits best: the median
+/// over the echoes, then the mean of those near it.
 double centreDistance(std::span<const SweepEcho> sweep, double perpendicular, const SweepSensor& sensor) {
   std::vector<double> said;
   forEchoesNear(sweep, perpendicular, [&](const SweepEcho& echo) {
@@ -56,7 +56,7 @@ double centreDistance(std::span<const SweepEcho> sweep, double perpendicular, co
   return sum / count;
 }
 
-/// Sum of squared residuals in sigmas. An echo of something else costs the same wherever the wall is.
+/// Sum of the squared residuals in sigmas. Outliers have a constant cost, which is independent of the wall.
 double misfit(std::span<const SweepEcho> sweep, double perpendicular, const SweepSensor& sensor) {
   const double centre = centreDistance(sweep, perpendicular, sensor);
   double sum = 0.0;
@@ -110,7 +110,7 @@ std::optional<double> levelCentre(std::span<const SweepEcho> sweep, const SweepS
 }
 
 double fittedPerpendicular(std::span<const SweepEcho> sweep, double guess, const SweepSensor& sensor) {
-  const double coarse = bestOf(sweep, guess, kCoarse, 40, sensor);  // within 20 degrees
+  const double coarse = bestOf(sweep, guess, kCoarse, 40, sensor);  // searches within 20 degrees
   return bestOf(sweep, coarse, kFine, 10, sensor);
 }
 

@@ -7,7 +7,7 @@
 namespace fulbito::localization {
 namespace {
 
-/// Slope of the least-squares line; 0 for points without extent.
+/// Slope of the least-squares line; 0 for points with equal x.
 double slopeOf(const std::vector<Vec2>& points) {
   Vec2 mean;
   for (Vec2 p : points) mean += p;
@@ -40,10 +40,10 @@ void ThresholdEstimator::advance(const InnerMotion& motion) {
   pose_ = movedBy(pose_, motion.distance, turned);
   reckoned_ = movedBy(reckoned_, motion.distance, turned);
   way_ += motion.distance;
-  // Driving along a wall, its direction is the nearest quarter turn.
+  // The direction of the wall along which the robot drives is the nearest quarter turn.
   const double quarter = std::floor(pose_.heading / (math::kPi / 2) + 0.5) * (math::kPi / 2);
   sideways_ += cross(math::unit(quarter), pose_.position - before);
-  if (std::abs(pose_.heading - quarter) > steepest()) forgetSlopes();  // it turns to another wall
+  if (std::abs(pose_.heading - quarter) > steepest()) forgetSlopes();  // the robot turns to another wall
 }
 
 double ThresholdEstimator::steepest() const { return std::min(settings_.incidence, known_.cone); }
@@ -54,7 +54,7 @@ bool ThresholdEstimator::usable(const WallAhead& wall, double range) const {
 }
 
 void ThresholdEstimator::observe(const EchoTimes& times) {
-  // The pose is known to the threshold, so an echo that differs by more than this is of something else.
+  // The pose is known within the threshold. An echo with a much larger difference is from something else.
   const double limit =
       3.0 * std::sqrt(known_.range_sigma * known_.range_sigma + settings_.threshold * settings_.threshold);
   for (const Beam beam : kBeams) {
@@ -87,7 +87,8 @@ void ThresholdEstimator::correct(Beam beam, const WallAhead& wall, double differ
 
 void ThresholdEstimator::noteSlope(Beam beam, const WallAhead& wall, double range) {
   if (beam == Beam::kFront) return;
-  // How far left of the wall's direction the echo sees the robot go, beyond dead reckoning.
+  // Distance that the robot moves to the left of the wall's direction by the echo, relative to dead
+  // reckoning.
   const double left = (beam == Beam::kRight ? 1.0 : -1.0) * range * math::cos(wall.incidence);
   WallLine& line = lines_[indexOf(beam)];
   line.points.push_back({way_, left - sideways_});

@@ -5,7 +5,7 @@
 namespace fulbito::localization {
 namespace {
 
-/// Which of the directions 0, 90, 180, 270 degrees is nearest: 0 to 3.
+/// Index of the nearest of the directions 0, 90, 180 and 270 degrees: 0 to 3.
 int quarterOf(double angle) {
   const int quarter = static_cast<int>(std::floor(angle / (math::kPi / 2) + 0.5));
   return ((quarter % 4) + 4) % 4;

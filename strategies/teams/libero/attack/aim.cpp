@@ -10,23 +10,24 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kIntoWall = 0.15;  // [rad] into the wall: cages the ball while it is pushed along
+constexpr double kIntoWall = 0.15;  // [rad] turn toward the wall, which keeps the ball in front
 
-/// Along which way a wall is followed: up the side walls, toward their goal and away from ours.
+/// Direction along a wall: upfield at side walls, toward the opponents' goal at their end, away from the own
+/// goal at the own end.
 Vec2 wayAlong(Vec2 normal, Vec2 ball) {
   Vec2 along = perp(normal);
   const Vec2 wanted{1.0, ball.x > 0.0 ? -std::copysign(1.0, ball.y) : std::copysign(1.0, ball.y)};
   return dot(along, wanted) < 0.0 ? -along : along;
 }
 
-/// Where on their goal line, within `edge` [m] of its middle, a ball that already rolls toward it would come
-/// nearest to going in by itself; empty where it rolls otherwise, or far past. It keeps most of what it has
-/// across: the blow that takes that away turns the robot so far from the ball's way that it slides past and
-/// comes again.
+/// The y on the opponents' goal line, within `edge` [m] of the goal's middle, nearest to where a ball that
+/// already rolls there would arrive. Empty if the ball rolls elsewhere or far past the goal. A target far
+/// from it would need a strike that turns the robot away from the ball's direction, so that it slides past
+/// the ball.
 std::optional<double> rollsAt(const Picture& picture, Vec2 from, double edge) {
-  constexpr double kRolls = 0.25;   // [m/s] a slower ball goes where it is pushed
-  constexpr double kToward = 0.1;   // [m/s] up the field, at least
-  constexpr double kInside = 0.02;  // [m] off the edge: the blow is not exact
+  constexpr double kRolls = 0.25;   // [m/s] the direction of a slower ball does not matter
+  constexpr double kToward = 0.1;   // [m/s] least upfield speed
+  constexpr double kInside = 0.02;  // [m] kept from the edge, since strikes are not exact
   const Vec2 velocity = picture.ball.now().velocity;
   if (velocity.x < kToward || squaredNorm(velocity) < kRolls * kRolls) return std::nullopt;
   const double most = edge - kInside;
@@ -41,9 +42,10 @@ double openMouth(const Picture& picture, Vec2 from, double shooter_y, double las
   const Pitch& pitch = picture.pitch;
   const double edge = pitch.goal_half - pitch.ball_radius - 0.015;
   const double line = pitch.half_length;
-  // Of two that are alike the one across from the shooter: at a kick-off it stands askew already.
+  // Of equally good targets the first one wins: on the other side of the ball than the shooter, which at a
+  // kick-off already stands at an angle.
   const double first = shooter_y >= from.y ? -1.0 : 1.0;
-  constexpr double kTurned = 0.3;  // [m] of gap that a metre off the ball's own way is worth
+  constexpr double kTurned = 0.3;  // [m] of gap, as a price per m off the ball's own course
   const std::optional<double> rolls_at = rollsAt(picture, from, edge);
   double best = 0.0, best_score = -1e9;
   for (int i = 0; i < (rolls_at ? 8 : 7); ++i) {
@@ -51,7 +53,7 @@ double openMouth(const Picture& picture, Vec2 from, double shooter_y, double las
     const Vec2 way = Vec2{line, y} - from;
     const double length = norm(way);
     const Vec2 to = way / std::max(length, 1e-6);
-    double score = 0.10;  // wider than this is no better
+    double score = 0.10;  // [m] wider gaps are not better
     for (int j = 0; j < picture.seen.team_size; ++j) {
       if (!picture.opponentPresent(j)) continue;
       const Vec2 rel = intoFrame(to, picture.opponent(j).pose.position - from);
@@ -69,7 +71,7 @@ double openMouth(const Picture& picture, Vec2 from, double shooter_y, double las
 Aim aimAt(const Pitch& pitch, Vec2 ball, Vec2 target) {
   Aim aim{ball, unitOr(target - ball, {1.0, 0.0}), false};
   const double room = pitch.ball_radius + 0.03;
-  // In front of a goal's mouth there is no wall.
+  // In front of a goal mouth there is no wall.
   if (std::abs(ball.y) <= pitch.goal_half || wallClearance(pitch.field, ball) > room) return aim;
   const Vec2 normal = nearestWallNormal(pitch.field, ball);
   if (dot(aim.direction, normal) < -0.1) return aim;

@@ -9,22 +9,22 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kRolling = 0.25;  // [m/s] a slower ball waits for a robot that comes round
-constexpr double kNear = 0.033;    // [m] from here on there is no room to turn
-constexpr double kTurnIn = 0.5;    // [rad] off its way to the ball that a robot turns in before the touch
-constexpr double kTurnOn = 3.0;    // [rad/m] the same on the last 20 cm
-constexpr double kReceding = 0.9;  // cosine: a ball that runs ahead of the robot is overtaken instead
-constexpr double kUpfield = 0.5;   // cosine of the direction up the field, at least
+constexpr double kRolling = 0.25;  // [m/s] a slower ball is still there after the robot has driven round it
+constexpr double kNear = 0.033;    // [m] at smaller distances there is no room to turn
+constexpr double kTurnIn = 0.5;    // [rad] largest turn of the robot before the touch
+constexpr double kTurnOn = 3.0;    // [rad/m] the same limit per distance on the last 20 cm
+constexpr double kReceding = 0.9;  // cosine: the robot overtakes a ball that runs ahead of it
+constexpr double kUpfield = 0.5;   // least cosine between an early strike and upfield
 
-/// The direction of the blow that makes a ball of velocity `moving` run along `wanted`: what it has across
-/// must be taken from it.
+/// The direction of the strike that makes a ball with the velocity `moving` run along `wanted`. It cancels
+/// the velocity across `wanted`.
 Vec2 blow(Vec2 wanted, Vec2 moving) {
   const Vec2 local = intoFrame(wanted, moving);
   return unitOr(outOfFrame(wanted, {std::max(0.8, 1.3 - local.x), -local.y}), wanted);
 }
 
-/// How badly bodies bar the way of a blow at `contact` along `direction`: in the place of the striker, or
-/// right in front of the ball.
+/// How much bodies obstruct a strike at `contact` along `direction`: 1 for each body in the striker's place,
+/// and 1 for each right in front of the ball.
 double barred(const Picture& picture, int robot, Vec2 contact, Vec2 direction) {
   const Vec2 behind = contact - direction * 0.065, ahead = contact + direction * 0.07;
   double cost = 0.0;
@@ -57,7 +57,7 @@ Vec2 blowInTime(Vec2 robot, const Aim& aim, Vec2 moving) {
 
 Vec2 clearStrikeDirection(const Picture& picture, int robot, const Aim& aim, int& previous) {
   constexpr double kTurns[] = {0.0, 0.5, -0.5, 1.0, -1.0, 1.5, -1.5};
-  // Of the turns that are to one side.
+  // Unit vectors of the turns to the left; those to the right mirror them.
   static const Vec2 kUnits[] = {math::unit(0.5), math::unit(1.0), math::unit(1.5)};
   const Vec2 self = picture.own(robot).pose.position;
   double least = 1e9;

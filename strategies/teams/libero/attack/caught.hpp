@@ -4,12 +4,12 @@
 
 namespace fulbito::libero {
 
-/// Whether a robot that wants to turn is held by a wall or a post, as in a goal's mouth; then it drives off,
-/// as it stands, for a moment.
+/// Whether a wall or a post holds a robot that wants to turn, for instance in a goal mouth. Then the robot
+/// drives off for 0.15 s.
 bool isCaught(const Picture& picture, const RobotState& self, StrikerMemory& memory);
 
-/// Toward the field's middle; in a goal's mouth away from the post, and turning out of it, or it comes
-/// straight back to the same place.
+/// Drives toward the field's middle. In a goal mouth the robot moves away from the post and turns out of the
+/// mouth; otherwise it would come back to the same place.
 Twist driveOff(const Pitch& pitch, const RobotState& self);
 
 }  // namespace fulbito::libero

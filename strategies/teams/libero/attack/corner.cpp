@@ -6,8 +6,8 @@
 namespace fulbito::libero {
 namespace {
 
-/// Whether the ball is slower than `speed` [m/s] at a wall of our half, we behind it and an opponent within
-/// `rival` [m] of it.
+/// Whether the ball is slower than `speed` [m/s] at a wall of the own half, the robot is behind it, and an
+/// opponent is within `rival` [m] of it. `rel` [m] is the ball seen from the robot.
 bool isFoughtFor(const Picture& picture, Vec2 rel, const Aim& aim, double speed, double rival) {
   const BallState& ball = picture.ball.now();
   return aim.wall && ball.position.x < 0.0 && dot(rel, aim.direction) > 0.0 &&
@@ -18,14 +18,14 @@ bool isFoughtFor(const Picture& picture, Vec2 rel, const Aim& aim, double speed,
 
 bool squeezes(const Picture& picture, Vec2 rel, const Aim& aim) {
   constexpr double kReach = 0.13;  // [m]
-  constexpr double kRolls = 0.8;   // [m/s] a faster ball is not to be pushed
-  constexpr double kRival = 0.20;  // [m] one farther off leaves time to come round the ball
+  constexpr double kRolls = 0.8;   // [m/s] a faster ball cannot be pushed
+  constexpr double kRival = 0.20;  // [m] an opponent farther from the ball leaves time to drive round it
   return squaredNorm(rel) < kReach * kReach && isFoughtFor(picture, rel, aim, kRolls, kRival);
 }
 
 Twist squeeze(const Picture& picture, const RobotState& self, Vec2 rel, const Aim& aim) {
-  // [m] along the wall before the ball. Further on the ball comes round the corner's cut sooner, but one that
-  // two bring down the end wall slips through between that wall and the robot.
+  // [m] aim point along the wall in front of the ball. A larger value moves the ball round the corner sooner.
+  // But a ball that two opponents bring down the end wall then slips between that wall and the robot.
   constexpr double kAlong = 0.06;
   const double heading = math::angleOf(rel + aim.direction * kAlong);
   return alongHeading(self, heading, picture.pitch.speed);
@@ -33,12 +33,12 @@ Twist squeeze(const Picture& picture, const RobotState& self, Vec2 rel, const Ai
 
 bool racesAlongWall(const Picture& picture, Vec2 rel, const Aim& aim) {
   constexpr double kLies = 0.3;   // [m/s]
-  constexpr double kRival = 0.3;  // [m] some 0.2 s before it is there
+  constexpr double kRival = 0.3;  // [m] an opponent nearer than this is at the ball in about 0.2 s
   return isFoughtFor(picture, rel, aim, kLies, kRival);
 }
 
 Twist raceAlongWall(const Picture& picture, const RobotState& self, const Aim& aim) {
-  constexpr double kBehind = 0.02;  // [m] straight at the ball it would be pushed into the wall
+  constexpr double kBehind = 0.02;  // [m] a push at the centre would press the ball into the wall
   return passThrough(self, aim.contact - aim.direction * kBehind, picture.pitch.speed);
 }
 

@@ -4,19 +4,19 @@
 
 namespace fulbito::libero {
 
-/// Whether the ball lies at a wall of our half with us behind it and an opponent about it, and we are at it.
-/// Then a face that leans into the wall squeezes it along; a robot that comes round it only holds it
-/// there. `rel` [m] is the ball seen from the robot.
+/// Whether the ball lies at a wall of the own half, the robot is close behind it, and an opponent is near.
+/// Then a robot whose face leans into the wall squeezes the ball along it. A robot that drives round the ball
+/// would only hold it there. `rel` [m] is the ball seen from the robot.
 bool squeezes(const Picture& picture, Vec2 rel, const Aim& aim);
 
-/// Pushes that ball along its wall.
+/// Pushes that ball along the wall.
 Twist squeeze(const Picture& picture, const RobotState& self, Vec2 rel, const Aim& aim);
 
-/// The same of a robot on its way to such a ball: the first at it has it.
+/// Whether a robot is on its way to such a ball. The robot that arrives first gets the ball.
 bool racesAlongWall(const Picture& picture, Vec2 rel, const Aim& aim);
 
-/// Straight at that ball, a little behind it as seen along the wall: turning in along the wall first costs a
-/// tenth of a second.
+/// Drives straight to that ball, at a point slightly behind it along the wall. Turning parallel to the wall
+/// first would cost 0.1 s.
 Twist raceAlongWall(const Picture& picture, const RobotState& self, const Aim& aim);
 
 }  // namespace fulbito::libero

@@ -9,11 +9,11 @@
 namespace fulbito::libero {
 namespace {
 
-/// Whether an opponent is near a ball in our half, which lies between it and our goal.
+/// Whether an opponent is near a ball in the own half with the ball between it and the own goal.
 bool threatened(const Picture& picture) {
   constexpr double kNear = 0.35;     // [m]
-  constexpr double kForward = 0.10;  // [m] x of the ball at most
-  constexpr double kWall = 0.06;     // [m] off a wall at least: one that lies there is raced for
+  constexpr double kForward = 0.10;  // [m] greatest x of the ball
+  constexpr double kWall = 0.06;     // [m] the robot races for a ball nearer to a wall
   const Vec2 ball = picture.ball.now().position;
   if (ball.x > kForward || squaredNorm(insideWalls(picture.pitch.field, ball, kWall) - ball) > 1e-9)
     return false;
@@ -26,13 +26,13 @@ bool threatened(const Picture& picture) {
   return false;
 }
 
-/// Whether two opponents are at the ball: they push past a robot that blocks one of them.
+/// Whether two opponents are at the ball: they push past a robot that blocks only one of them.
 bool crowded(const Picture& picture) {
   constexpr double kCrowd = 0.3;  // [m]
   return picture.opponentsNear(picture.ball.now().position, kCrowd) > 1;
 }
 
-/// Unit vector of the ball's way: where it is pushed, or to our goal while nobody pushes it yet.
+/// Unit vector of the ball's course: its velocity if an opponent pushes it, otherwise toward the own goal.
 Vec2 wayOf(const Picture& picture, bool pushed) {
   const BallState& ball = picture.ball.now();
   return unitOr(pushed ? ball.velocity : picture.pitch.ownGoal() - ball.position, {-1.0, 0.0});

@@ -5,19 +5,20 @@
 
 namespace fulbito::libero {
 
-/// How far off its middle [m], on our goal's side, a disputed ball is met, so that it slips away from the
-/// goal.
+/// [m] offset from the ball's centre, toward the own goal's side, at which a disputed ball is met, so that it
+/// slips away from the goal.
 inline constexpr double kInner = 0.02;
 
-/// Whether an opponent pushes the ball toward our goal; its velocity is below -0.3 m/s along x then.
+/// Whether an opponent pushes the ball toward the own goal; its velocity along x is then below -0.3 m/s.
 bool opponentDribblesAtGoal(const Picture& picture);
 
-/// Whether opponents bring the ball toward our goal and `robot` stands in its way. Three a side that is a
-/// single opponent, which pushes the ball or stands ready to; five a side any that pushes it.
+/// Whether opponents bring the ball toward the own goal and `robot` stands in its way. In three-a-side
+/// matches this is a single opponent that pushes the ball or stands ready to push it. In five-a-side matches
+/// it is any opponent that pushes it.
 bool canBlockDribble(const Picture& picture, const RobotState& robot);
 
-/// Drives at such a ball, so that its pusher brings it no farther. A pushed one is met `kInner` off its
-/// middle.
+/// Drives at such a ball, so that its pusher cannot bring it farther. If an opponent pushes it, the robot
+/// aims `kInner` off its centre.
 Move blockDribble(const Picture& picture, const RobotState& robot);
 
 }  // namespace fulbito::libero

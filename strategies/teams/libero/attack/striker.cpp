@@ -15,17 +15,15 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kTouch = 0.075;    // [m] centre to centre where the ball is about touched
+constexpr double kTouch = 0.075;    // [m] between the centres of robot and ball that about touch
 constexpr double kSpinTime = 0.45;  // [s]
-constexpr double kDispute =
-    2.0;  // [s] for which a free ball or penalty is a duel that is won by keeping at it
-constexpr double kPinched = 0.3;  // [s] of pressing after which a pinched ball is let slip
-constexpr double kSlip = 0.3;     // [s] that takes
-constexpr double kSlipTurn =
-    0.15;                        // [rad] a face turned by that slides it out; by 0.25 they come past it first
-constexpr double kCrowd = 0.16;  // [m] about the ball, in which opponents are in the way
-constexpr double kRunUp = 0.065;     // [m] from the ball's middle to the striker's where they touch
-constexpr double kAlongWall = 0.15;  // [m] of a wall along which a ball there is sent, as it is shown
+constexpr double kDispute = 2.0;  // [s] time after a free ball or penalty in which the robot only presses on
+constexpr double kPinched = 0.3;  // [s] of pressing, after which the robot lets a pinched ball slip out
+constexpr double kSlip = 0.3;     // [s] time that the robot lets it slip
+constexpr double kSlipTurn = 0.15;   // [rad] turn of the face; at 0.25 the opponent gets the ball
+constexpr double kCrowd = 0.16;      // [m] opponents nearer than this to the ball are in the way
+constexpr double kRunUp = 0.065;     // [m] from the ball's centre to the striker's when they touch
+constexpr double kAlongWall = 0.15;  // [m] length of the drawn line of a ball that is sent along a wall
 
 Twist spin(StrikerMemory& memory, double dt) {
   memory.spin_left -= dt;
@@ -33,7 +31,7 @@ Twist spin(StrikerMemory& memory, double dt) {
   return {0.0, memory.spin_sense * 28.0};
 }
 
-/// Robot and ball press on something and nothing moves.
+/// Measures how long robot and ball have pressed on something without motion.
 void watchJam(const Picture& picture, const RobotState& robot, Vec2 rel, StrikerMemory& memory) {
   const bool slow =
       squaredNorm(picture.ball.now().velocity) < 0.08 * 0.08 && squaredNorm(robot.velocity) < 0.12 * 0.12;
@@ -52,7 +50,7 @@ Interception interception(const Picture& picture, const RobotState& robot) {
     return {timeToReach(picture.pitch.pace, robot, strike_point(ball)), ball};
   }
   const Runner runner{robot.pose.position, math::unit(robot.pose.heading), robot.velocity};
-  double late = 0.0;  // by how much the robot came too late at the step before
+  double late = 0.0;  // [s] by which the robot is too late at the previous step
   for (int i = 0; i <= BallForecast::kSteps; i += 2) {
     const double time = i * BallForecast::kStep;
     const Vec2 ball = picture.ball.sample(i);
@@ -73,8 +71,8 @@ Interception interception(const Picture& picture, const RobotState& robot) {
 
 namespace {
 
-/// Whether at our penalty an opponent runs out of their goal at the ball; until that can be seen, so it is
-/// taken to be.
+/// Whether at an own penalty an opponent leaves its goal toward the ball. In the first 0.05 s, when its
+/// motion cannot be seen yet, the answer is yes.
 bool keeperRunsOut(const Picture& picture) {
   const Observation& seen = picture.seen;
   if (seen.restart != RestartKind::kPenalty || !seen.restart_is_ours || seen.since_restart > kDispute)
@@ -89,15 +87,16 @@ bool keeperRunsOut(const Picture& picture) {
   return false;
 }
 
-/// Whether an opponent is near enough to the ball to take it from a robot that turns off. Otherwise the ball
-/// is aimed: pushed straight on it runs into their corner and comes back along the wall.
+/// Whether an opponent is near enough to take the ball from a robot that turns away to aim. Otherwise the
+/// robot aims, since a straight push sends the ball into the opponents' corner, from where it returns along
+/// the wall.
 bool contested(const Picture& picture) {
   constexpr double kNear = 0.22;  // [m]
   return picture.seen.since_restart < 0.1 || picture.opponentsNear(picture.ball.now().position, kNear) > 0;
 }
 
-/// Whether the touch counts more than its direction: right after a restart, and before a keeper that runs
-/// out, to which a robot that comes round the ball would lose it.
+/// Whether a quick touch matters more than its direction: right after a restart, or when their keeper runs
+/// out. A robot that drives round the ball would lose it then.
 bool rushes(const Picture& picture, Vec2 rel) {
   if (keeperRunsOut(picture)) return true;
   if (squaredNorm(rel) < 0.055 * 0.055) return false;
@@ -106,17 +105,17 @@ bool rushes(const Picture& picture, Vec2 rel) {
   return picture.seen.restart == RestartKind::kGoalKick && !picture.seen.restart_is_ours && since < 0.5;
 }
 
-/// Where that touch is wanted. In the large game a free ball is met on its inner side, so that it slips from
-/// between the two robots toward the side wall, away from our goal.
+/// The wanted point [m] of the first touch. In five-a-side matches a free ball is met on its inner side.
+/// There it slips out between the two robots toward the side wall, away from the own goal.
 Vec2 firstTouch(const Picture& picture) {
   const Vec2 ball = picture.ball.now().position;
   if (picture.seen.restart != RestartKind::kFreeBall || !picture.pitch.isLarge()) return ball;
   return ball - Vec2{0.0, std::copysign(kInner, ball.y)};
 }
 
-/// Straight at the ball: a robot that comes round it would give it away. Where two push with equal force
-/// nothing moves, until a face that is a little turned lets the ball slip out to the side wall. The robot
-/// that turned first is first at it.
+/// Drives straight at the ball, since a robot that drives round it would lose it. If two robots push with
+/// equal force, nothing moves until one turns its face slightly. Then the ball slips out to the side wall,
+/// and the robot that turned first reaches it first.
 Twist pressOn(const Picture& picture, const RobotState& self, Vec2 rel, StrikerMemory& memory) {
   const Pitch& pitch = picture.pitch;
   memory.slipping = memory.jammed > kPinched ? kSlip : memory.slipping - picture.seen.dt;
@@ -125,15 +124,17 @@ Twist pressOn(const Picture& picture, const RobotState& self, Vec2 rel, StrikerM
   return alongHeading(self, math::angleOf(rel) + out, pitch.speed);
 }
 
-/// Whether an opponent presses from the other side on the ball that we push, roughly where we want it.
+/// Whether an opponent presses from the other side against the ball that the robot pushes roughly in the
+/// wanted direction.
 bool headOn(const Picture& picture, Vec2 rel, const Aim& aim) {
   const double near = norm(rel);
   if (aim.wall || near > kTouch || dot(rel, aim.direction) < 0.5 * near) return false;
   return picture.opponentsNear(picture.ball.now().position + unitOr(rel, {}) * 0.06, 0.03) > 0;
 }
 
-/// Whether the ball runs along their goal line through the mouth, before the robot: the face that pushes it
-/// turns it in. A robot that came round it would arrive after the ball has passed the other post.
+/// Whether the ball runs along the opponents' goal line through the mouth, in front of the robot. Then the
+/// robot turns it in while it pushes. A robot that drives round it would arrive after the ball has passed the
+/// other post.
 bool sweepsIn(const Picture& picture, Vec2 rel) {
   constexpr double kBefore = 0.12;  // [m] before the line
   constexpr double kPast = 0.03;    // [m] past a post
@@ -148,7 +149,7 @@ bool sweepsIn(const Picture& picture, Vec2 rel) {
          rel.y * ball.velocity.y > 0.0;
 }
 
-/// Straight on with the ball, with a little of it into the goal: more loses the ball to the side.
+/// Follows the ball with a small component into the goal. A larger component would lose the ball sideways.
 Twist sweepIn(const Picture& picture, const RobotState& self) {
   constexpr double kInto = 0.4;
   const double across = std::copysign(1.0, picture.ball.now().velocity.y);

@@ -9,31 +9,31 @@ namespace fulbito::libero {
 
 /// What the striker remembers between ticks.
 struct StrikerMemory {
-  double target_y = 0.0;    ///< [m] y on their goal line that is aimed at
-  int side = 0;             ///< way round the ball that is held: +1 counter-clockwise
-  int direction_index = 0;  ///< of the strike direction chosen last tick, see `clearStrikeDirection`
-  double spin_left = 0.0;   ///< [s] of a spin that is under way
+  double target_y = 0.0;    ///< [m] y of the target on the opponents' goal line
+  int side = 0;             ///< present direction round the ball: +1 counter-clockwise, -1 clockwise, 0 none
+  int direction_index = 0;  ///< index of the last strike direction, see `clearStrikeDirection`
+  double spin_left = 0.0;   ///< [s] left of the present spin
   double spin_sense = 1.0;
-  double locked = 0.0;    ///< [s] before the next spin
-  double jammed = 0.0;    ///< [s] for which robot and ball have pressed without moving
-  double caught = 0.0;    ///< [s] for which the robot has not moved, away from the ball
-  double freeing = 0.0;   ///< [s] for which it still drives off what caught it
-  double slipping = 0.0;  ///< [s] for which a pinched ball is still let slip
+  double locked = 0.0;    ///< [s] until the next spin may begin
+  double jammed = 0.0;    ///< [s] time that robot and ball have pressed without motion
+  double caught = 0.0;    ///< [s] time that the robot has not moved although it is away from the ball
+  double freeing = 0.0;   ///< [s] left of driving off
+  double slipping = 0.0;  ///< [s] left of letting a pinched ball slip out
 };
 
-/// When and where `robot` can have the ball.
+/// When and where `robot` can reach the ball.
 struct Interception {
   double time = 0.0;  ///< [s]
-  Vec2 ball;          ///< [m] where the ball then is
+  Vec2 ball;          ///< [m] the ball's position then
 };
 
-/// First time at which the robot can be behind the predicted ball.
+/// The first time at which the robot can be behind the predicted ball.
 Interception interception(const Picture& picture, const RobotState& robot);
 
-/// Whether a free ball is still disputed: its taker drives at the ball, and nothing else.
+/// Whether a free ball is still disputed. Then its taker only drives at the ball.
 bool disputesFreeBall(const Observation& seen);
 
-/// The striker's way: intercept, come round, push it in.
+/// The striker's move: intercept the ball, drive round it and push it into the goal.
 Move strike(const Picture& picture, int robot, StrikerMemory& memory);
 
 }  // namespace fulbito::libero

@@ -11,7 +11,7 @@
 namespace fulbito::libero {
 namespace {
 
-/// The heading toward `to`, led round the nearest robot that stands in the way by its tangent.
+/// The heading [rad] toward `to`, turned to pass the nearest robot or ball in the way along its tangent.
 double headingRound(const Picture& picture, int robot, Vec2 to) {
   const Vec2 from = picture.own(robot).pose.position;
   const double length = norm(to - from);
@@ -34,7 +34,8 @@ double headingRound(const Picture& picture, int robot, Vec2 to) {
   return math::angleOf(turned);
 }
 
-/// On the line from the ball to our goal, outside the area; beside it where the ball lies deeper.
+/// The point on the line from the ball to the own goal, outside the area. If the ball is deeper, the point is
+/// in front of the area.
 Vec2 shadow(const Picture& picture, Vec2 ball) {
   const Pitch& pitch = picture.pitch;
   const Vec2 goal = pitch.ownGoal();
@@ -46,8 +47,8 @@ Vec2 shadow(const Picture& picture, Vec2 ball) {
   return {x, std::clamp(ball.y * part, -most, most)};
 }
 
-/// Wide on the side away from the ball, for the third and fourth: one forward, one back, none in the big
-/// area.
+/// A place on the side away from the ball for the third (forward) and the fourth (back) robot without the
+/// ball. It is never in the big area.
 Vec2 outlet(const Pitch& pitch, Vec2 ball, int rank) {
   const double far_side = ball.y > 0.0 ? -1.0 : 1.0;
   const double back = -pitch.half_length + pitch.field.big_area_depth + 0.15;
@@ -55,8 +56,8 @@ Vec2 outlet(const Pitch& pitch, Vec2 ball, int rank) {
   return {std::clamp(ball.x - 0.55, back, 0.0), far_side * 0.2};
 }
 
-/// The side on which the ball is not: +1 or -1. Of a ball in the middle, as at a penalty, the robot's own:
-/// a fixed one would send it across the field from one of its two sides.
+/// The side of the field without the ball: +1 or -1. For a ball in the middle, as at a penalty, it is the
+/// robot's own side. A fixed side would send some robots across the field.
 double farSide(Vec2 ball, Vec2 robot) {
   constexpr double kMiddle = 0.001;  // [m]
   if (std::abs(ball.y) < kMiddle) return robot.y < 0.0 ? -1.0 : 1.0;
@@ -73,7 +74,8 @@ Vec2 wantedPlace(const Picture& picture, int robot, int rank) {
     const double far_side = farSide(ball, picture.own(robot).pose.position);
     return {std::min(ball.x - 0.2, pitch.half_length - 0.35), far_side * 0.18};
   }
-  // Where they crowd the ball none is left to stop what comes out on the other side.
+  // If opponents crowd the ball in a three-a-side match, nobody else stops a ball that comes out on their
+  // side.
   if (!pitch.isLarge() && picture.opponentsNear(ball, 0.25) >= 2) {
     return {std::min(ball.x + 0.3, pitch.half_length - 0.35), std::clamp(ball.y * 0.4, -0.3, 0.3)};
   }
@@ -86,7 +88,7 @@ Vec2 supportPlace(const Picture& picture, int robot, int rank) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
   Vec2 place = wantedPlace(picture, robot, rank);
-  constexpr double kRoom = 0.22;  // [m] about the striker's ball
+  constexpr double kRoom = 0.22;  // [m] kept from the striker's ball
   if (squaredNorm(place - ball) < kRoom * kRoom) {
     place = insideWalls(pitch.field, ball + unitOr(place - ball, {-1.0, 0.0}) * kRoom, 0.06);
   }

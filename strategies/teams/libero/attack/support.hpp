@@ -5,15 +5,15 @@
 
 namespace fulbito::libero {
 
-/// Where a robot without the ball should be: between ball and own goal when we defend, at the rebound when we
-/// attack, never at the striker's ball nor in an area. `rank` counts the robots without the ball, 0 first.
+/// The place [m] of a robot without the ball: between ball and own goal in defence, at the rebound in attack,
+/// never near the striker's ball or in an area. `rank` counts the robots without the ball from 0.
 Vec2 supportPlace(const Picture& picture, int robot, int rank);
 
-/// Where they wait while the ball is the keeper's alone: beside the area, off the way of robots that run at
-/// it, which would push them in, and ready for what comes out.
+/// The place [m] of a robot while only the keeper may play the ball: beside the area and ready for balls that
+/// come out. It is out of the way of opponents that run at the ball and would push the robot into the area.
 Vec2 waitingPlace(const Picture& picture, int rank);
 
-/// Drives there, round mates and opponents.
+/// Drives to `place` round mates and opponents.
 Twist supportTo(const Picture& picture, int robot, Vec2 place);
 
 }  // namespace fulbito::libero

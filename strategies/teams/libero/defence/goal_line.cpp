@@ -41,8 +41,8 @@ Twist slideTo(const Picture& picture, const RobotState& self, double line, doubl
   const double dx = line - self.pose.position.x, dy = y - self.pose.position.y;
   const Vec2 rel = picture.ball.now().position - self.pose.position;
   if (dx > 0.02 && squaredNorm(rel) < 0.13 * 0.13 && rel.x > 0.0) {
-    // Pushed into the goal with the ball before it: stay side on and before the ball, turning would let it
-    // in.
+    // The keeper is behind its line with the ball in front of it. It stays parallel to the line in front of
+    // the ball, because a turn would let the ball in.
     const double along = self.pose.heading >= 0.0 ? math::kPi / 2 : -math::kPi / 2;
     const double ahead = picture.ball.at(0.05).y - self.pose.position.y;
     return {std::copysign(1.0, self.pose.heading) * std::clamp(15.0 * ahead, -pitch.speed, pitch.speed),

@@ -7,16 +7,18 @@
 
 namespace fulbito::libero {
 
-/// y [m] at which the free ball soon crosses the line at x = `line` [m], if it does.
+/// y [m] at which the free ball crosses the line at x = `line` [m] within the next 1.2 s; empty if it does
+/// not.
 std::optional<double> crossing(const Picture& picture, double line);
 
-/// Along the line at `speed` [m/s], with a small lean that brings the robot back onto it while it moves.
+/// Drives along the line at `speed` [m/s]. A small turn toward the line corrects the distance from it.
 Twist alongLine(const RobotState& self, double line, double speed);
 
-/// The speed [m/s] toward a place `way` [m] off at which the robot can still stop there; `gain` [1/s].
+/// The greatest speed [m/s] at which the robot can still stop `way` [m] ahead, at most `gain` [1/s] times
+/// `way`.
 double stoppableSpeed(const Pitch& pitch, double way, double gain);
 
-/// To `y` [m] on the line; the body stays parallel to it.
+/// Drives to `y` [m] on the line with the body parallel to it.
 Twist slideTo(const Picture& picture, const RobotState& self, double line, double y);
 
 }  // namespace fulbito::libero

@@ -15,15 +15,16 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kDepth = 0.042;  // [m] of the keeper's centre before the goal line
-constexpr double kSlow = 0.6;     // [m/s] of a ball that the keeper goes out to
-constexpr double kStuck = 2.0;  // [s] after which a ball in our area is cleared though opponents wait for it
-constexpr double kReach = 0.175;  // [m] most |y| on the line
+constexpr double kDepth = 0.042;  // [m] from the goal line to the keeper's centre
+constexpr double kSlow = 0.6;     // [m/s] the keeper does not leave its line for a faster ball
+constexpr double kStuck = 2.0;    // [s] after which the keeper clears even if opponents are near
+constexpr double kReach = 0.175;  // [m] greatest |y| of the keeper on its line
 
-/// How far beside its crossing a carried ball is awaited [m]: on the side from which it comes, so that the
-/// keeper already moves across with it at the touch. A ball slides past a keeper that stands, along its face.
+/// Offset [m] of the keeper from the crossing of a ball that an opponent pushes, toward the side from which
+/// the ball comes. So the keeper already moves with the ball at the touch. A ball slides along the face of a
+/// keeper that stands still and passes it.
 double lead(const Picture& picture, double line) {
-  constexpr double kShare = 0.6;    // of the ball's way across
+  constexpr double kShare = 0.6;    // share of the ball's remaining way across
   constexpr double kLongest = 0.2;  // [s] before the touch
   if (!opponentDribblesAtGoal(picture)) return 0.0;
   const Pitch& pitch = picture.pitch;
@@ -33,15 +34,15 @@ double lead(const Picture& picture, double line) {
   return -kShare * ball.velocity.y * time;
 }
 
-/// Whether a ball that comes slanting touches the keeper's face now or soon: there it loses little of its
-/// speed across, runs on along the face, and its spin presses it on toward the goal. The keeper goes with it
-/// from a moment before the touch; a keeper that waits for the ball to be past is 0.1 s late.
+/// The twist along the line with a ball that touches the keeper's face at an angle now or soon; empty
+/// otherwise. Such a ball keeps most of its speed along the face, and its spin presses it toward the goal.
+/// The keeper starts just before the touch; starting after the ball has passed would be 0.1 s late.
 std::optional<Twist> goWith(const Picture& picture, const RobotState& self, double line) {
   constexpr double kSoon = 0.04;    // [s] before the touch
-  constexpr double kFace = 0.04;    // [m] off the keeper's middle: a ball farther out has to be reached first
-  constexpr double kAcross = 0.2;   // [m/s] slower balls wait
-  constexpr double kShare = 0.8;    // of its speed: the face takes some of it
-  constexpr double kRoom = 0.24;    // [m] most |y|: a little past the post
+  constexpr double kFace = 0.04;    // [m] from the keeper's centre; it must first reach a ball farther out
+  constexpr double kAcross = 0.2;   // [m/s] the keeper waits for slower balls
+  constexpr double kShare = 0.8;    // share of the ball's speed across that it keeps along the face
+  constexpr double kRoom = 0.24;    // [m] greatest |y| of the keeper, slightly past the post
   constexpr double kTouch = 0.002;  // [m]
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
@@ -59,9 +60,8 @@ std::optional<Twist> goWith(const Picture& picture, const RobotState& self, doub
   return alongLine(self, line, std::copysign(speed, wanted));
 }
 
-/// Whether the keeper is at a ball near the goal before any opponent. Before a fast one it keeps its line: a
-/// keeper that turns in order to clear leaves the ball a way in beside it. What runs along the end wall is
-/// excepted.
+/// Whether the keeper reaches a ball near the goal before any opponent. For a fast ball it keeps its line,
+/// since a keeper that turns to clear opens a gap. Fast balls along the end wall are an exception.
 bool comesFirst(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.1);
@@ -75,15 +75,15 @@ bool comesFirst(const Picture& picture, const RobotState& self) {
   return true;
 }
 
-/// Whether the keeper goes out along the end wall to a ball there. Far from the post it has the wall behind
-/// it, and nothing gets past. At the post an opponent with the ball arrives at full speed and pushes beside
-/// the keeper's middle, which turns it, and the ball goes in behind it.
+/// Whether the keeper leaves its goal along the end wall to reach a ball there. Far from the post the wall is
+/// behind the keeper, and no ball passes it. At the post an opponent would arrive at full speed, push beside
+/// the keeper's centre and turn it, and the ball would go in.
 bool meetsAlongWall(const Picture& picture, const RobotState& self) {
-  constexpr double kStrip = 0.06;     // [m] off the wall, the ball
-  constexpr double kOwnStrip = 0.09;  // [m] off the wall, the keeper
-  constexpr double kFarthest = 0.55;  // [m] |y| of the ball
-  constexpr double kFastest = 1.0;    // [m/s] toward the goal; a faster one is there first
-  constexpr double kBetween = 0.03;   // [m] that the keeper is nearer to the goal's middle
+  constexpr double kStrip = 0.06;     // [m] greatest distance of the ball from the wall
+  constexpr double kOwnStrip = 0.09;  // [m] greatest distance of the keeper from the wall
+  constexpr double kFarthest = 0.55;  // [m] greatest |y| of the ball
+  constexpr double kFastest = 1.0;    // [m/s] toward the goal; a faster ball arrives before the keeper
+  constexpr double kBetween = 0.03;   // [m] by which the keeper must be nearer to the goal's middle
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
   const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
@@ -94,13 +94,14 @@ bool meetsAlongWall(const Picture& picture, const RobotState& self) {
   return self.pose.position.x < -pitch.half_length + kOwnStrip && self.pose.position.y * out < y - kBetween;
 }
 
-/// Pushes a ball that lies near out to the side, from the goal's side; nothing when the keeper is not there.
+/// Pushes a near ball out to the side, away from the goal; empty if the keeper is not on the goal's side of
+/// the ball.
 std::optional<Twist> clear(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.at(0.05);
   const Vec2 rel = ball - self.pose.position;
-  // In the mouth there is no wall behind the keeper, which was pushed in and has the ball before it: it
-  // pushes out what is stuck there; before that its turn would only let the ball in.
+  // A keeper that was pushed into the mouth with the ball in front has no wall behind it. It pushes out a
+  // ball that is stuck there, but only after a while, because its turn may let the ball in.
   const bool in_mouth = picture.stuck > 2 * kStuck &&
                         std::abs(ball.y) < pitch.goal_half - pitch.ball_radius &&
                         self.pose.position.x < ball.x - 0.03;
@@ -119,16 +120,16 @@ std::optional<Twist> clear(const Picture& picture, const RobotState& self) {
   return alongHeading(self, heading, pitch.speed);
 }
 
-/// The ball lies or comes along our end wall, beside the goal or in its mouth's edge.
+/// Whether the ball lies or rolls along the own end wall, beside the goal or at the edge of its mouth.
 bool alongEndWall(const Picture& picture) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
   return ball.x < -pitch.half_length + 0.08 && std::abs(ball.y) > 0.10 && std::abs(ball.y) < 0.5;
 }
 
-/// Closes the near post with a face that leads the ball out to the field, and holds: from within the mouth,
-/// so that a ball that is pushed along the wall meets the middle of the face. Beside its middle it would turn
-/// the keeper and pass behind it.
+/// Closes the near post with a face that deflects the ball into the field. The keeper stands within the
+/// mouth, so that a ball pushed along the wall hits the middle of its face. A hit beside the middle would
+/// turn the keeper, and the ball would pass behind it.
 Move guardPost(const Picture& picture, const RobotState& self) {
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
@@ -138,7 +139,7 @@ Move guardPost(const Picture& picture, const RobotState& self) {
                   side * std::min(pitch.goal_half - 0.045, std::abs(ball.y) - 0.055)};
   const Vec2 way = post - self.pose.position;
   const double heading = side * (math::kPi / 2 - lean);
-  // A keeper that was pushed into the goal has to come out of it first.
+  // A keeper that was pushed into the goal must leave it first.
   if (std::abs(way.y) < 0.02 && way.x < 0.04) {
     Twist twist = turnTo(pitch, self, heading);
     twist.linear = std::clamp(4.0 * dot(way, math::unit(self.pose.heading)), -0.2, 0.2);
@@ -147,18 +148,19 @@ Move guardPost(const Picture& picture, const RobotState& self) {
   return {slideTo(picture, self, post.x, post.y), "guard post", post, {}, {}};
 }
 
-/// Out along the line, at speed, to a ball that is carried slanting past the near post: to where it comes
-/// into the keeper's row, from within. A keeper that waits there is pushed along its own line into the goal.
+/// Drives along the line at full speed to a ball that an opponent pushes at an angle past the near post. The
+/// target is where the ball arrives in front of the line, reached from the goal's middle. An opponent would
+/// push a waiting keeper along its line into the goal.
 std::optional<Move> runOut(const Picture& picture, const RobotState& self, double line) {
-  constexpr double kStrip = 0.16;     // [m] off the wall, the ball
-  constexpr double kNearest = 0.15;   // [m] |y| of the ball
-  constexpr double kFarthest = 0.45;  // [m]
-  constexpr double kComing = 0.3;     // [m/s] across
-  constexpr double kRow = 0.03;       // [m] before the keeper's line, where a ball meets its front
-  constexpr double kRoom = 0.06;      // [m] between the middles of both where they touch
-  constexpr double kLeast = 0.10;     // [m] |y| of the keeper there; further in it waits
-  constexpr double kOffLine = 0.05;   // [m] of the keeper
-  constexpr double kTurned = 0.5;     // [rad] out of its line
+  constexpr double kStrip = 0.16;     // [m] greatest distance of the ball from the wall
+  constexpr double kNearest = 0.15;   // [m] least |y| of the ball
+  constexpr double kFarthest = 0.45;  // [m] greatest |y| of the ball
+  constexpr double kComing = 0.3;     // [m/s] least speed of the ball toward the goal's middle
+  constexpr double kRow = 0.03;       // [m] from the keeper's line to a ball that touches its front
+  constexpr double kRoom = 0.06;      // [m] between the centres of keeper and ball when they touch
+  constexpr double kLeast = 0.10;     // [m] least |y| of the meeting; the keeper waits for balls farther in
+  constexpr double kOffLine = 0.05;   // [m] greatest distance of the keeper from its line
+  constexpr double kTurned = 0.5;     // [rad] greatest angle between keeper and line
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
   const double out = ball.position.y >= 0.0 ? 1.0 : -1.0;
@@ -179,18 +181,18 @@ std::optional<Move> runOut(const Picture& picture, const RobotState& self, doubl
   return Move{twist, "run out", Vec2{line, out * meet}, {}, {}};
 }
 
-/// A ball in the mouth behind the keeper: whatever touches it from here pushes it in. The keeper gets out of
-/// its way along the line, and waits until the ball has come out or one of them has been moved.
+/// Handles a ball in the mouth behind the keeper, where any touch pushes it in. The keeper drives away from
+/// it along the line and waits there.
 std::optional<Twist> leaveBehind(const Picture& picture, const RobotState& self, double line) {
-  constexpr double kBehind = 0.025;  // [m] of the ball's centre behind the keeper's
-  constexpr double kDeep = 0.025;    // [m] of the ball's centre before the goal line
-  constexpr double kApart = 0.08;    // [m] along the line
-  constexpr double kBeside = 0.045;  // [m] along the line
-  constexpr double kPushed = 0.09;   // [m] from the ball to an opponent's middle
+  constexpr double kBehind = 0.025;  // [m] least distance of the ball's centre behind the keeper's
+  constexpr double kDeep = 0.025;    // [m] greatest distance of the ball's centre in front of the goal line
+  constexpr double kApart = 0.08;    // [m] distance along the line that the keeper drives away
+  constexpr double kBeside = 0.045;  // [m] along the line; a ball farther off is beside the keeper
+  constexpr double kPushed = 0.09;   // [m] from the ball's centre to that of an opponent that pushes it
   const Pitch& pitch = picture.pitch;
   const Vec2 ball = picture.ball.now().position;
   const Vec2 rel = ball - self.pose.position;
-  // Beside its front, with an opponent pushing from the other side, it is held out by the keeper that stays.
+  // A keeper that stays holds out a ball beside it that an opponent pushes from the other side.
   if (std::abs(rel.y) > kBeside && picture.opponentsNear(ball, kPushed) > 0) return std::nullopt;
   if (rel.x > -kBehind || ball.x > -pitch.half_length + kDeep || std::abs(ball.y) > pitch.goal_half)
     return std::nullopt;
@@ -198,17 +200,18 @@ std::optional<Twist> leaveBehind(const Picture& picture, const RobotState& self,
   return std::abs(rel.y) < kApart ? alongLine(self, line, away * pitch.speed) : Twist{};
 }
 
-/// A keeper that was pushed into the goal, with the ball before it, pushes it out while no opponent is near:
-/// one that waits is pushed in with it by the next run at the ball.
+/// The twist of a keeper that was pushed into the goal with the ball in front and pushes it out while no
+/// opponent is near. A keeper that waits is pushed in with the ball by the next opponent that runs at it.
 std::optional<Twist> pushOut(const Picture& picture, const RobotState& self) {
-  constexpr double kIn = 0.02;      // [m] of the keeper's middle before the goal line at most
-  constexpr double kBefore = 0.03;  // [m] by which the ball is farther out
+  constexpr double kIn = 0.02;      // [m] greatest distance of the keeper's centre in front of the goal line
+  constexpr double kBefore = 0.03;  // [m] by which the ball must be farther out than the keeper
   constexpr double kAside = 0.06;   // [m]
   constexpr double kNear = 0.115;   // [m]
   constexpr double kLies = 0.35;    // [m/s]
-  constexpr double kInTime = 0.2;   // [s] that no opponent is at the ball
-  constexpr double kTurned = 0.9;   // [rad] off straight out: from there on it goes on whatever comes
-  constexpr double kOut = 0.2;      // tangent, to the side of the near post
+  constexpr double kInTime = 0.2;   // [s] in which no opponent can reach the ball
+  // [rad] heading error from straight out below which the keeper continues in any case
+  constexpr double kTurned = 0.9;
+  constexpr double kOut = 0.2;  // tangent of the turn toward the near post
   const Pitch& pitch = picture.pitch;
   const BallState& ball = picture.ball.now();
   const Vec2 rel = ball.position - self.pose.position;
@@ -226,7 +229,7 @@ std::optional<Twist> pushOut(const Picture& picture, const RobotState& self) {
   return alongHeading(self, math::angleOf(unitOr(rel, {1.0, 0.0}) + Vec2{0.0, side}), pitch.speed);
 }
 
-/// Where on its line the keeper should stand, y [m].
+/// The y [m] of the keeper's place on its line.
 double keeperPlace(const Picture& picture, double line) {
   const Pitch& pitch = picture.pitch;
   const auto shot = crossing(picture, line + pitch.ball_radius);
@@ -255,7 +258,7 @@ Move keep(const Picture& picture, int robot) {
   const Vec2 rel = ball.position - self.pose.position;
   if (picture.seen.restart == RestartKind::kPenalty && !picture.seen.restart_is_ours &&
       picture.seen.since_restart < 0.8 && rel.x > 0.04 && squaredNorm(rel) > 0.06 * 0.06) {
-    // Out to meet the taker: the nearer to the ball, the more of the goal is covered.
+    // The keeper drives toward the taker, since it covers more of the goal the nearer it is to the ball.
     const Vec2 meet = ball.position + ball.velocity * 0.12;
     return {passThrough(self, meet, pitch.speed), "meet penalty", {}, meet, {}};
   }

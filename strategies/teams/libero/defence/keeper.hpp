@@ -5,10 +5,10 @@
 
 namespace fulbito::libero {
 
-/// Whether a shot is on its way that `robot`, near our goal, must save.
+/// Whether the ball rolls into the own goal and `robot`, which is near the goal, must save it.
 bool mustSave(const Picture& picture, int robot);
 
-/// The keeper: on its line, to the crossing, and out to clear what lies near.
+/// The keeper's move: along its line to the crossing, or off the line to clear a near ball.
 Move keep(const Picture& picture, int robot);
 
 }  // namespace fulbito::libero

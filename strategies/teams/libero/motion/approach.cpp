@@ -10,30 +10,30 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kSharpness = 2.7;    // n of the field
-constexpr double kHalf = 0.03;        // [m] nearer than this is not behind
-constexpr double kCone = 0.35;        // |y| / x within which the line is followed
+constexpr double kSharpness = 2.7;  // exponent n of the posture field
+constexpr double kHalf = 0.03;      // [m] a robot nearer than this is not behind the ball
+constexpr double kCone = 0.35;      // lateral over forward distance, within which the robot follows the line
 constexpr double kLookAhead = 0.045;  // [s]
-constexpr double kTurnRate = 8.0;     // [rad/s] at which skew can be taken out before the touch
-constexpr double kSideRate = 0.35;    // [m/s] the same of the lateral error
-constexpr double kSlowTouch = 0.5;    // [m/s]
+constexpr double kTurnRate = 8.0;     // [rad/s] at which the heading error can fall before the touch
+constexpr double kSideRate = 0.35;    // [m/s] rate at which it can reduce its lateral error
+constexpr double kSlowTouch = 0.5;    // [m/s] speed of the touch at a resting ball
 constexpr double kPushGain = 10.0;    // [1/s]
-constexpr double kCarried = 0.5;      // share of the ball's speed by which the touch is faster
-constexpr double kLies = 0.15;        // [m/s] a slower ball waits for a robot that comes round
-constexpr double kRoundSpeed = 0.49;  // [m/s] on the circle round it
-constexpr double kSlowing = 4.0;      // [m/s^2] at which that speed is come down to
-constexpr double kArc = 0.12;         // [m] from the ball, where it is reached
-constexpr double kTurnsOff = 0.6;     // [rad] between the way to the ball and the blow, from which it matters
+constexpr double kCarried = 0.5;      // share of the ball's speed that is added to the speed of the touch
+constexpr double kLies = 0.15;        // [m/s] a slower ball waits until the robot has driven round it
+constexpr double kRoundSpeed = 0.49;  // [m/s] speed on the circle round the ball
+constexpr double kSlowing = 4.0;      // [m/s^2] deceleration to that speed
+constexpr double kArc = 0.12;         // [m] from the ball, where that speed is reached
+constexpr double kTurnsOff = 0.6;     // [rad] between the way to the ball and the strike
 
-/// The speed at which a robot that is `distance` [m] from a ball comes on to the circle round it: at full
-/// speed it would slide past and have to come back.
+/// The speed [m/s] of a robot `distance` [m] from the ball that is about to enter the circle round it. At
+/// full speed it would slide past the ball and have to come back.
 double arrivingSpeed(const Pitch& pitch, double distance) {
   const double way = std::max(0.0, distance - kArc);
   return std::min(pitch.speed, stoppingSpeed(kSlowing, way, kRoundSpeed));
 }
 
-/// `heading` turned along a wall, or out of a goal's mouth, where it would lead the robot into it: a robot
-/// that a wall or post keeps from turning stands still.
+/// `heading` [rad], turned along a wall or out of a goal mouth if it would lead the robot into it. A robot
+/// that a wall or post keeps from turning would stand still.
 double alongWalls(const Pitch& pitch, Vec2 robot, double heading) {
   constexpr double kAhead = 0.06, kMargin = 0.045, kHere = 0.01;  // [m]
   const Vec2 to = robot + math::unit(heading) * kAhead;
@@ -77,7 +77,8 @@ Twist driveThrough(const Pitch& pitch, const RobotState& self, Vec2 contact, Vec
   const double heading = along - math::atan2(local.y, carrot);
   const double skew = std::abs(foldedError(along, self.pose.heading));
   const double needed = skew / kTurnRate + std::abs(local.y) / kSideRate;
-  // A robot that follows a ball at its own speed never touches it again, and cannot mend its direction.
+  // The touch is faster than the ball. A robot that follows the ball at its speed cannot touch it again to
+  // correct its direction.
   const double touch = kSlowTouch + kCarried * std::max(0.0, dot(rolling, direction));
   const double speed = std::min(pitch.speed, touch + (to_touch + 0.025) / std::max(needed, 0.01));
   return alongHeading(self, heading, speed, to_touch < 0.015 ? kPushGain : kTurnGain);

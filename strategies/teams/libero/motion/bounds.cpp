@@ -13,7 +13,7 @@
 namespace fulbito::libero {
 namespace {
 
-/// An area that is closed, in a frame in which it is our own.
+/// A closed goal area, in the frame in which it is the own area.
 struct Bound {
   const Pitch& pitch;
   const RobotState& robot;
@@ -23,7 +23,7 @@ struct Bound {
   /// [m] how deep a point is in the widened area; negative outside.
   double depth(Vec2 p) const { return margin - distanceTo(area, intoGoalFrame(pitch.field, Side::kLeft, p)); }
 
-  /// The greatest depth on the way to rest from there.
+  /// The greatest depth [m] while the rolled robot `roll` brakes to rest.
   double deepest(Roll roll) const {
     double most = depth(roll.place);
     const int horizon = ticksToRest(pitch);
@@ -34,14 +34,14 @@ struct Bound {
     return most;
   }
 
-  /// Whether the robot could still stop no deeper than at `limit` [m] after a tick of it.
+  /// Whether a robot that drives `twist` for one tick and then brakes stays within the depth `limit` [m].
   bool allows(Twist twist, double limit = 0.0) const {
     Roll roll(pitch, robot);
     roll.drive(twist);
     return deepest(roll) <= limit;
   }
 
-  /// Unit vector out of the area by the shortest way.
+  /// Unit vector of the shortest way out of the area.
   Vec2 outward(Vec2 p) const {
     constexpr double kStep = 1e-4;
     const Vec2 slope{depth({p.x - kStep, p.y}) - depth({p.x + kStep, p.y}),
@@ -51,18 +51,18 @@ struct Bound {
 
   Twist along(Vec2 way) const { return alongHeading(robot, math::angleOf(way), pitch.speed); }
 
-  /// Both wheels at this speed [m/s], as fast as they get there.
+  /// Both wheels at this speed [m/s], without a limit of acceleration.
   RobotCommand straight(double speed) const {
     return RobotCommand::byWheels({speed / pitch.wheel_radius, speed / pitch.wheel_radius});
   }
 
-  /// Out of the goal's mouth: past its posts nothing leads to either side, and a robot that stands along a
-  /// post first comes off it.
+  /// Leaves the goal mouth. There is no way to either side behind its posts, and a robot along a post must
+  /// first move off it.
   RobotCommand leavingMouth() const {
     return RobotCommand::byTwist(along({pitch.robot_corner, -robot.pose.position.y}));
   }
 
-  /// Of the ways out, to the front and to either side, the quickest.
+  /// Leaves the area by the quickest of three ways: to the front or to either side.
   RobotCommand leaving() const {
     const Vec2 p = robot.pose.position;
     if (p.x < pitch.robot_corner - pitch.half_length && std::abs(p.y) < pitch.goal_half)
@@ -78,23 +78,24 @@ struct Bound {
     }
     const Vec2 face = math::unit(robot.pose.heading);
     const double ahead = dot(face, best);
-    // Turning comes before speed in a twist: a robot on its way in is stopped first.
+    // A twist changes the turn before the speed, so a robot that moves inward must stop first.
     if (dot(robot.velocity, best) < -0.05)
       return straight(std::abs(ahead) > 0.5 ? std::copysign(pitch.speed, ahead) : 0.0);
     return RobotCommand::byTwist(along(best));
   }
 
-  /// Along the edge, to the hand to which `wanted` leads, and off it by `off`.
+  /// Drives along the edge in the sense of `wanted`, with the share `off` of outward motion.
   Twist alongEdge(Twist wanted, double off) const {
     const Vec2 out = outward(robot.pose.position);
-    // A robot that only turns goes away from the goal's middle: to the same hand on either side of it.
+    // A robot that only turns drives away from the goal's middle, so that both halves of the field are alike.
     const Vec2 idle = 1e-9 * Vec2{1.0, std::copysign(1.0, robot.pose.position.y)};
     const Vec2 going = math::unit(robot.pose.heading) * wanted.linear + idle;
     const double hand = dot(going, perp(out)) >= 0.0 ? 1.0 : -1.0;
     return along(perp(out) * hand + out * off);
   }
 
-  /// Too near to the edge, but not in: as wanted if that leads off, else stop and turn off.
+  /// For a robot within the margin but not in the area: `wanted` if it leads outward, otherwise stop and turn
+  /// outward.
   RobotCommand fromEdge(Twist wanted) const {
     const Vec2 out = outward(robot.pose.position);
     const double ahead = dot(math::unit(robot.pose.heading), out);
@@ -103,11 +104,11 @@ struct Bound {
     }
     const bool leads_off = wanted.linear * ahead > 0.1 * pitch.speed;
     if (leads_off && allows(wanted, depth(robot.pose.position))) return RobotCommand::byTwist(wanted);
-    // Not to the hand of `wanted`: that changes faster than a robot turns.
+    // The sense of `wanted` does not count, since it changes faster than a robot turns.
     return RobotCommand::byTwist(along(out));
   }
 
-  /// What of all that can be done comes nearest to what is wanted and keeps out.
+  /// The possible command nearest to `wanted` that keeps the robot out.
   RobotCommand kept(Twist wanted) const {
     const double now = depth(robot.pose.position);
     if (now > margin) return leaving();
@@ -121,7 +122,7 @@ struct Bound {
   }
 };
 
-/// Whether an opponent from outside comes at the robot or past it toward our goal: it would push it in.
+/// Whether an opponent drives at the robot, or past it toward the own goal, and would push it into the area.
 bool isPressed(const Picture& picture, const RobotState& robot) {
   constexpr double kNear = 0.30, kBeside = 0.05, kComes = 0.2;  // [m], [m], [m/s]
   const Vec2 goal = picture.pitch.ownGoal();

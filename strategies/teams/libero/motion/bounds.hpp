@@ -11,15 +11,16 @@ struct Closed {
   bool theirs = false;
 };
 
-/// `wanted`, unless after a tick of it the robot could not stop before a closed area: then it goes on along
-/// the edge, or brakes; one that is in already leaves by the quickest way.
+/// Returns `wanted` if the robot can drive it for one tick and then stop in front of the closed areas.
+/// Otherwise the robot drives along the edge or brakes. A robot inside an area leaves it by the quickest way.
 RobotCommand keptOut(const Picture& picture, int robot, Closed closed, Twist wanted);
 
-/// [m] how near to our area's line the centre may come: a defender is inside with more than half of its body.
+/// [m] least distance of the centre from the own area; a defender is inside with more than half of its body.
 inline constexpr double kOwnMargin = 0.015;
-/// [m] more than that while an opponent comes at it and would push it in.
+/// [m] added to that while an opponent would push the robot in.
 inline constexpr double kPressedMargin = 0.12;
-/// [m] the same at theirs, where any part counts, beyond the body's circle.
+/// [m] least distance of the body's circle from the opponents' area, where any part of the body counts as
+/// inside.
 inline constexpr double kTheirMargin = 0.008;
 
 }  // namespace fulbito::libero

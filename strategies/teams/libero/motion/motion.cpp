@@ -9,9 +9,9 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kHeldSpeed = 0.3;   // [m/s] above which an end keeps leading
-constexpr double kHeldAngle = 0.26;  // [rad] beyond a right angle
-constexpr double kBraking = 0.75;    // share of the acceleration that a robot plans to brake with
+constexpr double kHeldSpeed = 0.3;   // [m/s] above this speed the leading end stays
+constexpr double kHeldAngle = 0.26;  // [rad] beyond a right angle; smaller errors keep the end
+constexpr double kBraking = 0.75;    // share of the acceleration that a robot plans to use for braking
 
 }  // namespace
 

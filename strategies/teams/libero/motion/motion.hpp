@@ -4,25 +4,26 @@
 
 namespace fulbito::libero {
 
-/// [1/s] yaw rate per heading error, where a skill has no other.
+/// [1/s] default yaw rate per heading error.
 inline constexpr double kTurnGain = 16.0;
 
-/// Drives along `heading` [rad] at `speed` [m/s] with whichever end takes the smaller turn; a moving robot
-/// keeps its end unless the other is clearly nearer. It slows down by the squared cosine of the error while
-/// it turns; `gain` [1/s] is the yaw rate per error.
+/// Drives along `heading` [rad] at `speed` [m/s] with the end that needs the smaller turn; a moving robot
+/// keeps its leading end unless the other is clearly nearer. While it turns, the speed falls by the squared
+/// cosine of the error. `gain` [1/s] is the yaw rate per error.
 Twist alongHeading(const RobotState& robot, double heading, double speed, double gain = kTurnGain);
 
-/// The yaw rate [rad/s] at which a turn by `angle` [rad] >= 0 can still be stopped in time.
+/// The greatest yaw rate [rad/s] from which the robot can stop after a turn by `angle` [rad] >= 0.
 double fastestTurn(const Pitch& pitch, double angle);
 
-/// Turns on the spot until one end points along `heading`.
+/// Turns in place until one end points along `heading`.
 Twist turnTo(const Pitch& pitch, const RobotState& robot, double heading);
 
-/// A place to be: comes to rest there, then turns an end to `heading`.
+/// Drives to `place`, stops there and turns an end to `heading`. The turn begins `heading_from` [m] before
+/// the place.
 Twist restAt(const Pitch& pitch, const RobotState& robot, Vec2 place, double heading,
              double heading_from = 0.02);
 
-/// Drives through `place` at speed.
+/// Drives through `place` at `speed` [m/s].
 Twist passThrough(const RobotState& robot, Vec2 place, double speed);
 
 /// Difference of two headings when either end may lead, in [-pi/2, pi/2].

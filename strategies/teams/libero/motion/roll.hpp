@@ -9,33 +9,35 @@
 namespace fulbito::libero {
 
 inline constexpr double kToRest = 0.265;  ///< [s] in which a robot comes to rest from any speed
-inline constexpr double kStands = 1e-9;   ///< [m/s] below which wheels that brake stand
-inline constexpr double kGrip = 5.5;      ///< [m/s^2] at which a robot that slides across comes to rest
+inline constexpr double kStands = 1e-9;   ///< [m/s] below this speed braking wheels stand still
+inline constexpr double kGrip = 5.5;      ///< [m/s^2] deceleration of a robot's sideways slide
 
 /// Ticks until a robot that brakes from any speed rests.
 inline int ticksToRest(const Pitch& pitch) { return static_cast<int>(std::ceil(kToRest / pitch.tick)); }
 
-/// [m] that a robot of `speed` [m/s], after a tick of whatever it is told, goes at most before it rests.
+/// Greatest distance [m] that a robot with `speed` [m/s] covers before it rests, after one tick of any
+/// command.
 inline double mostWay(const Pitch& pitch, double speed) {
   const double then = speed + pitch.acceleration * pitch.tick;
   return then * (2 * pitch.tick + then / (2 * kGrip));
 }
 
-/// Unit vector at a small `angle` [rad]: to 1e-7 up to 0.26, half of what a robot turns in a tick at most.
+/// Unit vector at a small `angle` [rad], exact to 1e-7 up to 0.26, which is half of the greatest turn in a
+/// tick.
 inline Vec2 smallTurn(double angle) {
   const double square = angle * angle;
   return {1.0 - square / 2 * (1.0 - square / 12 * (1.0 - square / 30)),
           angle * (1.0 - square / 6 * (1.0 - square / 20))};
 }
 
-/// A robot rolled forward: what can come of a command, tick by tick.
+/// Predicts a robot's motion under commands, tick by tick.
 struct Roll {
   const Pitch& pitch;
   Vec2 place;
   Vec2 face;             ///< unit vector of its heading
   double forward = 0.0;  ///< [m/s]
-  double across = 0.0;   ///< [m/s] to the left: the slide of a robot that is pushed
-  double yaw = 0.0;      ///< [m/s] of a wheel, from turning
+  double across = 0.0;   ///< [m/s] to the left: sideways slide of a robot that is pushed
+  double yaw = 0.0;      ///< [m/s] wheel speed from turning
 
   Roll(const Pitch& on, const RobotState& robot)
       : pitch(on),
@@ -49,7 +51,7 @@ struct Roll {
 
   bool rests() const { return forward == 0.0 && yaw == 0.0 && across == 0.0; }
 
-  /// As a twist is carried out: what the wheels can gain goes to turning first.
+  /// One tick of a twist. As in the limiter, the acceleration of the wheels goes to turning first.
   void drive(Twist wanted) {
     const double before = forward, yaw_before = yaw, most = pitch.acceleration * pitch.tick;
     const double turn = std::clamp(wanted.angular * pitch.half_track - yaw, -most, most);
@@ -60,7 +62,7 @@ struct Roll {
     move((before + forward) / 2, (yaw_before + yaw) / 2);
   }
 
-  /// Both wheels told to stand.
+  /// One tick in which both wheels brake.
   void brake() {
     const double before = forward, yaw_before = yaw;
     const RimSpeeds rims{forward - yaw, forward + yaw};

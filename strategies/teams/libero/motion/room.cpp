@@ -12,22 +12,22 @@
 namespace fulbito::libero {
 namespace {
 
-constexpr double kTouch = 0.005;  // [m] between bodies that are taken to touch, as pictures go
-constexpr double kRoom = 0.006;   // [m] kept to a keeper
-constexpr double kNear = 0.40;    // [m] beyond which no robot comes within the horizon
+constexpr double kTouch = 0.005;  // [m] bodies with a smaller gap count as touching
+constexpr double kRoom = 0.006;   // [m] gap that robots keep to a keeper
+constexpr double kNear = 0.40;    // [m] robots farther apart cannot meet within the horizon
 
-/// Half the extent of a square of half size `half` along the other's sides, where `a` and `b` point along a
-/// side of either: alike for all four.
+/// Half the extent [m] of a square of half size `half` along a side of another square. `a` and `b` are unit
+/// vectors along a side of each; all pairs of sides give the same extent.
 double reach(double half, Vec2 a, Vec2 b) { return half * (std::abs(dot(a, b)) + std::abs(cross(a, b))); }
 
-/// [m] between two squares along the axis on which they are farthest apart; negative where they overlap.
+/// The gap [m] between two squares along the axis on which they are farthest apart; negative if they overlap.
 double gapOf(double half, Vec2 between, Vec2 a, Vec2 b) {
   const double farthest = std::max({std::abs(dot(between, a)), std::abs(cross(between, a)),
                                     std::abs(dot(between, b)), std::abs(cross(between, b))});
   return farthest - half - reach(half, a, b);
 }
 
-/// A keeper as seen from one robot.
+/// The opponents' keeper as seen from one robot.
 struct Keeper {
   const Pitch& pitch;
   const RobotState& self;
@@ -36,13 +36,13 @@ struct Keeper {
   Vec2 faced = math::unit(keeper.pose.heading);
 
   double gap() const { return gapAfter(start, 0); }
-  /// After that many ticks, in which the keeper goes on as it does.
+  /// The gap [m] after `ticks`, in which the keeper keeps its velocity.
   double gapAfter(const Roll& roll, int ticks) const {
     const Vec2 there = keeper.pose.position + keeper.velocity * (ticks * pitch.tick);
     return gapOf(pitch.robot_half, there - roll.place, roll.face, faced);
   }
 
-  /// Whether the robot could still stop before the keeper after a tick of it.
+  /// Whether the robot can stop in front of the keeper after one tick of `twist`.
   bool allows(Twist twist) const {
     Roll roll = start;
     roll.drive(twist);
@@ -55,11 +55,12 @@ struct Keeper {
     return least >= kRoom;
   }
 
-  /// [m] to the keeper, summed over some ticks of a twist, walls in the way: the sooner it leaves the better.
-  /// Where it is off, farther counts no more: an arc that ends farther away rubs along the keeper longer.
+  /// The gap [m] to the keeper, summed over the ticks of a twist with the walls in the way: the sooner the
+  /// robot leaves, the greater. Gaps above `kOff` count as `kOff`; otherwise arcs that rub along the keeper
+  /// but end farther away would win.
   double gapsBy(Twist twist) const {
     constexpr double kOff = 0.02;    // [m]
-    constexpr double kAhead = 0.25;  // [s] in which a robot that stood is past the keeper's body
+    constexpr double kAhead = 0.25;  // [s] in which a robot from rest passes the keeper's body
     Roll roll = start;
     double sum = 0.0;
     const int ticks = static_cast<int>(std::lround(kAhead / pitch.tick));
@@ -71,8 +72,8 @@ struct Keeper {
     return sum;
   }
 
-  /// `p` where a body that faces so fits, in their goal too: a robot that turns at a wall comes off it,
-  /// perhaps into the keeper.
+  /// `p` moved to where a body with the direction `face` fits between the walls, also in the opponents' goal.
+  /// A wall pushes a turning robot off, perhaps into the keeper.
   Vec2 walled(Vec2 p, Vec2 face) const {
     const double half = reach(pitch.robot_half, face, {1.0, 0.0});
     const double post = pitch.goal_half - half;
@@ -81,7 +82,7 @@ struct Keeper {
     return in_mouth ? Vec2{p.x, std::clamp(p.y, -post, post)} : insideWalls(pitch.field, p, half);
   }
 
-  /// Whatever brings the robot off the keeper best: with either end, turning or not.
+  /// The command that brings the robot off the keeper soonest: with either end, turning or not.
   RobotCommand away() const {
     const Vec2 off = self.pose.position - keeper.pose.position;
     const double v = pitch.speed;
@@ -94,11 +95,11 @@ struct Keeper {
       if (gaps > most) most = gaps, best = twist;
     }
     if (best.angular != 0.0) return RobotCommand::byTwist(best);
-    // As wheel speeds: a twist would first take out what the robot turns.
+    // Wheel speeds, because a twist would first stop the robot's rotation.
     return RobotCommand::byWheels({best.linear / pitch.wheel_radius, best.linear / pitch.wheel_radius});
   }
 
-  /// What of all that can be done comes nearest to what is wanted.
+  /// The possible command nearest to `wanted` that keeps off the keeper.
   RobotCommand kept(Twist wanted) const {
     const Vec2 off = unitOr(self.pose.position - keeper.pose.position, {-1.0, 0.0});
     const Vec2 going = start.face * wanted.linear;
@@ -110,16 +111,16 @@ struct Keeper {
   }
 };
 
-/// Whether the opponent is in their area or about to come in: the one that is longest in it keeps.
+/// Whether the opponent is in its own area or about to enter it: such opponents count as keepers.
 bool keeps(const Picture& picture, int opponent) {
-  constexpr double kSoon = 0.2;  // [s] about the time to stop or to turn off
+  constexpr double kSoon = 0.2;  // [s] about the time to stop or turn away
   if (!picture.opponentPresent(opponent)) return false;
   const RobotState& other = picture.opponent(opponent);
   return isInArea(picture.pitch.field, other.pose.position, false) ||
          isInArea(picture.pitch.field, other.pose.position + other.velocity * kSoon, false);
 }
 
-/// Whether the two cannot come near each other before the robot rests, however they turn.
+/// Whether the two cannot meet before the robot rests, at any heading.
 bool isFar(const Pitch& pitch, const RobotState& self, const RobotState& keeper) {
   const double ways =
       mostWay(pitch, norm(self.velocity)) + norm(keeper.velocity) * (ticksToRest(pitch) * pitch.tick);
@@ -127,7 +128,7 @@ bool isFar(const Pitch& pitch, const RobotState& self, const RobotState& keeper)
   return squaredNorm(keeper.pose.position - self.pose.position) > std::min(kNear * kNear, apart * apart);
 }
 
-/// Whether the ball lies between the two: a keeper that is met there is met at the ball.
+/// Whether the ball lies between the two. Then the robot meets the keeper at the ball, which is allowed.
 bool ballBetween(const Picture& picture, const RobotState& self, const RobotState& keeper) {
   const Vec2 way = keeper.pose.position - self.pose.position;
   const Vec2 ball = intoFrame(unitOr(way, {1.0, 0.0}), picture.seen.ball.position - self.pose.position);
@@ -153,7 +154,7 @@ std::optional<Twist> roundKeeper(const Picture& picture, int robot, Vec2 target)
   const Vec2 from = self.pose.position;
   const double length = distance(from, target);
   const Vec2 way = unitOr(target - from, {1.0, 0.0});
-  // Room for both bodies however they turn.
+  // Room for both bodies at any heading.
   const double clear = 2.0 * pitch.robot_corner + kRoom;
   double nearest = std::min(length, kNear);
   std::optional<Vec2> turned;

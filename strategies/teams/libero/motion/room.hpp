@@ -5,22 +5,23 @@
 #include "fulbito/strategy.hpp"
 #include "strategies/teams/libero/situation/picture.hpp"
 
-/// Law 13: a robot that presses on the opponents' keeper in its area without disputing the ball charges it,
-/// and the ball is theirs. So the keeper is an obstacle to all robots that are not at the ball.
+/// Law 13: a robot that presses on the opponents' keeper in its area without disputing the ball commits a
+/// foul. So the keeper is an obstacle to all robots that are not at the ball.
 namespace fulbito::libero {
 
-/// [s] after a touch of the ball in which a robot still disputes it. Referees allow 0.5 s; of that it takes
-/// 0.2 s to stop from full speed, and some more to come off a keeper that presses.
+/// [s] after a touch of the ball, in which a robot still disputes it. Referees allow 0.5 s. Of that, 0.2 s
+/// are needed to stop from full speed, and some more to leave a keeper that presses.
 inline constexpr double kDisputes = 0.15;
 
 /// Whether `robot` touches the ball.
 bool atBall(const Pitch& pitch, const RobotState& robot, Vec2 ball);
 
-/// The way to `target` round a keeper that bars it; empty where none does, or the robot disputes the ball.
+/// The twist toward `target` round a keeper in the way; empty if there is none or the robot disputes the
+/// ball.
 std::optional<Twist> roundKeeper(const Picture& picture, int robot, Vec2 target);
 
-/// What `robot` does instead of `wanted` where that would end in a keeper: it stops in time or turns off, and
-/// leaves one that it touches. Empty: as wanted.
+/// What `robot` does instead of `wanted` if that would hit the keeper: it stops in time, turns off, or leaves
+/// a keeper that it touches. Empty: `wanted` is fine.
 std::optional<RobotCommand> clearOfKeeper(const Picture& picture, int robot, Twist wanted);
 
 }  // namespace fulbito::libero

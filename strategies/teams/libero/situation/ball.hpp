@@ -6,8 +6,8 @@
 
 namespace fulbito::libero {
 
-/// Where a free ball will be during the next seconds: the prediction's way in even steps, to which the skills
-/// come back many times a tick.
+/// The free ball in the next 1.5 s: the prediction's positions in equal steps, which the skills read many
+/// times per tick.
 class BallForecast {
  public:
   static constexpr int kSteps = 30;
@@ -17,7 +17,7 @@ class BallForecast {
   void take(const BallState& ball, const BallPrediction& way);
   /// At `time` [s] from now, held at the horizon of 1.5 s.
   Vec2 at(double time) const;
-  /// At step `i` of `kStep`, 0 is now.
+  /// The position [m] at step `i` of `kStep`; 0 is now.
   Vec2 sample(int i) const { return points_[static_cast<std::size_t>(i)]; }
   const BallState& now() const { return now_; }
   bool resting() const { return resting_; }

@@ -7,17 +7,17 @@
 
 namespace fulbito::libero {
 
-/// What a robot is in the team, numbered as `TeamCommand::roles` are.
+/// A robot's role in the team, numbered as in `TeamCommand::roles`.
 enum class Role : std::uint8_t { kKeeper = 1, kStriker, kSupport };
 
-/// What a skill decided for a robot in one tick: the twist is driven, as far as areas and keepers allow, the
-/// rest shown.
+/// A skill's decision for a robot in one tick. The robot drives the twist, as far as areas and keepers allow;
+/// the rest is for drawings.
 struct Move {
   Twist twist;
-  const char* skill = "";      ///< name of what is done, where it is not the role's usual
-  std::optional<Vec2> place;   ///< [m] where the robot is going
-  std::optional<Vec2> ball;    ///< [m] where it means to touch the ball
-  std::optional<Vec2> target;  ///< [m] where it means to send the ball
+  const char* skill = "";      ///< name of the skill; empty for the usual skill of the role
+  std::optional<Vec2> place;   ///< [m] the robot's target
+  std::optional<Vec2> ball;    ///< [m] where the robot will touch the ball
+  std::optional<Vec2> target;  ///< [m] where the robot will send the ball
 };
 
 }  // namespace fulbito::libero

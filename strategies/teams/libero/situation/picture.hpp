@@ -8,14 +8,14 @@
 
 namespace fulbito::libero {
 
-/// All that the skills look at in one tick.
+/// All that the skills use in one tick.
 struct Picture {
   const Observation& seen;
   const Pitch& pitch;
   const Settings& settings;
   const BallForecast& ball;
-  double stuck = 0.0;  ///< [s] for which the ball has not left a circle of 10 cm: referees count so
-  /// [s] for which each of ours still counts as one that disputes the ball; 0: it has not touched it lately.
+  double stuck = 0.0;  ///< [s] time that the ball has stayed in a circle of 10 cm, as referees measure it
+  /// [s] time for which each own robot still counts as disputing the ball; 0: it has not touched it recently.
   std::array<double, kMaxTeamSize> dispute_left{};
 
   const RobotState& own(int i) const { return seen.own[static_cast<std::size_t>(i)].state; }
@@ -23,7 +23,7 @@ struct Picture {
   const RobotState& opponent(int i) const { return seen.opponents[static_cast<std::size_t>(i)].state; }
   bool opponentPresent(int i) const { return seen.opponents[static_cast<std::size_t>(i)].present; }
   bool disputes(int i) const { return dispute_left[static_cast<std::size_t>(i)] > 0.0; }
-  /// How many opponents' centres are within `radius` [m] of a place.
+  /// Number of opponents whose centres are within `radius` [m] of `place`.
   int opponentsNear(Vec2 place, double radius) const {
     int near = 0;
     for (int i = 0; i < seen.team_size; ++i) {

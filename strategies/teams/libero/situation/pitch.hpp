@@ -6,15 +6,15 @@
 
 namespace fulbito::libero {
 
-/// The field and the bodies as the team's skills need them, in the team's frame: own goal at -x. All from the
-/// models that the match is played with.
+/// Dimensions of field and bodies that the skills need, in the team's frame (own goal at -x), from the
+/// match's models.
 struct Pitch {
   Pitch() : Pitch(MatchInfo{}) {}
   explicit Pitch(const MatchInfo& info);
 
   Vec2 ownGoal() const { return {-half_length, 0.0}; }
   Vec2 theirGoal() const { return {half_length, 0.0}; }
-  /// Five a side, where crowds push through what three cannot.
+  /// Whether the teams have more than three robots; crowds then push through where three cannot.
   bool isLarge() const { return team_size > 3; }
 
   FieldGeometry field;
@@ -26,12 +26,12 @@ struct Pitch {
   double ball_radius;   ///< [m]
   double robot_half;    ///< [m] half of the longer side
   double robot_corner;  ///< [m] centre to corner
-  double speed;         ///< [m/s] of a robot at most
-  double acceleration;  ///< [m/s^2] straight on
+  double speed;         ///< [m/s] top speed of a robot
+  double acceleration;  ///< [m/s^2] of a robot that drives straight
   double half_track;    ///< [m]
   double wheel_radius;  ///< [m]
   double tick;          ///< [s] control period
-  DriveLaw motors;      ///< in a tick
+  DriveLaw motors;      ///< effect of the motors in one tick
   int team_size;
 };
 
