@@ -23,6 +23,35 @@ double countedShare(const Marking& area, const Corners& c, int n) {
   return static_cast<double>(in) / (n * n);
 }
 
+/// A rule that a second referee has wrong.
+struct Lie {
+  const char* what;
+  void (*tell)(Rules&);
+};
+
+const std::array<Lie, 8> kLies = {
+    Lie{"goals as soon as the centre is over", [](Rules& r) { r.goal.ball = BallPart::kCentre; }},
+    Lie{"penalties half a second sooner", [](Rules& r) { r.areas.defenders_wait = 0.5; }},
+    Lie{"attackers by their centre", [](Rules& r) { r.areas.attackers_part = BodyPart::kCentre; }},
+    Lie{"who touched a tick longer ago takes part", [](Rules& r) { r.areas.part_seconds = 0.6; }},
+    Lie{"charges of a tick less", [](Rules& r) { r.keeper.charge_seconds = 11.0 / 60.0; }},
+    Lie{"free balls a tick later", [](Rules& r) { r.stuck.seconds = 601.0 / 60.0; }},
+    Lie{"no 8.3", [](Rules& r) { r.areas.defenders = false; }},
+    Lie{"kicks that go on in the keeper's hold", [](Rules& r) { r.shoot_out.held_seconds = 0.0; }}};
+
+/// A second referee that goes by other rules than the match.
+struct Misled final : MatchObserver {
+  void onMatchStart(const MatchConfig& config) override {
+    MatchConfig other = config;
+    lie->tell(other.rules);
+    second.onMatchStart(other);
+  }
+  void onPlayStart(const PlayStart& start) override { second.onPlayStart(start); }
+  void onTick(const MatchTick& tick) override { second.onTick(tick); }
+  const Lie* lie = nullptr;
+  SecondReferee second;
+};
+
 }  // namespace
 
 TEST_CASE("the second referee's areas: by counting points", "[unit]") {
@@ -69,34 +98,9 @@ TEST_CASE("both referees agree on every call of short matches", "[unit]") {
 }
 
 TEST_CASE("the second referee sees calls that are missing, wrong, early and late", "[unit]") {
-  struct Lie {
-    const char* what;
-    void (*tell)(Rules&);
-  };
-  const std::array<Lie, 8> lies = {
-      Lie{"goals as soon as the centre is over", [](Rules& r) { r.goal.ball = BallPart::kCentre; }},
-      Lie{"penalties half a second sooner", [](Rules& r) { r.areas.defenders_wait = 0.5; }},
-      Lie{"attackers by their centre", [](Rules& r) { r.areas.attackers_part = BodyPart::kCentre; }},
-      Lie{"who touched a tick longer ago takes part", [](Rules& r) { r.areas.part_seconds = 0.6; }},
-      Lie{"charges of a tick less", [](Rules& r) { r.keeper.charge_seconds = 11.0 / 60.0; }},
-      Lie{"free balls a tick later", [](Rules& r) { r.stuck.seconds = 601.0 / 60.0; }},
-      Lie{"no 8.3", [](Rules& r) { r.areas.defenders = false; }},
-      Lie{"kicks that go on in the keeper's hold", [](Rules& r) { r.shoot_out.held_seconds = 0.0; }}};
-  /// A second referee that goes by other rules than the match.
-  struct Misled final : MatchObserver {
-    void onMatchStart(const MatchConfig& config) override {
-      MatchConfig other = config;
-      lie->tell(other.rules);
-      second.onMatchStart(other);
-    }
-    void onPlayStart(const PlayStart& start) override { second.onPlayStart(start); }
-    void onTick(const MatchTick& tick) override { second.onTick(tick); }
-    const Lie* lie = nullptr;
-    SecondReferee second;
-  };
-  std::array<Misled, lies.size()> misled;
-  for (std::size_t i = 0; i < lies.size(); ++i) misled[i].lie = &lies[i];
-  std::array<int, lies.size()> seen{};
+  std::array<Misled, kLies.size()> misled;
+  for (std::size_t i = 0; i < kLies.size(); ++i) misled[i].lie = &kLies[i];
+  std::array<int, kLies.size()> seen{};
   const auto look = [&](Match match) {
     for (Misled& one : misled) {
       one.second = {};
@@ -104,19 +108,19 @@ TEST_CASE("the second referee sees calls that are missing, wrong, early and late
     }
     while (match.step()) {
     }
-    for (std::size_t i = 0; i < lies.size(); ++i) {
+    for (std::size_t i = 0; i < kLies.size(); ++i) {
       seen[i] += static_cast<int>(misled[i].second.disagreements().size());
     }
   };
   const auto unseen = [&seen](std::size_t lie) { return seen[lie] == 0; };
-  for (std::uint64_t seed = 1; seed <= 20 && unseen(lies.size() - 1); ++seed) {
+  for (std::uint64_t seed = 1; seed <= 20 && unseen(kLies.size() - 1); ++seed) {
     look(matchOf("classic", "libero", judgedRules().back(), 1.0, seed));  // to the shoot-out
   }
   for (std::uint64_t seed = 7; seed <= 12 && std::count(seen.begin(), seen.end(), 0) > 0; ++seed) {
     look(matchOf("chaser", seed % 2 == 0 ? "classic" : "chaser", judgedRules().front(), 120.0, seed));
   }
-  for (std::size_t i = 0; i < lies.size(); ++i) {
-    INFO(lies[i].what);
+  for (std::size_t i = 0; i < kLies.size(); ++i) {
+    INFO(kLies[i].what);
     CHECK(seen[i] > 0);
   }
 }

@@ -71,6 +71,21 @@ struct KinematicRobot {
   }
 };
 
+/// Keeps the least clearance, and whether the robot drove into what it first overlapped.
+inline void noteClearance(const RobotState& state, const RobotModel& robot, const FieldGeometry& field,
+                          const std::vector<DiscObstacle>& obstacles, KinematicResult& result) {
+  const Pose2& pose = state.pose;
+  for (const DiscObstacle& o : obstacles) {
+    const double gap = clearance(bodyOf(robot, pose), o.position, o.radius);
+    if (gap < 0.0 && result.min_clearance >= 0.0) {
+      const Vec2 toward = unitOr(o.position - pose.position, {});
+      result.own_fault = dot(state.velocity, toward) > 0.02;
+    }
+    result.min_clearance = std::min(result.min_clearance, gap);
+  }
+  result.min_clearance = std::min(result.min_clearance, bodyWallClearance(robot, pose, field));
+}
+
 /// Drives `pilot` from `start` with a KinematicRobot in 1 ms steps, 60 Hz control. No contacts: an overlap is
 /// only recorded. For tests without the physics world.
 inline KinematicResult kinematicTrial(Pilot& pilot, const RobotModel& robot, const FieldGeometry& field,
@@ -108,17 +123,8 @@ inline KinematicResult kinematicTrial(Pilot& pilot, const RobotModel& robot, con
         break;
       }
     }
-    const Pose2& pose = body.state.pose;
-    for (const DiscObstacle& o : obstacles) {
-      const double gap = clearance(bodyOf(robot, pose), o.position, o.radius);
-      if (gap < 0.0 && result.min_clearance >= 0.0) {
-        const Vec2 toward = unitOr(o.position - pose.position, {});
-        result.own_fault = dot(body.state.velocity, toward) > 0.02;
-      }
-      result.min_clearance = std::min(result.min_clearance, gap);
-    }
-    result.min_clearance = std::min(result.min_clearance, bodyWallClearance(robot, pose, field));
-    result.path.push_back(pose.position);
+    noteClearance(body.state, robot, field, obstacles, result);
+    result.path.push_back(body.state.pose.position);
     if (result.reached) break;
   }
   result.touched = result.min_clearance < 0.0;

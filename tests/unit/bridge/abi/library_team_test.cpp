@@ -68,6 +68,14 @@ void checkRefused(const std::string& name, ErrorCode code, const std::string& re
   CHECK(info.error().message.find(reason) != std::string::npos);
 }
 
+MatchInfo seededInfo(std::uint64_t seed) {
+  MatchInfo info;
+  info.seed = seed;
+  info.robot.curve_widening = 0.25;
+  info.robot.curve_widening_rise = 0.5;
+  return info;
+}
+
 }  // namespace
 
 TEST_CASE("a port of chaser in a shared library plays the built-in chaser's matches", "[unit]") {
@@ -160,7 +168,7 @@ TEST_CASE("a library's entry has its name, summary and parameters", "[unit]") {
   CHECK(info->parameters[3].choices == std::vector<std::string>{"calm", "wild"});
 }
 
-TEST_CASE("a team in plain C gets all and gives all", "[unit]") {
+TEST_CASE("a team in plain C gets its settings and gives commands", "[unit]") {
   Lines lines;
   const auto team = teamOf("plain_c",
                            {{"gain", "0.5"},
@@ -169,11 +177,7 @@ TEST_CASE("a team in plain C gets all and gives all", "[unit]") {
                             {"style", "calm"},
                             {"navigator", "bezier:clearance=0.03+follower=classic"}},
                            lines.log());
-  MatchInfo info;
-  info.seed = 7;
-  info.robot.curve_widening = 0.25;
-  info.robot.curve_widening_rise = 0.5;
-  team->begin(info);
+  team->begin(seededInfo(7));
   CHECK(lines.text == "plain-c: ready\n");
   REQUIRE(team->navigators().size() == 1);
   CHECK(team->navigators()[0].text == "bezier:clearance=0.03,follower=classic");
@@ -185,7 +189,6 @@ TEST_CASE("a team in plain C gets all and gives all", "[unit]") {
   CHECK(command.robots[0].wheels.right == 0.0);
   CHECK(command.robots[1].kind == RobotCommand::Kind::kTwist);
   CHECK(command.robots[1].twist.linear == 0.125);
-  const double drawn = command.robots[1].twist.angular;
   CHECK(command.robots[2].go_to.position == Vec2{0.25, 0.5});
   CHECK(command.robots[2].go_to.tolerance == 5.25);
   CHECK(command.roles[0] == 7);
@@ -194,7 +197,14 @@ TEST_CASE("a team in plain C gets all and gives all", "[unit]") {
   command = team->decide(seen);
   REQUIRE(command.drawings.size() == 1);
   CHECK(command.drawings[0].text == "here");
+}
 
+TEST_CASE("a team in plain C places, does exercises and hears notices", "[unit]") {
+  Lines lines;
+  const auto team = teamOf("plain_c", {}, lines.log());
+  const MatchInfo info = seededInfo(7);
+  team->begin(info);
+  Observation seen = threeRobots();
   PlacementRequest request;
   request.kind = RestartKind::kGoalKick;
   request.defaults[1] = Pose2{{0.5, 0.0}, 0.0};
@@ -223,13 +233,17 @@ TEST_CASE("a team in plain C gets all and gives all", "[unit]") {
   team->ready(seen);
   team->ended({});
   CHECK(lines.text == "plain-c: ready\nplain-c: ended after 0000002 stops\n");
+}
 
-  // The same seed gives the same stream, another seed another one.
-  team->begin(info);
-  CHECK(team->decide(seen).robots[1].twist.angular == drawn);
-  info.seed = 8;
-  team->begin(info);
-  CHECK(team->decide(seen).robots[1].twist.angular != drawn);
+TEST_CASE("a team in plain C has the same stream for the same seed, and another for another", "[unit]") {
+  const auto team = teamOf("plain_c", {}, [](std::string_view) {});
+  const auto drawn = [&](std::uint64_t seed) {
+    team->begin(seededInfo(seed));
+    return team->decide(threeRobots()).robots[1].twist.angular;
+  };
+  const double first = drawn(7);
+  CHECK(drawn(7) == first);
+  CHECK(drawn(8) != first);
 }
 
 TEST_CASE("settings of a library are checked as those of built-in teams", "[unit]") {

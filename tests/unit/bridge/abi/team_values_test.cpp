@@ -16,6 +16,17 @@ bool same(const Pose2& a, const team::Pose& b) {
 }
 bool same(WheelSpeeds a, team::Wheels b) { return a.left == b.left && a.right == b.right; }
 
+/// What the simulator gets of a team's commands.
+TeamCommand throughAbi(const team::Commands& commands) {
+  CommandRoom room;
+  fulbito_team_command abi = room.open(true);
+  team::detail::give(commands, kMaxTeamSize, abi);
+  room.close(abi);
+  TeamCommand got;
+  fromAbi(abi, kMaxTeamSize, got);
+  return got;
+}
+
 }  // namespace
 
 TEST_CASE("an observation written over an older one keeps nothing of it", "[unit]") {
@@ -39,6 +50,30 @@ TEST_CASE("commands come back whole", "[unit]") {
   team::Commands commands;
   commands.wheels(0, 1.5, -2.5);
   commands.twist(1, 0.25, 3.5);
+  commands.roles = {1, 2, 255};
+  commands.line({0.1, 0.2}, {0.3, 0.4});
+  commands.circle({0.5, 0.6}, 0.7);
+  commands.text({0.8, 0.9}, "here");
+  const TeamCommand got = throughAbi(commands);
+  CHECK(got.robots[0].kind == RobotCommand::Kind::kWheels);
+  CHECK(same(got.robots[0].wheels, {1.5, -2.5}));
+  CHECK_FALSE(got.robots[0].go_to.heading);
+  CHECK(got.robots[1].kind == RobotCommand::Kind::kTwist);
+  CHECK(got.robots[1].twist.linear == 0.25);
+  CHECK(got.robots[1].twist.angular == 3.5);
+  CHECK(got.roles[0] == 1);
+  CHECK(got.roles[2] == 255);
+  REQUIRE(got.drawings.size() == 3);
+  CHECK(got.drawings[0].kind == DebugDrawing::Kind::kLine);
+  CHECK(same(got.drawings[0].to, {0.3, 0.4}));
+  CHECK(got.drawings[1].kind == DebugDrawing::Kind::kCircle);
+  CHECK(got.drawings[1].radius == 0.7);
+  CHECK(same(got.drawings[2].from, {0.8, 0.9}));
+  CHECK(got.drawings[2].text == "here");
+}
+
+TEST_CASE("a place to drive to comes back whole", "[unit]") {
+  team::Commands commands;
   team::GoTo place;
   place.position = {0.5, -0.25};
   place.heading = 1.25;
@@ -51,21 +86,7 @@ TEST_CASE("commands come back whole", "[unit]") {
   place.either_front = false;
   place.navigator = 3;
   commands.goTo(10, place);
-  commands.roles = {1, 2, 255};
-  commands.line({0.1, 0.2}, {0.3, 0.4});
-  commands.circle({0.5, 0.6}, 0.7);
-  commands.text({0.8, 0.9}, "here");
-  CommandRoom room;
-  fulbito_team_command abi = room.open(true);
-  team::detail::give(commands, kMaxTeamSize, abi);
-  room.close(abi);
-  TeamCommand got;
-  fromAbi(abi, kMaxTeamSize, got);
-  CHECK(got.robots[0].kind == RobotCommand::Kind::kWheels);
-  CHECK(same(got.robots[0].wheels, {1.5, -2.5}));
-  CHECK(got.robots[1].kind == RobotCommand::Kind::kTwist);
-  CHECK(got.robots[1].twist.linear == 0.25);
-  CHECK(got.robots[1].twist.angular == 3.5);
+  const TeamCommand got = throughAbi(commands);
   CHECK(got.robots[10].kind == RobotCommand::Kind::kGoTo);
   const GoTo& go_to = got.robots[10].go_to;
   CHECK(same(go_to.position, place.position));
@@ -78,16 +99,6 @@ TEST_CASE("commands come back whole", "[unit]") {
   CHECK(go_to.tolerance == 0.0625);
   CHECK_FALSE(go_to.either_front);
   CHECK(go_to.navigator == 3);
-  CHECK_FALSE(got.robots[0].go_to.heading);
-  CHECK(got.roles[0] == 1);
-  CHECK(got.roles[2] == 255);
-  REQUIRE(got.drawings.size() == 3);
-  CHECK(got.drawings[0].kind == DebugDrawing::Kind::kLine);
-  CHECK(same(got.drawings[0].to, {0.3, 0.4}));
-  CHECK(got.drawings[1].kind == DebugDrawing::Kind::kCircle);
-  CHECK(got.drawings[1].radius == 0.7);
-  CHECK(same(got.drawings[2].from, {0.8, 0.9}));
-  CHECK(got.drawings[2].text == "here");
 }
 
 TEST_CASE("a command that a team leaves alone is the simulator's default", "[unit]") {

@@ -328,6 +328,11 @@ TEST_CASE("a team is told once how the match ended", "[unit]") {
     CHECK(wire.ends[0].cause.clause == "mercy");
     CHECK(wire.ends[0].winner.has_value());
   }
+}
+
+TEST_CASE("a team is told once of an end before the time", "[unit]") {
+  Wire wire;
+  MatchConfig config = remoteMatch(wire, TeamId::kYellow);
   SECTION("by whoever ran it") {
     auto match = Match::create(config);
     REQUIRE(match);

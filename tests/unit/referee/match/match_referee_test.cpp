@@ -36,6 +36,21 @@ void kick(PaperMatch& match, bool hit) {
   }
 }
 
+/// A match of `setup` at the first kick of its shoot-out.
+PaperMatch atKick(const RefereeSetup& setup = shortMatch(TieBreak::kShootOut)) {
+  PaperMatch match(setup);
+  toShootOut(match);
+  return match;
+}
+
+/// Whether the first kick goes on.
+bool kickGoesOn(const PaperMatch& match) {
+  return match.referee.state().shoot_out.taken == PerTeam<int>{0, 0};
+}
+
+/// The sign of the goal's x that is kicked at.
+double towardGoal(const PaperMatch& match) { return match.call.ball.x < 0.0 ? -1.0 : 1.0; }
+
 }  // namespace
 
 TEST_CASE("two halves of exactly as many ticks as the profile says, the second begun by the other team",
@@ -201,47 +216,51 @@ TEST_CASE("a shoot-out without end is tossed for", "[unit]") {
 }
 
 TEST_CASE("a kick ends by time, rest, leaving the area, or midfield", "[unit]") {
-  const auto began = [](const PaperMatch& match) {
-    return match.referee.state().shoot_out.taken == PerTeam<int>{0, 0};
-  };
-  RefereeSetup setup = shortMatch(TieBreak::kShootOut);
-  PaperMatch at_penalty(setup);
-  toShootOut(at_penalty);
-  const double toward = at_penalty.call.ball.x < 0.0 ? -1.0 : 1.0;
-
+  PaperMatch match = atKick();
+  const double toward = towardGoal(match);
   SECTION("time") {
-    PaperMatch match = at_penalty;
     for (int i = 0; i < 1799; ++i) match.step();
-    CHECK(began(match));
+    CHECK(kickGoesOn(match));
     match.step();
-    CHECK_FALSE(began(match));
+    CHECK_FALSE(kickGoesOn(match));
   }
   SECTION("rest, but not before it was kicked") {
-    PaperMatch match = at_penalty;
     for (int i = 0; i < 300; ++i) match.step();
-    CHECK(began(match));
+    CHECK(kickGoesOn(match));
     match.ball.position.x += toward * 0.1;
     for (int i = 0; i < 59; ++i) match.step();
-    CHECK(began(match));
+    CHECK(kickGoesOn(match));
     match.step();
-    CHECK_FALSE(began(match));
+    CHECK_FALSE(kickGoesOn(match));
   }
   SECTION("leaving the area backwards") {
-    PaperMatch match = at_penalty;
     match.ball.velocity = {1.0, 0.0};
     match.ball.position.x = toward * 0.65;
     match.step();
-    CHECK(began(match));
+    CHECK(kickGoesOn(match));
     match.ball.position = {toward * 0.56, 0.0};  // the arc is of the area
     match.step();
-    CHECK(began(match));
+    CHECK(kickGoesOn(match));
     match.ball.position.x = toward * 0.54;
     match.step();
-    CHECK_FALSE(began(match));
+    CHECK_FALSE(kickGoesOn(match));
   }
+  SECTION("midfield") {
+    match.ball.velocity = {1.0, 0.0};
+    match.ball.position.x = toward * 0.01;
+    match.step();
+    CHECK(kickGoesOn(match));
+    match.ball.position.x = toward * -0.01;
+    match.step();
+    CHECK_FALSE(kickGoesOn(match));
+  }
+}
+
+TEST_CASE("a kick ends in the keeper's hold", "[unit]") {
   SECTION("the keeper holds the ball, alone and in its area, for half a second") {
     for (const bool by_the_book : {true, false}) {
-      PaperMatch match = at_penalty;
+      PaperMatch match = atKick();
+      const double toward = towardGoal(match);
       RobotState& keeper = match.robots[match.ids[0].team == match.call.team ? 1 : 0];
       keeper.pose = {{toward * 0.70, 0.1}, 0.0};
       // A ball that hardly moves is not at rest: only the keeper's control can end the kick.
@@ -253,18 +272,18 @@ TEST_CASE("a kick ends by time, rest, leaving the area, or midfield", "[unit]") 
       match.step();
       match.ball.position = held;
       for (int i = 0; i < 29; ++i) match.step();
-      CHECK(began(match));
+      CHECK(kickGoesOn(match));
       match.step();
-      CHECK(began(match) != by_the_book);
+      CHECK(kickGoesOn(match) != by_the_book);
     }
   }
   SECTION("not while the kicker is there, nor outside the area, nor where the profile says so") {
     enum { kKickerNear, kOutside, kOff };
     for (const auto otherwise : {kKickerNear, kOutside, kOff}) {
-      RefereeSetup changed = setup;
+      RefereeSetup changed = shortMatch(TieBreak::kShootOut);
       if (otherwise == kOff) changed.rules.shoot_out.held_seconds = 0.0;
-      PaperMatch match(changed);
-      toShootOut(match);
+      PaperMatch match = atKick(changed);
+      const double toward = towardGoal(match);
       const bool keeper_first = match.ids[0].team != match.call.team;
       RobotState &keeper = match.robots[keeper_first ? 0 : 1], &kicker = match.robots[keeper_first ? 1 : 0];
       const double x = toward * (otherwise == kOutside ? 0.50 : 0.70);
@@ -273,18 +292,8 @@ TEST_CASE("a kick ends by time, rest, leaving the area, or midfield", "[unit]") 
       match.ball.velocity = {0.1, 0.0};
       if (otherwise == kKickerNear) kicker.pose.position = match.ball.position - Vec2{toward * 0.11, 0.0};
       for (int i = 0; i < 100; ++i) match.step();
-      CHECK(began(match));
+      CHECK(kickGoesOn(match));
     }
-  }
-  SECTION("midfield") {
-    PaperMatch match = at_penalty;
-    match.ball.velocity = {1.0, 0.0};
-    match.ball.position.x = toward * 0.01;
-    match.step();
-    CHECK(began(match));
-    match.ball.position.x = toward * -0.01;
-    match.step();
-    CHECK_FALSE(began(match));
   }
 }
 

@@ -60,6 +60,36 @@ const TestEntry& slowTeam() {
 
 void unchanged(Tick, RecordingTick&, WorldState&, std::vector<WheelSpeeds>&) {}
 
+/// One that stands, one that the robot pushes, and one that moves.
+Layout threeObstacles() {
+  Layout layout;
+  layout.start = {{-0.6, 0.0}, 0.3};
+  layout.goal = {0.5, 0.1};
+  ObstacleSpec still, pushed, moving;
+  still.pose = {{0.2, -0.3}, 0.0};
+  pushed.motion = ObstacleMotion::kPushable;
+  pushed.pose = {{-0.3, 0.02}, 0.0};
+  moving.motion = ObstacleMotion::kPath;
+  moving.path = {{0.0, 0.3}, {0.2, 0.3}};
+  moving.pose.position = moving.path.front();
+  layout.obstacles = {still, pushed, moving};
+  return layout;
+}
+
+RecordingHeader trialHeader(const Layout& layout, const RobotPreset& robot, const PhysicsProfile& physics,
+                            const FieldGeometry& field) {
+  RecordingHeader header;
+  header.kind = RecordingKind::kTrial;
+  header.bodies = {{BodyKind::kRobot, {}}};
+  header.bodies.resize(1 + layout.obstacles.size(), {BodyKind::kObstacle, {}});
+  header.recipe.navigator = "bezier:clearance=0.03";
+  header.recipe.layout = toToml(layout);
+  header.recipe.physics = toToml(physics);
+  header.recipe.robot = toToml(robot);
+  header.recipe.field = toToml(field);
+  return header;
+}
+
 }  // namespace
 
 TEST_CASE("a recorded match verifies, bit for bit, at both levels", "[unit]") {
@@ -189,32 +219,12 @@ TEST_CASE("a cut recording verifies as far as it goes", "[unit]") {
 }
 
 TEST_CASE("a navigation trial is recorded and verified by the same means", "[unit]") {
-  Layout layout;
-  layout.start = {{-0.6, 0.0}, 0.3};
-  layout.goal = {0.5, 0.1};
-  ObstacleSpec still, pushed, moving;
-  still.pose = {{0.2, -0.3}, 0.0};
-  pushed.motion = ObstacleMotion::kPushable;
-  pushed.pose = {{-0.3, 0.02}, 0.0};
-  moving.motion = ObstacleMotion::kPath;
-  moving.path = {{0.0, 0.3}, {0.2, 0.3}};
-  moving.pose.position = moving.path.front();
-  layout.obstacles = {still, pushed, moving};
+  const Layout layout = threeObstacles();
   const RobotPreset robot = *loadRobot("vsss");
   const PhysicsProfile physics = *loadPhysics("standard");
   const FieldGeometry field = *loadField("vsss-3v3");
 
-  RecordingHeader header;
-  header.kind = RecordingKind::kTrial;
-  header.bodies = {{BodyKind::kRobot, {}},
-                   {BodyKind::kObstacle, {}},
-                   {BodyKind::kObstacle, {}},
-                   {BodyKind::kObstacle, {}}};
-  header.recipe.navigator = "bezier:clearance=0.03";
-  header.recipe.layout = toToml(layout);
-  header.recipe.physics = toToml(physics);
-  header.recipe.robot = toToml(robot);
-  header.recipe.field = toToml(field);
+  const RecordingHeader header = trialHeader(layout, robot, physics, field);
 
   std::string bytes;
   auto writer = RecordingWriter::create(into(bytes), header);
@@ -253,7 +263,8 @@ TEST_CASE("a navigation trial is recorded and verified by the same means", "[uni
   // The robot did push the obstacle, so that its motion is part of what was compared.
   const auto chunk = reader.chunk(0);
   REQUIRE(chunk);
-  CHECK(distance(chunk->samples.back().poses[2].position, pushed.pose.position) > 0.05);
+  const Vec2 pushed = layout.obstacles[1].pose.position;
+  CHECK(distance(chunk->samples.back().poses[2].position, pushed) > 0.05);
 }
 
 }  // namespace fulbito

@@ -251,6 +251,20 @@ std::vector<WrongPlace> wrongPlaces() {
       {"empty name", [](auto&) { return std::string(); }, "No such file or directory"}};
 }
 
+std::string logIn(const std::string& folder) { return folder + "/log"; }
+void freed(const std::string& folder) { mountMemory(folder, "size=8m", MS_REMOUNT); }
+void sealed(const std::string& folder) { mountMemory(folder, "size=64k", MS_REMOUNT | MS_RDONLY); }
+void only(const std::string& path, int mode) { ::chmod(path.c_str(), static_cast<mode_t>(mode)); }
+
+/// What becomes of a log in whose place `make` puts something else.
+template <typename Make>
+std::string instead(const std::string& file, const Make& make) {
+  return filledAfter(file, [&] {
+    fs::remove(file);
+    make();
+  });
+}
+
 }  // namespace
 
 TEST_CASE("a log at an impossible place is an error that names it, for writers and readers", "[unit]") {
@@ -272,52 +286,28 @@ TEST_CASE("a log at an impossible place is an error that names it, for writers a
 
 TEST_CASE("a full disk keeps what was kept, and freed room lets the work go on", "[unit]") {
   const std::string no_space = cannot("write", "No space left on device");
-  const auto log = [](const std::string& folder) { return folder + "/log"; };
-  const auto freed = [](const std::string& folder) { mountMemory(folder, "size=8m", MS_REMOUNT); };
   const int run = checkAll({
       {"full before", no_space + " done, all kept, all there",
        [&](auto& f) {
          fillUp(f + "/filler");
-         const std::string first = filled(log(f));
+         const std::string first = filled(logIn(f));
          fs::remove(f + "/filler");
-         return first + " " + filled(log(f));
+         return first + " " + filled(logIn(f));
        },
        As::kMounter},
       {"full in a line", no_space + ", some kept, all there; done, all kept, all there",
        [&](auto& f) {
-         const std::string first = filled(log(f), kManyRows);
+         const std::string first = filled(logIn(f), kManyRows);
          freed(f);
-         return first + "; " + filled(log(f), kManyRows);
+         return first + "; " + filled(logIn(f), kManyRows);
        },
        As::kMounter},
       {"no room for names", no_space,
        [&](auto& f) {
          mountMemory(f, "nr_inodes=1", MS_REMOUNT);
-         return filled(log(f));
+         return filled(logIn(f));
        },
        As::kMounter},
-      {"limit in a line",
-       cannot("write", "File too large") + ", some kept, all there; done, all kept, all there",
-       [&](auto& f) {
-         limit(RLIMIT_FSIZE, 1000);
-         const std::string first = filled(log(f));
-         limit(RLIMIT_FSIZE, RLIM_INFINITY);
-         return first + "; " + filled(log(f));
-       }},
-      {"limit in the header", cannot("write", "File too large") + "; done, all kept, all there",
-       [&](auto& f) {
-         limit(RLIMIT_FSIZE, 10);
-         const std::string first = filled(log(f));
-         limit(RLIMIT_FSIZE, RLIM_INFINITY);
-         return first + "; " + filled(log(f));
-       }},
-      {"no more open files", "machine: cannot write 'FOLDER/log': Too many open files",
-       [&](auto& f) {
-         // A sanitizer's first check of a virtual call opens a pipe: the first error comes before the limit.
-         static_cast<void>(filled(f + "/none/log"));
-         limit(RLIMIT_NOFILE, 0);
-         return filled(log(f));
-       }},
       {"cache", "i/o: cannot write into the folder 'FOLDER/cache': no permission or no space; done",
        [&](auto& f) {
          mountMemory(f, "nr_inodes=2", MS_REMOUNT);
@@ -328,39 +318,92 @@ TEST_CASE("a full disk keeps what was kept, and freed room lets the work go on",
        As::kMounter},
       {"merged log", no_space + "; done",
        [&](auto& f) {
-         filled(log(f));
-         const std::string first = merged(log(f));
+         filled(logIn(f));
+         const std::string first = merged(logIn(f));
          freed(f);
-         return first + "; " + merged(log(f));
+         return first + "; " + merged(logIn(f));
        },
        As::kMounter},
   });
-  CHECK(run >= 3);
   std::printf("%d cases of a full disk\n", run);
 }
 
-TEST_CASE("what is read-only or forbidden is an error, and stays as it is", "[unit]") {
-  const auto log = [](const std::string& folder) { return folder + "/log"; };
-  const auto only = [](const std::string& path, int mode) {
-    ::chmod(path.c_str(), static_cast<mode_t>(mode));
-  };
-  const auto sealed = [](const std::string& folder) {
-    mountMemory(folder, "size=64k", MS_REMOUNT | MS_RDONLY);
-  };
+TEST_CASE("a process at its limits keeps what was kept, and goes on beyond them", "[unit]") {
+  const int run = checkAll({
+      {"limit in a line",
+       cannot("write", "File too large") + ", some kept, all there; done, all kept, all there",
+       [&](auto& f) {
+         limit(RLIMIT_FSIZE, 1000);
+         const std::string first = filled(logIn(f));
+         limit(RLIMIT_FSIZE, RLIM_INFINITY);
+         return first + "; " + filled(logIn(f));
+       }},
+      {"limit in the header", cannot("write", "File too large") + "; done, all kept, all there",
+       [&](auto& f) {
+         limit(RLIMIT_FSIZE, 10);
+         const std::string first = filled(logIn(f));
+         limit(RLIMIT_FSIZE, RLIM_INFINITY);
+         return first + "; " + filled(logIn(f));
+       }},
+      {"no more open files", "machine: cannot write 'FOLDER/log': Too many open files",
+       [&](auto& f) {
+         // A sanitizer's first check of a virtual call opens a pipe: the first error comes before the limit.
+         static_cast<void>(filled(f + "/none/log"));
+         limit(RLIMIT_NOFILE, 0);
+         return filled(logIn(f));
+       }},
+  });
+  CHECK(run >= 3);
+}
+
+TEST_CASE("a read-only file system is an error, and stays as it is", "[unit]") {
+  const int run = checkAll({
+      {"read-only file system", cannot("write", "Read-only file system") + " done",
+       [&](auto& f) {
+         filled(logIn(f));
+         sealed(f);
+         return filled(logIn(f)) + " " + readOnly(logIn(f));
+       },
+       As::kMounter},
+      {"new log on a read-only file system", cannot("write", "Read-only file system"),
+       [&](auto& f) {
+         sealed(f);
+         return filled(logIn(f));
+       },
+       As::kMounter},
+      {"merged log on a read-only file system", cannot("write", "Read-only file system"),
+       [&](auto& f) {
+         filled(logIn(f));
+         sealed(f);
+         return merged(logIn(f));
+       },
+       As::kMounter},
+      {"cache on a read-only file system",
+       "i/o: cannot create the folder 'FOLDER/cache': Read-only file system",
+       [&](auto& f) {
+         sealed(f);
+         return cached(f + "/cache");
+       },
+       As::kMounter},
+  });
+  std::printf("%d cases of a read-only file system\n", run);
+}
+
+TEST_CASE("what is forbidden is an error, and stays as it is", "[unit]") {
   const std::string denied = cannot("write", "Permission denied");
   const int run = checkAll({
       {"read-only file", denied + " done",
        [&](auto& f) {
-         filled(log(f));
-         only(log(f), 0444);
-         return filled(log(f)) + " " + readOnly(log(f));
+         filled(logIn(f));
+         only(logIn(f), 0444);
+         return filled(logIn(f)) + " " + readOnly(logIn(f));
        },
        As::kNobody},
       {"unreadable file", denied + " " + cannot("read", "Permission denied"),
        [&](auto& f) {
-         filled(log(f));
-         only(log(f), 0);
-         return filled(log(f)) + " " + readOnly(log(f));
+         filled(logIn(f));
+         only(logIn(f), 0);
+         return filled(logIn(f)) + " " + readOnly(logIn(f));
        },
        As::kNobody},
       {"read-only folder", cannot("write", "Permission denied", "FOLDER/sub/log"),
@@ -377,26 +420,13 @@ TEST_CASE("what is read-only or forbidden is an error, and stays as it is", "[un
          return filled(f + "/sub/log");
        },
        As::kNobody},
-      {"read-only file system", cannot("write", "Read-only file system") + " done",
-       [&](auto& f) {
-         filled(log(f));
-         sealed(f);
-         return filled(log(f)) + " " + readOnly(log(f));
-       },
-       As::kMounter},
-      {"new log on a read-only file system", cannot("write", "Read-only file system"),
-       [&](auto& f) {
-         sealed(f);
-         return filled(log(f));
-       },
-       As::kMounter},
-      {"merged log on a read-only file system", cannot("write", "Read-only file system"),
-       [&](auto& f) {
-         filled(log(f));
-         sealed(f);
-         return merged(log(f));
-       },
-       As::kMounter},
+  });
+  CHECK(run >= 4);
+  std::printf("%d cases of what is forbidden\n", run);
+}
+
+TEST_CASE("no merged log nor cache gets into a place that is forbidden", "[unit]") {
+  const int run = checkAll({
       {"merged log in a read-only folder", cannot("write", "Permission denied", "FOLDER/sub/log"),
        [&](auto& f) {
          fs::create_directory(f + "/sub");
@@ -407,17 +437,9 @@ TEST_CASE("what is read-only or forbidden is an error, and stays as it is", "[un
        As::kNobody},
       {"merged log for a folder", cannot("write", "it is a folder"),
        [&](auto& f) {
-         fs::create_directory(log(f));
-         const std::string text = textOf(writeMatchLog(log(f), {}));
-         return text;
+         fs::create_directory(logIn(f));
+         return textOf(writeMatchLog(logIn(f), {}));
        }},
-      {"cache on a read-only file system",
-       "i/o: cannot create the folder 'FOLDER/cache': Read-only file system",
-       [&](auto& f) {
-         sealed(f);
-         return cached(f + "/cache");
-       },
-       As::kMounter},
       {"cache in a read-only folder", "i/o: cannot write into the folder 'FOLDER': no permission or no space",
        [&](auto& f) {
          fs::create_directory(f + "/sub");
@@ -426,21 +448,13 @@ TEST_CASE("what is read-only or forbidden is an error, and stays as it is", "[un
        },
        As::kNobody},
   });
-  CHECK(run >= 6);
-  std::printf("%d cases of what is read-only or forbidden\n", run);
+  CHECK(run >= 2);
 }
 
 TEST_CASE("a log that vanishes while it is written gets no more matches", "[unit]") {
-  const auto log = [](const std::string& folder) { return folder + "/log"; };
   const auto in_sub = [](const std::string& folder, const auto& harm) {
     fs::create_directory(folder + "/sub");
     return filledAfter(folder + "/sub/log", harm);
-  };
-  const auto instead = [](const std::string& file, const auto& make) {
-    return filledAfter(file, [&] {
-      fs::remove(file);
-      make();
-    });
   };
   const std::string missing = cannot("write", "No such file or directory", "FOLDER/sub/log");
   const std::string other = cannot("write", "another program replaced it");
@@ -449,27 +463,28 @@ TEST_CASE("a log that vanishes while it is written gets no more matches", "[unit
       {"folder renamed", missing,
        [&](auto& f) { return in_sub(f, [&] { fs::rename(f + "/sub", f + "/old"); }); }},
       {"disk unplugged", cannot("write", "No such file or directory"),
-       [&](auto& f) { return filledAfter(log(f), [&] { ::umount2(f.c_str(), MNT_DETACH); }); }, As::kMounter},
+       [&](auto& f) { return filledAfter(logIn(f), [&] { ::umount2(f.c_str(), MNT_DETACH); }); },
+       As::kMounter},
       {"folder in its place", other,
-       [&](auto& f) { return instead(log(f), [&] { fs::create_directory(log(f)); }); }},
+       [&](auto& f) { return instead(logIn(f), [&] { fs::create_directory(logIn(f)); }); }},
       {"pipe in its place", other,
-       [&](auto& f) { return instead(log(f), [&] { ::mkfifo(log(f).c_str(), 0600); }); }},
+       [&](auto& f) { return instead(logIn(f), [&] { ::mkfifo(logIn(f).c_str(), 0600); }); }},
       {"device in its place", other,
-       [&](auto& f) { return instead(log(f), [&] { fs::create_symlink("/dev/full", log(f)); }); }},
+       [&](auto& f) { return instead(logIn(f), [&] { fs::create_symlink("/dev/full", logIn(f)); }); }},
       {"loop in its place", cannot("write", "Too many levels of symbolic links"),
-       [&](auto& f) { return instead(log(f), [&] { fs::create_symlink("log", log(f)); }); }},
-      {"log in its place", other, [&](auto& f) { return instead(log(f), [&] { filled(log(f)); }); }},
+       [&](auto& f) { return instead(logIn(f), [&] { fs::create_symlink("log", logIn(f)); }); }},
+      {"log in its place", other, [&](auto& f) { return instead(logIn(f), [&] { filled(logIn(f)); }); }},
       {"cut by another", cannot("write", "another program changed it"),
-       [&](auto& f) { return filledAfter(log(f), [&] { fs::resize_file(log(f), 100); }); }},
+       [&](auto& f) { return filledAfter(logIn(f), [&] { fs::resize_file(logIn(f), 100); }); }},
       {"locked by another process",
        "usage: 'FOLDER/log' is being written by another run; wait for its end, or name another file",
        [&](auto& f) {
-         const auto held = MatchLog::open(log(f));
+         const auto held = MatchLog::open(logIn(f));
          const pid_t child = ::fork();
-         if (child == 0) ::_exit(MatchLog::open(log(f)) ? 0 : 1);
+         if (child == 0) ::_exit(MatchLog::open(logIn(f)) ? 0 : 1);
          int status = 0;
          ::waitpid(child, &status, 0);
-         return WEXITSTATUS(status) == 1 ? filled(log(f)) : "the lock did not hold";
+         return WEXITSTATUS(status) == 1 ? filled(logIn(f)) : "the lock did not hold";
        }},
       {"cache folder removed", "done",
        [&](auto& f) {

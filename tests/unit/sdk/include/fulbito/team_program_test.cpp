@@ -103,7 +103,8 @@ std::string decideLine() {
 
 }  // namespace
 
-TEST_CASE("a C++ program's team receives the sample session as values", "[unit]") {
+TEST_CASE("a C++ program's team answers the greeting of the sample session, with its settings taken",
+          "[unit]") {
   Talk talk;
   const Probe& probe = *talk.probe;
   const auto answers = talk.takeSession();
@@ -112,7 +113,12 @@ TEST_CASE("a C++ program's team receives the sample session as values", "[unit]"
       "{\"type\":\"hello\",\"id\":1,\"protocol\":\"fulbito-team/1\",\"name\":\"probe\",\"version\":\"3\"}\n");
   CHECK(answers[1] == "{\"type\":\"begin\",\"id\":2,\"navigators\":[\"bezier:clearance=0.03\"]}\n");
   CHECK(probe.depth == 0.125);
+}
 
+TEST_CASE("a C++ program's team learns of the sample session's match and restarts", "[unit]") {
+  Talk talk;
+  const Probe& probe = *talk.probe;
+  talk.takeSession();
   REQUIRE(probe.infos.size() == 1);
   const t::Info& info = probe.infos[0];
   CHECK(info.colour == t::Colour::kYellow);
@@ -136,7 +142,20 @@ TEST_CASE("a C++ program's team receives the sample session as values", "[unit]"
   CHECK(probe.requests[1].now.own_score == 1);
   CHECK(probe.requests[2].kind == t::Restart::kGoalKick);
   CHECK(probe.requests[2].ball == t::Vec2{-0.6, 0.35});
+  REQUIRE(probe.stops.size() == 1);
+  CHECK(probe.stops[0].cause.robot == 1);
+  CHECK(probe.stops[0].cause.team == t::Colour::kYellow);
+  CHECK(probe.readies.size() == 1);
+  REQUIRE(probe.ends.size() == 1);
+  CHECK(probe.ends[0].winner == t::Colour::kYellow);
+  CHECK(probe.ends[0].cause.clause == "full-time");
+  CHECK_FALSE(probe.ends[0].cause.robot);
+}
 
+TEST_CASE("a C++ program's team sees the sample session's field and tasks", "[unit]") {
+  Talk talk;
+  const Probe& probe = *talk.probe;
+  talk.takeSession();
   REQUIRE(probe.seen.size() == 3);
   const t::Observation& now = probe.seen[2];
   CHECK(now.tick == 90);
@@ -152,19 +171,10 @@ TEST_CASE("a C++ program's team receives the sample session as values", "[unit]"
   CHECK_FALSE(now.opponents[2].present);
   CHECK(now.opponents[1].heading == -3.141592653589793);
   CHECK(std::signbit(now.ball.velocity.y));
-
-  REQUIRE(probe.stops.size() == 1);
-  CHECK(probe.stops[0].cause.robot == 1);
-  CHECK(probe.stops[0].cause.team == t::Colour::kYellow);
-  CHECK(probe.readies.size() == 1);
   REQUIRE(probe.tasks.size() == 3);
   CHECK(probe.tasks[0].target == t::Vec2{0.25, -0.125});
   CHECK(probe.tasks[1].kind == t::Exercise::Kind::kPredictBall);
   CHECK(probe.tasks[1].horizon == 0.5);
-  REQUIRE(probe.ends.size() == 1);
-  CHECK(probe.ends[0].winner == t::Colour::kYellow);
-  CHECK(probe.ends[0].cause.clause == "full-time");
-  CHECK_FALSE(probe.ends[0].cause.robot);
 }
 
 TEST_CASE("what a C++ program's team commands arrives", "[unit]") {
