@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostHeaders = 15;  // 12 of the simulator, 3 for the authors of teams
 constexpr std::size_t kMostDetails = 30;
-constexpr double kLeastCommented = 0.45;  // of the lines that are not blank
+constexpr double kLeastCommented = 0.5;  // of the lines that are not blank
 const std::string kDetail = "fulbito/detail/";
 
 fs::path publicRoot() { return fs::path(FULBITO_SOURCE_DIR) / kPublicFolder; }
@@ -88,11 +88,12 @@ TEST_CASE("a public header needs public headers, the standard library and tl::ex
   CHECK(needed == headersThere());
 }
 
-TEST_CASE("nearly every second line of the public headers is explained", "[unit]") {
+TEST_CASE("every second line of the public headers is explained", "[unit]") {
   int lines = 0, commented = 0;
   for (const std::string& name : headersThere()) {
-    // The code of programs that speak the line protocol: it is in headers, but nobody's interface.
-    if (name.starts_with(kDetail + "lines/")) continue;
+    // The code that joins teams to the C interface and to the line protocol: it is in headers, but nobody's
+    // interface.
+    if (name.starts_with(kDetail + "lines/") || name.starts_with(kDetail + "library/")) continue;
     std::istringstream text(textOf(name));
     for (std::string line; std::getline(text, line);) {
       if (line.find_first_not_of(' ') == std::string::npos) continue;
