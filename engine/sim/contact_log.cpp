@@ -19,8 +19,8 @@ b2Vec2 normalToward(const b2Body& body, b2Contact& contact) {
   return contact.GetFixtureB()->GetBody() == &body ? manifold.normal : -manifold.normal;
 }
 
-// A ball that a robot presses on a wall bounces between the two, ever slower, until both rest: if the ball is
-// the lighter body, no speed comes back (docs/models.md). As a single impact, the wall would throw both back.
+// A ball between a robot and a wall bounces between the two, ever slower, until both rest: if the ball is the
+// lighter body, it returns no speed (docs/models.md). Without this case, the wall would bounce both back.
 bool isPinned(b2Body& ball, b2Vec2 from_wall) {
   constexpr float kOpposed =
       -0.05f;  // cosine between the two normals; motion along a wall does not press on it
@@ -95,7 +95,7 @@ void ContactLog::lookAtSurface(b2Contact& contact) {
   pairAt(std::min(a, b), std::max(a, b)).surface_speed = surfaceSpeed(contact, manifold.points[0]);
 }
 
-// The fastest of what touches a ball there.
+// The largest speed at the point among the bodies that touch a ball there.
 float ContactLog::surfaceSpeed(b2Contact& contact, b2Vec2 point) const {
   const auto speed = [&](b2Fixture* fixture, b2Fixture* other) {
     if (!isBall(numberOf(other))) return 0.0f;
@@ -106,7 +106,7 @@ float ContactLog::surfaceSpeed(b2Contact& contact, b2Vec2 point) const {
 }
 
 void ContactLog::press(b2Contact& contact, b2Vec2 point, const Pair& pair) {
-  // What hits a body that touches the ball makes its surface fast within the step.
+  // Another body may hit the one that touches the ball and speed it up within the step.
   const float speed = std::max(pair.surface_speed, surfaceSpeed(contact, point));
   const std::size_t a = numberOf(contact.GetFixtureA()), b = numberOf(contact.GetFixtureB());
   if (isBall(a)) squeeze_.press(bodies_[a].index, b, speed, contact.GetRestitution());

@@ -25,15 +25,16 @@ class ContactLog final : public b2ContactListener {
 
   /// @param bodies  identity of each body, by number
   /// @param walls  unit vectors into the field, by number of the walls' fixtures
-  /// @param squeeze  without balls yet
+  /// @param squeeze  with no balls added
   ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces, std::vector<Vec2> walls,
              Squeeze squeeze);
 
-  /// Sets what to call within the engine's step once it has solved all contacts that touched at its start.
+  /// Sets a function to call within the engine's step, once it has solved all contacts that touched at its
+  /// start.
   /// Bodies that touch nothing may not have moved yet.
   void onSolved(std::function<void()> call) { on_solved_ = std::move(call); }
 
-  /// What presses on the balls. Add them in order of their index.
+  /// The record of bodies that press on the balls. Add the balls in order of their index.
   Squeeze& squeeze() { return squeeze_; }
 
   void startTick(Tick tick);
@@ -57,7 +58,8 @@ class ContactLog final : public b2ContactListener {
     Tick touched = -2;     // last tick of contact after an event
     Tick event_tick = -2;  // last tick with an event
     std::size_t event = 0;
-    float surface_speed = 0.0f;  // of what touches a ball, before the engine solved the contact
+    // [Box2D units per s] of the body that touches a ball, before the engine solved the contact
+    float surface_speed = 0.0f;
   };
 
   Pair& pairAt(std::size_t a, std::size_t b) { return pairs_[a * bodies_.size() + b]; }

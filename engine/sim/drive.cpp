@@ -10,7 +10,8 @@ namespace fulbito {
 
 namespace {
 
-constexpr double kWheelsLoad = 9.81 * 2.0 / 3.0;  // [m/s^2] of the weight, beside two supports
+// [m/s^2] load on the wheels: two thirds of the weight, as two supports bear the rest
+constexpr double kWheelsLoad = 9.81 * 2.0 / 3.0;
 
 }  // namespace
 
@@ -47,12 +48,11 @@ double Drive::rimTarget(double wheel_speed) const {
   return static_cast<double>(steps) * command_step_ * radius_;
 }
 
-// What tyres that scrub leave of half the difference of the commanded rims' speeds. Wheels that spin the body
-// up roll on their outer edges; where the spin was measured faster, they have come to roll nearer to the
-// inner ones.
+// Half the difference of the rims' speeds after the tyres' scrubbing. Wheels that spin the body up roll on
+// their outer edges. Where the measured spin is faster, they roll nearer to the inner edges.
 double Drive::scrubbedTurn(double common, double half_difference) const {
   if (spin_ratio_.isOne()) return half_difference;
-  // A robot turns in place as long as its wheels' width has room for what the command drives.
+  // Driving forward takes away from the part of the turn that counts as a turn in place.
   const double turn = std::abs(half_difference);
   const double in_place = std::max(turn - std::abs(common) * per_play_, 0.0);
   const double scrubbed = (spin_ratio_.at(turn) * outer_edge_ - 1.0) * in_place;
@@ -60,7 +60,7 @@ double Drive::scrubbedTurn(double common, double half_difference) const {
 }
 
 void Drive::setCommand(WheelSpeeds command) {
-  using Bits = std::array<std::uint64_t, 2>;  // as 0 and -0 ask for rims that differ
+  using Bits = std::array<std::uint64_t, 2>;  // compares bits, as 0 and -0 give different rims
   if (std::bit_cast<Bits>(command) == std::bit_cast<Bits>(command_)) return;
   command_ = command;
   const double left = rimTarget(command.left), right = rimTarget(command.right);

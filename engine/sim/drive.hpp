@@ -71,14 +71,14 @@ class Drive {
   double radius_;            // [m]
   double half_track_;        // [m]
   double per_radius_;        // [1/m]
-  double max_grip_;          // [m/s] in one step, along the wheels
-  double max_lateral_;       // [m/s] in one step, across
-  double load_shift_;        // [s^2/m] share of the grip over the acceleration across
-  double outer_edge_;        // track to the wheels' outer edges over the track
-  double per_play_;          // turn over the driving speed up to which the robot turns in place
-  WheelSpeeds command_;      // [rad/s] as it came
-  RimSpeeds target_;         // what it asks for
-  RimSpeeds rim_;            // valid only while the wheel slips
+  double max_grip_;          // [m/s] grip along the wheels in one step
+  double max_lateral_;       // [m/s] grip across the wheels in one step
+  double load_shift_;        // [s^2/m] change of a wheel's share of the grip per acceleration across
+  double outer_edge_;        // distance between the wheels' outer edges over the axle track
+  double per_play_;  // half the rims' difference over the driving speed up to which the robot turns in place
+  WheelSpeeds command_;  // [rad/s] as given to `setCommand`
+  RimSpeeds target_;     // target speeds of the rims, after limits and scrubbing
+  RimSpeeds rim_;        // speeds of the rims; valid only while the wheel slips
   bool left_slips_ = false;
   bool right_slips_ = false;
 };
@@ -99,7 +99,7 @@ inline RimSpeeds Drive::limits(const BodyMotion& motion) const {
           std::clamp((1.0 + shift) * max_grip_, 0.0, law_.limit())};
 }
 
-// Whether a robot stands and shall stand: then nothing moves it.
+// Whether the robot rests and has no command to move: then the step changes nothing.
 inline bool Drive::rests(const BodyMotion& motion) const {
   return motion.forward == 0.0 && motion.yaw == 0.0 && target_.left == 0.0 && target_.right == 0.0 &&
          !tilt_.isTilted();

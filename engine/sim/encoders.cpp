@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-/// [m] that the robot's centre moved along its body, which is a chord along the mean heading.
+/// Distance [m] that the robot's centre moved along its body: a chord along the mean heading.
 double forwardTravel(const RobotState& before, const RobotState& after, double turned) {
   return dot(after.pose.position - before.pose.position, math::unit(before.pose.heading + turned / 2));
 }
@@ -23,7 +23,7 @@ WheelEncoders::WheelEncoders(const EncoderModel& model, const RobotModel& robot,
 EncoderCounts WheelEncoders::read(const RobotState& before, const RobotState& after, double dt) {
   const double turned = math::wrapAngle(after.pose.heading - before.pose.heading);
   const double forward = forwardTravel(before, after, turned);
-  // A wheel that spins runs ahead of the floor under it, at the end of the tick by this much.
+  // Speed of a spinning wheel's rim relative to the floor, at the end of the tick.
   const double speed = dot(after.velocity, math::unit(after.pose.heading));
   const double turn_speed = after.angular_velocity * half_track_;
   const double left_spin = after.wheels.left * radius_ - (speed - turn_speed);

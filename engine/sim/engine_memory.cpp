@@ -5,7 +5,7 @@
 
 #include <box2d/b2_settings.h>
 
-// Takes the place of the engine's function, which goes on without the memory and crashes.
+// Replaces Box2D's function, which returns null where there is no memory, so that Box2D crashes.
 void* b2Alloc_Default(int32 size) {
   void* const memory = std::malloc(static_cast<std::size_t>(size));
   if (memory == nullptr) throw std::bad_alloc();

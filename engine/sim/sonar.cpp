@@ -78,7 +78,7 @@ double SonarArray::heardRange(std::size_t sonar) {
   return range;
 }
 
-/// The range that a sonar computes from its neighbour's echo: half of the sound's way.
+/// The range that a sonar computes from its neighbour's echo: half the length of the sound's path.
 double SonarArray::strayRange(std::size_t sonar, std::size_t neighbour) const {
   const Echo& echo = echoes_[neighbour];
   if (!echo.isHeard()) return kSilence;

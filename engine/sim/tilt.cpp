@@ -6,15 +6,17 @@
 namespace fulbito {
 namespace {
 
-constexpr double kGravity = 9.81;        // [m/s^2]
-constexpr double kLongestPart = 0.0034;  // [s]: contacts settle within a few parts, of 3.2 ms in FIRASim
-constexpr double kLevelPitch = 0.003;    // [rad] as of a robot that speeds up
-constexpr double kLevelRate = 0.1;       // [rad/s]
-constexpr double kLeastSink = 1e-5;      // [m]
-constexpr double kLeastRim = 1e-3;       // of the robot's mass
+constexpr double kGravity = 9.81;  // [m/s^2]
+// [s] contacts settle within a few parts; FIRASim has parts of 3.2 ms
+constexpr double kLongestPart = 0.0034;
+constexpr double kLevelPitch = 0.003;  // [rad] about the pitch of a robot that speeds up
+constexpr double kLevelRate = 0.1;     // [rad/s]
+constexpr double kLeastSink = 1e-5;    // [m]
+constexpr double kLeastRim = 1e-3;     // share of the robot's mass
 // Supports touch the floor at one point, wheels at the two edges of each, the body's edges at two corners.
 constexpr std::array<double, 5> kPoints{1.0, 4.0, 1.0, 2.0, 2.0};
-constexpr double kOnWheels = 4.0 / 6.0, kOnSupports = 2.0 / 6.0;  // of the weight: points sink alike
+// shares of the weight: all points sink alike
+constexpr double kOnWheels = 4.0 / 6.0, kOnSupports = 2.0 / 6.0;
 
 }  // namespace
 
@@ -42,13 +44,13 @@ Tilt::Tilt(const RobotModel& robot, double dt)
   for (std::size_t i = 0; i < kContacts; ++i) damped_[i] = kPoints[i] * damping_ * dt_;
 }
 
-// Pulls that a level robot's supports bear do not lift its wheels.
+// Whether the robot brakes harder than its supports bear while it is level, which lifts its wheels.
 bool Tilt::brakes(double forward, RimSpeeds pulls) const {
   const double pull = (pulls.left + pulls.right) / 2;
   return pull * forward < 0.0 && std::abs(pull) > most_braking_ && std::abs(forward) > std::abs(pull);
 }
 
-// Takes a contact into the sums, or out of them.
+// Adds a contact to the sums (`sign` 1) or removes it (-1).
 void Tilt::change(Footing& footing, std::size_t contact, double sign) const {
   const double damped = sign * damped_[contact], spring = sign * footing.springs[contact] * dt_;
   const double place = place_[contact];
@@ -71,7 +73,8 @@ Tilt::Footing Tilt::footing() const {
   return result;
 }
 
-// Loads at the end of the part: springs as they are, dampers as the body will move. Nothing pulls.
+// Loads at the end of the part, with the springs at the present pose and the dampers at the resulting speed.
+// Contacts only push: those that would pull are removed.
 Tilt::Standing Tilt::stand(Footing footing, Rates rates) const {
   Standing result;
   for (std::size_t round = 0; round < kContacts; ++round) {
@@ -95,13 +98,14 @@ Tilt::Standing Tilt::stand(Footing footing, Rates rates) const {
   return result;
 }
 
-// As DriveLaw::resistedPulls, at the floor: what pulls there also pitches the body, by `yield`.
+// Like DriveLaw::resistedPulls, but at the floor, where pulls also pitch the body: `yield` is the floor's
+// change of speed per pull.
 Tilt::Pulls Tilt::pull(RimSpeeds ground, RimSpeeds target, const Grips& grips, double yield) const {
   constexpr int kRounds = 6;
   constexpr double kSettled = 1e-6;  // [m/s]
   const double forward = (ground.left + ground.right) / 2, turn = (ground.right - ground.left) / 2;
   const double play = edges_ * std::abs(turn), own = (yield + turn_) / 2, felt = (yield - turn_) / 2;
-  // A rim that runs ahead of the floor gives its own momentum too.
+  // A rim that is faster than the floor also adds its own momentum.
   const double left_ahead = 2.0 * rim_mass_ * (rims_.left - ground.left);
   const double right_ahead = 2.0 * rim_mass_ * (rims_.right - ground.right), lag = 2.0 * rim_mass_ * play;
   const auto towards = [&](double rim, double aim, double ahead) {
@@ -130,7 +134,7 @@ Tilt::Pulls Tilt::pull(RimSpeeds ground, RimSpeeds target, const Grips& grips, d
   return result;
 }
 
-// A rim whose wheel slips goes on by itself; otherwise one of its edges rolls. Returns its change.
+// The rim of a slipping wheel moves freely; otherwise one edge of the wheel rolls. Returns the rim's change.
 double Tilt::spunUp(double& rim, double ground, double target, double pull, double play, double grip) const {
   const double before = rim;
   if (std::abs(pull) >= grip) {
@@ -152,7 +156,8 @@ void Tilt::part(RimSpeeds& ground, RimSpeeds target, double& lateral) {
       wheel_radius_ / inertia_ * (torque(rims_.left, target.left) + torque(rims_.right, target.right));
   const Rates falling{rates_.rise - kGravity * dt_, rates_.pitch};
   const Footing footing = this->footing();
-  const Loads loads = stand(footing, {falling.rise, falling.pitch - react}).loads;  // what friction can use
+  // loads that limit friction
+  const Loads loads = stand(footing, {falling.rise, falling.pitch - react}).loads;
   const Standing free = stand(footing, falling);
   const double on_wheels = loads[1] / (kGravity * kOnWheels);
   const Grips grips{grip_ * on_wheels, drag_ * (loads[0] + loads[2]) / (kGravity * kOnSupports) +

@@ -73,7 +73,7 @@ struct World::Impl {
   ContactLog contacts;
   Approach approach;
   Clearance clearance;
-  bool clearance_is_known = true;  // of all bodies that the engine can notice in time
+  bool clearance_is_known = true;  // `clearance` has all bodies for which the engine searches
   bool searches = false;           // the engine's step may still search for contacts
   bool pairs_are_known = false;    // no body was placed since the engine looked for near ones
   ContactWork contact_work;
@@ -204,20 +204,20 @@ void World::Impl::moveObstacles(double time) {
   }
 }
 
-// Contacts change how bodies move. So where there are some, it is known only when they are solved, before the
-// engine searches, whether it would find anything.
+// Contacts change velocities. So with contacts, `clearance` can decide only once the engine has solved them,
+// which is before it searches.
 void World::Impl::planSearch(bool search, float part) {
   engine.SetContinuousPhysics(search);
   searches = search && clearance_is_known;
   if (!searches) return;
   clearance.remember(part);
-  // Where the last step solved contacts, this one probably does too, and asks then.
+  // If the last step solved contacts, this one probably does too: then `decideSearch` decides.
   if (!contacts.solved()) engine.SetContinuousPhysics(!clearance.isKeptFreely());
 }
 
 void World::Impl::decideSearch() {
   if (searches) engine.SetContinuousPhysics(!clearance.isKeptSolved());
-  searches = false;  // contacts that the search solves come after it
+  searches = false;  // later calls come from contacts within the search itself
 }
 
 // Whether two bodies may be near. The engine looks for near pairs at the end of a step, and also at the start
@@ -249,7 +249,7 @@ void World::Impl::collide() {
     last_part = part;
     planSearch(plan.continuous, part);
     contacts.startPart();
-    // Bodies that are alone in the step leave nothing to iterate over, and no work to take back.
+    // Bodies that touch nothing need no iterations, and their energy does not change.
     const bool alone = !isAnyPair() && !engine.GetContinuousPhysics() && rods.empty();
     if (contacts_do_no_work && !alone) contact_work.remember();
     engine.Step(part, alone ? 0 : config.physics.velocity_iterations,

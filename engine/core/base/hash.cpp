@@ -43,7 +43,7 @@ void StateHash::add(std::string_view text) {
   value_ = XXH3_64bits_withSeed(text.data(), text.size(), value_);
 }
 
-// Flattened: in a call for each number, xxHash would first find out how long a number is.
+// `flatten` inlines xxHash, so that the fixed length of a number selects its branch at compile time.
 [[gnu::flatten]] void StateHash::add(const WorldState& state) {
   Chain chain(value_);
   chain.add(static_cast<std::uint64_t>(state.tick));
@@ -69,7 +69,7 @@ void StateHash::add(std::string_view text) {
     chain.add(obstacle.pose.heading);
     chain.add(obstacle.velocity);
   }
-  // Worlds without rods keep the hashes that they had before there were any.
+  // Only added if there are rods: the hashes of worlds without them do not depend on this field.
   if (!state.rods.empty()) chain.add(std::uint64_t{state.rods.size()});
   for (const RodState& rod : state.rods) {
     chain.add(rod.pose.position);

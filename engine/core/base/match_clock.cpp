@@ -7,7 +7,7 @@
 namespace fulbito {
 
 std::string clockText(double seconds) {
-  // Times come from tick counts: a value a rounding error below a tenth means that tenth.
+  // Times are multiples of the tick: a value just below a tenth is that tenth with a rounding error.
   const double tenths = std::floor(seconds * 10 + 1e-6);
   const auto count = static_cast<long long>(tenths > 0.0 ? std::fmin(tenths, 1e9) : 0.0);
   return fmt::format("{}:{:02}.{}", count / 600, count / 10 % 60, count % 10);

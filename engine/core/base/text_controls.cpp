@@ -40,7 +40,7 @@ std::string oneLine(std::string_view text) {
 }
 
 std::string escapedJson(std::string json) {
-  // Beyond printable ASCII there is mostly nothing: then the text is returned as it is.
+  // Most texts are printable ASCII: they need no escapes.
   const auto plain = [](char c) { return (c >= 0x20 && c < 0x7f) || c == '\n'; };
   if (std::all_of(json.begin(), json.end(), plain)) return json;
   std::string out;

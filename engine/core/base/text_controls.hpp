@@ -5,11 +5,12 @@
 #include <string>
 #include <string_view>
 
-/// Texts from outside: names of teams, of files, of what a recording says. They are kept as they are; what
-/// goes out to people or other programs passes one of these functions, `terminalText` or `escapedXml`.
+/// Functions for untrusted text, such as names of teams and files, and texts in recordings. Such text is
+/// stored unchanged. Whatever shows it to people or passes it to other programs applies one of these
+/// functions, `terminalText` or `escapedXml`.
 namespace fulbito {
 
-/// A character and its length in bytes; of length 0 where there is no UTF-8.
+/// A character and the length of its UTF-8 encoding [bytes]; length 0 if the bytes are not UTF-8.
 struct Utf8Character {
   std::uint32_t code = 0;
   std::size_t size = 0;
@@ -21,10 +22,10 @@ Utf8Character characterAt(std::string_view utf8, std::size_t at);
 /// paragraph separator, or a mark of writing direction that reaches beyond its word (Unicode's UAX 9).
 bool steersText(std::uint32_t code);
 
-/// The text as a part of one line: what steers it and what is no UTF-8 becomes a space.
+/// The text as part of one line: characters that steer it (`steersText`) and invalid UTF-8 become spaces.
 std::string oneLine(std::string_view text);
 
-/// JSON text with the same content, in which what steers text is escaped. Its own line ends stay.
+/// The same JSON with all characters that steer text (`steersText`) escaped. Line ends stay.
 std::string escapedJson(std::string json);
 
 /// A field of a CSV file by RFC 4180, in quotes, as one line. A field that a spreadsheet would take for a

@@ -17,8 +17,8 @@ std::string hexText(const WideHashValue& value);
 /// The hash of these bytes, in one go.
 WideHashValue wideHash(std::string_view bytes);
 
-/// Running hash (XXH3-128) of values in a fixed order. It tells contents apart that differ by accident: two
-/// of a million of them agree with a probability of 1e-27. It does not resist an attack.
+/// Running hash (XXH3-128) of values in a fixed order. It detects accidental differences: among a million
+/// contents, any two have the same hash with a probability of 1e-27. It does not resist an attack.
 class WideHash {
  public:
   WideHash();
@@ -26,11 +26,11 @@ class WideHash {
   WideHash(const WideHash&) = delete;
   WideHash& operator=(const WideHash&) = delete;
 
-  /// Adds bytes. Parts of a text in a row are the same as the whole.
+  /// Adds bytes without their number: a text added in parts gives the same hash as the whole text.
   void addBytes(std::string_view bytes);
   /// Adds a text with its length, so that neighbours cannot trade characters.
   void add(std::string_view text);
-  /// Adds eight bytes, on all machines in the same order.
+  /// Adds eight bytes, in the same order on all machines.
   void add(std::uint64_t value);
   /// Adds the bits of a double, -0 as +0.
   void add(double value);

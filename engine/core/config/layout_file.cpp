@@ -32,7 +32,7 @@ Result<void> readObstacles(const ConfigDocument& document, std::vector<ObstacleS
 }
 
 Result<LayoutFile> readLayout(std::string_view text, const std::string& origin) {
-  // The last three say what a paper's figure claims of the layout; the comparison reads them.
+  // The last three tables hold what a paper's figure states about the layout. Only the comparison reads them.
   static const std::vector<std::string> kTables{"layout", "start", "goal", "obstacle",
                                                 "figure", "run",   "sweep"};
   auto document = ConfigDocument::parse(text, origin, kTables);
@@ -90,7 +90,7 @@ Result<Layout> loadLayout(const std::string& path) {
   }
   const auto field = loadField(layout.field);
   if (!field) {
-    // A wrong name in a file is bad input; an unreadable field file stays what it is.
+    // An unknown field in a layout is bad input; the error of an unreadable field file keeps its code.
     Error error =
         file->document.locate({"layout", -1, "field", "cannot be used: " + field.error().message}).value();
     if (const ErrorCode code = field.error().code; code == ErrorCode::kIo || code == ErrorCode::kMachine)

@@ -23,7 +23,7 @@ std::uint64_t bitsFrom(unsigned position) {
   return shift == 0 ? high : high | (kTwoOverPiBits[word + 1] >> (64 - shift));
 }
 
-/// 0.xxx... in binary, by its first 128 bits, as a sum of two doubles.
+/// The binary fraction that these 128 bits after the point are, as a sum of two doubles.
 DoubleDouble toDoubles(Wide bits) {
   const auto top = static_cast<std::uint64_t>(bits >> 64);
   const int zeros =
@@ -38,7 +38,7 @@ DoubleDouble toDoubles(Wide bits) {
 }  // namespace
 
 // Payne and Hanek (SIGNUM Newsletter 18, 1983): of the product x * 2 / pi only the bits from weight 2
-// downward matter, so the bits of 2 / pi that give whole multiples of four quadrants are never looked at.
+// downward matter, so the bits of 2 / pi that give whole multiples of four quadrants are never used.
 ReducedAngle reduceByBits(double x) {
   const auto raw = std::bit_cast<std::uint64_t>(x);
   const auto biased = static_cast<unsigned>(raw >> kFractionBits) & 0x7ff;

@@ -9,16 +9,16 @@
 
 namespace fulbito::math {
 
-/// An angle as quadrant * pi / 2 + rest modulo 2 pi, |rest| <= pi / 4 (a rounding apart).
+/// An angle as quadrant * pi / 2 + rest modulo 2 pi, |rest| <= pi / 4 up to rounding.
 struct ReducedAngle {
   unsigned quadrant = 0;  ///< 0 to 3
   DoubleDouble rest;      ///< [rad], to about 2^-66 of its size
 };
 
-/// For any finite |x| >= 1/2, however large. NaN and infinity give a NaN rest.
+/// The reduction of any finite |x| >= 1/2, however large. NaN and infinity give a NaN rest.
 ReducedAngle reduceByBits(double x);
 
-/// The same, quick for |x| < 2^20 unless close to a multiple of pi / 2 (Cody and Waite, 1980).
+/// The same result, faster for |x| < 2^20 unless x is close to a multiple of pi / 2 (Cody and Waite, 1980).
 inline ReducedAngle reduceAngle(double x) {
   using namespace constants;
   // Adding this leaves the nearest integer in the last bits, in two's complement.

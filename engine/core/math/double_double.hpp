@@ -1,7 +1,7 @@
 #pragma once
 
 /// Exact sums and products as unevaluated sums of two doubles (Dekker, Numerische Mathematik 18, 1971).
-/// Private to the elementary functions of math.hpp; right in round-to-nearest without overflow only.
+/// Private to the elementary functions of math.hpp; correct only in round-to-nearest mode without overflow.
 namespace fulbito::math {
 
 /// The value high + low, where |low| is at most a few ulp of high.

@@ -23,12 +23,12 @@ enum class Stream : std::uint32_t {
   kCoinToss = 12,      ///< a referee's coin tosses: first kick-offs, unbroken ties
   kDrill = 13,         ///< starts of drills
   kStartHeading = 14,  ///< start headings in a comparison's trials
-  kLibraryTeam = 15,   ///< what a shared library draws from its host
+  kLibraryTeam = 15,   ///< numbers that a shared library asks its host for
   kSonar = 16,         ///< errors of ultrasonic sensors
-  kEncoders = 20,      ///< slip of wheels as their encoders see it
+  kEncoders = 20,      ///< slip of wheels in their encoders' readings
   kGyro = 21,          ///< noise and drift of a gyro
   kRatings = 23,       ///< resampled pairs of a tournament's ratings
-  kStartBook = 24,     ///< starts of tournaments' matches
+  kStartBook = 24,     ///< choice of the starts of tournaments' matches
   kPerturbation = 25,  ///< directions of the perturbations of a tuning
   kTuneStarts = 26,    ///< seeds of the iterations of a tuning
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr double kZ95 = 1.959963984540054;  // two-sided 95 % point of the normal distribution
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Wilson's interval about the rate `p` of `n` trials, which need not be whole.
+/// Wilson's score interval for a rate `p` in `n` trials. `n` may be a fraction.
 Interval scoreInterval(double p, double n) {
   const double z2 = kZ95 * kZ95;
   const double centre = (p + z2 / (2 * n)) / (1 + z2 / n);
@@ -20,8 +20,8 @@ Interval scoreInterval(double p, double n) {
   return {p, std::max(0.0, centre - half), std::min(1.0, centre + half)};
 }
 
-/// Two-sided 95 % point of Student's t: exact for few degrees of freedom, else by the Cornish-Fisher
-/// expansion (Abramowitz & Stegun 26.7.5), right to 4 digits from there on.
+/// Two-sided 95 % point of Student's t: exact up to 9 degrees of freedom, then by the Cornish-Fisher
+/// expansion (Abramowitz & Stegun 26.7.5), correct to 4 digits.
 double studentT95(std::size_t freedom) {
   constexpr double kExact[] = {12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622};
   if (freedom <= std::size(kExact)) return kExact[freedom - 1];
@@ -57,7 +57,7 @@ Interval meanInterval(std::span<const double> values) {
 Interval shareInterval(std::span<const double> shares) {
   if (shares.empty()) return {0.0, 0.0, 1.0};
   const double n = static_cast<double>(shares.size()), p = mean(shares);
-  const double most = p * (1 - p);  // the variance of a rate
+  const double most = p * (1 - p);  // largest variance of shares with this mean: each is 0 or 1
   if (!(most > 0.0)) return scoreInterval(p, n);
   const double variance = (squaredDeviations(shares, p) + most) / n;
   return scoreInterval(p, n * most / variance);

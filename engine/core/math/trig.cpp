@@ -81,7 +81,7 @@ double wrapAngle(double angle) {
   if (quadrant == 2) whole = rest.high < 0.0 ? kPi : -kPi, whole_low = rest.high < 0.0 ? kPiLow : -kPiLow;
   const DoubleDouble wrapped = fastTwoSum(whole, rest.high);
   const double rounded = wrapped.high + (wrapped.low + (whole_low + rest.low));
-  // The double kPi lies below pi, so what is just below pi may round to it.
+  // The double kPi lies below pi, so an angle just below pi may round to it.
   return rounded == kPi ? -kPi : rounded;
 }
 

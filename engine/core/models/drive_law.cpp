@@ -24,19 +24,19 @@ DriveLaw::DriveLaw(const RobotModel& robot, double dt)
 
 namespace {
 
-// The x for which a matrix with these elements on and beside its diagonal, times x, is y.
+// The solution x of the equation y = M x, where M has the elements `on` on its diagonal, else `beside`.
 WheelPair solved(WheelPair on, WheelPair beside, WheelPair y) {
   const WheelPair scale = WheelPair(1.0) / (on * on.swapped() - beside * beside.swapped());
   return (y * on.swapped() - beside * y.swapped()) * scale;
 }
 
-// The share of a step at which a pull turns round or comes to its limit.
+// The share of `step` after which `pull` changes its sign or reaches `limit`.
 double shareToKink(double pull, double step, double limit) {
   if (step == 0.0) return 1.0;
   return pull * step < 0.0 ? -pull / step : (limit - std::abs(pull)) / std::abs(step);
 }
 
-// Of a whole step of both pulls.
+// The smaller share of both pulls, at most 1.
 double shareToKink(WheelPair pull, WheelPair step, WheelPair limits) {
   return std::min({1.0, shareToKink(pull.left(), step.left(), limits.left()),
                    shareToKink(pull.right(), step.right(), limits.right())});
@@ -44,19 +44,20 @@ double shareToKink(WheelPair pull, WheelPair step, WheelPair limits) {
 
 }  // namespace
 
-// Each wheel seeks the nearest speed at which one of its edges rolls, given the other wheel's pull, the drag
-// and the scrubbing, which depend on both pulls. All of it is linear in pieces: Newton's method is there once
-// it has met the right piece. Both wheels are treated alike, so that a mirrored motion has mirrored pulls to
-// the last bit.
+// Each motor seeks the nearest rim speed at which one edge of its wheel rolls. The other motor's pull, the
+// drag and the scrubbing also change the rim, and the last two depend on both pulls. All of this is piecewise
+// linear: Newton's method is exact once it has found the right piece. Both wheels are treated alike, so
+// mirrored motions have mirrored pulls to the last bit.
 WheelPair DriveLaw::resistedPulls(WheelPair ground, WheelPair target, WheelPair limits) const {
   constexpr int kNewtonRounds = 6, kMostRounds = 20;
-  constexpr double kSettled = 1e-6;   // [m/s]
-  constexpr double kHolds = -0.4999;  // just less than what leaves open how fast a robot pulls that stays
+  constexpr double kSettled = 1e-6;  // [m/s]
+  // The drag's derivative by a pull at rest: -1/2 itself would make the matrix singular
+  constexpr double kHolds = -0.4999;
   const WheelPair half(0.5), most_drag(drag_), felt(felt_), per_pull(per_pull_);
   const WheelPair forward = half * ground.sum(), turn(0.5 * (ground.right() - ground.left()));
   const WheelPair play = WheelPair(edges_) * turn.abs(), slowest = target - play, fastest = target + play;
   const auto lack = [&](WheelPair rim) { return rim.clamped(slowest, fastest) - rim; };
-  // What a robot needs that all of the drag and the scrubbing brakes, if its motors are strong enough.
+  // First guess: drag and scrubbing act in full, and no motor is at its limit.
   const WheelPair slowed = ground - forward.clamped(-most_drag, most_drag);
   const WheelPair needed = lack(slowed + scrub(turn, WheelPair(0.0)).mirrored());
   WheelPair pull = (WheelPair(own_) * needed + WheelPair(other_) * needed.swapped()).clamped(-limits, limits);
@@ -68,7 +69,7 @@ WheelPair DriveLaw::resistedPulls(WheelPair ground, WheelPair target, WheelPair 
     const WheelPair next = wanted.clamped(-limits, limits), off = next - before;
     pull = next;
     if (off.abs().sum().left() < kSettled) break;
-    // How a change of either pull changes what each wheel seeks, if nothing limits it.
+    // Derivatives of each motor's wanted pull by both pulls, where no limit applies.
     const WheelPair slope = per_pull.whereEqual(next, wanted).whereAny(wanted);
     if (round >= kNewtonRounds || slope.sum().left() == 0.0) continue;
     const WheelPair held = WheelPair(kHolds).whereBelow(moved.abs(), most_drag);
@@ -76,7 +77,7 @@ WheelPair DriveLaw::resistedPulls(WheelPair ground, WheelPair target, WheelPair 
     const WheelPair by = scrubs.withSign(scrubs * before);
     const WheelPair step = solved(WheelPair(1.0) + slope * (held + by.mirrored()),
                                   slope * (held + by.swapped().mirrored() + felt), off);
-    // As a robot that stays leaves its pulls open, its step can be very long.
+    // At rest the pulls are nearly undetermined, and the step can be very long.
     const WheelPair share(held.left() != 0.0 ? shareToKink(before, step, limits) : 1.0);
     pull = (before + share * step).clamped(-limits, limits);
   }
@@ -88,7 +89,7 @@ double DriveLaw::widening(double forward) const { return widening_ + rise_ * std
 
 RimSpeeds DriveLaw::reachedInCurve(RimSpeeds commanded) const {
   const double common = (commanded.left + commanded.right) / 2, turn = (commanded.right - commanded.left) / 2;
-  // Beyond a wheel that stands, |turn| > |common|, the share that is lost stays as it is there.
+  // In tighter curves, |turn| > |common|, the lost share stays that of a curve about a standing wheel.
   const double felt = std::min(std::abs(turn), std::abs(common));
   const double left_over = turn / (1.0 + widening(common) * felt);
   return {common - left_over, common + left_over};
@@ -97,7 +98,8 @@ RimSpeeds DriveLaw::reachedInCurve(RimSpeeds commanded) const {
 RimSpeeds DriveLaw::commandFor(RimSpeeds wanted) const {
   if (widening_ == 0.0 && rise_ == 0.0) return wanted;
   const double common = (wanted.left + wanted.right) / 2, turn = (wanted.right - wanted.left) / 2;
-  const double most = 1.0 + widening(common) * std::abs(common);  // command over result beyond that wheel
+  // command over result where |turn| > |common|
+  const double most = 1.0 + widening(common) * std::abs(common);
   const bool curve = std::abs(turn) * most <= std::abs(common);
   const double needed = curve ? turn / (1.0 - widening(common) * std::abs(turn)) : turn * most;
   return {common - needed, common + needed};

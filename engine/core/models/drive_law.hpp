@@ -20,9 +20,9 @@ struct RimSpeeds {
 ///
 /// A wheel of some width stands on its two edges, which move over the ground at different speeds in a turn.
 /// Both grip by Coulomb friction, so only one of them rolls: the faster one if the wheel pushes and the
-/// slower one if it brakes. In between the edges scrub against each other and the wheel gives no pull. So in
-/// a curve a robot that has to push loses half of the width times the yaw rate, and what the motors leave of
-/// the grip brakes the turn.
+/// slower one if it brakes. In between the edges scrub against each other and the wheel gives no pull. So a
+/// robot that has to push in a curve loses half of the width times the yaw rate. The grip that the motors
+/// leave unused brakes the turn.
 class DriveLaw {
  public:
   /// @param dt  [s] length of the time step
@@ -43,7 +43,7 @@ class DriveLaw {
   }
   /// The command for which `reached` gives `wanted` [m/s].
   RimSpeeds commandFor(RimSpeeds wanted) const;
-  double limit() const { return limit_; }  ///< [m/s] of one motor
+  double limit() const { return limit_; }  ///< [m/s] largest pull of one motor
 
  private:
   WheelPair resistedPulls(WheelPair ground, WheelPair target, WheelPair limits) const;
@@ -51,23 +51,23 @@ class DriveLaw {
   double widening(double forward) const;
   RimSpeeds reachedInCurve(RimSpeeds commanded) const;
 
-  double limit_;     // [m/s]
+  double limit_;     // [m/s] largest pull of a motor
   double drag_;      // [m/s]
   double most_[2];   // [m/s] largest forward change: speeding up, slowing down
-  double turn_;      // rims' change in place over the pull that makes it
-  double own_;       // pull for a change of the wheel's own rim, if neither motor is at its limit
-  double other_;     // the same for the other rim's change
-  double felt_;      // change of a rim by a pull at the other wheel
-  double per_pull_;  // pull for a change of its own rim
-  double edges_;     // half the difference of a wheel's edges' speeds over that of the rims
-  double scrub_;     // change of the rims by edges that scrub, over the grip that the motors leave
-  double grip_;      // [m/s] of both wheels
-  bool resisted_;    // by drag or edges
-  double widening_;  // [s/m] of the rims' difference: yaw rates count as rim speeds here
+  double turn_;      // change of the rims' speed in a turn per pull
+  double own_;       // pull per change of the wheel's own rim, if neither motor is at its limit
+  double other_;     // pull per change of the other wheel's rim, likewise
+  double felt_;      // change of a rim per pull at the other wheel
+  double per_pull_;  // pull per change of its own rim, for a given pull at the other wheel
+  double edges_;     // difference of a wheel's edges' speeds per difference of the rims' speeds
+  double scrub_;     // change of the rims by scrubbing edges per grip that the motors leave
+  double grip_;      // [m/s] grip of both wheels
+  bool resisted_;    // whether drag or scrubbing edges resist the motion
+  double widening_;  // [s/m] per half the difference of the rims' speeds, which stands for the yaw rate
   double rise_;      // [s^2/m^2]
 };
 
-// What follows runs once per robot and physics step: a call would cost as much as the work.
+// These functions run once per robot and physics step: a call would cost as much as the work.
 
 inline RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds limits) const {
   if (resisted_) {
@@ -92,7 +92,7 @@ inline RimSpeeds DriveLaw::pulls(RimSpeeds ground, RimSpeeds target, RimSpeeds l
   return pull;
 }
 
-// Coulomb: at most until the robot no longer turns. `turn` is half the difference of the rims' speeds.
+// Coulomb friction: it stops the turn at most. `turn` is half the difference of the rims' speeds.
 inline WheelPair DriveLaw::scrub(WheelPair turn, WheelPair pulls) const {
   const WheelPair left_over = WheelPair(grip_) - pulls.abs().sum();
   const WheelPair most = WheelPair(scrub_) * left_over.atLeast(WheelPair(0.0));

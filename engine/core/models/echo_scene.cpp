@@ -8,10 +8,11 @@
 namespace fulbito {
 namespace {
 
-constexpr double kShortestFace = 1e-3;        // [m] shorter faces are merged
-constexpr double kSame = 1e-7;                // [m] nearer surfaces hide a point, the point's own do not
-constexpr double kRightAngle = 1e-6;          // cosine: corners up to 90 degrees throw sound back
-constexpr double kSteepest = 1.57;            // [rad] below pi / 2, where tangents end
+constexpr double kShortestFace = 1e-3;  // [m] shorter faces are merged
+constexpr double kSame = 1e-7;          // [m] a surface nearer than a point by more than this hides it
+// [cosine] tolerance for corners of 90 degrees, which still reflect sound
+constexpr double kRightAngle = 1e-6;
+constexpr double kSteepest = 1.57;            // [rad] just below pi / 2, where the tangent is infinite
 constexpr double kRayStep = math::kPi / 180;  // [rad] between rays at partly hidden surfaces
 
 double signedAngle(Vec2 from, Vec2 to) { return math::atan2(cross(from, to), dot(from, to)); }
@@ -89,7 +90,7 @@ class EchoScene::Listener {
  private:
   bool matters(double far) const { return far <= cone_.reach && far < best_.distance; }
 
-  /// Takes a point that throws sound back, if nothing hides it.
+  /// Takes a point that reflects sound, unless a surface hides it.
   void offer(double far, Vec2 point) {
     if (!matters(far)) return;
     const Vec2 way = unitOr(point - cone_.apex, cone_.axis);
@@ -100,8 +101,8 @@ class EchoScene::Listener {
     }
   }
 
-  /// On a face, the angle from its normal at which it is seen runs linearly with the tangent along it. The
-  /// echo comes from the angles that are in the cone and within the limit; the least of them is nearest.
+  /// A face is seen at angle a from its normal at the distance height * tan(a) along the face. The echo comes
+  /// from the angles in the cone and within the limit; the smallest of them is nearest.
   void hear(const Face& face) {
     const double height = dot(cone_.apex - face.from, face.normal);
     if (height < 0.0 || !matters(height)) return;
@@ -120,7 +121,7 @@ class EchoScene::Listener {
     offer(distance(point, cone_.apex), point);
   }
 
-  /// A disc answers where the cone comes nearest to its middle.
+  /// A disc reflects at the direction in the cone that is nearest to the disc's centre.
   void hear(const Disc& disc) {
     const Vec2 centre = disc.centre - cone_.apex;
     const double range = norm(centre);
@@ -153,7 +154,7 @@ class EchoScene::Listener {
     return between || std::max(to_first, to_second) >= cos_limit_;
   }
 
-  /// The nearest points of some surfaces are hidden. Rays find what of them is not.
+  /// Some surfaces' nearest points are hidden. Rays find the nearest visible points.
   void sweep() {
     const int steps = static_cast<int>(std::ceil(cone_.half_angle / kRayStep));
     for (int i = -steps; i <= steps; ++i) {

@@ -10,8 +10,8 @@ namespace fulbito {
 /// mouth is in the area.
 struct AreaShape {
   double half_width = 0.0;  ///< [m] along the goal line; 0 = there is no such area
-  double depth = 0.0;       ///< [m] of the straight part
-  double arc_centre = 0.0;  ///< [m] x of the arc's circle; what of it lies beyond `depth` is in the area
+  double depth = 0.0;       ///< [m] depth of the straight part
+  double arc_centre = 0.0;  ///< [m] x of the arc's centre; the area includes the circle beyond `depth`
   double arc_radius = 0.0;  ///< [m] 0 = no arc
 
   /// [m] how far the area reaches into the field.
@@ -34,7 +34,7 @@ Vec2 outOfGoalFrame(const FieldGeometry& field, Side side, Vec2 point);
 /// Whether a point is in the area or on its border.
 bool contains(const AreaShape& area, Vec2 point);
 
-/// [m] from the area to a point in front of the goal line; negative inside, where it is the way to the border
+/// Distance [m] from the area to a point in front of the goal line; inside, minus the distance to the border
 /// of the straight part.
 double distanceTo(const AreaShape& area, Vec2 point);
 

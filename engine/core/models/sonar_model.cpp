@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kFarthest = 20.0;    // [m] the largest field
 constexpr double kMostNoise = 1.0;    // [m]
-constexpr double kWidestCone = 1.57;  // [rad] a cone, not a half plane
+constexpr double kWidestCone = 1.57;  // [rad] just below pi / 2: a half plane is no cone
 
 Result<void> inRange(const std::string& name, double value, double least, double most, const char* unit) {
   if (value >= least && value <= most) return {};

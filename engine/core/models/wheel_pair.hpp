@@ -4,8 +4,8 @@
 
 namespace fulbito {
 
-/// One quantity of the left and of the right wheel. Each operation computes both at once, which halves what a
-/// drive costs, and treats both alike to the last bit.
+/// One quantity of the left and of the right wheel. Each operation computes both at once, which halves the
+/// cost of a drive step, and treats both alike to the last bit.
 class WheelPair {
  public:
   WheelPair(double left, double right) : both_(_mm_set_pd(right, left)) {}
@@ -22,12 +22,12 @@ class WheelPair {
 
   /// Each wheel's value for the other one.
   WheelPair swapped() const { return WheelPair(_mm_shuffle_pd(both_, both_, 1)); }
-  /// The left wheel's value with the other sign: what turns a robot moves its wheels in opposite directions.
+  /// The left wheel's value negated: a turn moves the two wheels in opposite directions.
   WheelPair mirrored() const { return WheelPair(_mm_xor_pd(both_, _mm_set_pd(0.0, -0.0))); }
   /// The sum of both, for each.
   WheelPair sum() const { return *this + swapped(); }
   WheelPair abs() const { return WheelPair(_mm_andnot_pd(_mm_set1_pd(-0.0), both_)); }
-  /// As `std::clamp` and `std::max`: a value that is not a number stays.
+  /// As `std::clamp` and `std::max`: NaN stays NaN.
   WheelPair clamped(WheelPair least, WheelPair most) const {
     return WheelPair(_mm_min_pd(most.both_, atLeast(least).both_));
   }

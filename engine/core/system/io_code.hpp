@@ -5,7 +5,7 @@
 
 namespace fulbito {
 
-/// The code of an error of reading or writing, by errno. A full disk is the disk's, not the machine's.
+/// The error code for an errno of reading or writing: kMachine for a shortage, else kIo (a full disk too).
 constexpr ErrorCode ioCode(int error) { return isShortage(error) ? ErrorCode::kMachine : ErrorCode::kIo; }
 
 }  // namespace fulbito

@@ -10,8 +10,8 @@
 namespace fulbito {
 namespace {
 
-// Tasks that end well, for each that may run at once, before one more may. So a lasting shortage costs few
-// attempts, and one that passes does not slow the rest of a long run.
+// The limit of tasks at once rises by one after this many successes per allowed task. So a lasting shortage
+// costs few attempts, and a short one does not slow the rest of a long run.
 constexpr int kPatience = 8;
 
 }  // namespace

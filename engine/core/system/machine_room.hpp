@@ -10,19 +10,19 @@
 
 namespace fulbito {
 
-/// The error kMachine of an exception that says so: no memory, no thread. Rethrows any other. Call it in a
-/// `catch`.
+/// The error kMachine for the current exception, if it reports a lack of memory or threads. Rethrows any
+/// other. Call it in a `catch`.
 Error machineError();
 
-/// Room for tasks that take much of the machine, such as matches with processes of their own. A task that the
-/// machine fails is run again: with fewer tasks beside it, at last alone. Safe to use from several threads.
+/// Limits the number of demanding tasks at once, such as matches with processes of their own. A task that
+/// fails for lack of resources runs again: with fewer tasks beside it, at last alone. Thread-safe.
 class MachineRoom {
  public:
   /// @param retries  further attempts of a task while no other runs
   explicit MachineRoom(int retries = 2) : retries_(retries) {}
 
-  /// The result of `task`, which returns a Result. Errors: those of the task; kMachine if it failed for the
-  /// machine, or threw an exception that says so, in all attempts.
+  /// The result of `task`, which returns a Result. Errors: those of the task; kMachine if all attempts lacked
+  /// resources.
   template <typename Task>
   auto run(const Task& task) -> decltype(task()) {
     for (int alone = 0;;) {
@@ -48,7 +48,7 @@ class MachineRoom {
   }
   struct Entry {
     std::size_t number = 0;
-    int running = 0;  ///< tasks, with this one
+    int running = 0;  ///< running tasks, including this one
   };
   Entry enter();
   /// @return whether no other task ran meanwhile
@@ -60,8 +60,8 @@ class MachineRoom {
   std::condition_variable left_;
   std::size_t entered_ = 0;
   int running_ = 0;
-  int most_ = std::numeric_limits<int>::max();  ///< tasks at once
-  int well_ = 0;  ///< tasks that the machine did not fail, since `most_` changed
+  int most_ = std::numeric_limits<int>::max();  ///< limit of tasks at once
+  int well_ = 0;                                ///< tasks without a shortage since `most_` changed
   std::size_t repeated_ = 0;
 };
 

@@ -44,7 +44,7 @@ int openWaiting(const std::string& file, int flags) {
   }
 }
 
-/// Whether to write to it directly: renaming would replace a device or pipe.
+/// Whether the file is a device or pipe. These are written to directly, since renaming would replace them.
 bool isStreamAt(const std::string& file) {
   std::error_code unknown;
   const fs::file_type kind = fs::status(file, unknown).type();
@@ -52,16 +52,16 @@ bool isStreamAt(const std::string& file) {
          kind != fs::file_type::not_found && kind != fs::file_type::none;
 }
 
-/// A descriptor's name, through which it gets another name or is opened again.
+/// Path of an open descriptor, to give the file a name or to open it again.
 std::string nameOf(int descriptor) { return fmt::format("/proc/{}/fd/{}", ::getpid(), descriptor); }
 
-/// A file without a name in the folder of `file`: whatever ends the process, nothing is left of it. -1: errno
-/// says why, EOPNOTSUPP where the file system or the machine knows no such files.
+/// Opens a file without a name in the folder of `file`, so that no end of the process leaves it behind.
+/// Returns -1 and sets errno on failure: EOPNOTSUPP where the file system or the kernel lacks such files.
 int openNameless(const std::string& file) {
   fs::path folder = fs::path(file).parent_path();
   if (folder.empty()) folder = ".";
   const int descriptor = openWaiting(folder.string(), O_TMPFILE | O_RDWR);
-  // Kernels and file systems that do not know the flag see a folder that is opened for writing.
+  // Kernels and file systems without the flag report an attempt to write to a folder.
   if (descriptor < 0 && (errno == EISDIR || errno == EINVAL)) errno = EOPNOTSUPP;
   if (descriptor < 0 || ::access(nameOf(descriptor).c_str(), F_OK) == 0) return descriptor;
   ::close(descriptor);
@@ -74,7 +74,7 @@ ReplacementRule& replacementRule() {
   return rule;
 }
 
-/// The target of a link, so that the link is kept.
+/// `file`, or its target if it is a link: replacing the target keeps the link.
 std::string withoutLink(const std::string& file) {
   std::error_code error;
   if (!fs::is_symlink(file, error)) return file;
@@ -94,18 +94,18 @@ struct OutputFile::Impl {
   }
 
   Result<void> openStream();
-  /// Opens what holds the bytes until the end, without a name where that can be.
+  /// Opens the temporary file, without a name where the file system can do that.
   Result<void> openTemporary();
   /// Calls `make` with new names for a temporary file, until one is free. False: errno says why.
   template <typename Make>
   bool underNewName(const Make& make);
   Result<void> mayReplace();
-  /// Gives the temporary file its name in the end.
+  /// Gives the complete temporary file its final name.
   bool putInPlace();
   /// False: a file of that name exists.
   Result<bool> openNew();
   Result<void> append(std::string_view bytes);
-  /// The first error is kept.
+  /// Records an error, which all later calls return.
   Result<void> failWith(int reason) {
     state = cannotWrite(name, reason);
     return state;
@@ -120,8 +120,8 @@ struct OutputFile::Impl {
   std::string place;         ///< the file that holds the bytes
   int descriptor = -1;
   bool stream = false;
-  bool nameless = false;                ///< a temporary file that has no name before its end
-  std::optional<TemporaryName> listed;  ///< of a temporary file with a name
+  bool nameless = false;                ///< the temporary file has no name before it is complete
+  std::optional<TemporaryName> listed;  ///< entry for a temporary file with a name
   off_t good = 0;                       ///< bytes of complete calls of `write`
   Result<void> state;
 };
@@ -178,7 +178,7 @@ bool OutputFile::Impl::putInPlace() {
       return ::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, as.c_str(), AT_SYMLINK_FOLLOW) == 0;
     };
     if (link(target)) return true;
-    // It exists, and only a name can take the place of a name.
+    // The target exists, and only a file with a name can replace it.
     if (errno != EEXIST || !underNewName([&] { return link(place); })) return false;
   }
   return std::rename(place.c_str(), target.c_str()) == 0;
@@ -271,7 +271,7 @@ Result<void> prepareFolder(const std::string& folder) {
   fs::create_directories(folder, error);
   if (error) return ioError("create the folder", folder, error.message(), error.value());
   if (!fs::is_directory(folder, error)) return ioError("write into", folder, "it is not a folder");
-  // It is removed again, because it is not committed.
+  // Without `commit`, the probe is removed again.
   const auto probe = OutputFile::create(folder + "/.fulbito-probe");
   if (probe) return {};
   if (probe.error().code != ErrorCode::kIo) return tl::unexpected<Error>(probe.error());

@@ -19,7 +19,7 @@ Result<void> checkOutputPath(const std::string& file);
 
 /// The most bytes of a file's beginning that a `ReplacementRule` gets.
 inline constexpr std::size_t kHeadOfFile = 4096;
-/// Whether a file may appear as `file`, which may exist. `head`: how the new file begins.
+/// Whether a new file may take the name `file`, which may exist. `head`: the beginning of the new file.
 using ReplacementRule = std::function<Result<void>(const std::string& file, std::string_view head)>;
 /// Sets the rule for all files that appear from now on; without one, any file may be replaced. Not while
 /// other threads write.

@@ -51,7 +51,7 @@ RegularFile::~RegularFile() {
 Result<void> syncFolderOf(const std::string& file) {
   constexpr const char* kWhat = "sync the folder of";
   std::error_code error;
-  // The folder of a link's target: there the name is new.
+  // If the file is a link, its target's folder holds the new name.
   const std::filesystem::path folder = std::filesystem::canonical(file, error).parent_path();
   if (error) return ioFailure(kWhat, file, error.value());
   const int descriptor =

@@ -19,7 +19,7 @@ namespace fulbito {
 namespace {
 
 constexpr std::size_t kStep = std::size_t{1} << 18;  // [bytes] per read
-constexpr int kLook = 50;                            // [ms] between looks at a pipe that nobody writes into
+constexpr int kLook = 50;                            // [ms] between checks of a pipe without a writer
 constexpr int kMostLooks = 100;
 
 struct Descriptor {
@@ -52,7 +52,7 @@ bool mayGoOn(std::string_view text, std::string_view beginning) {
   return text.substr(0, known) == beginning.substr(0, known);
 }
 
-/// Reads an open file from which reads may find nothing yet, such as a pipe: then waits for more.
+/// Reads an open file and waits where it has no data yet, such as a pipe.
 class PatientReader {
  public:
   explicit PatientReader(int descriptor) : descriptor_(descriptor) {
@@ -60,7 +60,7 @@ class PatientReader {
     pipe_ = ::fstat(descriptor, &found) == 0 && S_ISFIFO(found.st_mode);
   }
 
-  /// As read(2). A pipe that had no writer yet may get one; after some seconds it fails with ENODATA.
+  /// As read(2). Waits some seconds for the first writer of a pipe, then fails with ENODATA.
   ssize_t read(char* to, std::size_t room) {
     for (int looks = 0;;) {
       const ssize_t count = waiting([&] { return ::read(descriptor_, to, room); });
@@ -75,8 +75,7 @@ class PatientReader {
         return -1;
       }
       pollfd more{descriptor_, POLLIN, 0};
-      // Without a writer, the pipe may say at once that it has been hung up: then the time passes all the
-      // same.
+      // Without a writer, poll may report a hang-up at once. So this case waits without looking at the pipe.
       const int waited = count < 0 ? ::poll(&more, 1, -1) : ::poll(nullptr, 0, kLook);
       if (waited < 0 && (errno != EINTR || stopRequested())) return -1;
     }
@@ -85,7 +84,7 @@ class PatientReader {
  private:
   int descriptor_;
   bool pipe_ = false;
-  bool written_ = false;  ///< there was a writer
+  bool written_ = false;  ///< the pipe has had a writer
 };
 
 Result<std::string> readOpen(int descriptor, const std::string& path, std::size_t max_bytes,

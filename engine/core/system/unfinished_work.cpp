@@ -11,7 +11,7 @@
 namespace fulbito {
 namespace {
 
-constexpr int kMostFiles = 64;  // at a time: each job writes one
+constexpr int kMostFiles = 64;  // files at a time: each job writes one
 constexpr int kNone = -1;
 
 /// Fixed memory, since a signal handler must not lock or allocate.
@@ -48,7 +48,7 @@ TemporaryName::~TemporaryName() {
 void setHelperProcess(pid_t process) noexcept { helper = process; }
 
 void abandonUnfinishedWork() noexcept {
-  // First, since it could create its file again.
+  // The helper process ends first, since it could create its file again.
   if (const pid_t process = helper; process > 0) ::kill(process, SIGKILL);
   for (Slot& slot : slots) {
     if (slot.state == Slot::kListed) ::unlink(slot.name.data());

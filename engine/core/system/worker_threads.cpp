@@ -13,7 +13,7 @@
 namespace fulbito {
 namespace {
 
-/// Blocks all signals, so that threads that are started meanwhile take none.
+/// Blocks all signals, so that threads started during its life receive none.
 class SignalsBlocked {
  public:
   SignalsBlocked() {
@@ -49,7 +49,7 @@ class FirstException {
   std::exception_ptr first_;
 };
 
-/// The error of the first failed task. One that was only broken off counts after all others.
+/// The error of the first failed task. kInterrupted counts only if no task has another error.
 class FirstError {
  public:
   void take(std::size_t task, const Error& error) {
@@ -67,7 +67,7 @@ class FirstError {
   std::optional<Error> error_;
 };
 
-/// As many threads as the system gives.
+/// Starts the threads, or as many of them as the system allows.
 std::vector<std::jthread> start(int threads, const std::function<void()>& call) {
   std::vector<std::jthread> started;
   started.reserve(static_cast<std::size_t>(std::max(threads, 0)));
@@ -75,7 +75,7 @@ std::vector<std::jthread> start(int threads, const std::function<void()>& call) 
   for (int i = 0; i < threads; ++i) {
     try {
       started.emplace_back(call);
-    } catch (const std::system_error&) {  // no memory or no process left: fewer will do
+    } catch (const std::system_error&) {  // no memory or no process left: continue with fewer
       break;
     } catch (const std::bad_alloc&) {
       break;
@@ -122,7 +122,8 @@ Result<void> parallelFor(int jobs, std::size_t count, WorkProgress& progress,
   };
   const auto work = [&] {
     try {
-      // Whoever takes a task runs it: a stop in between would leave one out before another that failed.
+      // A thread that takes a task runs it. Otherwise a stop could leave out a task before the one that
+      // failed.
       while (!stop) {
         const std::size_t i = next++;
         if (i >= count) return;

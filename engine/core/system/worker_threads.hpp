@@ -11,8 +11,8 @@ namespace fulbito {
 int threadsFor(int jobs, std::size_t tasks);
 
 /// Runs `work` on up to `threads` other threads while `meanwhile` runs on the caller's, and returns when all
-/// have ended. `meanwhile` hears how many the system started, which may be none. Signals come to the caller's
-/// thread only, whose waits they end. Throws the first exception of any of them.
+/// have ended. `meanwhile` gets the number of threads that the system started, which may be 0. Only the
+/// caller's thread receives signals, which end its waits. Throws the first exception of any of them.
 void runBeside(int threads, const std::function<void()>& work,
                const std::function<void(int running)>& meanwhile);
 

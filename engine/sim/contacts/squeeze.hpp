@@ -11,8 +11,8 @@ namespace fulbito {
 
 /// Bounds the speed of a ball that several bodies press on within one physics step. Two rigid edges that
 /// close at u with an angle of 2 a between them drive a ball out at u / sin(a), which has no bound. Real
-/// balls yield, and nearly parallel edges hold them by friction. So the ball leaves with no more than two
-/// impacts one after the other could give. The rest of its momentum goes to the bodies that hold it, as by
+/// balls yield, and nearly parallel edges hold them by friction. So the ball leaves no faster than after two
+/// successive impacts. The rest of its momentum goes to the bodies that hold it, as by friction.
 /// friction.
 class Squeeze {
  public:
@@ -35,10 +35,10 @@ class Squeeze {
   struct Ball {
     b2Body* body;
     std::size_t first = kNone;   // number of the body that pressed on it first in this step
-    bool several = false;        // so did another body
+    bool several = false;        // whether another body pressed on it too
     b2Vec2 before{};             // its velocity at the step's start, in Box2D units per s
     float surface_speed = 0.0f;  // largest of the step, in the same unit
-    float restitution = 0.0f;    // the same
+    float restitution = 0.0f;    // restitution of the contact with that speed
   };
   static void slowTo(b2Body& ball, float speed);
 

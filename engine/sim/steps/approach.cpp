@@ -6,7 +6,8 @@
 namespace fulbito {
 namespace {
 
-// Share of a step: so small that turning hardly bends the ways of corners, and large enough for floats.
+// Share of a step: small enough that corners move nearly straight, and large enough for the precision of
+// floats.
 constexpr float kSoon = 0.125f;
 
 }  // namespace
@@ -84,7 +85,8 @@ float Approach::allowed(float before) const {
   return before > -depth_ ? 2.0f * depth_ : depth_ / 2.0f;
 }
 
-// The share of the step after which two bodies, `before` apart now and `after` apart later, reach the limit.
+// The share of the step after which two bodies overlap as deep as allowed; their gap is `before` now and
+// `after` at the end.
 float Approach::shareOf(float before, float after) const {
   const float gap = std::max(before, 0.0f), deeper = std::min(before, 0.0f) - after;
   const float most = allowed(before);
@@ -96,8 +98,8 @@ float Approach::gapAfter(const Mover& box, const Mover& other, float share) {
 }
 
 // The engine solves touching boxes by their speeds at the start of a step. It stops even corners that would
-// turn out of each other's way, and boxes close behind drive on. So their gap is taken to change as it
-// begins.
+// turn out of each other's way, and boxes close behind drive on. So for touching boxes, this extrapolates the
+// gap's change at the beginning of the step.
 float Approach::gapAsSolved(const Mover& box, const Mover& other, float before, float share) const {
   const float after = gapAfter(box, other, share);
   if (before > depth_ || other.radius > 0.0f) return after;

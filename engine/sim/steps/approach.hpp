@@ -44,7 +44,7 @@ class Approach {
     float angle = 0.0f;    // [rad] turned in the step
     float travel = 0.0f;   // length of `change`
     float turn = 0.0f;     // arc of its outline's farthest point about its centre
-    bool crowded = false;  // another box is near, or near one that a disc links to it
+    bool crowded = false;  // another box is near this box, or near one that a disc links to it
   };
   struct Face {
     b2Vec2 middle;
@@ -84,7 +84,7 @@ class Approach {
   b2Vec2 open_{0.0f, 0.0f};
   std::size_t boxes_ = 0;
   std::vector<Mover> movers_;  // boxes, then discs
-  std::vector<Met> met_;       // boxes that the disc in hand can meet
+  std::vector<Met> met_;       // boxes that the disc being planned can meet
   std::vector<Face> faces_;
 };
 

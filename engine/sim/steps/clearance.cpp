@@ -8,11 +8,12 @@
 namespace fulbito {
 namespace {
 
-// The engine notices in time that two outlines overlap by 0.875 mm (units.hpp has the sizes of its shapes).
-// The rest is for rounding.
+// [Box2D units] The engine's search for contacts notices overlaps of at least 0.875 mm (units.hpp has the
+// sizes of its shapes). The rest is a margin for rounding.
 constexpr float kNoticed = 0.008f;
 
-constexpr float kOtherEdges = 0.02f;  // more than the engine's edges of a wall, faces apart, lie beyond ours
+// [Box2D units] In the engine, a wall's other edges lie less than this outside its outline here.
+constexpr float kOtherEdges = 0.02f;
 
 constexpr float kRootHalf = 0.70710678f;
 
@@ -40,7 +41,7 @@ void Clearance::setField(float half_length, float half_width, float corner) {
   open_ = {half_length - corner, half_width - corner};
 }
 
-// Only faces make room for the engine's skin. Other edges, which few bodies ever come near, lie farther out.
+// Only the face of a wall is shifted for the engine's skin. Bodies rarely come near its other edges.
 void Clearance::addWall(const std::array<b2Vec2, 4>& corners) {
   const b2Vec2 middle = 0.25f * (corners[0] + corners[1] + corners[2] + corners[3]);
   Wall wall;
@@ -69,7 +70,7 @@ void Clearance::goFreely(Mover& mover) {
   mover.turn = std::abs(mover.spin);
 }
 
-// One that has not moved may be held by its contacts. Without any, it is still to move.
+// A body without motion is either held by its contacts or, if it has none, has yet to move.
 void Clearance::follow(Mover& mover) {
   const float turn = mover.body->GetAngle() - mover.angle;
   if (mover.body->GetPosition() == mover.from.middle && turn == 0.0f && !isHeld(*mover.body)) {
@@ -85,16 +86,17 @@ float Clearance::extent(const Mover& mover, const Place& at, b2Vec2 axis) {
          mover.half_width * std::abs(b2Cross(axis, at.ahead)) + mover.radius;
 }
 
-// Most that a turning corner leaves, between the two ends of its way, what it keeps to at both.
+// Upper bound of a turning corner's distance from the straight line between the two ends of its path.
 float Clearance::bulge(const Mover& mover) { return mover.reach * mover.turn * mover.turn / 8.0f; }
 
-// At least the length of the way, without a root.
+// Upper bound of the path's length, without a square root.
 float Clearance::mostWay(const Mover& mover) {
   const b2Vec2 way = b2Abs(mover.to.middle - mover.from.middle);
   return way.x + way.y;
 }
 
-// Off along one edge at both ends of the way: then off on all of it, but for the bulge.
+// Whether one edge of the wall separates the body from it at both ends of the path by more than the bulge.
+// Then it separates them all along.
 bool Clearance::keepsOff(const Mover& mover, const Wall& wall) {
   return std::any_of(wall.begin(), wall.end(), [&](const Edge& edge) {
     const float least = bulge(mover) - edge.allowed;
@@ -103,7 +105,8 @@ bool Clearance::keepsOff(const Mover& mover, const Wall& wall) {
   });
 }
 
-// In the field without its goals, which is convex: up to `slack` beyond its walls.
+// Whether the body is inside the field without its goals, which is convex, or at most `slack` beyond its
+// walls.
 bool Clearance::isInside(const Mover& mover, const Place& at, float slack) const {
   const b2Vec2 middle = b2Abs(at.middle), ahead = b2Abs(at.ahead);
   const float x = middle.x + mover.half_length * ahead.x + mover.half_width * ahead.y + mover.radius;
@@ -111,7 +114,7 @@ bool Clearance::isInside(const Mover& mover, const Place& at, float slack) const
   if (x >= field_.x + slack || y >= field_.y + slack) return false;
   const float out = kRootHalf * (middle.x + middle.y);
   if (out + mover.reach < diagonal_ + slack) return true;
-  // A box has the same two extents along all diagonals: the larger one is safe.
+  // A box has two extents along the diagonals, and the larger one is safe for all.
   const float sum = kRootHalf * (ahead.x + ahead.y), difference = kRootHalf * std::abs(ahead.x - ahead.y);
   const float extent = std::max(mover.half_length * sum + mover.half_width * difference,
                                 mover.half_length * difference + mover.half_width * sum);
@@ -126,13 +129,14 @@ bool Clearance::keepsOffWalls(const Mover& mover) const {
   return std::all_of(walls_.begin(), walls_.end(), [&](const Wall& wall) { return keepsOff(mover, wall); });
 }
 
-// In the box's frame, which turns, the disc's way bends off its chord by at most an eighth of its second
-// derivative: the square of the turn times the distance, and twice the turn times the way.
+// The box turns, so in its frame the disc's path bends. It leaves its chord by at most an eighth of its
+// second derivative: the square of the turn times the distance, plus twice the turn times the path's length.
 bool Clearance::keepApart(const Mover& box, const Mover& disc) {
   const b2Vec2 before = disc.from.middle - box.from.middle, after = disc.to.middle - box.to.middle;
   const float way = length(after - before), apart = length(before);
   const float bend = box.turn * (box.turn * (apart + way) + 2.0f * way) / 8.0f;
-  const auto off = [](float first, float second) {  // of the middle, on one side of it all the way
+  // Least distance of the disc's centre from an axis if it is on one side of it at both ends, else <= 0.
+  const auto off = [](float first, float second) {
     return std::max(std::min(first, second), -std::max(first, second));
   };
   const float along = off(b2Dot(box.from.ahead, before), b2Dot(box.to.ahead, after)) - box.half_length;

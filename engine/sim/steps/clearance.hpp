@@ -7,9 +7,8 @@
 
 namespace fulbito {
 
-/// Proves that no body meets a wall or a disc within a step, where it can. Then the engine need not search
-/// for such contacts ("continuous"): it would find none. Nothing else depends on the answer: it may be no
-/// without need, never yes by mistake.
+/// Tries to prove that no body meets a wall or a disc within a step. Then the engine need not search for such
+/// contacts ("continuous"): it would find none. A wrong no only costs time; a yes is always right.
 class Clearance {
  public:
   /// @param bullets  the engine looks for contacts of discs with boxes too, not only for those of walls
@@ -20,17 +19,17 @@ class Clearance {
   void addDisc(const b2Body* body, float radius);
   /// Adds a wall by its corners, of which the first and the last bound its face [Box2D units].
   void addWall(const std::array<b2Vec2, 4>& corners);
-  /// Sets the half sizes of the field without its goals, and of what its walls cut off each corner along both
+  /// Sets the half sizes of the field without its goals, and the length that corner walls cut off along both
   /// sides [Box2D units].
   void setField(float half_length, float half_width, float corner);
 
   /// Remembers where all bodies are. Call before the engine's step of `dt` [s].
   void remember(float dt);
-  /// Before the engine's step: whether no body meets a wall or disc on the way that its velocity takes it.
-  /// True only if that is certain. Holds if no bodies touch, as contacts change velocities.
+  /// Before the engine's step: whether no body meets a wall or disc if it keeps its velocity. True only if
+  /// that is certain. Valid if no bodies touch, as contacts change velocities.
   bool isKeptFreely();
-  /// The same within the step, once the engine has solved the contacts of its start and moved the bodies that
-  /// have any. The others may still have to move.
+  /// The same within the step, when the engine has solved the contacts of its start and moved the bodies that
+  /// have any. The other bodies may not have moved yet.
   bool isKeptSolved();
 
  private:
@@ -38,9 +37,9 @@ class Clearance {
     Place from{};
     Place to{};
     b2Vec2 drift{};      // displacement if nothing stops it
-    float spin = 0.0f;   // [rad] the same of its turn
-    float angle = 0.0f;  // [rad] before the step
-    float turn = 0.0f;   // [rad] absolute, of the step
+    float spin = 0.0f;   // [rad] turn if nothing stops it
+    float angle = 0.0f;  // [rad] heading before the step
+    float turn = 0.0f;   // [rad] absolute turn in the step
   };
   struct Edge {
     b2Vec2 point;
