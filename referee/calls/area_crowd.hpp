@@ -14,8 +14,8 @@ struct AreaCrowd {
   int allowed = 0;
 };
 
-/// The foul of a crowd, if it is one; excused robots do not count. A robot is beyond the allowed number if at
-/// least that many others entered before it or in the same tick.
+/// The foul that the crowd commits, if any. Excused robots do not count. A robot is beyond the allowed number
+/// if at least that many others entered before it or in the same tick.
 std::optional<AreaFoul> foulOf(const AreaCrowd& crowd, const DetectorInput& input,
                                const PresenceMemory& presence);
 

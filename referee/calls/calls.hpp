@@ -41,12 +41,13 @@ struct Spell {
   Tick ticks(Tick tick) const { return last == tick ? tick - since + 1 : 0; }
 };
 
-/// When each robot last touched what.
+/// The ticks at which each robot last touched the ball or another robot.
 struct TouchMemory {
-  RobotTicks ball;                        ///< the robot touched the ball
-  RobotTicks opponent;                    ///< the robot touched a robot of the other team
-  RobotTicks keeper;                      ///< the robot touched the other team's keeper
-  std::array<Spell, kMostRobots> pushed;  ///< opponents pressed it toward the goal of its half; sum in kg m/s
+  RobotTicks ball;      ///< the robot touched the ball
+  RobotTicks opponent;  ///< the robot touched a robot of the other team
+  RobotTicks keeper;    ///< the robot touched the other team's keeper
+  /// opponents pressed the robot toward the goal of its half; sum: impulse [kg m/s]
+  std::array<Spell, kMostRobots> pushed;
 };
 
 /// Memory of the stuck-ball detector.
@@ -91,19 +92,19 @@ struct AreaFoulMemory {
 
 /// Memory of the keeper detectors.
 struct KeeperMemory {
-  std::array<Spell, kMostRobots> charges;  ///< by the charging robot; sum in kg m/s
+  std::array<Spell, kMostRobots> charges;  ///< by the charging robot; sum: impulse [kg m/s]
   PerTeam<Spell> control;                  ///< undisputed control of the ball
 };
 
 /// Memory of the detectors of pushing and holding.
 struct FoulMemory {
-  std::array<Spell, kMostRobots> pushes;  ///< by the pushing robot; sum in kg m/s
+  std::array<Spell, kMostRobots> pushes;  ///< by the pushing robot; sum: impulse [kg m/s]
   std::array<Spell, kMostRobots> pinned;  ///< by the robot that pins the ball to a wall
 };
 
 /// All memory of the detectors between ticks: a plain value, empty at every restart.
 struct DetectorMemory {
-  AreaReport areas{};  ///< of the previous tick
+  AreaReport areas{};  ///< areas of the previous tick
   TouchMemory touches;
   PresenceMemory presence;
   AreaFoulMemory area_fouls;
@@ -115,46 +116,48 @@ struct DetectorMemory {
 /// Law 7.1: the whole ball (or its centre) is past the goal line.
 std::optional<Finding> detectGoal(const DetectorInput& input, const TouchMemory& touches);
 
-/// Laws 13 and 14: the ball is stuck. In a goal area: a goal kick where robots of both teams dispute it, else
-/// what `StuckRules::undisputed` says; elsewhere a free ball. `keepers` of this tick: the count stands while
-/// a keeper has undisputed control.
+/// Laws 13 and 14: the ball is stuck. In a goal area: a goal kick if robots of both teams dispute it, else
+/// what `StuckRules::undisputed` says; elsewhere a free ball. `keepers` is the memory after this tick: the
+/// count pauses while a keeper has undisputed control.
 std::optional<Finding> detectStuckBall(const DetectorInput& input, const KeeperMemory& keepers,
                                        StuckMemory& memory);
 
-/// Law 8.2: more attackers than allowed in the opponents' goal area (or big area), where the rules say so
-/// only if one beyond the first takes part: it touched the ball or the keeper within `part_seconds`.
+/// Law 8.2: more attackers than allowed in the opponents' goal area (or big area). If the rules say so, it is
+/// a foul only if a robot beyond the first takes part: it touched the ball or the keeper within
+/// `part_seconds`.
 std::optional<AreaFoul> detectAttackers(const DetectorInput& input, const TouchMemory& touches,
                                         const PresenceMemory& presence);
 
-/// Law 8.3: more defenders than allowed in their own goal area (or big area) with the ball inside, where the
-/// rules say so only if one beyond the first takes part: it touched the ball or an opponent within
-/// `part_seconds`.
+/// Law 8.3: more defenders than allowed in their own goal area (or big area) with the ball inside. If the
+/// rules say so, it is a foul only if a robot beyond the first takes part: it touched the ball or an opponent
+/// within `part_seconds`.
 std::optional<AreaFoul> detectDefenders(const DetectorInput& input, const TouchMemory& touches,
                                         const PresenceMemory& presence);
 
-/// Laws 8.1 and 13: an opponent charges or blocks the keeper in its goal area. Robot presses on robot (with
-/// the ball between them the two do not touch) at a point in the area, the keeper being inside, for
-/// `charge_seconds` with `charge_impulse` in all, by an opponent that does not dispute the ball: it has not
-/// touched it for `part_seconds`.
+/// Laws 8.1 and 13: an opponent charges or blocks the keeper in its goal area. The keeper is in the area, and
+/// the opponent presses on it at a point in the area. (With the ball between them, the two do not touch.) The
+/// contact lasts `charge_seconds` with `charge_impulse` in all. The opponent does not dispute the ball: it
+/// has not touched it for `part_seconds`.
 std::optional<Finding> detectKeeperCharged(const DetectorInput& input, const TouchMemory& touches,
                                            const PresenceMemory& presence, KeeperMemory& memory);
 
-/// Law 8.1: the keeper keeps the ball. It is in its goal area with the ball there, at most `control_gap` from
-/// its body, for `hold_seconds`; breaks up to `release_seconds` do not end the count. An opponent within
-/// `dispute_lengths` of the ball challenges: the count begins anew.
+/// Law 8.1: the keeper keeps the ball. For `hold_seconds`, keeper and ball are in its goal area, and the ball
+/// is at most `control_gap` from its body. Breaks up to `release_seconds` do not end the count. An opponent
+/// within `dispute_lengths` of the ball challenges: the count begins anew.
 std::optional<Finding> detectKeeperHolding(const DetectorInput& input, const PresenceMemory& presence,
                                            KeeperMemory& memory);
 
-/// A robot that does not keep its goal holds the ball: it pins it to a wall. It presses the ball, the ball
-/// presses a wall, both hardly move and no opponent disputes it, for longer than `pinned_seconds`. A free
-/// kick, in its own goal area a penalty (law 8.1). What the law itself forbids, to hide more than 30 % of the
-/// ball (2.2.3), takes a hollow body: a rectangle that the ball cannot enter hides nothing of it.
+/// A robot other than a keeper in its area holds the ball: it pins it to a wall. The robot presses the ball,
+/// the ball presses a wall, both hardly move and no opponent disputes it, for longer than `pinned_seconds`.
+/// The call is a free kick, or a penalty in the robot's own goal area (law 8.1). Law 2.2.3 forbids hiding
+/// more than 30 % of the ball: that takes a hollow body, and all bodies here are full rectangles.
 std::optional<Finding> detectHolding(const DetectorInput& input, const PresenceMemory& presence,
                                      FoulMemory& memory);
 
-/// Law 8.1: an opponent is pushed, away from the ball. The two press on each other, the one pushed moves away
-/// from the pusher at `push_speed` or more, for `push_seconds` with `push_impulse` in all, both centres are
-/// farther than `push_distance` from the ball, and neither touched it for `part_seconds`.
+/// Law 8.1: a robot pushes an opponent that is away from the ball. The two press on each other for
+/// `push_seconds` with `push_impulse` in all. The pushed robot moves away from the pusher at `push_speed` or
+/// more. Both centres are farther than `push_distance` from the ball, and neither robot touched it for
+/// `part_seconds`.
 std::optional<Finding> detectPush(const DetectorInput& input, const TouchMemory& touches, FoulMemory& memory);
 
 }  // namespace fulbito

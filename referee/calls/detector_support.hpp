@@ -28,7 +28,7 @@ inline bool isRobot(BodyId body, const MatchView& view) {
 /// Whether `tick` is at most `seconds` before now.
 inline bool recent(const DetectorInput& in, Tick tick, double seconds) {
   const Tick age = in.view.tick - tick;
-  // Most touches are of this tick or never, which needs no division.
+  // Most touches happened in this tick or never: both cases need no division.
   return age == 0 || (age < -kLongAgo / 2 && age <= ticksOf(seconds, in.setup.dt));
 }
 /// Whether play has run for at least this time [s].

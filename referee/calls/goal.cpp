@@ -22,7 +22,7 @@ std::optional<Finding> detectGoal(const DetectorInput& in, const TouchMemory& to
   const Vec2 ball = in.view.ball.position;
   const double beyond = std::abs(ball.x) - in.setup.field.length / 2;
   const double needed = in.setup.rules.goal.ball == BallPart::kWhole ? in.setup.ball.radius : 0.0;
-  // In this form, a ball position that is not finite is no goal.
+  // Written so that a ball position that is not finite is no goal.
   if (!(beyond > needed) || !(std::abs(ball.y) < in.setup.field.goal_width / 2)) return std::nullopt;
   const TeamId conceded = defenderOf(in.state, halfOf(ball));
   Finding goal = makeFinding(in, clause::kGoal, "7.1", RestartKind::kKickOff, conceded);

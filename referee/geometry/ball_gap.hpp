@@ -8,7 +8,7 @@
 namespace fulbito {
 
 /// Distance [m] between a robot's body and the ball; negative if they overlap. Empty if it is more than
-/// `most`, which is found without the body's heading.
+/// `most`.
 std::optional<double> ballGap(const RobotModel& robot, const Pose2& pose, const BallModel& ball, Vec2 place,
                               double most);
 

@@ -52,7 +52,8 @@ RestartCall MatchReferee::kickOff(TeamId team, const MatchView* view) const {
 }
 
 Tick MatchReferee::delayOf(const RestartCall& call) const {
-  // Who will not wait is not waited for: nobody may play before the signal for long.
+  // After `max_repeats` false starts, play begins at once. Otherwise a team that never waits could hold up
+  // the match.
   const int repeats = state_.false_starts[0] + state_.false_starts[1];
   return repeats < setup_.rules.restart.max_repeats || repeats == 0 ? call.delay : 0;
 }

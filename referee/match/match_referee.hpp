@@ -21,10 +21,10 @@ class MatchReferee {
   /// Processes one tick and appends its events. If it returns a call, play has stopped: place all robots
   /// (`place`) and call `restarted` before the next tick. Returns none after `state().ended`.
   std::optional<RestartCall> observe(const MatchView& view, std::vector<GameEvent>& events);
-  /// Ticks from the placement to the signal: the call's delay, or 0 when the teams have used up the false
-  /// starts that are waited for.
+  /// Ticks from the placement to the signal: the call's delay, or 0 after `max_repeats` false starts.
   Tick delayOf(const RestartCall& call) const;
-  /// All stand as placed; play begins at once or after the call's delay. `tick` is the match's.
+  /// To call once all robots stand as placed: play begins after `delayOf` the call. `tick` is the match's
+  /// tick.
   void restarted(const RestartCall& call, const Placement& placement, Tick tick);
 
   /// A present team can no longer play: it counts as absent, and the next tick ends the match (law 7.3).

@@ -28,11 +28,11 @@ struct Standing {
   RestartPart part;
   PlacedBody body;
   double heading = 0.0;     ///< [rad] world frame
-  bool rests = false;       ///< it stays by law 14
+  bool rests = false;       ///< it stays where it is, by law 14
   bool takes_mark = false;  ///< it takes the mark of law 14
   bool moved_back = false;  ///< law 14 moves it back, since it was too near
   bool changed = false;     ///< its place differs from the wanted one
-  Vec2 wish;                ///< of its team, or else of the rule; world frame
+  Vec2 wish;                ///< the team's wish, or else the rule's place; world frame
 };
 
 /// Places the robots of one restart, one after the other.

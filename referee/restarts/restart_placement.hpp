@@ -21,8 +21,8 @@ using Proposals = PerTeam<std::optional<TeamPoses>>;
 /// Robots that stay by law 14 never move, even if they touch: other robots yield to them, and a robot that is
 /// moved back yields straight back.
 ///
-/// Never fails: the result is legal and no other robots overlap. A robot for which the field has no room is
-/// left out. Pure.
+/// Never fails: the result is legal, and only robots that stay by law 14 may overlap. A robot for which the
+/// field has no room is left out. Pure.
 Placement place(const RefereeSetup& setup, const RefereeState& state, const RestartCall& call,
                 const Proposals& proposals, std::vector<GameEvent>& log);
 

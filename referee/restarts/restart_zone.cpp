@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kRounding = 1e-6;  // [m]
 
-/// The law's demand.
+/// The kind of zone in which the law wants a robot to be.
 enum class Zone {
   kAnywhere,
   kOwnHalf,
@@ -80,7 +80,7 @@ bool inTakersArea(const FieldGeometry& field, const PlacedBody& body) {
 /// the own goal.
 struct Box {
   double x_low = -1e9, x_high = 1e9;
-  double y_low = 0.0, y_high = 1e9;  ///< of |y|
+  double y_low = 0.0, y_high = 1e9;  ///< limits of |y|
 };
 
 Box boxOf(const RestartScene& scene, Zone zone, RestartPart part, const PlacedBody& body) {
