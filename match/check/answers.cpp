@@ -21,11 +21,12 @@ struct Overloaded : Cases... {
 template <typename... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
-// Rounding of the mirrored sums, far above the rounding of a double and far below what a robot can do.
+// Tolerance of mirrored numbers: far above the rounding of a double, far below any difference that moves a
+// robot.
 constexpr double kRounding = 1e-6;
 constexpr double kOnAxis = 1e-3;  // [m]
 
-/// [s] A slow answer is an answer: the time has a check of its own.
+/// [s] time to wait for an answer: all that the team may use, since another check judges slow answers
 double patienceOf(const MatchInfo& info) {
   return info.decision_time ? info.decision_time->decision + info.decision_time->bank
                             : std::numeric_limits<double>::infinity();
@@ -55,7 +56,7 @@ bool equalPoses(const TeamPlacement& a, const TeamPlacement& b, const Equal& equ
   });
 }
 
-/// Compares what `change` makes of the answers `a` with `b`.
+/// Compares `change` applied to the answers `a` with the answers `b`.
 template <typename Change, typename Equal>
 AnswerDifference compare(const RecordedCalls& told, const TeamAnswers& a, const TeamAnswers& b,
                          const Change& change, const Equal& equal) {

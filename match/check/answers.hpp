@@ -8,22 +8,23 @@
 
 namespace fulbito {
 
-/// What a team answers to recorded calls.
+/// A team's answers to recorded calls.
 struct TeamAnswers {
-  std::vector<TeamCommand> commands;                ///< to each decision
-  std::vector<std::optional<TeamProposal>> places;  ///< to each placement request
+  std::vector<TeamCommand> commands;                ///< one per decision
+  std::vector<std::optional<TeamProposal>> places;  ///< one per placement request
   std::string failure;  ///< why the team stopped answering; empty: it answered all
 };
 
-/// Tells a new instance of the team all recorded calls, one after the other. The first answer that is late or
-/// lacks ends it. Errors: of the team.
+/// Tells a new instance of the team all recorded calls, one after the other. Stops at the first answer that
+/// is late or missing. Errors: of the team.
 Result<TeamAnswers> answersOf(const TeamChoice& team, const RecordedCalls& told);
 
-/// The recorded calls as the team of the other colour gets them. In a team's own frame nothing else changes.
+/// The recorded calls as the team of the other colour gets them. Only the colour differs, since calls are in
+/// a team's own frame.
 RecordedCalls inOtherSeat(RecordedCalls told);
 
-/// The first calls, up to a play that begins with the ball on the long axis. There left and right are equal,
-/// so a team must choose, and its mirror image chooses the same.
+/// The calls before the first play that begins with the ball on the long axis. From there, left and right are
+/// equal and a team must choose, but its mirror image makes the same choice.
 RecordedCalls offAxis(RecordedCalls told);
 
 /// The recorded calls mirrored across the long axis.
@@ -32,16 +33,16 @@ RecordedCalls mirrored(RecordedCalls told);
 /// How two series of answers compare.
 struct AnswerDifference {
   int compared = 0;   ///< decisions and placements
-  int different = 0;  ///< of these
+  int different = 0;  ///< answers that differ
   int first = -1;     ///< index of the first different decision; -1: none
-  int robot = -1;     ///< its robot
+  int robot = -1;     ///< robot of that decision
 };
 
-/// Compares two series of answers bit by bit, as far as both go. Robots that are not on the field do not
-/// count.
+/// Compares two series of answers bit by bit, up to the end of the shorter one. Robots that are not on the
+/// field do not count.
 AnswerDifference compareAnswers(const RecordedCalls& told, const TeamAnswers& a, const TeamAnswers& b);
 
-/// Compares answers with those to the mirrored calls, but for rounding.
+/// Compares answers with the answers to the mirrored calls, within a rounding tolerance.
 AnswerDifference compareMirrored(const RecordedCalls& told, const TeamAnswers& a, const TeamAnswers& mirror);
 
 }  // namespace fulbito

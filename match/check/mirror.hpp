@@ -2,7 +2,7 @@
 
 #include "fulbito/strategy.hpp"
 
-/// What a team sees and commands, mirrored across the long axis of the field: left and right change places.
+/// Mirrors what a team sees and commands across the long axis of the field: left and right change places.
 namespace fulbito {
 
 inline Vec2 mirrored(Vec2 v) { return {v.x, -v.y}; }

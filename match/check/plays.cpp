@@ -5,10 +5,10 @@
 namespace fulbito {
 namespace {
 
-// A team that hangs or falls again and again would take its whole time in each situation.
+// After this many broken situations the rest are skipped: a team that hangs would use its whole time in each.
 constexpr int kMostBroken = 3;
 
-/// Counts what a match does with one team's commands and places.
+/// Counts how a match treats one team's commands and places.
 class SeatCount final : public MatchObserver {
  public:
   explicit SeatCount(const CheckSituation& situation)
@@ -36,7 +36,7 @@ class SeatCount final : public MatchObserver {
 
   TeamId team_;
   bool hold_;
-  bool playing_ = false;  ///< before the tick
+  bool playing_ = false;  ///< play was running before the tick
   std::int64_t commands_ = 0;
   std::int64_t repaired_ = 0;
 };

@@ -5,7 +5,7 @@
 namespace fulbito {
 namespace {
 
-/// What the seat is told when a built-in team plays the situation. Never depends on the team under test.
+/// The calls to the seat while a built-in team plays the situation. They never depend on the team under test.
 Result<RecordedCalls> callsOf(const CheckSituation& situation) {
   RecordedCalls kept;
   MatchConfig config = situation.match;

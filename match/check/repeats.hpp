@@ -7,12 +7,12 @@
 
 namespace fulbito {
 
-/// Answers of two instances of a team that should be the same, over all situations.
+/// Comparison of the answers of two instances of a team over all situations; they should be equal.
 struct RepeatFindings {
   std::int64_t compared = 0;   ///< answers
-  std::int64_t different = 0;  ///< of these
-  std::string first;           ///< where the first difference is; empty: nowhere
-  std::string failure;         ///< why the team stopped answering, if it did
+  std::int64_t different = 0;  ///< answers that differ
+  std::string first;           ///< place of the first difference; empty: none
+  std::string failure;         ///< reason why the team stopped answering; empty: it answered all
 };
 
 /// The three comparisons of recorded situations.
@@ -22,8 +22,8 @@ struct AllRepeats {
   RepeatFindings mirror;  ///< the mirrored calls
 };
 
-/// Plays the situation with built-in teams, keeps what its seat is told and tells it to four new instances of
-/// the team. Errors: of the teams.
+/// Plays the situation with built-in teams, records the calls to its seat and tells them to four new
+/// instances of the team. Errors: of the teams.
 Result<void> repeatSituation(const CheckSituation& situation, const TeamChoice& team, AllRepeats& findings);
 
 }  // namespace fulbito

@@ -11,11 +11,11 @@
 namespace fulbito {
 namespace {
 
-constexpr double kShort = 4.0;       // [s] of play in a situation
+constexpr double kShort = 4.0;       // [s] play time of a situation
 constexpr double kQuickShort = 1.0;  // [s]
-constexpr double kLong = 60.0;       // [s] of the longer play
+constexpr double kLong = 60.0;       // [s] play time of the longer play
 constexpr double kQuickLong = 8.0;   // [s]
-constexpr double kCorner = 0.1;      // [m] of a ball in the corner from both walls
+constexpr double kCorner = 0.1;      // [m] distance of a ball in the corner from both walls
 
 /// Makes the situations of one seat.
 class Script {
@@ -40,7 +40,7 @@ class Script {
     const Vec2 corner{match->field.length / 2 - kCorner, match->field.width / 2 - kCorner};
     Placement placement;
     placement.ball = {ball.x * corner.x, ball.y * corner.y};
-    // None on the axis, where left and right are equal.
+    // No place is on the long axis, where left and right are equal.
     constexpr Vec2 kPlaces[] = {{-0.6, 0.03}, {-0.3, 0.2}, {-0.2, -0.25}};
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
@@ -96,7 +96,8 @@ Result<void> addRestarts(Script& script) {
   return {};
 }
 
-constexpr Vec2 kBeside{0.1, 0.4};  // of the way to the corner: not on the axis either
+// fractions of the way to the corner; not on the long axis, where left and right are equal
+constexpr Vec2 kBeside{0.1, 0.4};
 
 Result<void> addStarts(Script& script) {
   for (const auto& added :

@@ -17,7 +17,7 @@ const std::vector<int> kDrills{3, 10, 13, 16};
 constexpr int kTrials = 20;
 const std::vector<int> kQuickDrills{3, 10};
 constexpr int kQuickTrials = 6;
-// Each repeated situation starts the team four times.
+// In a quick check, only one situation in three is repeated: each starts the team four times.
 constexpr std::size_t kQuickEvery = 3;
 
 /// One run of the whole check.
@@ -56,7 +56,7 @@ class Run {
     return {};
   }
 
-  // Recorded in one seat: the comparison of the seats tells the other one.
+  // The calls are recorded in one seat; the comparison of seats also tells them in the other.
   Result<void> repeat() {
     for (std::size_t i = 0; i < seats_[0].size(); ++i) {
       Result<void> repeated;
@@ -70,7 +70,8 @@ class Run {
   }
 
   Result<void> drill() {
-    if (plays_.broken > 0) return {};  // without a limit of the time, a drill could wait for ever
+    // drills have no time limit: a team that hangs would block one for ever
+    if (plays_.broken > 0) return {};
     DrillOptions options;
     options.team = options_.team;
     options.catalogue = options_.catalogue;

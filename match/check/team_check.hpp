@@ -10,13 +10,13 @@
 #include "fulbito/match.hpp"
 #include "fulbito/strategy.hpp"
 
-/// A check of one team: scripted situations are played with it, and recorded ones are told to it again.
+/// A check of one team: it plays scripted situations, and recorded calls are told to it again.
 namespace fulbito {
 
 /// The verdict of a check, from good to bad.
 enum class CheckVerdict : std::uint8_t {
-  kOk,       ///< nothing to say
-  kWarning,  ///< the team may play, but it loses by this
+  kOk,       ///< no problem found
+  kWarning,  ///< the team may play, but has a disadvantage
   kFailed,   ///< a match punishes this, or results cannot be repeated
 };
 /// "ok", "warning" or "failed".
@@ -34,7 +34,7 @@ struct TeamCheck {
 /// All results of one team.
 struct TeamReport {
   std::string team;             ///< its specification
-  std::vector<Setting> origin;  ///< version, hash, containment of a team outside the program
+  std::vector<Setting> origin;  ///< version, hash and containment, for a team that is a file or program
   std::uint64_t seed = 0;
   bool quick = false;
   std::vector<TeamCheck> checks;
@@ -47,7 +47,7 @@ using CheckProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
 struct TeamCheckOptions {
   TeamChoice team;
-  TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< of the opponents in drills
+  TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< teams that drills may name as opponents
   std::uint64_t seed = kDefaultMatchSeed;
   bool quick = false;  ///< shorter situations, a third of them repeated, fewer drills and trials
   int jobs = 0;        ///< threads of the drills; 0: one per core
@@ -55,9 +55,9 @@ struct TeamCheckOptions {
   CheckProgress progress;
 };
 
-/// Checks a team. All results but those of time repeat with the seed, if the team does. Errors: kUsage if the
-/// team or its navigators cannot be created; kMachine when the machine fails it; kInterrupted when `progress`
-/// returned false.
+/// Checks a team. The results repeat with the seed, if the team is deterministic, except those of time.
+/// Errors: kUsage if the team or its navigators cannot be created; kMachine if the machine lacks resources;
+/// kInterrupted when `progress` returned false.
 Result<TeamReport> checkTeam(const TeamCheckOptions& options);
 
 /// @{ The report as a table to read and as JSON.

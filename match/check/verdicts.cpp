@@ -13,9 +13,10 @@
 namespace fulbito {
 namespace {
 
-// When a motor is at its limit, the robot no longer steers as commanded: more often than not is too often.
+// When a motor is at its limit, the robot does not steer as commanded. A warning if that is so more often
+// than not.
 constexpr double kMostSaturated = 0.5;
-// A choice between equal ways, or a rare manoeuvre that always turns the same way, is no preference.
+// Below this, a choice between equal paths or a rare manoeuvre to one side is no preference.
 constexpr double kMostOneSided = 0.1;
 
 double share(std::int64_t part, std::int64_t whole) {
@@ -32,7 +33,7 @@ TeamCheck noAnswers(std::string name, const std::string& failure) {
   return {std::move(name), CheckVerdict::kFailed, "the team stopped answering: " + failure, {}};
 }
 
-/// What differs from run to run differs between seats and sides too: that shows no bias.
+/// The answers of a team that is not deterministic differ between seats and sides anyway, without any bias.
 TeamCheck noComparison(std::string name) {
   return {std::move(name), CheckVerdict::kWarning, "cannot be decided: the team is not deterministic", {}};
 }
@@ -120,7 +121,7 @@ TeamCheck timeVerdict(const PlayFindings& plays) {
                    {"wall_p99_seconds", p99},
                    {"wall_max_seconds", most},
                    {"wall_late", double(plays.late.count)}}};
-  if (most > limit) check.verdict = CheckVerdict::kWarning;  // the bank pays for rare ones
+  if (most > limit) check.verdict = CheckVerdict::kWarning;  // rare ones are covered by the bank
   if (p99 > limit) check.verdict = CheckVerdict::kFailed;
   if (plays.late.count > 0) {
     check.verdict = CheckVerdict::kFailed;

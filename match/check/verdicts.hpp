@@ -7,7 +7,7 @@
 #include "match/check/team_check.hpp"
 #include "match/drills/drill.hpp"
 
-/// From what was found to verdicts, one function per check.
+/// Turns findings into verdicts, one function per check.
 namespace fulbito {
 
 TeamCheck startVerdict(const PlayFindings& plays);

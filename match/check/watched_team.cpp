@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-/// A team that another one plays for. Calls pass unchanged.
+/// Base of teams that stand in for another one: passes all calls on unchanged.
 class Relay : public Strategy {
  public:
   explicit Relay(std::unique_ptr<Strategy> team) : team_(std::move(team)) {}
@@ -95,7 +95,7 @@ class Overheard final : public Relay {
   RecordedCalls* kept_;
 };
 
-/// The choice with each new team given to `wrap`.
+/// The choice with a `make` that passes each new team through `wrap`.
 template <typename Wrap>
 TeamChoice wrapped(const TeamChoice& team, Wrap wrap) {
   TeamInfo info = *team.info;

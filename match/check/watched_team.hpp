@@ -9,36 +9,36 @@
 
 namespace fulbito {
 
-/// A decision is asked for.
+/// The match asks for a decision.
 struct DecideCall {
   Observation seen;
 };
-/// A new play is placed.
+/// The match tells that a new play is placed.
 struct ReadyCall {
   Observation seen;
 };
 /// One call of a match to its team.
 using TeamCall = std::variant<PlacementRequest, ReadyCall, DecideCall, PlayStop>;
 
-/// What a match tells one team.
+/// The calls of a match to one team.
 struct RecordedCalls {
   MatchInfo info;
   std::vector<TeamCall> calls;
 };
 
-/// What is noted of a team during its matches.
+/// Notes on a team during its matches.
 struct TeamNotes {
   double start_seconds = 0.0;   ///< [s] the longest creation and start
-  std::vector<double> seconds;  ///< [s] of each decision
-  std::int64_t unasked = 0;     ///< decisions with drawings that nobody wanted
-  std::int64_t with_roles = 0;  ///< decisions that tell a role
-  std::vector<Setting> origin;  ///< as the team tells it
+  std::vector<double> seconds;  ///< [s] time of each decision
+  std::int64_t unasked = 0;     ///< decisions with drawings that the match did not ask for
+  std::int64_t with_roles = 0;  ///< decisions that report a role
+  std::vector<Setting> origin;  ///< the team's own report of its version, hash and containment
 };
 
-/// The same team, noting its decisions. `notes` outlives its matches, which run one after the other.
+/// The same team; its matches fill in `notes`, which must outlive them. They must run one after the other.
 TeamChoice watchedTeam(const TeamChoice& team, const MatchClock& clock, TeamNotes& notes);
 
-/// The same team, keeping all that its match tells it. `kept` outlives the match.
+/// The same team; `kept` records all calls of its match and must outlive it.
 TeamChoice overheardTeam(const TeamChoice& team, RecordedCalls& kept);
 
 }  // namespace fulbito

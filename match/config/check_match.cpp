@@ -17,7 +17,7 @@ constexpr int kMaxFailures = 1000;
 constexpr double kMaxBank = 3600.0;  // [s]
 constexpr int kMaxHeld = 3600;
 constexpr int kMaxScore = 1000;
-constexpr int kLastPeriod = 3;  // a shoot-out cannot be begun in its middle
+constexpr int kLastPeriod = 3;  // a match cannot start in the middle of a shoot-out
 
 Result<void> range(const char* name, double value, double low, double high, const char* unit) {
   if (value >= low && value <= high) return {};

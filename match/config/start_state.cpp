@@ -15,7 +15,7 @@ constexpr double kFar = 20.0;       // [m]
 constexpr double kMaxSpeed = 50.0;  // [m/s]
 constexpr double kMaxPlay = 1e5;    // [s]
 
-/// A robot as it stands in a file.
+/// A robot as the file describes it.
 struct StartRobot {
   TeamId team = TeamId::kBlue;
   int number = 0;
@@ -74,14 +74,14 @@ Result<StartState> read(const ConfigDocument& document) {
   return start;
 }
 
-/// A body of a start as a disc that lies in it whatever its heading.
+/// A body of a start state as the largest disc inside it, whatever its heading.
 struct StartBody {
   std::string name;
   Vec2 position;
   double radius = 0.0;  ///< [m]
 };
 
-/// What is wrong with a body, given those before it; empty: nothing.
+/// The flaw of a body, given those before it; empty: none.
 std::string flawOf(const StartBody& body, const std::vector<StartBody>& others, const FieldGeometry& field) {
   const std::string place = fmt::format("= [{}, {}]", body.position.x, body.position.y);
   if (!insideField(field, body.position)) {
@@ -105,7 +105,7 @@ std::optional<Flaw> findFlaw(const ConfigDocument& document, const StartState& s
   const int count = document.count("robot").value_or(0);
   for (int i = 0; i < count; ++i) {
     StartRobot listed;
-    if (!document.readElement("robot", i, robotSchema(listed))) continue;  // it could be read before
+    if (!document.readElement("robot", i, robotSchema(listed))) continue;  // cannot fail: it was read before
     if (listed.number >= match.rules.team_size) {
       return Flaw{"robot", i, "number",
                   fmt::format("= {}: the rules '{}' have {} robots per team, counted from 0", listed.number,

@@ -20,7 +20,7 @@ std::span<const EmbeddedFile> embeddedDrills();
 
 namespace {
 
-constexpr double kFar = 12.0;  // [m] half of the largest field and its goal, and a little
+constexpr double kFar = 12.0;  // [m] half of the largest field with a goal, plus a margin
 constexpr int kMaxTrials = 1000000;
 constexpr double kLongName = 100;
 constexpr double kLongText = 300;
@@ -146,7 +146,7 @@ Result<void> readAll(const ConfigDocument& document, const std::string& table, s
   return {};
 }
 
-/// The index in its list is wrong, the list is named after its table.
+/// The flaw of the first value whose `start` is no name of a start.
 template <typename T>
 std::optional<Flaw> unknownStart(const Drill& drill, const std::string& table, const std::vector<T>& values) {
   std::vector<std::string> names;

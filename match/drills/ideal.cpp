@@ -10,12 +10,12 @@
 namespace fulbito {
 namespace {
 
-constexpr double kLongest = 5.0;  // [s] after which an interception is given up
+constexpr double kLongest = 5.0;  // [s] limit of the search for an interception
 
-/// What a robot turns [rad] whose either end may lead.
+/// Angle [rad] that a robot turns if either end may lead.
 double folded(double bearing) { return std::min(std::abs(bearing), math::kPi - std::abs(bearing)); }
 
-/// Whether one of the tested team's robots can be at the ball by then.
+/// Whether one of the tested team's robots can be at the ball at this time.
 bool meets(const DrillScene& scene, const RobotPreset& robot, Vec2 ball, double time) {
   const double reach = robot.robot.length / 2 + robot.ball.radius;
   const RobotPace pace(robot.robot);

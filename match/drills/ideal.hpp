@@ -5,8 +5,8 @@
 
 namespace fulbito {
 
-/// Least time [s] in which the tested team's first robot could do what the scene asks for, as far as the
-/// formulas of time to reach go; 0 where there is none.
+/// Lower bound [s] of the time in which the tested team's first robot can do the scene's task, by the
+/// formulas of time to reach; 0 if there is none.
 double idealTime(const Drill& drill, const DrillScene& scene, const MatchConfig& config);
 
 }  // namespace fulbito

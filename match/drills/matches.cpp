@@ -10,11 +10,11 @@
 namespace fulbito {
 namespace {
 
-constexpr double kEarly = 5.0;        // [s] after a restart
+constexpr double kEarly = 5.0;        // [s] goals conceded this soon after a restart are early
 constexpr double kFlap = 0.3;         // [s] between two changes of one role
-constexpr double kFullMatch = 600.0;  // [s] of play: what "per match" means
+constexpr double kFullMatch = 600.0;  // [s] play time to which measures per match are scaled
 
-/// Counts, for the tested team, what the bars of whole matches ask for.
+/// Counts, for the tested team, the measures of whole matches.
 class MatchTally final : public MatchObserver {
  public:
   explicit MatchTally(TeamId team) : team_(team) { tally_.as_blue = team == TeamId::kBlue; }
@@ -43,7 +43,7 @@ class MatchTally final : public MatchObserver {
     if (tick.referee->playing) followRoles(*tick.decisions[indexOf(team_)], tick.tick);
   }
 
-  /// Own goals are those of the match's statistics: what an opponent shot and ours deflect is none.
+  /// Own goals are those of the match's statistics: a deflected shot of an opponent is none.
   DrillMatch tally(const RefereeState& end, const MatchStatistics& statistics) const {
     DrillMatch match = tally_;
     match.own_goals = statistics.teams[indexOf(team_)].own_goals;
@@ -59,7 +59,7 @@ class MatchTally final : public MatchObserver {
       tally_.early_goals += static_cast<double>(now - began_) * dt_ <= kEarly ? 1 : 0;
       return;
     }
-    // A disputed ball that is stuck in an area is called against nobody: its place says whose area.
+    // The clause of a stuck ball in an area names no team, so the place tells whose area it is.
     const bool own_area = inTeamFrame(side_, event.place).x < 0.0;
     if (event.clause == clause::kGoalKickStuck && own_area) ++tally_.own_stalls;
     if (event.team != team_) return;
@@ -70,7 +70,7 @@ class MatchTally final : public MatchObserver {
     }
   }
 
-  /// A switch: a role that was somebody's is another robot's now.
+  /// Counts a switch when a role goes from one robot to another.
   void followRoles(const TeamCommand& command, Tick now) {
     const auto& roles = command.roles;
     if (std::any_of(roles.begin(), roles.end(), [](auto role) { return role != 0; }))
@@ -90,7 +90,7 @@ class MatchTally final : public MatchObserver {
   DrillMatch tally_;
   Side side_ = Side::kLeft;
   double dt_ = 1.0 / 60.0;
-  Tick began_ = 0;  ///< of the signal
+  Tick began_ = 0;  ///< tick of the signal
   Tick event_ = 0;  ///< when robots last came to the ball or lost it, or play began
   Tick switched_ = -1000;
   bool touched_ = false;  ///< a robot touched the ball in the last tick

@@ -11,13 +11,14 @@ namespace {
 
 constexpr double kTurnGain = 10.0;     // [1/s] yaw rate per heading error
 constexpr double kApproachGain = 8.0;  // [1/s] speed per distance left
-constexpr double kSettled = 0.2;       // [s] that a team has seen the ball before its answer counts
+// [s] for which a team must have seen the ball before its answer counts
+constexpr double kSettled = 0.2;
 constexpr double kKeeperLine = 0.055;  // [m] the keeper's centre before the goal line
-constexpr double kKeeperReach = 0.16;  // [m] of its centre off the middle
+constexpr double kKeeperReach = 0.16;  // [m] largest distance of the keeper's centre from the long axis
 constexpr double kBehind = 0.09;       // [m] robot's centre behind the ball when it begins to push
 constexpr double kAlong = 0.03;        // [m] sideways error at which a presser pushes
 
-/// Straight at a point with whichever end is nearer.
+/// Drives straight at a point with whichever end is nearer.
 Twist driveAt(const RobotState& robot, Vec2 target, double top_speed, bool stop) {
   const Vec2 way = target - robot.pose.position;
   double error = math::wrapAngle(math::angleOf(way) - robot.pose.heading);
@@ -28,7 +29,7 @@ Twist driveAt(const RobotState& robot, Vec2 target, double top_speed, bool stop)
   return {backward ? -speed : speed, kTurnGain * error};
 }
 
-/// Parallel to the goal line at the point that leaves equal gaps on both sides.
+/// Drives parallel to the goal line to the point that leaves equal gaps on both sides.
 Twist keep(const MatchInfo& info, const RobotState& robot, Vec2 ball) {
   Vec2 place = equalGapPoint(info.field, ball, kKeeperLine);
   place.y = std::clamp(place.y, -kKeeperReach, kKeeperReach);
@@ -41,7 +42,7 @@ Twist keep(const MatchInfo& info, const RobotState& robot, Vec2 ball) {
   return {speed, kTurnGain * math::wrapAngle(facing - robot.pose.heading)};
 }
 
-/// Round the ball, then through it toward the opponents' goal.
+/// Drives round the ball, then through it toward the opponents' goal.
 Twist press(const MatchInfo& info, const RobotState& robot, Vec2 ball) {
   const Vec2 goal{info.field.length / 2, 0.0};
   const Vec2 along = math::unit(math::angleOf(goal - ball));

@@ -70,7 +70,7 @@ int successes(const std::vector<DrillTrial>& trials) {
       std::count_if(trials.begin(), trials.end(), [](const DrillTrial& trial) { return trial.success; }));
 }
 
-/// Each repeated drill twice, with better and with worse sight, on the same starts.
+/// Runs each repeated drill twice, under better and under worse sight, with the same starts.
 Result<void> runRepeats(const DrillRun& run, const std::vector<Drill>& drills, DrillReport& report,
                         WorkProgress& progress) {
   const Drill& asked = report.drill;

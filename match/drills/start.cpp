@@ -17,15 +17,16 @@
 namespace fulbito {
 namespace {
 
-constexpr double kGap = 0.12;         // [m] from a centred keeper's body to a ball beside the post
-constexpr double kLongestRoll = 5.0;  // [s] of a ball on its way into the goal
-constexpr int kMaxDraws = 20000;      // before a start is given up
-constexpr int kMaxRolls = 5000;       // of balls, of which shots off the wall send one in a hundred in
+constexpr double kGap = 0.12;         // [m] gap between a centred keeper's body and a ball beside the post
+constexpr double kLongestRoll = 5.0;  // [s] longest time for which a ball rolls into the goal
+constexpr int kMaxDraws = 20000;      // draws before a start is given up
+// balls rolled before a start is given up; one in a hundred shots off the wall goes in
+constexpr int kMaxRolls = 5000;
 
-/// What a ball does that nobody touches.
+/// The path of a ball that nobody touches.
 struct BallWay {
   bool conceded = false;  ///< it goes into the left goal
-  int bounces = 0;        ///< before
+  int bounces = 0;        ///< bounces before that
   double length = 0.0;    ///< [m]
 };
 
@@ -81,7 +82,7 @@ class SceneDraw {
         rng_(rng),
         turn_(static_cast<std::size_t>(turn)) {}
 
-  /// False when something would stand in a wall or in another body.
+  /// Draws the scene. False when a body would overlap a wall or another body.
   bool draw(const DrillStart& start, DrillScene& scene) {
     scene.placement = {};
     scene.roles = {};
@@ -100,7 +101,7 @@ class SceneDraw {
     return fits(start, scene) && (!start.enters || enters(start, scene.placement));
   }
 
-  /// Balls that were rolled to see whether they go in.
+  /// Number of balls that were rolled to find out whether they go in.
   int rolls() const { return rolls_; }
 
  private:
@@ -111,7 +112,7 @@ class SceneDraw {
     const Vec2 aim = start.toward.empty() ? Vec2{}
                                           : start.toward.front() +
                                                 (start.toward.back() - start.toward.front()) * rng_.uniform();
-    if (start.ball.empty() && start.toward.empty()) return;  // the rule knows
+    if (start.ball.empty() && start.toward.empty()) return;  // the restart's rule places the ball
     if (start.ball.empty()) {
       const double side = aim.x < 0.0 ? 1.0 : -1.0;
       const double distance = fulbito::draw(rng_, start.distance_min, start.distance_max) +
@@ -138,7 +139,7 @@ class SceneDraw {
       at += ball;
     }
     if (robot.equal_gap) {
-      // In the frame of the goal that it is nearer to.
+      // In the frame of the goal that the robot is nearer to.
       const Side side = at.x < 0.0 ? Side::kLeft : Side::kRight;
       const double depth = field_.length / 2 - std::abs(at.x);
       at.y += inTeamFrame(side, equalGapPoint(field_, inTeamFrame(side, ball), depth)).y;
@@ -193,7 +194,7 @@ class SceneDraw {
     return wallClearance(field_, scene.exercise.target) > robot_.robot.circumradius();
   }
 
-  /// Whether the ball, alone on the field, goes into the own goal as the start wants it.
+  /// Whether the ball, alone on the field, goes into the own goal with the bounces that the start asks for.
   bool enters(const DrillStart& start, const Placement& placement) {
     ++rolls_;
     const double speed = norm(placement.ball_velocity);
@@ -255,7 +256,7 @@ Result<DrillScene> drawScene(const Drill& drill, const MatchConfig& match, std::
   const DrillStart& start = drill.starts[static_cast<std::size_t>(scene.start)];
   Rng rng(seed, Stream::kDrill,
           (static_cast<std::uint64_t>(drill.number) << 32) + static_cast<std::uint64_t>(index));
-  // Four trials in a row share a place: both hands, both sides.
+  // Four trials in a row share a place: mirrored or not, on either side.
   SceneDraw drawing(drill, match, rng, round / 4);
   int draws = 0;
   while (!drawing.draw(start, scene)) {
@@ -287,7 +288,8 @@ RestartCall openingOf(const DrillStart& start, const DrillScene& scene, const Ma
   stoppage.team = start.ours ? scene.seat : other(scene.seat);
   stoppage.ball = seated(scene.placement, scene.seat).ball;
   RestartCall call = makeCall(refereeSetup(match), {}, stoppage);
-  // The rule gives a free ball to who attacks that half; the drill names whom it means.
+  // The rule gives a free ball to the team that attacks that half; for other restarts, the drill names the
+  // team.
   if (call.kind != RestartKind::kFreeBall) call.team = stoppage.team;
   return call;
 }

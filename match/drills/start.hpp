@@ -4,13 +4,13 @@
 
 namespace fulbito {
 
-/// One start of a drill as it was drawn, in the frame of the tested team (blue).
+/// One drawn start of a drill, in the frame of the tested team (blue).
 struct DrillScene {
   int start = 0;  ///< index of the drill's start
   Placement placement;
   PerTeam<std::array<DrillRole, kMaxTeamSize>> roles{};
   Exercise exercise;
-  TeamId seat = TeamId::kBlue;  ///< whom the tested team plays as
+  TeamId seat = TeamId::kBlue;  ///< colour that the tested team plays as
 };
 
 /// Least distance [m] from which a keeper that starts `kGap` off can reach a ball of `speed`:
@@ -28,7 +28,7 @@ RestartCall openingOf(const DrillStart& start, const DrillScene& scene, const Ma
 /// Whether the referee places the robots: the start has a restart and no robots of its own.
 bool placedByReferee(const DrillStart& start, const DrillScene& scene);
 
-/// The placement in the world's frame when the tested team has that seat and blue defends the left goal.
+/// The placement in the world's frame if the tested team has that seat and blue defends the left goal.
 Placement seated(const Placement& placement, TeamId seat);
 
 }  // namespace fulbito

@@ -15,7 +15,7 @@
 namespace fulbito {
 namespace {
 
-constexpr double kEndless = 3600.0;  // [s] halves of trials: their own time ends them
+constexpr double kEndless = 3600.0;  // [s] length of a half in trials: the drill's own duration ends them
 
 int sizeFor(const Drill& drill, int size) {
   for (const DrillRobot& robot : drill.robots) size = std::max(size, robot.number + 1);
@@ -106,7 +106,7 @@ double valueOf(const DrillTrial& trial, DrillMeasure measure) {
   }
 }
 
-/// Order statistic: failures are infinite, between which nothing can be interpolated.
+/// Order statistic without interpolation, since failures are infinite.
 double orderStatistic(std::vector<double>& values, double p) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   std::sort(values.begin(), values.end());

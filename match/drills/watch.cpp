@@ -10,7 +10,8 @@
 namespace fulbito {
 namespace {
 
-constexpr double kStay = 0.3;        // [s] that a robot must stay where it has arrived
+// [s] for which a robot must stay within the tolerance to count as arrived
+constexpr double kStay = 0.3;
 constexpr double kLost = 0.02;       // [m] between body and ball at which a pushed ball is lost
 constexpr double kTowardGoal = 0.1;  // [m/s] toward the goal, at least, of a ball that is on target
 
@@ -43,10 +44,10 @@ DrillWatch::DrillWatch(const Drill& drill, const DrillScene& scene, const FieldG
 }
 
 void DrillWatch::onPlayStart(const PlayStart& start) {
-  if (begun_) {  // the referee placed everything anew
+  if (begun_) {  // the referee placed the robots again
     const bool to_last = std::any_of(drill_.successes.begin(), drill_.successes.end(),
                                      [](const DrillEnd& end) { return end.what == DrillCondition::kLasted; });
-    // A penalty is as good as a goal; what else is called ends the attack.
+    // A penalty counts as a goal; any other call ends the attack.
     const bool penalty = start.call.kind == RestartKind::kPenalty && start.call.team != scene_.seat;
     if (to_last && !done_ && !penalty && goal_ == 0) succeed(duration_);
     finish();
@@ -84,7 +85,7 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
     now.touched = now.touched || own_touch_last_;
     now.by_first = now.by_first || id == RobotId{scene_.seat, 0};
   }
-  // A touch may begin a tick before its first force: a bounce is a force after a tick without one.
+  // A touch may begin a tick before its first force. So a bounce is a tick with force after one without.
   now.walls = at_wall && !at_wall_ ? 1 : 0;
   at_wall_ = at_wall;
   return now;
@@ -108,7 +109,7 @@ void DrillWatch::onTick(const MatchTick& tick) {
   if (goal_ != 0 || now.time >= end - dt_ / 2) finish();
 }
 
-/// What the referee calls.
+/// Takes the referee's calls.
 void DrillWatch::hear(const MatchTick& tick) {
   for (const GameEvent& event : tick.events) {
     if (event.clause == clause::kGoal && event.team) {
@@ -119,7 +120,7 @@ void DrillWatch::hear(const MatchTick& tick) {
   }
 }
 
-/// What counts whatever was asked for.
+/// Records the values that all drills measure.
 void DrillWatch::follow(const Now& now) {
   touched_ = touched_ || now.touched;
   if (goal_ > 0) trial_.on_target = true;
@@ -202,7 +203,7 @@ bool DrillWatch::alignedWith(const RobotState& robot, double heading, bool eithe
   return error <= drill_.heading_tolerance;
 }
 
-/// Arrived is who stays: the time counts from when it came.
+/// A robot has arrived if it stays; the time is that of its arrival.
 void DrillWatch::judgeStay(const Now& now, bool inside) {
   if (!inside) {
     inside_since_ = -1.0;
@@ -212,7 +213,7 @@ void DrillWatch::judgeStay(const Now& now, bool inside) {
   if (now.time - inside_since_ >= kStay - dt_ / 2) succeed(inside_since_);
 }
 
-/// The first touch decides, by the robot's state before it.
+/// Judges the first touch, by the robot's state one tick before.
 void DrillWatch::judgeTouch(const Now& now) {
   if (!now.by_first) return;
   const Exercise& exercise = scene_.exercise;
@@ -228,7 +229,7 @@ void DrillWatch::judgeTouch(const Now& now) {
   }
 }
 
-/// The ball must stay at the body until it has come all the way.
+/// The ball must stay at the robot's body over the whole distance.
 void DrillWatch::judgePush(const Now& now) {
   const Exercise& exercise = scene_.exercise;
   const Vec2 along = math::unit(exercise.heading);

@@ -16,19 +16,19 @@ class DrillWatch final : public MatchObserver {
   void onPlayStart(const PlayStart& start) override;
   void onTick(const MatchTick& tick) override;
 
-  /// Nothing more can change.
+  /// Whether the trial has its final verdict.
   bool done() const { return done_; }
-  /// The verdict; `ideal` is the least time [s] that the caller knows of.
+  /// The result; `ideal` is the lower bound of the time [s], for the excess.
   DrillTrial trial(double ideal) const;
 
  private:
   struct Now {
     double time = 0.0;  ///< [s] since the signal; negative before
     BallState ball;
-    RobotState robot;       ///< the tested team's first
-    bool touched = false;   ///< by the tested team in this tick
-    bool by_first = false;  ///< by its first robot
-    int walls = 0;          ///< contacts of the ball with walls that began
+    RobotState robot;       ///< the tested team's first robot
+    bool touched = false;   ///< the tested team touched the ball in this tick
+    bool by_first = false;  ///< its first robot did
+    int walls = 0;          ///< contacts of the ball with walls that began in this tick
   };
   Now look(const MatchTick& tick);
   bool holds(const DrillEnd& end, const Now& now) const;
@@ -52,15 +52,15 @@ class DrillWatch final : public MatchObserver {
   const RobotPreset& robot_;
   const ExerciseLog& log_;
   double dt_ = 1.0 / 60.0;
-  Tick signal_ = 0;  ///< from which time counts
+  Tick signal_ = 0;  ///< tick of the signal, from which time counts
   double duration_ = 0.0;
   bool begun_ = false;
   bool done_ = false;
   bool own_touch_last_ = false;
   int goal_ = 0;          ///< 1: in the opponents' goal, -1: in the own
-  bool touched_ = false;  ///< ever, by the tested team
-  bool met_ = false;      ///< any robot touched the ball
-  bool failed_ = false;   ///< a condition of failure came true
+  bool touched_ = false;  ///< the tested team has touched the ball
+  bool met_ = false;      ///< any robot has touched the ball
+  bool failed_ = false;   ///< a condition of failure was met
   bool at_wall_ = false;  ///< the ball pressed on a wall in the last tick
   int bounces_ = 0;
   double inside_since_ = -1.0;

@@ -40,7 +40,8 @@ RestartCall givenStart(const MatchConfig& config) {
   return call;
 }
 
-/// What ended the match, by the calls of its last tick: the last of them, or what it came of.
+/// The call that ended the match, among the calls of its last tick: the reason for the end if there is one,
+/// else the last call.
 GameEvent endingCall(std::span<const GameEvent> calls) {
   if (calls.empty()) return {};
   if (calls.size() > 1) {
@@ -97,16 +98,16 @@ struct Match::Impl {
   std::optional<Placing> placing;  ///< in phases kPlacing and kPlaced
   std::optional<Play> play;        ///< from the first kReady on
   std::vector<WheelSpeeds> commands;
-  std::vector<GameEvent> events;  ///< of the last tick
+  std::vector<GameEvent> events;  ///< calls of the last tick
   std::vector<MatchObserver*> observers;
   Tick tick = 0;
   StateHash hash;
   std::optional<Error> abandoned;
   StageClock stages;
   int edits = 0;
-  bool edited = false;  ///< the play is a user's, of which nobody was told yet
-  bool begun = false;   ///< those who watch were told of the match
-  bool played = false;  ///< and of its first play
+  bool edited = false;  ///< a user placed the robots, and the teams do not know it yet
+  bool begun = false;   ///< the observers know of the match
+  bool played = false;  ///< the observers know of the first play
 };
 
 Result<void> Match::Impl::open() {
@@ -257,7 +258,7 @@ void Match::Impl::report() {
 }
 
 void Match::Impl::stop(const RestartCall& call) {
-  // Whatever else was called at this tick, the last call is the one that play stopped for.
+  // If several calls were made in this tick, the last one stopped play.
   const GameEvent cause = events.empty() ? eventNow() : events.back();
   placing.emplace(call, cause);
   phase = MatchPhase::kPlacing;
@@ -349,7 +350,7 @@ MatchPhase Match::makeReady() {
 bool Match::step() {
   if (makeReady() == MatchPhase::kReady) advance();
   if (phase() == MatchPhase::kEnded) return false;
-  // The tick, and if it stopped play, all that leads to the next one.
+  // The tick and, if it stopped play, the whole restart.
   if (advance() == MatchPhase::kPlacing && makeReady() == MatchPhase::kReady) advance();
   return phase() != MatchPhase::kEnded;
 }

@@ -31,7 +31,7 @@ PlacementRequest Placing::request(const MatchReferee& referee) const {
   request.ball = inTeamFrame(side, call_.ball);
   request.defaults = inTeamFrame(side, defaultPoses(call_, team));
   if (!request.ours) {
-    // The others are shown where the first team will really stand.
+    // The second team sees where the first team will stand after the repairs.
     std::vector<GameEvent> told_again_later;
     const Placement placement = legalised(referee, told_again_later);
     request.opponents = inTeamFrame(side, placement.robots[indexOf(first_)]);

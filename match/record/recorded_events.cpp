@@ -61,7 +61,7 @@ std::vector<ReplayEvent> merged(Course course, const RecordingReader& recording)
   return events;
 }
 
-/// What the recipe says in the terms of a match; the teams need not exist any more.
+/// The recipe as a match configuration. The teams need not exist on this machine.
 Result<MatchConfig> configOf(const RecordingRecipe& recipe) {
   MatchConfig config;
   auto rules = parseRules(recipe.rules, "recorded rules");

@@ -120,7 +120,7 @@ std::string headline(const MatchReport& report) {
                             c.rules.half_seconds, c.physics.name, c.seed);
 }
 
-/// The verdict on the series in one phrase.
+/// A number with its noun in singular or plural.
 std::string counted(int count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }

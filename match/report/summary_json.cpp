@@ -40,7 +40,7 @@ Json robotJson(const RobotStatistics& robot, std::size_t number, double dt) {
           {"goals", robot.goals}};
 }
 
-// Of teams that are files or programs: where they come from, and how they are contained.
+// Origin and containment of teams that are files or programs.
 Json originJson(const MatchConfig& config) {
   Json json = Json::object();
   for (const TeamId team : kTeams) {

@@ -7,7 +7,8 @@
 namespace fulbito {
 namespace {
 
-constexpr double kBeyondField = 0.5;      // [m] a robot may be sent through the ball at a wall, not farther
+// [m] by which a place may lie beyond the field, as a robot drives through a ball at a wall
+constexpr double kBeyondField = 0.5;
 constexpr double kLeastTolerance = 1e-4;  // [m]
 
 bool finite(const GoTo& go_to) {
@@ -24,7 +25,7 @@ bool finite(const RobotCommand& command) {
     case RobotCommand::Kind::kGoTo:
       return finite(command.go_to);
   }
-  return false;  // a kind from a team in another process may be anything
+  return false;  // a team in another process may send any value
 }
 
 bool powerOfTen(std::int64_t n) {

@@ -15,7 +15,7 @@ class CommandPolicy {
   /// @param navigators  number of the team's navigators
   CommandPolicy(TeamId team, const MatchInfo& info, std::size_t navigators);
 
-  /// A new play begins: there is no previous decision.
+  /// To call when a new play begins: there is no previous decision.
   void reset();
   /// Takes a decision. A late one leaves the previous one in force; after too many in a row the robots stop.
   void take(TeamCommand&& decision, bool late, const GameEvent& now, std::vector<GameEvent>& events);
@@ -40,7 +40,7 @@ class CommandPolicy {
   double command_step_;
   std::size_t team_size_;
   std::size_t navigators_;
-  int held_most_;  ///< late decisions in a row for which the last one stays in force
+  int held_most_;  ///< number of late decisions in a row for which the last one stays in force
   int held_ = 0;   ///< late decisions in a row so far
   TeamCommand command_;
   TeamFaults faults_;

@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-// A team outside the program may hang, so it always has a limit.
+// A team outside the program always has a limit, since it may hang.
 std::optional<DecisionTime> limitOf(const MatchConfig& config, TeamId team) {
   if (config.decision_time || !config.teams[indexOf(team)].info->outside) return config.decision_time;
   return config.rules.decision_time;
@@ -80,8 +80,8 @@ void Seat::allow() {
   if (time_) strategy_->allow(time_->left(observation_.period));
 }
 
-// Runs `answer` and charges the team for the time, unless the team measures it itself. A team without a limit
-// is not timed. An answer of a team that is not well does not count, however quick it is.
+// Runs `answer` and charges the team for the time, unless the team measures it itself or has no limit. Once a
+// team's condition is bad, its answers do not count, however quick they are.
 template <typename Answer>
 bool Seat::inTime(const Answer& answer) {
   const bool timed = time_ && clock_;

@@ -29,9 +29,9 @@ class Seat {
   /// Errors: of the team and its navigators; as `cut`.
   static Result<Seat> create(const MatchConfig& config, TeamId team, const MatchClock& clock);
 
-  /// A new play begins in this world.
+  /// Starts a new play in this world.
   void reset(const Moment& moment);
-  /// The observation while play is stopped: the true state, whatever the team's vision.
+  /// The observation while play is stopped: the true state, without the errors of the team's vision.
   Observation exactly(const Moment& moment) const;
   /// The observation while play is stopped, with the next restart.
   Observation before(const RestartCall& call, double delay, const Moment& moment) const;
@@ -43,9 +43,9 @@ class Seat {
   void sense(const Moment& moment, bool drawings);
   /// Gives the team the observation, so that a team in another process begins to think.
   void ask();
-  /// The team decides.
+  /// Lets the team decide.
   void decide();
-  /// Cleans what the team decided and puts it in force, unless the decision was late.
+  /// Repairs the team's decision and puts it in force, unless it was late.
   void clean(const GameEvent& now, std::vector<GameEvent>& events);
   /// Counts the failures of a team outside the program.
   void countFailures(const GameEvent& now, std::vector<GameEvent>& events) {
@@ -53,9 +53,9 @@ class Seat {
   }
   /// Whether the team failed too often and forfeits the match.
   bool lost() const { return strategy_->condition().state == TeamCondition::State::kLost; }
-  /// Why the match cannot go on with the team, if the machine failed it: kMachine; kInterrupted.
+  /// The reason why the match must stop, if the machine lacks resources for the team: kMachine; kInterrupted.
   std::optional<Error> cut() const;
-  /// Writes the wheel speeds of the team's robots by the decision in force, within the limits of the motors
+  /// Computes the wheel speeds of the team's robots by the decision in force, within the limits of the motors
   /// and in whole steps: 0 while the robots are held. They are part of the next observation.
   /// @param commands one per robot of `ids`
   void drive(std::span<const RobotId> ids, bool held, std::span<WheelSpeeds> commands);
@@ -64,7 +64,7 @@ class Seat {
   const TeamCommand& command() const { return policy_.command(); }
   /// The team's faults so far.
   const TeamFaults& faults() const { return policy_.faults(); }
-  /// Drawings of the navigators in the last `drive`; empty unless drawings are wanted.
+  /// Drawings of the navigators in the last `drive`; empty if no drawings are wanted.
   std::span<const DebugDrawing> ways() const { return ways_; }
   Strategy& strategy() { return *strategy_; }
 
@@ -85,10 +85,10 @@ class Seat {
   TeamPilots pilots_;
   CommandPolicy policy_;
   std::optional<ThinkingTime> time_;  ///< empty: unlimited
-  std::optional<Vision> vision_;      ///< empty: the team sees the truth
+  std::optional<Vision> vision_;      ///< empty: the team sees the true state
   Observation observation_;
   TeamCommand decision_;
-  bool in_time_ = false;  ///< the decision
+  bool in_time_ = false;  ///< the decision is in time
   std::vector<DebugDrawing> ways_;
 };
 

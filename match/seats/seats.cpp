@@ -27,7 +27,7 @@ Result<void> Seats::play(const SeatTick& tick, StageClock& stages, std::vector<G
                          std::span<WheelSpeeds> commands) {
   for (Seat& seat : seats_) seat.sense(tick.moment, tick.drawings);
   stages.lap(&MatchProfile::sense);
-  // Teams in other processes think side by side.
+  // `ask` goes to both teams first, so that teams in other processes think at the same time.
   for (Seat& seat : seats_) seat.ask();
   for (Seat& seat : seats_) {
     seat.decide();
@@ -42,7 +42,7 @@ Result<void> Seats::play(const SeatTick& tick, StageClock& stages, std::vector<G
   return {};
 }
 
-/// What the machine fails is no team's fault, so nobody wins by it.
+/// A lack of resources is no team's fault: the match stops without a winner.
 std::optional<Error> Seats::cut() const {
   for (const TeamId team : kTeams) {
     if (const auto error = (*this)[team].cut()) return ofTeam(team, *error);

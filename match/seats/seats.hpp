@@ -9,10 +9,10 @@
 
 namespace fulbito {
 
-/// What the seats of a match need for a tick.
+/// The input of both seats for one tick.
 struct SeatTick {
-  Moment moment;          ///< what is to be seen
-  bool drawings = false;  ///< somebody watches the teams' drawings
+  Moment moment;          ///< state that the teams observe
+  bool drawings = false;  ///< an observer wants the teams' drawings
   bool held = false;      ///< the robots wait for the signal of a restart
   GameEvent now;          ///< an event of this tick without a clause, to be filled in
 };
@@ -23,11 +23,12 @@ class Seats {
   /// Errors: as `Seat::create`, with the team's name.
   static Result<Seats> create(const MatchConfig& config, const MatchClock& clock);
 
-  /// One tick from what the teams see to what the wheels do: sense → decide → navigate → actuate. Both teams
-  /// see the same tick.
+  /// Plays one tick from the teams' observations to the wheel speeds: sense → decide → navigate → actuate.
+  /// Both teams observe the same tick.
   /// @param events    faults of the teams are added
   /// @param commands  one per robot of the world, written
-  /// Errors: kMachine, kInterrupted of a team that the machine failed; then `commands` stays as it was.
+  /// Errors: kMachine, kInterrupted if the machine lacks resources for a team; then `commands` stays as it
+  /// was.
   Result<void> play(const SeatTick& tick, StageClock& stages, std::vector<GameEvent>& events,
                     std::span<WheelSpeeds> commands);
 

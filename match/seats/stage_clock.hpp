@@ -14,7 +14,7 @@ class StageClock {
     now_ = now;
     profile_ = &profile;
   }
-  /// A stage begins here.
+  /// Marks the beginning of a stage.
   void begin() {
     if (profile_ != nullptr) last_ = now_();
   }

@@ -6,8 +6,8 @@ namespace fulbito {
 namespace {
 
 // Gains of the g-h filter, critically damped: h = 2 (2 - g) - 4 sqrt(1 - g) (Brookner, Tracking and Kalman
-// Filtering Made Easy, 1998, table 1.5.1, there with theta^2 = 1 - g). Noise of the rate: 0.2 sigma / dt; a
-// constant rate is followed without error, a jump of the rate within about six ticks.
+// Filtering Made Easy, 1998, table 1.5.1, with theta^2 = 1 - g). The rate's noise is 0.2 sigma / dt. The
+// filter follows a constant rate without error, and a jump of the rate within about six ticks.
 constexpr double kPositionGain = 0.5;
 constexpr double kRateGain = 0.1715728752538099;
 
@@ -36,8 +36,8 @@ bool Vision::seen(BodyTracks& tracks) {
   return sensor_.sees();
 }
 
-// The filter's prediction and correction over the ticks since the body was last seen. With a gap the rate's
-// correction is spread over it.
+// One prediction and correction of the filter over the ticks since the body was last seen. A gap in the
+// pictures divides the correction of the rate.
 void Vision::blur(BodyTracks& tracks, Vec2& position, Vec2& velocity) {
   if (!sensor_.blur(position)) return;
   const double elapsed = dt_ * tracks.gap;

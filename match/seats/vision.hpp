@@ -14,16 +14,16 @@ struct Sight {
   BallState ball;                                   ///< the ball
 };
 
-/// One team's view through an imperfect camera: late, noisy, with gaps. With noise, velocities are not the
-/// true ones: a g-h filter tracks them from the noisy positions, as a team would.
+/// One team's view through an imperfect camera: late, noisy, with gaps. With noise, a g-h filter computes the
+/// velocities from the noisy positions, as a team would.
 class Vision {
  public:
   Vision(const VisionModel& model, std::uint64_t seed, TeamId seat, double dt);
 
-  /// A new play begins: the teams know all poses from the stoppage.
+  /// To call when a new play begins: the teams know all poses from the stoppage.
   void reset(const WorldState& world);
   /// Takes the camera picture of this tick.
-  /// @return the picture that arrives now, `latency_ticks` old
+  /// @return the picture that arrives in this tick, `latency_ticks` old
   const Sight& see(const WorldState& world);
 
  private:
@@ -45,7 +45,7 @@ class Vision {
   double dt_;
   Sensor sensor_;
   std::array<BodyTracks, 2 * kMaxTeamSize + 1> tracks_;
-  Sight last_;  ///< the last sight of each body, at its own time
+  Sight last_;  ///< newest sight of each body, when it was last seen
   DelayedPictures<Sight> pictures_;
 };
 
