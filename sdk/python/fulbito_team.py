@@ -16,7 +16,7 @@
         run(MyTeam())
 
 Play it with `fulbito match "cmd:python3 my_team.py" classic`. This file needs Python 3.9 and its standard
-library only; copy it next to your program. The protocol below it is docs/team-protocol.md.
+library only; copy it next to your program. The page docs/team-protocol.md explains the protocol.
 
 Units are SI: m, s, rad, m/s, rad/s. Each team sees its own goal at -x. The origin is the field's centre, y
 points to the left, headings are counter-clockwise, 0 along +x, in [-pi, pi). What the team prints goes to
@@ -179,12 +179,12 @@ class RobotModel:
     spin_fast_ratio: float = 1.0  #: the same at `spin_fast_speed` and above; linear between
     wheel_width: float = 0.0  #: [m] between a wheel's edges, on which it stands
     support_distance: float = 0.0  #: [m] sliding supports before and behind the axle
-    support_sink: float = 0.0  #: [m] by which contacts with the floor give way at rest
-    support_settling: float = 0.0  #: [s] in which they do
+    support_sink: float = 0.0  #: [m] depth by which contacts with the floor give way at rest
+    support_settling: float = 0.0  #: [s] time in which contacts settle to that depth
     mass_height: float = 0.0  #: [m] centre of mass above the floor; 0: the robot stays level
-    ground_clearance: float = 0.0  #: [m] of the body's front and rear edge
+    ground_clearance: float = 0.0  #: [m] height of the body's front and rear edge above the floor
     load_shift: float = 0.0  #: share of a curve's load on the outer wheel that changes the grip
-    rim_mass: float = 0.0  #: [kg] that accelerates as a wheel's rim does
+    rim_mass: float = 0.0  #: [kg] mass at the rim with the inertia of a wheel
     curve_widening: float = 0.0  #: [s] radius that a curve gains by slip, over the speed; 0: none
     curve_widening_rise: float = 0.0  #: [s^2/m] by which `curve_widening` rises with the speed
     friction: float = 0.0  #: of the body
@@ -235,7 +235,8 @@ class MatchInfo:
     """A team's knowledge before the match."""
 
     team: str = "blue"  #: the team's colour
-    side: str = "left"  #: the goal of pictures that the team defends at first; observations are always turned
+    #: the goal in pictures that the team defends at the start of the match; observations are always turned
+    side: str = "left"
     dt: float = 1.0 / 60.0  #: [s] control period: one decision per period
     team_size: int = 3  #: robots per team: their numbers are 0 ... `team_size` - 1
     seed: int = 0  #: of the team's random stream; the same match has the same seed
@@ -416,7 +417,7 @@ class Parameter:
     """A parameter of a team, which users set: `cmd:python3 my_team.py :aggression=0.7`."""
 
     default: Union[float, int, bool, str]
-    """Its type is the parameter's."""
+    """Default; its type is the type of all values."""
     minimum: float = float("-inf")
     maximum: float = float("inf")
     doc: str = ""
@@ -429,7 +430,7 @@ class Team:
     """A team. The simulator calls `begin` first and `ended` last. For each play it calls `place`, `ready`,
     `decide` once per tick, and `stopped`.
 
-    For the same observations, give the same commands: use `self.random`, no clock, and no other chance.
+    For the same observations, give the same commands: use `self.random`, no clock, and no other source of chance.
     """
 
     name = "a Python team"
@@ -440,7 +441,7 @@ class Team:
 
     def __init__(self) -> None:
         self.info = MatchInfo()
-        """What the team knows since `begin`."""
+        """The knowledge before the match, as given to `begin`."""
         self.random = random.Random(0)
         """The team's random numbers: the same in each match with the same seed."""
         self.settings: Dict[str, Any] = {key: p.default for key, p in self.parameters.items()}
@@ -485,14 +486,15 @@ def _number(value: float) -> str:
     return repr(value) if value - value == 0.0 else "null"
 
 
-# What a place says only if it is not as usual.
+# Options of `GoTo` that a message has only if they differ from the default.
 _GO_TO_OPTIONS = [(f.name, f.default) for f in dataclasses.fields(GoTo) if isinstance(f.default, int)]
 
 
 def _go_to(target: GoTo) -> str:
     heading = None if target.heading is None else _number(target.heading)
     limit = target.speed_limit
-    # Null would mean "any heading" and "no limit": a target that is no number says so by its place.
+    # As null, these would mean "any heading" and "no limit". So a NaN here makes the position null, which is
+    # a fault.
     broken = heading == "null" or limit != limit
     text = '{"go_to":{"x":%s,"y":%s' % ("null" if broken else _number(target.x), _number(target.y))
     if heading is not None:
@@ -596,7 +598,7 @@ def _value(parameter: Parameter, text: str) -> Union[float, int, bool, str]:
 
 
 class Conversation:
-    """A team's side of the protocol: a line in, a line out or nothing."""
+    """A team's side of the protocol: for each line in, one line out or none."""
 
     def __init__(self, team: Team) -> None:
         self._team = team
@@ -693,7 +695,7 @@ def run(team: Team) -> None:
 
     An exception of the team ends the program: its traceback goes to standard error, and the exit code is 1.
     """
-    # From here on, standard output is standard error, for all that the team and its libraries print.
+    # From here on, all output of the team and its libraries goes to standard error.
     answers = os.fdopen(os.dup(1), "wb", buffering=0)
     sys.stdout.flush()
     os.dup2(2, 1)
@@ -705,4 +707,4 @@ def run(team: Team) -> None:
     except Exception:
         traceback.print_exc()
         sys.stderr.flush()
-        os._exit(1)  # not by way of whatever threads the team may have left
+        os._exit(1)  # ends at once, even if the team has left threads

@@ -8,7 +8,7 @@ WIDTH = 110
 TYPES = {"number": "double", "integer": "int32_t", "tick": "int64_t", "flag": "uint8_t", "text": "char", "seed": "uint64_t",
          "point": "fulbito_vec2", "wheels": "fulbito_wheels", "colour": "int32_t", "tie_break": "int32_t",
          "robots": "fulbito_robot", "opponents": "fulbito_robot", "sent": "fulbito_wheels", "poses": "fulbito_poses"}
-# [bytes] and alignment of what the description does not define.
+# Size [bytes] and alignment of types that the description does not define.
 SIZES = {"double": (8, 8), "int64_t": (8, 8), "uint64_t": (8, 8), "int32_t": (4, 4), "uint32_t": (4, 4), "uint8_t": (1, 1), "int8_t": (1, 1),
          "char": (64, 1), "fulbito_vec2": (16, 8), "fulbito_wheels": (16, 8), "fulbito_poses": (280, 8)}
 MOST_ROBOTS = 11

@@ -18,8 +18,8 @@ class CMember(NamedTuple):
     name: str
     type: str
     doc: str
-    core: Optional[str]  # where the simulator has it; None: handwritten code fills it in
-    repeat: int = 1  # of bytes that the layout reserves
+    core: Optional[str]  # expression of the simulator's value; None: handwritten code fills it in
+    repeat: int = 1  # number of bytes that the layout reserves
 
 
 class Member:
@@ -35,7 +35,7 @@ class Member:
         return place in self.more.get("only", " ".join(PLACES)).split()
 
     def meaning(self, empty: str = "") -> str:
-        """Its meaning with the unit before it; `empty` is what stands for an absent value."""
+        """Its meaning with the unit before it; `empty` stands for an absent value."""
         text: str = ("[%s] " % self.unit if self.unit else "") + self.doc
         none = "; %s: %s" % (empty, self.more["none"]) if self.optional and empty else ""
         return text + none
@@ -64,7 +64,7 @@ class Value:
         self.doc = table["doc"]
         self.members = [Member(row) for row in table["members"]]
         self.layout: List[str] = table.get("layout", [])
-        self.answer = table.get("answer", False)  # teams give it; the simulator presets its members in C
+        self.answer = table.get("answer", False)  # teams answer with it; the simulator presets its members in C
         self.code: Dict[str, str] = table.get("code", {})
 
     def of(self, place: str) -> Iterator[Member]:

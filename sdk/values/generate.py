@@ -33,13 +33,13 @@ FILES = ["sdk/include/fulbito/team.h", "sdk/include/fulbito/team.hpp", "sdk/incl
          "sdk/include/fulbito/detail/library/c_values.hpp", "sdk/include/fulbito/detail/lines/read_values.hpp",
          "sdk/include/fulbito/detail/lines/write_answers.hpp", "sdk/python/fulbito_team.py", "docs/team-protocol.md"]
 SCHEMA = "docs/team-protocol.schema.json"
-# What the line protocol says, and what teams answer in it.
+# Values that the simulator sends by the line protocol, and values that teams answer.
 WRITTEN = ["Vision", "DecisionTime", "Info", "Robot", "Ball", "Observation", "Call", "PlacementRequest", "End", "Exercise"]
 ANSWERED = ["GoTo"]
 
 
 def current(description: Description, text: str) -> str:
-    """A file's text with its regions as the description says."""
+    """The text of a file with its regions generated anew."""
 
     def region(found: "re.Match[str]") -> str:
         lines = WRITERS[found["what"]](description, found["names"].split())

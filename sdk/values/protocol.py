@@ -8,7 +8,7 @@ from description import Description, Member, Value, wrapped
 WIDTH = 135
 WORDS = {"number": "number", "integer": "integer", "tick": "integer", "flag": "boolean", "text": "string", "seed": "string",
          "colour": "string", "side": "string", "robots": "list", "opponents": "list", "poses": "list", "wheels": "number"}
-# What other definitions of the schema say.
+# Types that have a definition of their own in the schema.
 REFERENCES = {"colour": "colour", "restart": "restart", "point": "point", "poses": "poses", "Ball": "ball", "Call": "call",
               "Observation": "observation", "Field": "table", "RobotModel": "table", "BallModel": "table", "Physics": "table",
               "Rules": "table"}
@@ -100,7 +100,7 @@ def schema(description: Description, text: str) -> str:
         made["properties"] = {**kept, **made["properties"]}
         made["required"] = list(made["properties"])
         if name == "begin":
-            made["properties"]["rules"] = entry["properties"]["rules"]  # as free as the files of rules
+            made["properties"]["rules"] = entry["properties"]["rules"]  # any keys, as in files of rules
             made["properties"]["vision"]["additionalProperties"] = {"type": "number"}
         definitions[name] = {**{key: value for key, value in entry.items() if key not in made}, **made}
     definitions["restart"] = {"enum": description.enums["restart"].words}

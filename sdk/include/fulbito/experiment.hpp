@@ -34,10 +34,10 @@ struct TrialConfig {
       sensors;  ///< quality of observations; the robot's state is predicted through the commands given since
   ForbiddenContacts forbidden = ForbiddenContacts::kAll;  ///< contacts that fail the trial
   double limit_clearance = 0.058;  ///< [m] between the robot's centre and obstacles along the L* path
-  /// The robot knows its pose and goal, and of all else only what its eight front sonars hear
-  /// (docs/suites.md); it knows no walls.
+  /// Apart from its pose and goal, the robot knows only what its eight front sonars hear (docs/suites.md); it
+  /// knows no walls.
   bool sonars_only = false;
-  double sonar_noise = 0.005;  ///< [m] standard deviation of a sonar's range, where it knows only these
+  double sonar_noise = 0.005;  ///< [m] standard deviation of a sonar's range, if `sonars_only`
   std::uint64_t seed = 1;      ///< seed of its random numbers
   std::uint64_t index = 0;     ///< number of the trial in its suite, for its random streams
 };
@@ -80,9 +80,9 @@ void appendDiscs(const ObstacleSpec& spec, const ObstacleState& state, std::vect
 /// Least distance [m] between two obstacles as they start; negative where they overlap.
 double distanceBetween(const ObstacleSpec& a, const ObstacleSpec& b);
 
-/// What a robot knows that has sonars only, as in trials with `sonars_only`: their readings, and for
-/// navigators that do not use these, discs where a short memory of echoes is occupied. It knows of no walls:
-/// its field is a wide plain.
+/// The knowledge of a robot that has only sonars, as in trials with `sonars_only`: their readings and, for
+/// navigators that do not use these, discs where a short memory of echoes is occupied. It has no walls: its
+/// field is a wide plain.
 class SonarSight {
  public:
   /// Reads field, robot, navigator, noise and seed of the trial.
@@ -91,7 +91,7 @@ class SonarSight {
   SonarSight& operator=(SonarSight&&) noexcept;  ///< As above.
   ~SonarSight();
 
-  /// Fires the sonars of the world's first robot and replaces what `scene` knows of obstacles and walls.
+  /// Fires the sonars of the world's first robot and replaces the obstacles and walls of `scene`.
   /// Valid until the next call.
   void look(const World& world, NavigationScene& scene);
 
@@ -123,11 +123,12 @@ const std::vector<Suite>& suites();
 /// The suite of that name. Errors: kUsage with a suggestion.
 Result<const Suite*> findSuite(const std::string& name);
 
-/// A barrier of robot-sized obstacles with one gap of `widths` robot widths, not farther than 20 cm from
-/// where the straight way to the goal meets it: part of the suites `sonar`.
+/// A barrier of robot-sized obstacles with one gap of `widths` robot widths. The gap is at most 20 cm from
+/// the straight line to the goal. Part of the suites `sonar`.
 Layout gapLayout(std::uint64_t seed, std::uint64_t index, double widths);
-/// The class of Fig. 8 of P.-G. Kim et al. (2006): obstacles of different sizes stand side by side across the
-/// way, with one gap of 1.3 to 1.6 robot widths near the straight line and wide ways round both ends.
+/// A layout of the class of Fig. 8 of P.-G. Kim et al. (2006). Obstacles of different sizes stand side by
+/// side across the straight line to the goal, with one gap of 1.3 to 1.6 robot widths near it. Both ends
+/// leave wide passages.
 Layout anyRowLayout(std::uint64_t seed, std::uint64_t index);
 
 /// The named cases of Figs 1-8 of Jung & Lee (2015), in order.
@@ -146,8 +147,9 @@ struct ComparisonConfig {
   SensorModel sensors;                  ///< quality of observations
   std::optional<std::uint64_t> only;    ///< only this layout of each block
   int pictures = 8;                     ///< layouts per block with traces for pictures
-  int ways = 6;                         ///< most ways per picture, the paper's methods first; 0: all
-  std::string record;                   ///< folder for recordings of these layouts; empty: none
+  /// largest number of paths per picture, the paper's methods first; 0: all
+  int ways = 6;
+  std::string record;  ///< folder for recordings of these layouts; empty: none
 };
 
 /// Start headings of a block's trials.
@@ -215,7 +217,7 @@ struct ReproductionRow {
   std::string ours;   ///< the measured figure with its interval
   /// Difference of the measured figure from the paper's [percentage points]; empty: the paper has none.
   std::optional<double> off_paper;
-  std::string our_band;  ///< what we expect of our own methods; it is no band about the paper's figure
+  std::string our_band;  ///< range expected of this project's methods; it is no band about the paper's figure
   bool inside_our_band = false;  ///< the measured figure is in that range
   std::string reason;            ///< reason of a difference from the paper or the band
 };

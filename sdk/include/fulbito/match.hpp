@@ -37,8 +37,9 @@ struct TeamFaults {
 /// The faults of a whole match.
 struct MatchFaults {
   PerTeam<TeamFaults> teams;  ///< faults of blue and yellow
-  /// The error that ended the match early, which then has no result. kMachine: the machine failed a team
-  /// outside the program, so the match may be played again; kBadInput: a restart was not a valid world.
+  /// The error that ended the match early, which then has no result. kMachine: the machine lacked resources
+  /// for a team outside the program, so the match may be played again; kBadInput: a restart was not a valid
+  /// world.
   std::optional<Error> abandoned;
 };
 

@@ -55,12 +55,12 @@ struct RobotModel {
   double spin_fast_ratio = 1.0;      ///< the same at `spin_fast_speed` and above; linear between
   double wheel_width = 0.0;          ///< [m] between a wheel's edges, on which it stands
   double support_distance = 0.0;     ///< [m] sliding supports before and behind the axle
-  double support_sink = 0.0;         ///< [m] by which contacts with the floor give way at rest
-  double support_settling = 0.0;     ///< [s] in which they do
+  double support_sink = 0.0;         ///< [m] depth by which contacts with the floor give way at rest
+  double support_settling = 0.0;     ///< [s] time in which contacts settle to that depth
   double mass_height = 0.0;          ///< [m] centre of mass above the floor; 0: the robot stays level
-  double ground_clearance = 0.0;     ///< [m] of the body's front and rear edge
+  double ground_clearance = 0.0;     ///< [m] height of the body's front and rear edge above the floor
   double load_shift = 0.0;           ///< share of a curve's load on the outer wheel that changes the grip
-  double rim_mass = 0.0;             ///< [kg] that accelerates as a wheel's rim does
+  double rim_mass = 0.0;             ///< [kg] mass at the rim with the inertia of a wheel
   double curve_widening = 0.0;       ///< [s] radius that a curve gains by slip, over the speed; 0: none
   double curve_widening_rise = 0.0;  ///< [s^2/m] by which `curve_widening` rises with the speed
   double friction = 0.2;             ///< of the body against robots, walls and obstacles

@@ -68,7 +68,7 @@ struct NavigationGoal {
   bool stop = false;                  ///< stop at the goal; otherwise the robot may pass it at speed
 };
 
-/// What one of the robot's own range sensors reports, e.g. a sonar: the nearest thing within a cone.
+/// A reading of one of the robot's own range sensors, e.g. a sonar: the nearest thing within a cone.
 struct RangeReading {
   Pose2 mount;             ///< robot frame: the sensor's place and the direction of its axis
   double half_cone = 0.0;  ///< [rad] between the axis and the edge of the cone
@@ -144,10 +144,10 @@ struct NavigatorInfo {
   bool reads_ranges = false;  ///< uses `NavigationScene::ranges` where there are any
 };
 
-/// What a robot does at a wall, after the follower: `wall_escape=on|off|zones`.
+/// The rule for a robot at a wall, applied after the follower: `wall_escape=on|off|zones`.
 enum class WallRule {
-  kEscape,  ///< one that has no room to turn first drives away from the wall (docs/followers.md)
-  kNone,    ///< what the follower wants
+  kEscape,  ///< a robot without room to turn first drives away from the wall (docs/followers.md)
+  kNone,    ///< no rule: the follower's twist stays as it is
   kZones,   ///< the boundary rule of Jung & Lee (2015): unequal wheel speeds in a wall's zone
 };
 
@@ -156,7 +156,7 @@ enum class WallRule {
 class Pilot {
  public:
   /// @param follower  null: the default follower of all built-in methods
-  /// @param wall_rule  what the robot does at walls
+  /// @param wall_rule  rule for the robot at walls
   explicit Pilot(std::unique_ptr<Navigator> navigator, std::unique_ptr<Follower> follower = nullptr,
                  WallRule wall_rule = WallRule::kEscape);
   Pilot(Pilot&&) noexcept;             ///< A moved-from pilot can only be destroyed or assigned to.

@@ -49,7 +49,7 @@ class MatchRecorder final : public MatchObserver {
   RecordingWriter writer_;   ///< writes to the file or sink
   RecordedEvent event_;      ///< reused, to avoid allocations
   RecordedDrawing drawing_;  ///< the same
-  std::uint64_t hash_ = 0;   ///< running, of the match
+  std::uint64_t hash_ = 0;   ///< running hash of the match
   int edits_ = 0;            ///< plays from a user's placement
   Tick drawn_every_ = 0;     ///< ticks between recorded drawings; 0: none
   Result<void> written_;     ///< result of `RecordingWriter::finish`

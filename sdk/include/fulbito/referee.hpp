@@ -35,7 +35,7 @@ struct Scoreboard {
   double play_seconds = 0.0;  ///< [s] elapsed play time in that period
 };
 
-/// A foul paid off if its team scores within this time of play [s].
+/// Play time [s] after a foul within which a goal of the same team counts as a gain from the foul.
 inline constexpr double kFoulPaysWithin = 5.0;
 
 /// One call of the referee, with its measured value.

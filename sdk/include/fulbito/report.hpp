@@ -23,7 +23,7 @@
 
 namespace fulbito {
 
-/// What an experiment is asked for.
+/// The input of an experiment: seed, threads, settings.
 struct ExperimentRequest {
   std::uint64_t seed = 1;         ///< seed of all its random streams
   int jobs = 0;                   ///< worker threads; 0: all cores; the report does not depend on it
@@ -34,18 +34,18 @@ struct ExperimentRequest {
   std::optional<std::string> find(std::string_view name) const;
 };
 
-/// A figure of a paper beside ours.
+/// A figure of a paper, and its measured reproduction.
 struct PaperFigure {
   std::string id;                    ///< unique in the report, e.g. "table-5-radius-0.3"
   std::string where;                 ///< place in the paper, e.g. "Table 5"
-  std::string what;                  ///< what is measured
+  std::string what;                  ///< the measured quantity
   std::string unit;                  ///< e.g. "m"; empty: none
-  int decimals = 2;                  ///< of `paper`, `ours` and the band in texts
+  int decimals = 2;                  ///< decimals of `paper`, `ours` and the band in texts
   std::optional<double> paper = {};  ///< as printed; empty: the paper gives no number
   double ours = std::numeric_limits<double>::quiet_NaN();  ///< NaN: not measured, which is outside every band
-  double low = -std::numeric_limits<double>::infinity();   ///< @{ band of an honest reproduction
+  double low = -std::numeric_limits<double>::infinity();   ///< @{ range in which a reproduction must lie
   double high = std::numeric_limits<double>::infinity();   ///< @}
-  std::string reason = {};  ///< why ours differs from the paper's, or is outside the band
+  std::string reason = {};  ///< reason why `ours` differs from `paper` or is outside the band
 
   bool inside() const { return ours >= low && ours <= high; }
 };
@@ -53,10 +53,10 @@ struct PaperFigure {
 /// A column of a table.
 struct ReportColumn {
   std::string name;  ///< also in CSV and JSON, e.g. "time_s"
-  int decimals = 3;  ///< of its numbers in texts; CSV and JSON have all digits
+  int decimals = 3;  ///< decimals of its numbers in texts; CSV and JSON have all digits
 };
 
-/// Columns from words as "time_s:2", a name and its decimals, or "time_s" for the usual ones.
+/// Columns from words such as "time_s:2" (a name and its decimals) or "time_s" (default decimals).
 std::vector<ReportColumn> columnsOf(const std::string& words);
 
 /// A number, or a text.
@@ -64,7 +64,7 @@ using ReportCell = std::variant<double, std::string>;
 
 /// A table of results, written as NAME.csv too.
 struct ReportTable {
-  std::string name;                   ///< of its file, e.g. "table-5"
+  std::string name;                   ///< name of its file, e.g. "table-5"
   std::string title;                  ///< one line
   std::vector<ReportColumn> columns;  ///< at least one
   std::vector<std::vector<ReportCell>> rows;
@@ -86,11 +86,11 @@ struct ScenePath {
 
 /// A moment that stands out in the picture of a whole scene.
 struct SceneMoment {
-  std::size_t row = 0;  ///< of the page
-  std::string label;    ///< in the middle of the moving bodies; may be empty
+  std::size_t row = 0;  ///< index of a row of the page
+  std::string label;    ///< text in the middle of the moving bodies; may be empty
 };
 
-/// Colours of bodies that change on the way, e.g. of master and slave.
+/// Colours of bodies by their roles, which may change during the scene, e.g. master and slave.
 struct SceneRoles {
   std::vector<std::string> names;               ///< legend, in place of the bodies' labels; empty: none
   std::vector<std::vector<std::uint8_t>> rows;  ///< per row of the page and body: index of `names`
@@ -103,19 +103,20 @@ struct ReportScene {
   std::string caption;  ///< one sentence or more for the picture
   PageScene page;       ///< bodies, rows and drawings; `plays` and `ticks` may be left to `finishScene`
   std::vector<ScenePath> paths;
-  std::vector<std::string> labels;  ///< of the first bodies, for the legend; may be empty
+  std::vector<std::string> labels;  ///< labels of the first bodies, for the legend; may be empty
   SceneRoles roles = {};
   std::vector<SceneMoment> moments = {};  ///< drawn in full in the picture of the whole scene
-  double outlines_every = 0.0;  ///< [s] between faint bodies on their way; 0: 24 of them; negative: none
+  /// [s] between faint outlines along the bodies' paths; 0: 24 outlines; negative: none
+  double outlines_every = 0.0;
   std::size_t first_trail = 0;  ///< bodies before it leave no trail, e.g. since they would cover each other
 
   bool isStill() const { return page.rows.size() == 1; }
 };
 
-/// Fills in what every scene of one play has alike: its play, its ticks, facts about robots and build.
+/// Fills in the parts that all scenes with one play share: the play, its ticks, facts about robots and build.
 void finishScene(ReportScene& scene);
 
-/// What an experiment gives.
+/// The result of an experiment.
 struct ExperimentReport {
   std::string name;                  ///< as `PaperExperiment::name`
   std::string title;                 ///< e.g. "Choi & Lee (2005): capturing a moving object"
@@ -151,7 +152,8 @@ struct PaperExperiment {
 Result<const PaperExperiment*> findPaperExperiment(std::span<const PaperExperiment> all,
                                                    const std::string& name);
 
-/// Checks the names of settings, and runs it. Errors: kUsage with a suggestion; those of the experiment.
+/// Checks the names of the settings and runs the experiment. Errors: kUsage with a suggestion; those of the
+/// experiment.
 Result<ExperimentReport> runPaperExperiment(const PaperExperiment& experiment,
                                             const ExperimentRequest& request);
 
@@ -159,9 +161,10 @@ Result<ExperimentReport> runPaperExperiment(const PaperExperiment& experiment,
 /// is larger than `max_bytes`; kInterrupted while it waits for a pipe.
 Result<std::string> readSettingFile(const std::string& file, std::size_t max_bytes);
 
-/// Figs 1 to 7 of P.-G. Kim et al. (2006) as still pictures, with the paper's lengths: what the parts of the
-/// navigator `hybrid` say of one place each. 1: the nearness diagram's walking area; 2, 3: its two situations
-/// of low safety; 4: occupancy boxes; 5: the limit cycle; 6, 7: the table of directions, near and farther.
+/// Figs 1 to 7 of P.-G. Kim et al. (2006) as still pictures, with the paper's lengths. Each shows the result
+/// of one part of the navigator `hybrid` at one place. 1: the nearness diagram's walking area; 2, 3: its two
+/// situations of low safety; 4: occupancy boxes; 5: the limit cycle; 6, 7: the table of directions, near and
+/// farther.
 std::vector<ReportScene> hybridPictures();
 
 /// Markdown for people: the figures beside the paper's, the tables, the notes.

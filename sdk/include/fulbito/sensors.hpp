@@ -23,28 +23,28 @@ inline constexpr std::size_t kNoRobot = std::numeric_limits<std::size_t>::max();
 /// Outlines of all walls and bodies of a world, for rays and cones.
 class WorldOutlines {
  public:
-  /// @param field  where the worlds to trace are
+  /// @param field  the field of all worlds to trace
   explicit WorldOutlines(const FieldGeometry& field);
   /// The world's outlines as its bodies stand now; valid until the next call.
   /// @param without  index of a robot that is left out, e.g. the one that looks
   const EchoScene& trace(const World& world, std::size_t without = kNoRobot);
 
  private:
-  std::vector<Vec2> contour_;  // of the field
-  EchoScene scene_;            // of the last trace
+  std::vector<Vec2> contour_;  // outline of the field
+  EchoScene scene_;            // outlines of the last trace
 };
 
-/// The first surface in the world on the way from `from` along the unit vector `direction` within `range`
-/// [m]. For many rays at one tick, use `WorldOutlines::trace` and `EchoScene::castRay`.
+/// The first surface in the world along the unit vector `direction` from `from`, within `range` [m]. For many
+/// rays at one tick, use `WorldOutlines::trace` and `EchoScene::castRay`.
 /// @param without  index of a robot that is left out
 RayHit castRay(const World& world, Vec2 from, Vec2 direction, double range, std::size_t without = kNoRobot);
 
-/// The ultrasonic sensors of one robot. Each listens in its cone for the nearest surface that throws its call
-/// back (see EchoScene::castCone). The robot's own body is no obstacle to them. Deterministic: the same world
+/// The ultrasonic sensors of one robot. Each listens in its cone for the nearest surface that reflects its
+/// call (see EchoScene::castCone). The robot's own body is no obstacle to them. Deterministic: the same world
 /// and stream give the same readings. Allocates nothing once warm.
 class SonarArray {
  public:
-  /// @param field  of the worlds to measure in
+  /// @param field  the field of all worlds to measure in
   /// @param model  valid, see `validate`
   /// @param random  a stream of its own, e.g. Rng(seed, Stream::kSonar, trial)
   SonarArray(const FieldGeometry& field, SonarModel model, const Rng& random);
@@ -53,26 +53,26 @@ class SonarArray {
   std::span<const SonarReading> measure(const World& world, std::size_t robot);
   /// The echoes of the last measurement without errors, in the world's frame.
   std::span<const Echo> echoes() const { return echoes_; }
-  const SonarModel& model() const { return model_; }  ///< where its sonars are, and their errors
+  const SonarModel& model() const { return model_; }  ///< places and errors of the sonars
 
  private:
   double heardRange(std::size_t sonar);                               // [m] with errors
-  double strayRange(std::size_t sonar, std::size_t neighbour) const;  // [m] of a neighbour's call
+  double strayRange(std::size_t sonar, std::size_t neighbour) const;  // [m] for a neighbour's call
 
   SonarModel model_;
   Rng random_;
   WorldOutlines outlines_;
-  std::vector<Cone> cones_;             // in the world
-  std::vector<Echo> echoes_;            // without errors
-  std::vector<SonarReading> readings_;  // of the last measurement
+  std::vector<Cone> cones_;             // cones in the world's frame
+  std::vector<Echo> echoes_;            // echoes without errors
+  std::vector<SonarReading> readings_;  // readings of the last measurement
 };
 
 /// Speed of sound [m/s] in dry air of `celsius` [degrees], at least -273.15: 331.3 m/s times the root of the
 /// absolute temperature over that of melting ice.
 double speedOfSound(double celsius);
 
-/// Times echoes as an ultrasonic sensor's counter does: whole microseconds from the pulse to its echo. It
-/// knows no temperature; who reads it turns time into distance.
+/// Times echoes like the counter of an ultrasonic sensor: in whole microseconds from the pulse to its echo.
+/// To get a distance from the count, the reader must assume a temperature.
 class EchoTimer {
  public:
   /// @param celsius  temperature of the air; it must have a speed of sound above 0
@@ -93,14 +93,14 @@ struct EncoderModel {
   double slip_noise = 0.0;          ///< [m/sqrt(m)] random slip: standard deviation over one metre
 };
 
-/// What the encoders counted since they were read last.
+/// Counts of the encoders since the last reading.
 struct EncoderCounts {
   std::int64_t left = 0;   ///< of the left wheel
   std::int64_t right = 0;  ///< of the right wheel
 };
 
-/// Encoders on the wheels of a robot of the world. They count the way of the rims, so a wheel that spins
-/// counts more than the floor passes. Fractions of a count stay for the next reading.
+/// Encoders on the wheels of a robot of the world. They count the travel of the rims, so a spinning wheel
+/// counts more than it moves over the floor. Fractions of a count stay for the next reading.
 class WheelEncoders {
  public:
   /// @param random  a stream of its own for the slip
@@ -108,31 +108,31 @@ class WheelEncoders {
 
   /// Counts of one tick of `dt` [s] that brought the robot from `before` to `after`.
   EncoderCounts read(const RobotState& before, const RobotState& after, double dt);
-  /// [m] nominal way of a rim per count
+  /// Nominal travel [m] of a rim per count.
   double metresPerCount() const { return metres_per_count_; }
 
  private:
-  // Counts of a way [m] of one rim; `rest` is what no count has been given for.
+  // Counts for the travel [m] of one rim; `rest` is the travel that is not counted yet.
   std::int64_t count(double travel, double scale, double& rest);
 
   EncoderModel model_;
   double radius_;            // [m]
   double half_track_;        // [m]
   double metres_per_count_;  // [m]
-  double left_rest_ = 0.0;   // [m] counted later
+  double left_rest_ = 0.0;   // [m] travel that is not counted yet
   double right_rest_ = 0.0;  // [m]
   Rng random_;
 };
 
 /// Quality of a yaw-rate gyro. The defaults give the true rate.
 struct GyroModel {
-  double bias = 0.0;   ///< [rad/s] at the start
+  double bias = 0.0;   ///< [rad/s] bias at the start
   double drift = 0.0;  ///< [rad/s/sqrt(s)] random walk of the bias: its standard deviation after one second
   double noise = 0.0;  ///< [rad/s] standard deviation of each reading
   double scale = 1.0;  ///< measured over true rate
 };
 
-/// A gyro on a robot of the world. Its bias walks at random.
+/// A gyro on a robot of the world. Its bias is a random walk.
 class Gyro {
  public:
   /// @param random  a stream of its own for noise and drift
@@ -140,12 +140,12 @@ class Gyro {
 
   /// Mean yaw rate [rad/s] over a tick of `dt` [s] in which the robot turned by `turned` [rad].
   double read(double turned, double dt);
-  /// [rad/s] its present bias
+  /// The present bias [rad/s].
   double bias() const { return bias_; }
 
  private:
   GyroModel model_;
-  double bias_;  // [rad/s] at present
+  double bias_;  // [rad/s] present bias
   Rng random_;
 };
 

@@ -60,7 +60,8 @@ struct CallCount {
   std::string_view clause;  ///< static lifetime
   PerTeam<int> against{};   ///< calls against each team; for a goal: goals of each team
   int neither = 0;          ///< calls against no team, such as the end of a half
-  PerTeam<int> paid{};      ///< goals within `kFoulPaysWithin` of this foul of the same team, its last one
+  /// goals of each team within `kFoulPaysWithin` of its last foul, if that was one of this rule
+  PerTeam<int> paid{};
 };
 
 /// Lead [m] of a team's nearest robot toward the ball that gives it possession. The team keeps possession

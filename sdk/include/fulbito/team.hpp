@@ -155,8 +155,8 @@ struct Physics {
   std::string name;                    ///< name of the preset
   int control_rate = 60;               ///< [Hz] decisions per second
   int substeps = 1;                    ///< physics steps per decision
-  int velocity_iterations = 0;         ///< of the engine
-  int position_iterations = 0;         ///< of the engine
+  int velocity_iterations = 0;         ///< velocity iterations of the engine per step
+  int position_iterations = 0;         ///< most position iterations of the engine per step
   bool bullet_ball = false;            ///< continuous collision of the ball against moving bodies
   double contact_depth = 0.0;          ///< [m] deepest overlap before a step is split; 0: no splits
   double max_ball_speed = 0.0;         ///< [m/s] up to this speed the ball does not tunnel
@@ -173,7 +173,7 @@ struct Rules {
   double half_seconds = 0.0;             ///< [s] play time of a half
   bool swap_sides = false;               ///< teams change sides at half-time; observations stay mirrored
   int mercy_goals = 0;                   ///< lead that ends the match; 0: never
-  TieBreak tie_break = TieBreak::kNone;  ///< after two halves
+  TieBreak tie_break = TieBreak::kNone;  ///< the tie-break after two halves
   int overtime_parts = 0;                ///< periods of overtime
   double overtime_seconds = 0.0;         ///< [s] play time of each period of overtime
   bool golden_goal = false;              ///< the first goal in overtime ends the match
@@ -211,7 +211,8 @@ struct DecisionTime {
 /// A team's knowledge before the match.
 struct Info {
   Colour colour = Colour::kBlue;              ///< the team's colour
-  bool left = true;                           ///< the team defends the left goal of pictures at first
+  /// the team defends the goal on the left of pictures at the start of the match
+  bool left = true;
   double dt = 1.0 / 60.0;                     ///< [s] control period: one decision per period
   /// of the team's random stream; the same match has the same seed
   std::uint64_t seed = 0;
@@ -458,7 +459,7 @@ struct Parameter {
   std::function<void(double)> set;   ///< takes a checked value; of a choice: its index
 };
 
-/// What teams and navigators have in common: their description, their parameters, and a way to say something.
+/// Common base of teams and navigators: their description, their parameters, and the log.
 class Described {
  public:
   virtual ~Described() = default;
@@ -527,7 +528,7 @@ class Described {
                            [&value](double v) { value = static_cast<int>(v); }});
   }
   /// @}
-  /// Says something to the user; without a runner, on standard error.
+  /// Sends a line to the user; without a runner, to standard error.
   void log(std::string_view line) const {  // determinism-ok: a message
     if (sink_) {
       sink_(line);
@@ -577,7 +578,7 @@ class Team : public Described {
   const std::string& version() const { return version_; }
   /// Default of the setting `navigator`; empty: the team takes none.
   const std::string& defaultNavigator() const { return default_navigator_; }
-  /// Takes the setting `name=value`. @return what is wrong with it; empty: it is taken
+  /// Takes the setting `name=value`. @return the problem; empty: the setting is taken
   std::string set(std::string_view name, std::string_view value);
   /// Keeps `info`, seeds the random stream, then calls `begin`.
   void start(const Info& info) {
@@ -593,7 +594,7 @@ class Team : public Described {
     default_navigator_ = std::move(by_default);
     navigator_ = default_navigator_;
   }
-  /// What the team knows since `begin`.
+  /// The knowledge before the match, as given to `begin`.
   const Info& info() const { return info_; }
   /// The team's random stream: the same numbers in each match with the same seed.
   Random& random() { return random_; }  // determinism-ok: seeded
@@ -623,7 +624,7 @@ struct NavigationScene {
   double heading_tolerance = 0.0;      ///< [rad] difference that counts as the wanted heading
   bool stop = false;                   ///< stop at the goal; otherwise the robot may pass it at speed
   std::vector<Disc> obstacles;         ///< the other bodies, in any order
-  Field field;                         ///< its size
+  Field field;                         ///< geometry of the field
   RobotModel robot;                    ///< its max_wheel_speed is the speed limit of this trial
 };
 
@@ -643,7 +644,7 @@ struct Guidance {
 /// caught and reported, and stop the robot.
 class Navigator : public Described {
  public:
-  /// Describes the method: its name in specifications, one line about it, and where it is from.
+  /// Describes the method: its name in specifications, one line about it, and its source, such as a paper.
   /// @param plans_speed  it gives its own speeds or wheel speeds; tables mark it
   explicit Navigator(std::string name, std::string summary = "", std::string source = "",
                      bool plans_speed = false)
@@ -686,6 +687,6 @@ class Navigator : public Described {
     return fulbito::team::detail::navigatorLibraryOf<__VA_ARGS__>();             \
   }
 
-// Last, as they join the classes above to the C interface.
+// Included last, since these headers use the classes above.
 #include "fulbito/detail/library/entry.hpp"
 #include "fulbito/detail/library/settings.hpp"

@@ -32,7 +32,7 @@ struct BallPlacement {
 };
 
 /// A rigid, uniform rod that two robots carry. Each of its ends turns freely about a robot's centre, so the
-/// robots stay its length apart. It is above all bodies: it touches nothing.
+/// robots stay its length apart. It lies above all bodies and touches none.
 struct RodPlacement {
   std::size_t first = 0;   ///< index of the robot at its rear end
   std::size_t second = 1;  ///< index of the robot at its front end
@@ -48,7 +48,7 @@ struct WorldConfig {
   std::vector<RobotPlacement> robots;   ///< robots of both teams; commands and states have this order
   std::vector<BallPlacement> balls;     ///< any number, usually one
   std::vector<ObstacleSpec> obstacles;  ///< obstacles of a navigation trial; none in a match
-  std::vector<RodPlacement> rods = {};  ///< what pairs of robots carry; none in a match
+  std::vector<RodPlacement> rods = {};  ///< rods that pairs of robots carry; none in a match
 };
 
 /// A fixed-step rigid-body world: walls, goals, corner triangles, robots, balls and obstacles.

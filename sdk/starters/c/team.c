@@ -29,7 +29,7 @@ static double limit(double value, double most) { return fmax(-most, fmin(most, v
 
 static double wrap(double angle) { return remainder(angle, 2.0 * 3.14159265358979323846); }
 
-/* Drives with whichever end is nearer toward a place, slower the less it faces it. */
+/* Drives toward a place with the nearer end in front, slower while that end does not face the place. */
 static void drive(const team* self, const fulbito_robot* robot, double x, double y, double slow_within,
                   fulbito_robot_command* command) {
   const double dx = x - robot->position.x, dy = y - robot->position.y;
@@ -46,19 +46,19 @@ static void drive(const team* self, const fulbito_robot* robot, double x, double
   command->twist.angular = 8.0 * error;
 }
 
-/* On a line in front of the goal, level with the ball. */
+/* The keeper stays on a line in front of the goal, level with the ball. */
 static void keep(const team* self, const fulbito_observation* seen, fulbito_robot_command* command) {
   const double x = -self->info.field.length / 2 + self->info.robot.length;
   const double y = limit(seen->ball.position.y, self->info.field.goal_width / 2);
   drive(self, &seen->own[0], x, y, 0.1, command);
 }
 
-/* Behind the ball first, round it if need be, then through it toward the goal. */
+/* The attacker drives behind the ball first, round it if needed, then through it toward the goal. */
 static void attack(const team* self, const fulbito_observation* seen, int i, fulbito_robot_command* command) {
   const fulbito_robot* robot = &seen->own[i];
   const fulbito_vec2 ball = seen->ball.position;
   const double gx = self->info.field.length / 2 - ball.x, gy = -ball.y, far = fmax(hypot(gx, gy), 1e-6);
-  const double wx = gx / far, wy = gy / far; /* the way to the goal */
+  const double wx = gx / far, wy = gy / far; /* unit vector to the goal */
   const double dx = ball.x - robot->position.x, dy = ball.y - robot->position.y;
   const double behind = dx * wx + dy * wy, beside = dx * wy - dy * wx;
   const double size = self->info.robot.length;
@@ -73,7 +73,7 @@ static void attack(const team* self, const fulbito_observation* seen, int i, ful
   }
 }
 
-/* Behind the ball on the other side, for when the attacker loses it. */
+/* The supporter stays behind the ball on the other side, in case the attacker loses it. */
 static void support(const team* self, const fulbito_observation* seen, int i, fulbito_robot_command* command) {
   drive(self, &seen->own[i], seen->ball.position.x - 0.35, -seen->ball.position.y / 2, 0.2, command);
 }

@@ -37,7 +37,7 @@ class MyTeam : public Team {
  private:
   static const Robot& robot(const Observation& seen, int i) { return seen.own[static_cast<std::size_t>(i)]; }
 
-  // The keeper, robot 0, is not asked.
+  // The robot nearest to the ball, without the keeper (robot 0); -1: none.
   static int nearestToBall(const Observation& seen) {
     int best = -1;
     for (int i = 1; i < seen.team_size; ++i) {
@@ -50,7 +50,7 @@ class MyTeam : public Team {
     return best;
   }
 
-  // On a line in front of the goal, level with the ball.
+  // The keeper stays on a line in front of the goal, level with the ball.
   void keep(const Observation& seen, int i, Commands& commands) const {
     const Field& field = info().field;
     const double reach = field.goal_width / 2;
@@ -61,13 +61,13 @@ class MyTeam : public Team {
     commands.goTo(i, target);
   }
 
-  // Behind the ball first, then through it toward the goal.
+  // The attacker drives behind the ball first, then through it toward the goal.
   void attack(const Observation& seen, int i, Commands& commands) const {
     const Vec2 ball = seen.ball.position, goal{info().field.length / 2, 0.0};
     const Vec2 way = (goal - ball) / std::max(distance(goal, ball), 1e-6);
     const Vec2 from = ball - robot(seen, i).position;
-    const double behind = from.x * way.x + from.y * way.y;           // [m] along the way to the goal
-    const double beside = std::abs(from.x * way.y - from.y * way.x);  // [m] off that way
+    const double behind = from.x * way.x + from.y * way.y;           // [m] along the direction to the goal
+    const double beside = std::abs(from.x * way.y - from.y * way.x);  // [m] off that line
     GoTo target;
     target.heading = angleOf(way);
     target.avoid_opponents = false;
@@ -81,7 +81,7 @@ class MyTeam : public Team {
     if (seen.wants_drawings) commands.line(ball, goal);
   }
 
-  // Behind the ball on the other side, for when the attacker loses it.
+  // The supporter stays behind the ball on the other side, in case the attacker loses it.
   void support(const Observation& seen, int i, Commands& commands) const {
     GoTo target;
     target.position = {seen.ball.position.x - 0.35, -seen.ball.position.y / 2};

@@ -33,13 +33,13 @@ class MyTeam(Team):
         return commands
 
     def nearest_to_ball(self, seen: Observation) -> Optional[int]:
-        """The keeper, robot 0, is not asked."""
+        """The robot nearest to the ball, without the keeper (robot 0)."""
         distances = [(math.hypot(robot.x - seen.ball.x, robot.y - seen.ball.y), number)
                      for number, robot in enumerate(seen.own) if robot is not None and number > 0]
         return min(distances)[1] if distances else None
 
     def keep(self, seen: Observation, commands: Commands) -> None:
-        """On a line in front of the goal, level with the ball."""
+        """The keeper stays on a line in front of the goal, level with the ball."""
         field = self.info.field
         reach = field.goal_width / 2
         y = max(-reach, min(reach, seen.ball.y))
@@ -47,15 +47,15 @@ class MyTeam(Team):
                                avoid_opponents=False))
 
     def attack(self, seen: Observation, number: int, commands: Commands) -> None:
-        """Behind the ball first, then through it toward the goal."""
+        """The attacker drives behind the ball first, then through it toward the goal."""
         robot, ball = seen.own[number], seen.ball
         assert robot is not None
         goal_x, goal_y = self.info.field.length / 2, 0.0
         far = max(math.hypot(goal_x - ball.x, goal_y - ball.y), 1e-6)
         way_x, way_y = (goal_x - ball.x) / far, (goal_y - ball.y) / far
         dx, dy = ball.x - robot.x, ball.y - robot.y
-        behind = dx * way_x + dy * way_y  # [m] along the way to the goal
-        beside = abs(dx * way_y - dy * way_x)  # [m] off that way
+        behind = dx * way_x + dy * way_y  # [m] along the direction to the goal
+        beside = abs(dx * way_y - dy * way_x)  # [m] off that line
         heading = math.atan2(way_y, way_x)
         if behind > 0.0 and beside < self.info.robot.width / 2:
             target = GoTo(ball.x + 0.2 * way_x, ball.y + 0.2 * way_y, heading)
@@ -68,7 +68,7 @@ class MyTeam(Team):
             commands.line(ball.x, ball.y, goal_x, goal_y)
 
     def support(self, seen: Observation, number: int, commands: Commands) -> None:
-        """Behind the ball on the other side, for when the attacker loses it."""
+        """The supporter stays behind the ball on the other side, in case the attacker loses it."""
         commands.go_to(number, GoTo(seen.ball.x - 0.35, -seen.ball.y / 2, stop=True, avoid_ball=True))
 
 

@@ -4,7 +4,7 @@
 
 namespace fulbito {
 
-/// A way of constant curvature: a line, or an arc of a circle.
+/// A path of constant curvature: a line, or an arc of a circle.
 struct Arc {
   Pose2 start;             ///< pose at its beginning, heading along it
   double curvature = 0.0;  ///< [1/m] of its left turn; 0: a line; negative: it turns right
@@ -13,8 +13,8 @@ struct Arc {
   double turn() const { return curvature * length; }  ///< [rad] change of heading over its length
 };
 
-/// The pose after `distance` [m] along the arc, which may be beyond its ends. Exact for any turn, a small one
-/// too (Choi & Lee 2005, (8) and (9)).
+/// The pose after `distance` [m] along the arc, which may be beyond its ends. Exact for any turn, however
+/// small (Choi & Lee 2005, (8) and (9)).
 Pose2 poseAt(const Arc& arc, double distance);
 
 /// The end of the arc.

@@ -8,8 +8,8 @@
 
 namespace fulbito {
 
-/// Hears after each task how many of `total` are done, from one thread at a time. Returning false stops the
-/// work: no further task begins.
+/// Called after each task with the number of finished tasks of `total`, by one thread at a time. Returning
+/// false stops the work: no further task begins.
 using WorkWatcher = std::function<bool(std::size_t done, std::size_t total)>;
 
 /// Counts the finished tasks of one or more `parallelFor` for a watcher. Safe to use from several threads.
@@ -21,7 +21,8 @@ class WorkProgress {
   /// Counts one task and tells the watcher.
   /// @return whether the work goes on
   bool finishedOne() { return tell(1); }
-  /// Tells the watcher again, in the middle of a long task, which then ends soon with kInterrupted if false.
+  /// Calls the watcher in the middle of a long task. If it returns false, the task must end soon with
+  /// kInterrupted.
   /// @return whether the work goes on
   bool goesOn() { return tell(0); }
   /// Whether the watcher stopped the work.
@@ -37,14 +38,14 @@ class WorkProgress {
   bool stopped_ = false;
 };
 
-/// Calls `task(i)` for i = 0 ... count - 1 on `jobs` threads (0: one per core), the caller's included, each
-/// once and begun in this order. A task writes its result to a place of its own, so that results do not
-/// depend on the number of threads. After a task failed or the watcher stopped, those that run end and no
-/// other begins. Where the system starts no more threads, fewer work.
+/// Calls `task(i)` once for each i = 0 ... count - 1, on `jobs` threads (0: one per core), the caller's
+/// included. Tasks begin in this order. A task writes its result to a place of its own, so that results do
+/// not depend on the number of threads. After a task failed or the watcher stopped, running tasks end and no
+/// other begins. If the system cannot start all threads, fewer do the work.
 ///
-/// Errors: that of the first failed task in the order of i, which no number of threads changes, as all tasks
-/// before a failed one are run; kInterrupted when the watcher stopped the work before the last task was done.
-/// Throws the first exception of any task, after all that were begun have ended.
+/// Errors: that of the failed task with the lowest i. All tasks before it ran, so no number of threads
+/// changes the error. kInterrupted if the watcher stopped the work before the last task was done. Throws the
+/// first exception of any task, when all tasks that began have ended.
 Result<void> parallelFor(int jobs, std::size_t count, WorkProgress& progress,
                          const std::function<Result<void>(std::size_t)>& task);
 

@@ -17,10 +17,11 @@ namespace fulbito {
 /// The category of an error in external input (file, flag, packet). Each has its own exit code of the
 /// program.
 enum class ErrorCode {
-  kUsage,        ///< the caller gave an invalid name or value (exit 2)
-  kBadInput,     ///< a file is readable but its content is wrong (exit 3)
-  kIo,           ///< a file or folder cannot be read or written (exit 5)
-  kMachine,      ///< the machine lacks memory, processes, descriptors or room; later it may do (exit 6)
+  kUsage,     ///< the caller gave an invalid name or value (exit 2)
+  kBadInput,  ///< a file is readable but its content is wrong (exit 3)
+  kIo,        ///< a file or folder cannot be read or written (exit 5)
+  /// the machine lacks memory, processes, descriptors or room; a later attempt may succeed (exit 6)
+  kMachine,
   kInterrupted,  ///< stopped by a signal before the end (exit 130)
 };
 

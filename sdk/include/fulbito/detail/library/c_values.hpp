@@ -311,7 +311,7 @@ inline void put(const fulbito_poses& from, Poses& to) {
     if (from.present[i] != 0) put(from.pose[i], to[i].emplace());
   }
 }
-/// The C interface has the member in another form, or not at all.
+/// Does nothing: the C interface has the member in another form, or not at all.
 template <typename T>
 void put(std::nullptr_t, T&) {}
 
@@ -365,7 +365,7 @@ T from(const C& structure) {
   return value;
 }
 
-/// The part of the model that the host gives as an extension. A simulator before it gives none.
+/// Takes the part of the model that the host gives as an extension, if the simulator has it.
 inline void takeCurveWidening(const fulbito_host& host, RobotModel& robot) {
   const void* found = host.get_extension(&host, FULBITO_EXT_CURVE_WIDENING);
   if (found == nullptr) return;
@@ -381,7 +381,7 @@ inline fulbito_pose to(const Pose& p) { return {to(p.position), p.heading}; }
 
 inline void give(double from, double& to) { to = from; }
 inline void give(bool from, std::uint8_t& to) { to = from ? 1 : 0; }
-/// An index that the interface cannot carry is unknown there too.
+/// An index outside 0 ... 254 becomes 255, which stands for an unknown one.
 inline void give(int from, std::uint8_t& to) {
   to = static_cast<std::uint8_t>(from >= 0 && from < 255 ? from : 255);
 }

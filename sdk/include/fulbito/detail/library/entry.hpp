@@ -20,7 +20,7 @@ namespace fulbito::team {
 #pragma GCC visibility push(hidden)
 namespace detail {
 
-/// Description of a team or navigator in the words of the C interface; it keeps the texts alive.
+/// Description of a team or navigator as structures of the C interface; it keeps the texts alive.
 struct Description {
   explicit Description(const Described& described)
       : name(described.name()), summary(described.summary()), parameters(described.parameters()) {
@@ -52,8 +52,8 @@ struct Description {
 struct Instance {
   const fulbito_host* host;
   std::unique_ptr<Team> team;
-  Observation seen;                     ///< of the present tick
-  std::vector<std::string> navigators;  ///< since the last `begin`
+  Observation seen;                     ///< observation of the present tick
+  std::vector<std::string> navigators;  ///< names from the last `begin` on
 };
 
 inline void logTo(const fulbito_host* host, std::string_view line) {
@@ -94,7 +94,8 @@ std::unique_ptr<Instance> makeInstance(const fulbito_host* host, const double* v
   return instance;
 }
 
-/// Gives away what `make` makes; null after an exception, which becomes a line of the log.
+/// Passes the object that `make` creates to the caller; null after an exception, which becomes a line of the
+/// log.
 template <typename Make>
 void* released(const fulbito_host* host, const Make& make) {
   try {
@@ -219,9 +220,9 @@ const fulbito_library* libraryOf() try {
 struct Guide {
   const fulbito_host* host;
   std::unique_ptr<Navigator> method;
-  NavigationScene scene;           ///< of the present tick
-  Guidance guidance;               ///< likewise
-  std::vector<fulbito_vec2> path;  ///< of the guidance
+  NavigationScene scene;           ///< scene of the present tick
+  Guidance guidance;               ///< guidance of the present tick
+  std::vector<fulbito_vec2> path;  ///< points of the guidance's path
 };
 
 inline void take(const fulbito_scene& from_scene, const fulbito_host& host, NavigationScene& to) {

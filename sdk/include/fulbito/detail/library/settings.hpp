@@ -1,5 +1,5 @@
-// Settings of a team: what `name=value` means for each type of parameter. `fulbito/team.hpp` includes this
-// after its classes.
+// Settings of a team: reads the value of `name=value` by the type of the parameter. `fulbito/team.hpp`
+// includes this after its classes.
 #pragma once
 
 #include <algorithm>

@@ -19,23 +19,23 @@ namespace fulbito::team::program {
 /// Version of the protocol, as in the handshake.
 inline constexpr std::string_view kProtocol = "fulbito-team/1";
 
-/// A message of the simulator that asks or tells something of the game.
+/// A message of the simulator. Its type decides which members are set.
 struct Message {
   std::string type;             ///< kind of message
-  std::int64_t id = 0;          ///< of a request
-  Observation now;              ///< the game
-  PlacementRequest placement;   ///< of `place`; its cause is also that of `stopped`
-  Exercise exercise;            ///< of `exercise`
-  End end;                      ///< of `ended`
-  Info info;                    ///< of `begin`
-  std::string protocol;         ///< of `hello`
-  std::string setting_problem;  ///< of `hello`
+  std::int64_t id = 0;          ///< number of a request
+  Observation now;              ///< observation; most types have one
+  PlacementRequest placement;   ///< content of `place`; its cause is also that of `stopped`
+  Exercise exercise;            ///< content of `exercise`
+  End end;                      ///< content of `ended`
+  Info info;                    ///< content of `begin`
+  std::string protocol;         ///< content of `hello`: version of the protocol
+  std::string setting_problem;  ///< content of `hello`: a setting that the team does not take
 };
 
-/// One team's side of the conversation: a line in, a line out or nothing.
+/// One team's side of the conversation: for each line in, one line out or none.
 class Conversation {
  public:
-  /// `make` creates the team, which needs the first line's settings.
+  /// `team` receives all messages, and first the settings in `hello`.
   explicit Conversation(std::unique_ptr<Team> team) : team_(std::move(team)) {}
 
   /// Takes a line of the simulator and appends the answer with its line end, if it gets one.
@@ -50,7 +50,7 @@ class Conversation {
 
  private:
   void read(Reader& in) {
-    // `type` is first in all messages, as the protocol says: members mean different things by it.
+    // The protocol has `type` first in all messages, because it decides what the other members mean.
     message_.type.clear();
     readObject(in, [&](std::string_view name) {
       if (name != "type") return readMember(in, name);
@@ -83,7 +83,7 @@ class Conversation {
     if (type == "stopped") return team_->stopped({message_.placement.cause, message_.now});
     if (type == "ready") return team_->ready(message_.now);
     if (type == "ended") return team_->ended(message_.end);
-    // A notice of a later version.
+    // A later version of the protocol may have more notices: they get no answer.
   }
   void open(std::string& out) const {
     add(out, R"({"type":)", std::string_view(message_.type));

@@ -64,7 +64,7 @@ class Reader {
   bool takeNull() { return !failed() && (space(), text_.substr(at_, 4) == "null") && word("null"); }
   /// Whether the next value is an object. Takes nothing.
   bool atObject() { return !failed() && (space(), peek() == '{'); }
-  /// A number; also one with more digits than a double holds.
+  /// Reads a number; it may have more digits than a double holds.
   bool number(double& into) {
     std::string_view text;
     if (!scanNumber(text)) return false;
@@ -74,7 +74,7 @@ class Reader {
     into = text.front() == '-' ? -0.0 : 0.0;
     return true;
   }
-  /// A whole number between two limits.
+  /// Reads a whole number between two limits.
   bool integer(std::int64_t& into, std::int64_t least, std::int64_t most) {
     double value = 0.0;
     const std::size_t from = (space(), at_);
@@ -89,7 +89,7 @@ class Reader {
     if ((plain || whole) && into >= least && into <= most) return true;
     return error("not a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   }
-  /// true or false.
+  /// Reads true or false.
   bool boolean(bool& into) {
     if (failed()) return false;
     space();
@@ -97,7 +97,7 @@ class Reader {
     if (peek() != 't' && peek() != 'f') return error("neither true nor false");
     return word(into ? "true" : "false");
   }
-  /// A string, with its escapes resolved.
+  /// Reads a string and resolves its escapes.
   bool string(std::string& into) {
     StringSpan span;
     if (failed()) return false;
@@ -107,7 +107,7 @@ class Reader {
     unescape(span.raw, into);
     return true;
   }
-  /// Any value.
+  /// Skips any value.
   void skip() {
     const std::size_t base = depth_;
     do {
@@ -136,8 +136,8 @@ class Reader {
   struct Frame {
     char close = '}';
     bool first = true;
-    std::string_view name;    ///< of the present member, with its escapes
-    std::int64_t index = -1;  ///< of the present item
+    std::string_view name;    ///< name of the present member, with its escapes
+    std::int64_t index = -1;  ///< index of the present item
   };
   struct StringSpan {
     std::string_view raw;  ///< between the quotes
@@ -186,7 +186,7 @@ class Reader {
     frames_[depth_++] = Frame{open == '{' ? '}' : ']', true, {}, -1};
     return true;
   }
-  /// To the next member or item, or out of the object or array.
+  /// Goes to the next member or item, or out of the object or array.
   bool goOn(char close) {
     if (failed()) return false;
     Frame& frame = frames_[depth_ - 1];
@@ -356,7 +356,7 @@ class Reader {
       i = next == raw.size() ? next : next + resolve(raw.substr(next), into);
     }
   }
-  /// Appends what the escape at the start of `raw` stands for. @return its length
+  /// Appends the character of the escape at the start of `raw`. @return length of the escape
   static std::size_t resolve(std::string_view raw, std::string& into) {
     if (raw[1] != 'u') {
       constexpr std::string_view kNames = "bfnrt", kBytes = "\b\f\n\r\t";

@@ -39,7 +39,7 @@ inline void append(std::string& out, double value) {
   const auto end = std::to_chars(digits, digits + sizeof digits, value);
   const std::string_view text(digits, static_cast<std::size_t>(end.ptr - digits));
   out += text;
-  // Few numbers are whole: the others need no search.
+  // Only whole numbers need the search for a point.
   if (std::trunc(value) == value && text.find_first_of(".e") == std::string_view::npos) out += ".0";
 }
 
@@ -68,7 +68,7 @@ inline void append(std::string& out, std::string_view text) {
   out += '"';
 }
 
-/// As for views: without it, a literal would be taken for a bool.
+/// The overload for literals, which would otherwise convert to bool.
 inline void append(std::string& out, const char* text) { append(out, std::string_view(text)); }
 
 }  // namespace fulbito::json

@@ -29,7 +29,7 @@ class Pipes {
       if (!receive()) return false;
     }
   }
-  /// Writes all of it. @return false if nobody reads
+  /// Writes the whole text. @return false if the reader has closed the pipe
   bool send(std::string_view text) const {
     while (!text.empty()) {
       const ssize_t count = ::write(out_, text.data(), text.size());
@@ -51,14 +51,14 @@ class Pipes {
   int in_, out_;
   std::array<char, 65536> piece_;
   std::string received_;
-  std::size_t taken_ = 0;  ///< of `received_`, by the last line
+  std::size_t taken_ = 0;  ///< bytes of `received_` up to the end of the last line
 };
 
-/// Keeps standard output for the protocol: from here on, what the team prints there goes to standard error.
+/// Keeps standard output for the protocol: from here on, the team's own output there goes to standard error.
 /// @return the descriptor of the protocol; -1: there is none
 inline int takeOutput() {
   const int out = ::dup(STDOUT_FILENO);
-  // What is printed before a crash must not stay in a buffer.
+  // Output before a crash must not stay in a buffer.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   return ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0 ? -1 : out;
 }

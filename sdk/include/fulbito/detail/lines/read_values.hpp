@@ -1,5 +1,5 @@
-// What the simulator sends to a team's program, as values. Unknown members are skipped, so that later
-// versions can add some. `members` of detail/library/c_values.hpp names them.
+// Reads the messages of the simulator into values. Unknown members are skipped, so that later versions can
+// add some. `members` of detail/library/c_values.hpp names them.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,7 @@ constexpr auto wordsOf(Exercise::Kind) {
 // clang-format on: end of what is generated
 /// @}
 
-/// @{ A value of each type.
+/// @{ Reads a value of each type.
 inline void read(Reader& in, double& into) { in.number(into); }
 inline void read(Reader& in, bool& into) { in.boolean(into); }
 inline void read(Reader& in, std::string& into) { in.string(into); }
@@ -50,14 +50,14 @@ inline void read(Reader& in, int& into) {
   if (in.integer(value, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()))
     into = static_cast<int>(value);
 }
-/// A seed: its digits as a string, as it has 64 bits.
+/// Reads a seed: a string of digits, since a JSON number may not hold 64 bits.
 inline void read(Reader& in, std::uint64_t& seed) {
   std::string digits;
   if (!in.string(digits)) return;
   const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), seed);
   if (result.ec != std::errc() || result.ptr != digits.data() + digits.size()) in.error("not a whole number");
 }
-/// One of the words of an enumeration.
+/// Reads one of the words of an enumeration.
 template <typename Enum>
   requires std::is_enum_v<Enum>
 void read(Reader& in, Enum& into) {
@@ -83,7 +83,7 @@ inline void read(Reader& in, Observation& into);
 inline void read(Reader& in, Rules& into);
 inline void read(Reader& in, Call& into);
 
-/// null: absent.
+/// Null stands for an absent value.
 template <typename T>
 void read(Reader& in, std::optional<T>& into) {
   into.reset();
@@ -103,7 +103,7 @@ bool readMember(Reader& in, std::string_view name, T& value) {
   return known;
 }
 
-/// Calls `member(name)` for each member of an object; what returns false is skipped.
+/// Calls `member(name)` for each member of an object, and skips the member if that returns false.
 template <typename Member>
 void readObject(Reader& in, Member member) {
   if (!in.enterObject()) return;
@@ -124,7 +124,7 @@ void read(Reader& in, T& into) {
   readObject(in, [&](std::string_view name) { return readMember(in, name, into); });
 }
 
-/// A point: {"x":..., "y":...} in messages, [x, y] in the tables of configuration files.
+/// Reads a point: {"x":..., "y":...} in messages, [x, y] in the tables of configuration files.
 inline void read(Reader& in, Vec2& into) {
   if (in.atObject()) {
     return readObject(in, [&](std::string_view name) {
@@ -137,7 +137,7 @@ inline void read(Reader& in, Vec2& into) {
   for (; in.nextItem(); ++count) count < 2 ? in.number(*parts[count]) : in.error("more than two numbers");
 }
 
-/// One table of the rules. Limits that are switched off are none.
+/// Reads one table of the rules. Limits that are switched off become 0 or -1.
 inline void readRulesTable(Reader& in, std::string_view table, Rules& r) {
   const std::string prefix = std::string(table) + ".";
   bool on = true;
@@ -155,7 +155,7 @@ inline void readRulesTable(Reader& in, std::string_view table, Rules& r) {
   if (off.find("holding") != std::string::npos) r.keeper_hold_seconds = 0.0;
 }
 
-/// The rules: the members of `[rules]`, and an object for each other table of a rules file.
+/// Reads the rules: the members of `[rules]`, and an object for each other table of a rules file.
 inline void read(Reader& in, Rules& into) {
   readObject(in, [&](std::string_view name) {
     if (!in.atObject()) return readMember(in, name, into);
@@ -165,7 +165,7 @@ inline void read(Reader& in, Rules& into) {
   });
 }
 
-/// One member of the message `begin`.
+/// Reads one member of the message `begin`.
 inline bool readInfoMember(Reader& in, std::string_view name, Info& info) {
   if (name == "vision") return readTable(in, "vision", info), true;
   if (name != "side") return readMember(in, name, info);
@@ -175,7 +175,7 @@ inline bool readInfoMember(Reader& in, std::string_view name, Info& info) {
   return true;
 }
 
-/// One robot, own ones with the wheel speeds sent to it; null: not on the field.
+/// Reads one robot; for own robots, also the wheel speeds sent to it. Null: the robot is not on the field.
 inline void readRobot(Reader& in, Robot& robot, Wheels& sent) {
   robot = Robot{};
   sent = Wheels{};
@@ -198,7 +198,7 @@ int readTeam(Reader& in, Item item) {
   return static_cast<int>(count);
 }
 
-/// An observation, without its `dt`.
+/// Reads an observation, without its `dt`.
 inline void read(Reader& in, Observation& into) {
   Wheels spare;  // opponents have none
   readObject(in, [&](std::string_view name) {
@@ -213,13 +213,13 @@ inline void read(Reader& in, Observation& into) {
   });
 }
 
-/// A call of the referee; null: none.
+/// Reads a call of the referee; null: none.
 inline void read(Reader& in, Call& into) {
   into = Call{};
   if (!in.takeNull()) readObject(in, [&](std::string_view name) { return readMember(in, name, into); });
 }
 
-/// Poses by robot number.
+/// Reads poses by robot number.
 inline void read(Reader& in, Poses& into) {
   readTeam(in, [&](std::size_t i) {
     if (in.takeNull()) return;
@@ -231,7 +231,7 @@ inline void read(Reader& in, Poses& into) {
   });
 }
 
-/// The settings of the handshake, for the team. @return what is wrong with one; empty: all are taken
+/// Passes the settings of the handshake to the team. @return the first problem; empty: all are taken
 inline std::string readSettings(Reader& in, Team& team) {
   std::string problem, value;
   readObject(in, [&](std::string_view name) {

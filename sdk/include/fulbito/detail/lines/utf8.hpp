@@ -1,4 +1,4 @@
-// Which bytes are UTF-8.
+// Recognises UTF-8.
 #pragma once
 
 #include <cstddef>

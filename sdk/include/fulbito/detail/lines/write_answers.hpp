@@ -1,4 +1,4 @@
-// What a team's program answers, as JSON.
+// Writes the answers of a team's program as JSON.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,17 @@
 
 namespace fulbito::team::program {
 
-/// One member with its name, which brings the comma or brace before it.
+/// Appends one member; `name` brings the comma or brace before it.
 template <typename T>
 void add(std::string& out, std::string_view name, const T& value) {
   out += name;
   json::append(out, value);
 }
 
-/// A place to drive to.
+/// Appends a place to drive to.
 inline void append(std::string& out, const GoTo& go_to) {
-  // Null would mean "any heading" and "no limit": a target that is no number says so by its place.
+  // As null, these would mean "any heading" and "no limit". So a NaN here makes the position null, which is a
+  // fault.
   const bool broken = std::isnan(go_to.speed_limit) || (go_to.heading && !std::isfinite(*go_to.heading));
   add(out, R"({"go_to":{"x":)", broken ? std::numeric_limits<double>::quiet_NaN() : go_to.position.x);
   add(out, R"(,"y":)", go_to.position.y);
@@ -40,7 +41,7 @@ inline void append(std::string& out, const GoTo& go_to) {
   out += "}}";
 }
 
-/// A robot's command.
+/// Appends a robot's command.
 inline void append(std::string& out, const Command& command) {
   if (command.kind == Command::Kind::kGoTo) return append(out, command.go_to);
   const bool twist = command.kind == Command::Kind::kTwist;
@@ -55,7 +56,7 @@ inline bool drawable(const Drawing& d) {
          std::isfinite(d.to.y) && std::isfinite(d.radius);
 }
 
-/// A drawing.
+/// Appends a drawing.
 inline void append(std::string& out, const Drawing& d) {
   constexpr std::string_view kShapes[] = {R"({"line":[)", R"({"circle":[)", R"({"text":[)"};
   add(out, kShapes[static_cast<std::size_t>(d.kind)], d.from.x);
@@ -71,7 +72,7 @@ inline void append(std::string& out, const Drawing& d) {
   out += "]}";
 }
 
-/// Numbers of the roles, if the team tells any.
+/// Appends the numbers of the roles, if the team reports any.
 inline void appendRoles(std::string& out, const Commands& commands, std::size_t team_size) {
   const auto& roles = commands.roles;
   if (std::all_of(roles.begin(), roles.end(), [](std::uint8_t role) { return role == 0; })) return;
@@ -79,7 +80,7 @@ inline void appendRoles(std::string& out, const Commands& commands, std::size_t 
   out += ']';
 }
 
-/// Commands of all robots, roles and drawings, with a comma before each.
+/// Appends commands of all robots, roles and drawings, with a comma before each.
 inline void append(std::string& out, const Commands& commands, std::size_t team_size) {
   out += R"(,"robots":[)";
   for (std::size_t i = 0; i < team_size; ++i) {
@@ -100,7 +101,7 @@ inline void append(std::string& out, const Commands& commands, std::size_t team_
   out += ']';
 }
 
-/// Poses of all robots.
+/// Appends poses of all robots.
 inline void append(std::string& out, const Poses& poses, std::size_t team_size) {
   out += R"(,"poses":[)";
   for (std::size_t i = 0; i < team_size; ++i) {
@@ -117,7 +118,7 @@ inline void append(std::string& out, const Poses& poses, std::size_t team_size) 
   out += ']';
 }
 
-/// A point as a member.
+/// Appends a point as a member.
 inline void append(std::string& out, std::string_view name, Vec2 point) {
   out += name;
   add(out, R"({"x":)", point.x);
