@@ -61,8 +61,8 @@ class TeamCodec {
   /// Length of the first whole message in `received`; 0: more bytes are needed. Errors: kBadInput if no
   /// continuation can become a message, such as a line beyond the limit.
   virtual Result<std::size_t> firstMessage(std::string_view received) const = 0;
-  /// Reads one whole message into `reply`, whose memory is used again. Errors: kBadInput with what is wrong
-  /// and where.
+  /// Reads one whole message into `reply` and reuses its memory. Errors: kBadInput with the problem and its
+  /// place.
   virtual Result<void> read(std::string_view message, TeamReply& reply) = 0;
 };
 

@@ -28,8 +28,9 @@ class AbiCodec final : public TeamCodec {
   bool readCommand(FrameReader& frame, const CommandBody& body, TeamCommand& command);
   bool readBody(FrameReader& frame, TeamReply& reply);
 
-  fulbito_observation seen_{};             ///< of the last request; kept, since little of it changes
-  std::vector<fulbito_drawing> drawings_;  ///< of the last reply
+  /// observation of the last request; kept, as little of it changes from tick to tick
+  fulbito_observation seen_{};
+  std::vector<fulbito_drawing> drawings_;  ///< drawings of the last reply
 };
 
 }  // namespace fulbito

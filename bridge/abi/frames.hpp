@@ -10,8 +10,8 @@
 #include "fulbito/team.h"
 
 /// The messages between the simulator and a process that hosts a team of a shared library: a header, then a
-/// structure of `fulbito/team.h`, then texts or drawings. Both run on the same machine, so structures travel
-/// as they are in memory.
+/// structure of `fulbito/team.h`, then texts or drawings. Both run on the same machine, so structures are
+/// sent as their bytes in memory.
 namespace fulbito {
 
 /// The kinds of messages. A reply has the request's kind plus `kReplyOffset`.
@@ -26,19 +26,20 @@ enum class FrameKind : std::uint16_t {
   kEnded = 8,     ///< fulbito_end; no reply
   kFailed = 9     ///< from the host, before it ends: the reason, a text
 };
-inline constexpr std::uint16_t kReplyOffset = 0x80;     ///< from a request's kind to its reply's
+/// difference between the kinds of a request and of its reply
+inline constexpr std::uint16_t kReplyOffset = 0x80;
 inline constexpr std::size_t kLargestFrame = 1u << 18;  ///< [bytes]
 
-/// Begins each message.
+/// The beginning of each message.
 struct FrameHeader {
-  std::uint32_t size;     ///< [bytes] of the message, this header included
-  std::uint16_t kind;     ///< a FrameKind, or that of a reply
+  std::uint32_t size;     ///< [bytes] size of the message, this header included
+  std::uint16_t kind;     ///< a FrameKind, for replies plus `kReplyOffset`
   std::uint16_t version;  ///< FULBITO_ABI
   std::uint64_t id;       ///< number of the request; 0 for notices
 };
 static_assert(sizeof(FrameHeader) == 16);
 
-/// First message; `settings` pairs of texts follow, each with its zero byte: name, value.
+/// Content of the first message; `settings` pairs of texts follow, each with its zero byte: name, value.
 struct HelloBody {
   char simulator[FULBITO_NAME_SIZE];  ///< name and version
   std::uint32_t settings;             ///< number of pairs
@@ -48,12 +49,12 @@ static_assert(sizeof(HelloBody) == 72);
 
 /// Reply to the first message.
 struct WelcomeBody {
-  char name[FULBITO_NAME_SIZE];     ///< of the team
-  char version[FULBITO_NAME_SIZE];  ///< of the team
+  char name[FULBITO_NAME_SIZE];     ///< name of the team
+  char version[FULBITO_NAME_SIZE];  ///< version of the team
 };
 static_assert(sizeof(WelcomeBody) == 128);
 
-/// `count` texts follow, each with its zero byte.
+/// Names of the team's navigators: `count` texts follow, each with its zero byte.
 struct NamesBody {
   std::uint32_t count;     ///< number of texts
   std::uint32_t reserved;  ///< 0
@@ -70,12 +71,12 @@ static_assert(sizeof(CommandBody) == 976);
 
 /// One tick of an exercise.
 struct ExerciseBody {
-  fulbito_observation seen;  ///< what the team sees
-  fulbito_exercise task;     ///< its task
+  fulbito_observation seen;  ///< observation of the team
+  fulbito_exercise task;     ///< task of the exercise
 };
 static_assert(sizeof(ExerciseBody) == sizeof(fulbito_observation) + sizeof(fulbito_exercise));
 
-/// The reply; the drawings of `command` follow.
+/// The reply to an exercise; the drawings of `command` follow.
 struct ExerciseReplyBody {
   std::uint32_t has_skill;  ///< 0: the team lacks the skill
   std::uint32_t reserved;   ///< 0
@@ -84,7 +85,7 @@ struct ExerciseReplyBody {
 };
 static_assert(sizeof(ExerciseReplyBody) == 1000);
 
-/// A failure in words that come from a team: safe for a terminal, at most about 2000 bytes.
+/// The text of a failure from a team, made safe for a terminal and cut to about 2000 bytes.
 std::string failureText(std::string_view reason);
 
 /// Appends a structure as bytes.
@@ -93,7 +94,7 @@ void appendBytes(const T& value, std::string& out) {
   out.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-/// Appends a header without its size. @return where the message begins, for `endFrame`
+/// Appends a header without its size. @return start of the message in `out`, for `endFrame`
 inline std::size_t beginFrame(std::uint16_t kind, std::uint64_t id, std::string& out) {
   const std::size_t begin = out.size();
   appendBytes(FrameHeader{0, kind, FULBITO_ABI, id}, out);
@@ -110,7 +111,7 @@ inline void endFrame(std::size_t begin, std::string& out) {
 /// is wrong.
 Result<std::size_t> frameLength(std::string_view received);
 
-/// Reads a whole message from its start. Every read checks what is left.
+/// Reads a whole message from its start. Every read checks the number of remaining bytes.
 class FrameReader {
  public:
   /// Errors: kBadInput if `message` is not one whole message.
@@ -127,7 +128,7 @@ class FrameReader {
   }
   /// Takes the next text with its zero byte. @return false if there is none
   bool takeText(std::string_view& text);
-  /// What has not been read.
+  /// The bytes that have not been read.
   std::string_view rest() const { return rest_; }
 
  private:

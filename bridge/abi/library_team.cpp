@@ -41,7 +41,8 @@ Result<void> LibraryTeam::takeNavigators() {
 }
 
 void LibraryTeam::failed(const std::string& reason) {
-  condition_.reason = failureText(reason);  // it may be the team's, which goes now
+  // copied first, as it may belong to the team, which is destroyed next
+  condition_.reason = failureText(reason);
   team_.reset();
   if (!begun_) navigators_.clear();
   const int most = info_.decision_time ? info_.decision_time->failures : 1;

@@ -12,9 +12,9 @@
 
 namespace fulbito {
 
-/// A team of a shared library that runs in this process. It plays the match that it plays in a process of its
-/// own (`OutsideTeam`), as long as its functions return: after a failure of one, a new team starts with the
-/// next decision, until it has failed too often (`DecisionTime::failures`). `decide` allocates nothing,
+/// A team of a shared library that runs in this process. It plays like a team in a process of its own
+/// (`OutsideTeam`), as long as its functions return. After a failure of one, a new team starts with the next
+/// decision, until the team has failed too often (`DecisionTime::failures`). `decide` allocates nothing,
 /// unless drawings are wanted.
 class LibraryTeam final : public Strategy {
  public:
@@ -41,7 +41,7 @@ class LibraryTeam final : public Strategy {
   Result<void> takeNavigators();
   void failed(const std::string& reason);
   bool settle();
-  /// Whether the team can be asked. A notice that failed is a failure of the next request.
+  /// Whether the team can take a call. If a notice failed, the next request reports the failure.
   bool playing() const { return team_ != nullptr && condition_.state != State::kLost; }
 
   Make make_;
@@ -53,18 +53,17 @@ class LibraryTeam final : public Strategy {
   std::vector<NavigatorChoice> navigators_;
   std::vector<std::string> navigator_names_;
   CommandRoom room_;
-  fulbito_observation seen_{};  ///< of the present tick
+  fulbito_observation seen_{};  ///< observation of the present tick
 };
 
 /// Loads the team of a shared library with the C interface `fulbito/team.h`, to run in this process. The
 /// library stays loaded as long as the entry or any team of it lives. Its code is trusted: it can crash or
 /// block the process.
-/// @param path  the file; without '/', one of the present folder
+/// @param path  the file; without '/', a file of the working directory
 /// @param log   receives the lines that its teams log, also from several threads at once; empty: they go to
 ///              standard error
-/// @return the entry for a catalogue, named as the library says. Errors, which name the file: kIo if it
-/// cannot
-///         be read, kBadInput if it is no library with a team for this version of the interface.
+/// @return the entry for a catalogue, with the library's name. Errors, which name the file: kIo if it cannot
+/// be read, kBadInput if it is no library with a team for this version of the interface.
 Result<TeamInfo> loadTeamLibrary(const std::string& path, PluginLog log = {});
 
 /// The navigator that a team asks for by a specification in which '+' may stand for ','. An unknown one gives

@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-constexpr std::int32_t kThrown = -2000;  // what a function that throws counts as
+constexpr std::int32_t kThrown = -2000;  // stands for the result of a function that throws
 constexpr std::uint32_t kMostNavigators = 256;
 
 /// The setting `navigator`, which is removed from `settings`, or the library's default; null: it takes none.

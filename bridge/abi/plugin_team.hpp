@@ -19,16 +19,17 @@ struct TeamLibrary {
   static Result<std::shared_ptr<const TeamLibrary>> open(const std::string& path);
 
   std::shared_ptr<const PluginLibrary> library;              ///< the file
-  std::vector<ParameterSpec> parameters;                     ///< of the team
+  std::vector<ParameterSpec> parameters;                     ///< parameters of the team
   const fulbito_navigator_names* navigator_names = nullptr;  ///< null: the team uses no navigators
-  const fulbito_restarts* restarts = nullptr;                ///< null: no part in restarts
-  const fulbito_exercises* exercises = nullptr;              ///< null: no skills
+  const fulbito_restarts* restarts = nullptr;                ///< null: the team takes no part in restarts
+  const fulbito_exercises* exercises = nullptr;              ///< null: the team has no skills for drills
 
   const fulbito_library& table() const { return library->table(); }  ///< the library's table
 };
 
-/// One team of a library. Every call runs in the expected floating-point mode and restores the thread's; what
-/// the library lacks succeeds without effect. After a failure, only another team can play on.
+/// One team of a library. Every call runs in the expected floating-point mode and restores the thread's mode.
+/// A call of a function that the library lacks succeeds without effect. After a failure, this team takes no
+/// more calls.
 class PluginTeam {
  public:
   /// Errors: kUsage for unknown settings, values out of range, or if the library refuses.

@@ -14,7 +14,7 @@ namespace fulbito {
 /// The other side of `AbiCodec`: runs a team of a shared library and answers its messages.
 class TeamHost {
  public:
-  /// @param settings  of the team; those of the first message come after them
+  /// @param settings  the team's settings; those of the first message come after them
   TeamHost(std::shared_ptr<const TeamLibrary> library, std::vector<Setting> settings, PluginLog log);
 
   /// Answers one whole message. A reply is appended to `out`, which keeps its memory; notices have none. Once
@@ -36,7 +36,7 @@ class TeamHost {
   PluginLog log_;
   std::unique_ptr<PluginTeam> team_;  ///< null before the first message
   CommandRoom room_;
-  fulbito_observation seen_{};  ///< of the present tick
+  fulbito_observation seen_{};  ///< observation of the present tick
 };
 
 }  // namespace fulbito

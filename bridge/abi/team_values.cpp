@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-/// A kind that the interface lacks stays one that the simulator lacks: its policy counts it as a fault.
+/// A kind that the C interface lacks becomes one that the simulator lacks, so that its policy counts a fault.
 RobotCommand fromAbi(const fulbito_robot_command& from) {
   constexpr std::uint32_t kUnknown = 255;
   RobotCommand to;

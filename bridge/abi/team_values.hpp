@@ -10,7 +10,7 @@
 #include "navigation/library/plugin_values.hpp"
 
 /// Conversions of a team's values to the C interface (`toAbi`) and of its answers back (`fromAbi`). They
-/// accept any bytes. Those of structures are generated from sdk/values/values.toml.
+/// accept any bytes. The conversions of structures are generated from sdk/values/values.toml.
 namespace fulbito {
 
 /// @{ To a team. `to` was made by the same function or is zero: members named `reserved` are not written.
@@ -34,7 +34,7 @@ inline void toAbi(const TeamPlacement& from, fulbito_poses& to) {
     if (from[i]) to.present[i] = 1, toAbi(*from[i], to.pose[i]);
   }
 }
-/// Robots per team that an observation tells of.
+/// Number of robots per team in an observation, 0 ... `kMaxTeamSize`.
 inline int robotsOf(const Observation& seen) { return std::clamp(seen.team_size, 0, kMaxTeamSize); }
 /// The items of the first `count` robots.
 template <typename T>
@@ -51,7 +51,7 @@ void toAbi(PerRobot<T> from, C (&to)[FULBITO_MAX_ROBOTS]) {
 }
 /// @}
 
-inline constexpr std::uint32_t kMostDrawings = 512;  ///< of a team per tick
+inline constexpr std::uint32_t kMostDrawings = 512;  ///< most drawings of a team per tick
 
 /// The memory of a team's commands.
 class CommandRoom {
@@ -59,7 +59,7 @@ class CommandRoom {
   CommandRoom();
   /// The command before the team fills it in: all robots stand still.
   fulbito_team_command open(bool drawings_wanted);
-  /// Undoes what a team must not change: where its drawings are, and how many there can be.
+  /// Restores what a team must not change: the address and the capacity of its drawings.
   void close(fulbito_team_command& command);
 
  private:

@@ -36,7 +36,7 @@ struct NamedMember {
   Member member;
 };
 
-/// The most frequent ones first.
+/// Sorted by frequency, since the search is linear.
 constexpr NamedMember kMembers[] = {{"type", kType},
                                     {"id", kId},
                                     {"robots", kRobots},
@@ -51,7 +51,7 @@ constexpr NamedMember kMembers[] = {{"type", kType},
                                     {"version", kVersion},
                                     {"error", kError}};
 
-/// A point as an object; other members of it go to `other`, which returns whether it knows them.
+/// Reads a point as an object. `other` gets all other members and returns whether it knows them.
 template <typename Other>
 void readPoint(Reader& in, Vec2& point, Other other) {
   bool x = false, y = false;
@@ -136,7 +136,7 @@ void readRoles(Reader& in, TeamCommand& command) {
   readItems(in, kMaxTeamSize, [&](std::size_t i) { read(in, command.roles[i]); });
 }
 
-/// The numbers of a drawing, and behind them its text if it has one.
+/// Reads the numbers of a drawing and the text behind them, if it has one.
 void readShape(Reader& in, std::span<double*> numbers, std::string* text) {
   std::size_t count = 0;
   if (!in.enterArray()) return;
@@ -199,7 +199,7 @@ void readPoses(Reader& in, TeamPlacement& poses) {
   });
 }
 
-/// Text that ends up in tables.
+/// Reads a text that tables show.
 void readLabel(Reader& in, std::string& into, std::size_t least) {
   if (!in.string(into)) return;
   const bool control = std::any_of(into.begin(), into.end(),
@@ -218,7 +218,7 @@ void readNavigators(Reader& in, std::vector<std::string>& navigators) {
   navigators.resize(std::min(count, navigators.size()));
 }
 
-/// What a reply holds that is none of the values of `TeamReply`.
+/// The members of a reply that `TeamReply` does not hold.
 struct Envelope {
   unsigned seen = 0;  ///< set of `Member`
   std::string type, protocol, error;
@@ -278,7 +278,7 @@ void readPart(Reader& in, Member member, Envelope& envelope, TeamReply& reply) {
   }
 }
 
-/// What the last reply left and this one does not say.
+/// Clears the members of `reply` that the last reply has set and this one lacks.
 void forget(TeamReply& reply, unsigned seen) {
   if ((seen & kDrawings) == 0) reply.command.drawings.clear();
   if ((seen & kNavigators) == 0) reply.navigators.clear();
@@ -305,7 +305,7 @@ void readMembers(Reader& in, Envelope& envelope, TeamReply& reply) {
   in.end();
 }
 
-/// What a whole reply lacks; empty: nothing.
+/// The reason why a reply is incomplete; empty: it is complete.
 std::string lackOf(const Envelope& envelope, const TeamReply& reply) {
   const auto has = [&](unsigned members) { return (envelope.seen & members) != 0; };
   if (!has(kType)) return "type is missing";

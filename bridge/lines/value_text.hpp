@@ -11,8 +11,8 @@
 #include "fulbito/detail/lines/json_text.hpp"
 #include "fulbito/strategy.hpp"
 
-/// Values of the conversation as JSON at the end of a buffer, and values of a team's answer from JSON. What
-/// names members is generated from sdk/values/values.toml.
+/// Writes values of the conversation as JSON to the end of a buffer, and reads values of a team's answer from
+/// JSON. Functions that name members are generated from sdk/values/values.toml.
 namespace fulbito::lines {
 
 /// @{ The members of a value, with commas between them.
@@ -29,12 +29,13 @@ void appendEnd(std::string& out, const MatchEnd& v);
 void appendExercise(std::string& out, const Exercise& v);
 /// @}
 
-/// Reads one member of a place to drive to, but for `x` and `y`. @return false if it has none of that name
+/// Reads one member of a place to drive to, except `x` and `y`. @return false if `v` has no member `name`
 bool readMember(json::Reader& in, std::string_view name, GoTo& v);
 
-/// @{ Values that the protocol writes in a way of its own.
+/// @{ Values with a special form in the protocol.
 struct Seed {
-  std::uint64_t seed;  ///< as text: more than a double holds, and some languages read every number as one
+  /// written as text: a double cannot hold it, and some languages read every number as a double
+  std::uint64_t seed;
 };
 struct VisionOf {
   const MatchInfo& info;
@@ -45,7 +46,7 @@ struct OwnRobots {
 struct OtherRobots {
   const Observation& seen;
 };
-/// null without poses; those of the first `team_size` robots, null for a robot without one.
+/// The poses of the first `team_size` robots, null for a robot without one. Null if there are no poses.
 struct PosesOf {
   PosesOf(const TeamPlacement& list, int size) : poses(&list), team_size(size) {}
   PosesOf(const std::optional<TeamPlacement>& list, int size)
@@ -55,7 +56,7 @@ struct PosesOf {
 };
 /// @}
 
-/// @{ A value as JSON.
+/// @{ Appends a value as JSON.
 using json::append;
 inline void append(std::string& out, TeamId team) { json::append(out, nameOf(team)); }
 inline void append(std::string& out, Side side) { json::append(out, side == Side::kLeft ? "left" : "right"); }
@@ -73,26 +74,26 @@ void append(std::string& out, const DecisionTime& time);
 void append(std::string& out, const Observation& seen);
 void append(std::string& out, const Exercise& exercise);
 void append(std::string& out, const GameEvent& call);  ///< null if it has no clause
-/// null: absent.
+/// Null stands for an absent value.
 template <typename T>
 void append(std::string& out, const std::optional<T>& value) {
   value ? append(out, *value) : json::append(out, nullptr);
 }
 /// @}
 
-/// A member, `name` with its comma, quotes and colon.
+/// Appends a member; `name` brings its comma, quotes and colon.
 template <typename T>
 void add(std::string& out, std::string_view name, const T& value) {
   out += name;
   append(out, value);
 }
 
-/// @{ A value of an answer.
+/// @{ Reads a value of an answer.
 /// A number; null stands for NaN and infinities, which JSON lacks.
 void read(json::Reader& in, double& into);
 inline void read(json::Reader& in, bool& into) { in.boolean(into); }
 void read(json::Reader& in, std::uint8_t& into);
-/// null: none.
+/// Null stands for none.
 void read(json::Reader& in, std::optional<double>& into);
 /// A null leaves `into` as it is: no limit.
 inline void readLimit(json::Reader& in, double& into) {

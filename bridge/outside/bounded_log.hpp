@@ -6,13 +6,14 @@
 
 namespace fulbito {
 
-/// Where the standard error of a team's program goes: one line at a time, without its end.
+/// Receives the standard error of a team's program: one line at a time, without its end.
 using TeamLog = std::function<void(std::string_view line)>;
 
-/// A team's standard error during one match: the first part of it, and how much followed.
+/// A team's standard error during one match: passes the first part on and counts the rest.
 class BoundedLog {
  public:
-  static constexpr std::size_t kMost = std::size_t{1} << 20;  ///< [bytes] with the ends of the lines
+  /// [bytes] passed on, with the ends of the lines
+  static constexpr std::size_t kMost = std::size_t{1} << 20;
 
   /// @param log  takes the lines; empty: they are dropped
   explicit BoundedLog(TeamLog log) : log_(std::move(log)) {}
@@ -21,7 +22,7 @@ class BoundedLog {
   ~BoundedLog() { finish(); }
 
   void add(std::string_view line);
-  /// Says how much was left out, if anything was, and starts anew.
+  /// Reports the number of bytes that were left out, if any, and starts anew.
   void finish();
 
  private:

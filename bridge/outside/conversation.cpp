@@ -11,11 +11,11 @@
 namespace fulbito {
 namespace {
 
-// A wait is cut into slices, so that a user's signal ends it.
+// Waits are cut into slices, so that they end soon after a user's signal.
 constexpr double kSlice = 0.1;                                   // [s]
 constexpr std::size_t kLongestErrorLine = std::size_t{1} << 12;  // [bytes]
 
-constexpr const char* kStillRuns = "killed";  // Child::end of a program that did not end itself
+constexpr const char* kStillRuns = "killed";  // what `Child::end` reports for a program that still ran
 
 }  // namespace
 
@@ -37,7 +37,7 @@ const Containment& Conversation::containment() const {
 
 void Conversation::fail(std::string reason) {
   if (!failure_.empty()) return;
-  // What the program itself ended with says more than that it no longer answers.
+  // The way in which the program ended explains more than a missing answer.
   if (child_) {
     showErrors();
     const ChildEnd end = child_->end();
@@ -52,7 +52,7 @@ void Conversation::fail(std::string reason) {
 
 void Conversation::flush() {
   if (child_->send(out_)) return;
-  // What it said before it ended tells why.
+  // The messages that it sent before it ended may tell why.
   do {
     receive(0.0);
   } while (failure_.empty() && readMessage(0, TeamReply::Kind::kHello) == Read::kOther);
@@ -60,7 +60,7 @@ void Conversation::flush() {
 }
 
 void Conversation::receive(double seconds) {
-  // Keeps the capacity: messages are read from the front, and what is left moves there.
+  // This keeps the capacity: messages are read from the front, and the rest moves there.
   in_.erase(0, std::exchange(read_, 0));
   if (child_->receive(in_, seconds) == Child::Received::kClosed && in_.empty()) fail("");
 }
@@ -126,7 +126,7 @@ void Conversation::waitForEnd(double seconds) {
   child_->closeInput();
   const double end = now() + seconds;
   while (failure_.empty() && now() < end) {
-    read_ = in_.size();  // whatever it still says
+    read_ = in_.size();  // drops whatever the program still sends
     receive(std::clamp(end - now(), 0.0, kSlice));
   }
   showErrors();

@@ -13,7 +13,7 @@ namespace fulbito {
 /// The conversation with one run of a team's program. It is over as soon as `failure` is not empty.
 class Conversation {
  public:
-  /// Starts the program. It has failed at once if that is not possible. `log` takes standard error.
+  /// Starts the program. If that fails, the conversation is over at once. `log` takes standard error.
   Conversation(const OutsideTeamSetup& setup, BoundedLog& log);
 
   /// Writes one message with the codec and sends it.
@@ -30,17 +30,17 @@ class Conversation {
   /// Waits at most `seconds` for the reply to request `id` of that kind; infinite: until it comes. Replies to
   /// earlier requests are ignored and counted. Null: none has come, or the conversation is over.
   TeamReply* await(std::uint64_t id, TeamReply::Kind kind, double seconds);
-  /// Hands standard error to the log, line by line.
+  /// Passes standard error to the log, line by line.
   void showErrors();
   /// Ends the conversation: closes the program's standard input, and waits at most `seconds` for it to end.
   void waitForEnd(double seconds);
-  /// Ends the conversation for a reason of the caller's.
+  /// Ends the conversation with a reason of the caller.
   void fail(std::string reason);
 
   /// Why the conversation is over; empty while it goes on.
   const std::string& failure() const { return failure_; }
-  /// Whether the machine failed it, and not the program: kMachine; kInterrupted; otherwise what the caller
-  /// or the program got wrong.
+  /// The kind of the failure: kMachine or kInterrupted if it is no fault of the program; otherwise the code
+  /// of an error of the caller or of the program.
   ErrorCode code() const { return code_; }
   /// Ignored replies so far.
   std::int64_t stale() const { return stale_; }

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kFarewell = 0.5;  // [s] for a program to end by itself after the match
-// [s] Between looks at standard error while all replies come at once. Waits look at it, too, so that a
-// program that prints much never stands still for long.
+// [s] Between looks at standard error while all replies come at once. Waits look at it too, so a program that
+// prints much never blocks for long.
 constexpr double kErrorsEvery = 0.05;
 
 }  // namespace
@@ -39,7 +39,7 @@ struct OutsideTeam::Impl {
   void sendDecision(const Observation& observation);
   void noteFailure();
   void waitForStart(const Observation& observation);
-  // [s] of what the present decision may take
+  // [s] time left for the present decision
   double left() const { return std::max(0.0, asked_at + allowed - now()); }
   void settle(State state, double since);
   template <typename Notify>
@@ -58,17 +58,17 @@ struct OutsideTeam::Impl {
   std::optional<Conversation> talk;
   Stage stage = Stage::kHello;
   std::uint64_t awaited = 0;      // the request of the present stage, or the open decision; 0: none
-  bool outdated = false;          // the open decision is one of an earlier tick
+  bool outdated = false;          // the open decision is for an earlier tick
   int silent = 0;                 // decisions in a row without any reply
   double start_end = 0.0;         // [s]
   double allowed = kUnlimited;    // [s]
   double asked_at = 0.0;          // [s]
-  double shown_at = 0.0;          // [s] when standard error was looked at
-  std::int64_t stale_before = 0;  // of earlier conversations
+  double shown_at = 0.0;          // [s] time of the last look at standard error
+  std::int64_t stale_before = 0;  // stale replies in earlier conversations
   TeamWelcome welcome;
 };
 
-// Both messages go out at once: a program that is up answers both without another wait.
+// Sends both messages at once: a program that is ready answers both without another wait.
 void OutsideTeam::Impl::launch() {
   talk.emplace(setup, errors);
   stage = Stage::kHello;
@@ -101,7 +101,8 @@ void OutsideTeam::Impl::continueStart(double seconds) {
   }
 }
 
-// A team's program may name a library only if the user did: loading one runs its code in this process.
+// Only the user may name a library as navigator, not a team's program: loading one runs its code in this
+// process.
 NavigatorChoice OutsideTeam::Impl::navigatorOf(const std::string& name) const {
   for (const Setting& setting : setup.settings) {
     if (setting.name == "navigator" && setting.value == name) return navigatorFor(name, parseNavigator);
@@ -118,8 +119,8 @@ void OutsideTeam::Impl::takeNavigators(const std::vector<std::string>& names) {
   navigator_names = names;
 }
 
-// Replaces a conversation that is over by a new one, or gives up. A new start after a failure of the machine
-// would not do: the team has lost what it knew.
+// Replaces a conversation that is over by a new one, or gives up. After a failure of the machine it gives up
+// at once: a restarted team would lack its memory by no fault of its own.
 void OutsideTeam::Impl::noteFailure() {
   if (lost() || !talk || talk->failure().empty()) return;
   condition.reason = talk->failure();
@@ -158,7 +159,7 @@ void OutsideTeam::Impl::sendDecision(const Observation& observation) {
   talk->send([&](TeamCodec& codec, std::string& out) { codec.decide(awaited, observation, out); });
 }
 
-// A new start takes the team's time as a decision does. Beyond that, play goes on without the team.
+// A new start uses the team's decision time. If it takes longer, play goes on without the team.
 void OutsideTeam::Impl::waitForStart(const Observation& observation) {
   if (lost() || playing()) return;
   continueStart(left());
@@ -173,7 +174,7 @@ void OutsideTeam::Impl::notify(const Notify& write) {
 
 template <typename Ask>
 TeamReply* OutsideTeam::Impl::request(Kind kind, const Ask& write) {
-  awaited = 0;  // a decision that is still open comes too late
+  awaited = 0;  // the reply to a decision that is still open will be stale
   outdated = false;
   const std::uint64_t id = talk->next();
   talk->send([&](TeamCodec& codec, std::string& out) { write(codec, id, out); });
@@ -242,7 +243,8 @@ TeamCommand OutsideTeam::decide(const Observation& observation) {
     team.talk->fail(fmt::format("silent for {} decisions", team.silent));
   }
   team.settle(state, team.asked_at);
-  // When a reply that was there already came is unknown: the other team may have taken the time.
+  // The arrival time of a reply that was already there is unknown: it may have waited while the other team
+  // decided.
   if (!waited) team.condition.seconds = std::min(*team.condition.seconds, team.limit.decision);
   return command;
 }

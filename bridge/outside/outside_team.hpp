@@ -16,13 +16,13 @@
 
 namespace fulbito {
 
-/// A team in a child process, and how to talk to it.
+/// A team in a child process, and the encoding of the conversation with it.
 struct OutsideTeamSetup {
   ChildOptions child;                                 ///< the program and its containment
   std::function<std::unique_ptr<TeamCodec>()> codec;  ///< the encoding of the conversation
   std::vector<Setting> settings;                      ///< the team's settings
   std::function<std::int64_t()> clock;                ///< monotonic time [ns]
-  TeamLog log;  ///< empty: standard error is dropped; of each match it gets `BoundedLog::kMost`
+  TeamLog log;  ///< takes up to `BoundedLog::kMost` bytes of standard error per match; empty: it is dropped
 };
 
 /// A team in a child process. A team that ends, breaks the protocol or starts too late has failed: it starts

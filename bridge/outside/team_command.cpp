@@ -37,7 +37,7 @@ std::string absolute(const std::string& path) {
   return error ? path : found.string();
 }
 
-// Words as a shell makes them, with quotes and backslashes, but without variables and patterns.
+// Splits a text into words as a shell does, with quotes and backslashes, but without variables and patterns.
 Result<std::vector<std::string>> wordsOf(std::string_view text) {
   std::vector<std::string> words;
   bool open = false;

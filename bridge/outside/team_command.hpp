@@ -14,10 +14,11 @@ struct TeamCommandLine {
   std::vector<std::string>
       command;                    ///< the library, or the program and its arguments; files by absolute paths
   std::vector<Setting> settings;  ///< the team's settings
-  /// The team's own folder: of a library, and of a program by its path unless that lies in a folder `bin`.
-  /// Otherwise of the first argument that is a file; without one, of the program by its path, or empty.
+  /// The team's own folder. For a library: its folder. For a program given by its path: its folder, unless
+  /// that is named `bin`. Otherwise the folder of the first argument that is a file. Without one: the folder
+  /// of a program given by its path, else empty.
   std::string folder;
-  bool from_path = false;  ///< the program was found in PATH: it is the machine's, not the team's
+  bool from_path = false;  ///< the program was found in PATH, so it belongs to the machine, not to the team
   std::string hash;        ///< hash of the content of all files of the command, 16 hexadecimal digits
 };
 

@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kHost = "fulbito-team-host";
 
-// The folder that has `file`, seen from the running program: `built` in a build, `installed` after an
-// installation.
+// The folder that has `file`. `built` and `installed` are relative to the running program: its place in a
+// build, and after an installation.
 std::optional<fs::path> folderOf(const char* file, const char* built, const char* installed) {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -34,7 +34,7 @@ std::optional<fs::path> folderOf(const char* file, const char* built, const char
   return std::nullopt;
 }
 
-// The program that hosts a library.
+// The path of the program that hosts a library.
 Result<std::string> hostOf(const OutsideOptions& options) {
   if (!options.host.empty()) return options.host;
   const auto folder = folderOf(kHost, ".", "../libexec/fulbito");
@@ -76,7 +76,7 @@ Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCom
   return setup;
 }
 
-// The word of a command that names no file but looks as if it should: an interpreter's script, above all.
+// A word of the command that looks like a file which does not exist, such as the script of an interpreter.
 std::string missingFile(const TeamCommandLine& line) {
   for (std::size_t i = 1; i < line.command.size(); ++i) {
     const std::string& word = line.command[i];
@@ -88,7 +88,7 @@ std::string missingFile(const TeamCommandLine& line) {
   return {};
 }
 
-// Starts the team once, so that what keeps it from starting is said before a match begins.
+// Starts the team once, so that a failing start is reported before a match begins.
 Result<TeamWelcome> tryStart(const OutsideTeamSetup& setup) {
   BoundedLog errors(setup.log);
   Conversation talk(setup, errors);

@@ -22,13 +22,14 @@ namespace fulbito {
 namespace {
 
 constexpr std::size_t kMostWaiting = std::size_t{1} << 24;  // [bytes]
-constexpr std::size_t kReadAtOnce = 65536;                  // [bytes] what a pipe holds
-constexpr const char* kKilled = "killed";                   // whoever still ran
-constexpr int kErrorReads = 16;                             // at once, so that a flood does not hold us
-constexpr std::size_t kMostErrors = std::size_t{1} << 22;   // [bytes] per wait, then the flood itself waits
+constexpr std::size_t kReadAtOnce = 65536;                  // [bytes] capacity of a pipe
+constexpr const char* kKilled = "killed";                   // the reason for a child that still ran
+// reads at once: a flood of errors must not hold up the caller
+constexpr int kErrorReads = 16;
+constexpr std::size_t kMostErrors = std::size_t{1} << 22;  // [bytes] per wait; then the child's writes block
 
-/// Writing into a pipe that nobody reads raises SIGPIPE in this thread. It must not reach the program that
-/// uses the library, and the library must not change how that program takes signals.
+/// Writing into a pipe without a reader raises SIGPIPE in this thread. The program that uses the library must
+/// not get it, and the library must not change that program's handling of signals.
 class NoPipeSignal {
  public:
   NoPipeSignal() {
@@ -40,7 +41,7 @@ class NoPipeSignal {
   NoPipeSignal& operator=(const NoPipeSignal&) = delete;
   ~NoPipeSignal() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
-  /// Takes away the signal that a write has raised, unless the program itself had blocked it.
+  /// Takes the signal that a write has raised, unless the program itself had blocked it.
   void swallow() const {
     if (sigismember(&before_, SIGPIPE) != 0) return;
     const timespec now{};
@@ -55,7 +56,7 @@ class NoPipeSignal {
 
 timespec timeOf(double seconds) {
   constexpr double kLongest = 1e9;  // [s] 30 years
-  // Of the two bounds also what is not a number gets one: no wait.
+  // NaN fails the comparison and becomes 0: no wait.
   const double time = seconds > 0.0 ? std::min(seconds, kLongest) : 0.0;
   const double whole = std::floor(time);
   return {static_cast<time_t>(whole), static_cast<long>((time - whole) * 1e9)};
@@ -63,7 +64,8 @@ timespec timeOf(double seconds) {
 
 constexpr int kYields = 50;  // some tens of microseconds
 
-/// Takes out of `left` what has passed: the system call does so, the C library's function does not.
+/// Polls and subtracts the elapsed time from `left`: the system call does so, the C library's function does
+/// not.
 int pollFor(pollfd* waits, nfds_t count, timespec& left) {
   return static_cast<int>(::syscall(SYS_ppoll, waits, count, &left, nullptr, 0));
 }
@@ -84,7 +86,7 @@ struct Child::Impl {
   ~Impl() { end(); }
   void take(Launched&& started);
 
-  /// Sends what waits, as far as the pipe takes it.
+  /// Sends the waiting bytes, as far as the pipe takes them.
   bool flush();
   /// Returns how many bytes it has read.
   std::size_t drainErrors();
@@ -92,20 +94,20 @@ struct Child::Impl {
   void stop();
   ChildEnd end();
   ChildEnd howItEnded(int keeper_status) const;
-  /// The conversation cannot go on, for a reason of errno that is not the child's.
+  /// Ends the conversation for a reason of errno that is not the child's fault.
   void machineFailed(const char* what);
 
   SharedPage page;
   pid_t keeper = -1;     ///< -1: none, or it has ended
   bool stopped = false;  ///< asked to end
-  bool broken = false;   ///< nobody reads `in` any more
+  bool broken = false;   ///< the child has closed `in`
   Descriptor in, out, errors;
-  std::string waiting;   ///< for `in`
-  std::size_t sent = 0;  ///< of `waiting`
+  std::string waiting;   ///< bytes that wait for `in`
+  std::size_t sent = 0;  ///< bytes of `waiting` that were sent
   ErrorsKept errors_kept;
-  std::string buffer;   ///< for reads
-  std::string failure;  ///< what the machine failed; empty: nothing
-  ChildEnd ended;       ///< how; without a reason while it runs
+  std::string buffer;   ///< for reads from the pipes
+  std::string failure;  ///< what failed on the machine; empty: nothing
+  ChildEnd ended;       ///< how the child ended; without a reason while it runs
   Containment containment;
 };
 
@@ -179,7 +181,8 @@ void Child::Impl::machineFailed(const char* what) {
   if (failure.empty()) failure = fmt::format("cannot {}: {}", what, std::strerror(errno));
 }
 
-/// A team reaches neither its keeper nor the first process of its namespace, so their end is not its fault.
+/// A team can reach neither its keeper nor the first process of its namespace, so it is not at fault if they
+/// are killed.
 ChildEnd Child::Impl::howItEnded(int keeper_status) const {
   if (!failure.empty()) return {failure, true};
   if (const std::string_view reason = page->reason.view(); !reason.empty()) {
@@ -195,7 +198,7 @@ void Child::Impl::stop() {
   stopped = true;
   page->pipe_closed = broken || !out.isOpen();
   ::kill(keeper, SIGTERM);
-  ::kill(keeper, SIGCONT);  // should somebody have stopped it
+  ::kill(keeper, SIGCONT);  // wakes it if it was stopped
 }
 
 ChildEnd Child::Impl::end() {
@@ -217,7 +220,7 @@ Child& Child::operator=(Child&&) noexcept = default;
 Child::~Child() = default;
 
 Result<Child> Child::launch(const ChildOptions& options) {
-  auto child = std::make_unique<Impl>();  // first, as a child that has started must not be lost
+  auto child = std::make_unique<Impl>();  // allocated first: nothing may fail once a child has started
   Result<Launched> started = launchTeam(options);
   if (!started) return tl::unexpected<Error>(started.error());
   child->take(std::move(*started));
@@ -239,15 +242,15 @@ bool Child::send(std::string_view bytes) {
 Child::Received Child::receive(std::string& into, double seconds) {
   Impl& child = *impl_;
   timespec left = timeOf(seconds);
-  // A quick reply is there sooner than a sleeping processor wakes up. Yielding lets the child run on this
-  // one.
+  // A quick reply arrives sooner than a sleeping processor wakes up. Yielding lets the child run on this
+  // processor.
   for (int round = 0; child.out.isOpen(); ++round) {
     if (const Received got = child.readOutput(into); got != Received::kNothing) return got;
     if (!(seconds > 0.0) || round == kYields) break;
     ::sched_yield();
   }
   if (child.out.isOpen() && !(seconds > 0.0) && child.sent == child.waiting.size()) return Received::kNothing;
-  // The system takes only the time asleep out of `left`. Reading errors takes time, too: a bound keeps it
+  // The system subtracts only the time asleep from `left`. Reading errors takes time too: the bound keeps it
   // short.
   for (std::size_t errors = 0;;) {
     if (!child.out.isOpen()) return Received::kClosed;

@@ -12,15 +12,15 @@
 
 namespace fulbito {
 
-/// What to run, and how it is contained.
+/// The program to run, and its containment.
 struct ChildOptions {
   std::vector<std::string> command;  ///< program, found by PATH unless it contains '/', and its arguments
   /// Folder of the team's files: readable, not writable, and the working directory. Empty: the working
   /// directory is the private folder.
   std::string own_folder;
-  std::vector<std::string> readable;  ///< further folders that it may read: its PYTHONPATH
-  /// Of the program it may read the file alone, not the installation around it. Files that the command names
-  /// by absolute paths are readable always.
+  std::vector<std::string> readable;  ///< further folders that the child may read: its PYTHONPATH
+  /// The child may read only the program's file, not the installation around it. Files that the command names
+  /// by absolute paths are always readable.
   bool program_alone = false;
   ChildLimits limits;             ///< limits of the process and its descendants
   bool sandbox_required = false;  ///< refuse to run if a layer is missing
@@ -28,9 +28,10 @@ struct ChildOptions {
 
 /// How a child ended.
 struct ChildEnd {
-  /// Such as "exit code 3" or "signal 11 (Segmentation fault)"; "killed": it still ran.
+  /// Such as "exit code 3" or "signal 11 (Segmentation fault)"; "killed": the child still ran.
   std::string reason;
-  bool machine = false;  ///< the machine failed it, or somebody killed its keeper: not its own fault
+  /// not the child's fault: the machine lacked something, or somebody killed its keeper
+  bool machine = false;
 };
 
 /// The layers of containment that a child reached. docs/sandbox.md says what each contains.
@@ -40,36 +41,36 @@ struct Containment {
 };
 
 /// A program in a contained child process with pipes to its standard input and output. Its standard error is
-/// captured. Its HOME and TMPDIR are a private folder, removed at the end. When its first process ends, so do
-/// all others, and when this process ends, all do. Uses three descriptors. Not for several threads at once;
-/// any thread may launch and any may go on.
+/// captured. Its HOME and TMPDIR are a private folder, removed at the end. When its first process ends, all
+/// its other processes end. When this process ends, they all end too. Uses three descriptors. Not
+/// thread-safe, but each call may come from another thread.
 class Child {
  public:
   /// The result of a wait for output.
   enum class Received : std::uint8_t { kBytes, kNothing, kClosed };
 
   /// Errors: kUsage if the program does not exist or is not executable, or if a required layer is missing;
-  /// kMachine for all that fails before the program begins; kInterrupted.
+  /// kMachine for everything that fails before the program begins; kInterrupted.
   static Result<Child> launch(const ChildOptions& options);
   Child(Child&&) noexcept;
   Child& operator=(Child&&) noexcept;
   ~Child();
 
-  /// Sends bytes; what the pipe does not take at once is kept and sent with later calls of `send` and
-  /// `receive`.
+  /// Sends bytes. Bytes that the pipe does not take at once wait for later calls of `send` and `receive`.
   /// @return false if the child no longer reads, or if more than 16 MiB wait
   bool send(std::string_view bytes);
   /// Appends to `into` what the child has written, at most 64 KiB, after waiting at most `seconds` for the
   /// first byte.
   Received receive(std::string& into, double seconds);
-  /// Closes the child's standard input: a good program ends then. What still waits to be sent is lost.
+  /// Closes the child's standard input, on which a program should end. Bytes that still wait are lost.
   void closeInput();
-  /// Standard error since the last call. At most 64 KiB are kept between calls; more is counted and said.
+  /// Standard error since the last call. Keeps at most 64 KiB between calls, and reports the number of bytes
+  /// beyond.
   std::string takeErrors();
-  /// Begins to end the child without a wait. To end one that holds much memory takes 0.1 s per GiB.
+  /// Begins to end the child, without waiting. Ending one takes 0.1 s per GiB of its memory.
   void stop();
-  /// How the child ended. Ends all its processes if it still runs. One that has closed its output gets 25 ms
-  /// to end by itself.
+  /// How the child ended. Ends all its processes if it still runs. A child that has closed its output gets
+  /// 25 ms to end by itself.
   ChildEnd end();
   /// The containment that was reached.
   const Containment& containment() const;

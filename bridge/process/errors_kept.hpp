@@ -6,15 +6,15 @@
 
 namespace fulbito {
 
-/// The first 64 KiB of a stream, and how much followed.
+/// Keeps the first 64 KiB of a stream and counts the rest.
 class ErrorsKept {
  public:
   static constexpr std::size_t kMost = 65536;  ///< [bytes]
 
   ErrorsKept() { text_.reserve(kMost); }
-  /// Keeps what there is room for.
+  /// Keeps as many bytes as there is room for.
   void add(std::string_view bytes);
-  /// What was kept, with a line about the rest if there is one. Starts anew.
+  /// The kept text, with a line about the rest if there is one. Starts anew.
   std::string take();
 
  private:

@@ -1,6 +1,6 @@
 #include "bridge/process/keeper_image.hpp"
 
-// The assembler copies the file in; the build names it.
+// The assembler includes the file, whose path the build defines.
 asm(".pushsection .rodata\n"
     ".balign 16\n"
     ".hidden fulbito_keeper_first\n"

@@ -24,11 +24,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A keeper takes milliseconds; the rest is for a machine that hundreds of them keep busy.
+// A keeper starts in milliseconds; the rest is a margin for machines that run hundreds of them.
 constexpr int kStartMilliseconds = 30'000;
 constexpr const char* kUsualPath = "/usr/local/bin:/usr/bin:/bin";
 
-/// For all that this program and the keeper do before the team begins.
+/// The error for everything that this program and the keeper do before the team begins.
 tl::unexpected<Error> cannot(const std::string& what, int error) {
   return fail(ErrorCode::kMachine, fmt::format("cannot {}: {}", what, std::strerror(error)));
 }
@@ -48,7 +48,8 @@ std::string absolute(const std::string& path) {
   return wrong ? path : whole.lexically_normal().string();
 }
 
-/// Calls `visit` with the parts of a search path, without relative ones: the team runs in another folder.
+/// Calls `visit` with the parts of a search path, without relative ones, since the team runs in another
+/// folder.
 template <typename Visit>
 void forFolders(const std::string& path, Visit visit) {
   for (std::size_t at = 0; at <= path.size();) {
@@ -64,7 +65,7 @@ std::string absoluteFolders(const std::string& path) {
   return kept;
 }
 
-/// What a name stands for. Errors: kMachine, where asking fails for another reason than the name.
+/// The type of the file with this name. Errors: kMachine if the query fails for another reason than the name.
 Result<fs::file_type> kindOf(const std::string& file) {
   std::error_code wrong;
   const fs::file_type kind = fs::status(file, wrong).type();
@@ -123,7 +124,7 @@ Result<void> check(const ChildOptions& options) {
   return {};
 }
 
-/// The words behind the page, each with a closing zero.
+/// The word list behind the page; each word ends with a zero.
 struct Words {
   std::string text;
   void add(const std::string& word) { text.append(word.c_str(), word.size() + 1); }
@@ -160,7 +161,8 @@ void fill(keeper::Page& page, const ChildOptions& options, const Words& words) {
   std::memcpy(&page + 1, words.text.data(), words.text.size());
 }
 
-/// A file in memory. Its number is above those that the keeper begins with, as those of all ends here.
+/// Creates a file in memory. Like all descriptors here, its number is above those that the keeper begins
+/// with.
 Descriptor memoryFile(const char* name) {
   const Descriptor low(::memfd_create(name, MFD_CLOEXEC));
   return Descriptor(low.isOpen() ? ::fcntl(low.number(), F_DUPFD_CLOEXEC, keeper::kStartDescriptor + 1) : -1);
@@ -192,11 +194,11 @@ struct Pipe {
 
 bool neverBlock(const Descriptor& end) { return ::fcntl(end.number(), F_SETFL, O_NONBLOCK) == 0; }
 
-/// Descriptors that the keeper begins with, in its order.
+/// The descriptors that the keeper begins with, in its order.
 using KeeperDescriptors = std::array<int, 5>;
 
-/// As posix_spawn: 0, or an errno. That function makes a process without a copy of this one's memory, and it
-/// is safe while other threads run. Whatever else is open here, the keeper closes.
+/// Starts the keeper by posix_spawn, which copies no memory of this process and is safe with other threads.
+/// The keeper closes all other descriptors of this process. @return 0, or an errno
 int spawnKeeper(const Descriptor& image, const KeeperDescriptors& descriptors, pid_t& keeper) {
   posix_spawn_file_actions_t actions;
   posix_spawnattr_t attributes;
@@ -222,7 +224,7 @@ int spawnKeeper(const Descriptor& image, const KeeperDescriptors& descriptors, p
   return wrong;
 }
 
-/// Waits until the other end has closed. @return 0, or an errno: ETIMEDOUT; EINTR if the program is to stop
+/// Waits until the other end is closed. @return 0, or an errno: ETIMEDOUT; EINTR if the program is to stop
 int waitForClose(const Descriptor& end) {
   pollfd wait{end.number(), POLLIN, 0};
   int ready = 0;
@@ -315,7 +317,7 @@ void removeLeftovers(const keeper::Page& page) {
   std::error_code ignored;
   fs::remove_all(std::string(page.private_folder.view()), ignored);
   for (const std::string& folder : linesOf(page.groups.view())) {
-    // Its members have been killed by then, and end any moment.
+    // The members have been killed and end at any moment.
     for (int attempt = 0; ::rmdir(folder.c_str()) != 0 && errno == EBUSY && attempt < 1000; ++attempt)
       ::usleep(1000);
   }

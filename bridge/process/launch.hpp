@@ -45,9 +45,9 @@ class SharedPage {
 struct Launched {
   SharedPage page;
   pid_t keeper = -1;
-  Descriptor in;      ///< to the team's standard input, does not block
-  Descriptor out;     ///< from its standard output, does not block
-  Descriptor errors;  ///< from its standard error, does not block
+  Descriptor in;      ///< to the team's standard input; does not block
+  Descriptor out;     ///< from its standard output; does not block
+  Descriptor errors;  ///< from its standard error; does not block
 };
 
 /// Starts a keeper and waits until it has started the program. Errors: as Child::launch.
@@ -56,10 +56,10 @@ Result<Launched> launchTeam(const ChildOptions& options);
 /// Waits for a keeper that ends, and returns its status as waitpid gives it.
 int waitForKeeper(pid_t keeper);
 
-/// Removes what a keeper that was killed has left. Others have removed it themselves.
+/// Removes what a killed keeper has left. Other keepers remove it themselves.
 void removeLeftovers(const keeper::Page& page);
 
-/// The lines of a text in which each ends with a line end.
+/// The lines of a text, which each end with a line end.
 std::vector<std::string> linesOf(std::string_view text);
 
 }  // namespace fulbito

@@ -10,7 +10,7 @@
 namespace fulbito::keeper {
 namespace {
 
-/// Calls `visit` with the fields of each line, which blanks or `separator` divide.
+/// Calls `visit` with the fields of each line, separated by blanks or `separator`.
 template <typename Visit>
 void forLines(const std::string& text, char separator, Visit visit) {
   std::size_t at = 0;
@@ -34,7 +34,7 @@ bool holds(const std::string& list, const std::string& word) {
   return ("," + list + ",").find("," + word + ",") != std::string::npos;
 }
 
-/// Where a hierarchy is mounted; version 2: `controller` is empty. Fields as in proc(5), mountinfo.
+/// The mount point of a hierarchy; for version 2, `controller` is empty. Fields as in proc(5), mountinfo.
 std::string mountPoint(const std::string& controller) {
   std::string found;
   forLines(readSmallFile("/proc/self/mountinfo"), ' ', [&](const std::vector<std::string>& fields) {
@@ -49,7 +49,7 @@ std::string mountPoint(const std::string& controller) {
   return found;
 }
 
-/// The group of this process, as a folder; empty if the hierarchy is not mounted or shows another part.
+/// The folder of this process's group; empty if the hierarchy is not mounted or the mount shows another part.
 std::string ownFolder(const std::string& controller) {
   const std::string root = mountPoint(controller);
   if (root.empty()) return {};
@@ -77,7 +77,7 @@ bool makeFolder(const std::string& folder) { return ::mkdir(folder.c_str(), 0755
 
 Cgroup::~Cgroup() {
   for (const std::string& folder : folders_) {
-    // The kernel lets go of dead members a moment after they have been reaped.
+    // The kernel removes dead members a moment after they are reaped.
     for (int attempt = 0; ::rmdir(folder.c_str()) != 0 && errno == EBUSY && attempt < 1000; ++attempt)
       ::usleep(1000);
   }
@@ -94,7 +94,7 @@ bool Cgroup::makeVersion2(const Order& order, const std::string& parent) {
     folders_.clear();
     return false;
   }
-  // Not every kernel has these two.
+  // Some kernels lack these two files.
   writeSmallFile(folder + "/memory.swap.max", "0");
   writeSmallFile(folder + "/memory.oom.group", "1");
   version2_ = true;
@@ -107,7 +107,7 @@ bool Cgroup::makeVersion1(const Order& order, const std::string& memory_parent,
   if (!makeFolder(memory)) return false;
   folders_ = {memory};
   bool made = writeSmallFile(memory + "/memory.limit_in_bytes", std::to_string(order.page->memory));
-  // Exists where swap is accounted.
+  // This file exists only where swap is accounted.
   writeSmallFile(memory + "/memory.memsw.limit_in_bytes", std::to_string(order.page->memory));
   const std::string pids = pids_parent + groupName();
   if (made && !pids_parent.empty() && makeFolder(pids)) {
@@ -122,7 +122,7 @@ bool Cgroup::makeVersion1(const Order& order, const std::string& memory_parent,
 
 bool Cgroup::make(const Order& order) {
   const std::string own = ownFolder("");
-  // A group with processes of its own cannot give controllers to groups below it, so one next to it serves.
+  // A group that has processes cannot give controllers to groups below it. Then a group next to it serves.
   if (!own.empty() && (makeVersion2(order, own) || makeVersion2(order, own.substr(0, own.rfind('/')))))
     return true;
   const std::string memory = ownFolder("memory");
@@ -142,8 +142,8 @@ bool Cgroup::lostProcess() const {
                  "oom_kill ") > 0;
 }
 
-/// The kernel counts a kill in the group of the killed, and the shortage in the group that has the limit. Of
-/// version 1 only the most that was used tells it: kernels do not count what the limit with swap refuses.
+/// The kernel counts a kill in the group of the killed process, and the shortage in the group with the limit.
+/// With version 1, only the peak use shows it: kernels do not count what the limit with swap refuses.
 bool Cgroup::reachedLimit() const {
   const auto number = [this](const char* file, const char* key) {
     return counter(readSmallFile(folders_.front() + file), key);

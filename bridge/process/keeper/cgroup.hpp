@@ -16,16 +16,17 @@ class Cgroup {
   Cgroup& operator=(const Cgroup&) = delete;
   ~Cgroup();
 
-  /// Makes a group with the order's limits of memory and processes below or next to the one of this process.
-  /// The group limits memory if this succeeds.
+  /// Makes a group with the order's limits of memory and processes, below or next to the group of this
+  /// process. @return whether the group limits memory
   bool make(const Order& order);
   /// Its folders.
   const std::vector<std::string>& folders() const { return folders_; }
   /// Puts a process into the group.
   bool add(pid_t process) const;
-  /// Whether a process was ended because the group reached its limit of memory.
+  /// Whether the kernel killed a process because the group reached its limit of memory.
   bool ranOut() const;
-  /// Whether a process was ended because memory ran out elsewhere: in a group around it, or on the machine.
+  /// Whether the kernel killed a process because memory ran out elsewhere: in a group around it, or on the
+  /// machine.
   bool othersRanOut() const;
 
  private:

@@ -72,8 +72,8 @@ bool isEnding(pid_t process) {
   const std::string text = readSmallFile("/proc/" + std::to_string(process) + "/stat");
   const std::size_t name_end = text.rfind(')');
   if (name_end == std::string::npos) return true;
-  // As in proc(5): state, parent, group, session, terminal, its group, flags. The kernel has called the flag
-  // PF_EXITING, 4, since its first days.
+  // Fields as in proc(5): state, parent, group, session, terminal, its group, flags. The flag PF_EXITING has
+  // always been 4.
   const char* next = text.c_str() + name_end + 2;
   if (*next == 'Z' || *next == 'X') return true;
   char* after = nullptr;
@@ -96,7 +96,7 @@ int tasksOfUser(uid_t user) {
 
 void killDescendants(int seconds) {
   for (int round = 0; round < seconds * 1000; ++round) {
-    // Stopped first, a tree that forks all the time stands still.
+    // Stopping all first keeps a tree from forking faster than it is killed.
     const std::vector<pid_t> found = descendants(::getpid());
     for (const pid_t process : found) ::kill(process, SIGSTOP);
     for (const pid_t process : found) ::kill(process, SIGKILL);

@@ -16,8 +16,8 @@
 namespace fulbito::keeper {
 namespace {
 
-// As in <linux/landlock.h>, whose older versions lack what newer kernels know. The kernel's documentation,
-// userspace-api/landlock, lists which version of the interface brought which right.
+// As in <linux/landlock.h>, whose older versions lack the newer rights. The kernel's documentation,
+// userspace-api/landlock, lists the rights of each version of the interface.
 struct RulesetAttributes {
   std::uint64_t files = 0;
   std::uint64_t network = 0;
@@ -46,7 +46,7 @@ constexpr std::uint64_t kScopes = 3;              // abstract sockets and signal
 constexpr std::uint64_t kOfFiles = kExecute | kWriteFile | kReadFile | kTruncate | kDeviceCalls;
 constexpr std::uint64_t kReading = kExecute | kReadFile | kReadFolder;
 
-// Programs, libraries and what they read when they start. Of /etc what holds no secrets.
+// Programs, libraries and the files that they read when they start. From /etc, only files without secrets.
 constexpr const char* kSystem[] = {"/usr",
                                    "/bin",
                                    "/sbin",
@@ -92,7 +92,7 @@ constexpr const char* kSystem[] = {"/usr",
                                    "/dev/random",
                                    "/dev/urandom"};
 constexpr const char* kDevices[] = {"/dev/null", "/dev/zero", "/dev/full"};
-// Java's configuration lies in folders with the version in their names.
+// Java's configuration is in folders with the version in their names.
 constexpr int kOldestJava = 7;
 constexpr int kNewestJava = 40;
 
@@ -121,7 +121,7 @@ class Rules {
   bool exist() const { return set_ >= 0; }
   int version() const { return version_; }
 
-  /// Files and folders that do not exist are passed over.
+  /// Ignores files and folders that do not exist.
   void allow(const std::string& path, std::uint64_t rights) {
     PathRule rule;
     rule.folder = ::open(path.c_str(), O_PATH | O_CLOEXEC);
@@ -133,7 +133,7 @@ class Rules {
     ::close(rule.folder);
   }
 
-  /// A file that the machine does not open now is there all the same.
+  /// Notes that a file exists which the machine cannot open now.
   void noteShortage() {
     if (error_ == 0 && (isShortage(errno) || errno == EIO)) error_ = errno;
   }
@@ -168,7 +168,7 @@ bool isFile(const std::string& word) {
   return word.starts_with('/') && ::stat(word.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// The file of a program by PATH.
+/// The file of a program, searched in PATH unless the name has a '/'.
 std::string findProgram(const std::string& name, const std::string& path) {
   if (name.find('/') != std::string::npos) return name;
   for (std::size_t at = 0; at <= path.size();) {
@@ -200,15 +200,15 @@ std::vector<std::string> interpreterOf(Rules& rules, const std::string& program)
   return words;
 }
 
-/// The prefix of an installation, such as /opt/python. A user's home is none: of programs in ~/bin only what
-/// they are installed with.
+/// Allows the prefix of an installation, such as /opt/python. A user's home is no prefix: for programs in
+/// ~/bin, only the folders beside it that belong to an installation are readable.
 void allowPrefix(Rules& rules, const Order& order, const std::string& prefix) {
   if (prefix != realPath(order.home)) return rules.allow(prefix, kReading);
   for (const char* part : {"/lib", "/lib64", "/libexec", "/share"}) rules.allow(prefix + part, kReading);
 }
 
-/// The folder of a program, and the prefix if that folder is /opt/python/bin, for example. A virtual
-/// environment of Python and pyenv's stand-ins lead to an installation elsewhere.
+/// Allows the folder of a program, and its prefix if the folder is one like /opt/python/bin. Follows virtual
+/// environments of Python and the shims of pyenv to the installation that they use.
 void allowSurroundings(Rules& rules, const Order& order, const std::string& program, int depth) {
   const std::string real = realPath(program);
   if (real.empty()) return rules.noteShortage();

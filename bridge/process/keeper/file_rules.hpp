@@ -4,10 +4,10 @@
 
 namespace fulbito::keeper {
 
-/// Restricts this process and what it starts by Landlock: the system's programs and libraries, the team's
-/// folder and the program's surroundings are readable, the private folder is writable, nothing else. Where
-/// the kernel can, no TCP without `network` and no signals to processes outside. Says in `why` what is
-/// missing. @return 0, or an errno
+/// Restricts this process and its children by Landlock. Readable: the system's programs and libraries, the
+/// team's folder, the program's surroundings. Writable: the private folder. Nothing else. If the kernel
+/// supports it, also no TCP without `network`, and no signals to processes outside. Puts what is missing into
+/// `why`. @return 0, or an errno
 int restrictFiles(const Order& order, std::string& why);
 
 }  // namespace fulbito::keeper

@@ -32,11 +32,11 @@ int openFolder(int parent, const char* name) {
   return ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-// A team can nest folders until the path is too long for any call. Descriptors lead further, but are few.
+// A team can nest folders until no call takes the path. Descriptors lead further, but are few.
 constexpr int kDeepest = 200;
 
-/// Removes a folder of `root`; the folders in it move up to `root`, so that depth does not matter.
-/// @return whether it is gone
+/// Removes a folder of `root` and moves the folders inside it up to `root`, so that the depth does not
+/// matter. @return whether it is removed
 bool removeOneLevel(int root, const char* name, long& moved) {
   ::fchmodat(root, name, 0700, 0);
   forEntries(openFolder(root, name), [&](int from, const char* below) {
@@ -89,8 +89,7 @@ bool writeSmallFile(const std::string& path, const std::string& text) {
 void removeTree(const std::string& folder) {
   ::chmod(folder.c_str(), 0700);
   long moved = 0;
-  // What has moved up may come too late for a pass over the entries. Each pass but the last removes
-  // something.
+  // A pass over the entries may miss folders that have moved up. Each pass but the last removes something.
   for (bool again = true; again;) {
     again = false;
     forEntries(openFolder(AT_FDCWD, folder.c_str()), [&](int root, const char* name) {

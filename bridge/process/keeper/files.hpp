@@ -5,10 +5,10 @@
 
 namespace fulbito::keeper {
 
-/// The start of a small file, such as those of the kernel; empty if it cannot be read.
+/// The start of a small file, such as the kernel's; empty if it cannot be read.
 std::string readSmallFile(const std::string& path);
 
-/// Writes into an existing file. @return whether the whole text went in; otherwise errno says why not
+/// Writes into an existing file. @return whether the whole text was written; otherwise errno has the reason
 bool writeSmallFile(const std::string& path, const std::string& text);
 
 /// Removes a folder and all below it. Follows no links.

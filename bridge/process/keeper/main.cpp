@@ -1,7 +1,6 @@
 // The keeper of one team: a small program between a program that plays matches and a team's program. It sets
-// the containment up, waits, and ends and removes whatever the team has left. It is a program of its own, for
-// a process that has just been forked from one with threads may call hardly anything, and would hold its
-// memory.
+// up the containment, waits, and at the end removes whatever the team has left. It is a separate program
+// because a process forked from one with threads may call almost nothing, and would keep that one's memory.
 
 #include <cerrno>
 #include <csignal>
@@ -26,9 +25,10 @@
 namespace fulbito::keeper {
 namespace {
 
-constexpr int kWatchInterval = 50;         // [ms] a bomb takes about 0.1 GiB in this time
-constexpr int kFolderWatchIntervals = 10;  // a walk over a folder costs more than a look at a process
-constexpr int kKillSeconds = 10;  // [s] until processes that even SIGKILL does not end are left behind
+// [ms] a process that allocates without end takes about 0.1 GiB in this time
+constexpr int kWatchInterval = 50;
+constexpr int kFolderWatchIntervals = 10;  // walking over a folder costs more than asking for a process
+constexpr int kKillSeconds = 10;  // [s] then processes that even SIGKILL does not end are left behind
 
 /// Whether the user namespace of this process knows the user.
 bool isMapped(uid_t user) {
@@ -46,8 +46,9 @@ bool isMapped(uid_t user) {
   return false;
 }
 
-/// For root: one that nobody has. Each keeper has a process number of its own, and process numbers stay below
-/// 2^22. Containers often know 65536 users only; there it is one of systemd's dynamic users.
+/// The user that the team runs as. For root, it is a user that nobody else has: each keeper has another
+/// process number, and process numbers stay below 2^22. In containers that know only 65536 users, it is one
+/// of systemd's dynamic users.
 uid_t chooseUser() {
   if (::geteuid() != 0) return ::geteuid();
   constexpr uid_t kFirst = 0x70000000, kFirstDynamic = 61184, kDynamic = 4336;
@@ -78,7 +79,7 @@ void detach(int descriptor) {
   if (nothing > descriptor) ::close(nothing);
 }
 
-/// Leaves the team's pipes to the team, or their ends would go unnoticed.
+/// Closes this process's ends of the team's pipes: otherwise nobody would notice when the team closes them.
 void letGo() {
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) detach(descriptor);
   ::close(kStartDescriptor);
@@ -93,8 +94,8 @@ bool receiveByte(int descriptor) {
   return got == 1;
 }
 
-/// The first process of a PID namespace: starts the team, reaps what is orphaned, and takes all with it when
-/// it ends. `line` leads to the keeper.
+/// The first process of a PID namespace: starts the team, reaps orphans, and when it ends, the kernel ends
+/// all others. `line` is the connection to the keeper.
 [[noreturn]] void beFirst(Order& order, int line, pid_t keeper) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
   const int error = receiveByte(line) ? mapUser(order) : ESRCH;
@@ -127,7 +128,7 @@ bool receiveByte(int descriptor) {
   }
 }
 
-/// Lets the process at the other end go on, and waits until the first process of a namespace has started the
+/// Lets the process at the other end continue. Waits until the first process of a namespace has started the
 /// team. @return 0, or an errno
 int exchange(const Order& order, int line, bool with_namespaces) {
   if (::send(line, "g", 1, MSG_NOSIGNAL) != 1) return errno;
@@ -137,13 +138,13 @@ int exchange(const Order& order, int line, bool with_namespaces) {
   return errno != 0 ? errno : EIO;
 }
 
-/// What the keeper has started: the team, or the first process of its namespaces.
+/// The process that the keeper has started: the team, or the first process of its namespaces.
 struct Started {
   pid_t process = -1;
-  bool grouped = false;  ///< in its control group
+  bool grouped = false;  ///< in the team's control group
 };
 
-/// `process` is -1 with errno if it cannot be done, such as with namespaces where the system refuses them.
+/// `process` is -1 with errno on failure, for example if the system refuses namespaces.
 Started start(Order& order, const Cgroup& group, bool has_group, bool with_namespaces) {
   int line[2] = {-1, -1};
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, line) != 0) return {};
@@ -172,12 +173,12 @@ Started start(Order& order, const Cgroup& group, bool has_group, bool with_names
   return started;
 }
 
-/// With namespaces, or without where the system refuses them.
+/// Starts with namespaces, or without them if the system refuses them.
 Started startAsContainedAsPossible(Order& order, const Cgroup& group, bool has_group) {
   Started started = start(order, group, has_group, true);
   if (started.process > 0) return started;
   const int error = errno;
-  // A shortage passes: the next launch has all layers.
+  // A shortage is temporary: a later launch gets all layers.
   if (isShortage(error) || error == EIO) {
     if (order.page->error == 0) failed(order, "start a process", error);
     return started;
@@ -195,7 +196,7 @@ Started startAsContainedAsPossible(Order& order, const Cgroup& group, bool has_g
   return started;
 }
 
-/// What is left to end the team for, apart from a request.
+/// The limits that the keeper itself must watch.
 class Watch {
  public:
   Watch(const Order& order, bool memory) : order_(order), memory_(memory) {}
@@ -203,12 +204,12 @@ class Watch {
   /// [ms] until the next look; -1: no need to look
   int interval() const { return memory_ || !order_.page->bounded_folder ? kWatchInterval : -1; }
 
-  /// Why the team must end; empty: it need not.
+  /// The reason why the team must end; empty: none.
   std::string look() {
     if (memory_) {
       const Usage used = usage(descendants(::getpid()));
       if (used.memory > order_.page->memory) return "out of memory";
-      // One more is the first process of the namespace.
+      // The first process of the namespace counts too.
       if (used.tasks > order_.page->processes + 1) return "too many processes";
     }
     if (!order_.page->bounded_folder && ++looks_ % kFolderWatchIntervals == 0) {
@@ -240,7 +241,7 @@ Wakers openWakers(Order& order) {
   wakers.signals = ::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
   if (wakers.signals < 0) giveUp(order, "watch for signals", errno);
   wakers.launcher = static_cast<int>(::syscall(SYS_pidfd_open, order.page->launcher, 0));
-  // Asked after the descriptor is open: a number that another process has by now has another parent.
+  // Checked after the descriptor is open: if another process has the number by then, the parent differs.
   if (::getppid() != order.page->launcher) ::_exit(125);
   return wakers;
 }
@@ -251,7 +252,7 @@ void machineFailed(Order& order, const char* reason) {
   order.page->machine_failed = true;
 }
 
-/// Reaps what has ended. @return whether `process` is among it
+/// Reaps ended processes. @return whether `process` is one of them
 bool reap(Order& order, pid_t process) {
   bool found = false;
   int status = 0;
@@ -261,14 +262,14 @@ bool reap(Order& order, pid_t process) {
     if (!order.own_pids) {
       order.page->wait_status = status;
       order.page->ended = true;
-    } else if (!order.page->ended) {  // it has not said how the team ended
+    } else if (!order.page->ended) {  // it has not reported how the team ended
       machineFailed(order, "somebody killed the first process of its namespace");
     }
   }
   return found;
 }
 
-/// Whether the team is about to end by itself: its pipes close a moment before its parent hears of it.
+/// Whether the team is exiting by itself: its pipes close a moment before its parent can reap it.
 bool teamIsEnding(const Order& order, pid_t process) {
   if (!order.own_pids) return isEnding(process);
   // The first child of the namespace's first process, in the order of their start.
@@ -278,7 +279,7 @@ bool teamIsEnding(const Order& order, pid_t process) {
 
 /// Gives a team that is about to end the time to do so. @return whether `process` still runs
 bool waitForOwnEnd(Order& order, pid_t process, const Wakers& wakers) {
-  constexpr int kMostRounds = 1000;  // of a millisecond at most
+  constexpr int kMostRounds = 1000;  // at most 1 ms each
   // An interpreter closes its files some milliseconds before it ends, or longer on a busy machine.
   for (int round = 0; round < kMostRounds && (order.page->pipe_closed || teamIsEnding(order, process));
        ++round) {
@@ -292,7 +293,7 @@ bool waitForOwnEnd(Order& order, pid_t process, const Wakers& wakers) {
   return true;
 }
 
-/// Until the team or the launcher has ended, or the launcher asks for the end.
+/// Waits until the team or the launcher has ended, or the launcher asks for the end.
 /// @return whether `process` still runs
 bool waitForEnd(Order& order, pid_t process, const Wakers& wakers, Watch& watch) {
   for (;;) {
@@ -331,7 +332,7 @@ void keep(Order& order) {
   for (const std::string& folder : group.folders()) order.page->groups.add(folder + "\n");
   const Started started = startAsContainedAsPossible(order, group, has_group);
   letGo();
-  // The team, were it of the same user and without a namespace, could reach into a process that is dumpable.
+  // A team of the same user without a namespace could otherwise reach into this process.
   ::prctl(PR_SET_DUMPABLE, 0, 0, 0, 0);
   if (started.process > 0) {
     Watch watch(order, !started.grouped);

@@ -19,7 +19,7 @@ pid_t forkInNamespaces(Order& order, bool with_namespaces) {
   unsigned long flags = CLONE_NEWPID | CLONE_NEWNS | SIGCHLD;
   order.own_users = ::geteuid() != 0;
   if (order.own_users) flags |= CLONE_NEWUSER;
-  // Not glibc's clone, which wants a stack: this one goes on as fork does.
+  // The system call, not glibc's clone, which needs a stack: this one continues as fork does.
   const auto process = static_cast<pid_t>(::syscall(SYS_clone, flags, nullptr, nullptr, nullptr, nullptr));
   order.own_pids = process >= 0;
   if (process < 0) order.own_users = false;
@@ -29,7 +29,7 @@ pid_t forkInNamespaces(Order& order, bool with_namespaces) {
 int mapUser(const Order& order) {
   if (!order.own_users) return 0;
   const std::string user = std::to_string(order.user), group = std::to_string(order.group);
-  // Kernels before 3.19 lack this file, and do not ask for it.
+  // Kernels before 3.19 lack this file and do not require it.
   writeSmallFile("/proc/self/setgroups", "deny");
   if (!writeSmallFile("/proc/self/uid_map", user + " " + user + " 1\n")) return errno;
   if (!writeSmallFile("/proc/self/gid_map", group + " " + group + " 1\n")) return errno;
@@ -41,7 +41,7 @@ int restrictMounts(Order& order, std::string& why) {
     why = "cannot separate the mounts";
     return errno;
   }
-  // The number of files counts as well: each costs memory of the kernel.
+  // The number of files is limited too, as each costs memory of the kernel.
   const std::string size = "size=" + std::to_string(order.page->folder_size) +
                            ",mode=0700,nr_inodes=16384,uid=" + std::to_string(order.user) +
                            ",gid=" + std::to_string(order.group);
@@ -61,7 +61,7 @@ int restrictMounts(Order& order, std::string& why) {
     return errno;
   }
   order.unwritable = true;
-  // Where this is refused, /proc shows other processes too. They stay out of reach all the same.
+  // If this fails, /proc also shows other processes, but the team still cannot affect them.
   ::mount("proc", "/proc", "proc", MS_NOSUID | MS_NODEV | MS_NOEXEC, nullptr);
   return 0;
 }

@@ -6,15 +6,16 @@
 
 namespace fulbito::keeper {
 
-/// @{ Descriptors that the keeper starts with, beyond the three standard ones, which it passes to the team.
+/// @{ Descriptors that the keeper starts with, in addition to the three standard ones, which it passes to the
+/// team.
 inline constexpr int kPageDescriptor = 3;
-inline constexpr int kStartDescriptor = 4;  ///< closes when the team's program has begun, or cannot
+inline constexpr int kStartDescriptor = 4;  ///< closes when the team's program has begun or cannot begin
 /// @}
 
-/// The last step of a launch: what fails in it may be the program's fault.
+/// The last step of a launch: a failure in it may be the program's fault.
 inline constexpr const char* kRunProgram = "run the program";
 
-/// A text of the page. What does not fit is left out.
+/// A text of the page. It is cut where it does not fit.
 template <std::size_t Size>
 struct Text {
   char bytes[Size] = {};
@@ -27,10 +28,10 @@ struct Text {
   std::string_view view() const { return {bytes, ::strnlen(bytes, Size)}; }
 };
 
-/// What the launching program and the keeper of a child share: the order, and how it went. Both are the same
-/// build. A word list with `text_size` bytes follows the struct: the program's file, the team's folder, the
-/// folder for temporary files, PATH, LANG, the user's home, then `readable` folders, then the arguments. Each
-/// ends with a zero.
+/// The memory that the launching program and the keeper of a child share: the order, and its result. Both
+/// programs are from the same build. A word list with `text_size` bytes follows the struct: the program's
+/// file, the team's folder, the folder for temporary files, PATH, LANG, the user's home, then `readable`
+/// folders, then the arguments. Each ends with a zero.
 struct Page {
   /// @{ The order, see ChildLimits.
   std::uint64_t memory = 0;       ///< [bytes]
@@ -44,29 +45,29 @@ struct Page {
   std::uint32_t arguments = 0;
   std::uint32_t text_size = 0;  ///< [bytes]
   bool network = false;
-  bool all_layers = false;     ///< give up if one is missing
-  bool program_alone = false;  ///< its file is readable, not the installation around it
-  /// Later, with the request to end: the team has closed its input or output, so it may be about to end by
+  bool all_layers = false;     ///< give up if a layer is missing
+  bool program_alone = false;  ///< only the program's file is readable, not the installation around it
+  /// Set later, with the request to end: the team has closed its input or output, so it may be exiting by
   /// itself.
   bool pipe_closed = false;
   /// @}
 
-  /// @{ The report. Before the start descriptor closes: how the launch went.
+  /// @{ The result of the launch, valid once the start descriptor closes.
   std::int32_t error = 0;       ///< errno; 0: it runs
-  Text<128> step;               ///< that failed
-  bool begins = false;          ///< the last step is reached
-  bool lacks_layer = false;     ///< it gave up because a layer is missing
+  Text<128> step;               ///< the step that failed
+  bool begins = false;          ///< the launch has reached its last step
+  bool lacks_layer = false;     ///< the keeper gave up because a layer is missing
   Text<512> layers;             ///< each ends with a line end
   Text<2048> missing;           ///< each ends with a line end
-  Text<512> private_folder;     ///< to be removed should the keeper die
-  Text<2048> groups;            ///< folders of control groups, each with a line end; to be removed likewise
+  Text<512> private_folder;     ///< its path; the launcher removes it if the keeper dies
+  Text<2048> groups;            ///< folders of control groups, each with a line end; removed likewise
   bool grouped = false;         ///< a control group counts the team's memory
-  bool bounded_folder = false;  ///< the private folder cannot hold more than it may
+  bool bounded_folder = false;  ///< the private folder has a size limit of its own
   /// @}
-  /// @{ Once the keeper has ended: how the team ended.
-  bool ended = false;            ///< by itself
-  std::int32_t wait_status = 0;  ///< as of waitpid
-  Text<128> reason;              ///< why the keeper ended it; empty: it was asked to
+  /// @{ How the team ended, valid once the keeper has ended.
+  bool ended = false;            ///< the team ended by itself
+  std::int32_t wait_status = 0;  ///< status as of waitpid
+  Text<128> reason;              ///< why the keeper ended the team; empty: it had a request
   bool machine_failed = false;   ///< `reason` is not the team's fault
   /// @}
 };

@@ -12,14 +12,14 @@
 namespace fulbito::keeper {
 namespace {
 
-constexpr std::uint64_t kLeastFiles = 32;  // docs/sandbox.md promises no more
+constexpr std::uint64_t kLeastFiles = 32;  // the number that docs/sandbox.md promises
 constexpr int kOwnProcesses = 2;           // the keeper, and the first process of the namespace
 
-/// One limit that a process inherits, in the words of the shell that sets it.
+/// One limit that a process inherits, with the names that a shell uses to set it.
 struct Limit {
   int resource = 0;
   std::uint64_t needed = 0;
-  int error = 0;  ///< that a team would meet
+  int error = 0;  ///< error that a team would get at the limit
   const char* unit = "";
   const char* flag = "";
 };
@@ -37,13 +37,13 @@ bool refuse(Order& order, const Limit& limit, std::uint64_t most) {
   return false;
 }
 
-/// Of the processes that the user may have, those that are left. Root's team is a user of its own.
+/// Number of processes that the user may still start. For root, the team has a user of its own.
 std::uint64_t processesLeft(const Order& order) {
   const std::uint64_t most = mostOf(RLIMIT_NPROC);
   if (::geteuid() == 0 || most == RLIM_INFINITY) return most;
   struct sysinfo machine{};
   const auto needed = static_cast<std::uint64_t>(order.page->processes) + kOwnProcesses;
-  // To count a user's takes a walk over all processes of the machine.
+  // Counting a user's processes needs a walk over all processes, so this tries a bound first.
   if (::sysinfo(&machine) == 0 && most >= needed + machine.procs) return most;
   return most - std::min(most, static_cast<std::uint64_t>(tasksOfUser(::geteuid())) + kOwnProcesses);
 }

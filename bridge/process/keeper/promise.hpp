@@ -4,8 +4,8 @@
 
 namespace fulbito::keeper {
 
-/// Whether the limits that the launching program has leave a team what it may have. A team that gets less
-/// could fail by no fault of its own. Notes what is missing.
+/// Whether the limits of the launching program leave the team what its own limits promise. A team that gets
+/// less could fail by no fault of its own. Notes what is missing.
 bool canKeepPromise(Order& order);
 
 }  // namespace fulbito::keeper

@@ -13,9 +13,9 @@
 namespace fulbito::keeper {
 namespace {
 
-// A list of what is refused, not of what is allowed: interpreters and runtimes (Python, Go, Java, Node)
-// differ too much in what they need, and new kernels bring calls that they try. Names that the library or the
-// machine does not know are left out.
+// A list of refused calls, not of allowed ones: interpreters and runtimes (Python, Go, Java, Node) need very
+// different calls, and try new ones on new kernels. Names that the library or the machine does not know are
+// ignored.
 constexpr const char* kRefused[] = {
     // Other processes
     "ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "kcmp", "pidfd_getfd",
@@ -30,13 +30,13 @@ constexpr const char* kRefused[] = {
     "pivot_root", "setns", "umount", "umount2", "unshare", "name_to_handle_at", "open_by_handle_at",
     // Ways around this filter
     "io_uring_enter", "io_uring_register", "io_uring_setup",
-    // What outlives its process
+    // Objects that outlive their process
     "mq_open", "msgget", "semget", "shmget",
     // Watches on all files
     "fanotify_init", "fanotify_mark"};
 
-// Changes of files that Landlock lets through, so that only unwritable mounts stop them. An owner can make
-// them.
+// Changes of files that Landlock does not prevent, so that only unwritable mounts stop them. The owner of a
+// file can make them.
 constexpr const char* kRefusedOnWritableMounts[] = {
     "chmod",       "fchmod",       "fchmodat",     "fchmodat2",    "chown",     "fchown",
     "lchown",      "fchownat",     "setxattr",     "lsetxattr",    "fsetxattr", "setxattrat",
@@ -57,14 +57,14 @@ class Filter {
     if (context_ == nullptr || number == __NR_SCMP_ERROR) return;
     const int result = seccomp_rule_add(context_, SCMP_ACT_ERRNO(static_cast<std::uint32_t>(error)), number,
                                         sizeof...(Comparisons), comparisons...);
-    // Calls that this machine has under no number are nothing to refuse.
+    // A call without a number on this machine needs no rule.
     if (result != 0 && result != -EDOM && wrong_ == 0) wrong_ = -result;
   }
 
   int load() {
     if (context_ == nullptr) return ENOMEM;
     if (wrong_ != 0) return wrong_;
-    // Threads of other architectures (32-bit calls) would pass by the rules.
+    // Calls of other architectures (32-bit calls) would bypass the rules.
     seccomp_attr_set(context_, SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
     seccomp_attr_set(context_, SCMP_FLTATR_CTL_OPTIMIZE, 2);
     return -seccomp_load(context_);
@@ -80,7 +80,7 @@ void refuseNamespaces(Filter& filter) {
                                    CLONE_NEWPID, CLONE_NEWNET}) {
     filter.refuse("clone", EPERM, SCMP_A0(SCMP_CMP_MASKED_EQ, flag, flag));
   }
-  // Its flags lie in memory, which a filter cannot read. C libraries go back to clone.
+  // The flags of clone3 are in memory, which a filter cannot read. C libraries fall back to clone.
   filter.refuse("clone3", ENOSYS);
 }
 
@@ -89,7 +89,7 @@ void refuseSockets(Filter& filter, bool network) {
     filter.refuse("socket", EACCES);
     return;
   }
-  // Others lead past the network: AF_UNIX to services of this machine, which act with rights of their own.
+  // Other families bypass the network: AF_UNIX leads to services of this machine with rights of their own.
   for (int family = 0; family < AF_MAX; ++family) {
     if (family == AF_INET || family == AF_INET6 || family == AF_NETLINK) continue;
     filter.refuse("socket", EACCES, SCMP_A0(SCMP_CMP_EQ, static_cast<scmp_datum_t>(family)));
@@ -97,8 +97,8 @@ void refuseSockets(Filter& filter, bool network) {
   filter.refuse("socket", EACCES, SCMP_A0(SCMP_CMP_GE, AF_MAX));
 }
 
-/// Without a namespace of its own the team could reach its keeper. The 32 bits of a process number are all
-/// that the kernel looks at.
+/// Without a PID namespace, the team could send signals to its keeper. The kernel looks only at the lower 32
+/// bits of a process number.
 void refuseSignals(Filter& filter, pid_t process) {
   constexpr scmp_datum_t kPid = 0xffffffff;
   const auto one = static_cast<scmp_datum_t>(process);
@@ -111,9 +111,9 @@ void refuseSignals(Filter& filter, pid_t process) {
   filter.refuse("kill", EPERM, SCMP_A0(SCMP_CMP_MASKED_EQ, kPid, all));
 }
 
-/// Without a namespace of its own the team could change how a user's other processes get the processor, the
-/// disk and memory, and send them signals by ways that `refuseSignals` cannot see. 0 is the calling thread,
-/// or its group.
+/// Without a PID namespace, the team could change the priorities of a user's other processes for processor,
+/// disk and memory. It could also send them signals in ways that `refuseSignals` does not see. 0 stands for
+/// the calling thread or its group.
 void refuseMeddling(Filter& filter) {
   for (const char* name : {"sched_setscheduler", "sched_setparam", "sched_setattr", "sched_setaffinity",
                            "migrate_pages", "move_pages"}) {
@@ -124,9 +124,9 @@ void refuseMeddling(Filter& filter) {
   filter.refuse("setpriority", EPERM, SCMP_A0(SCMP_CMP_MASKED_EQ, kInt, kAllOfUser));
   filter.refuse("ioprio_set", EPERM, SCMP_A1(SCMP_CMP_NE, 0));
   filter.refuse("ioprio_set", EPERM, SCMP_A0(SCMP_CMP_MASKED_EQ, kInt, kDisksAllOfUser));
-  // A folder of /proc is as good as what pidfd_open gives.
+  // A folder of /proc can replace the descriptor of pidfd_open.
   filter.refuse("pidfd_send_signal", EPERM);
-  // The owner of a descriptor gets signals, and which ones its process chooses.
+  // The owner of a descriptor receives signals, and the process that sets the owner chooses which.
   for (const scmp_datum_t command : {F_SETOWN, F_SETOWN_EX}) {
     filter.refuse("fcntl", EPERM, SCMP_A1(SCMP_CMP_MASKED_EQ, kInt, command));
   }
@@ -143,17 +143,17 @@ int filterSyscalls(const Order& order, pid_t keeper) {
   if (!order.unwritable) {
     for (const char* name : kRefusedOnWritableMounts) filter.refuse(name, EPERM);
   }
-  // Memory that no process maps: the watch, which asks processes, would miss it.
+  // Such memory is mapped by no process, so the watch, which asks processes, would miss it.
   if (!order.page->grouped) {
     for (const char* name : {"memfd_create", "memfd_secret"}) filter.refuse(name, EPERM);
   }
   refuseNamespaces(filter);
   refuseSockets(filter, order.page->network);
-  // Limits of other processes; of its own it can only lower them.
+  // A team may not change limits of other processes; its own it can only lower.
   filter.refuse("prlimit64", EPERM, SCMP_A0(SCMP_CMP_NE, 0), SCMP_A2(SCMP_CMP_NE, 0));
-  // Asking (0xffffffff) is harmless; others switch protections of memory off.
+  // 0xffffffff only asks; other values can switch off protections of memory.
   filter.refuse("personality", EPERM, SCMP_A0(SCMP_CMP_NE, 0xffffffff));
-  // Typing into the terminal of the launching program.
+  // These put input into the terminal of the launching program.
   filter.refuse("ioctl", EPERM, SCMP_A1(SCMP_CMP_MASKED_EQ, 0xffffffff, TIOCSTI));
   filter.refuse("ioctl", EPERM, SCMP_A1(SCMP_CMP_MASKED_EQ, 0xffffffff, TIOCLINUX));
   if (!order.own_pids) {

@@ -21,8 +21,9 @@ namespace {
 
 constexpr int kOnlyReading = CAP_DAC_READ_SEARCH;
 
-/// Of all capabilities keeps the one to read files whatever their owner, for the program and the team's files
-/// may lie in root's folders. Landlock says which ones. Without it root's team reads what root reads.
+/// Keeps only the capability to read files whatever their owner, since the files of program and team may be
+/// in root's folders. Landlock says which files the team may read. If the system refuses the capability, none
+/// is kept.
 bool keepOnlyReading() {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   __user_cap_data_struct data[2] = {};
@@ -34,8 +35,8 @@ bool keepOnlyReading() {
   return ::syscall(SYS_capset, &header, data) == 0;
 }
 
-/// Root's team runs as a user that nothing else runs as: limits of processes count for it, and it has no
-/// rights over other processes and files.
+/// Root's team runs as a user of its own: its limit of processes counts only its own, and it has no rights
+/// over other processes and files.
 bool becomeOwnUser(Order& order) {
   const bool done = ::setgroups(0, nullptr) == 0 && ::setresgid(order.group, order.group, order.group) == 0 &&
                     ::prctl(PR_SET_KEEPCAPS, 1, 0, 0, 0) == 0 &&
@@ -48,15 +49,15 @@ bool becomeOwnUser(Order& order) {
   return done;
 }
 
-/// The user's other processes count where the limit is not for the team alone.
+/// The limit of processes. If the user is not the team's alone, the user's other processes count too.
 rlim_t processLimit(const Order& order, bool own_user) {
   const auto own = static_cast<rlim_t>(order.page->processes);
   if (own_user) return own;
   if (order.own_users) return own + 1;                            // the first process of the namespace
-  return own + static_cast<rlim_t>(tasksOfUser(order.user)) - 1;  // this one is among them
+  return own + static_cast<rlim_t>(tasksOfUser(order.user)) - 1;  // the present process is among them
 }
 
-/// A resource's limit becomes `most`, or stays where it is lower. `beyond`: what the hard limit has more.
+/// Lowers a resource's limit to `most`; a lower limit stays. `beyond`: by which the hard limit is higher.
 bool limit(int resource, rlim_t most, rlim_t beyond = 0) {
   rlimit now{};
   if (::getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return false;
@@ -65,7 +66,7 @@ bool limit(int resource, rlim_t most, rlim_t beyond = 0) {
   return ::setrlimit(static_cast<__rlimit_resource>(resource), &now) == 0;
 }
 
-/// The limit in force becomes `least`, or as much as may be, where it is lower.
+/// Raises the soft limit to `least`, or as far as allowed; a higher limit stays.
 bool raise(int resource, rlim_t least) {
   rlimit now{};
   if (::getrlimit(static_cast<__rlimit_resource>(resource), &now) != 0) return false;
@@ -73,8 +74,8 @@ bool raise(int resource, rlim_t least) {
   return ::setrlimit(static_cast<__rlimit_resource>(resource), &now) == 0;
 }
 
-/// No limit of address space: Go and Java reserve much more than they use. The signal at the soft limit of
-/// processor time says what the matter is, the kill at the hard one does not.
+/// Address space has no limit: Go and Java reserve much more than they use. The signal at the soft limit of
+/// processor time shows the cause, which the kill at the hard limit does not.
 void limitResources(Order& order) {
   const Page& page = *order.page;
   const bool done = limit(RLIMIT_CORE, 0) && limit(RLIMIT_FSIZE, page.file_size) &&
@@ -131,7 +132,7 @@ void becomeTeam(Order& order, pid_t parent, pid_t keeper) {
   limitResources(order);
   const bool own_user = ::geteuid() == 0 && becomeOwnUser(order);
   if (!limit(RLIMIT_NPROC, processLimit(order, own_user))) giveUp(order, "limit the processes", errno);
-  // After the change of user, which clears it.
+  // Must follow the change of user, which clears it.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL, 0, 0, 0);
   if (::getppid() != parent) ::_exit(125);
   reached(order, "parent-death");
