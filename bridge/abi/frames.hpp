@@ -26,12 +26,13 @@ enum class FrameKind : std::uint16_t {
   kEnded = 8,     ///< fulbito_end; no reply
   kFailed = 9     ///< from the host, before it ends: the reason, a text
 };
-inline constexpr std::uint16_t kReplyOffset = 0x80;     ///< from a request's kind to its reply's
+/// difference between the kinds of a request and of its reply
+inline constexpr std::uint16_t kReplyOffset = 0x80;
 inline constexpr std::size_t kLargestFrame = 1u << 18;  ///< [bytes]
 
 /// The beginning of each message.
 struct FrameHeader {
-  std::uint32_t size;     ///< [bytes] of the message, this header included
+  std::uint32_t size;     ///< [bytes] size of the message, this header included
   std::uint16_t kind;     ///< a FrameKind, for replies plus `kReplyOffset`
   std::uint16_t version;  ///< FULBITO_ABI
   std::uint64_t id;       ///< number of the request; 0 for notices
@@ -71,7 +72,7 @@ static_assert(sizeof(CommandBody) == 976);
 /// One tick of an exercise.
 struct ExerciseBody {
   fulbito_observation seen;  ///< observation of the team
-  fulbito_exercise task;     ///< its task
+  fulbito_exercise task;     ///< task of the exercise
 };
 static_assert(sizeof(ExerciseBody) == sizeof(fulbito_observation) + sizeof(fulbito_exercise));
 

@@ -10,7 +10,7 @@
 #include "navigation/library/plugin_values.hpp"
 
 /// Conversions of a team's values to the C interface (`toAbi`) and of its answers back (`fromAbi`). They
-/// accept any bytes. Those of structures are generated from sdk/values/values.toml.
+/// accept any bytes. The conversions of structures are generated from sdk/values/values.toml.
 namespace fulbito {
 
 /// @{ To a team. `to` was made by the same function or is zero: members named `reserved` are not written.

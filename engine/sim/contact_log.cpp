@@ -20,7 +20,7 @@ b2Vec2 normalToward(const b2Body& body, b2Contact& contact) {
 }
 
 // A ball between a robot and a wall bounces between the two, ever slower, until both rest: if the ball is the
-// lighter body, it returns no speed (docs/models.md). Without this case, the wall would throw both back.
+// lighter body, it returns no speed (docs/models.md). Without this case, the wall would bounce both back.
 bool isPinned(b2Body& ball, b2Vec2 from_wall) {
   constexpr float kOpposed =
       -0.05f;  // cosine between the two normals; motion along a wall does not press on it

@@ -29,7 +29,8 @@ class ContactLog final : public b2ContactListener {
   ContactLog(std::vector<BodyId> bodies, std::vector<Surface> surfaces, std::vector<Vec2> walls,
              Squeeze squeeze);
 
-  /// Sets what to call within the engine's step once it has solved all contacts that touched at its start.
+  /// Sets a function to call within the engine's step, once it has solved all contacts that touched at its
+  /// start.
   /// Bodies that touch nothing may not have moved yet.
   void onSolved(std::function<void()> call) { on_solved_ = std::move(call); }
 

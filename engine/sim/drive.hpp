@@ -71,14 +71,14 @@ class Drive {
   double radius_;            // [m]
   double half_track_;        // [m]
   double per_radius_;        // [1/m]
-  double max_grip_;          // [m/s] in one step, along the wheels
-  double max_lateral_;       // [m/s] in one step, across
+  double max_grip_;          // [m/s] grip along the wheels in one step
+  double max_lateral_;       // [m/s] grip across the wheels in one step
   double load_shift_;        // [s^2/m] change of a wheel's share of the grip per acceleration across
   double outer_edge_;        // distance between the wheels' outer edges over the axle track
   double per_play_;  // half the rims' difference over the driving speed up to which the robot turns in place
   WheelSpeeds command_;  // [rad/s] as given to `setCommand`
-  RimSpeeds target_;     // of the command, after limits and scrubbing
-  RimSpeeds rim_;        // of the rims themselves; valid only while the wheel slips
+  RimSpeeds target_;     // target speeds of the rims, after limits and scrubbing
+  RimSpeeds rim_;        // speeds of the rims; valid only while the wheel slips
   bool left_slips_ = false;
   bool right_slips_ = false;
 };

@@ -7,12 +7,12 @@ namespace fulbito {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
-constexpr double kLongestPart =
-    0.0034;                            // [s] contacts settle within a few parts; FIRASim has parts of 3.2 ms
+// [s] contacts settle within a few parts; FIRASim has parts of 3.2 ms
+constexpr double kLongestPart = 0.0034;
 constexpr double kLevelPitch = 0.003;  // [rad] about the pitch of a robot that speeds up
 constexpr double kLevelRate = 0.1;     // [rad/s]
 constexpr double kLeastSink = 1e-5;    // [m]
-constexpr double kLeastRim = 1e-3;     // of the robot's mass
+constexpr double kLeastRim = 1e-3;     // share of the robot's mass
 // Supports touch the floor at one point, wheels at the two edges of each, the body's edges at two corners.
 constexpr std::array<double, 5> kPoints{1.0, 4.0, 1.0, 2.0, 2.0};
 // shares of the weight: all points sink alike

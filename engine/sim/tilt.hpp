@@ -16,7 +16,7 @@ class Tilt {
   struct Change {
     double forward = 0.0;       ///< [m/s]
     double turn = 0.0;          ///< [m/s] of half the difference of the rims' speeds
-    double lateral_grip = 0.0;  ///< share of what a level robot has
+    double lateral_grip = 0.0;  ///< share of the grip of a level robot
   };
 
   /// @param dt  [s] one physics step
@@ -39,7 +39,7 @@ class Tilt {
   using Loads = std::array<double, kContacts>;  // [m/s^2]: forces over the mass
 
   struct Rates {
-    double rise = 0.0;   // [m/s] of the centre of mass
+    double rise = 0.0;   // [m/s] upward speed of the centre of mass
     double pitch = 0.0;  // [rad/s], nose down
   };
   // The springs and dampers at one pose: sums over the contacts that touch.
@@ -77,14 +77,14 @@ class Tilt {
   int parts_;  // parts per step
   double motor_, drag_, grip_, turn_, edges_, scrub_, most_braking_;
   double mass_height_;                   // [m]
-  double inertia_;                       // [m^2] of pitching, over the mass
+  double inertia_;                       // [m^2] inertia of pitching over the mass
   double wheel_radius_;                  // [m]
   double rim_mass_;                      // share of the robot's mass
   double stiffness_, damping_;           // [1/s^2], [1/s] of one contact over the mass
-  double friction_;                      // of the edges
-  Loads damped_;                         // by each contact in a part, over the mass
-  std::array<double, kContacts> place_;  // [m] before the centre
-  double clearance_;                     // [m] of the edges
+  double friction_;                      // friction coefficient of the edges
+  Loads damped_;                         // damping by each contact in a part, over the mass
+  std::array<double, kContacts> place_;  // [m] place of each contact before the centre
+  double clearance_;                     // [m] height of the edges
   bool tilted_ = false;
   double rise_ = 0.0;   // [m] height of the centre of mass above its place on rigid contacts
   double pitch_ = 0.0;  // [rad] nose down

@@ -8,10 +8,10 @@
 
 namespace fulbito {
 
-/// What a team answers to recorded calls.
+/// A team's answers to recorded calls.
 struct TeamAnswers {
-  std::vector<TeamCommand> commands;                ///< to each decision
-  std::vector<std::optional<TeamProposal>> places;  ///< to each placement request
+  std::vector<TeamCommand> commands;                ///< one per decision
+  std::vector<std::optional<TeamProposal>> places;  ///< one per placement request
   std::string failure;  ///< why the team stopped answering; empty: it answered all
 };
 
@@ -33,9 +33,9 @@ RecordedCalls mirrored(RecordedCalls told);
 /// How two series of answers compare.
 struct AnswerDifference {
   int compared = 0;   ///< decisions and placements
-  int different = 0;  ///< of these
+  int different = 0;  ///< answers that differ
   int first = -1;     ///< index of the first different decision; -1: none
-  int robot = -1;     ///< its robot
+  int robot = -1;     ///< robot of that decision
 };
 
 /// Compares two series of answers bit by bit, up to the end of the shorter one. Robots that are not on the

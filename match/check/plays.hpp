@@ -23,14 +23,14 @@ struct PlayFindings {
   int broken = 0;      ///< of these, ended early: the team forfeited or was late too often
   int skipped = 0;     ///< not played, since too many before them ended early
   FoundIn failures, stale, not_finite, no_navigator, saturated, late, repaired;
-  std::string reason;         ///< of the first failure
+  std::string reason;         ///< reason of the first failure
   bool forfeited = false;     ///< it failed so often that it lost by walk-over
   std::int64_t commands = 0;  ///< commands of single robots that reached the motors
   TeamNotes notes;
   DecisionTime limit;  ///< decision time that the team has
 };
 
-/// Plays a situation with the team in its seat and adds what is found. Errors: as `Match::create`.
+/// Plays a situation with the team in its seat and adds the findings. Errors: as `Match::create`.
 Result<void> playSituation(const CheckSituation& situation, const TeamChoice& team, const MatchClock& clock,
                            PlayFindings& findings);
 

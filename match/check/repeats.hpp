@@ -10,7 +10,7 @@ namespace fulbito {
 /// Comparison of the answers of two instances of a team over all situations; they should be equal.
 struct RepeatFindings {
   std::int64_t compared = 0;   ///< answers
-  std::int64_t different = 0;  ///< of these
+  std::int64_t different = 0;  ///< answers that differ
   std::string first;           ///< place of the first difference; empty: none
   std::string failure;         ///< reason why the team stopped answering; empty: it answered all
 };

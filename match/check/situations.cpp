@@ -11,9 +11,9 @@
 namespace fulbito {
 namespace {
 
-constexpr double kShort = 4.0;       // [s] of play in a situation
+constexpr double kShort = 4.0;       // [s] play time of a situation
 constexpr double kQuickShort = 1.0;  // [s]
-constexpr double kLong = 60.0;       // [s] of the longer play
+constexpr double kLong = 60.0;       // [s] play time of the longer play
 constexpr double kQuickLong = 8.0;   // [s]
 constexpr double kCorner = 0.1;      // [m] distance of a ball in the corner from both walls
 

@@ -11,7 +11,7 @@ namespace fulbito {
 struct CheckSituation {
   std::string name;             ///< such as "penalty, theirs"
   MatchConfig match;            ///< all settings but the tested team
-  TeamId seat = TeamId::kBlue;  ///< of the tested team
+  TeamId seat = TeamId::kBlue;  ///< seat of the tested team
   Tick ticks = 0;               ///< ticks to play
 };
 

@@ -47,7 +47,7 @@ using CheckProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
 struct TeamCheckOptions {
   TeamChoice team;
-  TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< of the opponents in drills
+  TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< teams that drills may name as opponents
   std::uint64_t seed = kDefaultMatchSeed;
   bool quick = false;  ///< shorter situations, a third of them repeated, fewer drills and trials
   int jobs = 0;        ///< threads of the drills; 0: one per core

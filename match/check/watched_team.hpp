@@ -20,7 +20,7 @@ struct ReadyCall {
 /// One call of a match to its team.
 using TeamCall = std::variant<PlacementRequest, ReadyCall, DecideCall, PlayStop>;
 
-/// What a match tells one team.
+/// The calls of a match to one team.
 struct RecordedCalls {
   MatchInfo info;
   std::vector<TeamCall> calls;
@@ -29,7 +29,7 @@ struct RecordedCalls {
 /// Notes on a team during its matches.
 struct TeamNotes {
   double start_seconds = 0.0;   ///< [s] the longest creation and start
-  std::vector<double> seconds;  ///< [s] of each decision
+  std::vector<double> seconds;  ///< [s] time of each decision
   std::int64_t unasked = 0;     ///< decisions with drawings that the match did not ask for
   std::int64_t with_roles = 0;  ///< decisions that report a role
   std::vector<Setting> origin;  ///< the team's own report of its version, hash and containment

@@ -28,7 +28,7 @@ enum class DrillRole : std::uint8_t {
   kPress   ///< drives at the ball from the far side of its own goal, and pushes
 };
 
-/// A family of starts of a drill: where the ball is, how it moves and what is asked.
+/// A family of starts of a drill: place and motion of the ball, and the task.
 struct DrillStart {
   std::string name = "all";
   DrillTask task = DrillTask::kPlay;
@@ -39,7 +39,7 @@ struct DrillStart {
   std::vector<Vec2> ball;    ///< [m] places that trials take in turn
   Vec2 ball_spread;          ///< [m] uniformly to either side of the place
   std::vector<Vec2> toward;  ///< [m] the ball rolls toward a point between the first and the last
-  double speed_min = 0.0;    ///< [m/s] of the ball
+  double speed_min = 0.0;    ///< [m/s] least speed of the ball
   double speed_max = 0.0;
   double distance_min = 0.0;  ///< [m] distance of the ball from the point it rolls toward; replaces `ball`
   double distance_max = 0.0;
@@ -54,7 +54,7 @@ struct DrillStart {
   double turn_min = 0.0;  ///< [rad] angle between the robot's heading and the task's
   double turn_max = 0.0;
   double task_speed = 0.0;  ///< [m/s] speed that the task asks for
-  double horizon = 0.0;     ///< [s] of a prediction
+  double horizon = 0.0;     ///< [s] time ahead of a prediction
 };
 
 /// The start of one robot.
@@ -145,16 +145,16 @@ struct Drill {
   double duration = 10.0;             ///< [s]
   double after = 0.0;                 ///< [s] time to observe after a success
   double latency = 0.05;              ///< [s] T of the least savable distance
-  double acceleration = 5.0;          ///< [m/s^2] of the same
-  double tolerance = 0.015;           ///< [m] of a task
-  double heading_tolerance = 0.1396;  ///< [rad] of a task
+  double acceleration = 5.0;          ///< [m/s^2] a of the least savable distance
+  double tolerance = 0.015;           ///< [m] tolerance of a task's position
+  double heading_tolerance = 0.1396;  ///< [rad] tolerance of a task's heading
   std::vector<DrillStart> starts;
   std::vector<DrillRobot> robots;
   std::vector<DrillEnd> successes;
   std::vector<DrillEnd> failures;
   std::vector<DrillBar> bars;
   std::string match_opponent;   ///< whole matches against that team ("itself"); empty: trials
-  double half_seconds = 300.0;  ///< of such a match
+  double half_seconds = 300.0;  ///< [s] length of a half of such a match
   /// numbers of drills that are repeated under `sight` and compared with `sight_before`
   std::vector<int> repeats;
   VisionModel sight;
@@ -206,7 +206,7 @@ using DrillProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
 struct DrillOptions {
   TeamChoice team;
-  TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< of the opponents that drills name
+  TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< teams that drills may name as opponents
   int trials = 0;                                      ///< 0: as each drill says
   std::uint64_t seed = kDefaultMatchSeed;
   int jobs = 0;  ///< threads; 0: one per core

@@ -10,9 +10,9 @@
 namespace fulbito {
 namespace {
 
-constexpr double kEarly = 5.0;        // [s] after a restart
+constexpr double kEarly = 5.0;        // [s] goals conceded this soon after a restart are early
 constexpr double kFlap = 0.3;         // [s] between two changes of one role
-constexpr double kFullMatch = 600.0;  // [s] of play: what "per match" means
+constexpr double kFullMatch = 600.0;  // [s] play time to which measures per match are scaled
 
 /// Counts, for the tested team, the measures of whole matches.
 class MatchTally final : public MatchObserver {

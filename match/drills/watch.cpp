@@ -120,7 +120,7 @@ void DrillWatch::hear(const MatchTick& tick) {
   }
 }
 
-/// Records what is measured in all drills.
+/// Records the values that all drills measure.
 void DrillWatch::follow(const Now& now) {
   touched_ = touched_ || now.touched;
   if (goal_ > 0) trial_.on_target = true;

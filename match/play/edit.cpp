@@ -12,7 +12,7 @@ namespace fulbito {
 namespace {
 
 constexpr double kGap = 1e-4;        // [m] between bodies, as at the restarts of the rules
-constexpr double kFarthest = 100.0;  // [m] from the centre
+constexpr double kFarthest = 100.0;  // [m] largest distance from the centre
 constexpr double kMaxSpeed = 50.0;   // [m/s] as in a start state
 
 struct Standing {

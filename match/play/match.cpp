@@ -98,7 +98,7 @@ struct Match::Impl {
   std::optional<Placing> placing;  ///< in phases kPlacing and kPlaced
   std::optional<Play> play;        ///< from the first kReady on
   std::vector<WheelSpeeds> commands;
-  std::vector<GameEvent> events;  ///< of the last tick
+  std::vector<GameEvent> events;  ///< calls of the last tick
   std::vector<MatchObserver*> observers;
   Tick tick = 0;
   StateHash hash;

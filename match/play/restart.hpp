@@ -47,7 +47,7 @@ class Placing {
   TeamId first_;
   std::size_t answers_ = 0;
   Proposals proposals_;
-  std::vector<GameEvent> repairs_;  ///< of the ball
+  std::vector<GameEvent> repairs_;  ///< repairs of the ball's place
 };
 
 /// Adds the placement error to each robot's pose. A robot without room for it within the rule keeps its pose,

@@ -49,7 +49,7 @@ int MatchStatistics::restartCount(RestartKind kind) const {
   return counts[0] + counts[1];
 }
 
-/// What the observer keeps between the ticks.
+/// The observer's state between ticks.
 struct StatisticsObserver::Impl {
   /// A shot in progress.
   struct Shot {
@@ -85,7 +85,7 @@ struct StatisticsObserver::Impl {
   double ball_radius = 0.0;
   Tick shot_pause = 0;
   bool in_play = false;
-  std::array<Vec2, 2 * kMaxTeamSize> places_before{};  ///< of the robots, one tick ago
+  std::array<Vec2, 2 * kMaxTeamSize> places_before{};  ///< places of the robots one tick ago
   std::optional<TeamId> in_possession;
   std::optional<RobotId> last_touch;
   PerTeam<std::optional<RobotId>> team_touch;  ///< last touch by each team in this play

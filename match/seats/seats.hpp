@@ -9,7 +9,7 @@
 
 namespace fulbito {
 
-/// What the seats of a match need for a tick.
+/// The input of both seats for one tick.
 struct SeatTick {
   Moment moment;          ///< state that the teams observe
   bool drawings = false;  ///< an observer wants the teams' drawings

@@ -104,7 +104,7 @@ struct FoulMemory {
 
 /// All memory of the detectors between ticks: a plain value, empty at every restart.
 struct DetectorMemory {
-  AreaReport areas{};  ///< of the previous tick
+  AreaReport areas{};  ///< areas of the previous tick
   TouchMemory touches;
   PresenceMemory presence;
   AreaFoulMemory area_fouls;

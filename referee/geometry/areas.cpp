@@ -47,7 +47,7 @@ double areaOf(const Polygon& polygon) {
   return twice / 2;
 }
 
-/// The part of the body in the area's straight part, and the part in front of it.
+/// The parts of the body in the area's straight part (`inStraightPart`) and in front of it (`inFront`).
 Polygon inStraightPart(const AreaShape& area, const Polygon& body) {
   return cut(cut(cut(body, {1.0, 0.0}, area.depth), {0.0, 1.0}, area.half_width), {0.0, -1.0},
              area.half_width);
@@ -100,7 +100,7 @@ double squaredDistance(const Polygon& polygon, Vec2 p) {
   return inside ? 0.0 : least;
 }
 
-/// What the circle around the body shows about it without its heading.
+/// Result of a test with the circle around the body, which needs no heading.
 enum class Rough { kOutside, kInside, kNear };
 
 Rough roughly(const AreaShape& area, Vec2 centre, double radius) {

@@ -39,9 +39,9 @@ bool counts(const AreaShape& area, const AreaBody& body, BodyPart part);
 /// Ball and robots in the areas at one goal, counted by the rules.
 struct GoalAreaReport {
   bool ball = false;           ///< its centre is in the goal area
-  bool ball_in_big = false;    ///< in the big area
-  RobotSet attackers = 0;      ///< of the team attacking this goal, in the goal area
-  RobotSet defenders = 0;      ///< of the team defending it
+  bool ball_in_big = false;    ///< its centre is in the big area
+  RobotSet attackers = 0;      ///< robots of the team that attacks this goal, in the goal area
+  RobotSet defenders = 0;      ///< robots of the team that defends it, in the goal area
   RobotSet big_attackers = 0;  ///< the same in the big area
   RobotSet big_defenders = 0;
 };

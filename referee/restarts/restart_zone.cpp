@@ -80,7 +80,7 @@ bool inTakersArea(const FieldGeometry& field, const PlacedBody& body) {
 /// the own goal.
 struct Box {
   double x_low = -1e9, x_high = 1e9;
-  double y_low = 0.0, y_high = 1e9;  ///< of |y|
+  double y_low = 0.0, y_high = 1e9;  ///< limits of |y|
 };
 
 Box boxOf(const RestartScene& scene, Zone zone, RestartPart part, const PlacedBody& body) {

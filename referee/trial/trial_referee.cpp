@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kOwnMotionSpeed = 0.02;    // [m/s] toward the contact point
 constexpr double kPushedFor = 0.5;          // [s] a push explains a robot's motion for this long
-constexpr double kCurvatureJump = 10.0;     // [1/m] in one tick
+constexpr double kCurvatureJump = 10.0;     // [1/m] larger changes in one tick count as jumps
 constexpr double kCurvatureMinSpeed = 0.1;  // [m/s] slower curvatures are meaningless
 constexpr double kRestDistance = 0.01;      // [m]
 constexpr double kRestTurn = 0.35;          // [rad] 20 degrees

@@ -235,7 +235,8 @@ class MatchInfo:
     """A team's knowledge before the match."""
 
     team: str = "blue"  #: the team's colour
-    side: str = "left"  #: the goal of pictures that the team defends at first; observations are always turned
+    #: the goal in pictures that the team defends at the start of the match; observations are always turned
+    side: str = "left"
     dt: float = 1.0 / 60.0  #: [s] control period: one decision per period
     team_size: int = 3  #: robots per team: their numbers are 0 ... `team_size` - 1
     seed: int = 0  #: of the team's random stream; the same match has the same seed

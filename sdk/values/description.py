@@ -35,7 +35,7 @@ class Member:
         return place in self.more.get("only", " ".join(PLACES)).split()
 
     def meaning(self, empty: str = "") -> str:
-        """Its meaning with the unit before it; `empty` is what stands for an absent value."""
+        """Its meaning with the unit before it; `empty` stands for an absent value."""
         text: str = ("[%s] " % self.unit if self.unit else "") + self.doc
         none = "; %s: %s" % (empty, self.more["none"]) if self.optional and empty else ""
         return text + none

@@ -262,7 +262,7 @@ bool reap(Order& order, pid_t process) {
     if (!order.own_pids) {
       order.page->wait_status = status;
       order.page->ended = true;
-    } else if (!order.page->ended) {  // it has not said how the team ended
+    } else if (!order.page->ended) {  // it has not reported how the team ended
       machineFailed(order, "somebody killed the first process of its namespace");
     }
   }

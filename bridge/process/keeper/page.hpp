@@ -56,7 +56,7 @@ struct Page {
   std::int32_t error = 0;       ///< errno; 0: it runs
   Text<128> step;               ///< the step that failed
   bool begins = false;          ///< the launch has reached its last step
-  bool lacks_layer = false;     ///< it gave up because a layer is missing
+  bool lacks_layer = false;     ///< the keeper gave up because a layer is missing
   Text<512> layers;             ///< each ends with a line end
   Text<2048> missing;           ///< each ends with a line end
   Text<512> private_folder;     ///< its path; the launcher removes it if the keeper dies
@@ -66,7 +66,7 @@ struct Page {
   /// @}
   /// @{ How the team ended, valid once the keeper has ended.
   bool ended = false;            ///< the team ended by itself
-  std::int32_t wait_status = 0;  ///< as of waitpid
+  std::int32_t wait_status = 0;  ///< status as of waitpid
   Text<128> reason;              ///< why the keeper ended the team; empty: it had a request
   bool machine_failed = false;   ///< `reason` is not the team's fault
   /// @}

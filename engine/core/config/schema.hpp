@@ -92,7 +92,7 @@ struct TablePlace {
   std::string origin;  ///< file name
   std::string table;
   int index = -1;  ///< see Flaw
-  int line = 1;    ///< of the table's heading
+  int line = 1;    ///< line of the table's heading, from 1
 };
 
 /// Sets the bound values from `table`. Missing keys leave their values unchanged.

@@ -34,7 +34,7 @@ struct TomlValue {
 struct TomlEntry {
   std::string key;
   TomlValue value;
-  int line = 1;  ///< of the key, from 1
+  int line = 1;  ///< line of the key, from 1
 };
 
 /// Largest configuration text [bytes].

@@ -38,7 +38,7 @@ DoubleDouble toDoubles(Wide bits) {
 }  // namespace
 
 // Payne and Hanek (SIGNUM Newsletter 18, 1983): of the product x * 2 / pi only the bits from weight 2
-// downward matter, so the bits of 2 / pi that give whole multiples of four quadrants are never looked at.
+// downward matter, so the bits of 2 / pi that give whole multiples of four quadrants are never used.
 ReducedAngle reduceByBits(double x) {
   const auto raw = std::bit_cast<std::uint64_t>(x);
   const auto biased = static_cast<unsigned>(raw >> kFractionBits) & 0x7ff;

@@ -55,7 +55,7 @@ struct LogarithmSteps {
   double exponent;
   double nearest;  ///< F
   double f;
-  const Logarithm& entry;  ///< of F
+  const Logarithm& entry;  ///< table entry of F
 };
 
 LogarithmSteps stepsOf(double x) {

@@ -43,7 +43,7 @@ class DriveLaw {
   }
   /// The command for which `reached` gives `wanted` [m/s].
   RimSpeeds commandFor(RimSpeeds wanted) const;
-  double limit() const { return limit_; }  ///< [m/s] of one motor
+  double limit() const { return limit_; }  ///< [m/s] largest pull of one motor
 
  private:
   WheelPair resistedPulls(WheelPair ground, WheelPair target, WheelPair limits) const;

@@ -10,7 +10,7 @@ namespace fulbito {
 /// mouth is in the area.
 struct AreaShape {
   double half_width = 0.0;  ///< [m] along the goal line; 0 = there is no such area
-  double depth = 0.0;       ///< [m] of the straight part
+  double depth = 0.0;       ///< [m] depth of the straight part
   double arc_centre = 0.0;  ///< [m] x of the arc's centre; the area includes the circle beyond `depth`
   double arc_radius = 0.0;  ///< [m] 0 = no arc
 

@@ -38,7 +38,7 @@ class Squeeze {
     bool several = false;        // whether another body pressed on it too
     b2Vec2 before{};             // its velocity at the step's start, in Box2D units per s
     float surface_speed = 0.0f;  // largest of the step, in the same unit
-    float restitution = 0.0f;    // of the contact with that speed
+    float restitution = 0.0f;    // restitution of the contact with that speed
   };
   static void slowTo(b2Body& ball, float speed);
 

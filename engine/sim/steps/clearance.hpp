@@ -19,7 +19,7 @@ class Clearance {
   void addDisc(const b2Body* body, float radius);
   /// Adds a wall by its corners, of which the first and the last bound its face [Box2D units].
   void addWall(const std::array<b2Vec2, 4>& corners);
-  /// Sets the half sizes of the field without its goals, and of what its walls cut off each corner along both
+  /// Sets the half sizes of the field without its goals, and the length that corner walls cut off along both
   /// sides [Box2D units].
   void setField(float half_length, float half_width, float corner);
 
@@ -38,7 +38,7 @@ class Clearance {
     Place to{};
     b2Vec2 drift{};      // displacement if nothing stops it
     float spin = 0.0f;   // [rad] turn if nothing stops it
-    float angle = 0.0f;  // [rad] before the step
+    float angle = 0.0f;  // [rad] heading before the step
     float turn = 0.0f;   // [rad] absolute turn in the step
   };
   struct Edge {

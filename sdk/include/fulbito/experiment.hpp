@@ -91,7 +91,7 @@ class SonarSight {
   SonarSight& operator=(SonarSight&&) noexcept;  ///< As above.
   ~SonarSight();
 
-  /// Fires the sonars of the world's first robot and replaces what `scene` knows of obstacles and walls.
+  /// Fires the sonars of the world's first robot and replaces the obstacles and walls of `scene`.
   /// Valid until the next call.
   void look(const World& world, NavigationScene& scene);
 

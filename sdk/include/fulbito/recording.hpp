@@ -50,7 +50,7 @@ struct RecordingRecipe {
   std::vector<std::string> teams;   ///< for a match: specifications of blue and yellow
   std::string navigator;            ///< for a trial: specification
   std::string layout;               ///< layout of a trial
-  std::vector<SensorModel> vision;  ///< what blue and yellow see; of a trial: what the robot sees
+  std::vector<SensorModel> vision;  ///< sensors of blue and yellow; for a trial: of the robot
   std::uint64_t seed = 0;           ///< seed of all random numbers
   std::uint64_t index = 0;          ///< index of a trial in its suite
   /// Everything else that affects the result, by name.

@@ -38,7 +38,7 @@ struct ExperimentRequest {
 struct PaperFigure {
   std::string id;                    ///< unique in the report, e.g. "table-5-radius-0.3"
   std::string where;                 ///< place in the paper, e.g. "Table 5"
-  std::string what;                  ///< what is measured
+  std::string what;                  ///< the measured quantity
   std::string unit;                  ///< e.g. "m"; empty: none
   int decimals = 2;                  ///< decimals of `paper`, `ours` and the band in texts
   std::optional<double> paper = {};  ///< as printed; empty: the paper gives no number
@@ -53,7 +53,7 @@ struct PaperFigure {
 /// A column of a table.
 struct ReportColumn {
   std::string name;  ///< also in CSV and JSON, e.g. "time_s"
-  int decimals = 3;  ///< of its numbers in texts; CSV and JSON have all digits
+  int decimals = 3;  ///< decimals of its numbers in texts; CSV and JSON have all digits
 };
 
 /// Columns from words such as "time_s:2" (a name and its decimals) or "time_s" (default decimals).
@@ -103,7 +103,7 @@ struct ReportScene {
   std::string caption;  ///< one sentence or more for the picture
   PageScene page;       ///< bodies, rows and drawings; `plays` and `ticks` may be left to `finishScene`
   std::vector<ScenePath> paths;
-  std::vector<std::string> labels;  ///< of the first bodies, for the legend; may be empty
+  std::vector<std::string> labels;  ///< labels of the first bodies, for the legend; may be empty
   SceneRoles roles = {};
   std::vector<SceneMoment> moments = {};  ///< drawn in full in the picture of the whole scene
   /// [s] between faint outlines along the bodies' paths; 0: 24 outlines; negative: none

@@ -30,12 +30,12 @@ class WorldOutlines {
   const EchoScene& trace(const World& world, std::size_t without = kNoRobot);
 
  private:
-  std::vector<Vec2> contour_;  // of the field
-  EchoScene scene_;            // of the last trace
+  std::vector<Vec2> contour_;  // outline of the field
+  EchoScene scene_;            // outlines of the last trace
 };
 
-/// The first surface in the world on the way from `from` along the unit vector `direction` within `range`
-/// [m]. For many rays at one tick, use `WorldOutlines::trace` and `EchoScene::castRay`.
+/// The first surface in the world along the unit vector `direction` from `from`, within `range` [m]. For many
+/// rays at one tick, use `WorldOutlines::trace` and `EchoScene::castRay`.
 /// @param without  index of a robot that is left out
 RayHit castRay(const World& world, Vec2 from, Vec2 direction, double range, std::size_t without = kNoRobot);
 
@@ -53,7 +53,7 @@ class SonarArray {
   std::span<const SonarReading> measure(const World& world, std::size_t robot);
   /// The echoes of the last measurement without errors, in the world's frame.
   std::span<const Echo> echoes() const { return echoes_; }
-  const SonarModel& model() const { return model_; }  ///< where its sonars are, and their errors
+  const SonarModel& model() const { return model_; }  ///< places and errors of the sonars
 
  private:
   double heardRange(std::size_t sonar);                               // [m] with errors
@@ -62,9 +62,9 @@ class SonarArray {
   SonarModel model_;
   Rng random_;
   WorldOutlines outlines_;
-  std::vector<Cone> cones_;             // in the world
-  std::vector<Echo> echoes_;            // without errors
-  std::vector<SonarReading> readings_;  // of the last measurement
+  std::vector<Cone> cones_;             // cones in the world's frame
+  std::vector<Echo> echoes_;            // echoes without errors
+  std::vector<SonarReading> readings_;  // readings of the last measurement
 };
 
 /// Speed of sound [m/s] in dry air of `celsius` [degrees], at least -273.15: 331.3 m/s times the root of the
@@ -126,7 +126,7 @@ class WheelEncoders {
 
 /// Quality of a yaw-rate gyro. The defaults give the true rate.
 struct GyroModel {
-  double bias = 0.0;   ///< [rad/s] at the start
+  double bias = 0.0;   ///< [rad/s] bias at the start
   double drift = 0.0;  ///< [rad/s/sqrt(s)] random walk of the bias: its standard deviation after one second
   double noise = 0.0;  ///< [rad/s] standard deviation of each reading
   double scale = 1.0;  ///< measured over true rate
@@ -145,7 +145,7 @@ class Gyro {
 
  private:
   GyroModel model_;
-  double bias_;  // [rad/s] at present
+  double bias_;  // [rad/s] present bias
   Rng random_;
 };
 

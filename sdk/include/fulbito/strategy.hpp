@@ -217,17 +217,17 @@ struct ExerciseReply {
 struct TeamCondition {
   /// Whether the last call has an answer.
   enum class State : std::uint8_t {
-    kWell,  ///< it has
-    kLate,  ///< not within the allowed time
+    kWell,  ///< there is an answer
+    kLate,  ///< no answer within the allowed time
     kDown,  ///< the team failed and starts again
     kLost,  ///< the team failed too often: it forfeits
     kCut,   ///< the machine failed, not the team: the match cannot go on
   };
   State state = State::kWell;     ///< the answer of the last call
   std::optional<double> seconds;  ///< [s] wall time of that call; empty: the caller measures it
-  int failures = 0;               ///< so far: ends of its program, broken messages, late starts
+  int failures = 0;               ///< failures so far: ends of its program, broken messages, late starts
   std::int64_t stale = 0;         ///< replies so far to requests that no longer wait; they are ignored
-  std::string reason;             ///< of the last failure, such as "signal 11 (Segmentation fault)"
+  std::string reason;             ///< reason of the last failure, such as "signal 11 (Segmentation fault)"
 };
 
 /// A team. Arguments and results are plain values, so a team may run in another process. The match calls

@@ -143,8 +143,8 @@ typedef struct fulbito_physics {
   char name[FULBITO_NAME_SIZE]; /**< name of the preset */
   int32_t control_rate;         /**< [Hz] decisions per second */
   int32_t substeps;             /**< physics steps per decision */
-  int32_t velocity_iterations;  /**< of the engine */
-  int32_t position_iterations;  /**< of the engine */
+  int32_t velocity_iterations;  /**< velocity iterations of the engine per step */
+  int32_t position_iterations;  /**< most position iterations of the engine per step */
   uint32_t bullet_ball;         /**< 1: continuous collision of the ball against moving bodies */
   uint32_t reserved;            /**< 0 */
   double contact_depth;         /**< [m] deepest overlap before a step is split; 0: no splits */
@@ -166,7 +166,7 @@ typedef struct fulbito_rules {
   char name[FULBITO_NAME_SIZE]; /**< name of the preset */
   int32_t team_size;            /**< robots per team */
   int32_t mercy_goals;          /**< lead that ends the match; 0: never */
-  int32_t tie_break;            /**< after two halves */
+  int32_t tie_break;            /**< the tie-break after two halves */
   int32_t overtime_parts;       /**< periods of overtime */
   int32_t attackers_max;        /**< robots allowed in the opponents' goal area; -1: any number */
   int32_t big_attackers_max;    /**< robots allowed in the opponents' big area; -1: any number */
@@ -198,7 +198,8 @@ FULBITO_SIZE(fulbito_rules, 200);
 /** A team's knowledge before the match. */
 typedef struct fulbito_match_info {
   uint32_t colour;           /**< the team's colour */
-  uint32_t left;             /**< 1: the team defends the left goal of pictures at first */
+  /** 1: the team defends the goal on the left of pictures at the start of the match */
+  uint32_t left;
   uint64_t seed;             /**< of the team's random stream; the same match has the same seed */
   double dt;                 /**< [s] control period: one decision per period */
   double observation_age;    /**< [s] nominal age of each observation */
@@ -470,7 +471,7 @@ typedef struct fulbito_parameter {
 } fulbito_parameter;
 FULBITO_SIZE(fulbito_parameter, 64);
 
-/** What the simulator offers to one team or navigator, from `create` to `destroy`. Its functions may be
+/** The simulator's functions for one team or navigator, from `create` to `destroy`. Its functions may be
  * called by the thread that runs a call of this team or navigator, during that call. */
 typedef struct fulbito_host {
   uint32_t abi_version;  /**< FULBITO_ABI of the simulator */
@@ -504,7 +505,7 @@ FULBITO_SIZE(fulbito_curve_widening, 16);
 /** A library: its description, its team, and its extensions. The table and all that it points at live as long
  * as the library is loaded. */
 typedef struct fulbito_library {
-  uint32_t abi_version;                /**< FULBITO_ABI; the first member for ever */
+  uint32_t abi_version;                /**< FULBITO_ABI; the first member in all versions */
   uint32_t struct_size;                /**< sizeof(fulbito_library); later versions append members */
   const char* name;                    /**< name of the team or of the library; not empty */
   const char* version;                 /**< NULL or empty: none */
@@ -562,7 +563,7 @@ FULBITO_SIZE(fulbito_restarts, 32);
 
 /** Extension of a library: `fulbito_exercises`. */
 #define FULBITO_EXT_EXERCISES "fulbito.exercises/1"
-/** What `fulbito_exercises::exercise` returns if the team lacks the skill. */
+/** Result of `fulbito_exercises::exercise` if the team lacks the skill. */
 #define FULBITO_NO_SKILL (-1000)
 /** The team's part in drills of one skill. */
 typedef struct fulbito_exercises {

@@ -155,8 +155,8 @@ struct Physics {
   std::string name;                    ///< name of the preset
   int control_rate = 60;               ///< [Hz] decisions per second
   int substeps = 1;                    ///< physics steps per decision
-  int velocity_iterations = 0;         ///< of the engine
-  int position_iterations = 0;         ///< of the engine
+  int velocity_iterations = 0;         ///< velocity iterations of the engine per step
+  int position_iterations = 0;         ///< most position iterations of the engine per step
   bool bullet_ball = false;            ///< continuous collision of the ball against moving bodies
   double contact_depth = 0.0;          ///< [m] deepest overlap before a step is split; 0: no splits
   double max_ball_speed = 0.0;         ///< [m/s] up to this speed the ball does not tunnel
@@ -173,7 +173,7 @@ struct Rules {
   double half_seconds = 0.0;             ///< [s] play time of a half
   bool swap_sides = false;               ///< teams change sides at half-time; observations stay mirrored
   int mercy_goals = 0;                   ///< lead that ends the match; 0: never
-  TieBreak tie_break = TieBreak::kNone;  ///< after two halves
+  TieBreak tie_break = TieBreak::kNone;  ///< the tie-break after two halves
   int overtime_parts = 0;                ///< periods of overtime
   double overtime_seconds = 0.0;         ///< [s] play time of each period of overtime
   bool golden_goal = false;              ///< the first goal in overtime ends the match
@@ -211,7 +211,8 @@ struct DecisionTime {
 /// A team's knowledge before the match.
 struct Info {
   Colour colour = Colour::kBlue;              ///< the team's colour
-  bool left = true;                           ///< the team defends the left goal of pictures at first
+  /// the team defends the goal on the left of pictures at the start of the match
+  bool left = true;
   double dt = 1.0 / 60.0;                     ///< [s] control period: one decision per period
   /// of the team's random stream; the same match has the same seed
   std::uint64_t seed = 0;
@@ -623,7 +624,7 @@ struct NavigationScene {
   double heading_tolerance = 0.0;      ///< [rad] difference that counts as the wanted heading
   bool stop = false;                   ///< stop at the goal; otherwise the robot may pass it at speed
   std::vector<Disc> obstacles;         ///< the other bodies, in any order
-  Field field;                         ///< its size
+  Field field;                         ///< geometry of the field
   RobotModel robot;                    ///< its max_wheel_speed is the speed limit of this trial
 };
 

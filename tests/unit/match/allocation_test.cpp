@@ -9,7 +9,7 @@ namespace {
 
 using namespace fulbito::test;
 
-/// Ticks of a match that allocated anything, once warm. Ticks that end in a restart are not counted.
+/// Number of a match's ticks that allocated memory, once warm. Ticks that end in a restart are not counted.
 int allocatingTicks(const MatchConfig& config, Tick warm_up,
                     const std::vector<MatchObserver*>& watching = {}) {
   auto match = Match::create(config);

@@ -9,8 +9,8 @@
 
 namespace fulbito::testing {
 
-/// A match's setup from an embedded profile, with its field and the league robot. Play begins as soon as all
-/// are placed: a test of the delays sets them itself.
+/// A match's setup from an embedded profile, with its field and the league robot. Play begins without delay:
+/// tests of the delays set them themselves.
 inline RefereeSetup setupOf(const std::string& profile) {
   RefereeSetup setup;
   setup.rules = *loadRules(profile);
@@ -27,7 +27,7 @@ class PaperMatch {
  public:
   explicit PaperMatch(const RefereeSetup& setup) : referee(setup) { begin(referee.open()); }
 
-  /// Places everyone by the rules and tells the referee.
+  /// Places all robots by the rules and tells the referee.
   void begin(const RestartCall& next) {
     call = next;
     ++restarts;
@@ -53,11 +53,11 @@ class PaperMatch {
     if (next) begin(*next);
     return next.has_value();
   }
-  /// Plays until a call, the end, or so many seconds are over; true after a call or the end.
+  /// Plays until a call, the end, or this many seconds; true after a call or the end.
   bool play(double seconds) {
     const double dt = referee.setup().dt;
     for (int i = 0; i < static_cast<int>(seconds / dt + 0.5); ++i) {
-      // A ball that never lies still long is never stuck.
+      // A ball that keeps moving is never stuck.
       if (wander) ball.position = {0.25 * ((tick / 60) % 2 == 0 ? 1.0 : -1.0), 0.05};
       if (step() || referee.state().ended) return true;
     }
@@ -69,7 +69,7 @@ class PaperMatch {
     ball.position = {side * (referee.setup().field.length / 2 + 0.05), 0.0};
     step();
   }
-  /// How many events of that clause there were.
+  /// Number of events with that clause.
   int count(std::string_view clause) const {
     int n = 0;
     for (const GameEvent& event : events) n += event.clause == clause ? 1 : 0;

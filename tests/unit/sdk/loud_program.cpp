@@ -3,7 +3,7 @@
 
 #include "fulbito/team_program.hpp"
 
-/// A team that prints wherever it can, and gives up at tick 60.
+/// A team that prints to every stream, and fails at tick 60.
 class Loud final : public fulbito::team::Team {
  public:
   Loud() : Team("loud") { std::cout << "made" << std::endl; }

@@ -48,12 +48,13 @@ class EchoScene {
   /// only; a start inside a disc hits it at once.
   RayHit castRay(Vec2 from, Vec2 direction, double range) const;
 
-  /// The nearest point in the cone that throws an echo back to its apex. That is a visible point
-  ///  - of a face or disc where the angle between its normal and the way back is at most `specular_limit`
-  ///    [rad]; beyond it a smooth surface throws the sound off sideways, but still hides what is behind it,
-  ///  - of a body's corner where that angle to the nearer face is at most the limit, or the way back lies
-  ///    between the normals of its faces,
-  ///  - of a room's corner of at most 90 degrees, which throws sound back by two reflections.
+  /// The nearest point in the cone that reflects an echo to its apex. That is a visible point
+  ///  - of a face or disc where the angle between its normal and the direction back is at most
+  ///    `specular_limit` [rad]; beyond it a smooth surface reflects the sound sideways, but still hides what
+  ///    is behind it,
+  ///  - of a body's corner where that angle to the nearer face is at most the limit, or the direction back
+  ///    lies between the normals of its faces,
+  ///  - of a room's corner of at most 90 degrees, which reflects sound to its source by two reflections.
   Echo castCone(const Cone& cone, double specular_limit) const;
 
  private:
@@ -77,7 +78,7 @@ class EchoScene {
   std::vector<Face> faces_;
   std::vector<Corner> corners_;
   std::vector<Disc> discs_;
-  std::vector<Vec2> distinct_;  ///< of the outline that is being added
+  std::vector<Vec2> distinct_;  ///< points of the outline that is being added
 };
 
 }  // namespace fulbito

@@ -15,7 +15,7 @@ namespace fulbito {
 /// A body as the viewer draws it.
 struct PageBody {
   BodyKind kind = BodyKind::kRobot;  ///< never kWall
-  std::optional<RobotId> id;         ///< of a match's robot
+  std::optional<RobotId> id;         ///< team and number of a match's robot
   bool box = false;                  ///< a rectangle; false: a disc
   double length = 0.0;               ///< [m] of a box along its x
   double width = 0.0;                ///< [m] of a box along its y
@@ -33,7 +33,7 @@ struct PagePlay {
   std::size_t row = 0;  ///< index of its first row
   Tick tick = 0;        ///< tick of that row
   Tick signal = 0;      ///< the clock runs from here on; beyond the play's end: never
-  double clock = 0.0;   ///< [s] of the period at the beginning
+  double clock = 0.0;   ///< [s] time in the period at the beginning
   int period = 1;
   std::string kind;               ///< kind of restart, e.g. kick-off; empty for a trial
   std::optional<TeamId> team;     ///< the team that takes the restart
@@ -54,7 +54,7 @@ struct PageRun {
   std::string label;    ///< specification of the navigator
   std::string outcome;  ///< a TrialOutcome's name
   bool success = false;
-  double seconds = 0.0;       ///< [s] until its end
+  double seconds = 0.0;       ///< [s] time until its end
   double length = 0.0;        ///< [m] driven
   double time_ratio = 0.0;    ///< over T*
   double length_ratio = 0.0;  ///< over L*

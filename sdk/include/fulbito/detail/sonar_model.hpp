@@ -7,7 +7,7 @@
 
 namespace fulbito {
 
-/// Where an ultrasonic sensor sits on a robot, and what it can hear. It hears within a cone about its axis.
+/// Mount and range of an ultrasonic sensor on a robot. It hears within a cone about its axis.
 struct SonarSpec {
   Pose2 mount;  ///< robot frame: its membrane, and the direction of its axis
   double half_cone =
@@ -31,10 +31,11 @@ struct SonarModel {
   double cross_talk = 0.0;
 };
 
-/// What one sonar reports.
+/// A reading of one sonar.
 struct SonarReading {
   bool heard = false;  ///< whether there was an echo
-  double range = 0.0;  ///< [m] from the membrane to what it heard; the sonar's `greatest` without an echo
+  /// [m] from the membrane to the place of the echo; the sonar's `greatest` without an echo
+  double range = 0.0;
 };
 
 /// Radius [m] of the robot of P.-G. Kim et al. (2006), a Pioneer.

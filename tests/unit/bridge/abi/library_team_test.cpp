@@ -18,7 +18,7 @@ using namespace fulbito::test;
 
 std::string libraryFile(const std::string& name) { return FULBITO_TEST_LIBRARIES "/" + name + ".so"; }
 
-/// What a team logs.
+/// Collects the lines that a team logs.
 struct Lines {
   std::string text;
   PluginLog log() {
@@ -42,7 +42,7 @@ std::unique_ptr<Strategy> teamOf(
   return std::move(*team);
 }
 
-/// A match in which a team may fail so often.
+/// A match in which a team may fail this often.
 MatchInfo limited(int failures) {
   MatchInfo info;
   info.decision_time = DecisionTime{};
@@ -124,7 +124,7 @@ TEST_CASE("a file that is no library is refused", "[unit]") {
 TEST_CASE("a library that was cut is refused, wherever the cut is", "[unit]") {
   const ScratchFolder folder;
   const std::string whole = contentOf(libraryFile("plain_c"));
-  // Behind what is mapped lie only sections for debuggers, which nobody misses.
+  // Behind the mapped part there are only debug sections, which a truncated file may lack.
   const std::size_t mapped = mappedLength(libraryFile("plain_c"));
   REQUIRE(loadTeamLibrary(folder.write("mapped.so", whole.substr(0, mapped))));
   for (const std::size_t kept : {std::size_t{100}, std::size_t{1000}, mapped / 2, mapped - 1}) {
@@ -348,7 +348,7 @@ TEST_CASE("no library changes the floating-point mode of the thread", "[unit]") 
     team->begin({});
     CHECK(unchanged());
     for (int i = 0; i < 3; ++i) {
-      // It is called in the mode of the simulator, although it leaves another one behind.
+      // The call has the simulator's floating-point mode, although the team leaves another one behind.
       CHECK(team->decide(threeRobots()).robots[0].wheels.left == 0x1f80);
       CHECK(unchanged());
     }

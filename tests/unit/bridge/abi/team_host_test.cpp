@@ -65,7 +65,7 @@ class HostProcess {
     pid_ = 0;
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
-  /// All that it has written to standard error; after `end`.
+  /// Its whole standard error; to call after `end`.
   std::string errors() {
     std::string text;
     std::array<char, 4096> piece{};
@@ -109,7 +109,7 @@ TEST_CASE("fulbito-team-host plays for a library; what the team prints goes to s
 }
 
 TEST_CASE("fulbito-team-host says what is wrong and gives the program's exit codes", "[unit]") {
-  // Before there is a conversation on standard error, then as its message.
+  // Before a conversation, it reports on standard error, then by a message.
   const auto run = [](std::vector<std::string> arguments, int code, const std::string& words, bool told) {
     CAPTURE(words);
     HostProcess process(std::move(arguments));

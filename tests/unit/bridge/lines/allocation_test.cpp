@@ -14,7 +14,7 @@ constexpr std::string_view kReply =
     R"({"text":[0,0,"words that are too long for a string without memory of its own"]}]})"
     "\n";
 
-/// A team of which nothing allocates.
+/// A team that allocates nothing.
 class Still final : public team::Team {
  public:
   Still() : Team("still") {}

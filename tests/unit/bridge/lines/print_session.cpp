@@ -3,7 +3,7 @@
 #include "tests/unit/bridge/lines/port_commands.hpp"
 #include "tests/unit/bridge/lines/session.hpp"
 
-/// Prints the sample session anew: what the simulator says, with the answers of examples/teams/trio.py.
+/// Prints the sample session: the simulator's messages, and the answers of examples/teams/trio.py.
 int main() {
   using namespace fulbito::test;
   const PipedProgram trio(pythonTeam("trio.py"));

@@ -41,7 +41,7 @@ Observation kickOff() {
   return seen;
 }
 
-/// `seconds` later: all drive, and one opponent has been sent off.
+/// `seconds` later: all robots drive, and one opponent has been sent off.
 Observation inPlay(double seconds, double ball_x, bool drawings) {
   Observation seen = kickOff();
   seen.tick = static_cast<Tick>(seconds * 60.0);

@@ -9,14 +9,14 @@
 
 namespace fulbito::test {
 
-/// One message of the sample session: how a codec writes it.
+/// One message of the sample session, and the function by which a codec writes it.
 struct SessionMessage {
   bool request = true;  ///< it gets an answer
   std::function<void(TeamCodec& codec, std::uint64_t id, std::string& out)> write;
 };
 
-/// What the simulator says in the sample session (docs/team-protocol-session.txt): every kind of message,
-/// with values of a match that was made up for it, so that no change of the physics changes them.
+/// The simulator's messages in the sample session (docs/team-protocol-session.txt): every kind of message,
+/// with values of an invented match, so that changes of the physics do not change them.
 std::vector<SessionMessage> sessionMessages();
 
 /// The same as lines of the protocol, with their ends.

@@ -1,4 +1,4 @@
-// What the machine fails is no fault of a team: the match has no result, whatever call fails.
+// Failures of the machine are no fault of a team: the match has no result, whatever system call fails.
 
 #include <algorithm>
 #include <chrono>
@@ -25,7 +25,7 @@ std::int64_t steadyNow() {
       .count();
 }
 
-/// A team outside the program against one inside, with time enough for a busy machine.
+/// A team outside the program against one inside, with enough time for a busy machine.
 MatchConfig outsideMatch() {
   OutsideOptions options;
   options.clock = steadyNow;

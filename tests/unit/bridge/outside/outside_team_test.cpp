@@ -1,5 +1,5 @@
-// Teams in processes of their own, in whole matches: the same play as in this process, and no misbehaviour
-// that stops a match.
+// Teams in processes of their own, in whole matches: they play as in this process, and no misbehaviour stops
+// a match.
 
 #include <array>
 #include <chrono>
@@ -94,7 +94,7 @@ TEST_CASE("a program plays the match of the built-in team that it is a port of",
   for (const TeamFaults& faults : outside.faults.teams) CHECK(faults.rejected() + faults.failures == 0);
 }
 
-// Those that the loader refuses, or that end their process, are no teams for this.
+// Libraries that the loader refuses, or that end their process, are left out: they cannot play here.
 const std::vector<std::string> kLibraries = {
     "ported_chaser.so",
     "plain_c.so:gain=0.5,style=calm",
@@ -143,7 +143,7 @@ TEST_CASE("a library plays the same match in this process and in its own, whatev
   CHECK(failures.size() >= 4);
 }
 
-// These answer well, whatever else they try, or what they answer does no harm.
+// These teams answer correctly, whatever else they try, or their answers do no harm.
 const std::set<std::string> kHarmless = {
     "signal-others", "trace-others",      "write-outside",       "read-secrets",       "network",
     "raise-limits",  "gain-rights",       "leave-shared-memory", "meddle-with-others", "unasked-answer",
@@ -162,7 +162,7 @@ std::vector<std::string> kindsOfMisbehaviour() {
   return kinds;
 }
 
-// A kind that fails does so three times per match.
+// A failing team fails three times per match.
 TEST_CASE("a match goes on to its verdict whatever a team does", "[unit][misbehaviour]") {
   const auto kinds = kindsOfMisbehaviour();
   CHECK(kinds.size() >= 30);

@@ -1,4 +1,4 @@
-// What teams can read, wherever the program and their files lie.
+// The files that teams can read, wherever the program and the team's files are.
 
 #include <chrono>
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace {
 using namespace fulbito::test;
 namespace fs = std::filesystem;
 
-/// A start that fails: then all that the team wrote to standard error is shown.
+/// A start that fails: all standard error of the team is shown.
 struct Start {
   std::string log;
   std::string error;
@@ -39,7 +39,7 @@ Start startOf(const std::string& specification, const std::string& host = FULBIT
   return start;
 }
 
-/// Without Landlock, mounts stop writing, but a team reads what its user reads.
+/// Without Landlock, mounts prevent writing, but a team reads all that its user can read.
 bool hidesFiles() { return ::syscall(SYS_landlock_create_ruleset, nullptr, 0, 1U) >= 1; }
 
 std::string copied(const char* file, const fs::path& to) {
@@ -59,7 +59,7 @@ TEST_CASE("a library reads its own folder and nothing around the program that ho
   if (!hidesFiles()) return;
   const ScratchFolder scratch;
   const fs::path root = scratch.path();
-  // The program's folder below the root, and where the library lies.
+  // Folders below the root: that of the program, and that of the library.
   const std::pair<const char*, const char*> layouts[] = {{"user/bin", "elsewhere"},
                                                          {"user", "elsewhere"},
                                                          {"user", "user/teams/a"},
@@ -129,7 +129,7 @@ TEST_CASE("a team that does not start because a file of its command is missing s
   CHECK(startOf("cmd:sh " + missing).error.ends_with("there is no file '" + missing + "'"));
   CHECK(startOf("cmd:sh team-x.sh")
             .error.ends_with("; there is no file 'team-x.sh' in " + fs::current_path().string()));
-  // A word of another kind is not taken for a file.
+  // Other words are not taken for files.
   CHECK(startOf("cmd:sh -c 'exit 4' --rate=0.5 fast").error.ends_with("exit code 4"));
 }
 

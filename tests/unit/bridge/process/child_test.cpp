@@ -33,7 +33,7 @@ ChildOptions cat() {
   return options;
 }
 
-/// Talks until `bytes` have come back.
+/// Sends and receives until `bytes` have come back.
 std::string returned(Child& child, std::size_t bytes) {
   std::string text;
   while (text.size() < bytes && child.receive(text, 20.0) == Child::Received::kBytes) {
@@ -112,7 +112,7 @@ TEST_CASE("a wait for output ends in time", "[unit]") {
   std::string text;
   const auto begin = std::chrono::steady_clock::now();
   CHECK(child.receive(text, 0.2) == Child::Received::kNothing);
-  // Complaints interrupt the wait, and do not lengthen it.
+  // Lines on standard error interrupt the wait, but do not lengthen it.
   CHECK(secondsSince(begin) >= 0.19);
   CHECK(secondsSince(begin) < 5.0);
   for (const double nothing : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
@@ -124,7 +124,7 @@ TEST_CASE("a flood of errors does not lengthen a wait for output", "[unit]") {
   Child child = launched(shell("cat /dev/zero >&2; echo ended"));
   std::string text;
   CHECK(child.receive(text, 1.0) == Child::Received::kNothing);
-  // Time to read is no time asleep, which the wait counts: so it reads a bounded part, and the rest waits.
+  // The wait counts only time asleep, not time to read. So it reads a bounded part, and the rest waits.
   const std::string errors = child.takeErrors();
   const std::size_t note = errors.find("\n[");
   REQUIRE(note != std::string::npos);
@@ -156,7 +156,7 @@ TEST_CASE("how a child ended is told", "[unit]") {
   CHECK(ending("exit 3") == "exit code 3");
   CHECK(ending("kill -SEGV $$") == "signal 11 (Segmentation fault)");
   CHECK(ending("kill -KILL $$") == "signal 9 (Killed)");
-  CHECK(ending("exec 1>&-; sleep 0.3; exit 4") == "exit code 4");  // as an interpreter that takes its time
+  CHECK(ending("exec 1>&-; sleep 0.3; exit 4") == "exit code 4");  // like an interpreter that ends slowly
   CHECK(ending("exec 1>&-; sleep 60") == "killed");
 }
 
@@ -229,7 +229,7 @@ TEST_CASE("descriptors of the launching program stay closed in a child", "[unit]
   ::close(open);
   CHECK_THAT(text, Catch::Contains(" 0 -> "));
   CHECK(text.find(" 77 -> ") == std::string::npos);
-  // Three, and the folder that ls reads.
+  // Three descriptors, and the folder that ls reads.
   CHECK(std::count(text.begin(), text.end(), '>') == 4);
 }
 
@@ -299,7 +299,7 @@ TEST_CASE("a child is not started where the machine leaves less than it may have
 
 TEST_CASE("memory that runs out around a child is not its fault", "[unit][sandbox]") {
   namespace fs = std::filesystem;
-  // Of version 1, as a group of version 2 with processes has no groups of its own.
+  // In version 1, since a group of version 2 that has processes can have no groups below it.
   const fs::path group = "/sys/fs/cgroup/memory/fulbito-test-" + std::to_string(::getpid());
   std::error_code refused;
   if (!fs::exists("/sys/fs/cgroup/memory/memory.limit_in_bytes") || !fs::create_directory(group, refused))

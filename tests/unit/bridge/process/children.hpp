@@ -7,31 +7,31 @@
 
 namespace fulbito::test {
 
-/// The program that misbehaves, next to this test's program or as the environment names it.
+/// The program that misbehaves: beside this test's program, or named by the environment.
 std::string misbehavingTeam();
 
-/// A child that must start.
+/// A child whose start must succeed.
 Child launched(const ChildOptions& options);
 
 /// Options for a shell's command line.
 ChildOptions shell(const std::string& line);
 
-/// All that the child writes until it closes its output, at most `seconds` after its last word.
+/// All output of the child until it closes it, or is silent for `seconds`.
 std::string allOutput(Child& child, double seconds = 20.0);
 
 /// Whether the list of layers has this one.
 bool has(const std::vector<std::string>& layers, const std::string& name);
 
-/// What children have left: descriptors, processes, files, control groups. Looks at processes whose command
-/// line holds `mark`, and at a folder of temporary files that only this test uses.
+/// Finds what children have left: descriptors, processes, files, control groups. Looks at processes whose
+/// command line contains `mark`, and at a folder of temporary files that only this test uses.
 class Leftovers {
  public:
   explicit Leftovers(std::string mark);
-  /// Notes the keepers that run now, whose control groups must go.
+  /// Notes the running keepers, whose control groups must disappear.
   void noteKeepers();
-  /// Kills those that were noted.
+  /// Kills the noted keepers.
   void killKeepers() const;
-  /// One line for each thing that is left; empty: nothing.
+  /// One line per thing that is left; empty: nothing.
   std::string found() const;
 
  private:

@@ -1,4 +1,4 @@
-// Every kind of misbehaviour that a process is capable of: the child ends in time, and nothing is left.
+// Every kind of misbehaviour of a process: the child ends in time, and nothing is left.
 
 #include <chrono>
 #include <set>
@@ -13,15 +13,15 @@ namespace {
 
 using namespace fulbito::test;
 
-// A deadline as a match has it for decisions. Those that end themselves get more, as bombs need to go off.
+// A deadline as for decisions in a match. Programs that end themselves get more, as bombs need time.
 constexpr double kDeadline = 0.1;   // [s]
 constexpr double kPatience = 20.0;  // [s]
-// Ending means killing some dozens of processes at most, on a machine that other tests keep busy.
+// Ending kills some dozens of processes at most, on a machine that other tests keep busy.
 constexpr double kMostToEnd = 5.0;  // [s]
 
 struct Expected {
   std::string kind;
-  std::set<std::string> endings;  ///< any of them
+  std::set<std::string> endings;  ///< allowed endings
   bool ends_itself = true;        ///< otherwise the deadline ends it
 };
 
@@ -64,7 +64,7 @@ std::vector<Expected> expectations() {
   return expected;
 }
 
-/// What a match does: listens until the deadline, but not for more than a flood may cost.
+/// Behaves like a match: listens until the deadline, but not longer than a flood may take.
 void listen(Child& child, double seconds) {
   constexpr std::size_t kMost = std::size_t{1} << 22;
   std::string text;

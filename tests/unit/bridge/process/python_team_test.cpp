@@ -1,4 +1,4 @@
-// What a Python team with the SDK can do wrong, as its child process shows it.
+// Mistakes of a Python team with the SDK, as its child process shows them.
 
 #include <filesystem>
 #include <fstream>
@@ -63,7 +63,7 @@ Outcome outcomeOf(const std::string& kind, const std::string& mark) {
     outcome.answer = answerTo(child, line, decides && kind == "sleep" ? kDeadline : kPatience);
     if (decides) break;
   }
-  // Who has not answered has ended, or never will. An interpreter takes a moment to end.
+  // A program without an answer has ended, or never answers. An interpreter takes a moment to end.
   if (outcome.answer.empty() && kind != "sleep") {
     allOutput(child, kPatience);
     ::usleep(500'000);

@@ -1,4 +1,4 @@
-// Runs a program where the kernel refuses namespaces, as in many containers, and Landlock, as on old kernels:
+// Runs a program as if the kernel refused namespaces, as in many containers, and Landlock, as on old kernels:
 //   refusing namespaces[,landlock] PROGRAM [ARGUMENT...]
 
 #include <cerrno>

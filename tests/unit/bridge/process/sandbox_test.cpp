@@ -17,8 +17,8 @@ namespace {
 
 using namespace fulbito::test;
 
-/// Whether this system lets this user have PID and mount namespaces. Many containers do not, and refusing.cpp
-/// is like one.
+/// Whether this system lets this user have PID and mount namespaces. Many containers do not; refusing.cpp
+/// imitates one.
 bool hasNamespaces() {
   unsigned long flags = CLONE_NEWPID | CLONE_NEWNS | SIGCHLD;
   if (::geteuid() != 0) flags |= CLONE_NEWUSER;
@@ -27,7 +27,7 @@ bool hasNamespaces() {
   return process > 0 && ::waitpid(process, nullptr, 0) == process;
 }
 
-/// Version of the kernel's Landlock; below 1: it has none.
+/// Version of the kernel's Landlock; below 1: none.
 long landlockVersion() { return ::syscall(SYS_landlock_create_ruleset, nullptr, 0, 1U); }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -94,7 +94,7 @@ TEST_CASE("limits of processes bind root as well", "[unit][sandbox]") {
     Child child = launched(options);
     const bool alone = has(child.containment().layers, "pid-namespace");
     if (kind == "fork-bomb") {
-      // Where the user's other processes count as well, there may be fewer.
+      // If the user's other processes count as well, there may be fewer.
       for (int round = 0; alone && round < 1000 && processesWith(mark) < 10; ++round) ::usleep(10'000);
       ::usleep(200'000);
       CHECK(processesWith(mark) <= 10);
@@ -167,7 +167,7 @@ TEST_CASE("folders that are nested too deep for a path are removed", "[unit][san
     child.receive(text, 1.0);
     const auto begin = std::chrono::steady_clock::now();
     child.end();
-    // Elsewhere a disk removes them, in its own time.
+    // Otherwise the folder is on a disk, which removes files in its own time.
     if (has(child.containment().layers, "mount-namespace")) {
       CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(2));
     }
@@ -176,7 +176,7 @@ TEST_CASE("folders that are nested too deep for a path are removed", "[unit][san
 }
 
 TEST_CASE("attacks are refused", "[unit][sandbox]") {
-  // Before version 6 only a PID namespace keeps a user's other processes safe.
+  // Before version 6, only a PID namespace protects a user's other processes.
   if (landlockVersion() < (hasNamespaces() ? 1 : 6)) return;
   const ScratchFolder folder;
   ::chmod(folder.path().c_str(), 0777);
@@ -187,7 +187,7 @@ TEST_CASE("attacks are refused", "[unit][sandbox]") {
         "raise-limits", "leave-shared-memory", "gain-rights"}) {
     const std::string errors = errorsOf({misbehavingTeam(), kind, "--victim-in", folder.path().string()});
     CHECK(errors.find("GOT THROUGH") == std::string::npos);
-    // In a PID namespace nobody is there to be signalled.
+    // A PID namespace has no other processes to signal.
     if (kind.find("others") == std::string::npos) CHECK_THAT(errors, Catch::Contains("refused"));
     std::string content;
     std::ifstream(victim) >> content;

@@ -15,7 +15,7 @@ namespace {
 
 enum class Load { kRandom, kChase };
 
-// Allocations of `ticks` ticks after `warm_up` of them.
+// Number of allocations in `ticks` ticks after `warm_up` ticks.
 long allocationsIn(World& world, Load load, int warm_up, int ticks) {
   Rng rng(5, Stream::kWheelCommands);
   std::vector<WheelSpeeds> commands(world.config().robots.size());

@@ -16,7 +16,7 @@ double secondsOf(const World& world) {
   return static_cast<double>(world.state().tick) * world.config().physics.controlPeriod();
 }
 
-// Runs until the ball rolls without sliding; the speed along x that it then has.
+// Runs until the ball rolls without sliding. @return its speed along x then
 double settledSpeed(World& world) {
   for (int i = 0; i < 4000; ++i) {
     run(world, {}, 1);
@@ -32,7 +32,7 @@ double rollDistance(const BallModel& model, const PhysicsProfile& physics, doubl
 }
 
 struct Rebound {
-  double at_once;  // m/s away from the wall
+  double at_once;  // [m/s] away from the wall, right after the impact
   double settled;
 };
 

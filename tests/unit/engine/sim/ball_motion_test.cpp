@@ -27,7 +27,7 @@ TEST_CASE("a sliding ball gives its speed to its spin in the fixed proportion", 
 TEST_CASE("a ball whose spin and speed would cross in a step rolls from then on", "[unit]") {
   const BallMotion after = afterFloor(plainBall(), {{0.5, 0.0}, {0.0, 0.5}}, 1.0);
   CHECK(after.velocity == after.spin);
-  // Along the mixture (0.3, 0.2), less a second of rolling loss.
+  // The direction is that of the mixture (0.3, 0.2); the speed is less by a second of rolling loss.
   CHECK(norm(after.velocity) == Approx(std::sqrt(0.13) - 0.1));
   CHECK(after.velocity.y / after.velocity.x == Approx(2.0 / 3.0));
 }

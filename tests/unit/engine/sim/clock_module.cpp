@@ -3,7 +3,7 @@
 
 #include "fulbito/world.hpp"
 
-/// What Box2D says a step of a small world took [ms].
+/// Box2D's own measurement of a step of a small world [ms].
 extern "C" __attribute__((visibility("default"))) float moduleStepMilliseconds() {
   fulbito::WorldConfig config;
   config.robots.resize(1);

@@ -17,7 +17,7 @@ constexpr BodyId robotId(std::uint16_t i) { return {BodyKind::kRobot, i}; }
 constexpr BodyId ballId(std::uint16_t i) { return {BodyKind::kBall, i}; }
 constexpr BodyId obstacleId(std::uint16_t i) { return {BodyKind::kObstacle, i}; }
 
-// Ticks until something touches; the events of that tick.
+// Runs until something touches. @return the events of that tick
 std::vector<ContactEvent> firstContact(World& world, WheelSpeeds wheels) {
   for (int tick = 0; tick < 600; ++tick) {
     run(world, wheels, 1);
@@ -56,7 +56,7 @@ TEST_CASE("a robot that drives into a fixed obstacle and keeps pushing begins to
   CHECK(events[0].began);
   CHECK(events[0].normal.x == Approx(1.0));
   CHECK(events[0].point.x == Approx(0.2 - 0.0335).margin(0.0015));
-  // The impact stops the robot; it bounces with its restitution, and its motor goes on pulling.
+  // The impact stops the robot, which bounces with its restitution, and its motor keeps pulling.
   const double least = 0.15 * 0.52, most = 0.15 * (0.52 * 1.1 + 9.0 / 60);
   CHECK(events[0].impulse >= least);
   CHECK(events[0].impulse <= most);

@@ -69,7 +69,7 @@ TEST_CASE("random driving leaves everything inside the walls", "[unit][repeated]
   std::vector<WheelSpeeds> commands(6);
   int outside = 0;
   for (int tick = 0; tick < 25'000 * repetitions(); ++tick) {
-    // One robot in each tick changes its mind, so that each holds its wheels long enough to go somewhere.
+    // One robot per tick gets new wheel speeds, so that each keeps its speeds long enough to go somewhere.
     WheelSpeeds& wheels = commands[rng.below(6)];
     wheels = {rng.uniform(-46.0, 46.0), rng.uniform(-46.0, 46.0)};
     if (tick % 6'000 == 0) world = makeWorld(matchConfig(preset, physics, 3, {}));

@@ -55,8 +55,8 @@ TEST_CASE("a measured yaw acceleration stands for mass and shape", "[unit]") {
 }
 
 TEST_CASE("a wheel that holds its speed helps to move the body that the other one turns", "[unit]") {
-  // Right pulls F, left keeps its rim at rest: v = (track / 2) w at every moment, and both forces are
-  // limited.
+  // The right motor pulls with F, the left one keeps its rim at rest: v = (track / 2) w at every moment, and
+  // both forces are limited.
   const RobotModel robot = plainRobot();
   const double share = robot.turnShare();
   Drive drive(robot, kStep, 0.0);
@@ -69,11 +69,12 @@ TEST_CASE("a wheel that holds its speed helps to move the body that the other on
 TEST_CASE("drag slows what speeds up, helps what brakes, and leaves turning alone", "[unit]") {
   RobotModel robot = plainRobot();
   robot.rolling_drag = 2.0;
-  robot.wheel_braking = 8.5;  // of the 9 m/s2 that motors and drag could give
+  robot.wheel_braking = 8.5;  // less than the 9 m/s2 of motors and drag
   Drive drive(robot, kStep, 0.0);
   drive.setCommand({50.0, 50.0});
   CHECK(drive.step({}).forward == Approx(5.0 * kStep));
-  CHECK(drive.step({1.0, 0.0, 0.0}).forward == Approx(0.0).margin(1e-6));  // held, against the drag
+  // the motors hold the speed against the drag
+  CHECK(drive.step({1.0, 0.0, 0.0}).forward == Approx(0.0).margin(1e-6));
   drive.setCommand({});
   CHECK(drive.step({0.5, 0.0, 0.0}).forward == Approx(-8.5 * kStep));
   CHECK(drive.step({0.01, 0.0, 0.0}).forward == Approx(-0.01));
@@ -90,7 +91,8 @@ TEST_CASE("the spin ratio is of turning in place and does not act on arcs", "[un
   Drive drive(robot, kStep, 0.0);
   const auto yaw = [&](double left, double right) {
     drive.setCommand({left, right});
-    return drive.step({}).yaw * robot.axle_track / robot.wheel_radius;  // over the wheels' difference
+    // relative to the difference of the wheel speeds
+    return drive.step({}).yaw * robot.axle_track / robot.wheel_radius;
   };
   CHECK(yaw(-10.0, 10.0) == Approx(0.9 * 20.0));
   CHECK(yaw(0.0, 20.0) == Approx(20.0));
@@ -125,12 +127,12 @@ TEST_CASE("a motor stronger than the grip makes the wheel slip and its encoder r
   BodyMotion motion;
   for (int i = 1; i <= 3; ++i) {
     const BodyMotion change = drive.step(motion);
-    CHECK(change.forward == Approx(10.0 * kStep));  // what the floor passes on
+    CHECK(change.forward == Approx(10.0 * kStep));  // the force that the floor transmits
     motion.forward += change.forward;
     CHECK(drive.encoders(motion.forward, motion.yaw).left == Approx(30.0 * kStep * i / robot.wheel_radius));
   }
   for (int i = 0; i < 20; ++i) motion.forward += drive.step(motion).forward;
-  CHECK(motion.forward == Approx(1.0));  // the floor has caught up
+  CHECK(motion.forward == Approx(1.0));  // the robot has the speed of its rims
   CHECK(drive.encoders(motion.forward, motion.yaw).right == Approx(50.0));
 }
 

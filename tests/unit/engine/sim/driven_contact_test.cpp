@@ -1,5 +1,5 @@
-// Robots that drive into each other, the ball and the walls: what motors and floor do in a step is all that a
-// step may gain.
+// Robots that drive into each other, the ball and the walls: a step may gain no more energy than motors and
+// floor add.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,7 +15,7 @@ using namespace fulbito::test;
 
 namespace {
 
-/// The world's robots and their drives once more, to know what these do in the next step.
+/// Copies of the world's robots and their drives, to predict the drives' work in the next step.
 class Mirror {
  public:
   explicit Mirror(const WorldConfig& config) {
@@ -44,7 +44,7 @@ class Mirror {
   std::vector<Drive> drives_;
 };
 
-/// Ball, walls and robots that hold the ball of a crowd: half of them chase it, the others drive at random.
+/// Commands for a crowd around the ball: half of the robots chase it, the others drive at random.
 std::vector<WheelSpeeds> crowd(const World& world, Rng& rng, std::vector<WheelSpeeds> commands) {
   for (std::size_t i = 0; i < commands.size(); ++i) {
     if (i % 2 == 0)
@@ -107,8 +107,7 @@ WorldConfig closingIn(const RobotPreset& preset, const PhysicsProfile& physics, 
 }  // namespace
 
 TEST_CASE("one contact gives a ball at most the surface's speed and the bounce from it", "[unit]") {
-  // Two robots that close in squeeze a ball out faster than they are, as fingers do a seed: no contact alone
-  // does.
+  // Two robots that close on a ball squeeze it out faster than they are, which no single contact does.
   const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
   const auto preset = GENERATE(vsssPreset(), firasimPreset());
   CAPTURE(physics.name, preset.robot.name);
@@ -125,7 +124,7 @@ TEST_CASE("one contact gives a ball at most the surface's speed and the bounce f
       const auto of_ball = [](const ContactEvent& e) { return e.b.kind == BodyKind::kBall; };
       if (std::count_if(world.contacts().begin(), world.contacts().end(), of_ball) != 1) continue;
       ++touches;
-      // Across the contact the ball keeps its speed; along it, it leaves the surface with the bounce.
+      // The ball keeps its speed across the contact. Along it, the ball leaves the surface with the bounce.
       const double along = surface + preset.ball.robot_restitution * (speed + surface);
       worst =
           std::max(worst, norm(world.state().balls[0].velocity) - std::sqrt(speed * speed + along * along));

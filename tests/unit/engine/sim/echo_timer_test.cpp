@@ -8,7 +8,7 @@ TEST_CASE("sound is faster in warm air", "[unit]") {
   CHECK(speedOfSound(20.0) == Approx(343.2).margin(0.05));  // textbook value
   CHECK(speedOfSound(5.0) == Approx(334.3).margin(0.05));
   CHECK(speedOfSound(35.0) == Approx(351.9).margin(0.05));
-  CHECK(speedOfSound(-300.0) == 0.0);  // colder than anything: no root of a negative number
+  CHECK(speedOfSound(-300.0) == 0.0);  // below absolute zero: no root of a negative number
 }
 
 TEST_CASE("an echo's time is there and back, in whole microseconds", "[unit]") {

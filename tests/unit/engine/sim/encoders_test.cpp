@@ -29,7 +29,8 @@ WheelEncoders encoders(const EncoderModel& model, std::uint64_t index = 0) {
   return {model, cart(), Rng(1, kTestStream, index)};
 }
 
-/// Metres that the left and the right encoder count on a straight way of `length` [m] in steps of 15 mm.
+/// Distances [m] that the left and the right encoder count on a straight path of `length` [m] in steps of 15
+/// mm.
 struct Counted {
   double left, right;
 };
@@ -104,7 +105,7 @@ TEST_CASE("slip noise grows with the root of the way", "[unit]") {
     short_square += a * a;
     long_square += b * b;
   }
-  // 0.01 sqrt(way); the standard error of a standard deviation over 400 runs is 3.5 %.
+  // 0.01 sqrt(length); the standard error of a standard deviation over 400 runs is 3.5 %.
   CHECK(std::sqrt(short_square / kRuns) == Approx(0.01 * std::sqrt(0.9)).epsilon(0.12));
   CHECK(std::sqrt(long_square / kRuns) == Approx(0.01 * std::sqrt(3.6)).epsilon(0.12));
 }

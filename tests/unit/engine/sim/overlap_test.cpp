@@ -1,4 +1,4 @@
-// Bodies do not come into each other, however they are driven. What matches give: tests/soak/contact_depths.
+// Bodies do not overlap deeply, however they are driven. tests/soak/contact_depths has the depths in matches.
 #include <vector>
 
 #include "engine/core/math/random.hpp"
@@ -27,7 +27,7 @@ Depths depthsOf(World& world, int ticks, const auto& command) {
   return depths;
 }
 
-// A robot at full speed 0.3 m before a wall, the ball before it, others close behind.
+// A robot at full speed 0.3 m before a wall, with the ball in front of it and others close behind.
 WorldConfig trainAtWall(const RobotPreset& preset, const PhysicsProfile& physics, int robots, double speed,
                         double shift, double gap = 0.0015) {
   WorldConfig config{{}, physics, {}, {}, {}};
@@ -48,7 +48,7 @@ TEST_CASE("robots that all push the ball come into nobody", "[unit]") {
   World world = makeWorld(matchConfig(preset, physics, 3, {}));
   Rng rng(11, kTestStream);
   const Depths depths = depthsOf(world, 6'000, [&](const WorldState& state, std::size_t i, int tick) {
-    // Now and then away from the ball, or it would end in a corner for good.
+    // Drives away from the ball now and then: otherwise the crowd stays in a corner.
     if (tick % 300 > 240) return chase(state.robots[i], {rng.uniform(-0.7, 0.7), rng.uniform(-0.6, 0.6)});
     return chase(state.robots[i], state.balls[0].position);
   });
@@ -84,7 +84,7 @@ TEST_CASE("a row of robots stops with the robot that the ball between them stops
   const auto preset = GENERATE(vsssPreset(), firasimPreset());
   const double speed = GENERATE(0.6, 0.9, 1.15);
   const double wheels = speed / preset.robot.wheel_radius;
-  for (const double gap : {0.0006, 0.001, 0.002}) {  // the engine takes robots within 0.5 mm as touching
+  for (const double gap : {0.0006, 0.001, 0.002}) {  // the engine treats robots within 0.5 mm as touching
     for (int phase = 0; phase < 8; ++phase) {
       WorldConfig config = trainAtWall(preset, physics, 3, speed, 0.0013 * phase, gap);
       const Vec2 ahead{config.balls[0].position.x + preset.ball.radius + 0.0005 + preset.robot.length / 2,
@@ -96,7 +96,7 @@ TEST_CASE("a row of robots stops with the robot that the ball between them stops
       CAPTURE(physics.name, preset.robot.name, speed, gap, phase);
       CHECK(depths.ball <= kBallDepth);
       CHECK(depths.robot <= kRobotDepth);
-      CHECK(depths.robot > -gap);  // they did close up
+      CHECK(depths.robot > -gap);  // they did come closer
     }
   }
 }
@@ -124,7 +124,7 @@ TEST_CASE("a row of robots stops with its first at the corner of one that turns"
 }
 
 TEST_CASE("a robot that slides along the end wall passes the goal post", "[unit]") {
-  // The end of the goal's side wall lies in the face of the end wall there.
+  // The end of the goal's side wall is in the face of the end wall there.
   const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
   for (int phase = 0; phase < 20; ++phase) {
     CAPTURE(physics.name, phase);

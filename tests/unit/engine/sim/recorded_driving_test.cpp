@@ -1,5 +1,5 @@
-// Drives the commands of recorded runs (tests/unit/engine/sim/recorded) at the profiles' own steps and
-// compares ways and yaw rates. Also with each run left out of a fit.
+// Drives the commands of recorded runs (tests/unit/engine/sim/recorded) with the profiles' own steps, and
+// compares paths and yaw rates. Also fits two keys to all runs but one and tests that one.
 #include <array>
 
 #include "tests/unit/engine/sim/recorded/runs.hpp"
@@ -17,7 +17,7 @@ Runs firasimRuns() {
   return runs;
 }
 
-/// `standard` with steps that meet the recorded frames, so that commands act when they came.
+/// `standard` with steps at the recorded frames, so that commands act at their times.
 PhysicsProfile inFrames() {
   PhysicsProfile physics = standardPhysics();
   physics.name = "two steps a frame";
@@ -37,7 +37,7 @@ double total(const Runs& runs, const RobotModel& robot, const PhysicsProfile& ph
 
 using Key = double RobotModel::*;
 
-/// `robot` with the two keys scaled by what suits `runs` best of a few per cent.
+/// `robot` with the two keys scaled, by a few per cent, to fit `runs` best.
 RobotModel fitted(const RobotModel& robot, Key first, Key second, const Runs& runs,
                   const PhysicsProfile& physics) {
   RobotModel best = robot;
@@ -54,7 +54,7 @@ RobotModel fitted(const RobotModel& robot, Key first, Key second, const Runs& ru
   return best;
 }
 
-/// Runs that agree when the keys are fitted to all the others.
+/// Number of runs that agree if the keys are fitted to all other runs.
 int agreeLeftOut(const Runs& runs, const RobotModel& robot, Key first, Key second,
                  const PhysicsProfile& physics) {
   int agree = 0;
@@ -80,7 +80,7 @@ TEST_CASE("the vsss robot drives as the recorded ones of its simulator", "[unit]
   CHECK(runsThatAgree(runs, robot, standardPhysics()) >= 5);
   CHECK(runsThatAgree(runs, robot, inFrames()) >= 5);
   CHECK(runsThatAgree(runs, robot, faithfulPhysics()) >= 5);
-  // A step of 16.7 ms obeys commands up to that much late.
+  // With steps of 16.7 ms, commands act up to that much late.
   CHECK(runsThatAgree(runs, robot, fastPhysics()) >= 3);
 }
 
@@ -101,8 +101,8 @@ TEST_CASE("the firasim robot drives as the rebuilt one, at commands that nothing
   const RobotModel robot = firasimPreset().robot;
   for (const PhysicsProfile& physics : {standardPhysics(), faithfulPhysics(), fastPhysics()})
     CHECK(runsThatAgree(held, robot, physics) == 6);
-  // Most of these brake hard. Stepped as coarsely, the rebuilt robot itself agrees with its runs in two
-  // thirds.
+  // Most of these runs brake hard. With such coarse steps, even the rebuilt robot agrees with only two thirds
+  // of its runs.
   CHECK(runsThatAgree(changed, robot, standardPhysics()) >= 17);
   CHECK(runsThatAgree(changed, robot, faithfulPhysics()) >= 18);
   CHECK(runsThatAgree(changed, robot, fastPhysics()) >= 8);

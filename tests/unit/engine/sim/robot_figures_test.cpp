@@ -64,16 +64,15 @@ double topSpeed(const RobotModel& robot, const PhysicsProfile& physics, double w
 
 }  // namespace
 
-// The figures were read off a simulator that acts 3 ms after a command: its recorded runs
-// (recorded_driving_test) begin so. They ask for 6.5 m/s2 and 7.5 m/s2 in braking, the runs for 6.8
-// and 7.0.
+// The figures are from a simulator that acts 3 ms after a command: its recorded runs (recorded_driving_test)
+// begin so. The figures imply 6.5 m/s2, and 7.5 m/s2 in braking; the runs imply 6.8 and 7.0.
 TEST_CASE("the vsss robot speeds up as measured: 95 % of four speeds within 8 %", "[unit]") {
   constexpr double kDelay = 0.003;  // [s]
   const RobotModel robot = vsssPreset().robot;
   const auto physics = GENERATE(fastPhysics(), standardPhysics(), faithfulPhysics());
   CAPTURE(physics.name);
   const auto rise = [&](double speed) { return riseTime(robot, physics, speed, 0.95) + kDelay; };
-  // 0.26 m/s is reached within two and a half of the fast profile's steps: too coarse a ruler for 8 %.
+  // 0.26 m/s is reached within two and a half steps of the fast profile, which is too coarse for 8 %.
   if (physics.name != "fast") CHECK(rise(0.26) == Approx(0.040).epsilon(0.08));
   CHECK(rise(0.52) == Approx(0.075).epsilon(0.08));
   CHECK(rise(1.04) == Approx(0.155).epsilon(0.08));
@@ -93,7 +92,7 @@ TEST_CASE("braking takes the measured time and distance", "[unit]") {
   const Stop vsss = stopFrom(vsssPreset().robot, physics, 1.0);
   CHECK(vsss.time == Approx(0.13).epsilon(0.10));
   CHECK(vsss.distance == Approx(0.067).epsilon(0.05));
-  // As recorded; the 0.084 m from 1 m/s that were read off before imply 0.054 m.
+  // From the recorded runs; the 0.084 m from 1 m/s of another measurement imply 0.054 m.
   const Stop firasim = stopFrom(firasimPreset().robot, physics, 0.8);
   CHECK(firasim.distance == Approx(0.041).epsilon(0.07));
 }

@@ -61,7 +61,7 @@ TEST_CASE("a rod at rest pulls at nobody", "[unit]") {
 
 TEST_CASE("a rod that speeds up takes its mass times the acceleration from both robots", "[unit]") {
   World world = makeWorld(carrying());
-  // Both motors pull with all they have until 0.5 m/s.
+  // Both motors pull with full force until 0.5 m/s.
   const std::vector<WheelSpeeds> commands{both(0.5), both(0.5)};
   drive(world, commands, 12);
   const double before = world.state().rods[0].velocity.x;
@@ -76,8 +76,7 @@ TEST_CASE("a rod that speeds up takes its mass times the acceleration from both 
 
 TEST_CASE("a robot draws the other one along by the rod", "[unit]") {
   World world = makeWorld(carrying());
-  // One wants to be faster, the other slower than both are: all motors pull with all they have, 1 N per
-  // robot.
+  // One robot seeks a higher speed, the other a lower one: all motors pull with full force, 1 N per robot.
   drive(world, {both(0.2), both(0.4)}, 60);
   CHECK(apart(world) == Approx(kLength).margin(5e-4));
   const RodState& rod = world.state().rods[0];
@@ -98,7 +97,7 @@ TEST_CASE("robots turn freely beneath the rod", "[unit]") {
 
 TEST_CASE("robots that drive past each other turn the rod; its length stays for minutes", "[unit]") {
   World world = makeWorld(carrying(math::kPi / 2));
-  // Each on its circle about the rod's middle.
+  // Each robot drives on its circle about the rod's centre.
   const double inner = kLength / 2 - strong().axle_track / 2, outer = kLength / 2 + strong().axle_track / 2;
   const double turn = 0.5 / strong().wheel_radius;
   const std::vector<WheelSpeeds> commands{{-outer * turn, -inner * turn}, {inner * turn, outer * turn}};

@@ -48,7 +48,7 @@ TEST_CASE("rays in a world end at its walls, balls, obstacles and other robots",
   CHECK(castRay(world, {}, {0.0, 1.0}, 5.0, 0).distance == Approx(0.5 - vsssPreset().ball.radius));
   CHECK(castRay(world, {}, {-1.0, 0.0}, 5.0, 0).distance == Approx(0.5625).margin(1e-6));
   CHECK(castRay(world, {}, {0.0, -1.0}, 5.0, 0).distance == Approx(2.0));
-  // Its own body counts unless it is left out.
+  // The robot's own body counts unless it is left out.
   CHECK(castRay(world, {0.1, 0.0}, {-1.0, 0.0}, 5.0).distance == Approx(0.0625).margin(1e-6));
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("sonars measure from their mounts along their axes", "[unit]") {
   const auto readings = sonars.measure(world, 0);
   CHECK(readings[0].range == Approx(0.7 - 0.03).margin(1e-6));  // left sonar: the wall at x = -0.6
   CHECK(readings[7].range == Approx(0.5 - 0.03).margin(1e-6));
-  // 10 degrees off the normal of the wall ahead, which the cone holds.
+  // 10 degrees from the normal of the wall ahead, which is inside the cone.
   CHECK(readings[3].range == Approx(0.45 - 0.03 * std::cos(10 * kDegree)).margin(1e-6));
   CHECK(sonars.echoes()[3].point.y == Approx(0.5).margin(1e-6));
 }
@@ -129,7 +129,8 @@ TEST_CASE("with cross-talk a sonar takes its neighbour's earlier echo for its ow
   WorldConfig config = facingDisc(0.4);
   SonarModel model;
   model.sonars.resize(2);
-  model.sonars[1].mount = {{0.0, 0.03}, math::kPi / 2};  // looks aside, hears nothing of its own
+  // this sonar points aside and hears no echo of its own
+  model.sonars[1].mount = {{0.0, 0.03}, math::kPi / 2};
   const World world = makeWorld(config);
   CHECK_FALSE(SonarArray(config.field, model, stream()).measure(world, 0)[1].heard);
   model.cross_talk = 1.0;
@@ -139,7 +140,7 @@ TEST_CASE("with cross-talk a sonar takes its neighbour's earlier echo for its ow
 }
 
 TEST_CASE("sonars see the walls where contacts happen", "[unit]") {
-  // A robot drives against the wall: its front sonar ends at 0.
+  // A robot touches the wall: its front sonar reads 0.
   WorldConfig config = loneRobot(vsssPreset().robot, standardPhysics());
   config.field.length = 0.6;
   config.field.width = 0.6;

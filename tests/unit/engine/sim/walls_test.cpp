@@ -57,7 +57,7 @@ TEST_CASE("walls leave the field free and close it all around", "[unit]") {
     for (int i = 0; i < 20000; ++i) {
       const Vec2 p{rng.uniform(-1.0, 1.0) * (field.length / 2 + field.goal_depth + 0.02),
                    rng.uniform(-1.0, 1.0) * (field.width / 2 + 0.02)};
-      // The corners cut by 1e-6 keep rounding out of it.
+      // Corners cut by 1e-6 exclude points that rounding decides.
       if (insideField(field, p, 1e-6)) {
         ++inside;
         if (inAnyWall(walls, p, 1e-9)) ++wrong;
@@ -66,7 +66,7 @@ TEST_CASE("walls leave the field free and close it all around", "[unit]") {
     CHECK(inside > 5000);
     CHECK(wrong == 0);
 
-    // A walk along the contour, a centimetre outside of it, never leaves the walls.
+    // A path along the contour, a centimetre outside it, never leaves the walls.
     const std::vector<Vec2> contour = innerContour(field);
     int open = 0;
     for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -96,8 +96,8 @@ TEST_CASE("where walls overlap at a goal post, only faces that look into the fie
   }
   CHECK(end_walls == 4);
   CHECK(goal_sides == 4);
-  // The upper side of the left goal looks down: its end pushes along the end wall's face, its back does not
-  // push.
+  // The upper side wall of the left goal faces down. Its end pushes along the end wall's face; its back does
+  // not push.
   CHECK(pushesInward({0.0, -1.0}, {1.0, 0.0}));
   CHECK_FALSE(pushesInward({0.0, -1.0}, {0.0, 1.0}));
 }

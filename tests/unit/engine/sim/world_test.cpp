@@ -146,7 +146,7 @@ TEST_CASE("a robot that spins for minutes keeps its heading within range and pre
 
 TEST_CASE("half a turn of the field maps one team's second onto the other's within three millimetres",
           "[unit]") {
-  // Not for the fast profile: its steps let the order of contacts show once several bodies pile up.
+  // Not for the fast profile: when several bodies pile up, its steps show the order of contacts.
   const auto physics = GENERATE(standardPhysics(), faithfulPhysics());
   const bool at_the_ball = GENERATE(false, true);
   CAPTURE(physics.name, at_the_ball);
@@ -166,7 +166,7 @@ TEST_CASE("half a turn of the field maps one team's second onto the other's with
     }
     worst = std::max(worst, norm(state.balls[0].position));
   }
-  // A crowd at the ball has met once more by then.
+  // By then, the crowd at the ball has met once more.
   const double most = physics.name == "faithful" ? 0.002 : at_the_ball ? 0.003 : 0.001;  // [m]
   CHECK(worst <= most);
 }

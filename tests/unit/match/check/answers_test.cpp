@@ -37,7 +37,7 @@ TEST_CASE("a team that treats both sides equally answers mirrored calls with mir
   const AnswerDifference same = compareMirrored(told, *plain, *image);
   CHECK(same.compared == 2);
   CHECK(same.different == 0);
-  // As they stand, they differ in both decisions.
+  // Without mirroring, both decisions differ.
   CHECK(compareAnswers(told, *plain, *image).different == 2);
 }
 

@@ -16,7 +16,7 @@ using namespace fulbito::test;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t kMillisecond = 1'000'000;
 
-/// A clock that only moves when somebody moves it.
+/// A clock that only the test moves.
 struct FakeClock {
   std::shared_ptr<std::int64_t> time = std::make_shared<std::int64_t>(0);
   MatchClock reader() const {
@@ -132,7 +132,7 @@ TEST_CASE("a slow team fails by the clock it is given", "[unit]") {
   };
   CHECK(namesOf(slow(19), CheckVerdict::kFailed) == Names{});
   CHECK(namesOf(slow(21), CheckVerdict::kFailed) == Names{"time"});
-  const TeamReport report = slow(150);  // the bank does not pay for this
+  const TeamReport report = slow(150);  // beyond the bank
   CHECK(namesOf(report, CheckVerdict::kFailed) == Names{"time"});
   CHECK(checkOf(report, "time").finding.find("late") != std::string::npos);
 }

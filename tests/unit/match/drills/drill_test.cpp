@@ -16,7 +16,7 @@
 namespace fulbito {
 namespace {
 
-/// Does nothing; answers tasks with where the ball is now.
+/// Does nothing; answers tasks with the ball's present position.
 class Still : public Strategy {
  public:
   void begin(const MatchInfo& info) override { info_ = info; }
@@ -113,7 +113,7 @@ TEST_CASE("all 21 drills are built in", "[unit]") {
   std::set<std::string> names;
   for (std::size_t i = 0; i < drills.size(); ++i) {
     CHECK(drills[i].number == static_cast<int>(i) + 1);
-    // A rule, physics, or a choice that is called one: nothing that only the authors can look up.
+    // A rule, physics, or a choice that says so: sources that every reader can check.
     CHECK_THAT(drills[i].source, Catch::Contains("IEEE VSSS rules 2020, law") ||
                                      Catch::Contains("Physics: ") || Catch::Contains("Floor: ") ||
                                      Catch::Contains("Chosen by us"));
@@ -172,7 +172,7 @@ TEST_CASE("floors are those of docs/skills.md", "[unit]") {
   RobotModel robot;
   robot.wheel_acceleration = 5.0;
   robot.axle_track = 0.075;
-  robot.yaw_acceleration = 2.0 * 5.0 / 0.075;  // each wheel for itself: 2 a / b
+  robot.yaw_acceleration = 2.0 * 5.0 / 0.075;  // the wheels do not affect each other: 2 a / b
   robot.max_wheel_speed = 1.2 / robot.wheel_radius;
   const RobotPace pace(robot);
   CHECK(timeToReach(pace, 0.3, 0.0) == Approx(0.37).margin(0.005));
@@ -253,7 +253,7 @@ TEST_CASE("who is to last fails by a penalty, not by what else the referee calls
                       "by_value = true\nat_least = 1.0\n",
                   still());
   };
-  // Between the two a goal kick for the opponents; the keeper that holds the ball gives a penalty.
+  // In between, the call is a goal kick for the opponents; a keeper that holds the ball gives a penalty.
   const DrillReport goal_kick = lasts("[[0.62, 0.25]]", "[0.53, 0.25]");
   const DrillReport penalty = lasts("[[-0.65, 0.2]]", "[-0.71, 0.2]");
   CHECK(goal_kick.verdicts[0].value.value == 1.0);
@@ -278,7 +278,7 @@ TEST_CASE("tasks are judged by the true world", "[unit]") {
 TEST_CASE("a strike counts by the speed before the touch", "[unit]") {
   const std::string far = replaced(taskDrill("reach-ball", "task_speed = 0.4\n"), "-0.0605", "-0.3");
   CHECK(runOne(far, still()).passed());
-  // From 0.1 mm the robot has no room to become fast.
+  // From 0.1 mm, the robot has no room to speed up.
   CHECK_FALSE(runOne(taskDrill("reach-ball", "task_speed = 0.4\n"), still()).passed());
 }
 
@@ -305,7 +305,7 @@ TEST_CASE("nobody meets a crossing ball before the least time", "[unit]") {
     CHECK(trial.ideal > 0.0);
     if (!trial.success) continue;
     ++touched;
-    // The formula is good to 0.04 s.
+    // The formula is accurate to 0.04 s.
     CHECK(trial.time - trial.ideal > -0.05);
   }
   CHECK(touched > 20);

@@ -20,7 +20,7 @@ Pose2& robot(Placement& placement, TeamId team, std::size_t number) {
   return *placement.robots[indexOf(team)][number];
 }
 
-/// What is wrong once `change` was made to a kick-off.
+/// The flaw after `change` was applied to a kick-off.
 std::string flawAfter(const std::function<void(Placement&)>& change) {
   auto match = Match::create(shortMatch());
   REQUIRE(match);
@@ -34,7 +34,7 @@ void play(Match& match, int ticks) {
   for (int i = 0; i < ticks; ++i) REQUIRE(match.step());
 }
 
-/// The present placement, but for the ball, which is put where there is room.
+/// The present placement, with the ball at a free place.
 Placement withFreeBall(const Match& match) {
   Placement wanted = match.placement();
   wanted.ball_velocity = {};
@@ -77,7 +77,7 @@ TEST_CASE("what was not moved may lean on others", "[unit]") {
   REQUIRE(match);
   match->makeReady();
   Placement before = match->placement();
-  // Two robots in each other's arms, as physics never leaves them, and a third that is moved.
+  // Two robots overlap as physics never leaves them, and a third one is moved.
   robot(before, TeamId::kBlue, 1) = robot(before, TeamId::kYellow, 1);
   Placement after = before;
   after.ball = {-0.1, 0.5};
@@ -117,7 +117,7 @@ TEST_CASE("play goes on from an edit, at once and at rest", "[unit]") {
   REQUIRE(match->replace(wanted));
   CHECK(distance(match->world().balls.front().position, {0.3, 0.3}) < 1e-6);
   CHECK(match->placement().robots[1][0]->heading == Approx(1.0));
-  CHECK(match->edits() == 0);  // nothing came of it yet
+  CHECK(match->edits() == 0);  // nothing has changed yet
   wanted.ball = {0.2, 0.3};
   REQUIRE(match->replace(wanted));
   play(*match, 1);

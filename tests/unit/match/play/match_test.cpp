@@ -11,7 +11,7 @@ namespace {
 
 using namespace fulbito::test;
 
-/// Writes down who was called, and keeps what came.
+/// Records the calls to an observer and their arguments.
 struct Diary final : MatchObserver {
   std::string calls;
   std::vector<Placement> placements;
@@ -164,7 +164,7 @@ TEST_CASE("both teams decide on the same tick, each with its own goal at -x", "[
     REQUIRE(blue.tick == yellow.tick);
     CHECK(blue.ball.position == -yellow.ball.position);
     for (std::size_t k = 0; k < 3; ++k) {
-      // The teams stand and drive as mirror images but for the ball, which nobody has touched.
+      // The teams see mirror images, apart from the ball, which nobody has touched.
       CHECK(blue.own[k].state.pose.position == -yellow.opponents[k].state.pose.position);
       CHECK(yellow.own[k].state.pose.position == -blue.opponents[k].state.pose.position);
       CHECK(blue.own[k].present);

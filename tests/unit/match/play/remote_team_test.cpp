@@ -14,7 +14,7 @@ namespace {
 
 using namespace fulbito::test;
 
-/// What went over the wire between a match and a team outside the process, each message a value.
+/// The messages between a match and a team outside the process, as values.
 struct Wire {
   std::string log;  ///< b: begin, p: place, r: ready, d: decisions, s: stopped, e: ended
   MatchInfo info;
@@ -22,11 +22,11 @@ struct Wire {
   std::vector<Observation> readies, firsts;  ///< `firsts`: the first observation after each ready
   std::vector<PlayStop> stops;
   std::vector<MatchEnd> ends;
-  std::optional<TeamProposal> answer;  ///< that has arrived and was not taken yet
-  int unanswered = 0;                  ///< placements that were asked for before the answer was there
+  std::optional<TeamProposal> answer;  ///< has arrived, but was not taken yet
+  int unanswered = 0;                  ///< placements that were asked for before the answer arrived
 };
 
-/// The match's end of the wire.
+/// The match's end of the connection.
 class Proxy final : public Strategy {
  public:
   explicit Proxy(Wire& wire) : wire_(&wire) {}
@@ -120,7 +120,7 @@ bool inOrder(const std::string& log) {
 struct Plays final : MatchObserver {
   std::string calls;
   std::vector<GameEvent> events;
-  std::vector<Placement> before;  ///< where all were when play stopped, by the world
+  std::vector<Placement> before;  ///< where all bodies were when play stopped, in the world's frame
   std::vector<Placement> placements;
   std::vector<RefereeState> referees;
   const Match* match = nullptr;
@@ -159,7 +159,7 @@ TEST_CASE("a team outside the process is waited for, with the same match as one 
   CHECK(wire.stops.size() + 1 == wire.requests.size());
   CHECK(client.polls == 5 * static_cast<int>(wire.requests.size()));
 
-  // The same, answered at once in `step`.
+  // The same, with answers at once in `step`.
   Client again;
   const TestEntry inside([](const Observation&) { return allWheels({3.0, 5.0}); },
                          [&again](const PlacementRequest& request) {
@@ -235,7 +235,7 @@ TEST_CASE("a team is told why play stopped and how the match stands", "[unit]") 
     CHECK_FALSE(request.now.playing);
     CHECK(request.delay == Approx(request.cause.clause == "goal" ? 1.0 : 0.5));
     CHECK(wire.readies[i + 1].since_restart == Approx(-request.delay));
-    // The frame is that of the play to come: after half-time the other half of the field.
+    // The frame is that of the next play: after half-time the other half of the field.
     CHECK(distance(request.now.ball.position, inTeamFrame(side, plays.before[i].ball)) < 1e-9);
     CHECK(distance(request.cause.place, request.now.ball.position) < 1e-9);
     for (std::size_t n = 0; n < 3; ++n) {

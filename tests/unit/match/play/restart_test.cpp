@@ -175,7 +175,7 @@ TEST_CASE("robots held before the signal do not move, free ones do", "[unit]") {
 
 namespace {
 
-/// Looks at what happens between the placement and the signal.
+/// Observes the ticks between placement and signal.
 struct Waiting final : MatchObserver {
   Placement placed;
   Tick play_ticks = 0;
@@ -261,7 +261,7 @@ TEST_CASE("the taking team chooses where a goal kick's ball lies, and the other 
     CHECK(distance(start.placement.ball, team == TeamId::kBlue ? wish : -wish) < 1e-9);
     CHECK(start.call.ball == start.placement.ball);
     CHECK(start.legal);
-    // The keeper of the defaults was asked for where the table's ball would be: it stays there.
+    // The keeper's default place is for the ball's place in the table, so it stays there.
     CHECK(start.repairs == 0);
   }
 }

@@ -47,12 +47,12 @@ TeamChoice lostFrom(int decision) {
 struct Ending {
   const char* name;
   std::function<void(MatchConfig&)> prepare;
-  std::optional<PerTeam<int>> score;  ///< in the end, where it is known beforehand
-  int ticks = 100'000;                ///< so many are played at most
+  std::optional<PerTeam<int>> score;  ///< score at the end, if it is known beforehand
+  int ticks = 100'000;                ///< largest number of ticks to play
   bool edited = false;
 };
 
-/// The ball on its way into yellow's goal.
+/// Sends the ball into yellow's goal.
 void shoot(MatchConfig& config) {
   Placement start = twoColumns();
   start.ball = {config.field.length / 2 - 0.12, 0.0};
@@ -123,7 +123,7 @@ MatchConfig configFor(const std::string& profile, const Ending& ending) {
   return *config;
 }
 
-/// Plays as the ending says and gives the recording.
+/// Plays to the ending and returns the recording.
 std::string play(const MatchConfig& config, const Ending& ending, RecordingLevel level, PerTeam<int>& score) {
   std::string bytes;
   auto match = Match::create(config);
@@ -143,7 +143,7 @@ std::string play(const MatchConfig& config, const Ending& ending, RecordingLevel
   return bytes;
 }
 
-/// All that is made of a recording, without a window or ffmpeg.
+/// Checks everything that can be made of a recording without a window or ffmpeg.
 void checkProducts(const RecordingReader& reader, const PerTeam<int>& score) {
   const auto verified = verify(reader);
   REQUIRE(verified);

@@ -7,7 +7,7 @@ namespace {
 
 using namespace fulbito::test;
 
-/// What the referee's clock and table said after each tick.
+/// The referee's clock and score after each tick.
 struct Table final : MatchObserver {
   std::vector<RefereeState> states;
   std::vector<WorldState> worlds;
@@ -30,7 +30,7 @@ TEST_CASE("a replay's clock and score are the referee's", "[unit]") {
   ReplayMoment moment;
   for (Tick tick = 1; tick <= timeline->ticks(); ++tick) {
     timeline->at(timeline->secondsAt(tick), moment);
-    // At a restart a replay shows the next play already, and its clock: so the last tick before is compared.
+    // At a restart, a replay shows the next play and its clock, so the tick before is compared.
     if (timeline->plays()[moment.play].tick == tick) continue;
     const RefereeState& truth = table.states[static_cast<std::size_t>(tick) - 1];
     INFO("tick " << tick);

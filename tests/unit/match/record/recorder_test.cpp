@@ -10,7 +10,7 @@ namespace {
 
 using namespace fulbito::test;
 
-/// What really happened.
+/// The true course of the match, to compare with the recording.
 struct Witness final : MatchObserver {
   std::vector<std::uint64_t> hashes;
   std::vector<std::string> clauses;
@@ -25,7 +25,7 @@ struct Witness final : MatchObserver {
   }
 };
 
-/// A match with what its teams draw.
+/// A recording of a match with its teams' drawings.
 RecordingReader recordedWithDrawings(const MatchConfig& config, int per_second) {
   std::string bytes;
   auto match = Match::create(config);

@@ -5,7 +5,7 @@
 namespace fulbito {
 namespace {
 
-/// A match of one robot a team that is moved by hand: blue defends the left goal.
+/// A match with one robot per team that the test moves: blue defends the left goal.
 struct Scene {
   StatisticsObserver observer;
   MatchConfig config;
@@ -245,7 +245,7 @@ TEST_CASE("a goal within five seconds of play after a foul of who scores is put 
   CHECK(blue() == 0);  // a tick too late
   scene.foul("goal-kick.attackers", TeamId::kBlue);
   scene.foul("goal-kick.keeper-charged", TeamId::kBlue);
-  scene.referee.playing = false;  // the clock stands
+  scene.referee.playing = false;  // the clock does not run
   scene.step(600);
   scene.referee.playing = true;
   scene.step(299);

@@ -18,7 +18,7 @@ MatchConfig chasers() {
   return config;
 }
 
-/// A match with all that watches it for a summary.
+/// A match with all observers that a summary needs.
 struct Played {
   StatisticsObserver statistics;
   EventLog log;

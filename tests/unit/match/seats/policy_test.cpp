@@ -122,15 +122,15 @@ TEST_CASE("a place far off the field is taken to its edge, a navigator that is n
 
 namespace {
 
-/// A clock that only moves while somebody thinks, or is told to.
+/// A clock that moves only during decisions, or by the test.
 struct Thinking {
   std::int64_t now = 0;                     ///< [ns]
-  std::function<double(Tick)> yellow;       ///< [s] that yellow's decision of the tick takes
-  std::function<void(std::int64_t&)> pace;  ///< what the time between two ticks is
+  std::function<double(Tick)> yellow;       ///< [s] duration of yellow's decision of the tick
+  std::function<void(std::int64_t&)> pace;  ///< the wait between two ticks
   DecisionTime limit;
   int ticks = 100;
   double half_seconds = 5.0;
-  std::vector<WheelSpeeds> applied;  ///< to yellow's last robot
+  std::vector<WheelSpeeds> applied;  ///< applied commands of yellow's last robot
   TeamFaults blue_faults, faults;
   Tick played = 0;
   std::string events;
@@ -192,7 +192,7 @@ TEST_CASE("what a decision takes too long is paid from a bank, which is full aga
   match.limit = {0.125, 1.25, 30};
   match.half_seconds = 1.0;
   match.ticks = 1000;
-  match.yellow = [](Tick) { return 0.25; };  // ten of them are covered
+  match.yellow = [](Tick) { return 0.25; };  // the bank covers ten of them
   match.play();
   CHECK(match.played >= 120);
   CHECK(match.faults.late == match.played - 2 * 10);

@@ -11,7 +11,7 @@
 namespace fulbito {
 namespace {
 
-/// Share of the body in the area, by a grid of points: shares nothing with the exact count.
+/// Share of the body in the area, by a grid of points: independent of the exact computation.
 double shareByGrid(const AreaShape& area, const AreaBody& body, int cells) {
   int inside = 0;
   for (int i = 0; i < cells; ++i) {

@@ -18,7 +18,7 @@ RefereeSetup waiting() {
   return setup;
 }
 
-/// One of the team's robots leaves its place before the signal; the referee is given time to see it.
+/// One of the team's robots leaves its place before the signal, for long enough that the referee sees it.
 bool jump(PaperMatch& match, TeamId team, std::uint8_t number = 1) {
   for (std::size_t i = 0; i < match.ids.size(); ++i) {
     if (match.ids[i] == RobotId{team, number}) match.robots[i].pose.position.y += 0.05;

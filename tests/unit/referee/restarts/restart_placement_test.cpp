@@ -134,7 +134,7 @@ TEST_CASE("whatever teams propose, the result is legal, repeatable, and alike fo
       REQUIRE(samePoses(placement.robots[1], second.robots[1], 0.0));
       REQUIRE(log.size() == again.size());
 
-      // Who places first does not depend on what the other wishes.
+      // The first team's places do not depend on the other team's wishes.
       Proposals alone = proposals;
       alone[indexOf(other(call.team))].reset();
       const Placement early = place(setup, state, call, alone, other_log);
@@ -222,7 +222,7 @@ TEST_CASE("law 14: a heap of robots that touch or overlap stays as it is, and th
   CHECK(free_ball.at(4) == Vec2{0.375 + 0.20, 0.4});
   CHECK(free_ball.log.empty());
   CHECK(reasonOf(free_ball.setup, free_ball.state, free_ball.call, free_ball.placement) == "");
-  // The same overlap elsewhere is a flaw still.
+  // The same overlap at another place is still a flaw.
   free_ball.placement.robots[0][2]->position.y -= 0.001;
   CHECK(reasonOf(free_ball.setup, free_ball.state, free_ball.call, free_ball.placement) != "");
 }

@@ -165,7 +165,7 @@ TEST_CASE("places of another field are told with the profile to begin with", "[u
   }
   FieldGeometry large = *loadField("vsss-5v5");
   large.name = "large";
-  Rules rules;  // its places are those of the field of 1.5 m
+  Rules rules;  // its places are for the field of 1.5 m
   rules.name = "mine";
   const auto note = findForeignPlaces(rules, large, RobotModel());
   REQUIRE(note);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kDt = 1.0 / 60.0;
 
-/// A robot driven by hand along +x through the referee's eyes.
+/// A robot that the test moves along +x, as the referee sees it.
 struct Drive {
   Layout layout;
   FieldGeometry field;
@@ -124,7 +124,7 @@ TEST_CASE("a contact is by own motion when the robot drove at it", "[unit]") {
   drive.advance(referee, {1.0, 0.0});
   drive.advance(referee, {1.0, 0.0}, {ahead});
   CHECK(referee.score().own_contacts == 1);
-  // A contact that goes on is not counted again, its impulse is.
+  // A contact that lasts is counted once, but its impulse is added.
   ContactEvent still = ahead;
   still.began = false;
   drive.advance(referee, {0.0, 0.0}, {still});
@@ -174,7 +174,8 @@ TEST_CASE("clearance, turning, curvature jumps and jerk are measured", "[unit]")
   CHECK(score.turning == Approx(5 * 6.0 * kDt));
   CHECK(score.curvature_jumps == 1);
   CHECK(score.wheel_jerk == Approx(0.2 * drive.robot.wheel_radius * 3600.0));
-  // Least after the first tick, to the posts of the left goal: the robot drives away from it.
+  // The least clearance is that after the first tick, to the posts of the left goal: the robot drives away
+  // from it.
   CHECK(score.min_clearance == Approx(norm({0.75 - 0.5 + 0.5 * kDt - 0.0375, 0.20 - 0.0375})));
   CHECK(score.mean_clearance >= score.min_clearance);
 }

@@ -136,8 +136,8 @@ class Reader {
   struct Frame {
     char close = '}';
     bool first = true;
-    std::string_view name;    ///< of the present member, with its escapes
-    std::int64_t index = -1;  ///< of the present item
+    std::string_view name;    ///< name of the present member, with its escapes
+    std::int64_t index = -1;  ///< index of the present item
   };
   struct StringSpan {
     std::string_view raw;  ///< between the quotes
@@ -356,7 +356,7 @@ class Reader {
       i = next == raw.size() ? next : next + resolve(raw.substr(next), into);
     }
   }
-  /// Appends what the escape at the start of `raw` stands for. @return its length
+  /// Appends the character of the escape at the start of `raw`. @return length of the escape
   static std::size_t resolve(std::string_view raw, std::string& into) {
     if (raw[1] != 'u') {
       constexpr std::string_view kNames = "bfnrt", kBytes = "\b\f\n\r\t";

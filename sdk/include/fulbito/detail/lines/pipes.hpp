@@ -54,11 +54,11 @@ class Pipes {
   std::size_t taken_ = 0;  ///< bytes of `received_` up to the end of the last line
 };
 
-/// Keeps standard output for the protocol: from here on, what the team prints there goes to standard error.
+/// Keeps standard output for the protocol: from here on, the team's own output there goes to standard error.
 /// @return the descriptor of the protocol; -1: there is none
 inline int takeOutput() {
   const int out = ::dup(STDOUT_FILENO);
-  // What is printed before a crash must not stay in a buffer.
+  // Output before a crash must not stay in a buffer.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   return ::dup2(STDERR_FILENO, STDOUT_FILENO) < 0 ? -1 : out;
 }

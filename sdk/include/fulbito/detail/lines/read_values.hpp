@@ -103,7 +103,7 @@ bool readMember(Reader& in, std::string_view name, T& value) {
   return known;
 }
 
-/// Calls `member(name)` for each member of an object; what returns false is skipped.
+/// Calls `member(name)` for each member of an object, and skips the member if that returns false.
 template <typename Member>
 void readObject(Reader& in, Member member) {
   if (!in.enterObject()) return;

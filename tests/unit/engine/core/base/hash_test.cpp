@@ -89,7 +89,7 @@ TEST_CASE("every field of the world's state changes its hash", "[unit]") {
 
 TEST_CASE("items moved to another list change the hash though the numbers stay the same", "[unit]") {
   WorldState robots, balls;
-  robots.robots.resize(3);  // 24 zeros either way
+  robots.robots.resize(3);  // the same 24 zeros as hashed bytes
   balls.balls.resize(4);
   CHECK(hashOf(robots) != hashOf(balls));
 }

@@ -5,7 +5,7 @@
 namespace fulbito {
 
 TEST_CASE("the wide hash is XXH3-128", "[unit]") {
-  // Of no bytes: from the reference implementation's documentation.
+  // The hash of no bytes, from the reference implementation's documentation.
   CHECK(hexText(wideHash("")) == "99aa06d3014798d86001c324468d497f");
   CHECK(hexText({1, 0xf}) == "0000000000000001000000000000000f");
 }

@@ -148,7 +148,8 @@ TEST_CASE("values at odds with each other are refused", "[unit]") {
 }
 
 TEST_CASE("every obstacle is checked and named by its index", "[unit]") {
-  const std::string one = kHead + "[[obstacle]]\nposition = [0, 0]\n[[obstacle]]\n";  // next is line 8
+  // the text that follows begins on line 8
+  const std::string one = kHead + "[[obstacle]]\nposition = [0, 0]\n[[obstacle]]\n";
   CHECK(layoutError(one + "shape = 'disk'\nposition = [0, 0]\n") ==
         "a.toml:8: obstacle[1].shape = \"disk\" is not one of disc, box");
   CHECK(layoutError(one + "motion = 3\n") ==

@@ -40,7 +40,7 @@ struct Arguments {
   double y = 0.0;
 };
 
-/// The largest error that a function showed, and where.
+/// The largest error of a function, and its arguments.
 struct Worst {
   double ulp = 0.0;
   Arguments at;
@@ -50,7 +50,7 @@ struct Worst {
   }
 };
 
-/// Runs `measure(arguments, worst)` over all arguments on two threads and joins what they saw.
+/// Runs `measure(arguments, worst)` over all arguments on two threads and merges their results.
 template <typename Measure>
 std::vector<Worst> worstOf(const std::vector<Arguments>& all, std::size_t functions, Measure measure) {
   std::vector<Worst> halves[2] = {std::vector<Worst>(functions), std::vector<Worst>(functions)};

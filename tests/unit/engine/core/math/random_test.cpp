@@ -14,7 +14,7 @@ namespace {
 
 using Words = std::array<std::uint32_t, 4>;
 
-/// Philox4x32-10 as Salmon et al. (SC 2011) define it, written apart from the library that Rng uses.
+/// Philox4x32-10 as Salmon et al. (SC 2011) define it, independent of the library that Rng uses.
 Words philox(Words counter, std::array<std::uint32_t, 2> key) {
   for (int round = 0; round < 10; ++round) {
     const std::uint64_t a = std::uint64_t{0xD2511F53u} * counter[0],
@@ -38,7 +38,7 @@ TEST_CASE("the all-zero counter and key give the published Philox words", "[unit
 }
 
 TEST_CASE("seed is the key; block, stream and index are the counter", "[unit]") {
-  // The published vectors first: they pin the reference above.
+  // The published vectors first: they check the reference implementation above.
   REQUIRE(philox({0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff}, {0xffffffff, 0xffffffff}) ==
           Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd});
   REQUIRE(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}) ==

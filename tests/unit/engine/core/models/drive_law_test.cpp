@@ -50,13 +50,13 @@ RimSpeeds settled(const RobotModel& robot, RimSpeeds rims, RimSpeeds target) {
 
 double yawRate(RimSpeeds rims) { return (rims.right - rims.left) / 0.08; }
 
-/// Whether a wheel of `rim` [m/s] after the step has what it seeks, or its motor cannot pull more.
+/// Whether a wheel of `rim` [m/s] after the step reaches what its motor seeks, or its motor is at its limit.
 bool isBalanced(double rim, double target, double play, double pull, double limit) {
   constexpr double kClose = 2e-6;  // [m/s]
   const double lack = std::clamp(rim, target - play, target + play) - rim;
   if (lack > kClose) return pull >= limit - kClose;
   if (lack < -kClose) return pull <= -limit + kClose;
-  // Who pulls rolls on an edge.
+  // A wheel that pulls rolls on one of its edges.
   return std::abs(pull) < kClose || std::abs(rim - target + std::copysign(play, pull)) < kClose;
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("a spin comes to roll on the outer edges from below and stays between 
   const RimSpeeds target{-0.4, 0.4};
   CHECK(yawRate(settled(wideWheels(0.0), {}, target)) == Approx(0.4 / 0.043));
   RobotModel slippery = wideWheels(0.0);
-  slippery.longitudinal_grip = 2.0;  // as little as the motors: nothing is left to scrub with
+  slippery.longitudinal_grip = 2.0;  // as little as the motors use: nothing is left for scrubbing
   const double rate = yawRate(settled(slippery, {-0.6, 0.6}, target));
   CHECK(rate <= 0.4 / 0.037 + 1e-9);
   CHECK(rate >= 0.4 / 0.043 - 1e-9);
@@ -133,7 +133,7 @@ TEST_CASE("both motors pull until an edge of their wheel rolls, or as much as th
       REQUIRE(back.right == pulls.left);
     }
   }
-  CHECK(unbalanced * 1000 <= states);  // who neither stays nor moves may take more rounds than there are
+  CHECK(unbalanced * 1000 <= states);  // states near rest may need more rounds than the limit
 }
 
 TEST_CASE("a curve widens by the same length for every radius, and more at speed", "[unit]") {

@@ -41,7 +41,7 @@ Cone cone(double bearing, double half_angle = kHalfCone, Vec2 apex = {}) {
   return {apex, math::unit(bearing), half_angle, 5.0};
 }
 
-/// A second implementation: the first hits of many rays.
+/// A second implementation: the nearest hit of many rays.
 double nearestOfRays(const EchoScene& scene, const Cone& cone, double limit, int rays) {
   double nearest = 1e9;
   const double axis = math::angleOf(cone.axis);
@@ -92,7 +92,7 @@ TEST_CASE("beyond the cone the wall's nearest point is on the cone's edge, until
   }
   CHECK_FALSE(scene.castCone(cone(43.0 * kDegree), kLimit).isHeard());
   CHECK(scene.castCone(cone(43.0 * kDegree), 31.0 * kDegree).isHeard());
-  // A rough wall answers at any incidence.
+  // A rough wall reflects at any incidence.
   CHECK(scene.castCone(cone(60.0 * kDegree), math::kPi / 2).distance ==
         Approx(2.0 / std::cos(47.5 * kDegree)));
 }
@@ -115,7 +115,8 @@ TEST_CASE("a cone hears a disc along the line to its centre, or where its edge m
 TEST_CASE("a box's corner answers between the normals of its faces", "[unit]") {
   const EchoScene diamond = boxAt({1.0, 0.0}, math::kPi / 4, 0.1);
   const double to_corner = 1.0 - 0.05 * std::sqrt(2.0);
-  // The faces are inclined by 45 degrees: smooth ones throw the sound off, but the corner answers.
+  // The faces are inclined by 45 degrees: smooth ones reflect the sound sideways, but the corner reflects it
+  // back.
   CHECK(diamond.castCone(cone(0.0), kLimit).distance == Approx(to_corner));
   CHECK(diamond.castCone(cone(12.4 * kDegree), kLimit).distance == Approx(to_corner));
   CHECK_FALSE(diamond.castCone(cone(18.0 * kDegree), kLimit).isHeard());
@@ -172,7 +173,7 @@ TEST_CASE("cones agree with many rays over random scenes", "[unit]") {
     const double exact = scene.castCone(listening, math::kPi / 2).distance;
     const double rays = nearestOfRays(scene, listening, math::kPi / 2, 3000);
     REQUIRE(exact <= rays + 1e-9);
-    // Where the nearest point is partly hidden, one ray per degree stands for the visible rest.
+    // Where the nearest point is partly hidden, one ray per degree samples the visible rest.
     CHECK(exact == Approx(rays).margin(0.004));
     heard += rays < 1e8 ? 1 : 0;
   }

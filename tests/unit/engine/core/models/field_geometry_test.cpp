@@ -32,7 +32,7 @@ double pointToSegment(Vec2 p, Vec2 a, Vec2 b) {
 TEST_CASE("the contour runs counter-clockwise around the field, its goals and corners", "[unit]") {
   const FieldGeometry field;
   CHECK(innerContour(field).size() == 16);
-  // Rectangle, two goals, four triangles less.
+  // A rectangle and two goals, minus four triangles.
   CHECK(signedArea(innerContour(field)) == Approx(1.5 * 1.3 + 2 * 0.4 * 0.1 - 4 * 0.07 * 0.07 / 2));
   CHECK(innerContour(plainField()).size() == 4);
   CHECK(signedArea(innerContour(plainField())) == Approx(1.5 * 1.3));

@@ -34,7 +34,7 @@ TEST_CASE("rounding goes to the nearest multiple and stays finite", "[unit]") {
   CHECK(roundedTo({1.004, -2.006}, 0.01).left == Approx(1.0));
   CHECK(roundedTo({1.004, -2.006}, 0.01).right == Approx(-2.01));
   CHECK(roundedTo({1.2345, 0.0}, 0.0).left == 1.2345);
-  // A recording counts steps in whole numbers, which know no negative zero.
+  // A recording counts steps in integers, which have no negative zero.
   CHECK_FALSE(std::signbit(roundedTo({-0.001, -0.0}, 0.01).left));
   CHECK_FALSE(std::signbit(roundedTo({-0.001, -0.0}, 0.01).right));
   CHECK(roundedTo({1.7e308, -1.7e308}, 0.01).left == 1.7e308);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr std::array kValues{0.0, -0.0, 1.0, -1.0, 0.3, -2.5, 1e-310, kInfinite, -kInfinite};
 
-/// Also tells 0 from -0.
+/// Whether the pair has these values, bit by bit: 0 differs from -0.
 bool holds(WheelPair pair, double left, double right) {
   const auto same = [](double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) ||

@@ -35,7 +35,7 @@ std::size_t filesIn(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
 }
 
-/// Files of this process may be so long, while it lives.
+/// Limits the length of this process's files during its life.
 struct FileSizeLimit {
   rlimit before{};
   explicit FileSizeLimit(rlim_t bytes) {
@@ -98,7 +98,7 @@ TEST_CASE("a node of one's own stays a node: pipe, and as root device", "[unit]"
   CHECK(read == "through");
   CHECK(fs::is_fifo(pipe));
   if (::geteuid() != 0 || ::mknod(null.c_str(), S_IFCHR | 0600, 0x103) != 0) return;
-  // Where nodes are without effect (nodev) it cannot be opened; it must be there in any case.
+  // Some mounts (nodev) do not let it be opened; it must exist in any case.
   (void)writeFile(null, "gone");
   CHECK(fs::is_character_file(null));
 }

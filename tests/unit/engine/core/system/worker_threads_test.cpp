@@ -15,15 +15,15 @@
 namespace fulbito {
 namespace {
 
-/// Runs `check` in a process that may start no thread; gives whether it held.
+/// Runs `check` in a process that may start no thread. @return its result
 template <typename Check>
 bool withoutThreads(const Check& check) {
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-    ::alarm(20);  // a wait for ever is a failure
+    ::alarm(20);  // an endless wait fails the test
     const rlimit none{0, 0};
-    // The limit does not hold for root.
+    // The limit does not apply to root.
     const bool limited = ::setrlimit(RLIMIT_NPROC, &none) == 0 && (::geteuid() != 0 || ::setuid(65534) == 0);
     ::_exit(limited && check() ? 0 : 1);
   }
@@ -64,7 +64,7 @@ TEST_CASE("the error is that of the first failed task, whatever the number of th
       WorkProgress progress({}, 100);
       std::atomic<int> done{0};
       const auto result = parallelFor(jobs, 100, progress, [&](std::size_t i) -> Result<void> {
-        // The first that fails takes longest.
+        // The failing task with the lowest number takes longest.
         if (i == 20) std::this_thread::sleep_for(std::chrono::milliseconds(2));
         if (i >= 20 && i % 2 == 0) return fail(ErrorCode::kBadInput, std::to_string(i));
         ++done;
@@ -108,7 +108,7 @@ TEST_CASE("a watcher stops the work, and the loops after it", "[unit]") {
   const int before = done;
   CHECK_FALSE(parallelFor(2, 100000, progress, count));
   CHECK(done == before);
-  // At the last task there is nothing left to stop.
+  // After the last task there is nothing left to stop.
   WorkProgress last([](std::size_t tasks, std::size_t total) { return tasks < total; }, 7);
   CHECK(parallelFor(2, 7, last, count));
 }

@@ -1,4 +1,4 @@
-// Robots that close on a ball from two or three sides: what they give it has a bound.
+// Robots that close on a ball from two or three sides: the speed that they give it has a bound.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -43,7 +43,7 @@ Vec2 momentum(const World& world) {
   return sum;
 }
 
-/// No motor, no grip, no friction with the floor.
+/// Removes motors, grip and friction with the floor.
 void putOnIce(WorldConfig& config) {
   for (RobotPlacement& robot : config.robots) {
     robot.model.wheel_acceleration = robot.model.wheel_braking = robot.model.rolling_drag = 0.0;
@@ -71,7 +71,7 @@ TEST_CASE("robots squeeze a ball out no faster than two impacts of the fastest s
       world.step(onward);
       if (!isSqueezed(world)) continue;
       ++squeezes;
-      // In the step, motors and floor push before the bodies meet.
+      // In a step, motors and floor act before the bodies meet.
       const double dt = world.config().physics.stepPeriod();
       const double push = preset.robot.wheel_acceleration * dt, slide = preset.ball.slide_deceleration * dt;
       const double fastest = std::max(surface + push, fastestSurface(world));

@@ -13,13 +13,14 @@
 
 namespace fulbito::test {
 
-inline constexpr double kFrame = 0.016;      ///< [s] between recorded samples
-inline constexpr double kFollowed = 1.0;     ///< [s] after which the ways are compared
-inline constexpr double kYawShare = 0.10;    ///< of the recorded yaw rate
-inline constexpr double kLeastYaw = 0.1;     ///< [rad/s] below which a share of it means nothing
-inline constexpr double kWayShare = 0.05;    ///< of the way driven so far
-inline constexpr double kLeastWay = 0.005;   ///< [m]
-inline constexpr std::size_t kSettled = 12;  ///< frames of one command after which the step is over: 0.19 s
+inline constexpr double kFrame = 0.016;     ///< [s] between recorded samples
+inline constexpr double kFollowed = 1.0;    ///< [s] after which the paths are compared
+inline constexpr double kYawShare = 0.10;   ///< share of the recorded yaw rate
+inline constexpr double kLeastYaw = 0.1;    ///< [rad/s] below this, the share has no meaning
+inline constexpr double kWayShare = 0.05;   ///< share of the distance driven so far
+inline constexpr double kLeastWay = 0.005;  ///< [m]
+/// frames of one command after which its step response is over: 0.19 s
+inline constexpr std::size_t kSettled = 12;
 
 struct Sample {
   WheelSpeeds wheels;
@@ -28,7 +29,8 @@ struct Sample {
 using Run = std::vector<Sample>;
 using Runs = std::map<std::string, Run>;
 
-/// @param columns  where wheel speeds stand in a row; run is the first, pose follows the wheels
+/// @param columns  index of the wheel speeds in a row; the first column is the run, the pose follows the
+/// wheels
 inline Runs recorded(const std::string& file, std::size_t columns) {
   std::ifstream text(std::string(FULBITO_RECORDED) + "/" + file);
   REQUIRE(text);
@@ -50,8 +52,8 @@ inline Pose2 between(const Pose2& a, const Pose2& b, double share) {
           a.heading + math::wrapAngle(b.heading - a.heading) * share};
 }
 
-/// The robot's poses at the samples' times when it is given the run's commands. The world takes the steps of
-/// `physics`. In each it obeys the command that was in force when it began.
+/// The robot's poses at the samples' times if it gets the run's commands. The world uses the steps of
+/// `physics`. In each step it obeys the command in force at the step's beginning.
 inline std::vector<Pose2> driven(const Run& run, const RobotModel& robot, const PhysicsProfile& physics) {
   const PhysicsProfile stepped = readEachStep(physics);
   const double step = stepped.controlPeriod();
@@ -79,9 +81,9 @@ inline double yawRate(const Pose2& before, const Pose2& after) {
 }
 
 struct Comparison {
-  double off = 0.0;      ///< [m] after `kFollowed` or at the end
+  double off = 0.0;      ///< [m] error of the position after `kFollowed` or at the end
   double allowed = 0.0;  ///< [m]
-  double yaw = 0.0;      ///< worst yaw rate at the end of a command: its error over what is allowed
+  double yaw = 0.0;      ///< largest error of the yaw rate at the end of a command, over the allowed one
   bool agrees() const { return off <= allowed && yaw <= 1.0; }
 };
 
@@ -106,7 +108,7 @@ inline Comparison compare(const Run& run, const std::vector<Pose2>& ours) {
   return result;
 }
 
-/// How many runs agree. The message of a failure tells of each.
+/// Number of runs that agree. The message of a failure lists each run.
 inline int runsThatAgree(const Runs& runs, const RobotModel& robot, const PhysicsProfile& physics) {
   int agree = 0;
   for (const auto& [name, run] : runs) {

@@ -24,7 +24,7 @@ namespace {
 
 constexpr float kStep = 1.0f / 120.0f;  // [s]
 
-/// A robot, a ball and the walls as the world makes them, and the clearance of the three.
+/// A robot, a ball and walls with the engine's outlines, and the clearance of the three.
 class RobotAndBall {
  public:
   explicit RobotAndBall(const FieldGeometry& field) {
@@ -54,7 +54,7 @@ class RobotAndBall {
     ball_->SetLinearVelocity(units::vector(ball));
   }
 
-  /// Adds a fixed square that the clearance does not know.
+  /// Adds a fixed square that the clearance does not contain.
   void block(Vec2 middle, double half_side) {
     b2BodyDef body;
     body.position = units::vector(middle);
@@ -69,7 +69,7 @@ class RobotAndBall {
     clearance_.remember(kStep);
     return clearance_.isKeptFreely();
   }
-  /// Its answer when they have moved. They go back then.
+  /// Its answer when they have moved; afterwards they are back at their places.
   bool isKeptBehind() {
     clearance_.remember(kStep);
     const b2Sweep robot = sweep(*robot_), ball = sweep(*ball_);
@@ -80,8 +80,8 @@ class RobotAndBall {
     ball_->SetTransform(ball.c0, 0.0f);
     return kept;
   }
-  /// Steps the engine, which searches. Returns what the clearance says once contacts are solved, and whether
-  /// the search then found that robot and ball meet.
+  /// One step of an engine that searches: the clearance's answer once contacts are solved, and whether the
+  /// search found a contact of robot and ball.
   struct Step {
     bool kept = false;
     bool met = false;
@@ -188,7 +188,7 @@ TEST_CASE("a body that its contacts hold where it is stays in the way", "[unit]"
   const Vec2 robot{-preset.robot.length / 2 - preset.ball.radius - 0.03, 0.0};
   scene.place({robot, 0.0}, {});
   scene.block({preset.ball.radius + kGap + kHalfBlock, 0.0}, kHalfBlock);
-  // The robot comes 3 mm too far for the ball as it lies, but not for one that rolls on.
+  // The robot comes 3 mm too far for a ball at rest, but not for one that rolls away.
   scene.push({0.033 / static_cast<double>(kStep), 0.0}, 0.0, {1.0, 0.0});
   const auto step = scene.step();
   CHECK(step.met);

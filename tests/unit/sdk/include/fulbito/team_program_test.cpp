@@ -18,7 +18,7 @@ namespace t = fulbito::team;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// A team that keeps what it is told and answers what a test wants.
+/// A team that keeps the values it gets and gives the answers that a test sets.
 class Probe final : public t::Team {
  public:
   Probe() : Team("probe", "3") {
@@ -64,7 +64,7 @@ struct Talk {
     conversation.take(line, out);
     return out;
   }
-  /// What the simulator reads in the answer to a line.
+  /// The simulator's reading of the answer to a line.
   TeamReply replyTo(const std::string& line) {
     LineCodec codec;
     TeamReply reply_read;

@@ -14,14 +14,14 @@
 #include "tests/support/catch.hpp"
 #include "tests/support/field_count.hpp"
 
-// Every value reaches a team, as a shared library and as a program. The tests walk the members of the SDK, so
-// that they hold for a new one too.
+// Every value reaches a team, both as a shared library and as a program. The tests walk over the members of
+// the SDK, so they cover new members too.
 namespace fulbito {
 namespace {
 
 namespace t = fulbito::team;
 
-/// A value's members by name, as text that tells different numbers apart.
+/// A value's members by name, as text in which different numbers differ.
 using Members = std::map<std::string, std::string>;
 
 /// @{ The text of one member.
@@ -110,7 +110,7 @@ class Filler {
   int count_ = 0;
 };
 
-/// A match whose every number differs, and its numbers by table.
+/// A match in which all numbers differ, and its numbers by table.
 struct Numbered {
   Numbered() {
     Filler filler;
@@ -167,7 +167,7 @@ void checkMembers(const T& got, const Members& sent) {
   }
 }
 
-/// The value of `now` in a message, as a team of each kind gets it.
+/// The `now` of a message, as a team of each kind gets it.
 template <typename T>
 std::pair<Members, Members> bothWays(const std::string& line, std::string_view member,
                                      const auto& structure) {
@@ -245,8 +245,8 @@ TEST_CASE("every value of a match reaches a team under its name, by both ways", 
 }
 
 TEST_CASE("no member of what a team sees and answers lacks its row in sdk/values/values.toml", "[unit]") {
-  // The tables of a match are walked above; of a robot, shared libraries do without eight keys. An
-  // observation is made from its rows.
+  // The tables of a match are compared above; shared libraries lack eight keys of a robot. An observation is
+  // generated from its rows.
   CHECK(test::fieldCount<MatchInfo>() == 13);
   CHECK(test::fieldCount<RobotState>() == 4);
   CHECK(test::fieldCount<PlacementRequest>() == 8);

@@ -167,7 +167,7 @@ TEST_CASE("the reader accepts the texts that another strict reader accepts, and 
   int valid = 0, invalid = 0;
   for (int i = 0; i < 40000; ++i) {
     const std::string text = drawText(rng);
-    // The other one skips a byte order mark, which RFC 8259 allows and no program of a team needs.
+    // The other parser skips a byte order mark, which RFC 8259 allows but no team's program needs.
     if (text.starts_with("\xEF\xBB\xBF")) continue;
     CAPTURE(text);
     const bool other = nlohmann::json::accept(text);
