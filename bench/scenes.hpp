@@ -27,7 +27,6 @@ class SceneDriver {
   /// Commands for the next tick.
   /// @param robots  present poses
   /// @param target  the place that robots drive to with kChase
-  /// @param target  where kChase drives
   std::span<const WheelSpeeds> drive(std::span<const Pose2> robots, Vec2 target);
   /// The same for a world's state, with its first ball as target.
   std::span<const WheelSpeeds> drive(const WorldState& state);
