@@ -16,17 +16,17 @@
 namespace fulbito {
 namespace {
 
-constexpr float kScale = 10.0f;  // units a metre
+constexpr float kScale = 10.0f;  // Box2D units per metre
 
 struct BareRobot {
   b2Body* body;
   float wheel_radius;
   float half_track;
-  float gain;     // most the motor changes a rim's speed in a step
-  float loss;     // the same, braking
-  float grip;     // most the floor passes on
-  float lateral;  // the same across the wheels
-  float share;    // of what the motors give the mass that they give a turn
+  float gain;     // largest change of a rim's speed by the motor in one step
+  float loss;     // largest change of a rim's speed in one step while braking
+  float grip;     // largest change of speed that the floor transmits in one step
+  float lateral;  // the same limit sideways
+  float share;    // ratio of the motors' effect on rotation to that on translation
   float left = 0.0f;
   float right = 0.0f;
 };
@@ -67,7 +67,8 @@ void setMass(b2Body& body, double mass, double inertia) {
   body.SetMassData(&data);
 }
 
-// The ball bounces off walls with its own restitution and loses spin there; Box2D's mixing cannot say that.
+// Gives the ball its own restitution and spin loss at walls, which Box2D's mixing of coefficients cannot
+// express.
 struct BallAtWall : b2ContactListener {
   const b2Body* ball = nullptr;
   const b2Body* walls = nullptr;
@@ -164,8 +165,8 @@ void BareLoop::Impl::addBall(const WorldConfig& config, const BallPlacement& pla
   listener.spin_keep = static_cast<float>(m.wall_spin_keep);
   b2CircleShape shape;
   shape.m_radius = scaled(m.radius + 0.00025);
-  // Box2D mixes friction by the root of the product, restitution by the larger: with the robots' and walls'
-  // 0.2 this gives the engine's 0.1.
+  // Box2D mixes friction by the square root of the product, and restitution by the maximum. With 0.2 for
+  // robots and walls and 0.05 for the ball, the friction is 0.1 as in the engine.
   addFixture(*ball, shape, 0.05f, static_cast<float>(m.robot_restitution),
              scaled(config.physics.restitution_threshold));
   setMass(*ball, m.mass, 0.0);

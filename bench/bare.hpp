@@ -7,12 +7,12 @@
 
 namespace fulbito {
 
-/// The yardstick: robots, ball and walls stepped by direct Box2D calls. The same fixtures, iterations and
-/// drive impulses as the engine's, poses read once a control tick; no commands checked, no contacts reported,
-/// no state kept but Box2D's.
+/// The baseline of the benchmark: robots, ball and walls stepped by direct Box2D calls. Fixtures, iterations
+/// and drive impulses are those of the engine. It reads poses once per control tick, but checks no commands,
+/// reports no contacts and keeps no other state.
 class BareLoop {
  public:
-  /// @param config  robots, one ball and the field; obstacles are not taken
+  /// @param config  robots, one ball and the field; obstacles are ignored
   explicit BareLoop(const WorldConfig& config);
   BareLoop(BareLoop&&) noexcept;
   ~BareLoop();

@@ -17,7 +17,7 @@ namespace fulbito {
 namespace {
 
 constexpr int kEpisodeTicks = 600;
-constexpr Stream kStartStream{6};  // reserved, see `Stream`: no simulation draws from it
+constexpr Stream kStartStream{6};  // a stream that no simulation draws from, see `Stream`
 
 struct Row {
   PhysicsProfile physics;
@@ -27,7 +27,7 @@ struct Row {
 PhysicsProfile physicsAt(int rate_hz) {
   PhysicsProfile physics;
   physics.substeps = rate_hz / physics.control_rate;
-  physics.contact_depth = 0.0;  // the bare loop splits no steps: the same work is compared
+  physics.contact_depth = 0.0;  // for equal work, because the bare loop splits no steps
   return physics;
 }
 
@@ -39,7 +39,8 @@ std::vector<Row> allRows() {
   return rows;
 }
 
-// Robots scattered over a grid, the ball somewhere between: a run's contacts depend much on how it starts.
+// A start with robots scattered over a grid and the ball between them. Different starts lead to different
+// numbers of contacts.
 WorldConfig episodeStart(const Row& row, int episode) {
   WorldConfig config = matchScene(3, row.physics);
   Rng rng(static_cast<std::uint64_t>(episode), kStartStream);
@@ -52,7 +53,7 @@ WorldConfig episodeStart(const Row& row, int episode) {
   return config;
 }
 
-// The engine and the bare loop behind the same three calls.
+// Wrappers that give the engine and the bare loop the same three methods.
 class EngineRun {
  public:
   EngineRun(const Row& row, int episode)
@@ -88,7 +89,7 @@ double threadCpuSeconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// CPU seconds of one episode; making the world does not count.
+// CPU time of one episode [s], without the time to create the world.
 template <typename Run>
 double timeEpisode(const Row& row, int episode) {
   if (stopRequested()) return 0.0;
@@ -121,7 +122,7 @@ BenchScene measure(const Row& row, const BenchOptions& options) {
   std::vector<double> engine, bare, ratios;
   for (int i = 0; i < options.repetitions; ++i) {
     double engine_time = 0.0, bare_time = 0.0;
-    // Episode by episode in turns: whatever else the machine does meets both.
+    // Alternates after each episode, so that other load on the machine affects both.
     for (int episode = 0; episode < options.episodes; ++episode) {
       engine_time += timeEpisode<EngineRun>(row, episode);
       bare_time += timeEpisode<BareRun>(row, episode);
@@ -142,7 +143,7 @@ BenchScene measure(const Row& row, const BenchOptions& options) {
           meanContacts<BareRun>(row, options.episodes)};
 }
 
-// Wall seconds in which each of `threads` threads runs the same episodes.
+// Wall time [s] in which each of `threads` threads runs the same episodes.
 template <typename Run>
 double wallTime(const Row& row, int episodes, int threads) {
   const auto work = [&] {
@@ -166,7 +167,7 @@ BenchScaling measureScaling(const Row& row, const BenchOptions& options) {
   const int episodes = std::max(1, options.episodes / 4);
   std::vector<double> engine, bare, ratios;
   for (int i = 0; i < 2 * options.repetitions + 1; ++i) {
-    // Each goes first in every other repetition.
+    // Engine and bare loop alternate in which goes first.
     if (i % 2 == 0) engine.push_back(scalingOf<EngineRun>(row, episodes));
     bare.push_back(scalingOf<BareRun>(row, episodes));
     if (i % 2 == 1) engine.push_back(scalingOf<EngineRun>(row, episodes));
@@ -186,7 +187,7 @@ Result<BenchReport> runBenchmark(const BenchOptions& options) {
     for (Load load : {Load::kRandom, Load::kHold, Load::kChase})
       report.scaling.push_back(measureScaling({physicsAt(120), load}, options));
   }
-  // What was left out then makes all figures worthless.
+  // After a stop request, skipped runs make all figures invalid.
   if (stopRequested()) return fail(ErrorCode::kInterrupted, "interrupted");
   return report;
 }

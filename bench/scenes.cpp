@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kWheelLimit = 46.0;  // [rad/s]
 
-// Forward or backward at the target without ever stopping to push.
+// Wheel speeds that drive forward or backward at the target, and never stop pushing.
 WheelSpeeds chase(const Pose2& pose, Vec2 target) {
   const Vec2 ahead = math::unit(pose.heading), to = unitOr(target - pose.position, ahead);
   const double sense = dot(ahead, to) >= 0.0 ? 1.0 : -1.0;
@@ -119,7 +119,7 @@ SceneDriver::SceneDriver(Load load, std::size_t robots, int control_rate, std::u
       poses_(robots) {}
 
 void SceneDriver::drawWheels() {
-  // 16 bits a wheel are plenty, and keep the drawing out of what a benchmark measures.
+  // 16 bits per wheel are precise enough, and keep the time for random numbers out of the benchmark.
   constexpr double kScale = 2.0 * kWheelLimit / 65535.0;
   for (WheelSpeeds& wheels : commands_) {
     const std::uint32_t bits = rng_.bits32();

@@ -10,25 +10,25 @@
 
 namespace fulbito {
 
-/// What the robots of a scene are told.
+/// The commands that the robots of a scene get.
 enum class Load {
   kRandom,  ///< new random wheel speeds each tick
-  kHold,    ///< random wheel speeds held for half a second: nearest to play
-  kChase,   ///< all push at the ball: the most contacts
+  kHold,    ///< random wheel speeds held for half a second; the most similar to play
+  kChase,   ///< all robots push toward the ball, which gives the most contacts
 };
 
 const char* nameOf(Load load);
 
-/// Drives all robots of a scene.
+/// Computes the commands of all robots of a scene.
 class SceneDriver {
  public:
   SceneDriver(Load load, std::size_t robots, int control_rate, std::uint64_t seed);
 
   /// Commands for the next tick.
-  /// @param robots  where they are now
-  /// @param target  where kChase drives
+  /// @param robots  present poses
+  /// @param target  the place that robots drive to with kChase
   std::span<const WheelSpeeds> drive(std::span<const Pose2> robots, Vec2 target);
-  /// The same, from a world's state and its first ball.
+  /// The same for a world's state, with its first ball as target.
   std::span<const WheelSpeeds> drive(const WorldState& state);
 
  private:
@@ -42,7 +42,7 @@ class SceneDriver {
   std::vector<Pose2> poses_;
 };
 
-/// A world and how it is driven; always the same, whatever the presets become.
+/// A world and its load. It does not depend on presets, so it stays the same when these change.
 struct Scene {
   std::string name;
   WorldConfig config;
@@ -56,10 +56,10 @@ WorldConfig matchScene(int per_team, const PhysicsProfile& physics);
 /// The scenes of the determinism check and the signature.
 std::vector<Scene> fixedScenes();
 
-/// Runs a scene from its start; a hash over every tick's state and contacts.
+/// Runs a scene from its start. Returns a hash over state and contacts of every tick.
 std::uint64_t hashOfRun(const Scene& scene);
 
-/// One hash over all fixed scenes: it changes when, and only when, the engine's behaviour does.
+/// One hash over all fixed scenes. It changes if and only if the engine's behaviour changes.
 std::uint64_t sceneSignature();
 
 }  // namespace fulbito

@@ -1,4 +1,5 @@
-# libdeflate, which compresses PNG files and pages, as the target libdeflate::libdeflate: distributions ship it without a package of CMake.
+# Finds libdeflate, which compresses PNG files and pages, as the target libdeflate::libdeflate. Distributions ship it without a CMake
+# package.
 find_path(LIBDEFLATE_INCLUDE_DIR libdeflate.h)
 find_library(LIBDEFLATE_LIBRARY deflate)
 include(FindPackageHandleStandardArgs)

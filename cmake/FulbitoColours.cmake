@@ -1,5 +1,5 @@
-# fulbito_shared_colours(<light> <dark>): the colours of pictures (shared_colours.def) as CSS variables of the same
-# names, such as "--page: #f4f6f8;". The second has those of the dark theme; series keep theirs.
+# fulbito_shared_colours(<light> <dark>): reads the colours of pictures (shared_colours.def) as CSS variables with the
+# same names, such as "--page: #f4f6f8;". <dark> gets those of the dark theme, without the series.
 function(fulbito_shared_colours light_result dark_result)
   set(shared_colours ${PROJECT_SOURCE_DIR}/replays/render/colours/shared_colours.def)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${shared_colours})

@@ -2,7 +2,7 @@
 #   std::span<const fulbito::EmbeddedFile> <symbol>();
 # or of another struct <type> of four texts, which <header> declares,
 # with each file's text, named by its file name without the ending, its kind by its folder.
-# The texts go in as bytes: quoting, semicolons and generator expressions in them cannot go wrong.
+# The texts are written as bytes, so that quotes, semicolons and generator expressions in them need no escaping.
 function(fulbito_embed output symbol)
   cmake_parse_arguments(PARSE_ARGV 2 ARG "" "HEADER;TYPE" "")
   if(NOT ARG_HEADER)
@@ -21,7 +21,7 @@ function(fulbito_embed output symbol)
     get_filename_component(whole ${file} NAME)
     get_filename_component(folder ${file} DIRECTORY)
     get_filename_component(kind "${folder}" NAME)
-    # The closing zero keeps an empty file from making an empty array; it is not part of the text.
+    # The closing zero avoids an empty array for an empty file; it is not part of the text.
     string(APPEND text "constexpr char kText${index}[] = {${bytes}0};\n")
     string(APPEND table "    {\"${kind}\", \"${name}\", {kText${index}, sizeof(kText${index}) - 1}, \"${whole}\"},\n")
     math(EXPR index "${index} + 1")

@@ -1,5 +1,5 @@
-# One option set for everything that state can depend on: baseline x86-64, no fused multiply-add, no fast-math.
-# Results are promised bit for bit, so these are not left to the user's CMAKE_CXX_FLAGS.
+# One set of options for all code that state can depend on: baseline x86-64, no fused multiply-add, no fast-math.
+# Results must be equal bit for bit, so these options are not left to the user's CMAKE_CXX_FLAGS.
 include(CheckIPOSupported)
 include(FulbitoUnity)
 
@@ -9,21 +9,21 @@ function(fulbito_options target)
   target_compile_options(${target} PRIVATE
     -ffp-contract=off -fno-fast-math -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
     $<$<BOOL:${FULBITO_WERROR}>:-Werror>
-    # Nobody replaces our functions at load time, so g++ may inline them, as clang does.
+    # No function is replaced at load time, so g++ may inline them, as clang does.
     $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   if(CMAKE_UNITY_BUILD)
     fulbito_unity_groups(${target})
-    # Of types in a header that use unnamed namespaces; g++ takes the files of a group for headers.
+    # g++ warns about types in headers that use unnamed namespaces, and takes the files of a group for headers.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   endif()
 endfunction()
 
 # fulbito_library(<name> [COMPONENT <name> | INTERNAL] SOURCES <files...> [PUBLIC <libs...>] [PRIVATE <libs...>])
-# makes the static library fulbito_<name> with the alias fulbito::<name>. Who links it sees the public headers
-# (sdk/include); within the project, all others too.
-#   COMPONENT  what a user asks find_package for and links as fulbito::<component>: named after its header
+# creates the static library fulbito_<name> with the alias fulbito::<name>. Targets that link it see the public
+# headers (sdk/include); within the project, all other headers too.
+#   COMPONENT  the name that users pass to find_package and link as fulbito::<component>; named after its header
 #   INTERNAL   part of the program only: not installed
-# One that is neither is installed because a component needs it.
+# A library with neither is installed because a component needs it.
 function(fulbito_library name)
   cmake_parse_arguments(ARG "INTERNAL" "COMPONENT" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   set(target fulbito_${name})

@@ -1,7 +1,7 @@
-# fulbito_source_hashes(<list> <output.cpp>): a source file with a hash for each group of sources in the list, made
-# anew when one of them changes. A line of the list is a group and a file or folder of the project; the longest
-# path that holds a file decides on its group; `none` has no hash. The hash depends on the paths from the root and
-# on the contents only: equal sources have equal hashes on every machine.
+# fulbito_source_hashes(<list> <output.cpp>): creates a source file with a hash for each group of sources in the list,
+# again whenever a source changes. A line of the list is a group and a file or folder of the project. The longest
+# path that contains a file decides on its group; the group `none` has no hash. Hashes depend only on paths from the
+# root and on contents, so equal sources have equal hashes on every machine.
 set(FULBITO_HASH_SOURCES ${CMAKE_CURRENT_LIST_DIR}/HashSources.cmake)
 
 function(fulbito_source_hashes list output)

@@ -1,5 +1,5 @@
-# fulbito_team_values(<output.cpp> <options of sdk/values/generate.py...>): a source file made from the description of
-# team values.
+# fulbito_team_values(<output.cpp> <options of sdk/values/generate.py...>): creates a source file from the description
+# of team values.
 find_program(FULBITO_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(FULBITO_PYTHON python3 REQUIRED)
 

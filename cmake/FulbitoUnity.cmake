@@ -1,9 +1,9 @@
-# Unity builds (-DCMAKE_UNITY_BUILD=ON): several files compiled as one, so that headers are read once a group.
-# Files of a group share one scope, their unnamed namespaces too. So a file joins the first group that has room
-# and defines none of its names; nobody has to give a helper a name that no other file uses.
+# Unity builds (-DCMAKE_UNITY_BUILD=ON) compile several files as one, so that headers are read once per group. Files of
+# a group share one scope, including their unnamed namespaces. So a file joins the first group that has room and
+# defines none of its names. Helpers need no names that are unique in the project.
 set(FULBITO_UNITY_SIZE 12 CACHE STRING "Files that a unity build compiles together, at most")
 
-# Names that a file may define on its own: constants like kName, and what begins a line with a type and a name.
+# Finds names that a file may define: constants like kName, and names after a type at the begin of a line.
 function(fulbito_names_defined file result)
   file(READ ${file} text)
   string(REGEX REPLACE "[][;\\\\\"]" " " text "${text}")
@@ -14,15 +14,15 @@ function(fulbito_names_defined file result)
   set(${result} "${found}" PARENT_SCOPE)
 endfunction()
 
-# Puts the sources of a target into groups. The analyser of clang-tidy follows calls in files of such a name only.
+# Puts the sources of a target into groups. clang-tidy's analyser follows calls only in files named like these groups.
 function(fulbito_unity_groups target)
   get_target_property(sources ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)
   set(groups 0)
   foreach(source IN LISTS sources)
     get_filename_component(file ${source} ABSOLUTE BASE_DIR ${folder})
-    # Those that replace functions of other libraries stay alone: a program may link its own in their place,
-    # and g++ warns where it sees operator new inlined.
+    # Files that replace functions of other libraries stay alone: a program may link its own instead,
+    # and g++ warns where it inlines operator new.
     if(NOT EXISTS ${file} OR file MATCHES "/(allocation_counter|engine_clock|real_clock)\\.cpp$")
       continue()
     endif()

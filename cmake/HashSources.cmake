@@ -1,6 +1,6 @@
-# cmake -D ROOT=folder -D FILES=list -D OUTPUT=file.cpp -P HashSources.cmake: what fulbito_source_hashes runs. A line
-# of the list is a group and a path from the root. A group's hash: the first half of the SHA-256 of its lines
-# "path SHA-256", sorted by their bytes.
+# cmake -D ROOT=folder -D FILES=list -D OUTPUT=file.cpp -P HashSources.cmake: the script behind fulbito_source_hashes.
+# A line of the list is a group and a path from the root. The hash of a group is the first half of the SHA-256 of its
+# lines "path SHA-256", sorted by their bytes.
 cmake_minimum_required(VERSION 3.22)
 
 file(STRINGS "${FILES}" entries)

@@ -1,5 +1,5 @@
-// A team of one's own against a built-in one: two robots follow the ball, the first one stays before its
-// goal.
+// Plays a team of your own against a built-in one: two robots follow the ball, the first one stays in front
+// of its goal.
 #include <cstdio>
 #include <fulbito/match.hpp>
 
@@ -23,7 +23,7 @@ class Followers final : public fulbito::Strategy {
   }
 
  private:
-  double goal_line_ = 0.0;  // [m] x of the own goal: teams see the field with their goal at -x
+  double goal_line_ = 0.0;  // [m] x of the own goal; teams see the field with their own goal at -x
   fulbito::NavigatorChoice navigator_;
 };
 

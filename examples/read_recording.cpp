@@ -1,4 +1,4 @@
-// Prints the goals of a recorded match and where the ball was then: read_recording FILE
+// Prints the goals of a recorded match and the position of the ball at each: read_recording FILE
 #include <cstdio>
 #include <fulbito/recording.hpp>
 

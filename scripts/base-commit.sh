@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Prints the commit that a change is compared with, or nothing where there is none. See --help.
+# Prints the commit that a change is compared with, or nothing if there is none. See --help.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fails when golden hashes changed and no commit message since names the new signature. See --help.
+# Fails if golden hashes changed and no later commit message names the new signature. See --help.
 set -euo pipefail
 
 case "${1:-}" in
@@ -25,7 +25,7 @@ if [ -n "$base" ] && git diff --quiet "$base" -- ':(glob)tests/determinism/golde
   exit 0
 fi
 signature=$("$program" bench --signature)
-# Not through a pipe: grep would end before git, which fails then.
+# Without a pipe, because grep may end before git, which then fails.
 messages=$(git log --format=%B "${base:+$base..}HEAD")
 if grep -qF -- "$signature" <<<"$messages"; then
   echo "check-behaviour: a commit message names the signature $signature"

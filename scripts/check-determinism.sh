@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Looks for what would let results differ between CPUs, compilers, runs or libraries. See --help.
+# Finds code that could make results differ between CPUs, compilers, runs or libraries. See --help.
 set -euo pipefail
 
 usage() {
@@ -47,9 +47,9 @@ done
 [[ -z $build ]] || build=$(cd "$build" && pwd)
 
 readonly library_folders=(sdk engine navigation strategies referee replays match experiments bridge)
-# Pictures are not state; nor are the starters of users' teams.
+# Pictures are not part of the state, and neither are the starters of users' teams.
 readonly allowed_folder='replays/render'
-# The project's own functions are defined here, so their plain names are no calls of the C library's.
+# These files define the project's own functions, so plain names in them are not calls of the C library.
 readonly own_math='^(engine/core/math/(constants|exp|inverse|math|trig)\.[ch]pp|sdk/include/fulbito/detail/math\.hpp)$'
 readonly functions='sin|cos|sincos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|asinh|acosh|atanh|exp|exp2|exp10|expm1|log|log2|log10|log1p|pow|hypot|cbrt|erf|erfc|tgamma|lgamma'
 
@@ -64,7 +64,7 @@ report() {
 texts=$(mktemp -d)
 trap 'rm -rf "$texts"' EXIT
 
-# copy FOLDER SED_OPTIONS...: copies the files that are named on standard input and edits them; lines keep their numbers.
+# copy FOLDER SED_OPTIONS...: copies the files named on standard input and edits the copies; line numbers stay.
 copy() {
   mkdir -p "$texts/$1"
   xargs -d '\n' -r cp --parents -t "$texts/$1"
@@ -72,7 +72,7 @@ copy() {
   find "$texts/$1" -type f -print0 | xargs -0 -r sed -i -E -e '/determinism-ok: *[^ ]/s/.*//' "${@:2}" --
 }
 
-# search FOLDER PATTERN WHY [NOT_IN]: one process for all files; those that match NOT_IN are left out.
+# search FOLDER PATTERN WHY [NOT_IN]: searches all files with one process, except those that match NOT_IN.
 search() {
   local file line
   while IFS=: read -r file line _; do
@@ -81,7 +81,7 @@ search() {
   done < <(cd "$texts/$1" && grep -rnP -- "$2" . | sort -t: -k1,1 -k2,2n)
 }
 
-# Without comments and strings.
+# Copies the sources without comments and strings.
 copy_sources() {
   { find "${library_folders[@]}" -type f \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' -o -name '*.c' \) \
     -not -path "$allowed_folder/*" -not -path 'sdk/starters/*' 2>/dev/null || true; } |
@@ -112,7 +112,7 @@ check_cmake() {
     'changes floating-point results'
 }
 
-# Names the first few functions of each object that contain fused multiply-adds.
+# Reports the first few functions of each object that contain fused multiply-adds.
 check_fused() {
   local file where
   while IFS=: read -r file where; do
@@ -124,7 +124,7 @@ check_fused() {
     END { for (file in names) print file ":" names[file] }' | sort)
 }
 
-# Objects of the libraries that refer to the C library's functions.
+# Reports objects of the libraries that refer to functions of the C library.
 check_symbols() {
   local file names folders
   folders=$(IFS='|'; echo "${library_folders[*]}")

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Fails when a source file is not as clang-format-19 would write it; --fix rewrites them.
+# Fails if a source file differs from the output of clang-format-19; --fix reformats the files.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-# Starters are templates, of which the marks are not C++.
+# Starters are templates; their placeholders are not C++.
 sources() { git ls-files -z '*.c' '*.h' '*.cpp' '*.hpp' ':!sdk/starters'; }
 
 case "${1:-}" in

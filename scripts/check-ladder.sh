@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Plays the built-in teams against each other in short matches and compares with the committed results. See --help.
+# Plays the built-in teams against each other in short matches, and compares with the committed results. See --help.
 set -euo pipefail
 
 usage() {
@@ -38,13 +38,13 @@ trap 'rm -rf "$work"' EXIT
 play() {
   "$program" tournament run "$folder/plan.toml" --out "$work/results" --csv "$work/all.csv" >"$work/table.txt" 2>"$work/log" ||
     { local code=$?; cat "$work/log" >&2; exit "$code"; }
-  # The identity of a match counts the sources, also where they play the same.
+  # Leaves out the match ids, because they change with the sources even if play stays the same.
   awk -F, -v OFS=, 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == "id") id = i }
     { line = ""; for (i = 1; i <= NF; ++i) if (i != id) line = line (line == "" ? "" : OFS) $i; print line }' \
     "$work/all.csv" >"$work/matches.csv"
 }
 
-# What differs, by pair of teams and with the first match of each.
+# Prints the differences by pair of teams, with the first match of each.
 explain() {
   awk -F, '
     FNR == 1 { for (i = 1; i <= NF; ++i) at[$i] = i; next }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# clang-tidy-19 on the sources of the libraries and of the program, and shellcheck on the scripts. See --help.
+# Runs clang-tidy-19 on the sources of libraries and program, and shellcheck on the scripts. See --help.
 set -euo pipefail
 
 usage() {
@@ -38,12 +38,12 @@ changed_files() {
   git ls-files --others --exclude-standard
 }
 
-# Each #include of a project's header as "FILE NAME", where NAME is that of a public header in an #include, else the file's.
+# Prints each #include of a project header as "FILE NAME". NAME is the include path of a public header, else the file.
 inclusions() {
   git grep --untracked -E '^#include "' -- '*.cpp' '*.hpp' '*.h' '*.c' | sed -E 's/^([^:]*):#include "([^"]*)".*/\1 \2/; s#^sdk/include/##'
 }
 
-# reached FROM TO: the files on standard input, and all that the inclusions lead to from column FROM to column TO, directly or not.
+# reached FROM TO: the files on standard input, and all files that inclusions lead to from column FROM to column TO, directly or indirectly.
 reached() {
   awk -v from="$1" -v to="$2" 'FILENAME == ARGV[1] { queue[++last] = $0; hit[$0]; next }
     { next_of[$from] = next_of[$from] " " $to }
@@ -56,13 +56,13 @@ reached() {
     }' <(sed 's#^sdk/include/##') <(inclusions)
 }
 
-# What the build compiles of the folders: files, or groups of them.
+# Prints what the build compiles in the folders: files, or groups of files.
 compiled() {
   sed -n 's/^ *"file": "\(.*\)",\{0,1\}$/\1/p' "$build/compile_commands.json" | sort -u | grep -E \
     "^$root/(($folders)/.*\.cpp|$build/($folders)/.*Unity/.*\.cxx)$"
 }
 
-# The project's files in a compiled one.
+# Prints the project's files in a compiled file.
 parts() {
   case $1 in
     *.cxx) sed -n 's/^#include "\(.*\)"$/\1/p' "$1" ;;
@@ -70,18 +70,18 @@ parts() {
   esac | sed "s#^$root/##"
 }
 
-# The parts of all compiled files on standard input.
+# Prints the parts of all compiled files on standard input.
 all_parts() {
   local file
   while IFS= read -r file; do [ -z "$file" ] || parts "$file"; done
 }
 
-# has_part COMPILED FILES: whether a compiled file has one of the files, a line each.
+# has_part COMPILED FILES: whether a compiled file contains one of the files, one per line.
 has_part() {
   parts "$1" | grep -xF -f <(echo "$2") >/dev/null
 }
 
-# The compiled files with sources that changed since the commit, and one for each changed header that none of these includes.
+# Prints the compiled files whose sources changed since the commit, and one user of each changed header that none of these includes.
 affected_since() {
   local changed chosen header users file
   changed=$(changed_files "$1")
@@ -98,7 +98,7 @@ affected_since() {
   sort -u <<<"$chosen" | sed '/^$/d'
 }
 
-# The base branch itself as it was before its last 25 commits: about what was merged last.
+# The base commit for the base branch itself: its state 25 commits ago, so that the latest merges are checked.
 recent_base() {
   git rev-list --first-parent --max-count=1 --skip=25 HEAD
 }
@@ -110,7 +110,7 @@ if $all; then
   files=$(compiled)
 elif [ -z "$base" ] || changed_files "$base" | grep -x '\.clang-tidy' >/dev/null; then
   files=$(compiled)
-  options+=(--checks=-performance-unnecessary-value-param)  # takes up to half of a group's time
+  options+=(--checks=-performance-unnecessary-value-param)  # this check takes up to half of a group's time
 else
   files=$(affected_since "$base")
 fi

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a fresh clone to the comparison's table and pictures and a match: installs what is missing, builds, runs the main jobs.
+# Goes from a fresh clone to the comparison's table and pictures and a match: installs missing packages, builds, runs the commands.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -16,7 +16,7 @@ shift || true
 preset=${FULBITO_PRESET:-release}
 
 scripts/install-deps.sh
-# A build that is configured already keeps its tests.
+# A build that is already configured keeps its tests.
 [ -f "build/$preset/CMakeCache.txt" ] || cmake --preset "$preset" -DFULBITO_BUILD_TESTS=OFF >/dev/null
 cmake --build --preset "$preset" --target fulbito
 fulbito=build/$preset/fulbito

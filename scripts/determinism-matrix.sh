@@ -1,25 +1,25 @@
 #!/bin/bash
-# Builds the engine, all that matches need, and two hash programs with several compilers and levels, runs each
-# with and without the processor's fused multiply-add, and compares every scene's hash with
-# tests/determinism/golden.txt and every match's with tests/determinism/golden_matches.txt.
+# Builds the engine, everything that matches need, and two hash programs with several compilers and levels. Runs
+# each with and without the processor's fused multiply-add. Compares every scene's hash with
+# tests/determinism/golden.txt, and every match's with tests/determinism/golden_matches.txt.
 #
 #   scripts/determinism-matrix.sh            all builds
-#   scripts/determinism-matrix.sh gcc-O2     only those named
-#   scripts/determinism-matrix.sh --reuse    takes the programs of build/ci, build/tsan and build/asan for gcc-O2 and
-#                                            those with sanitizers, where those presets have been built, and
-#                                            compiles in groups only
+#   scripts/determinism-matrix.sh gcc-O2     only the named builds
+#   scripts/determinism-matrix.sh --reuse    for gcc-O2 and the builds with sanitizers, takes the programs of build/ci,
+#                                            build/tsan and build/asan if those presets have been built, and
+#                                            compiles only in groups
 #   UPDATE_GOLDEN=1 scripts/determinism-matrix.sh   writes the golden files from the first build, then compares
 #
 # Exit code 0: all equal; 1: some differ; 2: a build failed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# Link-time optimisation also finds names that mean one thing in one file and another in another.
+# Link-time optimisation also finds names with different definitions in different files.
 lto="-flto=2 -Werror=odr"
 addresses="-O1 -g1 -fsanitize=address,undefined -fno-sanitize=object-size,vptr -fno-sanitize-recover=all"
 threads="-O1 -g1 -fsanitize=thread"
-# name | compiler | flags | what is built | preset with the same programs. All compile files in groups, but gcc-O0 each on its
-# own and the whole program, which finds includes that are missing.
+# name | compiler | flags | what is built | preset with the same programs. All builds compile files in groups, except gcc-O0: it
+# compiles each file of the whole program alone, which finds missing includes.
 builds=(
   "gcc-O2|g++|-O2 -DNDEBUG|groups|ci"
   "gcc-O0|g++|-O0|program|"
@@ -35,7 +35,7 @@ if [ "${1:-}" = --reuse ]; then
   shift
 fi
 
-# The names that glibc 2.33 and later know; on a processor without these the masked run is the plain one.
+# Names for glibc 2.33 and later. On a processor without these features, the masked run equals the plain one.
 no_fma="glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX,-FMA,-FMA4"
 
 active_features() {
@@ -102,7 +102,7 @@ for entry in "${builds[@]}"; do
   compare "$name" scenes hash_program golden.txt
   compare "$name" matches match_hash_program golden_matches.txt
   UPDATE_GOLDEN=0
-  # Once is enough: the C library is the same for every build.
+  # One comparison is enough, because all builds use the same C library.
   if [ ! -e "$trig" ]; then
     "$folder/trig_program" > "$trig"
     masked=$(verdict "$trig" <(GLIBC_TUNABLES=$no_fma "$folder/trig_program"))

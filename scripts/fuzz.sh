@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Fuzzes the readers of foreign bytes at once for some seconds (default: 60), from stored corpora, under sanitizers:
-# recordings, messages and tables of shared libraries, the line protocol of teams, and the datagrams of the league.
-# Usage: scripts/fuzz.sh [SECONDS [TARGET ...]]. What crashes one is left in build/asan/fuzz/crashes.
+# Fuzzes the readers of foreign bytes in parallel for some seconds (default: 60), from stored corpora, under sanitizers:
+# recordings, messages and tables of shared libraries, and the line protocol of teams.
+# Usage: scripts/fuzz.sh [SECONDS [TARGET ...]]. Inputs that crash a reader are kept in build/asan/fuzz/crashes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 seconds=${1:-60}
@@ -14,7 +14,7 @@ running=()
 for target in "${targets[@]}"; do
   found=build/asan/fuzz/corpus/$target
   mkdir -p "$found" "$crashes"
-  # The second folder is only read; what is new goes to the first.
+  # The second folder is only read; new inputs go to the first.
   "build/asan/tests/fuzz/${target}_fuzzer" -max_total_time="$seconds" -timeout=10 -rss_limit_mb=2048 \
     -max_len=20000 -print_final_stats=1 -artifact_prefix="$crashes/$target-" "$found" "tests/fuzz/corpus/$target" \
     > "$crashes/$target.log" 2>&1 &

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Remakes the pictures that README and docs show, docs/images, by the commands that docs/pictures.md explains.
+# Creates the pictures of README and docs in docs/images, with the commands that docs/pictures.md explains.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -17,26 +17,26 @@ cd "$work"
 "$program" match libero classic --seed 7 --record game.fbr >/dev/null
 export_game() { "$program" replay export game.fbr --force "$@"; }
 
-# The first goal, as a still in both themes and with the ways that led to it.
+# The first goal, as a still in both themes and with the paths that led to it.
 goal=$("$program" replay events game.fbr --json | sed -n 's/.*"time_s":\([0-9.]*\),.*"event":"goal".*/\1/p' | head -n 1)
 from=$(awk -v t="$goal" 'BEGIN { print (t > 4 ? t - 4 : 0) }')
 to=$(awk -v t="$goal" 'BEGIN { print t + 1.5 }')
 export_game --png "$images/match-goal.png" --around goals --from "$from" --to "$to"
 export_game --png "$images/match-goal-light.png" --around goals --from "$from" --to "$to" --theme light
 export_game --trails "$images/match-trails.png" --around goals --from "$from" --to "$to" --theme light --size 640
-# The film by the very commands of README.md.
+# The film, with exactly the commands of README.md.
 "$program" match libero classic --seed 1 --half-seconds 30 --record goals.fbr >/dev/null
 "$program" replay export goals.fbr --force --gif "$images/match-goal.gif" --around goals:1
 export_game --contact-sheet "$images/match-sheet.png" --size 1200
 export_game --heatmap ball "$images/match-heatmap.png" --size 640
 export_game --heatmap yellow "$images/match-heatmap-light.png" --size 640 --theme light
 
-# Shortly before it, with what the teams had in mind.
+# Shortly before the goal, with the debug drawings of the teams.
 "$program" match libero classic --seed 7 --record drawn.fbr --drawings >/dev/null
 before=$(awk -v t="$goal" 'BEGIN { print (t > 1.2 ? t - 1.2 : 0) }')
 "$program" replay export drawn.fbr --force --png "$images/match-drawings.png" --at "$before"
 
-# The teams of docs/write-a-team.md, by its commands.
+# The teams of docs/write-a-team.md, with its commands.
 "$program" new-team python rovers >/dev/null
 "$program" match "cmd:python3 rovers/team.py" classic --seed 3 --half-seconds 20 --record first.fbr --drawings >/dev/null
 "$program" replay export first.fbr --force --contact-sheet "$images/team-first.png" --size 1200
@@ -47,13 +47,13 @@ cp -r "$root/examples" .
 "$program" run --navigator bspline-time --layout moving:3 --record trial.fbr >/dev/null
 "$program" replay export trial.fbr --force --trails "$images/trial-trails.png" --size 640
 
-# One layout for every method of which docs/navigators.md shows a picture, but for the two that look at no obstacle.
-while read -r navigator; do
+# One layout for every method with a picture in docs/navigators.md, except the two that ignore obstacles.
+for navigator in $(sed -n 's|.*images/navigator-\([a-z-]*\)\.png.*|\1|p' "$root/docs/navigators.md" | grep -v curvature); do
   "$program" run --navigator "$navigator" --layout corner:17 --record way.fbr --force >/dev/null
   "$program" replay export way.fbr --force --trails "$images/navigator-$navigator.png" --size 480
 done < <(sed -n 's|.*images/navigator-\([a-z-]*\)\.png.*|\1|p' "$root/docs/navigators.md" | grep -v curvature)
 
-# The two that look at no obstacle, on a free field; the second with an arrival heading.
+# The two methods that ignore obstacles, on a free field; the second with an arrival heading.
 cat >single-curvature.toml <<'END'
 [layout]
 name = "free"
@@ -99,7 +99,7 @@ cp papers/transport/fig-10.png "$images/papers/transport-fig-10.png"
 cp papers/transport/constraint-curve.png "$images/papers/transport-curve.png"
 cp papers/transport/real-rod.gif "$images/papers/transport-real-rod.gif"
 
-# What is shown in pages has to load quickly.
+# Pictures in pages have to load quickly.
 find "$images" \( -name 'match-*.png' -o -name 'team-*.png' -o -name 'trial-*.png' \) -size +150k -print | while IFS= read -r file; do
   echo "gallery.sh: $file is larger than 150 kB" >&2
 done

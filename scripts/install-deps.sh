@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what building and testing Fulbito needs, from the distribution's own packages.
-# Tested on Debian 12; written for Ubuntu 24.04 too. Does nothing when all is there.
+# Installs the packages that Fulbito needs for building and testing, from the distribution.
+# Tested on Debian 12; also written for Ubuntu 24.04. Does nothing if all packages are installed.
 set -euo pipefail
 
 usage() {
@@ -27,7 +27,7 @@ ci_packages=(
   ffmpeg chromium-headless-shell xvfb xdotool
   slurmctld slurmd slurm-client munge parallel python3-yaml
 )
-# Debian's npm does not go with a Node from elsewhere: where there is one, it stays.
+# Debian's npm does not work with a Node from another source, so an installed npm stays.
 command -v npm >/dev/null || ci_packages+=(nodejs npm)
 
 list=false

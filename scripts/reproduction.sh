@@ -2,9 +2,9 @@
 # Prints every figure of docs/reproduction.md and docs/results/reproduction.md, and the table of methods in
 # docs/results/navigators.md.
 #
-# Rings and the tangent field are chosen on training layouts (seeds 1002018 and 1002019, the tuner's own). All other
-# runs use seed 2015; 777, 31337 and 424242 show how much depends on the seed. Where a choice differs from
-# experiments/comparison/paper_plan.hpp or navigation/methods/fields/vector_field.hpp, change those first.
+# Rings and the tangent field are chosen on training layouts (seeds 1002018 and 1002019, those of the tuner). All
+# other runs use seed 2015; 777, 31337 and 424242 show how much depends on the seed. For choices that differ from
+# experiments/comparison/paper_plan.hpp or navigation/methods/fields/vector_field.hpp, change those files first.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -20,7 +20,7 @@ cd "$out"
 
 part() { printf '\n==== %s\n' "$*"; }
 
-# Rows of the table of docs/reproduction.md: id, run, paper, ours, off the paper, our band, inside our band.
+# Rows for the table of docs/reproduction.md: id, run, paper, ours, difference from the paper, our band, inside our band.
 rows() { awk -F' \\| ' '/^\| (distance|time|collisions)-/ { sub(/^\| /, "", $1); printf "| %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, $3, $4, $5, $6, $7 }' "$1"; }
 
 training=(--seed 1002018 --seeds 2 --headings goal)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a fresh clone to all tests: installs what is missing, builds, runs ctest.
+# Goes from a fresh clone to all tests: installs missing packages, builds, runs ctest.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,5 +13,5 @@ shift || true
 scripts/install-deps.sh
 cmake --preset "$preset" -DFULBITO_BUILD_TESTS=ON
 cmake --build --preset "$preset"
-# One test more than there are cores: some wait.
+# Runs one test more than there are cores, because some tests mostly wait.
 ctest --preset "$preset" --no-tests=error -j "$(($(nproc) + 1))" "$@"

@@ -103,7 +103,7 @@ void endOfMain(int code) {
 
 }  // namespace fulbito::app
 
-// The dynamic linker finds these before those of the C library. There is no hook for such calls.
+// The dynamic linker finds these before those of the C library. The C library offers no hook for such calls.
 extern "C" {
 void _exit(int code) { fulbito::app::onHardExit(code); }
 void _Exit(int code) { fulbito::app::onHardExit(code); }  // NOLINT(bugprone-reserved-identifier)

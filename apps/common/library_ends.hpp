@@ -2,9 +2,9 @@
 
 namespace fulbito::app {
 
-/// Prints which library ends this process, and how. Nothing contains libraries with `--isolate none`, or
-/// navigators of libraries. After `exit` or `_exit` the exit code is kTeamFailed instead of the library's. A
-/// crash keeps its signal, for debuggers and core files.
+/// Prints which library ends this process, and how. Teams with `--isolate none`, and navigators of libraries,
+/// run in this process without containment. After `exit` or `_exit` the exit code is kTeamFailed instead of
+/// the library's. A crash keeps its signal, for debuggers and core files.
 void watchLibraries();
 
 /// Call it at the end of `main`. Then `exit` is no longer reported, and its code is the one `main` returns.

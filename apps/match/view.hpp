@@ -14,7 +14,7 @@ class Option;
 
 namespace fulbito::app {
 
-/// Options of a window.
+/// Options of a viewer window.
 struct ViewOptions {
   double speed = 1.0;
   std::string theme = "dark";

@@ -4,7 +4,7 @@
 
 namespace fulbito::app {
 
-/// `fulbito compare --map`: returns the exit code.
+/// Runs `fulbito compare --map` and returns the exit code.
 int compareMap(const CompareOptions& options);
 
 }  // namespace fulbito::app

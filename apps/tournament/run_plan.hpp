@@ -28,7 +28,7 @@ void addRunFlags(CLI::App& command, RunFlags& flags);
 /// Adds --recordings.
 void addRecordings(CLI::App& command, RunFlags& flags);
 
-/// A tournament after a run.
+/// A tournament and the outcome of its run.
 struct PlayedPlan {
   PlanRecord record;
   RunOutcome outcome;

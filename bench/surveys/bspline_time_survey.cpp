@@ -1,4 +1,4 @@
-// Tables of the default navigator, or of the one that NAV names, over COUNT layouts per row.
+// Tables of the default navigator, or of the one in the environment variable NAV, over COUNT layouts per row.
 #include <chrono>
 #include <cstdlib>
 
@@ -71,7 +71,7 @@ TEST_CASE("survey six robots", "[survey]") {
       wheels[i] = pilots[i]->drive(scene);
     }
     const std::chrono::duration<double, std::micro> spent = std::chrono::steady_clock::now() - begin;
-    // A tick that the operating system interrupted says nothing about the method.
+    // Ticks that the operating system interrupted are left out.
     if (spent.count() < 2000.0) micros += spent.count();
     for (std::size_t i = 0; i < 6; ++i) {
       for (int step = 0; step < 16; ++step) bodies[i].step(robot, wheels[i], 1.0 / 960.0);

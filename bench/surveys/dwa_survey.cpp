@@ -1,4 +1,4 @@
-// Tables of the dynamic window approach, and of the weights that it may have.
+// Tables of the dynamic window approach with different weights.
 #include <cstdio>
 #include <string>
 
@@ -8,8 +8,8 @@
 namespace fulbito {
 namespace {
 
-/// Mean over three speeds and 25 layouts of the time over a rough bound of it plus the length over the
-/// straight line; a failure counts as 8.
+/// Mean cost over three speeds and 25 layouts. A run costs its time over a rough lower bound plus its length
+/// over the straight distance; a failed run costs 8.
 double tuningCost(const std::string& specification) {
   constexpr int kLayouts = 25;
   double cost = 0.0;

@@ -1,4 +1,4 @@
-// Tables of how the field methods fare with the kinematic robot.
+// Tables of the field methods with the kinematic robot.
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -11,10 +11,10 @@
 namespace fulbito {
 namespace {
 
-constexpr double kRoomAtEnds = 0.15;  // [m] between a ball's centre and the ends of a short run
+constexpr double kRoomAtEnds = 0.15;  // [m] between a ball's centre and start or goal of a short run
 
-/// A run of `length` [m] with the corner layout's places drawn together to it, the balls' size kept; none
-/// where the balls then overlap or leave no room at the ends.
+/// A corner layout scaled to `length` [m] from start to goal, with balls of unchanged size. Empty if balls
+/// then overlap or are too near to start or goal.
 std::optional<test::CornerLayout> shortened(test::CornerLayout layout, double length) {
   const double scale = length / distance(layout.start.position, layout.goal.position);
   layout.start.position *= scale;
@@ -30,7 +30,7 @@ std::optional<test::CornerLayout> shortened(test::CornerLayout layout, double le
   return layout;
 }
 
-/// The layouts of which a run of `length` [m] can be made, one after the other.
+/// Returns one after the other the layouts that can be shortened to `length` [m].
 test::LayoutMaker shortRuns(double length) {
   return [length, seed = std::uint64_t{0}](std::uint64_t) mutable {
     for (;;) {

@@ -1,4 +1,4 @@
-// Tables of the nearness diagram, and of the braking shares that it may have.
+// Tables of the nearness diagram with different braking shares.
 #include <cstdio>
 #include <string>
 

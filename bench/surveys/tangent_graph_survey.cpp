@@ -1,4 +1,4 @@
-// Table of the time that the tangent graph takes to plan.
+// Table of the planning time of the tangent graph.
 #include <algorithm>
 #include <chrono>
 #include <vector>

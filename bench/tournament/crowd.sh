@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# How many matches have late decisions when 250 teams in processes of their own play at once.
+# Prints how many matches have late decisions while 250 teams in their own processes play at once.
 # Usage: bench/tournament/crowd.sh PROGRAM [PAIRS]
 set -euo pipefail
 program=$(realpath "${1:?Usage: bench/tournament/crowd.sh PROGRAM [PAIRS]}")

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# How fast a tournament plays, next to as many `fulbito match` as there are cores, which play the same matches one after another.
+# Compares the speed of a tournament with that of one `fulbito match` per core, which play the same matches one after another.
 # Usage: bench/tournament/throughput.sh PROGRAM [PAIRS] [ROUNDS]
 set -euo pipefail
 program=$(realpath "${1:?Usage: bench/tournament/throughput.sh PROGRAM [PAIRS] [ROUNDS]}")
@@ -23,7 +23,7 @@ tournament() {
 alone() { xargs -P "$(nproc)" -L 1 "$program" match --half-seconds 150 --json < matches.txt; }
 
 tournament first >/dev/null 2>&1
-# Teams and seed of each match, from the log.
+# Extracts teams and seed of each match from the log.
 sed -n 's/.*"teams":\["\([^"]*\)","\([^"]*\)"\].*"seed":\([0-9]*\).*/\1 \2 --seed \3/p' first/matches.jsonl > matches.txt
 echo "matches $(wc -l < matches.txt), on $(nproc) cores"
 for round in $(seq "$rounds"); do

@@ -7,7 +7,7 @@ using namespace fulbito::team;
 
 namespace {
 
-/// Straight to the goal, and round the disc that comes first on the way.
+/// Drives straight to the goal, and around the first disc on the way.
 class Detour : public Navigator {
  public:
   Detour() : Navigator("detour", "straight to the goal, round the first disc on the way", "example") {
@@ -22,7 +22,7 @@ class Detour : public Navigator {
   }
 
  private:
-  /// Distance [m] that the robot's centre keeps from the disc's.
+  /// Distance [m] that the robot's centre keeps from the centre of the disc.
   double room(const Disc& disc, const NavigationScene& scene) const {
     return disc.radius + scene.robot.circumradius() + margin_;
   }
@@ -39,7 +39,7 @@ class Detour : public Navigator {
     }
     return first;
   }
-  /// The place beside the disc on the side where the straight way passes it.
+  /// The place beside the disc, on the side where the straight line passes it.
   Vec2 beside(const Disc& disc, const NavigationScene& scene) const {
     const Vec2 way = scene.goal - scene.self.position, to = disc.position - scene.self.position;
     const double side = way.x * to.y - way.y * to.x > 0.0 ? -1.0 : 1.0;
@@ -50,7 +50,7 @@ class Detour : public Navigator {
   double margin_ = 0.02;
 };
 
-/// A field of directions: at the goal from everywhere.
+/// A field of directions that all point to the goal.
 class Homing : public Navigator {
  public:
   Homing() : Navigator("homing", "at the goal from everywhere", "example") {}

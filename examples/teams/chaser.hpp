@@ -1,5 +1,5 @@
-// The built-in team `chaser` as a team of one's own: every robot drives straight at the ball with whichever
-// end is nearer, and backs off from a wall when it has stood at one for a while.
+// The built-in team `chaser`, written as a team outside the simulator. Every robot drives straight at the
+// ball with its nearer end, and backs off from a wall when it has stood there for a while.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class Chaser final : public fulbito::team::Team {
   }
 
  private:
-  /// How long a robot has stood still, and how long it still backs off.
+  /// Time for which a robot has stood still, and remaining time for which it backs off.
   struct Standing {
     double held = 0.0;   // [s]
     double left = 0.0;   // [s]
@@ -68,7 +68,7 @@ class Chaser final : public fulbito::team::Team {
     const bool still = norm(robot.velocity) < kStill && std::abs(robot.angular_velocity) < kTurning;
     s.held = meant && still ? s.held + dt : 0.0;
     if (s.held < kPatience) return std::nullopt;
-    // Away from where the wheels push.
+    // Away from the direction in which the wheels push.
     s = {0.0, kBackingOff, robot.wheels.left + robot.wheels.right > 0.0 ? -kSpeed : kSpeed};
     return fulbito::team::Twist{s.speed, kWiggle};
   }

@@ -1,5 +1,5 @@
-"""The built-in team `chaser` in Python: every robot drives straight at the ball with whichever end is nearer,
-and backs off from a wall when it has stood at one for a while.
+"""The built-in team `chaser` in Python. Every robot drives straight at the ball with its nearer end, and backs off
+from a wall when it has stood there for a while.
 
     fulbito match "cmd:python3 examples/teams/chaser.py" classic
 """
@@ -17,7 +17,7 @@ def wrap(angle: float) -> float:
 
 
 class Standing:
-    """How long a robot has stood still [s], and how long it still backs off [s]."""
+    """Time [s] for which a robot has stood still, and remaining time [s] for which it backs off."""
 
     __slots__ = ("held", "left", "speed")
 
@@ -27,7 +27,7 @@ class Standing:
         self.speed = 0.0
 
     def back_off(self, robot: Robot, meant: bool, dt: float) -> Optional[Twist]:
-        """The twist that frees a robot which was meant to move, but has not for 0.8 s."""
+        """The twist that frees a robot that should move, but has stood still for 0.8 s."""
         if self.left > 0.0:
             self.left -= dt
             return Twist(self.speed, 3.0)
@@ -37,7 +37,7 @@ class Standing:
             return None
         self.held = 0.0
         self.left = 0.25
-        # Away from where the wheels push.
+        # Away from the direction in which the wheels push.
         self.speed = -0.5 if robot.left + robot.right > 0.0 else 0.5
         return Twist(self.speed, 3.0)
 

@@ -2,7 +2,7 @@
 
     fulbito match "cmd:python3 examples/teams/rovers.py" classic -n 10 --half-seconds 60
 
-Units are SI, and a way is an angle [rad]. The team's own goal is at -x, whatever the colour.
+Units are SI, and a way is the angle [rad] of a direction. The team's own goal is always at -x.
 """
 
 import math
@@ -29,7 +29,7 @@ def sign(value: float) -> float:
 
 
 def turned(x: float, y: float, way: float) -> Tuple[float, float]:
-    """How far a vector leads along a way, and how far to its left."""
+    """The components of a vector along a way, and to its left."""
     c, s = math.cos(way), math.sin(way)
     return x * c + y * s, y * c - x * s
 
@@ -42,25 +42,25 @@ class Rovers(Team):
 
     def begin(self, info: MatchInfo) -> None:
         self.attacker = min(1, info.team_size - 1)
-        self.still = [0.0] * info.team_size  # [s] how long each robot has not moved
-        self.free = [0.0] * info.team_size  # [s] how long each still frees itself
-        self.untouched = [0.0] * info.team_size  # [s] since each touched the ball
+        self.still = [0.0] * info.team_size  # [s] time for which each robot has stood still
+        self.free = [0.0] * info.team_size  # [s] remaining time for which each robot frees itself
+        self.untouched = [0.0] * info.team_size  # [s] time since each robot touched the ball
         self.half_length, self.half_width = info.field.length / 2, info.field.width / 2
         self.post, self.radius = info.field.goal_width / 2, info.ball.radius
         self.half, self.corner = info.robot.length / 2, math.hypot(info.robot.length, info.robot.width) / 2
         self.top, self.pace = info.robot.max_speed, info.robot.wheel_acceleration
 
-    # ---- Where things will be ----------------------------------------------------------------------------
+    # ---- Predictions -------------------------------------------------------------------------------------
 
     def inside(self, x: float, y: float, room: float) -> Tuple[float, float]:
-        """The nearest place with that much room to the walls and to the cut corners."""
+        """The nearest place at least `room` [m] away from the walls and the cut corners."""
         x, y = clamp(x, self.half_length - room), clamp(y, self.half_width - room)
         limit = self.half_length + self.half_width - self.info.field.corner - math.sqrt(2.0) * room
         over = max(0.0, abs(x) + abs(y) - limit) / 2
         return x - over * sign(x), y - over * sign(y)
 
     def ball_at(self, seen: Observation, time: float) -> Tuple[float, float]:
-        """The ball after a time [s]: rolling slows it, and walls hold it."""
+        """The place of the ball after a time [s]: rolling slows it down, and walls stop it."""
         ball, slowing = seen.ball, max(self.info.ball.roll_deceleration, 1e-6)
         speed = math.hypot(ball.vx, ball.vy)
         if speed > 0.0:
@@ -69,7 +69,7 @@ class Rovers(Team):
         return self.inside(ball.x + ball.vx * time, ball.y + ball.vy * time, self.radius)
 
     def time_to(self, robot: Opponent, x: float, y: float) -> float:
-        """A turn of the nearer end, then the way from the present speed up to top speed [s]."""
+        """Time [s] to turn the nearer end toward a place and to drive there, starting at the present speed."""
         dx, dy = x - robot.x, y - robot.y
         far = max(1e-6, math.hypot(dx, dy))
         turn = abs(wrap(math.atan2(dy, dx) - robot.heading))
@@ -83,7 +83,7 @@ class Rovers(Team):
         return time + (reached - speed) / self.pace + max(0.0, far - ramp) / self.top
 
     def meeting(self, seen: Observation, robot: Robot) -> Tuple[float, float, float]:
-        """When [s] and where the robot can be behind the ball. A step of half of what it lacks never passes that."""
+        """Time [s] and place at which the robot can first be behind the ball. Half steps never jump over it."""
         time = 0.0
         while True:
             x, y = self.ball_at(seen, time)
@@ -116,8 +116,8 @@ class Rovers(Team):
         return commands
 
     def choose_attacker(self, seen: Observation) -> None:
-        """The field player that is first behind the ball. One in front of the ball has to go round it. A change
-        must pay, or two robots would take turns at hesitating."""
+        """Chooses the field player that is first behind the ball. One in front of the ball has to drive round it. The
+        present attacker has an advantage, because two robots that take turns lose time."""
         best, least = self.attacker, math.inf
         for number, robot in enumerate(seen.own):
             if robot is None or number == 0:
@@ -129,12 +129,12 @@ class Rovers(Team):
         self.attacker = best
 
     def is_keepers(self, seen: Observation) -> bool:
-        """Whether the ball is or comes where only the keeper may play."""
+        """Whether the ball will soon be in the own goal area, where only the keeper may play."""
         x, y = self.ball_at(seen, 0.3)
         return seen.own[0] is not None and self.in_area(-x, y, self.corner)
 
     def drive(self, robot: Robot, way: float, speed: float) -> Twist:
-        """Along a way with the nearer end, slower the less it points there. A moving robot keeps its end longer."""
+        """Drives along a way with the nearer end, slower while it points elsewhere. A moving robot rather keeps its end."""
         error = wrap(way - robot.heading)
         forward, _ = turned(robot.vx, robot.vy, robot.heading)
         if abs(error) > math.pi / 2 + clamp(forward, 0.3):
@@ -145,7 +145,7 @@ class Rovers(Team):
         return self.drive(robot, math.atan2(y - robot.y, x - robot.x), self.top)
 
     def unstuck(self, seen: Observation, number: int, robot: Robot, command: Command) -> Command:
-        """A robot that stands still against its will drives off for a moment. It stays at a ball far from their goal."""
+        """Lets a stuck robot drive away for a moment, but not from a ball that is far from the opponents' goal."""
         meant = not isinstance(command, GoTo) or math.hypot(command.x - robot.x, command.y - robot.y) > 0.1
         slow = math.hypot(robot.vx, robot.vy) < 0.1 and abs(robot.omega) < 1.0
         self.still[number] = self.still[number] + seen.dt if seen.playing and meant and slow else 0.0
@@ -158,13 +158,13 @@ class Rovers(Team):
     # ---- Keeper ------------------------------------------------------------------------------------------
 
     def keep(self, seen: Observation, robot: Robot) -> Command:
-        """Out to a ball that it reaches first, out along the end wall, or to where the ball will cross the line."""
+        """Drives out to a ball that it reaches first, or along the end wall, or to where the ball will cross its line."""
         line = -self.half_length + self.half + 0.005
         if self.comes_out(seen, robot):
             return self.drive_to(robot, *self.ball_at(seen, 0.1))
         if self.meets_along_wall(seen, robot):
             return self.drive_to(robot, line, seen.ball.y + 0.1 * sign(seen.ball.y))
-        # Sideways along the line, as fast as it can still stop. A lean leads back onto the line.
+        # Drives along the line, slowly enough to stop in time, and leans toward the line if it is off it.
         off_x, off_y = line - robot.x, clamp(self.crossing(seen, line), self.post - self.radius) - robot.y
         if abs(off_x) > 0.06 or abs(off_y) > 2.0 * self.post:
             return GoTo(line, robot.y + off_y, math.pi / 2, stop=True)
@@ -173,7 +173,7 @@ class Rovers(Team):
         return self.drive(robot, math.pi / 2 - lean * sign(off_y), speed * sign(off_y))
 
     def comes_out(self, seen: Observation, robot: Robot) -> bool:
-        """Whether the keeper leaves its line: to meet a penalty, and for a slow ball that nobody reaches before."""
+        """Whether the keeper leaves its line: at a penalty, and for a slow ball that no opponent reaches first."""
         ball = seen.ball
         if seen.restart == "penalty" and not seen.restart_is_ours and seen.since_restart < 0.8:
             return True
@@ -184,19 +184,19 @@ class Rovers(Team):
         return all(other is None or self.time_to(other, ball.x, ball.y) > mine for other in seen.opponents)
 
     def meets_along_wall(self, seen: Observation, robot: Robot) -> bool:
-        """Whether the ball lies or comes along the end wall to a keeper that stands in its way."""
+        """Whether the ball is at the end wall, or rolls along it, and the keeper stands between it and the goal."""
         ball, side = seen.ball, sign(seen.ball.y)
         return (ball.x < -self.half_length + self.radius + 0.04 and self.post < abs(ball.y) < 2.75 * self.post
                 and -ball.vy * side < self.top and robot.x < -self.half_length + 2.4 * self.half
                 and robot.y * side < abs(ball.y) - 0.03)
 
     def crossing(self, seen: Observation, line: float) -> float:
-        """Where the ball will pass the keeper's line; otherwise the place with equal gaps to both posts."""
+        """The y at which the ball will cross the keeper's line; otherwise the y that covers both posts equally."""
         ball, front = seen.ball, line + self.radius
         for step in range(1, 41):
             x, y = self.ball_at(seen, 0.03 * step)
             if x <= front < ball.x:
-                # On the straight way to that place.
+                # Interpolates on the straight line to that place.
                 y = ball.y + (y - ball.y) * (ball.x - front) / (ball.x - x)
                 if abs(y) < self.post + 0.05:
                     return y
@@ -208,7 +208,7 @@ class Rovers(Team):
     # ---- Attacker ----------------------------------------------------------------------------------------
 
     def attack(self, seen: Observation, robot: Robot, commands: Commands) -> Command:
-        """Round the ball, then through it: toward the goal, or along the wall at which it lies."""
+        """Drives round the ball, then through it toward the goal, or along the wall if the ball is at one."""
         ball = seen.ball
         if self.rushes(seen):
             return self.drive_to(robot, ball.x, ball.y)
@@ -226,12 +226,12 @@ class Rovers(Team):
         return self.strike(robot, x, y, way)
 
     def rushes(self, seen: Observation) -> bool:
-        """Right after a restart the first touch counts more than its direction."""
+        """Whether a restart was just now, when touching the ball first matters more than its direction."""
         until = {"kick-off": 0.4, "free-ball": 1.0, "penalty": 0.5 if seen.restart_is_ours else 0.0}
         return seen.since_restart < until.get(seen.restart, 0.0)
 
     def shot(self, seen: Observation, x: float, y: float) -> float:
-        """The way to the widest free part of the goal; of equals, to the one nearest to its middle."""
+        """The way to a free part of the goal, preferably a wide one and near the middle."""
         aim, best = 0.0, -math.inf
         for share in (0.0, -0.33, 0.33, -0.67, 0.67, -1.0, 1.0):
             goal_y = share * (self.post - self.radius - 0.015)
@@ -246,7 +246,7 @@ class Rovers(Team):
         return aim
 
     def along_wall(self, x: float, y: float) -> Optional[float]:
-        """The way of a ball at a wall: along it up the field, a little into it, so that the ball cannot escape."""
+        """The way to push a ball at a wall: forward along it and slightly into it, so that the ball stays there."""
         in_x, in_y = self.inside(x, y, self.radius + 0.03)
         if abs(y) < self.post or (in_x == x and in_y == y):
             return None
@@ -255,12 +255,12 @@ class Rovers(Team):
         return off_wall + (math.pi / 2 + 0.15) * sign(left)
 
     def blow(self, seen: Observation, way: float) -> float:
-        """The blow that makes a rolling ball run along a way: it also stops what the ball has across."""
+        """The way to strike a rolling ball so that it leaves along `way`: the blow stops its sideways speed."""
         along, across = turned(seen.ball.vx, seen.ball.vy, way)
         return way - math.atan2(across, max(0.7 * self.top, 1.1 * self.top - along))
 
     def strike(self, robot: Robot, x: float, y: float, way: float) -> Twist:
-        """Through a place along a way: first on a circle round it, then on the line that leads through it."""
+        """Drives through a place in the direction `way`: first on a circle round it, then on the line through it."""
         here_x, here_y = robot.x + 0.045 * robot.vx, robot.y + 0.045 * robot.vy
         behind, left = turned(x - here_x, y - here_y, way)
         if behind < 0.03 or abs(left) > 0.35 * behind:
@@ -268,7 +268,7 @@ class Rovers(Team):
             off = math.atan2(left, behind)
             most = math.asin(circle / far) if far > circle else math.pi / 2 + 1.5 * (1.0 - far / circle)
             return self.drive(robot, way + off + clamp(2.7 * off, most), self.top)
-        # Slow enough to be on the line and to face along it before the touch.
+        # Slow enough to be on the line and to face along it when it touches the ball.
         gap = max(0.0, behind - self.half - self.radius)
         skew = abs(math.remainder(way - robot.heading, math.pi))
         speed = min(self.top, 0.5 + (gap + 0.025) / max(skew / 8.0 + abs(left) / 0.35, 0.01))
@@ -277,7 +277,7 @@ class Rovers(Team):
     # ---- Supporter ---------------------------------------------------------------------------------------
 
     def support(self, seen: Observation, number: int) -> GoTo:
-        """Between ball and goal in the own half, ready for rebounds in the other, out of the way of the keeper."""
+        """Stays between ball and goal in the own half, waits for rebounds in the other, and avoids the keeper."""
         field, (x, y) = self.info.field, self.ball_at(seen, 0.15)
         edge = -self.half_length + field.goal_area_depth + field.goal_area_arc_depth + 0.09
         if self.is_keepers(seen):
@@ -293,7 +293,7 @@ class Rovers(Team):
     # ---- Rules -------------------------------------------------------------------------------------------
 
     def legal(self, seen: Observation, number: int, robot: Robot, command: Command) -> Command:
-        """Turns a robot away in time, before braking could no longer keep it from a foul."""
+        """Turns a robot away from a foul while it can still brake in time."""
         self.untouched[number] = 0.0 if self.touches(robot, seen) else self.untouched[number] + seen.dt
         time = seen.dt + math.hypot(robot.vx, robot.vy) / (2.0 * self.pace)
         x, y = robot.x + robot.vx * time, robot.y + robot.vy * time
@@ -308,26 +308,26 @@ class Rovers(Team):
         return command
 
     def may_enter(self, seen: Observation, number: int, robot: Robot) -> bool:
-        """Their area is the attacker's alone, once the one before it has left."""
+        """Whether a robot may enter the opponents' area: only the attacker, and only if no team-mate is there."""
         mates = [mate for mate in seen.own if mate is not None and mate is not robot]
         return number == self.attacker and (
             self.in_area(robot.x, robot.y, self.corner)
             or not any(self.in_area(mate.x, mate.y, self.corner) for mate in mates))
 
     def round_keeper(self, seen: Observation, robot: Robot, keeper: Opponent) -> Twist:
-        """To charge a keeper is a foul: round it on the side of the ball, or out of the goal's mouth."""
+        """Drives round the keeper on the side of the ball, or away from the goal, because charging it is a foul."""
         off = math.atan2(robot.y - keeper.y, robot.x - keeper.x)
         x, y = (0.0, 0.0) if robot.x > self.half_length - self.corner else (seen.ball.x, seen.ball.y)
         _, left = turned(x - robot.x, y - robot.y, off)
         return self.drive(robot, off + 1.2 * sign(left), self.top)
 
     def touches(self, robot: Opponent, seen: Observation) -> bool:
-        """Whether the ball lies at the robot's outline."""
+        """Whether the ball touches the robot's outline."""
         ahead, aside = turned(seen.ball.x - robot.x, seen.ball.y - robot.y, robot.heading)
         return math.hypot(max(0.0, abs(ahead) - self.half), max(0.0, abs(aside) - self.half)) < self.radius + 0.005
 
     def in_area(self, x: float, y: float, margin: float = 0.0) -> bool:
-        """Whether a place lies in the goal area at +x or so near to it; with -x it asks for the own one."""
+        """Whether a place is at most `margin` [m] outside the goal area at +x. For the own area, pass -x."""
         field = self.info.field
         arc = field.goal_area_arc_depth if abs(y) < field.goal_area_arc_width / 2 else 0.0
         return (x > self.half_length - field.goal_area_depth - arc - margin
@@ -336,7 +336,7 @@ class Rovers(Team):
     # ---- Restarts ----------------------------------------------------------------------------------------
 
     def place(self, request: PlacementRequest) -> Optional[Placement]:
-        """Kick-offs and penalties at an angle, past whoever waits on the straight line."""
+        """Takes kick-offs and penalties at an angle, past opponents on the straight line."""
         if request.kind == "kick-off" and not request.ours:
             return self.await_kick_off(request)
         taker = self.nearest(request.defaults, request.ball)
@@ -347,7 +347,7 @@ class Rovers(Team):
         return Placement({taker: Pose(x, y, angle)})
 
     def await_kick_off(self, request: PlacementRequest) -> Placement:
-        """A robot on either side of the line along which the taker will kick, as its place tells."""
+        """Puts a robot on each side of the line along which the taker will kick, as its position shows."""
         number = self.nearest(request.opponents or [], request.ball)
         taker = request.opponents[number] if request.opponents and number is not None else None
         line = math.atan2(taker.y, taker.x) if taker is not None else 0.0

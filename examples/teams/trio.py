@@ -1,6 +1,6 @@
-"""A team that leaves the driving to the simulator's navigators: a keeper in front of its goal, a striker that
-goes through the ball toward the opponents' goal, and everybody else in support. It also tells roles, draws
-what it means, chooses its places at restarts, and takes two exercises of drills.
+"""A team whose robots are driven by the simulator's navigators. The keeper stays in front of its goal, the striker
+drives through the ball toward the opponents' goal, and the others support it. The team also reports roles, draws its
+plans, chooses its places at restarts, and takes part in two exercises of drills.
 
     fulbito match "cmd:python3 examples/teams/trio.py" chaser
 """
@@ -45,7 +45,7 @@ class Trio(Team):
         return commands
 
     def striker(self, seen: Observation) -> int:
-        """The robot next to the ball; the keeper only if it is alone."""
+        """The robot nearest to the ball; the keeper only if it is alone."""
         def distance(number: int) -> float:
             robot = seen.own[number]
             assert robot is not None
@@ -65,7 +65,7 @@ class Trio(Team):
 
     def strike(self, commands: Commands, number: int, robot: Robot, seen: Observation) -> None:
         ball = seen.ball
-        # Toward the half of the goal on the ball's side.
+        # Aims at the half of the goal on the ball's side.
         aim_x, aim_y = self.info.field.length / 2, math.copysign(0.25 * self.info.field.goal_width, ball.y)
         far = max(0.01, length(aim_x - ball.x, aim_y - ball.y))
         along_x, along_y = (aim_x - ball.x) / far, (aim_y - ball.y) / far

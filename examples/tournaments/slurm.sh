@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Plays a tournament as a Slurm job array, one task a shard, and unites the shards in a job that waits for them.
+# Plays a tournament as a Slurm job array with one task per shard, and merges the shards in a job that waits for them.
 # The same command continues after failed tasks: finished matches are not played again.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)

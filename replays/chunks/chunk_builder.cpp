@@ -4,7 +4,7 @@
 namespace fulbito {
 namespace {
 
-/// Initial capacity for the events and drawings of a chunk, enough for most chunks [bytes].
+/// Initial capacity for the events and drawings of a chunk [bytes]; most chunks need less.
 constexpr std::size_t kListBytes = 16384;
 
 std::size_t samplesPerChunk(const RecordingHeader& header) {

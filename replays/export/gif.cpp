@@ -11,7 +11,7 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kMostColours = 255;  // one more index stands for unchanged pixels
+constexpr std::size_t kMostColours = 255;  // the last index of the GIF stands for unchanged pixels
 constexpr std::size_t kKnown = 1u << 14;
 
 int part(std::uint32_t argb, int shift) { return static_cast<int>(argb >> shift & 255u); }

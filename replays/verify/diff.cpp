@@ -150,7 +150,7 @@ std::int64_t playAt(const Content& content, Tick tick) {
   return std::max<std::int64_t>(play, 0);
 }
 
-/// Keeps the state after one tick.
+/// Keeps a copy of the state after one tick.
 class StateAt final : public ReplayVisitor {
  public:
   explicit StateAt(Tick tick) : tick_(tick) {}

@@ -17,7 +17,7 @@ struct Format {
   bool has_groups = false;  ///< whether a plan may ask for groups
   /// Default number of rounds for a number of entrants. Null: plans of this format cannot choose rounds.
   int (*rounds)(std::size_t entrants) = nullptr;
-  bool meets_once = false;          ///< nobody meets twice: fewer rounds than entrants
+  bool meets_once = false;          ///< nobody meets twice, so a plan has fewer rounds than entrants
   bool has_test = false;            ///< whether a sequential test may end the tournament
   bool counts_pair_points = false;  ///< whether the table ranks by points of pairs, and reports show them
 };

@@ -100,7 +100,7 @@ class KnockOut {
     (place % 2 == 0 ? next.a : next.b) = entrant;
   }
 
-  /// Returns whether all ties of the round are decided.
+  /// Plays the ties of a round. Returns whether all of them are decided.
   bool playRound(std::size_t round) {
     std::vector<Open> open;
     for (KnockOutTie& tie : course_.ties) {

@@ -10,7 +10,7 @@ namespace fulbito {
 
 /// The score of one meeting of two entrants, A (0) and B (1), summed over its pairs.
 struct MeetingScore {
-  std::array<double, 2> points{};  ///< of matches: 1 for a win, 1/2 for a draw
+  std::array<double, 2> points{};  ///< points of matches: 1 for a win, 1/2 for a draw
   std::array<int, 2> goals{};
 
   void add(const PairResult& pair);

@@ -5,10 +5,10 @@
 
 namespace fulbito {
 
-/// Which meetings are still possible.
+/// The meetings of two entrants that are still possible.
 class OpenMeetings {
  public:
-  /// All meetings of `size` entrants.
+  /// Starts with all meetings of `size` entrants.
   explicit OpenMeetings(std::size_t size);
 
   std::size_t size() const { return size_; }

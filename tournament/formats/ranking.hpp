@@ -10,7 +10,7 @@ namespace fulbito {
 
 /// A value that tables are ranked by; larger values come first.
 struct Criterion {
-  std::string_view name;       ///< for `Standing::decided_by`
+  std::string_view name;       ///< text for `Standing::decided_by`
   std::vector<double> values;  ///< by entrant
 };
 
@@ -23,7 +23,7 @@ std::vector<std::span<Standing>> sortBy(std::span<Standing> lines, std::span<con
 /// Gives ranks to lines that `sortBy` has sorted. Does not show the name `silent` as deciding criterion.
 void giveRanks(std::span<Standing> lines, std::string_view silent);
 
-/// `sortBy` and `giveRanks`.
+/// Applies `sortBy`, then `giveRanks`. Returns the sorted table.
 std::vector<Standing> ranked(std::vector<Standing> table, std::span<const Criterion> criteria,
                              std::string_view silent);
 

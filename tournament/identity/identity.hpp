@@ -53,7 +53,7 @@ class MatchIdentity {
 
   /// Identities of the teams, by entrant.
   const std::vector<TeamIdentity>& teams() const { return teams_; }
-  /// Notes that an entrant was seen not to repeat itself.
+  /// Marks an entrant as one that was seen not to repeat itself.
   void markVarying(std::size_t entrant) { teams_[entrant].repeats = false; }
   /// `engineIdentity` of the program that created this identity.
   const std::string& engine() const { return engine_; }

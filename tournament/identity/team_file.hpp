@@ -14,7 +14,7 @@ inline constexpr const char* kTeamFile = "team.toml";
 /// The content of a `team.toml`; every key may be missing.
 struct TeamFile {
   std::string name;                ///< name to show to people
-  std::string version;             ///< part of the team's identity
+  std::string version;             ///< version of the team; part of its identity
   std::vector<std::string> files;  ///< file patterns relative to the folder, see `filesMatching`
   bool deterministic = true;  ///< false: equal matches may differ; their results are never taken from a cache
 };

@@ -68,7 +68,7 @@ class TeamParts {
   std::string hash() const { return hexText(hash_.value()); }
   bool hasFiles() const { return !names_.empty(); }
 
-  /// "2 files: team.py, weights.bin"
+  /// The files of the team in words: "2 files: team.py, weights.bin".
   std::string files() const {
     std::vector<std::string> unique = names_;
     std::sort(unique.begin(), unique.end());

@@ -10,7 +10,7 @@ namespace fulbito {
 /// Numbers of the fixtures that count and have results, in the order of the schedule.
 std::vector<std::size_t> countedFixtures(const TournamentState& state);
 
-/// The entrant that plays as blue (seat 0) or yellow (seat 1) in leg 0 or 1.
+/// The entrant that plays blue (seat 0) or yellow (seat 1) in leg 0 or 1.
 inline std::size_t entrantAt(const Fixture& fixture, std::size_t leg, std::size_t seat) {
   return leg == seat ? fixture.a : fixture.b;
 }

@@ -52,7 +52,7 @@ class Widths {
     least_ = kLeastOfAll;
     return shrinkOne();
   }
-  /// Narrows the widest flexible column; false if none is wide enough.
+  /// Narrows the widest flexible column by one. False if no column can be narrower.
   bool shrinkOne() {
     std::size_t best = 0;
     for (std::size_t c = 1; c < widths_.size(); ++c) best = slackOf(c) > slackOf(best) ? c : best;

@@ -29,7 +29,7 @@ std::optional<std::size_t> betterTeam(const MatchFigures& figures);
 /// What the verdict of a test means: "rather +0 than -50 normalized Elo".
 std::string meaningOf(const TournamentState& state);
 
-/// The first line of the report.
+/// The title of the report, which is its first line.
 std::string matchTitle(const TournamentState& state, const MatchFigures& figures);
 /// Names and values of the report's lines.
 std::vector<std::pair<std::string, std::string>> matchLines(const TournamentState& state,

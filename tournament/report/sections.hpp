@@ -27,13 +27,13 @@ inline constexpr double kMostShownElo = 700.0;
 /// "+210 (+180 to +240)", ">+700 (+650 to >+700)"; ">+700" if the whole interval lies beyond the limit; "-"
 /// without a match.
 std::string eloText(const Interval& interval);
-/// Entrants, best first.
+/// All entrants, the best first.
 std::vector<std::size_t> ranking(const TournamentTable& table);
 /// The kinds of starts in the book, in its order.
 std::vector<StartKind> kindsOf(const TournamentState& state);
 /// The name of a knock-out round (from 0): "final", "semi-final", "quarter-final", "round of 16".
 std::string nameOfRound(int round, std::size_t entrants);
-/// "1.5 : 0.5, goals 4:2"; "-" for a bye or a tie that was not played.
+/// The result of a tie: "1.5 : 0.5, goals 4:2"; "-" for a bye or a tie that was not played.
 std::string resultOf(const KnockOutTie& tie);
 
 /// @{ Tables. A table without rows has nothing to show and is left out.

@@ -29,7 +29,7 @@ struct FaultSummary {
   /// Number of matches by `MatchOutcome`: the team's own worst fault; kMercy counts the matches it lost
   /// early.
   std::array<int, kMatchOutcomes> outcomes{};
-  std::string last_failure;  ///< last in the order of the schedule; empty: no failure
+  std::string last_failure;  ///< reason of the last failure in the schedule; empty: none
 
   /// Number of matches with the given outcome.
   int of(MatchOutcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }

@@ -49,7 +49,7 @@ struct TournamentState {
 /// Number of matches in which a team crashed or forfeited, among those that count and have results.
 std::size_t failedMatches(const TournamentState& state);
 
-/// A match that was played twice with different results.
+/// A match that was played twice, with different results.
 struct Mismatch {
   Fixture fixture;
   std::size_t leg = 0;

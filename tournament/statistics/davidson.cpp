@@ -56,7 +56,7 @@ struct DavidsonFitter::Impl {
 
   std::vector<int> component;
   std::size_t n;              ///< number of entrants; parameter n is log nu
-  Eigen::VectorXd gradient;   ///< of the log-likelihood
+  Eigen::VectorXd gradient;   ///< gradient of the log-likelihood
   Eigen::MatrixXd curvature;  ///< negative Hessian of the log-likelihood, lower triangle
   Eigen::LLT<Eigen::MatrixXd> factors;
 };

@@ -36,7 +36,7 @@ class LineReader {
   std::uint64_t begin() const { return begin_; }
   /// Bytes after the last whole line; valid once `next` has returned nothing.
   std::string_view rest() const { return std::string_view(buffer_).substr(at_); }
-  /// Whether nothing follows the last line.
+  /// Whether the last line is the end of the file.
   Result<bool> isLast();
 
  private:

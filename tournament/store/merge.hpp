@@ -20,12 +20,12 @@ struct MergedLogs {
   /// Rows by identity. Of several rows with the same result, the one whose texts (names, failures) sort
   /// first, so that the order of the files does not matter.
   std::map<MatchId, MatchRow> rows;
-  std::vector<MatchConflict> conflicts;  ///< each between the first row that was read and a later one
+  std::vector<MatchConflict> conflicts;  ///< a later row of a match and the first one that was read
   std::size_t repeated = 0;              ///< rows whose match had already been read with the same result
   std::size_t torn = 0;                  ///< logs with an incomplete last line
 };
 
-/// Unions logs by match id. Errors: as `readRows`.
+/// Merges logs by match id. Errors: as `readRows`.
 Result<MergedLogs> mergeLogs(const std::vector<std::string>& files);
 
 /// Writes a log with these rows, in the order of their identities, so equal rows give equal bytes. The file

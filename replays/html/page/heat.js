@@ -1,7 +1,7 @@
 // Part 8: heat maps, which show where the ball, a team or a robot has been so far.
 
 const kHeatCell = 0.025;  // [m]
-const kHeatSpread = [1, 0.75, 0.56, 0, 0.32, 0.24, 0, 0, 0.1];  // by squared cells of distance
+const kHeatSpread = [1, 0.75, 0.56, 0, 0.32, 0.24, 0, 0, 0.1];  // weight by squared distance in cells
 const kHeatKinds = ['off', 'ball', 'blue', 'yellow', 'robot'];
 
 class HeatMap {

@@ -1,7 +1,7 @@
 // Part 11: time control, and drawing of one frame.
 
 const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16];
-const kPanelPause = 100;  // [ms] between updates of texts while playing
+const kPanelPause = 100;  // [ms] between updates of the texts while the recording plays
 const kBannerSeconds = 2.5;
 
 class Viewer {
