@@ -11,8 +11,8 @@ struct PreviewParams {
   double lookahead = 0.03;          ///< [m] steering point ahead of the robot at rest
   double lookahead_time = 0.04;     ///< [s] additional look-ahead distance per speed
   double yaw_gain = 10.0;           ///< [1/s] least gain from bearing error to yaw rate
-  double acceleration_share = 0.6;  ///< of the wheel acceleration, for braking ahead of bends
-  double lateral_share = 0.6;       ///< of the lateral grip, in bends
+  double acceleration_share = 0.6;  ///< share of the wheel acceleration, for braking before bends
+  double lateral_share = 0.6;       ///< share of the lateral grip, in bends
   double spin_above = 0.785398;     ///< [rad] a robot that starts with a larger bearing error turns in place
   double spin_until = 0.174533;     ///< [rad] bearing error at which that turn ends
 };

@@ -9,7 +9,7 @@ namespace fulbito {
 /// it. So a ball slides after a kick and rolls later.
 class BallTracker {
  public:
-  /// A new play begins: the next observed ball counts as rolling.
+  /// Starts a new play, in which the first observed ball counts as rolling.
   void reset() { known_ = false; }
   /// Returns the ball with its estimated spin. `seen` is the ball as observed `dt` [s] after the previous
   /// call.

@@ -39,7 +39,7 @@ class Estimator {
 };
 
 /// The predictions that each team needs per tick: the present observation, the ball's spin and its path. A
-/// member of a strategy.
+/// strategy has one as a member.
 class Foresight {
  public:
   Foresight() = default;

@@ -29,7 +29,7 @@ Twist receive(const RobotState& robot, const BallState& ball, const RobotPace& p
   const Vec2 lack = receivingPlace(robot, ball, settings) - robot.pose.position;
   const Vec2 wanted = ball.velocity + lack * settings.gain;
   const double speed = std::min(norm(wanted), pace.speed);
-  // At rest behind a ball at rest, the robot looks at it.
+  // A robot at rest behind a ball at rest turns toward it.
   const Vec2 toward = speed > 0.02 ? wanted : ball.position - robot.pose.position;
   double error = math::wrapAngle(math::angleOf(toward) - robot.pose.heading);
   const bool backward = std::abs(error) > math::kPi / 2;

@@ -32,11 +32,11 @@ TEST_CASE("a foreign file in an experiment's folder stays, and costs no other re
     const Output output = box.run(command);
     INFO(file << ": " << output.err);
     CHECK(output.code == 2);
-    CHECK(output.out.empty());  // said before the work
+    CHECK(output.out.empty());  // refused before the work starts
     CHECK(contentOf(out / file) == "somebody's notes\n");
     fs::remove(out / file);
   }
-  // Which tables there are depends on the work.
+  // Only the work decides which tables there are.
   box.write("out/localization/schemes.csv", "somebody's notes\n");
   box.ends(command, 2, "schemes.csv");
   CHECK(contentOf(out / "schemes.csv") == "somebody's notes\n");

@@ -10,8 +10,8 @@ namespace fulbito::capture {
 
 /// One trajectory at one speed, driven in several variants.
 struct CurveRow {
-  CurveDriveResult ideal;    ///< at full speed from the start: Tables 5 and 6
-  CurveDriveResult driven;   ///< at speed from the first metre: Tables 5 and 6
+  CurveDriveResult ideal;    ///< from rest, a robot without slip: Table 4
+  CurveDriveResult driven;   ///< at full speed from the start: Tables 5 and 6
   CurveDriveResult started;  ///< from rest
   CurveDriveResult instant;  ///< as `driven`, with an instant change; only for the double curvature
 

@@ -35,7 +35,7 @@ inline constexpr double kHeadingTolerance = 2 * 0.0174532925;  // [rad]
 /// Captures, and the number of draws that the planner refused.
 struct RandomCaptures {
   std::vector<RandomCapture> captures;
-  std::array<int, 6> refused{};  ///< by CaptureRefusal
+  std::array<int, 6> refused{};  ///< number of draws per CaptureRefusal
 };
 
 /// The task of a draw: the robot at the origin with a random heading; the object 1.5 to 4 m away in a random

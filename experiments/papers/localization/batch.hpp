@@ -22,16 +22,16 @@ struct Ground {
 
 /// Size of the experiment.
 struct BatchSize {
-  std::size_t rooms = 200;  ///< random rooms
+  std::size_t rooms = 200;  ///< number of random rooms
   std::size_t fields = 40;  ///< number of poses on each form of the soccer field
-  std::size_t wrong = 0;    ///< random rooms for each wrong figure; 0: none
+  std::size_t wrong = 0;    ///< number of random rooms per wrong value; 0: none
   SensorSpread spread;
 };
 
 /// All runs of the experiment.
 struct Batch {
   std::vector<std::string> refused_rooms;  ///< one reason per refused room
-  std::vector<Ground> grounds;             ///< rooms first
+  std::vector<Ground> grounds;             ///< random rooms first, then fields
   Ground example;                          ///< one run per scheme in one room, with moments
   Ground field_example;                    ///< the same on the soccer field
   std::vector<WrongRuns> wrong;            ///< by case and scheme; may be empty

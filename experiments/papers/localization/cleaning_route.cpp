@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kSame = 1e-3;  // [m] points nearer to each other count as one
 
-/// The place `p` for a room whose stripes run along its second coordinate; otherwise swaps the coordinates.
+/// Converts between the room frame and a frame whose second coordinate is along the stripes.
 Vec2 swappedIf(bool swapped, Vec2 p) { return swapped ? Vec2{p.y, p.x} : p; }
 
 void add(std::vector<Vec2>& points, Vec2 p) {

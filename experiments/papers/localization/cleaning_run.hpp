@@ -55,8 +55,8 @@ struct CleaningResult {
   CleaningOutcome outcome = CleaningOutcome::kRefused;
   std::string reason;                   ///< reason of a refusal
   double heading_error = nan();         ///< [rad] after the alignment
-  double level_centre_error = nan();    ///< [rad] of the middle of the near-shortest echoes
-  double shortest_echo_error = nan();   ///< [rad] of the shortest echo
+  double level_centre_error = nan();    ///< [rad] by the middle of the near-shortest echoes instead
+  double shortest_echo_error = nan();   ///< [rad] by the shortest echo instead
   double echo_speed = nan();            ///< [m/s] the calibrated constant
   double echo_speed_error = nan();      ///< relative error of the calibrated constant
   double start_error = nan();           ///< [m] error of the first pose

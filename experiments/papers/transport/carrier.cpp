@@ -12,7 +12,7 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kAtJoint = 1e-9;        // [m]
 constexpr double kArrivedWithin = 1e-5;  // [m]
-constexpr double kRodFits = 1e-4;        // [m] a larger error is repaired before the next run
+constexpr double kRodFits = 1e-4;        // [m] the slave corrects a larger error before the next run
 constexpr int kHopsOfImpasse = 2;
 constexpr int kMostHops = 6;  // exchanges of roles without motion that count as a deadlock
 

@@ -151,7 +151,7 @@ namespace {
 
 struct Numbers {
   double step = CarryPlan{}.step;  // [s]
-  double loss = 0.0, delay = 0.0;  // share, [s]
+  double loss = 0.0, delay = 0.0;  // share of messages, [s]
 };
 
 std::vector<Parameter<Numbers>> parameters() {

@@ -23,7 +23,7 @@ struct StepErrors {
 struct RandomRun {
   TransportTask task;
   ConstraintCurve curve;  ///< only its last point
-  ContourEnd contour;     ///< the independent check
+  ContourEnd contour;     ///< independent check of the curve
   Carrying work;          ///< simulation of both robots, even if the curve is refused
   Carrying printed;       ///< simulation with a master that never slows down
 

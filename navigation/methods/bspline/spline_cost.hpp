@@ -27,8 +27,7 @@ struct SplineTask {
 struct SplineScore {
   double cost = std::numeric_limits<double>::infinity();  ///< [s] travel time and penalties
   double time = 0.0;                                      ///< [s]
-  double clearance =
-      0.0;  ///< [m] least of the rectangle, the wish at most, a few centimetres at the ends left out
+  double clearance = 0.0;  ///< [m] least clearance of the rectangle without the ends, at most the wish
 };
 
 /// Rates a spline by travel time under wheel and grip limits, with penalties for small clearance. Moving

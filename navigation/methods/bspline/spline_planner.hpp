@@ -9,8 +9,8 @@ namespace fulbito {
 struct BsplineTimeParams {
   double clearance = 0.055;         ///< [m] wanted clearance
   double least_clearance = 0.008;   ///< [m] least clearance
-  double acceleration_share = 0.9;  ///< of the wheel acceleration
-  double lateral_share = 0.75;      ///< of the lateral grip
+  double acceleration_share = 0.9;  ///< share of the wheel acceleration
+  double lateral_share = 0.75;      ///< share of the lateral grip
   int evaluations = 16;             ///< evaluations per tick
   int effort = 480;                 ///< greatest number of evaluations per plan
   int moving_effort = 6;            ///< the same among moving discs
@@ -53,8 +53,8 @@ class SplinePlanner {
   BsplineTimeParams params_;
   SplineSeeder seeder_;
   SplineCost cost_;
-  SplineOptimiser best_;       ///< of the current plan
-  SplineOptimiser candidate_;  ///< another way on trial
+  SplineOptimiser best_;       ///< optimiser of the current plan
+  SplineOptimiser candidate_;  ///< optimiser of another way on trial
   SplineTask task_;
   SplineTask best_task_;
   SeedRequest request_;

@@ -14,7 +14,7 @@ namespace fulbito {
 
 /// Turning in place; `sense` is +1 (counter-clockwise) or -1.
 RobotCommand Classic::spinning(double sense) {
-  constexpr double kYawRate = 30.0;  // [rad/s] above what the wheels reach
+  constexpr double kYawRate = 30.0;  // [rad/s] about as fast as the wheels allow
   return RobotCommand::byTwist({0.0, sense * kYawRate});
 }
 

@@ -42,7 +42,7 @@ TEST_CASE("a field is shown as arrow heads along its way, up to the goal", "[uni
   const auto far = strokesOf(guidanceBy(field), {5.0, 0.0});
   REQUIRE(far.size() == 20);
   CHECK(std::abs(far[0].from.x - 0.06) < 1e-9);
-  for (const GuidanceStroke& stroke : far) CHECK(stroke.to.x < stroke.from.x);  // they point east
+  for (const GuidanceStroke& stroke : far) CHECK(stroke.to.x < stroke.from.x);  // the arrows point east
   CHECK(strokesOf(guidanceBy(field), {0.13, 0.0}).size() == 4);
   CHECK(strokesOf(guidanceBy(field), {}).empty());
 }

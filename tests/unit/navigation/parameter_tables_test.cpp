@@ -7,13 +7,13 @@
 #include "fulbito/navigation.hpp"
 #include "tests/support/catch.hpp"
 
-// The tables of docs/navigators.md name every parameter of every method, with its default.
+// The tables in docs/navigators.md list every parameter of every method with its default.
 namespace fulbito {
 namespace {
 
-using Table = std::map<std::string, std::string>;  // default by name, both as they are printed
+using Table = std::map<std::string, std::string>;  // default by name, both as printed
 
-/// A row `| name | default | ...`: the cell of that number.
+/// The cell with the number `number` in a row `| name | default | ...`.
 std::string cellOf(const std::string& row, int number) {
   std::size_t from = 0;
   for (int i = 0; i <= number; ++i) from = row.find('|', from) + 1;
@@ -22,7 +22,7 @@ std::string cellOf(const std::string& row, int number) {
   return begin == std::string::npos ? "" : cell.substr(begin, end - begin + 1);
 }
 
-/// The tables of parameters, by the heading that they stand under.
+/// The tables of parameters by the heading above them.
 std::map<std::string, Table> tablesOfPage() {
   std::ifstream in(FULBITO_SOURCE_DIR "/docs/navigators.md");
   REQUIRE(in);
@@ -49,7 +49,7 @@ std::string printed(const ParameterSpec& spec) {
 
 TEST_CASE("the page of navigators names every parameter with its default", "[unit]") {
   std::map<std::string, Table> tables = tablesOfPage();
-  // Three fields share the parameters of the goal field; the page says whose default of `goal` differs.
+  // Three fields share the parameters of the goal field. The page states where the default of `goal` differs.
   Table goal_field = tables["Heading fields"];
   goal_field.erase("goal");
   CHECK(goal_field.size() == 4);

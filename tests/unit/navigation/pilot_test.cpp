@@ -8,7 +8,7 @@
 namespace fulbito::test {
 namespace {
 
-/// Straight on to the goal.
+/// Drives straight to the goal.
 class Straight final : public Navigator {
  public:
   void reset() override {}
@@ -26,7 +26,7 @@ class Straight final : public Navigator {
   std::uint64_t revision_ = 0;
 };
 
-/// Wheel speeds that no motor reaches.
+/// Commands wheel speeds that no motor reaches.
 class Reckless final : public Navigator {
  public:
   void reset() override {}

@@ -78,7 +78,7 @@ TEST_CASE("a catalogue takes further teams, and each catalogue has its own", "[u
     CHECK_FALSE(catalogue.add(*parseTeam("libero")->info));
     kept = *choice;
   }
-  CHECK(makeTeam(*kept));  // the entry outlives the catalogue
+  CHECK(makeTeam(*kept));  // the entry exists longer than the catalogue
   CHECK(contains(errorOf("slow"), "there is no team 'slow'"));
 }
 

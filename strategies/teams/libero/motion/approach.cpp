@@ -23,7 +23,7 @@ constexpr double kLies = 0.15;        // [m/s] a slower ball waits until the rob
 constexpr double kRoundSpeed = 0.49;  // [m/s] speed on the circle round the ball
 constexpr double kSlowing = 4.0;      // [m/s^2] deceleration to that speed
 constexpr double kArc = 0.12;         // [m] from the ball, where that speed is reached
-constexpr double kTurnsOff = 0.6;     // [rad] between the way to the ball and the strike
+constexpr double kTurnsOff = 0.6;     // [rad] from the way to the ball to the strike: slow beyond it
 
 /// The speed [m/s] of a robot `distance` [m] from the ball that is about to enter the circle round it. At
 /// full speed it would slide past the ball and have to come back.

@@ -20,7 +20,7 @@ struct Bound {
   double margin;
   AreaShape area = goalAreaOf(pitch.field);
 
-  /// [m] how deep a point is in the widened area; negative outside.
+  /// The depth [m] of a point in the area widened by `margin`; negative outside.
   double depth(Vec2 p) const { return margin - distanceTo(area, intoGoalFrame(pitch.field, Side::kLeft, p)); }
 
   /// The greatest depth [m] while the rolled robot `roll` brakes to rest.

@@ -13,9 +13,9 @@ class BallForecast {
   static constexpr int kSteps = 30;
   static constexpr double kStep = 0.05;  ///< [s]
 
-  /// `ball` is the ball now, `way` its prediction.
+  /// Stores `ball`, the present ball, and samples its prediction `way`.
   void take(const BallState& ball, const BallPrediction& way);
-  /// At `time` [s] from now, held at the horizon of 1.5 s.
+  /// The position [m] at `time` [s] from now, at most 1.5 s.
   Vec2 at(double time) const;
   /// The position [m] at step `i` of `kStep`; 0 is now.
   Vec2 sample(int i) const { return points_[static_cast<std::size_t>(i)]; }

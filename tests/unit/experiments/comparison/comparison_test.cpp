@@ -97,7 +97,7 @@ TEST_CASE("the paper's suite judges every claim", "[unit]") {
     if (!row.id.ends_with("-with-hung")) ids += row.id + " ";
     CHECK_FALSE(row.ours.empty());
     CHECK_FALSE(row.reason.empty());
-    // The paper's own figure, where it has one, is as far away as it says, whatever our band.
+    // The distance to the paper's value, if there is one, is stated correctly, whatever the band is.
     CHECK(row.off_paper.has_value() == (row.paper.find('%') != std::string::npos));
     if (row.off_paper) {
       CHECK(*row.off_paper == Approx(std::stod(row.ours) - std::stod(row.paper)).margin(0.051));
@@ -146,7 +146,7 @@ TEST_CASE("differences over several blocks are those of all their pairs", "[unit
                          two = compareSafePairs(comparison, both, 0, 1, kNeverHung, 100);
   CHECK(two.pairs == 2 * one.pairs);
   CHECK(two.length.value == Approx(one.length.value));
-  // A run over four times the bound has hung; it is left out only where that is asked for.
+  // A run that takes over four times the bound has hung. It is left out only on request.
   const_cast<TrialRecord&>(recordsOf(comparison, 0, 1)[0]).score.time *= 10.0;
   CHECK(compareSafePairs(comparison, 0, 0, 1, kHung).pairs == one.pairs - 1);
   CHECK(compareSafePairs(comparison, 0, 0, 1).pairs == one.pairs);

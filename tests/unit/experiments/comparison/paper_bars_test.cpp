@@ -16,7 +16,7 @@ TEST_CASE("the bars of Figs 28 and 29 are the pairs that both methods solve in t
   auto comparison = planComparison(config);
   REQUIRE(comparison);
   REQUIRE(runComparison(*comparison, {}, {}));
-  // One field's run takes for ever, and one Bezier's is made slower and longer than its field's.
+  // One run of the field hangs, and one run of Bezier is slower and longer than that of the field.
   auto records = [&](std::size_t block, std::size_t n) { return recordsOf(*comparison, block, n); };
   TrialScore& hung = const_cast<TrialRecord&>(records(0, 2)[4]).score;
   hung.time = 5.0 * hung.time_limit;
@@ -44,7 +44,7 @@ TEST_CASE("the bars of Figs 28 and 29 are the pairs that both methods solve in t
   CHECK(slower >= 1);
   CHECK(longer >= 1);
   for (const LayoutPair& pair : simulation.pairs) CHECK(pair.index != 4);
-  // What the paper's savings imply: 95.3 pixels at 25.6 % are 372 of them.
+  // The values that the paper's savings imply: 95.3 pixels at 25.6 % are savings from 372 pixels.
   const std::string report = barsReport(all);
   CHECK(report.find("372.3 px, 24.92 s") != std::string::npos);
   CHECK(report.find(" " + std::to_string(slower) + " of " + std::to_string(solved) + " |") !=

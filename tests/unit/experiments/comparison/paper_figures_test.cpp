@@ -14,7 +14,7 @@
 namespace fulbito {
 namespace {
 
-/// A trace through these headings [degrees] at the origin.
+/// A trace at the origin with these headings [degrees].
 std::vector<TraceRow> turning(const std::vector<double>& degrees) {
   std::vector<TraceRow> trace(degrees.size());
   for (std::size_t i = 0; i < degrees.size(); ++i) {
@@ -31,7 +31,7 @@ std::vector<long> turns(const std::vector<double>& degrees, double least) {
   return whole;
 }
 
-/// A run that drives `step` metres per row and heads as told.
+/// A run that drives `step` metres per row with these headings [degrees].
 TrialRecord driving(const std::vector<double>& degrees, double step) {
   TrialRecord run;
   run.trace = turning(degrees);
@@ -66,7 +66,7 @@ TEST_CASE("turns go one way and the other, and wobbling is none", "[unit]") {
   CHECK(turns({0, 30, 60, 55, 90}, 20) == std::vector<long>{90});
   CHECK(turns({0, 30, 60, 20, -10, 40}, 20) == std::vector<long>{60, -70, 50});
   CHECK(turns({0, -30, 0}, 20) == std::vector<long>{-30, 30});
-  CHECK(turns({170, -170, -150}, 20) == std::vector<long>{40});  // over the cut at 180 degrees
+  CHECK(turns({170, -170, -150}, 20) == std::vector<long>{40});  // across the discontinuity at 180 degrees
   CHECK(turns({}, 20).empty());
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("turning back is clockwise first, near the start", "[unit]") {
 TEST_CASE("driving away is way that is driven while the ball is behind", "[unit]") {
   FigureCase figure = ruled(FigureRule::kDrivesAway);
   figure.off = 0.05;
-  // Two steps of 3 cm with the goal behind, none, and one with the goal behind at the end.
+  // Two steps of 3 cm with the goal behind, no step, and one step with the goal behind at the end.
   CHECK(judgeRun(figure, straightAhead(), driving({180, 120, 80, 0}, 0.03)).shown);
   CHECK_FALSE(judgeRun(figure, straightAhead(), driving({180, 80, 80, 0}, 0.03)).shown);
 }
@@ -148,7 +148,7 @@ TEST_CASE("a figure is shown if all judged runs show it; runs beside it have no 
 
 namespace {
 
-/// One trial of `specification` on `layout`, on the standard physics.
+/// The result of one trial of `specification` on `layout` with the standard physics.
 TrialResult trialOf(const Layout& layout, const std::string& specification, double speed) {
   TrialConfig config;
   config.layout = layout;
@@ -166,8 +166,8 @@ TrialResult trialOf(const Layout& layout, const std::string& specification, doub
 
 TEST_CASE("a goal whose disc lies in the ring keeps the field away for ever, from every side, and no other",
           "[unit]") {
-  // Two rings about a ball that is smaller, and one that is as large as the paper's. Slow robots: a fast one
-  // may coast in.
+  // Two rings: one about a ball smaller than the ring, and one as large as the paper's. The robots are slow,
+  // since a fast robot may coast in.
   for (const double ring : {0.10, 0.13}) {
     const std::string field = fmt::format("vector-field:offset={},width=0.04", ring);
     for (const double tolerance : {0.012, 0.02}) {
@@ -223,7 +223,7 @@ Comparison ran(const std::string& suite, std::vector<double> speeds = {}) {
   return std::move(*comparison);
 }
 
-/// The last cell of the line of a page that begins with `first`.
+/// The last cell of the line of a page that starts with `first`.
 std::string lastCell(const std::string& page, const std::string& first) {
   std::ifstream file(std::string(FULBITO_SOURCE_DIR) + "/" + page);
   for (std::string line; std::getline(file, line);) {

@@ -24,13 +24,13 @@ TEST_CASE("tuning never ends worse than it began and repeats", "[unit]") {
   CHECK(first->objective <= first->initial);
   CHECK(first->navigator == again->navigator);
   CHECK(first->evaluations == 6);
-  CHECK(first->layouts == 12);  // of the last round
+  CHECK(first->layouts == 12);  // in the last round
   CHECK(tune(training(), {"straight", 1.0, 6, 4}, {}).error().code == ErrorCode::kUsage);
 }
 
 TEST_CASE("tries near the best come ever nearer", "[unit]") {
-  // Of a range of a metre first ten centimetres, at last two millimetres: what matters of a ring is
-  // millimetres.
+  // For a range of a metre, the changes are ten centimetres at first and two millimetres at last, since
+  // millimetres of a ring matter.
   CHECK(tuningSpread(0.0) == Approx(0.1));
   CHECK(tuningSpread(1.0) == Approx(0.002));
   for (double progress = 0.1; progress <= 1.0; progress += 0.1) {

@@ -56,7 +56,7 @@ TEST_CASE("the region holds the cells in which both figures are near, nearest fi
   CHECK(found.region == std::vector<std::size_t>{2, 1});
   CHECK(found.nearest == 2);
   CHECK(found.off == Approx(0.005));
-  // With the hung runs the figures are others.
+  // With the hung runs the values are different.
   cells[2].raw.time.value = -0.35;
   CHECK(findTarget(cells, "", target, true).nearest == 1);
   cells[1].suite = "corner";
@@ -153,7 +153,7 @@ TEST_CASE("the nearest cells run again on layouts that had no part in choosing t
     CHECK(std::count_if(map.fresh.begin(), map.fresh.end(),
                         [&](const FreshCell& f) { return f.cell == cell; }) == 1);
   }
-  // The same figures as a comparison of the same two methods on those layouts.
+  // A comparison of the same two methods on the same layouts must give the same values.
   const FreshCell& fresh = map.fresh.front();
   const MapCell& cell = map.cells[fresh.cell];
   MapConfig again = config;

@@ -32,7 +32,8 @@ TEST_CASE("the figures of the method are drawn by its parts, one still picture e
   CHECK(pictures[2].caption.find("LS2") != std::string::npos);
   CHECK(pathOf(pictures[3], "section of the obstacle") != nullptr);
   CHECK(pathOf(pictures[4], "clockwise") != nullptr);
-  // Up to I1 the robot turns away from what is on its left; beyond, goal and table are averaged.
+  // Up to I1 the robot turns away from obstacles on its left. Beyond I1 it averages the goal's direction and
+  // the table's.
   for (const std::size_t i : {5U, 6U}) {
     const ScenePath *goal = pathOf(pictures[i], "toward the goal"),
                     *way = pathOf(pictures[i], "direction of the table");

@@ -91,7 +91,7 @@ TEST_CASE("experiment scene: the body stands where its row says, the trail only 
   const Colour robot = seriesColour(0);
   CHECK(pixelsOf(*first, robot) > 800);
   CHECK(pixelsOf(*whole, robot) > 800);
-  // The reference path is in both, in the next colour.
+  // Both pictures have the reference path, in the next colour.
   CHECK(pixelsOf(*first, seriesColour(1)) > 50);
   CHECK(first->width() == whole->width());
   CHECK(pixelsOf(*whole, theme::kFloor) < pixelsOf(*first, theme::kFloor));
@@ -117,7 +117,7 @@ TEST_CASE("experiment scene: a dashed path shows above the trail that covers it"
   scene.paths.front().points = {{-0.5, 0.3}, {0.5, 0.3}};
   const auto apart = ScenePicture(scene, 600).drawWhole();
   REQUIRE(apart);
-  // All but what the body covers at the end.
+  // The body at its end covers the rest.
   CHECK(pixelsOf(*whole, seriesColour(1)) > 0.7 * pixelsOf(*apart, seriesColour(1)));
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("experiment scene: moments stand out, in the colours of the roles that
   const auto whole = ScenePicture(scene, 600).drawWhole();
   REQUIRE(plain);
   REQUIRE(whole);
-  const int body = pixelsOf(*plain, seriesColour(0));  // at the end, and in the legend
+  const int body = pixelsOf(*plain, seriesColour(0));  // at the end and in the legend
   CHECK(pixelsOf(*whole, seriesColour(0)) > 1.6 * body);
   CHECK(pixelsOf(*whole, seriesColour(1)) > 0.5 * body);
 }

@@ -8,10 +8,10 @@ namespace {
 
 struct Timed {
   std::string navigator;
-  double time_ratio;  ///< over all trials
+  double time_ratio;  ///< mean over all trials
 };
 
-/// A comparison with a first block of two navigators, and one of these.
+/// A comparison whose first block has two navigators and whose second block has those of `timed`.
 Comparison comparisonOf(const std::vector<Timed>& timed, int ways) {
   Comparison comparison;
   comparison.config.ways = ways;

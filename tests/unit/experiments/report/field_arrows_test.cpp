@@ -36,7 +36,7 @@ TEST_CASE("arrows are what the field wants, on the field and outside of obstacle
     }
     CHECK(nearest >= 0.0335);
     const Vec2 wanted = nearest < 0.1 ? arrow.position - centre : config.layout.goal - arrow.position;
-    if (nearest > 0.1 && nearest < 0.15) continue;  // goes over from one to the other
+    if (nearest > 0.1 && nearest < 0.15) continue;  // transition between the two fields
     CHECK(math::unit(arrow.heading).x == Approx(unitOr(wanted, {}).x).margin(1e-9));
   }
 }

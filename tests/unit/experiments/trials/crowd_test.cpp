@@ -12,7 +12,7 @@ TEST_CASE("six robots reach goal after goal among each other", "[unit]") {
   CHECK(first->arrivals > 20);
   CHECK(first->arrivals == again->arrivals);
   CHECK(first->contacts == again->contacts);
-  CHECK(first->compute_us_mean == 0.0);  // no clock, no times
+  CHECK(first->compute_us_mean == 0.0);  // without a clock there are no times
   config.navigator = "bezir";
   CHECK(runCrowd(config, {}).error().code == ErrorCode::kUsage);
 }

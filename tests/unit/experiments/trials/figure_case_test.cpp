@@ -75,7 +75,7 @@ TEST_CASE("a sweep changes the one quantity that it names", "[unit]") {
   const FigureCase gap = swept("obstacle-gap"), wall = swept("wall-gap"), ball = swept("ball-distance"),
                    heading = swept("heading");
   const Layout& whole = gap.layout;
-  // Ahead is up: the body's front is 3.75 cm above the start, the obstacle's lowest point 3 cm below its
+  // Ahead is up. The body's front is 3.75 cm above the start, and the obstacle's lowest point 3 cm below its
   // centre.
   const Layout nearer = sweptLayout(gap, 0.02);
   CHECK(nearer.obstacles[0].pose.position.x == Approx(whole.obstacles[0].pose.position.x));

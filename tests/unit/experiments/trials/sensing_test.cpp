@@ -40,7 +40,7 @@ TEST_CASE("a late observation is rolled forward through the commands given since
   const RobotModel& robot = config.robot.robot;
   const double dt = config.physics.controlPeriod();
   Sensing sensing(config);
-  // The truth follows the same motor model, so that the prediction must be exact.
+  // The truth follows the same motor model, so the prediction must be exact.
   WorldState world = worldAt(0.0, {0.0, 0.3}, {0.5, 0.0});
   sensing.observe(world);
   for (int i = 0; i < 30; ++i) {

@@ -23,7 +23,7 @@ TEST_CASE("a turn beyond the grip makes the kinematic robot slide, not faster th
   test::KinematicRobot body;
   double fastest = 0.0, slip = 0.0;
   for (int i = 0; i < 4000; ++i) {
-    body.step(robot, inverseKinematics(robot, {1.5, 12.0}), kStep);  // 18 m/s^2 where 6 hold
+    body.step(robot, inverseKinematics(robot, {1.5, 12.0}), kStep);  // needs 18 m/s^2, but the grip is 6
     fastest = std::max(fastest, norm(body.state.velocity));
     slip = std::max(slip, std::abs(cross(math::unit(body.state.pose.heading), body.state.velocity)));
   }

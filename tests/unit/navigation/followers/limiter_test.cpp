@@ -11,7 +11,7 @@ TEST_CASE("the limiter gives the yaw rate the acceleration budget first", "[unit
   RobotModel robot = test::paperRobot(2.6);
   const double dt = 1.0 / 60.0;
   const Twist limited = limitTwist(robot, {1.0, 0.0}, {2.6, 100.0}, dt);
-  // Mass and shape give turning more than the wheels' rims have straight on.
+  // By mass and shape, turning has more acceleration than the wheels' rims have straight ahead.
   CHECK(limited.angular == Approx(robot.turnAcceleration() * dt));
   CHECK(limited.angular > 2.0 * 5.0 * dt / 0.068);
   CHECK(limited.linear == Approx(1.0));

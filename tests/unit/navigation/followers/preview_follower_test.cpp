@@ -81,7 +81,7 @@ TEST_CASE("a speed cap below the robot's speed leaves wheel acceleration for bra
 }
 
 TEST_CASE("the path tracker holds on to its place where the path crosses itself", "[unit]") {
-  // A figure of eight through the origin, spaced 2 cm.
+  // A figure of eight through the origin with points 2 cm apart.
   std::vector<Vec2> path;
   for (int i = 0; i <= 100; ++i) {
     const math::SinCos sc = math::sinCos(2.0 * math::kPi * i / 100.0);

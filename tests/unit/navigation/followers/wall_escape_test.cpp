@@ -63,7 +63,7 @@ TEST_CASE("a robot with its back to the wall drives off forward", "[unit]") {
 }
 
 TEST_CASE("in a corner the inward diagonal is the normal", "[unit]") {
-  // 70 degrees off the diagonal: beyond a wall's 50 degrees, and facing one of the walls only.
+  // 70 degrees off the diagonal: more than a single wall's 50 degrees, and facing only one of the walls.
   const Pose2 pose{{-kTouchingX + 0.028, kTouchingY - 0.028}, degrees(135.0 + 70.0)};
   Stage stage(pose, {0.5, -0.4});
   CHECK(stage.apply(kSpin).linear == Approx(-0.2));
@@ -84,7 +84,7 @@ TEST_CASE("a robot along a wall, one that wants straight on and one with room ar
   CHECK(untouched({{0.75 - 0.056, kAside}, 0.0}, kSpin));
   CHECK(untouched({{0.75 - 0.050, kAside}, 0.0}, {0.3, 3.0}, 0.3));
   CHECK_FALSE(untouched({{kTouchingX, kAside}, degrees(20.0)}, kSpin));
-  CHECK(untouched({{kTouchingX, kAside}, degrees(20.0)}, {0.0, -2.0}));  // turns itself out
+  CHECK(untouched({{kTouchingX, kAside}, degrees(20.0)}, {0.0, -2.0}));  // it turns out by itself
 }
 
 TEST_CASE("a goal's mouth is no wall and its back is", "[unit]") {
@@ -122,7 +122,7 @@ TEST_CASE("robots at walls and in corners reach a goal elsewhere without pressin
       {{kTouchingX, -kAside}, math::kPi},
       {{0.2, kTouchingY}, degrees(90.0)},
       {{0.2, -kTouchingY}, degrees(90.0)},
-      // Flat on the corner triangle, whose middle lies 3.5 cm inside of the corner both ways.
+      // Flat against the corner triangle, whose middle is 3.5 cm from both walls.
       {{0.75 - 0.035 - 0.0375 / std::numbers::sqrt2, 0.65 - 0.035 - 0.0375 / std::numbers::sqrt2},
        degrees(45.0)},
       {{0.75 - 0.035 - inset, -0.65 + 0.035 + inset}, 0.0}};
@@ -158,7 +158,7 @@ TEST_CASE("the escape can be switched off by every method", "[unit]") {
     const WheelSpeeds wheels = (*pilot)->drive(stage.scene);
     return std::pair{wheels.left, wheels.right};
   };
-  // The escape shows in the first command.
+  // The first command shows the escape.
   for (const std::string method : {"vector-field:follower=classic,", "bezier:"}) {
     const auto on = first((method + "wall_escape=on").c_str());
     CHECK(on != first((method + "wall_escape=off").c_str()));

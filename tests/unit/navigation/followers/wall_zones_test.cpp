@@ -29,7 +29,7 @@ double degrees(double angle) { return angle * math::kPi / 180.0; }
 }  // namespace
 
 TEST_CASE("in a wall's zone the wheels get unequal speeds toward the ball, whatever the heading", "[unit]") {
-  // Right wall, lower wall and left wall, each with a goal to its left hand and one to its right hand.
+  // Right wall, lower wall and left wall, each with a goal on its left and one on its right.
   const struct {
     Vec2 place, left, right;
   } walls[] = {{{0.67, 0.35}, {-0.2, -0.3}, {0.2, 0.5}},
@@ -42,7 +42,7 @@ TEST_CASE("in a wall's zone the wheels get unequal speeds toward the ball, whate
       stage.zones.reset();
       const Twist left = stage.apply({wall.place, degrees(heading)}, wall.left);
       CHECK(left.angular > 0.0);
-      // Both wheels turn the same way, and the end that looks off the wall leads.
+      // Both wheels turn the same way, and the end that points away from the wall leads.
       CHECK(left.angular * stage.robot.axle_track / 2 < std::abs(left.linear));
       const Vec2 moves = math::unit(degrees(heading)) * left.linear * 0.01;
       CHECK(wallClearance(stage.field, wall.place + moves) >= wallClearance(stage.field, wall.place) - 1e-12);
@@ -55,12 +55,12 @@ TEST_CASE("in a wall's zone the wheels get unequal speeds toward the ball, whate
 TEST_CASE("in a corner two zones act one after the other, with opposite senses", "[unit]") {
   Stage stage;
   stage.field.corner = 0.0;
-  // Lower right corner, goal to the upper left: counter-clockwise at the right wall is clockwise at the
-  // lower.
+  // Lower right corner with the goal to the upper left: counter-clockwise at the right wall, clockwise at the
+  // lower one.
   const Vec2 goal{-0.3, 0.4};
   const double right = stage.apply({{0.70, -0.59}, 0.0}, goal).angular;
   CHECK(right < 0.0);
-  // The lower wall is nearer, but the right wall's zone is not left yet.
+  // The lower wall is nearer, but the robot is still in the right wall's zone.
   CHECK(stage.apply({{0.66, -0.60}, 0.0}, goal).angular == right);
   CHECK(stage.apply({{0.65, -0.60}, 0.0}, goal).angular == -right);
   CHECK(stage.apply({{0.65, -0.57}, 0.0}, goal).angular == -right);
@@ -109,7 +109,7 @@ TEST_CASE("the boundary rule is an option of every method", "[unit]") {
     scene.robot = &stage.robot;
     (*pilot)->reset();
     WheelSpeeds wheels;
-    for (int i = 0; i < 60; ++i) {  // the limiter lets the wheels reach the rule's speeds
+    for (int i = 0; i < 60; ++i) {  // time for the limiter to reach the rule's speeds
       wheels = (*pilot)->drive(scene);
       scene.self.angular_velocity =
           (wheels.right - wheels.left) * stage.robot.wheel_radius / stage.robot.axle_track;

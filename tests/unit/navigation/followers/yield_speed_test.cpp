@@ -10,7 +10,7 @@
 namespace fulbito {
 namespace {
 
-/// A robot at the origin that drives along x at 1 m/s, its top speed.
+/// The yield speed of a robot at the origin that drives along x at its top speed of 1 m/s.
 double yieldTo(std::vector<DiscObstacle> obstacles, double speed = 1.0, double horizon = 1.0) {
   const FieldGeometry field;
   const RobotModel robot = test::paperRobot(1.0);
@@ -37,9 +37,9 @@ TEST_CASE("an obstacle that crosses when the robot would be there is let pass", 
   const double speed = yieldTo({crossing});
   CHECK(speed < 1.0);
   CHECK(speed > 0.0);
-  // Looking ahead less far than that it is not seen.
+  // A shorter horizon does not include the meeting.
   CHECK(yieldTo({crossing}, 1.0, 0.3) > 1e9);
-  // One that has passed by then is not waited for.
+  // The robot does not wait for an obstacle that has passed by then.
   CHECK(yieldTo({{{0.9, -0.1}, 0.04, {0.0, 0.8}}}) > 1e9);
 }
 

@@ -24,7 +24,7 @@ TEST_CASE("arc: a quarter circle to either side, a line and a small turn end whe
   checkPose(endOf({start, 0.0, 3.0}), 1.0, 5.0, math::kPi / 2);
   const Arc slight{{{0.0, 0.0}, 0.0}, 1e-9, 1.0};
   CHECK(endOf(slight).position.y == Approx(0.5e-9));
-  // A full circle comes back.
+  // A full circle returns to its start.
   checkPose(endOf({start, 1.0, 2 * math::kPi}), 1.0, 2.0, math::kPi / 2);
 }
 

@@ -10,7 +10,7 @@
 namespace fulbito {
 namespace {
 
-/// A robot at the origin that looks along x, far from any wall unless the field is made smaller.
+/// A robot at the origin facing along x. Walls are far away unless the test makes the field smaller.
 struct Floor {
   FieldGeometry field;
   RobotModel robot;
@@ -102,7 +102,7 @@ TEST_CASE("free time on random arcs agrees with a finely stepped drive", "[unit]
       }
       return room;
     };
-    // A chord of 50 ms strays from its arc by at most v omega t^2 / 8 = 1.4 mm, so contact is that sharp.
+    // A chord of 50 ms is at most v omega t^2 / 8 = 1.4 mm away from its arc, which limits the accuracy.
     double least = 1e9;
     for (int k = 0; k <= 2000; ++k) least = std::min(least, roomAt(swept * k / 2000.0));
     CHECK(least > -0.0015);

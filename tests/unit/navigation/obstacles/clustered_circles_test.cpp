@@ -58,7 +58,7 @@ TEST_CASE("inside a circle the tangent turns smoothly to straight out", "[unit]"
 }
 
 TEST_CASE("circles that overlap through others are passed together", "[unit]") {
-  // The second and third overlap only through the first; the fourth is apart.
+  // The second and third overlap only the first; the fourth overlaps none.
   const auto circles =
       clustered({{{0.5, 0.0}, 0.1}, {{0.5, 0.19}, 0.1}, {{0.5, -0.15}, 0.1}, {{0.5, -0.5}, 0.1}});
   const Extents all = circles.extents(0, {}, {1.0, 0.0});
@@ -74,14 +74,14 @@ TEST_CASE("a side is kept within the hysteresis and forgotten once the cluster i
   auto circles = clustered({{{0.5, 0.01}, 0.1}});
   circles.decideSides({}, goal, {.hysteresis = 0.2});
   REQUIRE(circles.side(0, {}, goal) == PassingSide::kRight);
-  again(circles, {{{0.5, -0.04}, 0.1}});  // 2 x 0.08 rad better on the left
+  again(circles, {{{0.5, -0.04}, 0.1}});  // 2 x 0.08 rad in favour of the left
   circles.decideSides({}, goal, {.hysteresis = 0.2});
   CHECK(circles.side(0, {}, goal) == PassingSide::kRight);
   again(circles, {{{0.5, -0.06}, 0.1}});  // 2 x 0.12 rad
   circles.decideSides({}, goal, {.hysteresis = 0.2});
   CHECK(circles.side(0, {}, goal) == PassingSide::kLeft);
   circles.decideSides({0.6, 0.0}, goal, {.hysteresis = 0.2});
-  CHECK(circles.side(0, {}, {1.0, -0.3}) == PassingSide::kRight);  // decided afresh
+  CHECK(circles.side(0, {}, {1.0, -0.3}) == PassingSide::kRight);  // decided without memory
 }
 
 TEST_CASE("a side that leads out of the field is avoided while the other does not", "[unit]") {
@@ -92,7 +92,7 @@ TEST_CASE("a side that leads out of the field is avoided while the other does no
   CHECK(circles.side(0, p, goal) == PassingSide::kLeft);
   circles.decideSides(p, goal, {.inside = &field, .wall_margin = 0.053});
   CHECK(circles.side(0, p, goal) == PassingSide::kRight);
-  // Nothing is free when the circle fills the width: then the smaller turn.
+  // If the circle fills the width, no side is free, and the smaller turn wins.
   auto wall = clustered({{{0.0, 0.1}, 0.7}});
   wall.decideSides(p, goal, {.inside = &field, .wall_margin = 0.053});
   CHECK(wall.side(0, p, goal) == PassingSide::kLeft);

@@ -12,7 +12,7 @@ namespace {
 
 const RobotModel kRobot;
 
-/// A robot at the origin with one sonar ahead.
+/// A robot at the origin with one sonar that points ahead.
 class OneSonar {
  public:
   void hear(double range, int ticks) { take({{{0.0375, 0.0}, 0.0}, 0.218, 0.36, true, range}, ticks); }
@@ -80,7 +80,7 @@ TEST_CASE("echoes stay where they are in the world while the robot turns and mov
 TEST_CASE("echoes are forgotten after the memory's time, and beyond the window", "[unit]") {
   OneSonar robot;
   robot.hear(0.2, 10);
-  robot.pose.heading = math::kPi;  // looks away
+  robot.pose.heading = math::kPi;  // the robot faces away
   robot.silence(115);
   CHECK(robot.nearest() < 0.3);
   robot.silence(10);

@@ -25,7 +25,7 @@ TEST_CASE("a disc is foreseen straight on", "[unit]") {
 }
 
 TEST_CASE("a disc is foreseen to come back mirrored from a wall", "[unit]") {
-  // Its surface meets x = 0.75 after 0.25 s; then 0.25 s back.
+  // The disc's surface reaches x = 0.75 after 0.25 s, then the disc moves back for 0.25 s.
   const ForecastDisc disc = foreseen({{0.45, 0.0}, 0.05, {1.0, 0.2}});
   CHECK(distance(disc.at(0.25), {0.70, 0.05}) < 1e-12);
   CHECK(distance(disc.at(0.50), {0.45, 0.10}) < 1e-12);

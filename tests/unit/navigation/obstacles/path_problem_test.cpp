@@ -9,7 +9,7 @@ namespace fulbito {
 TEST_CASE("the meeting time is where the robot and the obstacle come together", "[unit]") {
   // Head on: 1 m apart, closing at 0.5 + 1.0.
   CHECK(meetingTime({{1.0, 0.0}, 0.03, {-0.5, 0.0}}, {}, 1.0, 9.0) == Approx(1.0 / 1.5));
-  // Running away, slower and faster than the robot.
+  // The obstacle moves away, slower and faster than the robot.
   CHECK(meetingTime({{1.0, 0.0}, 0.03, {0.5, 0.0}}, {}, 1.0, 9.0) == Approx(2.0));
   CHECK(meetingTime({{1.0, 0.0}, 0.03, {1.5, 0.0}}, {}, 1.0, 9.0) == 9.0);
   // Across: the obstacle goes 0.6 while the robot goes 1.0 along the long side of a 3-4-5 triangle.
@@ -30,7 +30,7 @@ TEST_CASE("obstacles at rest stay, moving ones are where they will be met", "[un
   predictObstacles(scene, 1.0, bodies);
   REQUIRE(bodies.size() == 2);
   CHECK(bodies[0].centre == Vec2{0.5, 0.2});
-  // The robot is taken to keep 0.8 of its top speed: 0.3 m at 1.0 + 0.5 m/s.
+  // The prediction assumes 0.8 of the robot's top speed: 0.3 m at 1.0 + 0.5 m/s.
   CHECK(bodies[1].centre.x == Approx(0.2));
   CHECK(bodies[1].radius == 0.04);
 }
@@ -48,14 +48,14 @@ TEST_CASE("the guard keeps paths out of discs and off walls, but lets a robot ou
   CHECK_FALSE(guard.clearAt({0.0, 0.0999}));
   CHECK(guard.insideWalls(std::vector<Vec2>{start, {0.0, 0.599}, goal}));
   CHECK_FALSE(guard.insideWalls(std::vector<Vec2>{start, {0.0, 0.601}, goal}));
-  // A start 9 cm from the disc's centre leaves 8 cm, one 7 cm from it 7 cm.
+  // A start 9 cm from the disc's centre leaves a radius of 8 cm, and one 7 cm from it a radius of 7 cm.
   guard.prepare({-0.09, 0.0}, goal, bodies, 0.05, 0.02, field);
   CHECK(guard.clearAt({0.0, 0.0801}));
   CHECK_FALSE(guard.clearAt({0.0, 0.0799}));
   guard.prepare({-0.07, 0.0}, goal, bodies, 0.05, 0.02, field);
   CHECK(guard.clearAt({-0.07, 0.0}));
   CHECK_FALSE(guard.clearAt({0.0, 0.0699}));
-  // A start 4 cm from a wall may be left along that wall, a place farther on may not be as close.
+  // A path may leave a start 4 cm from a wall along that wall, but must not be as close farther on.
   guard.prepare({0.0, 0.61}, goal, {}, 0.05, 0.02, field);
   CHECK(guard.insideWalls(std::vector<Vec2>{{0.0, 0.61}, {0.05, 0.61}}));
   CHECK_FALSE(guard.insideWalls(std::vector<Vec2>{{0.0, 0.61}, {0.2, 0.61}}));

@@ -14,7 +14,7 @@ SmoothRange echo(Vec2 apex, Vec2 toward, double range) {
 class Map {
  public:
   Map() { map.reset(), map.centre({}, 0); }
-  /// Hears a point from `apex` while the sensor looks at `toward`.
+  /// Adds echoes of a point, heard at `apex` by a sensor that points at `toward`.
   void hear(Vec2 apex, Vec2 toward, Vec2 point, int times = 4) {
     for (int i = 0; i < times; ++i) map.takeIn(echo(apex, toward, distance(apex, point)), 1.0);
   }
@@ -32,7 +32,7 @@ TEST_CASE("cones from two places leave of an arc the point that both hear", "[un
   m.hear({0.0, 0.0}, {0.1, 0.0}, point, 8);
   CHECK(m.isOccupied(point));
   CHECK(m.isOccupied(phantom));
-  // Another sensor looks past the point and hears what is far behind.
+  // Another sensor points past the point and hears an echo from far behind it.
   for (int i = 0; i < 4; ++i) m.map.takeIn(echo({0.0, -0.03}, {0.1, -0.02}, 0.2), 1.0);
   CHECK(m.isOccupied(point));
   CHECK_FALSE(m.isOccupied(phantom));

@@ -18,7 +18,7 @@ double room(const NavigationScene& scene, Vec2 p) {
   return least;
 }
 
-/// Walks along a ray in steps of the free room, which shares nothing with the ray formulas.
+/// Length of a ray by steps of the free distance, which is independent of the ray formulas.
 double walkRay(const NavigationScene& scene, double bearing) {
   const Pose2& pose = scene.self.pose;
   const Vec2 way = math::unit(pose.heading + bearing);

@@ -27,7 +27,7 @@ World worldWith(const MatchInfo& info, const BallState& ball) {
   return std::move(*World::create(config));
 }
 
-/// Errors [m] one second ahead, by bounces before.
+/// Errors [m] of predictions one second ahead, by the number of bounces in that time.
 std::array<std::vector<double>, 3> errorsOneSecondAhead(const MatchInfo& info, double spin_share) {
   const BallCourse course(info.field, info.ball, info.physics);
   std::array<std::vector<double>, 3> errors;
@@ -53,8 +53,8 @@ std::array<std::vector<double>, 3> errorsOneSecondAhead(const MatchInfo& info, d
 }  // namespace
 
 TEST_CASE("the ball is foreseen one second ahead", "[unit]") {
-  // The bars of drill 5. Measured: free at most 0.6 mm rolling, 3.1 mm sliding; after one bounce 95 %
-  // within 2.5 and 10.7 mm (a touch of a post is a matter of luck); after two or more 22 mm.
+  // The bounds of drill 5. Measured: without a bounce at most 0.6 mm (rolling) and 3.1 mm (sliding); after
+  // one bounce 95 % within 2.5 and 10.7 mm (touches of posts are hard to predict); after two or more 22 mm.
   const MatchInfo info = test::matchInfo();
   for (const double spin_share : {1.0, 0.0}) {
     const auto errors = errorsOneSecondAhead(info, spin_share);
@@ -70,12 +70,12 @@ TEST_CASE("the ball is foreseen one second ahead", "[unit]") {
 TEST_CASE("the tracker knows a kicked ball's spin", "[unit]") {
   const MatchInfo info = test::matchInfo();
   const BallCourse course(info.field, info.ball, info.physics);
-  // It sees a kick after the tick, in which the floor has begun to turn the ball [m/s].
+  // [m/s] The tracker sees a kick only after the tick, in which friction has already changed the spin.
   const double keep = info.ball.roll_keep;
   const double in_a_tick = info.ball.slide_deceleration * keep / (1.0 - keep) * info.physics.controlPeriod();
   Rng rng(6, test::kTestStream);
   for (int i = 0; i < 100; ++i) {
-    // A robot drives into a resting ball; sometimes the ball meets a wall after that.
+    // A robot drives into a resting ball, which in some cases hits a wall after that.
     WorldConfig config{info.field, info.physics, {}, {}, {}};
     const double heading = rng.uniform(-math::kPi, math::kPi);
     config.robots.push_back(
@@ -93,9 +93,9 @@ TEST_CASE("the tracker knows a kicked ball's spin", "[unit]") {
       double& most = course.walls.isFree(seen.position, 0.05) ? worst : worst_by_wall;
       most = std::max(most, distance(known.spin, world.state().balls.front().spin));
     }
-    // A guess of no spin is wrong by up to 1.3 m/s.
+    // Without the tracker, an assumed spin of 0 is wrong by up to 1.3 m/s.
     CHECK(worst < in_a_tick);
-    CHECK(worst_by_wall < 0.5);  // when in the tick it met the wall, and how often, is not seen
+    CHECK(worst_by_wall < 0.5);  // time and number of wall contacts within the tick are unknown
   }
 }
 

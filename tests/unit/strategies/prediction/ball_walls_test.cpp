@@ -13,8 +13,8 @@
 namespace fulbito {
 namespace {
 
-/// Whether a ball's centre at `p` is nowhere more than 3 mm in a wall or post: on the playing rectangle, in a
-/// goal, or between the two in a mouth.
+/// Whether a ball with its centre at `p` is at most 3 mm in any wall or post: on the playing rectangle, in a
+/// goal, or in a mouth between the two.
 bool isClear(const MatchInfo& info, Vec2 p) {
   const FieldGeometry& field = info.field;
   const double room = info.ball.radius - 0.003;
@@ -32,7 +32,7 @@ TEST_CASE("the time of a fall is the first passage through zero", "[unit]") {
   CHECK(*timeOfFall(0.0, -1.0, 0.0, 1.0) == 0.0);
   CHECK(*timeOfFall(-0.001, -1.0, 0.0, 1.0) == 0.0);
   CHECK_FALSE(timeOfFall(1.0, -2.0, 0.0, 0.4));
-  CHECK_FALSE(timeOfFall(1.0, -1.0, 1.0, 9.0));  // turns back before
+  CHECK_FALSE(timeOfFall(1.0, -1.0, 1.0, 9.0));  // it turns back first
   CHECK_FALSE(timeOfFall(1.0, 1.0, 0.0, 9.0));
 }
 
@@ -74,12 +74,12 @@ TEST_CASE("a ball on a bent way meets what its chord passes by", "[unit]") {
                           {{{-0.59388, -0.05457}, {-1.39425, 2.25852}, {-0.42523, -1.58413}}, 0.3},
                           {{{-0.70370, 0.02599}, {-0.43150, -2.35402}, {1.42177, 0.42475}}, 0.3},
                           {{{-0.28024, -0.33089}, {-1.76738, 2.27849}, {-0.79250, -1.65234}}, 0.5},
-                          // It leaves a post with spin toward it.
+                          // The ball leaves a post with spin toward it.
                           {{{0.4959289092504795, 0.03041831854301924},
                             {1.9227620324496568, 1.4171300960774715},
                             {-0.14876151646460656, -1.405822064977879}},
                            0.5},
-                          // Backspin turns the ball round just after it has come to the wall.
+                          // Backspin reverses the ball just after it has reached the wall.
                           {{{0.0, wall - 0.0001}, {0.0, 0.2}, {0.0, -2.0}}, 0.3}};
   for (const Scene& scene : scenes) {
     BallPrediction prediction;

@@ -14,14 +14,14 @@ namespace fulbito {
 namespace {
 
 struct Errors {
-  double robot = 0.0;  ///< [m] greatest
+  double robot = 0.0;  ///< [m] greatest error
   double heading = 0.0;
   double ball = 0.0;
   double opponent = 0.0;
-  double old = 0.0;  ///< [m] of the old picture
+  double old = 0.0;  ///< [m] error without the prediction
 };
 
-/// Two robots that drive about and a rolling ball, seen `latency` ticks late.
+/// Two moving robots and a rolling ball, observed `latency` ticks late.
 Errors errorsAt(int latency, std::uint64_t seed) {
   MatchInfo info = test::matchInfo();
   info.rules.team_size = 1;
@@ -58,7 +58,7 @@ Errors errorsAt(int latency, std::uint64_t seed) {
     most(worst.heading,
          std::abs(math::wrapAngle(now.own[0].state.pose.heading - truth.robots[0].pose.heading)));
     most(worst.opponent, distance(now.opponents[0].state.pose.position, truth.robots[1].pose.position));
-    // Right after the start the picture is younger than it is said to be.
+    // Just after the start the observation is younger than its stated age.
     if (tick >= latency) most(worst.ball, distance(foresight.ballNow().position, truth.balls[0].position));
     most(worst.old, distance(old.robots[0].pose.position, truth.robots[0].pose.position));
     if (tick % 15 == 0) {

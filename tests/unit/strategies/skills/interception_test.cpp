@@ -47,7 +47,7 @@ TEST_CASE("robot and ball are at the meeting together, and not much earlier", "[
     CHECK(distance(meeting->ball, ball.positionAt(meeting->time)) < 1e-9);
     CHECK(distance(meeting->robot, meeting->ball) == Approx(request.standoff).epsilon(1e-6));
     if (meeting->time > 0.0) CHECK(timeToReach(pace, robot, meeting->robot) < meeting->time + kFewTicks);
-    // An earlier meeting by more than a few ticks would have been found.
+    // The search must find any meeting that is earlier by more than a few ticks.
     for (double t = 0.05; t < meeting->time - 0.12; t += 0.05) {
       const Vec2 place = ball.positionAt(t);
       const Vec2 from = request.aim ? *request.aim : place + (place - robot.pose.position);

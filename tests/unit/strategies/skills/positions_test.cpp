@@ -20,7 +20,7 @@ TEST_CASE("the keeper goes where a ball will pass its line", "[unit]") {
   const Vec2 place = keeperPoint(info.field, ball, 0.05, 0.17);
   CHECK(place.x == Approx(-0.70));
   CHECK(place.y == Approx(0.12).margin(0.04));
-  // A ball that goes away is waited for at the equal-gap point.
+  // For a ball that moves away, the keeper waits at the equal-gap point.
   ball.predict(course, {{0.0, -0.3}, -shot, -shot});
   CHECK(keeperPoint(info.field, ball, 0.05, 0.17) == equalGapPoint(info.field, {0.0, -0.3}, 0.05));
 }
@@ -42,7 +42,7 @@ TEST_CASE("places outside an area are outside, near and stay", "[unit]") {
     moved += out != p;
   }
   CHECK(moved > 150);
-  // The arc before the area belongs to it.
+  // The arc in front of the area belongs to it.
   CHECK(isInArea(field, {-0.57, 0.0}, true));
   CHECK_FALSE(isInArea(field, {-0.57, 0.2}, true));
 }

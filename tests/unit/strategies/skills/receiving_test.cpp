@@ -17,29 +17,31 @@ namespace fulbito {
 namespace {
 
 constexpr double kDt = 1.0 / 60;
-constexpr int kTicks = 360;                                  // of a trial: 6 s
-constexpr double kNear = 0.012, kSlow = 0.10, kHeld = 0.25;  // [m] gap, [m/s], [s] of a ball under control
-constexpr double kOpen = 0.06;                               // [m] from the walls
+constexpr int kTicks = 360;  // ticks per trial: 6 s
+// [m] gap, [m/s], [s] limits of a ball under control
+constexpr double kNear = 0.012, kSlow = 0.10, kHeld = 0.25;
+constexpr double kOpen = 0.06;  // [m] least distance from the walls in the open
 
 enum class Way { kIntercept, kReceive };
 
-/// What a way of playing does on many rolling balls.
+/// Results of one way of playing on many rolling balls.
 struct Bench {
   int trials = 0, touched = 0, controlled = 0;
-  double touch_time = 0.0, touch_speed = 0.0;  ///< means over the trials that touched
-  double control_time = 0.0;                   ///< mean over those that had control
-  double control_speed = 0.0;                  ///< [m/s] mean speed of the ball then
-  int in_the_open = 0;                         ///< of `controlled`: the ball was 6 cm or more from all walls
+  double touch_time = 0.0, touch_speed = 0.0;  ///< means over the trials with a touch
+  double control_time = 0.0;                   ///< mean over the trials with control
+  double control_speed = 0.0;                  ///< [m/s] mean speed of the ball at that time
+  /// part of `controlled` with the ball 6 cm or more from all walls
+  int in_the_open = 0;
 };
 
-/// The gap between the ball and the robot's nearer face; large where the ball is not in front of one.
+/// The gap [m] between the ball and the robot's nearer face; large if the ball is not in front of a face.
 double faceGap(const RobotState& robot, const BallState& ball, const MatchInfo& info) {
   const Vec2 at = intoFrame(math::unit(robot.pose.heading), ball.position - robot.pose.position);
   if (std::abs(at.y) > info.robot.width / 2) return 1.0;
   return std::abs(at.x) - info.robot.length / 2 - info.ball.radius;
 }
 
-/// Straight at the earliest meeting, at top speed, by the present interception.
+/// Drives at top speed straight to the earliest meeting, which it updates every tick.
 Twist meet(const RobotState& robot, const BallState& ball, const MatchInfo& info, const RobotPace& pace) {
   BallPrediction prediction;
   prediction.predict(BallCourse(info.field, info.ball, info.physics), ball, 4.0);
@@ -126,7 +128,7 @@ TEST_CASE("a robot at its place drives with the ball", "[unit]") {
   const RobotPace pace;
   CHECK(receive(robot, ball, pace).linear == Approx(0.4));
   CHECK(receive(robot, ball, pace).angular == Approx(0.0).margin(1e-9));
-  robot.pose.heading = -math::kPi / 2;  // its back leads as well
+  robot.pose.heading = -math::kPi / 2;  // the back may lead as well
   CHECK(receive(robot, ball, pace).linear == Approx(-0.4));
   robot.pose.position.y = -3.0;
   CHECK(std::abs(receive(robot, ball, pace).linear) <= pace.speed);
@@ -135,7 +137,7 @@ TEST_CASE("a robot at its place drives with the ball", "[unit]") {
   CHECK(receive(robot, resting, pace).linear == Approx(0.0).margin(0.01));
 }
 
-// The figures of docs/skills.md, Receiving: print them with strategies_test "[receiving]" -s.
+// docs/skills.md, Receiving, has these figures. Print them with strategies_test "[receiving]" -s.
 TEST_CASE("receiving takes a rolling ball gently in the open, the interception takes it sooner and hard",
           "[unit][receiving]") {
   constexpr int kTrials = 300;
@@ -148,7 +150,7 @@ TEST_CASE("receiving takes a rolling ball gently in the open, the interception t
   CHECK(received.touch_speed < 0.3 * met.touch_speed);
   CHECK(received.control_speed < met.control_speed);
   CHECK(received.in_the_open > met.in_the_open);
-  CHECK(received.touch_time > met.touch_time);  // the price
+  CHECK(received.touch_time > met.touch_time);  // the disadvantage
 }
 
 }  // namespace fulbito

@@ -11,7 +11,7 @@
 namespace fulbito {
 namespace {
 
-/// Distance [m] from `p` to the stretch from `a` to `b`.
+/// Distance [m] from `p` to the segment from `a` to `b`.
 double distanceTo(Vec2 p, Vec2 a, Vec2 b) {
   const double share = std::clamp(dot(p - a, b - a) / squaredNorm(b - a), 0.0, 1.0);
   return distance(p, a + (b - a) * share);
@@ -22,7 +22,7 @@ double distanceTo(Vec2 p, Vec2 a, Vec2 b) {
 TEST_CASE("free intervals are where a ball passes all blockers", "[unit]") {
   const MatchInfo info = test::matchInfo();
   ShotModel model;
-  model.acceleration = 0.0;  // nobody moves
+  model.acceleration = 0.0;  // blockers do not move
   Rng rng(7, test::kTestStream);
   int free = 0, taken = 0;
   for (int i = 0; i < 500; ++i) {
@@ -68,7 +68,7 @@ TEST_CASE("the best shot is into the widest interval, away from the keeper", "[u
   ShotBlocker moving = keeper;
   moving.velocity = {0.0, -0.5};
   CHECK(bestShot(info.field, model, {0.3, 0.0}, {&moving, 1})->y > shot->y);
-  // A wall of robots leaves nothing.
+  // A wall of robots leaves no gap.
   const std::array<ShotBlocker, 3> wall = {
       {{{0.7, 0.0}, 0.04, {}}, {{0.7, 0.1}, 0.04, {}}, {{0.7, -0.1}, 0.04, {}}}};
   CHECK_FALSE(bestShot(info.field, {}, {0.3, 0.0}, wall));

@@ -9,7 +9,7 @@ TEST_CASE("every built-in team keeps what teams promise", "[unit]") {
   for (const auto& info : TeamCatalogue::builtIn().teams()) {
     DYNAMIC_SECTION(info->name) {
       test::TeamProperties properties;
-      // It draws its drives from a stream of its own, which knows no sides.
+      // The team `random` draws from its own random stream, which does not depend on the side.
       properties.mirrored = info->name != "random";
       test::checkTeamProperties(info->name, properties);
     }

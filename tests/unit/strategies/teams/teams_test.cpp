@@ -14,7 +14,7 @@
 namespace fulbito {
 namespace {
 
-/// One team alone on the field against robots that stand.
+/// One team alone on the field against robots that do not move.
 struct Game {
   MatchInfo info = test::matchInfo();
   std::unique_ptr<Strategy> team;
@@ -176,8 +176,8 @@ TEST_CASE("wheels are commanded in 256 speeds each way, a team's own as they are
     return TeamPilots::create(info, {})->drive(seen, command)[0];
   };
   CHECK(driven(RobotCommand::byWheels({1.237, -60.0})).left == 1.237);
-  CHECK(driven(RobotCommand::byTwist({0.0171, 0.0})).left == Approx(0.72).margin(1e-12));  // 0.658 asked for
-  // At top speed what is asked for stays within what the robot can do.
+  CHECK(driven(RobotCommand::byTwist({0.0171, 0.0})).left == Approx(0.72).margin(1e-12));  // 0.658 is wanted
+  // At top speed the commands stay within the robot's limits.
   seen.own[0].state.velocity = {info.robot.maxSpeed(), 0.0};
   CHECK(driven(RobotCommand::byTwist({9.0, 0.0})).right == Approx(46.08));
   info.robot.max_wheel_speed = 46.0;

@@ -30,7 +30,7 @@ double halfOf(const PageBody& body) { return body.box ? body.length / 2 : body.r
 
 }  // namespace
 
-// What does not come out, with the reason on docs/papers.md.
+// Figures outside their bands; docs/papers.md has the reasons.
 const std::set<std::string> kOutside{"table-6-distance-0.3", "table-6-distance-0.4", "table-6-distance-0.5",
                                      "table-6-error-0.5",    "slip-of-5-on-6",       "slip-of-6-on-5",
                                      "printed-plan-time",    "capture-time-most"};
@@ -54,7 +54,7 @@ TEST_CASE("figures are inside their bands but for the known ones, the same on on
   for (const ReportScene& scene : one->scenes) {
     for (const PageRow& row : scene.page.rows) REQUIRE(row.poses.size() == scene.page.bodies.size());
   }
-  // The scene of Fig. 18 ends with the capture, and shows A and B all the time.
+  // The scene of Fig. 18 ends with the capture and shows A and B all the time.
   const ReportScene& fig18 = sceneOf(*one, "fig-18");
   CHECK(static_cast<double>(fig18.page.rows.back().tick) / fig18.page.rate ==
         Approx(figureOf(*one, "capture-time").ours));
@@ -62,7 +62,7 @@ TEST_CASE("figures are inside their bands but for the known ones, the same on on
   std::set<std::string> letters;
   for (const RecordedDrawing& drawing : fig18.page.drawings) letters.insert(drawing.text);
   CHECK(letters == std::set<std::string>{"", "A", "B"});
-  // No body lies within another one: in the own worlds they are points.
+  // No body is inside another one. In separate worlds they are points.
   for (const char* name : {"fig-18", "fig-18-one-world"}) {
     const ReportScene& scene = sceneOf(*one, name);
     const std::vector<Pose2>& end = scene.page.rows.back().poses;

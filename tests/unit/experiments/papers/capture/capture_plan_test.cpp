@@ -13,7 +13,7 @@ constexpr double kDegree = math::kPi / 180;
 
 CaptureTask paperTask(double gap) { return {fig18Robot(), fig18Object(), gap}; }
 
-/// The object's way as the plan sees it: along and across its line, from the robot at the end.
+/// The object's position relative to the robot at the end of the plan: along the object's line and across it.
 Vec2 objectAtEnd(const CapturePlan& plan, const ObjectMotion& object) {
   const double time = plan.motion.duration();
   const Vec2 line = unitOr(object.velocity, {}), to = object.at(time) - plan.motion.end().pose.position;
@@ -22,7 +22,7 @@ Vec2 objectAtEnd(const CapturePlan& plan, const ObjectMotion& object) {
 
 }  // namespace
 
-// Misprint: (23) compares a speed with an acceleration. With a time of 1 s it gives the experiment exactly.
+// Misprint: (23) compares a speed with an acceleration. With a time of 1 s it gives the experiment's values.
 TEST_CASE("speed and straightening within a second bind at the radius of the paper's experiment", "[unit]") {
   const CaptureLimits limits;
   CHECK(limits.largestFirstRadius() == Approx(2.6));
@@ -36,9 +36,10 @@ TEST_CASE("speed and straightening within a second bind at the radius of the pap
   CHECK(inner == Approx(0.504));
   CHECK(outer - inner == Approx(2 * 0.042 * 1.0));
   CHECK(inner / start.time == Approx(0.036));                  // the acceleration of the inner wheel
-  CHECK(start.motion.duration() - start.time == Approx(1.0));  // of straightening
+  CHECK(start.motion.duration() - start.time == Approx(1.0));  // duration of straightening
   CHECK(limits.largestTurn(1.0) < limits.largestTurn(2.6));
-  CHECK(limits.largestTurn(4.0) == Approx(0.042 * 14 * 14 / 2 / 4.2));  // beyond, the wheel's speed binds
+  // for larger turns the wheel's speed is the limit
+  CHECK(limits.largestTurn(4.0) == Approx(0.042 * 14 * 14 / 2 / 4.2));
 }
 
 TEST_CASE("the first curve is an arc of the wanted turn, and straightening turns on by half its yaw rate",
@@ -57,7 +58,7 @@ TEST_CASE("plans of the paper's capture take these times and leave these gaps", 
   struct Row {
     double turn, time, gap;
   };
-  // An independent computation, which takes the straightening for an arc.
+  // From an independent computation that treats the straightening as an arc.
   for (const Row row :
        {Row{84.22, 27.27, 0.149}, {80.01, 29.01, 0.244}, {75.80, 31.25, 0.324}, {71.59, 34.28, 0.392}}) {
     const auto plan = capturePlan(fig18Limits(), paperTask(0.0), -1.0, 2.6, row.turn * kDegree, 2.4);
@@ -81,7 +82,7 @@ TEST_CASE("a plan ends on the object's line, along it, at its speed, with the wa
   }
 }
 
-// Misprint: (27) gives a minimum where a place is meant. Here the place is the one where the gap is right.
+// Misprint: (27) gives a minimum instead of a place. The test uses the place with the right gap.
 TEST_CASE("slowing down later shortens the gap, and the right moment makes it exact", "[unit]") {
   const CaptureStart start = captureStart(fig18Limits(), fig18Robot(), -1.0, 2.6, 72 * kDegree);
   const auto at_once = captureEnd(fig18Limits(), start.motion, start.top_speed, fig18Object(), 2.4, 0.0);
@@ -102,7 +103,7 @@ TEST_CASE("the planner says why it has no plan", "[unit]") {
   task.object.velocity = {};
   CHECK(planCapture(CaptureLimits{}, task).refusal == CaptureRefusal::kTooFast);
   task = paperTask(0.24);
-  task.object = {{1.0, 2.0}, {-0.3, 0.0}, 0.0};  // it leaves on a line that no first curve turns to
+  task.object = {{1.0, 2.0}, {-0.3, 0.0}, 0.0};  // it moves away on a line that no first curve reaches
   const CaptureAnswer none = planCapture(CaptureLimits{}, task);
   CHECK_FALSE(none.plan);
   task = paperTask(0.24);

@@ -36,7 +36,7 @@ TEST_CASE("wheels at plus and minus 1 m/s turn the robot by 2 / track, not 4 / t
     CHECK(twist.linear == Approx(PaperTables::kSpeeds[i]));
     const double radius = twist.linear / std::abs(twist.angular);
     CHECK(radius == Approx(3.75).epsilon(0.07));  // three printed digits
-    CHECK(radius / 2 < 2.1);                      // what (2) as printed would give
+    CHECK(radius / 2 < 2.1);                      // by (2) as printed
   }
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("the robot drives the radii of Tables 5 and 6 in the world", "[unit]")
   CHECK(both->end_error / single->end_error > 1.7);
 }
 
-// One name for two columns: the errors of Table 5 are those of the radius, and those of Table 6 are not.
+// The two columns have the same name, but only the errors of Table 5 are errors of the radius.
 TEST_CASE("the error column is of the radius in Table 5 and of something else in Table 6", "[unit]") {
   for (std::size_t i = 0; i < PaperTables::kSpeeds.size(); ++i) {
     const PaperTables::Single& one = PaperTables::kSingle[i];
@@ -89,14 +89,14 @@ TEST_CASE("the error column is of the radius in Table 5 and of something else in
   }
 }
 
-// Misprint: with k = 1 / r of (13), (14) would have the force fall with the square of the radius.
+// Misprint: with k = 1 / r from (13), the force in (14) would fall with the square of the radius.
 TEST_CASE("the side force of a curve is m v^2 / r, far below the grip", "[unit]") {
   const RobotModel robot = loadRobot("choi-lee-2005")->robot;
-  const double needed = 0.5 * 0.5 / 1.875;  // [m/s^2] of the tightest curve
+  const double needed = 0.5 * 0.5 / 1.875;  // [m/s^2] in the tightest curve
   CHECK(needed < 0.1 * robot.lateral_grip);
   const auto driven = driveCurve(setupOf(0.5, true));
   REQUIRE(driven);
-  // Measured in the world: the velocity's direction turns by v^2 / r over v.
+  // Measured in the world: the direction of the velocity turns at the rate v / r.
   const std::size_t n = 100;
   const Vec2 before = driven->trace[n].position - driven->trace[n - 1].position;
   const Vec2 after = driven->trace[n + 1].position - driven->trace[n].position;
@@ -132,7 +132,8 @@ TEST_CASE("a change at once is shorter by what both wheels need to change, in ti
   }
 }
 
-// The bands of Table 6: a radius 0.11 m larger makes the way 0.21 m longer and the end's error 0.28 m larger.
+// The bands of Table 6: a radius 0.11 m larger makes the path 0.21 m longer and the end's error 0.28 m
+// larger.
 TEST_CASE("the bands of distance and error of Table 6 follow from that of its radii", "[unit]") {
   CurveDriveSetup setup = setupOf(0.1, true);
   const auto driven = driveCurve(setup);
@@ -145,7 +146,7 @@ TEST_CASE("the bands of distance and error of Table 6 follow from that of its ra
   CHECK(wider->end_error - driven->end_error == Approx(0.28).margin(0.01));
 }
 
-// Erratum: (t - v / 2a) v is the way of a robot at constant speed.
+// Erratum: (t - v / 2a) v is the distance of a robot at constant speed.
 TEST_CASE("times and distances agree in Table 5 and contradict each other in Table 6", "[unit]") {
   for (std::size_t i = 0; i < PaperTables::kSpeeds.size(); ++i) {
     const double v = PaperTables::kSpeeds[i];
@@ -166,7 +167,7 @@ TEST_CASE("a law is judged on radii that it has not seen", "[unit]") {
   unseen.push_back({0.5, 2.0, 2.0 + 0.8 * 0.5 + 1.7 * 0.25 - 0.3});
   CHECK(judgedOn(law, unseen).worst == Approx(0.3));
   CHECK(judgedOn(law, unseen).rms == Approx(0.3 / std::sqrt(3.0)));
-  // Judged on its own radii, a fit has the errors that it came with.
+  // On its own radii, a fit has the same errors as before.
   CHECK(judgedOn(fitWidening(radiiOfTable6()), radiiOfTable6()).worst ==
         Approx(fitWidening(radiiOfTable6()).worst));
 }

@@ -57,9 +57,9 @@ TEST_CASE("the printed speed of Fig. 18 fixes turn, time and gap, and excludes t
   const auto printed = printedPlan();
   REQUIRE(printed);
   CHECK(printed->top_speed == Approx(0.546));
-  CHECK(printed->motion.duration() == Approx(27.235).margin(0.01));  // computed apart from this program
+  CHECK(printed->motion.duration() == Approx(27.235).margin(0.01));  // from an independent computation
   CHECK(printed->gap == Approx(0.153).margin(0.001));
-  // A smaller turn is slower, takes longer and ends farther behind.
+  // A smaller turn gives a lower speed, takes longer and ends farther behind.
   double time = printed->motion.duration(), gap = printed->gap;
   for (const double speed : {0.535, 0.52, 0.505}) {
     const auto plan = fig18Plan(fig18Turn(speed));
@@ -85,7 +85,7 @@ TEST_CASE("other errors of the sightings change the time of Fig. 18 by seconds, 
   std::sort(gaps.begin(), gaps.end());
   CHECK(times.back() - times.front() > 0.5);
   CHECK(gaps.back() - gaps.front() < 0.03);
-  // The first is the capture itself.
+  // The first run is the capture itself.
   CHECK(runs->front().time == pursue(fig18Setup(paperRobot(), 0.26, kNoise, 4))->time);
 }
 

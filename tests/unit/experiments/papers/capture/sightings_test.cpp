@@ -30,7 +30,7 @@ TEST_CASE("two exact sightings give place, speed and heading", "[unit]") {
   CHECK(distance(found.velocity, object.velocity) < 1e-12);
 }
 
-// Misprint: (17) lacks the square on its left side.
+// Misprint: the left side of (17) lacks the square.
 TEST_CASE("the law of cosines gives the way of the object, not its square", "[unit]") {
   const Sighting first{0.0, {}, 90 * kDegree, 3.0}, second{1.0, {}, 0.0, 4.0};
   const SightingTriangle triangle = triangleOf(first, second);
@@ -40,7 +40,7 @@ TEST_CASE("the law of cosines gives the way of the object, not its square", "[un
   CHECK(triangle.l3 == Approx(distance(placeOf(first), placeOf(second))));
 }
 
-// Misprint: (21) is right for a robot's heading of 90 degrees and a decreasing bearing only.
+// Misprint: (21) holds only for a robot's heading of 90 degrees and a decreasing bearing.
 TEST_CASE("the triangle gives the heading on both sides of the robot", "[unit]") {
   for (int i = 0; i < 60; ++i) {
     const ObjectMotion object{{2.0, 0.3}, math::unit(0.1 * i) * 0.3, 0.0};
@@ -56,14 +56,14 @@ TEST_CASE("the printed heading of the paper's own object is -135.8 degrees inste
   const Vec2 robot = fig18Robot().position;
   const Sighting first = sightingOf(object, robot, 0.0), second = sightingOf(object, robot, 2.0);
   const SightingTriangle triangle = triangleOf(first, second);
-  const double theta0 = second.bearing - fig18Robot().heading;  // the camera's pan
+  const double theta0 = second.bearing - fig18Robot().heading;  // pan of the camera
   const double printed = triangle.theta2 + triangle.theta3 + theta0 - math::kPi / 2;
   CHECK(math::wrapAngle(printed) / kDegree == Approx(-135.8).margin(0.1));
   CHECK(headingByTriangle(first, second) / kDegree == Approx(40.0));
 }
 
 TEST_CASE("the printed heading is right where the bearing decreases and the robot looks along y", "[unit]") {
-  const ObjectMotion object{{-1.0, 2.0}, math::unit(10 * kDegree) * 0.3, 0.0};  // crosses to the right
+  const ObjectMotion object{{-1.0, 2.0}, math::unit(10 * kDegree) * 0.3, 0.0};  // it crosses to the right
   const Sighting first = sightingOf(object, {}, 0.0), second = sightingOf(object, {}, 1.0);
   const SightingTriangle triangle = triangleOf(first, second);
   const double pan = second.bearing - 90 * kDegree;
@@ -84,7 +84,7 @@ TEST_CASE("least squares are exact without noise, from a moving robot too", "[un
 
 TEST_CASE("least squares of five sightings beat two, and weights beat none", "[unit]") {
   const ObjectMotion object{{4.0, 1.0}, {-0.1, 0.3}, 0.0};
-  const SightingNoise noise{0.01, 3 * kDegree};  // much worse across than along
+  const SightingNoise noise{0.01, 3 * kDegree};  // much worse across the line of sight than along it
   Rng rng(1, test::kTestStream, 4);
   double two = 0.0, five = 0.0, unweighted = 0.0;
   for (int n = 0; n < 300; ++n) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMargin = 0.4;
 
-/// Whether the path passes a place within half of `spacing`.
+/// Whether the route passes a place within half of `spacing`.
 bool covers(const CleaningRoute& route, Vec2 place, double spacing) {
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     if (distanceFromPart(place, route.points[i - 1], route.points[i]) <= spacing / 2 + 1e-9) return true;
@@ -40,7 +40,7 @@ TEST_CASE("a route goes to the wall ahead, round all walls, to the origin, over 
         const auto end = begin + static_cast<std::ptrdiff_t>(route.round_ends);
         CHECK(std::find(begin, end, corner) != end);
       }
-      // Along the walls means perpendicular to the others, where echoes are best.
+      // Parts along the walls are parallel to an axis, so that echoes of the other walls are best.
       for (std::size_t i = 1; i < route.points.size(); ++i) {
         const Vec2 part = route.points[i] - route.points[i - 1];
         CHECK(std::min(std::abs(part.x), std::abs(part.y)) < 1e-9);
@@ -67,7 +67,7 @@ TEST_CASE("a driver follows its route through jumps of its pose", "[unit]") {
     const Twist twist = driver.drive(pose);
     pose.position += math::unit(pose.heading) * (twist.linear * 0.05);
     pose.heading = math::wrapAngle(pose.heading + twist.angular * 0.05);
-    if (ticks % 100 == 99) pose.position.y += 0.025;  // a correction
+    if (ticks % 100 == 99) pose.position.y += 0.025;  // a correction of the pose
     const std::size_t part = std::min<std::size_t>(driver.part(), 1);
     worst =
         std::max(worst, distanceFromPart(pose.position, driver.points()[part], driver.points()[part + 1]));

@@ -52,7 +52,7 @@ TEST_CASE("dead reckoning alone leaves the path", "[unit]") {
 TEST_CASE("perfect sensors keep any scheme on the path, so that deviations come from the sensors", "[unit]") {
   CleaningTask task = someRooms().tasks.front();
   task.rover = cleaningRobot();
-  task.spread.range_noise = 1e-3;  // the robot expects some
+  task.spread.range_noise = 1e-3;  // the robot expects some noise
   for (const Scheme scheme : kSchemes) {
     const auto run = runCleaning(task, scheme);
     REQUIRE(run);
@@ -99,7 +99,7 @@ TEST_CASE("what a robot is told changes what it believes, not its sensors", "[un
   const CleaningTask task = randomRooms(1, 301, {}).tasks.front();
   CleaningTask told = task;
   told.spread.wheel_slip *= 3, told.spread.gyro_scale *= 3;
-  // Dead reckoning does not ask for these figures; the filter does.
+  // The filter uses these values, dead reckoning does not.
   CHECK(runCleaning(told, Scheme::kDeadReckoning)->max_deviation ==
         runCleaning(task, Scheme::kDeadReckoning)->max_deviation);
   CHECK_FALSE(runCleaning(told, Scheme::kEkf)->max_deviation ==
@@ -134,7 +134,7 @@ TEST_CASE("wrong figures: a row per case and scheme; the filter breaks down when
   REQUIRE(cases.size() == 2);
   const auto runs = runWrongFigures(cases, 2, 305, {}, 2, {});
   REQUIRE(runs);
-  REQUIRE(runs->size() == 4);  // by case, the paper's scheme and the filter
+  REQUIRE(runs->size() == 4);  // per case, the paper's scheme and the filter
   const ReportTable table = wrongTable(*runs);
   REQUIRE(table.rows.size() == 4);
   for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());

@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-/// Both robots of the S path, whose messages a test passes on itself.
+/// Both robots of the S path. The test delivers their messages.
 struct Scene {
   TransportTask task = builtInTransport("s-path");
   CarrierTimes times;
@@ -52,7 +52,7 @@ TEST_CASE("a step is START, VELOCITY, RUNTIME, both run, DONE, START", "[unit]")
   CHECK(s.lead.running());
   CHECK(s.follower.running());
   s.out.clear();
-  for (double t = 0.001; t < 0.05; t += 0.001) {  // beats of both
+  for (double t = 0.001; t < 0.05; t += 0.001) {  // beats of both robots
     Message from_lead = beat;
     s.lead.hear(from_lead, t, s.out);
     s.follower.hear(from_lead, t, s.out);
@@ -72,7 +72,7 @@ TEST_CASE("old and repeated messages change nothing", "[unit]") {
   Scene s;
   const Message start = s.start();
   const Message velocity = s.answer(s.lead, start);
-  s.lead.hear(start, 0.001, s.out);  // the same START again
+  s.lead.hear(start, 0.001, s.out);  // the same kStart again
   CHECK(s.out.empty());
   const Message runtime = s.answer(s.follower, velocity);
   s.follower.hear(velocity, 0.001, s.out);
@@ -113,7 +113,7 @@ TEST_CASE("a robot that hears no beat stops within its patience", "[unit]") {
   while (s.lead.running()) s.lead.wake(s.lead.alarm(), s.out);
   CHECK(s.lead.aborts() == 1);
   CHECK(s.lead.placeAt(1.0).q - 0.8 == Approx(0.08 * s.times.patience));
-  // The follower has not heard that the lead is ready: it does not start at all.
+  // The follower has not heard that the lead is ready, so it does not start.
   s.out.clear();
   s.follower.wake(s.follower.alarm(), s.out);
   CHECK_FALSE(s.follower.running());
@@ -122,7 +122,7 @@ TEST_CASE("a robot that hears no beat stops within its patience", "[unit]") {
 
 TEST_CASE("a slave that cannot follow becomes master, the master slave", "[unit]") {
   Scene s;
-  // Shortly before the first exchange: the follower would need more than 10 cm/s.
+  // Shortly before the first exchange of roles: the follower would need more than 10 cm/s.
   s.task.lead = 8.108;
   s.task.follower = onRod(s.task.path, s.task.path.pose(8.108).position, {0, 0.34}, 0.8);
   s.lead = Carrier(s.task, s.times, CarrierId::kLead, {});

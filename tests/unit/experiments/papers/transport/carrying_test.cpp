@@ -12,7 +12,7 @@
 namespace fulbito {
 namespace {
 
-/// A row of the independently computed table of the S path: cm and seconds.
+/// A row of an independently computed table of the S path, in cm and s.
 struct Golden {
   double time;
   SwitchCause cause;
@@ -97,7 +97,7 @@ TEST_CASE("the new master goes on in the direction in which it went", "[unit]") 
     while (row + 1 < work.rows.size() && work.rows[row + 1].time < s.time) ++row;
     const double before =
         s.master == CarrierId::kLead ? work.rows[row].lead_speed : work.rows[row].follower_speed;
-    // A corner may turn a robot that hardly moves.
+    // At a corner a robot that hardly moves may turn.
     if (std::abs(before) > 0.01) CHECK(before * s.direction > 0.0);
   }
 }
@@ -151,7 +151,7 @@ TEST_CASE("random paths are carried exactly if the curve arrives", "[unit]") {
     printed.habits.slow = false;
     deadlocks += carry(task, printed).end == StopReason::kDeadlock ? 1 : 0;
   }
-  // The printed rules hand the role to and fro: docs/papers.md.
+  // With the printed rules the robots exchange roles without progress: docs/papers.md.
   CHECK(deadlocks > 0);
 }
 
@@ -171,7 +171,7 @@ TEST_CASE("lost and late messages cost time, not the rod", "[unit]") {
 
 TEST_CASE("at any instant a cut in either direction stops both robots in time, and they go on", "[unit]") {
   for (int i = 0; i < 4; ++i) {
-    const double from = 91.253 + 0.0213 * i;  // around the first exchange of roles too
+    const double from = 91.253 + 0.0213 * i;  // includes the first exchange of roles
     for (const auto& [lead, follower] : {std::pair{true, true}, {true, false}, {false, true}}) {
       const Carrying work = carryS(withOutage(from, from + 2.0, lead, follower));
       CHECK(work.end == StopReason::kArrived);

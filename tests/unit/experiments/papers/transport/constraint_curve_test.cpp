@@ -14,7 +14,7 @@ namespace {
 
 TransportTask taskOf(const std::string& text) { return parseTransport(text, "test").value(); }
 
-/// A line of 2 m, then a U of the given radius, then a line back.
+/// A line of 2 m, a U of the given radius, and a line back.
 TransportTask turnBack(double radius_cm) {
   const std::string top = std::to_string(2 * radius_cm);
   return taskOf("rod 80\nline 0 0 0\narc 200 " + std::to_string(radius_cm) + " 180\nline 200 " + top +
@@ -36,7 +36,7 @@ TEST_CASE("the curve of the S path arrives; every point is a rod's length", "[un
   for (const CurvePoint& point : curve.points) worst = std::max(worst, std::abs(rodAt(task, point) - 0.8));
   CHECK(worst < 1e-9);
   CHECK(curve.points.back().lead.q == Approx(task.path.length()));
-  // 24.16 m by each robot, forward and backward.
+  // Each robot drives 24.16 m, forward and backward.
   double lead = 0.0;
   for (std::size_t i = 1; i < curve.points.size(); ++i)
     lead += std::abs(curve.points[i].lead.q - curve.points[i - 1].lead.q);
@@ -54,7 +54,7 @@ TEST_CASE("finer steps find the same end", "[unit]") {
 }
 
 TEST_CASE("what the robots cannot pass is refused with reason and place", "[unit]") {
-  // The leading robot rounds a bend and comes back beside the other one, which then has to back up.
+  // The leading robot rounds a bend and comes back beside the other robot, which must then drive backward.
   const TransportTask task = taskOf("rod 80\nline 0 0 0\narc 100 25 180\nline 100 50 180\nend -300 50");
   const ConstraintCurve curve = traceCurve(task);
   REQUIRE_FALSE(curve.arrives());
@@ -66,7 +66,7 @@ TEST_CASE("what the robots cannot pass is refused with reason and place", "[unit
 }
 
 TEST_CASE("a rod across both ways is a branch", "[unit]") {
-  // Two parallel lines, the rod's length apart: opposite each other, both may go either way.
+  // Two parallel lines at a rod's length. When the robots are opposite each other, both may move either way.
   TransportTask task = turnBack(40.0);
   const ConstraintCurve curve = traceCurve(task);
   CHECK(curve.end == CurveEnd::kBranch);

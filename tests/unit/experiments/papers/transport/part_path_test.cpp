@@ -47,7 +47,7 @@ TEST_CASE("the nearest point is found on lines, arcs and their ends", "[unit]") 
   CHECK(path.nearest({2.0, 0.5}) == Approx(1.0 + math::kPi / 4));
   CHECK(path.nearest({-1.0, -1.0}) == 0.0);
   CHECK(path.nearest({1.0, 9.0}) == Approx(path.length()));
-  // A right turn is measured the other way round.
+  // For a right turn, angles count in the opposite sense.
   const Arc right{{{0.0, 0.0}, math::kPi / 2}, -1.0, math::kPi / 2};
   CHECK(nearestOn(right, Vec2{1.0, 0.0} + math::unit(2.0) * 3.0) == Approx(math::kPi - 2.0));
   CHECK(nearestOn(right, {0.2, -1.0}) == Approx(0.0));

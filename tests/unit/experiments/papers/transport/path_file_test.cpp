@@ -64,7 +64,7 @@ TEST_CASE("points are fitted, and settings have defaults", "[unit]") {
 }
 
 TEST_CASE("a length ends a line before a corner", "[unit]") {
-  // The foot of the arc's centre would be at 200.
+  // The foot of the perpendicular from the arc's centre would be at 200.
   const auto task = parseTransport("line 0 0 0 150\narc 200 0 -90\n", "p");
   REQUIRE(task);
   CHECK(task->path.length() == Approx(1.5 + 0.5 * math::kPi / 2));

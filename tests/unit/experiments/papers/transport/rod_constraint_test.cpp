@@ -11,7 +11,7 @@
 namespace fulbito {
 namespace {
 
-/// A line as the paper has it: a reference point, a slope, and the distance from the point.
+/// A line in the paper's form: a reference point, a slope, and the distance from the point.
 struct PaperLine {
   Vec2 at;
   double slope;
@@ -20,8 +20,8 @@ struct PaperLine {
   Vec2 point() const { return at + math::unit(slope) * s; }
 };
 
-/// An arc as the paper has it: a centre, a radius, and the angle from it to the robot; its speed is r times
-/// the angle's rate.
+/// An arc in the paper's form: a centre, a radius, and the angle of the robot about the centre. Its speed is
+/// r times the rate of the angle.
 struct PaperArc {
   Vec2 centre;
   double radius;
@@ -37,7 +37,7 @@ Arc partOf(const PaperArc& arc) {
   return {{arc.point(), math::wrapAngle(arc.angle + math::kPi / 2)}, 1.0 / arc.radius, 1.0};
 }
 
-// A path whose parts the places extend from: each place is the beginning of its part.
+// The relation of the speeds when each robot is at the beginning of its part.
 double relation(const Arc& master, const Arc& slave, double master_speed) {
   const PartPath path({master, slave});
   const RodView view = viewRod(path, placeOn(0), {1, path.from(1)});
@@ -53,7 +53,7 @@ struct Draws {
   PaperArc arc() { return {point(), random.uniform(0.2, 2.0), angle()}; }
 };
 
-// (4) of the paper: v_c left = v_s right. The printed and the corrected left side.
+// (4) of the paper: v_c left = v_s right, with the printed and the corrected left side.
 double right4(const PaperArc& c, const PaperLine& l) {
   const Vec2 d = c.centre - l.at;
   return c.radius * math::cos(l.slope - c.angle) - l.s + dot(math::unit(l.slope), d);
@@ -67,7 +67,7 @@ double correctedLeft4(const PaperArc& c, const PaperLine& l) {
   return math::cos(c.angle) * d.y - math::sin(c.angle) * d.x - l.s * math::sin(l.slope - c.angle);
 }
 
-// How fast the distance of two points changes that move along their parts, by central differences.
+// The rate of the distance between two points that move along their parts, by central differences.
 double stretch(const Arc& a, double va, const Arc& b, double vb) {
   constexpr double kTime = 1e-5;
   const auto apart = [&](double t) {
@@ -134,7 +134,7 @@ TEST_CASE("line and arc: (3) and (4) as printed stretch the rod", "[unit]") {
     right += std::abs(stretch(partOf(arc), kSpeed, partOf(line), printed)) < 1e-3 ? 1 : 0;
   }
   CHECK(right <= 3);
-  // On the S path's first arc: follower at 3.5 m on the line, lead 60 degrees around.
+  // The first arc of the S path: the follower at 3.5 m on the line, the lead 60 degrees along the arc.
   const PaperArc arc{{4.0, 0.25}, 0.25, -math::kPi / 6};
   const PaperLine line{{0.0, 0.0}, 0.0, 3.5};
   CHECK(correctedLeft4(arc, line) / right4(arc, line) == Approx(0.65108).margin(1e-5));

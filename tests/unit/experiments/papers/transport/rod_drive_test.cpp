@@ -59,7 +59,7 @@ TEST_CASE("two robots carry a real rod along the S path", "[unit]") {
   CHECK(drive->peak_force < 5.0);
 }
 
-// docs/papers.md: why a centre is faster than the limit.
+// docs/papers.md explains why a centre is faster than the limit.
 TEST_CASE("only catching up makes a centre faster than the limit of its reference", "[unit]") {
   const TransportTask task = builtInTransport("s-path");
   const RodWorld world = rodWorldFor(task);
@@ -86,7 +86,7 @@ TEST_CASE("the controller steers back to the path and goes ahead to its place", 
   CHECK(control.command(path, at, {{0.9, 0.0}, 0.0}).linear > 0.2);
   CHECK(control.command(path, at, {{1.0, 0.05}, 0.0}).angular < 0.0);
   CHECK(control.command(path, at, {{1.0, 0.0}, 0.1}).angular < 0.0);
-  // Backward, a turn moves the robot to the other side.
+  // Backward, the same turn moves the robot to the other side.
   CHECK(control.command(path, {{0, 1.0}, -0.2}, {{1.0, 0.05}, 0.0}).angular > 0.0);
 }
 

@@ -28,7 +28,7 @@ double numberIn(const ReportTable& table, std::size_t row, const std::string& na
   return std::get<double>(table.rows[row][static_cast<std::size_t>(column - table.columns.begin())]);
 }
 
-/// The picture of the S path has the paper's eight steps, in order, and the roles' colours.
+/// Checks that the picture of the S path has the paper's eight steps in order, and the colours of the roles.
 void checkSteps(const ReportScene& scene) {
   REQUIRE(scene.moments.size() == 8);
   REQUIRE(scene.roles.rows.size() == scene.page.rows.size());
@@ -40,7 +40,7 @@ void checkSteps(const ReportScene& scene) {
   }
   CHECK(scene.roles.rows[scene.moments[0].row][0] == 0);  // the lead is master first
   CHECK(scene.roles.rows[scene.moments[3].row][0] == 0);
-  CHECK(scene.roles.rows[scene.moments[4].row][0] == 1);  // the one exchange of Table 1
+  CHECK(scene.roles.rows[scene.moments[4].row][0] == 1);  // the only exchange in Table 1
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ TEST_CASE("all bars of the experiment hold but for two", "[unit]") {
   REQUIRE(one);
   for (const PaperFigure& figure : one->figures) {
     CAPTURE(figure.id, figure.ours);
-    // What does not come out, with the reason on docs/papers.md.
+    // Figures outside their bands; docs/papers.md has the reasons.
     const bool known = figure.id == "maze-printed" || figure.id == "real-centre-speed";
     CHECK(figure.inside() != known);
   }
@@ -65,7 +65,7 @@ TEST_CASE("all bars of the experiment hold but for two", "[unit]") {
     CHECK_FALSE(table.rows.empty());
     for (const auto& row : table.rows) CHECK(row.size() == table.columns.size());
   }
-  // Speeds that jump, five times as fast as the paper's, are more than the wheels can hold.
+  // The wheels cannot follow the steps of the speed at five times the paper's speeds.
   const ReportTable& real = tableOf(*one, "real-rod");
   REQUIRE(real.rows.size() == 6);
   CHECK(numberIn(real, 3, "limit_cm_per_s") == Approx(40.0));

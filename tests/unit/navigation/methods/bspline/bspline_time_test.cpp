@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-/// Seeds other than the survey's.
+/// Drives layouts whose seeds differ from the survey's.
 test::Survey drive(int runs, double speed, test::LayoutMaker layout) {
   test::SurveyTask task;
   task.layout = std::move(layout);

@@ -69,7 +69,8 @@ TEST_CASE("a moving disc counts where it will be when the robot comes by", "[uni
   disc.moves = true;
   SplineTask crossing = task(1.0);
   crossing.discs = std::span<const ForecastDisc>(&disc, 1);
-  // The robot is in the middle after 0.6 s, as the disc is; one that crosses at x = -0.4 meets nobody.
+  // The robot and the disc are in the middle after 0.6 s. A disc that crosses at x = -0.4 does not meet the
+  // robot.
   CHECK(SplineCost(crossing)(straight({-0.5, 0.0}, {0.5, 0.0})).clearance < 0.0);
   disc.position.x = -0.4;
   CHECK(SplineCost(crossing)(straight({-0.5, 0.0}, {0.5, 0.0})).clearance == crossing.clearance_wish);

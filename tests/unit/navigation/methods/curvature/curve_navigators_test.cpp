@@ -19,7 +19,7 @@ FieldGeometry hall() {
   return field;
 }
 
-/// The robot stands at the origin and looks along y, as in Choi & Lee (2005).
+/// A scene with the robot at the origin facing along y, as in Choi & Lee (2005).
 NavigationScene paperScene(const FieldGeometry& field, const RobotModel& robot, Vec2 goal) {
   NavigationScene scene;
   scene.field = &field;
@@ -29,7 +29,7 @@ NavigationScene paperScene(const FieldGeometry& field, const RobotModel& robot, 
   return scene;
 }
 
-/// Whether the robot arrives from many poses, also with the goal behind it.
+/// Number of arrivals from many poses, including some with the goal behind the robot.
 int arrivals(const char* navigator, bool with_heading, const RobotModel& robot) {
   const auto pilot = makePilot(*parseNavigator(navigator));
   int arrived = 0;

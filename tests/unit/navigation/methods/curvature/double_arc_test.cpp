@@ -9,11 +9,11 @@ namespace fulbito {
 namespace {
 
 constexpr double kDegree = math::kPi / 180;
-const Pose2 kStart{{0.0, 0.0}, 90 * kDegree};  // of all trajectories of Choi & Lee (2005)
+const Pose2 kStart{{0.0, 0.0}, 90 * kDegree};  // start of all trajectories in Choi & Lee (2005)
 
 }  // namespace
 
-// Table 1 does not fit together: it gives R = 3.75 m, a turn of 109.65 degrees and the end (5, 4, 109.6
+// Table 1 contradicts itself: it gives R = 3.75 m, a turn of 109.65 degrees and the end (5, 4, 109.6
 // degrees).
 TEST_CASE("the single arc of Table 1 ends 0.47 m below the printed place, and heads elsewhere", "[unit]") {
   const Arc printed{kStart, -1 / 3.75, 3.75 * 109.65 * kDegree};
@@ -29,9 +29,9 @@ TEST_CASE("the single arc of Table 1 ends 0.47 m below the printed place, and he
   CHECK(endOf(through).heading == Approx(-12.68 * kDegree).epsilon(1e-3));
 }
 
-// Table 1 does not fit together: it gives R = 1.875 m and the centres (1.87, 0) and (3.13, 4).
+// Table 1 contradicts itself: it gives R = 1.875 m and the centres (1.87, 0) and (3.13, 4).
 TEST_CASE("the double arcs of Table 1 do not touch; those to its end have a radius of 2.05 m", "[unit]") {
-  CHECK(distance(Vec2{1.87, 0.0}, Vec2{3.13, 4.0}) == Approx(4.19).epsilon(1e-3));  // over 2 * 1.875
+  CHECK(distance(Vec2{1.87, 0.0}, Vec2{3.13, 4.0}) == Approx(4.19).epsilon(1e-3));  // more than 2 * 1.875
   const DoubleArc arcs = doubleArc(kStart, {{5.0, 4.0}, 90 * kDegree});
   CHECK(arcs.first.curvature == Approx(-1 / 2.05));
   CHECK(arcs.second.curvature == Approx(1 / 2.05));

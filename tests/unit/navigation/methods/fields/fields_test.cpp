@@ -14,7 +14,7 @@ namespace {
 
 double gap(double a, double b) { return std::abs(math::wrapAngle(a - b)); }
 
-/// A robot at (-0.5, 0) with the goal at (0.5, 0) and one ball at the centre unless told otherwise.
+/// A robot at (-0.5, 0) with the goal at (0.5, 0) and, by default, one ball at the centre.
 struct Stage {
   RobotModel robot = test::paperRobot(1.0);
   FieldGeometry field;
@@ -27,7 +27,7 @@ struct Stage {
     scene.field = &field;
     scene.robot = &robot;
   }
-  /// Field of the navigator after one look at the scene.
+  /// The navigator's field after one plan for the scene.
   const HeadingField& look(Navigator& navigator) {
     scene.obstacles = obstacles;
     return *navigator.plan(scene).field;
@@ -58,7 +58,7 @@ TEST_CASE("the ring field is radial inside, the goal field outside and blends be
   const HeadingField& look = stage.look(field);
   CHECK(gap(look.heading({0.0, 0.09}), math::kPi / 2) < 1e-12);
   CHECK(gap(look.heading({0.0, 0.151}), math::angleOf({0.5, -0.151})) < 1e-12);
-  const Vec2 p{0.0, 0.125};  // half way: half way between 90 degrees and the bearing
+  const Vec2 p{0.0, 0.125};  // halfway: the mean of 90 degrees and the bearing
   CHECK(gap(look.heading(p), (math::kPi / 2 + math::angleOf(stage.scene.goal.position - p)) / 2) < 1e-9);
 }
 
@@ -83,7 +83,8 @@ TEST_CASE("the univector field blends along the shorter arc across pi", "[unit]"
   Stage stage;
   stage.scene.goal.position = {-0.5, -0.01};
   Univector field({.d_min = 0.09, .delta = 0.10, .k0 = 0.0});
-  // To the goal -179 degrees, away from the obstacle at (0.2, -0.05) 170 degrees: between them, not near 0.
+  // -179 degrees to the goal, 170 degrees away from the obstacle at (0.2, -0.05): the blend is between them,
+  // not near 0.
   stage.obstacles = {{{0.2, -0.05}, 0.0335, {}}};
   const double heading = stage.look(field).heading({0.1, -0.0324});
   CHECK(std::abs(heading) > math::kPi - 0.2);
@@ -93,11 +94,11 @@ TEST_CASE("the virtual obstacle is shifted by the relative velocity, at most by 
   Stage stage;
   stage.obstacles[0].velocity = {0.0, 1.0};
   Univector field({.d_min = 0.09, .delta = 0.05, .k0 = 0.05});
-  // Shifted to (0, 0.05).
+  // The virtual obstacle is shifted to (0, 0.05).
   CHECK(gap(stage.look(field).heading({0.08, 0.05}), 0.0) < 1e-12);
-  // Nearer than the shift: shifted by the distance 0.03 only, to (0, 0.03).
+  // Nearer than the shift: it is shifted only by the distance 0.03, to (0, 0.03).
   CHECK(gap(stage.look(field).heading({0.03, 0.0}), -math::kPi / 4) < 1e-12);
-  // The robot's own velocity counts the other way.
+  // The robot's own velocity counts with the opposite sign.
   stage.obstacles[0].velocity = {};
   stage.scene.self.velocity = {0.0, -1.0};
   CHECK(gap(stage.look(field).heading({0.08, 0.05}), 0.0) < 1e-12);
@@ -120,14 +121,14 @@ TEST_CASE("the side held at the saddle outlasts a change of the nearer side for 
 TEST_CASE("the switches for goals near obstacles narrow and drop the obstacle", "[unit]") {
   Stage stage;
   const Vec2 p{0.5, 0.2};
-  stage.obstacles[0].position = {0.38, 0.0};  // 3 cm more than d_min from the goal
+  stage.obstacles[0].position = {0.38, 0.0};  // its distance to the goal is d_min + 3 cm
   const auto turned = [&](Univector::Params params) {
     Univector field(params);
     return gap(stage.look(field).heading(p), math::angleOf(stage.scene.goal.position - p));
   };
   CHECK(turned({.delta = 0.10, .k0 = 0.0}) > 0.5);
   CHECK(turned({.delta = 0.10, .k0 = 0.0, .shrink = true}) < 1e-6);
-  CHECK(turned({.delta = 0.10, .k0 = 0.0, .ignore_beyond = true}) < 1e-12);  // 23 cm against 20
+  CHECK(turned({.delta = 0.10, .k0 = 0.0, .ignore_beyond = true}) < 1e-12);  // 23 cm away, the goal 20 cm
 }
 
 TEST_CASE("the tangent rule heads for the tangent on the line's side", "[unit]") {
@@ -138,7 +139,7 @@ TEST_CASE("the tangent rule heads for the tangent on the line's side", "[unit]")
   const Vec2 p{-0.5, 0.0};
   const double d = std::sqrt(0.25 + 0.0004);
   CHECK(gap(look.heading(p), math::atan2(0.02, 0.5) - math::asin(0.087 / d)) < 1e-9);
-  CHECK(gap(look.heading({0.1, -0.08}), math::angleOf({0.4, 0.08})) < 1e-12);  // passed
+  CHECK(gap(look.heading({0.1, -0.08}), math::angleOf({0.4, 0.08})) < 1e-12);  // the obstacle is passed
 }
 
 TEST_CASE("the tangent rule does not see obstacles out of range or beyond the goal", "[unit]") {
@@ -155,7 +156,7 @@ TEST_CASE("an orbit is a circle at its radius and drawn in and out beside it", "
   CHECK(gap(orbitHeading({0.1, 0.0}, 0.1, 2.0, false), math::kPi / 2) < 1e-12);
   // At twice the radius the pull is mu * (1 - 4) = -6 against 1 along.
   CHECK(gap(orbitHeading({0.2, 0.0}, 0.1, 2.0, true), math::atan2(-1.0, -6.0)) < 1e-12);
-  // At half of it 2 * 0.75 outward.
+  // At half of it the pull is 2 * 0.75 outward.
   CHECK(gap(orbitHeading({0.05, 0.0}, 0.1, 2.0, false), math::atan2(1.0, 1.5)) < 1e-12);
 }
 
@@ -194,8 +195,8 @@ TEST_CASE("near a wall the orbit for an arrival heading is smaller", "[unit]") {
   stage.scene.goal.position = {0.0, 0.65 - 0.16};
   stage.scene.goal.heading = 0.0;
   stage.scene.self.pose.position = {0.2, 0.55};
-  // 16 cm from the wall: an orbit of 5 cm and the body's 5.3 cm fit, one of 10 or 7.5 cm does not. On the
-  // orbit's top the field points back along it.
+  // 16 cm from the wall there is room for an orbit of 5 cm and the body's 5.3 cm, but not for one of 10 or
+  // 7.5 cm. At the top of the orbit the field points backward along it.
   LimitCycle field({.posture_radius = 0.10});
   CHECK(gap(stage.look(field).heading({0.0, 0.65 - 0.06}), math::kPi) < 1e-9);
   stage.scene.goal.position.y = 0.0;
@@ -214,7 +215,7 @@ TEST_CASE("every heading field keeps what every navigator promises", "[unit]") {
 }
 
 TEST_CASE("the fields fare corner to corner as the bench page says", "[unit]") {
-  // Of 50 layouts at 0.6 m/s; the untuned wide fields lose many runs at the saddles in front of obstacles.
+  // Of 50 layouts at 0.6 m/s. The wide fields that are not tuned fail in many saddles in front of obstacles.
   CHECK(safeRuns("tangent-field", 50, 0.6) >= 49);
   CHECK(safeRuns("limit-cycle", 50, 0.6) >= 47);
   CHECK(safeRuns("vector-field:offset=0.10,width=0.05", 50, 0.6) == Approx(40).margin(8));

@@ -38,7 +38,8 @@ TEST_CASE("one obstacle bulges the curve by half the distance of its control poi
 }
 
 TEST_CASE("four obstacles on one side bulge the curve by 0.94 of that distance", "[unit]") {
-  // The middle of a curve of degree five has weight 1/32 on each end: 30/32 of the four control points.
+  // At the middle of a curve of degree five each end has the weight 1/32, so the four inner control points
+  // have 30/32.
   const Vec2 from{-0.5, 0.0}, to{0.5, 0.0};
   std::array<Vec2, 6> control{from, {}, {}, {}, {}, to};
   for (std::size_t i = 1; i <= 4; ++i) {
@@ -68,7 +69,7 @@ TEST_CASE("a Bezier curve stays in the hull of its control points", "[unit]") {
 }
 
 TEST_CASE("the segment AB stands across the line to the obstacle in every direction", "[unit]") {
-  // As printed, with theta = pi - phi it would stand at 130, 170 and 180 degrees for phi = 20, 40, 45.
+  // With theta = pi - phi as printed, the angle would be 130, 170 and 180 degrees for phi = 20, 40 and 45.
   const Vec2 robot{0.2, -0.1};
   for (int degrees = 0; degrees < 360; degrees += 5) {
     const Vec2 line{std::cos(degrees * kDegree), std::sin(degrees * kDegree)};
@@ -77,7 +78,8 @@ TEST_CASE("the segment AB stands across the line to the obstacle in every direct
     CHECK(dot(ends.a - ends.b, line) == Approx(0.0).margin(1e-12));
     CHECK(cross(line, ends.a - obstacle.centre) == Approx(3.0 * 0.0335 + 0.01));  // r is the radius
     CHECK(distance(ends.a, ends.b) == Approx(2.0 * (3.0 * 0.0335 + 0.01)));
-    // Mended, phi = atan2(B - O) puts the control point on B's side, in all 36 directions and between.
+    // The corrected phi = atan2(B - O) puts the control point on B's side, in all 36 directions and between
+    // them.
     const Vec2 to_b = controlPoint(robot, obstacle.centre, -1, 0.33) - obstacle.centre;
     CHECK(norm(to_b) == Approx(0.33));
     CHECK(cross(to_b, ends.b - obstacle.centre) == Approx(0.0).margin(1e-12));
@@ -88,7 +90,7 @@ TEST_CASE("the segment AB stands across the line to the obstacle in every direct
 TEST_CASE("obstacles are selected whose segment AB the line crosses, in the order along it", "[unit]") {
   const Vec2 robot{-0.6, 0.0}, goal{0.6, 0.0};
   const std::vector<Circle> obstacles{
-      {{0.3, 0.05}, 0.0335},    // on the line: within 3 r
+      {{0.3, 0.05}, 0.0335},    // on the line
       {{-0.2, -0.09}, 0.0335},  // still within 3 r = 10.05 cm
       {{0.0, 0.15}, 0.0335},    // too far beside it
       {{0.9, 0.0}, 0.0335},     // behind the goal

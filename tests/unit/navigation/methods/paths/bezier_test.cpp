@@ -91,8 +91,8 @@ TEST_CASE("the guarded curve keeps its clearance where the printed method mostly
   CHECK(bezier.counts().plans == layouts);
   CHECK(bezier.counts().tight == 0);
   CHECK(bezier.counts().tangent == 0);
-  // The printed method's missing collision test (docs/papers.md): 81 to 90 % come nearer than the half width,
-  // 91 to 100 % nearer than the whole circle.
+  // Without the collision test that the printed method lacks (docs/papers.md), 81 to 90 % come nearer than
+  // the half width, and 91 to 100 % nearer than the circumscribed circle.
   INFO("raw: " << raw_half_width_hits << " nearer than the half width, " << raw_hits << " than the circle");
   CHECK(raw_half_width_hits >= layouts * 75 / 100);
   CHECK(raw_hits > raw_half_width_hits);
@@ -139,7 +139,7 @@ TEST_CASE("where no curve fits the tangent graph's path is driven, and counted",
   scene.robot = &robot;
   scene.self.pose.position = {-0.4, -0.4};
   scene.goal.position = {0.4, -0.4};
-  // A wall across the lower field with its only gap at the top: too far round for four control points.
+  // A wall across the lower field whose only gap is at the top, too far round for four control points.
   std::vector<DiscObstacle> obstacles;
   for (double y = -0.65; y < 0.45; y += 0.07) obstacles.push_back({{0.0, y}, 0.05, {}});
   for (double x = -0.2; x < 0.0; x += 0.07) obstacles.push_back({{x, 0.42}, 0.05, {}});

@@ -42,7 +42,8 @@ std::vector<Circle> randomCircles(Rng& rng, std::size_t count, double least, dou
   return circles;
 }
 
-/// Scenes where two edges all but touch, or a point lies at an edge, decide on the last digits of the oracle.
+/// Whether no two edges nearly touch and no point is near an edge. Otherwise the last digits of the reference
+/// solution decide.
 bool clearCut(const std::vector<Circle>& circles, Vec2 a, Vec2 b) {
   const double band = 1e-3;
   for (std::size_t i = 0; i < circles.size(); ++i) {
@@ -77,17 +78,18 @@ TEST_CASE("the way round one disc is two tangents and an arc", "[unit]") {
   const double d = 1.0, r = 0.4;
   const double expected = 2.0 * std::sqrt(d * d - r * r) + r * (math::kPi - 2.0 * std::acos(r / d));
   CHECK(shortest({-d, 0.0}, {d, 0.0}, {{{0.0, 0.0}, r}}) == Approx(expected).epsilon(1e-12));
-  // Off the axis the shorter side is taken.
+  // Off the axis the path takes the shorter side.
   TangentGraph graph;
   REQUIRE(graph.search({-1.0, 0.0}, {1.0, 0.0}, std::vector<Circle>{{{0.0, -0.1}, r}}));
   REQUIRE(graph.passes().size() == 1);
-  CHECK(graph.passes()[0].side == -1);  // passes above the disc: clockwise, the disc on the right
+  CHECK(graph.passes()[0].side == -1);  // passes above the disc: clockwise, with the disc on the right
   CHECK(graph.passes()[0].sweep > 0.0);
   CHECK(distance(graph.passes()[0].entry, {0.0, -0.1}) == Approx(r));
 }
 
 TEST_CASE("the way between two discs is a crossed belt", "[unit]") {
-  // Discs above and below the axis force an S: the inner tangent of equal radii has length sqrt(D^2 - 4 r^2).
+  // Discs above and below the axis force an S. The inner tangent of equal radii has the length sqrt(D^2 - 4
+  // r^2).
   const double r = 0.3;
   const Vec2 below{-1.0, -0.2}, above{1.0, 0.2}, a{-2.0, -0.2}, b{2.0, 0.2};
   const double apart = distance(below, above), inner = std::sqrt(apart * apart - 4.0 * r * r);
@@ -101,7 +103,7 @@ TEST_CASE("the way between two discs is a crossed belt", "[unit]") {
 }
 
 TEST_CASE("overlapping discs are passed as one", "[unit]") {
-  // Three equal discs in a wall across the way, overlapping: over the top of the uppermost.
+  // Three equal, overlapping discs form a wall across the way. The path leads over the uppermost one.
   const double r = 0.3;
   const std::vector<Circle> wall{{{0.0, -0.5}, r}, {{0.0, 0.0}, r}, {{0.0, 0.4}, r}};
   const double d = std::sqrt(1.0 + 0.16);
@@ -135,14 +137,14 @@ TEST_CASE("a disc that holds the start or the goal is shrunk to its edge", "[uni
   CHECK(graph.length() == Approx(expected).epsilon(1e-5));
   REQUIRE(graph.passes().size() == 1);
   CHECK(graph.passes()[0].radius == Approx(0.3));
-  // At the very centre nothing is left of it.
+  // A start at the centre shrinks the disc to nothing.
   REQUIRE(graph.search({0.0, 0.0}, {1.0, 0.0}, std::vector<Circle>{disc}));
   CHECK(graph.length() == Approx(1.0));
 }
 
 TEST_CASE("walls exclude the side that is too narrow", "[unit]") {
   const FieldGeometry field;
-  // Less than the margin is left between the disc and the upper wall, although that way is shorter.
+  // The gap between the disc and the upper wall is less than the margin, although that way is shorter.
   const std::vector<Circle> circles{{{0.0, 0.45}, 0.16}};
   TangentGraph graph;
   REQUIRE(graph.search({-0.5, 0.5}, {0.5, 0.5}, circles));
@@ -151,7 +153,7 @@ TEST_CASE("walls exclude the side that is too narrow", "[unit]") {
   CHECK(graph.passes()[0].side == 1);
   std::vector<Circle> gate{circles[0], {{0.0, -0.1}, 0.40}, {{0.0, -0.5}, 0.15}};
   CHECK_FALSE(graph.search({-0.5, 0.5}, {0.5, 0.5}, gate, &field, 0.053));
-  // A start at the wall moves that wall out, not the others.
+  // A start at a wall moves only that wall out.
   REQUIRE(graph.search({-0.7, 0.61}, {0.5, 0.5}, circles, &field, 0.053));
   CHECK(graph.passes()[0].side == -1);
 }
@@ -204,7 +206,7 @@ TEST_CASE("the shortest path agrees with a polygon visibility graph", "[unit][re
     for (Vec2 p : points) {
       if (walls) REQUIRE(wallClearance(field, p) > 0.053 - 1e-8);
     }
-    // The way back is as long.
+    // The way back has the same length.
     REQUIRE(graph.search(b, a, circles, bounds, 0.053));
     REQUIRE(graph.length() == Approx(polylineLength(points)).epsilon(1e-4));
   }

@@ -11,7 +11,7 @@
 namespace fulbito {
 namespace {
 
-/// One robot, some obstacles and what a scene must point at.
+/// One robot, some obstacles, and the objects to which a scene points.
 struct Setup {
   FieldGeometry field;
   RobotModel robot = test::paperRobot(1.0);

@@ -46,7 +46,7 @@ TEST_CASE("the dynamic window approach comes to rest at a goal where it shall st
   scene.goal.position = {0.1, 0.0};
   scene.goal.stop = true;
   scene.self.velocity = {0.8, 0.0};
-  // sqrt(2 * 0.6 * 5 * (0.1 - 0.015)) = 0.71 m/s is all that the way left allows.
+  // The remaining way allows at most sqrt(2 * 0.6 * 5 * (0.1 - 0.015)) = 0.71 m/s.
   const Twist slower = forwardKinematics(robot, dwa.plan(scene).wheels);
   CHECK(slower.linear < 0.8);
   CHECK(slower.linear >= 0.8 - 5.0 / 60.0 - 1e-9);
@@ -59,7 +59,7 @@ TEST_CASE("the dynamic window approach backs out from a wall that it touches", "
   const auto run =
       test::kinematicTrial(**pilot, test::paperRobot(1.0), {}, {{0.7124, 0.3}, 0.1}, goal, {}, 6.0);
   CHECK(run.reached);
-  CHECK(run.min_clearance > -0.005);  // it starts 3.6 mm inside, corner first
+  CHECK(run.min_clearance > -0.005);  // the robot starts 3.6 mm inside the wall with a corner
 }
 
 TEST_CASE("the dynamic window approach gives way to a crossing ball that it would meet", "[unit]") {
@@ -73,7 +73,7 @@ TEST_CASE("the dynamic window approach gives way to a crossing ball that it woul
   CHECK(run.reached);
   CHECK_FALSE(run.touched);
 
-  // The straight reference shows that there is something to give way to.
+  // The straight reference collides, so there is something to avoid.
   const auto straight = makePilot(*parseNavigator("straight"));
   CHECK(test::kinematicTrial(**straight, test::paperRobot(0.6), {}, {{-0.6, 0.0}, 0.0}, goal, crossing)
             .touched);

@@ -14,7 +14,7 @@ constexpr double kBall = 0.0335;
 constexpr double kDegree = math::kPi / 180.0;
 constexpr double kHalfWidth = 0.0375, kR = kHalfWidth + 0.002, kSecurity = 0.19;
 
-/// A robot at the origin that looks along x, far from any wall.
+/// A robot at the origin facing along x, far from any wall.
 struct OpenFloor {
   FieldGeometry field;
   RobotModel robot = test::paperRobot(1.0);
@@ -37,13 +37,13 @@ struct OpenFloor {
   }
 };
 
-/// Distance at which a ray `degrees` beside the centre of a ball at `range` meets it.
+/// Length of a ray at an angle of `degrees` to the centre of a ball at `range`, up to the ball.
 double rayOntoBall(double range, double degrees) {
   const double across = range * math::sin(degrees * kDegree);
   return range * math::cos(degrees * kDegree) - std::sqrt(kBall * kBall - across * across);
 }
 
-/// y [m] where a run first crosses the line x = 0.
+/// y [m] at which a run first crosses the line x = 0.
 double crossingOf(const test::KinematicResult& run) {
   for (Vec2 p : run.path) {
     if (p.x >= 0.0) return p.y;
@@ -68,7 +68,7 @@ TEST_CASE("a goal behind the robot is turned to by at most 90 degrees at a time"
 }
 
 TEST_CASE("HSWR: a wide region is entered past its corner by the robot and the security distance", "[unit]") {
-  // The ball covers +-5.8 degrees: sector 6 is the last that it touches, at its edge of 5 degrees.
+  // The ball covers +-5.8 degrees. Sector 6 is the last that it touches, at the sector's edge of 5 degrees.
   OpenFloor floor({{0.33, 0.0}});
   const NearnessMotion left = floor.decide({0.6, 0.01});
   CHECK(left.situation == NearnessSituation::kHswr);
@@ -92,7 +92,7 @@ TEST_CASE("HSNR: a narrow region is entered along its middle", "[unit]") {
 
 TEST_CASE("LS1: the way past an obstacle bends away from it by what it takes of the security zone",
           "[unit]") {
-  // The ball covers +-7.7 degrees: sector 8 is the last that it touches, at its edge of 7 degrees.
+  // The ball covers +-7.7 degrees. Sector 8 is the last that it touches, at the sector's edge of 7 degrees.
   OpenFloor floor({{0.25, 0.0}});
   const NearnessMotion motion = floor.decide({0.6, 0.01});
   CHECK(motion.situation == NearnessSituation::kLs1);
@@ -136,7 +136,7 @@ TEST_CASE("the two-sided direction reaches 90 degrees at a touch and is unchange
 }
 
 TEST_CASE("the one-sided direction is unwrapped to the wanted one before it is weighted", "[unit]") {
-  // Away from 170 degrees is -10 degrees, which lies 30 degrees from the wanted 20.
+  // The direction away from 170 degrees is -10 degrees, 30 degrees from the wanted 20.
   CHECK(oneSidedDirection(20.0 * kDegree, {0.5, 1.0, 170.0 * kDegree}) == Approx(5.0 * kDegree));
   CHECK(oneSidedDirection(170.0 * kDegree, {1.0, 0.5, 10.0 * kDegree}) == Approx(-180.0 * kDegree));
 }
@@ -154,7 +154,7 @@ TEST_CASE("emergency: a turn that would swing a rear corner into an obstacle is 
   CHECK(cut.turn_cut);
   CHECK(cut.direction == 0.0);
   NearnessDiagramParams params;
-  params.margin = 0.004;  // half of it is less than the 3 mm of room
+  params.margin = 0.004;  // half of it is less than the gap of 3 mm
   const NearnessMotion turn = OpenFloor({beside}, params).decide({0.3, -0.1});
   CHECK_FALSE(turn.turn_cut);
   CHECK(turn.direction < -0.5);

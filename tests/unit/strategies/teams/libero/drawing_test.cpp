@@ -40,7 +40,7 @@ TEST_CASE("libero names every robot that it draws, and plays the same without dr
 }
 
 TEST_CASE("libero draws a place for a robot that goes to one though a ball is brought at it", "[unit]") {
-  // Deep in our half a support does not block the opponent that dribbles at it, but waits in its place.
+  // Deep in its half, a support does not block an opponent that dribbles at it, but waits at its place.
   const MatchInfo info = test::infoOf(3);
   const auto team = test::liberoIn(info);
   Observation seen;

@@ -7,7 +7,7 @@
 
 namespace fulbito::test {
 
-/// A robot a tick later that is told a twist, as the match limits it.
+/// The robot one tick after a twist command, with the limits of the match.
 inline RobotState driven(const MatchInfo& info, const RobotState& robot, Twist twist) {
   const double dt = info.physics.controlPeriod();
   const Twist limited = limitTwist(steady(info.robot), bodyTwist(robot), twist, dt);

@@ -12,7 +12,7 @@
 namespace fulbito {
 namespace {
 
-/// A robot that starts in the middle, after `ticks` of a task.
+/// The state of a robot that starts in the middle, after `ticks` of a task.
 RobotState exercised(const MatchInfo& info, const Exercise& task, Vec2 ball, int ticks) {
   const libero::Pitch pitch(info);
   libero::ExerciseMemory memory;

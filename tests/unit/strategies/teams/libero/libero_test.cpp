@@ -20,7 +20,7 @@ PerTeam<int> scoreOf(const MatchConfig& config) {
   return match->referee().score;
 }
 
-/// Goals that libero is ahead of `opponent` after `pairs` swapped pairs.
+/// Goal difference of libero against `opponent` in `pairs` swapped pairs.
 int goalsAhead(const char* opponent, int pairs, double half_seconds) {
   int ahead = 0;
   for (int i = 0; i < pairs; ++i) {
@@ -37,9 +37,9 @@ int goalsAhead(const char* opponent, int pairs, double half_seconds) {
 }  // namespace
 
 TEST_CASE("libero beats the chaser and the classic team", "[unit]") {
-  // Series of eight such pairs with seeds from 1000 on: 43.1 goals ahead per pair of the chaser with a
-  // standard deviation of 6.1, 13.2 of classic with 2.9. So many pairs are within three standard deviations
-  // of their sum, the series' own error included; a team half as strong is not.
+  // Measured in series of eight such pairs with seeds from 1000 on: 43.1 goals per pair ahead of the chaser
+  // with a standard deviation of 6.1, and 13.2 ahead of classic with 2.9. The sums of the pairs below are
+  // within three standard deviations, including the error of the series. A team half as strong would fail.
   CHECK(goalsAhead("chaser", 2, 150.0) >= 58);
   CHECK(goalsAhead("classic", 3, 150.0) >= 22);
 }
@@ -89,14 +89,15 @@ TEST_CASE("libero's decisions allocate nothing", "[unit]") {
 }
 
 TEST_CASE("libero plays to both hands alike", "[unit]") {
-  // The rules' places are mirrored between the sides: what has a hand of its own plays one side worse.
+  // The places of the rules are mirrored between the sides, so a team with a fixed sense would play worse on
+  // one side.
   for (const int size : {3, 5}) {
     const MatchInfo info = test::infoOf(size);
     Rng rng(11, test::kTestStream, 0);
     int odd = 0;
     for (int round = 0; round < 1000; ++round) {
       Observation seen = test::anything(rng, info);
-      if (seen.own[1].state.pose.position == seen.ball.position) continue;  // no way is the shorter one
+      if (seen.own[1].state.pose.position == seen.ball.position) continue;  // no way round is shorter
       seen.restart_is_ours = round % 2 == 0;
       const auto team = test::liberoIn(info), twin = test::liberoIn(info);
       const TeamCommand command = team->decide(seen), mirror = twin->decide(test::acrossAxis(seen));
@@ -107,7 +108,7 @@ TEST_CASE("libero plays to both hands alike", "[unit]") {
         odd += alike ? 0 : 1;
       }
     }
-    // Where two ways are equally good, as in a corner, rounding may decide.
+    // If two ways are equally good, as in a corner, rounding may decide.
     CAPTURE(size, odd);
     CHECK(odd <= 2);
   }
@@ -159,7 +160,7 @@ TEST_CASE("libero's striker waits outside their area until a mate has left it", 
     seen.since_restart = 5.0;
     seen.own[0] = test::standingAt({{-0.70, 0.0}, math::kPi / 2});
     seen.own[1] = test::standingAt({mate, 0.0});
-    // The last moment at which it can still stop outside.
+    // This is the last moment at which the robot can still stop outside.
     seen.own[2] = test::standingAt({{0.50, 0.0}, 0.0});
     seen.own[2].state.velocity = {0.6, 0.0};
     seen.ball.position = {0.62, 0.0};

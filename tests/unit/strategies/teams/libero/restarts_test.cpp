@@ -30,7 +30,7 @@ TEST_CASE("libero begins restarts alike on both sides", "[unit]") {
       const auto blue = test::afterRestart(kind, ours, TeamId::kBlue);
       const auto yellow = test::afterRestart(kind, ours, TeamId::kYellow);
       REQUIRE(blue.size() == yellow.size());
-      // Turned where the rules' places are alike on both sides, otherwise mirrored as they are.
+      // Rotated if the places of the rules are alike on both sides, otherwise mirrored like them.
       const bool turned = kind == RestartKind::kKickOff;
       for (std::size_t i = 0; i < blue.size(); ++i) {
         CAPTURE(static_cast<int>(kind), ours, i);

@@ -24,7 +24,7 @@ inline MatchConfig matchOf(const char* blue, const char* yellow, const char* rul
   return config;
 }
 
-/// `scene` as it is, or with `side` -1 mirrored across the long axis.
+/// The scene itself, or with `side` -1 its mirror image across the long axis.
 inline Placement mirrored(Placement scene, double side) {
   scene.ball.y *= side;
   scene.ball_velocity.y *= side;
@@ -36,7 +36,7 @@ inline Placement mirrored(Placement scene, double side) {
   return scene;
 }
 
-/// A match at its start, which is `scene`.
+/// A match that starts with `scene`.
 inline Match matchFrom(MatchConfig config, const Placement& scene) {
   config.start = scene;
   auto match = Match::create(config);
@@ -44,7 +44,7 @@ inline Match matchFrom(MatchConfig config, const Placement& scene) {
   return std::move(*match);
 }
 
-/// What `seconds` make of `scene`, where libero is blue.
+/// The match after `seconds` from `scene`, with libero as blue.
 inline Match playedFrom(const Placement& scene, double seconds, const char* yellow = "idle") {
   Match match = matchFrom(matchOf("libero", yellow, "vsss-3v3", 10.0), scene);
   while (match.seconds() < seconds && match.step()) {
@@ -52,7 +52,7 @@ inline Match playedFrom(const Placement& scene, double seconds, const char* yell
   return match;
 }
 
-/// Checks that libero concedes nothing in `seconds` from `scene`, nor from its mirror image.
+/// Checks that libero concedes no goal in `seconds` from `scene` and from its mirror image.
 inline void checkHolds(const Placement& scene, double seconds, const char* yellow = "idle") {
   for (const double side : {1.0, -1.0}) {
     CAPTURE(side);
@@ -60,7 +60,7 @@ inline void checkHolds(const Placement& scene, double seconds, const char* yello
   }
 }
 
-/// When [s] a robot that is alone on the field has scored; 10 where it has not.
+/// Time [s] at which a single robot has scored; 10 if it has not.
 inline double scoresAlone(Vec2 ball, const Pose2& robot, double side) {
   auto config = matchOf("libero", "idle", "vsss-3v3", 20.0);
   config.rules.stuck.seconds = config.rules.stuck.area_seconds = 20.0;
@@ -73,8 +73,7 @@ inline double scoresAlone(Vec2 ball, const Pose2& robot, double side) {
   return match.seconds();
 }
 
-/// Where libero's robots, the chaser's and the ball are a tenth of a second after a restart, libero being
-/// `seat`.
+/// Positions of libero's robots, the chaser's and the ball 0.1 s after a restart, with libero as `seat`.
 inline std::vector<Vec2> afterRestart(RestartKind kind, bool ours, TeamId seat) {
   MatchConfig config = matchOf("libero", "chaser", "vsss-3v3", 10.0);
   if (seat == TeamId::kYellow) std::swap(config.teams[0], config.teams[1]);
@@ -103,7 +102,7 @@ inline MatchInfo infoOf(int team_size) {
   return info;
 }
 
-/// A libero that has begun a match.
+/// A libero in which a match has begun.
 inline std::unique_ptr<Strategy> liberoIn(const MatchInfo& info) {
   auto team = makeTeam(*parseTeam("libero"));
   REQUIRE(team);
@@ -118,7 +117,7 @@ inline ObservedRobot standingAt(const Pose2& pose) {
   return robot;
 }
 
-/// A picture of anything that may happen.
+/// A random observation.
 inline Observation anything(Rng& rng, const MatchInfo& info) {
   const double x = info.field.length / 2 + 0.09, y = info.field.width / 2;
   Observation seen;
@@ -135,7 +134,7 @@ inline Observation anything(Rng& rng, const MatchInfo& info) {
   }
   seen.ball.position = {rng.uniform(-x, x), rng.uniform(-y, y)};
   seen.ball.velocity = {rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0)};
-  // Now and then what is degenerate: a robot on the ball, a ball in a corner.
+  // Some observations are degenerate: a robot on the ball, or a ball in a corner.
   if (rng.uniform(0.0, 1.0) < 0.1) seen.own[1].state.pose.position = seen.ball.position;
   if (rng.uniform(0.0, 1.0) < 0.1) seen.ball = {{x, y}, {}, {}};
   seen.since_restart = rng.uniform(0.0, 1.0);
@@ -143,7 +142,7 @@ inline Observation anything(Rng& rng, const MatchInfo& info) {
   return seen;
 }
 
-/// The picture mirrored across the long axis.
+/// The observation mirrored across the long axis.
 inline Observation acrossAxis(Observation seen) {
   const auto flip = [](Vec2& v) { v.y = -v.y; };
   const auto robots = [&](auto& team) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr Body kBody{0.44, 0.40};
 
-/// Side echoes of an aligned robot at a temperature, without noise.
+/// Sum of the side echo times of an aligned robot at a temperature, without noise.
 double sideTime(const Room& room, Facing facing, double celsius) {
   return (acrossOf(room, facing) - kBody.width) / (speedOfSound(celsius) / 2);
 }
@@ -83,7 +83,7 @@ TEST_CASE("an ambiguous room is refused with the difference that it needs", "[un
   CHECK(neither.error().message.find("no axis of the room") == 0);
 }
 
-// Erratum of (2-1) and (2-2): the axis is found with K = 0.170 mm/us before K is known.
+// Erratum of (2-1) and (2-2): the paper finds the axis with K = 0.170 mm/us before K is known.
 TEST_CASE("the nominal constant shifts the seen width by up to 88, 122 and 189 mm at 3, 4 and 6 m",
           "[unit]") {
   for (const auto& [extent, expected] : {std::pair{3.0, 0.088}, {4.0, 0.122}, {6.0, 0.189}}) {
@@ -108,6 +108,6 @@ TEST_CASE("the nearer extent is right only from twice that shift on", "[unit]") 
   };
   CHECK(right({4.0, 4.0 - needed - 0.001}));
   CHECK_FALSE(right({4.0, 4.0 - needed + 0.001}));
-  CHECK_FALSE(right({4.0, 4.0 - 0.130}));  // 122 mm and some noise would not do
+  CHECK_FALSE(right({4.0, 4.0 - 0.130}));  // 122 mm plus noise are not enough
   CHECK(bandSeparation(4.0, kBody, 0.0) < needed);
 }

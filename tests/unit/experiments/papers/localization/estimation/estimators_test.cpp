@@ -37,7 +37,7 @@ EchoTimes echoesAt(const Knowledge& known, const Pose2& pose, double noise, Rng&
   return times;
 }
 
-/// A robot that drives round the room, and sensors with errors as the filter is told.
+/// A robot that drives round the room, with the sensor errors that the filter expects.
 class Drive {
  public:
   Drive(const Knowledge& known, const EkfSettings& settings, std::uint64_t index)
@@ -56,7 +56,7 @@ class Drive {
     left_ = left, right_ = right;
   }
 
-  /// One tick along the route as it truly is. @return false at its end
+  /// One tick along the route by the true pose. @return false at the end of the route
   bool step(PoseEstimator& estimator, int tick) {
     const Twist twist = driver_.drive(truth_);
     if (driver_.finished()) return false;
@@ -172,8 +172,8 @@ TEST_CASE("the threshold scheme corrects half of a difference that three echoes 
   Pose2 truth = known.pose;
   truth.position.y += 0.03;
   const EchoTimes times = echoesAt(known, truth, 0.0, random);
-  // Two echoes fill the gate; then three must differ. Left and right see the same, so the left one, asked
-  // last, no longer finds 20 mm after the right one has corrected half.
+  // Two echoes fill the gate; then three must differ. Left and right sensors see the same difference. The
+  // left one comes last and no longer differs by 20 mm, since the right one has corrected half of it.
   for (int i = 0; i < 4; ++i) {
     estimator.observe(times);
     CHECK(estimator.pose().position.y == known.pose.position.y);
@@ -209,7 +209,7 @@ TEST_CASE("the threshold scheme turns the heading while the robot steers, as it 
   Pose2 truth = known.pose;
   truth.heading = 0.03;
   for (int i = 0; i < 90; ++i) {
-    const double rate = i / 5 % 2 == 0 ? 0.2 : -0.2;  // [rad/s] faster than 0.1, slower than a turn in place
+    const double rate = i / 5 % 2 == 0 ? 0.2 : -0.2;  // [rad/s] above 0.1, below the rate of a turn in place
     estimator.advance({0.03, rate, 0.1});
     truth = movedBy(truth, 0.03, rate * 0.1);
     estimator.observe(echoesAt(known, truth, 0.0, random));
@@ -221,7 +221,7 @@ TEST_CASE("the threshold scheme ignores jumps, far echoes and echoes in turns", 
   const Knowledge known = knowledge();
   Rng random(12, kTestStream);
   Pose2 far = known.pose, off = known.pose;
-  far.position.y += 0.2;  // beyond 3 sigma of a pose that is known to the threshold
+  far.position.y += 0.2;  // beyond 3 sigma of a pose known within the threshold
   off.position.y += 0.04;
   ThresholdEstimator still(known, {}), turning(known, {});
   for (int i = 0; i < 10; ++i) {

@@ -16,7 +16,7 @@ constexpr Body kBody{0.44, 0.36};
 constexpr double kEchoSpeed = 172.0;
 const Room kRoom{4.2, 3.1};
 
-/// Echoes of an aligned robot, by geometry alone.
+/// Echoes of an aligned robot, from geometry alone.
 EchoTimes echoesAt(const Pose2& pose) {
   EchoTimes times;
   for (const Beam beam : kBeams)
@@ -29,8 +29,8 @@ const Pose2 kLeft{{1.3, 0.9}, -math::kPi};
 
 }  // namespace
 
-// Erratum of (1): printed y = a + l is the rear edge if l is the length, and the printed lines hold for -y
-// only.
+// Erratum of (1): the printed y = a + l is the rear edge if l is the length, and the printed lines hold only
+// for -y.
 TEST_CASE("the pose of a robot that faces -y is that of its centre", "[unit]") {
   const auto found = locate(kRoom, kBody, echoesAt(kDown), 0.001);
   REQUIRE(found);
@@ -39,7 +39,8 @@ TEST_CASE("the pose of a robot that faces -y is that of its centre", "[unit]") {
   CHECK(distance(found->pose.position, kDown.position) < 1e-9);
   CHECK(found->pose.heading == Approx(-math::kPi / 2));
   const double ahead = kEchoSpeed * *echoesAt(kDown)[indexOf(Beam::kFront)];
-  CHECK(ahead + kBody.length == Approx(kDown.position.y + kBody.length / 2));  // what (1) prints: the rear
+  // (1) as printed gives the rear
+  CHECK(ahead + kBody.length == Approx(kDown.position.y + kBody.length / 2));
 }
 
 TEST_CASE("facing -x the axes swap and the left side counts", "[unit]") {
@@ -67,7 +68,7 @@ TEST_CASE("a tilt of 5 degrees shifts the constant by less than 0.1 %", "[unit]"
   tilted.heading += 5 * math::kPi / 180;
   const auto found = locate(kRoom, kBody, echoesAt(tilted), 0.001);
   REQUIRE(found);
-  // The sum of both ranges is R - w cos 5, exactly: a cone hears the perpendicular.
+  // The sum of both ranges is R - w cos 5 exactly, since a cone hears the perpendicular.
   const double sum = kRoom.x - kBody.width * math::cos(5 * math::kPi / 180);
   CHECK(found->axis.echo_speed == Approx(kEchoSpeed * (kRoom.x - kBody.width) / sum));
   CHECK(std::abs(found->axis.echo_speed / kEchoSpeed - 1.0) < 1e-3);
@@ -79,7 +80,7 @@ TEST_CASE("a start without an echo or with a wall too far ahead is refused", "[u
   REQUIRE_FALSE(locate(kRoom, kBody, times, 0.001));
   CHECK(locate(kRoom, kBody, times, 0.001).error().message == "a sensor has no echo of its wall");
   times = echoesAt(kDown);
-  *times[indexOf(Beam::kFront)] += 2.5 / kEchoSpeed;  // beyond the wall behind it
+  *times[indexOf(Beam::kFront)] += 2.5 / kEchoSpeed;  // a pose beyond the rear wall
   const auto far = locate(kRoom, kBody, times, 0.001);
   REQUIRE_FALSE(far);
   CHECK(far.error().message.find("the wall ahead is") == 0);

@@ -39,7 +39,7 @@ struct Errors {
   double shortest = 0.0, level = 0.0, fitted = 0.0;  // [deg] rms
 };
 
-/// Sweeps of +-40 degrees toward the wall x = 4 that begin up to some degrees off.
+/// Errors of sweeps by +-40 degrees toward the wall x = 4, with centres up to `off` away.
 Errors errorsOf(Vec2 place, double off, double noise) {
   Rng random(4, kTestStream);
   constexpr int kRuns = 300;

@@ -6,7 +6,7 @@
 namespace fulbito {
 namespace {
 
-/// Where on their empty goal's line libero aims with a ball at (0.6, 0.35) of this velocity.
+/// The y at which libero aims on the line of an empty goal, with a ball at (0.6, 0.35) of this velocity.
 double aimedAt(Vec2 velocity, const libero::Pitch& pitch) {
   const libero::Settings settings;
   Observation seen;
@@ -23,13 +23,13 @@ double aimedAt(Vec2 velocity, const libero::Pitch& pitch) {
 TEST_CASE("libero aims where a ball that rolls at the goal already goes", "[unit]") {
   const libero::Pitch pitch(test::infoOf(3));
   CHECK(aimedAt({}, pitch) == 0.0);
-  // It comes to the line at 0.10 m.
+  // The ball reaches the line at 0.10 m.
   CHECK(std::abs(aimedAt({0.3, -0.5}, pitch) - 0.10) < 1e-9);
-  // It would pass the post: as near to it as is sure.
+  // The ball would pass the post, so the aim is as near to the post as is safe.
   const double past = aimedAt({0.5, -0.5}, pitch);
   CHECK(past > 0.12);
   CHECK(past < pitch.goal_half - pitch.ball_radius);
-  // One that rolls away from the goal says nothing.
+  // A ball that rolls away from the goal has no influence.
   CHECK(aimedAt({-0.5, -0.5}, pitch) == 0.0);
 }
 

@@ -4,7 +4,7 @@
 namespace fulbito {
 namespace {
 
-/// One robot alone with a ball that rolls: the seconds until it touches it, which the ball's jump shows.
+/// Time [s] until a single robot touches a rolling ball, which shows in a jump of the ball's velocity.
 double secondsToTouch(const Placement& scene) {
   Match match = test::matchFrom(test::matchOf("libero", "idle", "vsss-3v3", 4.0), scene);
   Vec2 last = scene.ball_velocity;
@@ -22,9 +22,9 @@ TEST_CASE("libero meets a ball that rolls across, rather than to go round it whi
   struct Crossing {
     Pose2 robot;
     Vec2 ball, velocity;
-    double least;  // [s] by the time to reach of docs/skills.md
+    double least;  // [s] by the time estimate of docs/skills.md
   };
-  // With the best blow in mind these took 0.45 to 1.7 s more than the least.
+  // A robot that aims only at the best strike takes 0.45 to 1.7 s more than the least time.
   const Crossing crossings[] = {{{{-0.191, -0.126}, 0.51}, {-0.070, 0.484}, {0.10, -0.36}, 0.533},
                                 {{{-0.224, -0.154}, -0.45}, {0.006, 0.530}, {0.06, -0.39}, 0.633},
                                 {{{-0.153, 0.018}, -0.52}, {-0.065, -0.493}, {0.03, 0.44}, 0.433},

@@ -13,7 +13,7 @@ namespace {
 
 using namespace libero;
 
-constexpr double kUp = 1.0, kDown = -1.0;  // the field's side that a scene is played on
+constexpr double kUp = 1.0, kDown = -1.0;  // side of the field on which a scene is played
 
 Vec2 onSide(Vec2 v, double side) { return {v.x, side * v.y}; }
 
@@ -23,7 +23,7 @@ RobotState robotAt(Vec2 place, double heading, double side) {
   return robot;
 }
 
-/// A picture with one robot of ours, one of theirs and a resting ball.
+/// A picture with one own robot, one opponent and a resting ball.
 struct Scene {
   Scene(Vec2 ball, Vec2 own, Vec2 opponent, double side) : self(robotAt(own, 2.0, side)) {
     seen.ball.position = onSide(ball, side);
@@ -45,8 +45,8 @@ struct Scene {
   RobotState self;
 };
 
-constexpr Vec2 kAtCut{-0.725, 0.56};      // at the end wall, where the corner's cut begins
-constexpr Vec2 kAtEndWall{-0.728, 0.45};  // on its way to our goal
+constexpr Vec2 kAtCut{-0.725, 0.56};      // at the end wall, where the corner triangle begins
+constexpr Vec2 kAtEndWall{-0.728, 0.45};  // along the end wall, toward the own goal
 
 }  // namespace
 
@@ -54,9 +54,10 @@ TEST_CASE("libero races for a ball in its corner only from our goal's side, with
           "[unit]") {
   for (const double side : {kUp, kDown}) {
     CHECK(Scene(kAtCut, {-0.55, 0.35}, {-0.50, 0.60}, side).races());
-    CHECK_FALSE(Scene(kAtCut, {-0.55, 0.35}, {-0.10, 0.50}, side).races());         // time enough
-    CHECK_FALSE(Scene(kAtCut, {-0.66, 0.62}, {-0.50, 0.60}, side).races());         // it would push it home
-    CHECK_FALSE(Scene({-0.50, 0.30}, {-0.60, 0.20}, {-0.40, 0.40}, side).races());  // no wall
+    CHECK_FALSE(Scene(kAtCut, {-0.55, 0.35}, {-0.10, 0.50}, side).races());  // there is time enough
+    // it would push the ball toward its own goal
+    CHECK_FALSE(Scene(kAtCut, {-0.66, 0.62}, {-0.50, 0.60}, side).races());
+    CHECK_FALSE(Scene({-0.50, 0.30}, {-0.60, 0.20}, {-0.40, 0.40}, side).races());  // there is no wall
   }
 }
 
@@ -71,7 +72,7 @@ TEST_CASE("libero drives straight at a ball it races for", "[unit]") {
 }
 
 TEST_CASE("libero squeezes a ball between the ball's own direction and the wall's", "[unit]") {
-  const Vec2 off{0.02, -0.06};  // of the robot, from the ball
+  const Vec2 off{0.02, -0.06};  // [m] position of the robot relative to the ball
   for (const double side : {kUp, kDown}) {
     const Scene scene(kAtEndWall, kAtEndWall + off, kAtEndWall + Vec2{0.06, 0.03}, side);
     CHECK(scene.pushes());
@@ -81,8 +82,9 @@ TEST_CASE("libero squeezes a ball between the ball's own direction and the wall'
       CHECK(twist.linear > 0.8 * scene.pitch.speed);
       return side * twist.angular;
     };
-    CHECK(turn(math::angleOf(-off)) < 0.0);  // straight at the ball it would only be held
-    CHECK(turn(math::kPi / 2) > 0.0);        // and along the wall it would slip through behind
+    CHECK(turn(math::angleOf(-off)) < 0.0);  // a push straight at the ball would only hold it
+    // parallel to the wall, the ball would slip through behind the robot
+    CHECK(turn(math::kPi / 2) > 0.0);
     const Scene early(kAtEndWall, kAtEndWall + off, kAtEndWall + Vec2{0.25, 0.05}, side);
     CHECK_FALSE(early.pushes());
     const Scene far(kAtEndWall, kAtEndWall + 2.5 * off, kAtEndWall + Vec2{0.06, 0.03}, side);
@@ -92,8 +94,8 @@ TEST_CASE("libero squeezes a ball between the ball's own direction and the wall'
 
 namespace {
 
-/// Seconds until libero has brought the ball 0.25 m up the side wall out of its corner, against one that
-/// drives straight at it; 5 if it has not.
+/// Time [s] until libero has moved the ball 0.25 m up the side wall out of its corner, against a robot that
+/// drives straight at it; 5 if it does not.
 double secondsOut(Vec2 ball, Pose2 own, Pose2 opponent, double side) {
   MatchConfig config;
   config.teams = {*parseTeam("libero"), *parseTeam("chaser")};

@@ -5,7 +5,7 @@
 namespace fulbito {
 
 TEST_CASE("libero's striker meets one opponent that is about to bring the ball", "[unit]") {
-  // The striker stands before the ball, beside its way to our goal.
+  // The striker is in front of the ball, beside the ball's way to its goal.
   Placement scene;
   scene.ball = {-0.137, -0.268};
   scene.robots[0] = {Pose2{{-0.696, -0.018}, -1.58}, Pose2{{-0.331, -0.224}, -0.70}};

@@ -7,7 +7,8 @@
 namespace fulbito {
 namespace {
 
-/// One robot alone with a resting ball: the seconds until it is in their goal; negative in its own; 0 never.
+/// Time [s] until a single robot has a resting ball in the opponents' goal; negative for an own goal; 0 if
+/// there is no goal.
 double secondsToScore(Vec2 robot, Vec2 ball) {
   Placement scene;
   scene.ball = ball;
@@ -61,7 +62,8 @@ TEST_CASE("libero drives at a free ball from its mark beside the area", "[unit]"
   const auto team = test::liberoIn(info);
   Observation seen;
   seen.own[0] = test::standingAt({{-0.71, 0.1}, 1.57});
-  seen.own[1] = test::standingAt({{-0.575, 0.4}, 0.0});  // nearer to the area than a robot may come in play
+  // nearer to the area than a robot may come during play
+  seen.own[1] = test::standingAt({{-0.575, 0.4}, 0.0});
   seen.own[2] = test::standingAt({{0.1, 0.0}, 0.0});
   seen.opponents[0] = test::standingAt({{-0.175, 0.4}, 3.14});
   seen.ball.position = {-0.375, 0.4};
@@ -118,7 +120,7 @@ TEST_CASE("libero holds against one who presses on its ball head-on", "[unit]") 
   for (const double side : {1.0, -1.0}) {
     const Placement start = test::mirrored(scene, side);
     Match match = test::matchFrom(test::matchOf("libero", "chaser", "vsss-3v3", 10.0), start);
-    // Which way the ball leaves the two: sideways or up the field, not pushed back.
+    // The direction in which the ball leaves the two robots must be sideways or upfield.
     Vec2 moved;
     while (norm(moved) < 0.04 && match.seconds() < 2.0 && match.step()) {
       moved = match.world().balls[0].position - start.ball;

@@ -27,7 +27,7 @@ TEST_CASE("libero's robots without the ball have places on the field, off the ba
         CHECK_FALSE(isInArea(info.field, place, true, 0.07 - 1e-9));
         const bool in_theirs = isInArea(info.field, seen.ball.position, false);
         if (in_theirs) CHECK_FALSE(isInArea(info.field, place, false, 0.08 - 1e-9));
-        // At an area's edge there may be no room beside the ball.
+        // At the edge of an area there may be no room beside the ball.
         const bool room = distanceToArea(info.field, seen.ball.position, true) > 0.35 &&
                           distanceToArea(info.field, seen.ball.position, false) > 0.35;
         if (room) CHECK(distance(place, seen.ball.position) > 0.15);

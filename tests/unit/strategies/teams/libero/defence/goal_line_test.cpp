@@ -31,11 +31,11 @@ TEST_CASE("libero's keeper knows where a ball crosses its line", "[unit]") {
     const auto found = libero::crossing({seen, pitch, settings, ball}, line);
     const auto exact = way.crossing({line, 0.0}, {-1.0, 0.0});
     CAPTURE(run);
-    // Beside the goal a ball may come back over the line between two steps of the forecast.
+    // Beside the goal, a ball may cross the line and return between two steps of the forecast.
     const bool enters = exact && exact->time < 1.15 && std::abs(exact->place.y) < pitch.goal_half - 0.03;
     if (enters) {
       REQUIRE(found);
-      // A bounce between two steps of the forecast is cut short.
+      // A bounce between two steps of the forecast shortens the path.
       CHECK(*found == Approx(exact->place.y).margin(0.03));
       ++crossings;
     } else if (!exact) {

@@ -5,8 +5,8 @@
 namespace fulbito {
 namespace {
 
-/// A keeper that looks to the left in the scene and in its mirror image: what comes from its front in the one
-/// comes from its back in the other.
+/// The pose of a keeper that faces left in the scene and in its mirror image. So its front and its back are
+/// exchanged between the two.
 Pose2 keeperAt(Vec2 place, double side) { return {place, side * math::kPi / 2}; }
 
 }  // namespace
@@ -78,7 +78,7 @@ TEST_CASE("libero's keeper goes out to a ball that creeps along its end wall", "
       scene.robots[0] = {keeperAt({-0.708, -0.173}, side), Pose2{{-0.46, -0.245}, 0.0}};
       scene.robots[1] = {Pose2{{0.6, 0.0}, 0.0}, Pose2{{-0.70, -0.56}, -1.15}};
       const Match match = test::playedFrom(test::mirrored(scene, side), 0.5, opponent);
-      // It has met the ball outside its post, and lets nobody past.
+      // The keeper has met the ball outside its post, and the opponent has not passed.
       CHECK(side * match.world().robots[0].pose.position.y < -0.30);
       CHECK(side * match.world().balls[0].position.y < -0.35);
     }
@@ -104,7 +104,7 @@ TEST_CASE("libero's keeper keeps its line before a fast ball that it could be fi
     Vec2 ball, velocity;
     Pose2 keeper;
   };
-  // Balls that squirted from a duel in the midfield.
+  // Balls that come out of a duel in the midfield.
   for (const Slip& slip : {Slip{{-0.336, 0.083}, {-0.92, 0.25}, {{-0.702, 0.114}, 1.62}},
                            Slip{{-0.385, 0.116}, {-1.14, 0.32}, {{-0.700, 0.092}, -1.51}}}) {
     CAPTURE(slip.ball.x);

@@ -16,8 +16,9 @@ TEST_CASE("libero comes round a lying ball without sliding past it", "[unit]") {
     }
   }
   CAPTURE(quick, runs);
-  // Where it aims at the middle although the ball that it pushes already rolls in beside it, it turns off and
-  // has to come again in half of these. In what is left it pushes the ball at a post (docs/libero.md).
+  // A robot that aims at the middle, although the ball it pushes already rolls in beside it, turns away and
+  // must come again in half of the runs. In the remaining slow runs it pushes the ball at a post
+  // (docs/libero.md).
   CHECK(quick >= runs * 3 / 4);
 }
 

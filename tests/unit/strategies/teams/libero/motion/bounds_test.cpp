@@ -10,7 +10,7 @@
 namespace fulbito {
 
 TEST_CASE("libero's areas step never lets a robot in that can still stop outside", "[unit]") {
-  // Whatever the control period: the guard rolls the robot forward by the match's own ticks.
+  // For any control period, since the guard predicts the robot with the match's own ticks.
   const int rate = GENERATE(60, 30, 200);  // [Hz]
   MatchInfo info = test::infoOf(3);
   info.physics.control_rate = rate;
@@ -29,7 +29,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
     seen.team_size = 3;
     RobotState& robot = seen.own[1].state;
     seen.own[1].present = true;
-    // From rest anywhere, with whatever a skill asks for, changed at random times.
+    // From rest at random places, with random commands that change at random times.
     do {
       robot.pose = {{-sign * rng.uniform(0.3, 0.7), rng.uniform(-0.6, 0.6)}, rng.uniform(-3.14, 3.14)};
     } while (outside(robot.pose.position) < least + 0.01);
@@ -45,7 +45,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
       robot = rolledForward(info.robot, robot, saturate(info.robot, wheels), dt);
       const double room = outside(robot.pose.position);
       near += room < least + 0.02 ? 1 : 0;
-      // A defender is inside with its centre at the line, an attacker with its corner.
+      // A defender counts as inside with its centre on the line, an attacker with its corner.
       REQUIRE(room > (own ? 0.0 : pitch.robot_corner - 0.001));
     }
   }
@@ -53,7 +53,7 @@ TEST_CASE("libero's areas step never lets a robot in that can still stop outside
 }
 
 TEST_CASE("libero's second attacker leaves their goal's mouth by its front", "[unit]") {
-  // It pushed at the post for good: past that the way out was shortest.
+  // From within the mouth the shortest way out of the area leads into the post, which would hold the robot.
   const FieldGeometry field = test::infoOf(3).field;
   for (const double side : {1.0, -1.0}) {
     for (const double heading : {-1.57, 0.4, 1.57}) {

@@ -46,7 +46,7 @@ TEST_CASE("libero's robots turn the shorter way, with either end ahead", "[unit]
     CHECK(std::abs(error) <= math::kPi / 2);
     CHECK(twist.angular * error >= 0.0);
     CHECK(std::abs(twist.linear) <= 1.0);
-    // The end that leads is the one that points there.
+    // The leading end is the one that points along the heading.
     CHECK(twist.linear * dot(math::unit(heading), math::unit(robot.pose.heading)) >= 0.0);
   }
 }

@@ -25,7 +25,7 @@ struct Charges final : MatchObserver {
   }
 };
 
-/// The keeper stands still between a striker at speed and a ball beside it.
+/// Charges when a keeper stands still between a striker at speed and a ball beside the keeper.
 Charges chargesOf(double keeper, Vec2 ball) {
   Placement scene;
   scene.ball = ball;
@@ -62,7 +62,7 @@ TEST_CASE("libero goes round a keeper that stands between it and the ball", "[un
       pressed += charges.pressed;
     }
   }
-  CHECK(pressed < 12 * 12);  // on average shorter than what is called
+  CHECK(pressed < 12 * 12);  // on average shorter than a charge that the referee calls
 }
 
 TEST_CASE("libero's second attacker leaves their goal's mouth without pushing the keeper before it",
@@ -87,7 +87,7 @@ TEST_CASE("libero's second attacker leaves their goal's mouth without pushing th
 }
 
 TEST_CASE("in play libero hardly ever charges a keeper", "[unit]") {
-  // Three matches of two minutes; before libero gave a keeper room there were 18 calls against classic.
+  // Three matches of two minutes. Without room for a keeper, libero would have 18 calls against classic.
   for (const char* opponent : {"classic", "chaser"}) {
     int calls = 0;
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
@@ -125,12 +125,12 @@ TEST_CASE("libero brakes or turns off before a keeper that it drives at, unless 
   CHECK_FALSE(off(at(2.0 * braking + 0.05), 0.0));
   CHECK(off(at(0.5 * braking), 0.0));
   CHECK_FALSE(off(at(0.5 * braking), 0.1));
-  // One that is not in its area is an opponent like others.
+  // A keeper outside its area is a normal opponent.
   Observation out = at(0.5 * braking);
   out.own[1].state.pose.position.x -= 0.5;
   out.opponents[0].state.pose.position.x -= 0.5;
   CHECK_FALSE(off(out, 0.0));
-  // Touching it, the robot leaves.
+  // A robot that touches the keeper leaves it.
   const auto leaves = off(beforeKeeper({touch, 0.0}, {}, {0.7, 0.4}), 0.0);
   REQUIRE(leaves);
   CHECK(leaves->kind != RobotCommand::Kind::kGoTo);

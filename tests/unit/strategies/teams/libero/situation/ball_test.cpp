@@ -25,7 +25,7 @@ TEST_CASE("libero's forecast is the prediction, in even steps and held at its en
       const double time = i * BallForecast::kStep;
       CHECK(distance(forecast.sample(i), way.positionAt(time)) < 1e-9);
       CHECK(distance(forecast.at(time), forecast.sample(i)) < 1e-6);
-      // Between two steps it lies between them.
+      // A time between two steps gives a place between theirs.
       const Vec2 next = forecast.sample(std::min(i + 1, BallForecast::kSteps));
       const Vec2 half = forecast.at(time + BallForecast::kStep / 2);
       CHECK(distance(half, (forecast.sample(i) + next) / 2) < 1e-6);
