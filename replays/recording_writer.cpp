@@ -51,8 +51,8 @@ struct RecordingWriter::Impl {
     } else if (places.empty()) {
       file->discard();
     } else {
-      (void)file->commit();  // a growing file keeps its content; a file to replace another one is removed,
-                             // and the old one stays
+      // A growing file keeps its content; a file to replace another one is removed, and the old one stays.
+      (void)file->commit();
     }
   }
 

@@ -20,7 +20,7 @@ cd "$out"
 
 part() { printf '\n==== %s\n' "$*"; }
 
-# Rows for the table of docs/reproduction.md: id, run, paper, ours, difference from the paper, our band, inside our band.
+# Rows for the table of docs/reproduction.md: id, run, paper's value, measured value, difference, accepted band, whether it is inside.
 rows() { awk -F' \\| ' '/^\| (distance|time|collisions)-/ { sub(/^\| /, "", $1); printf "| %s | %s | %s | %s | %s | %s | %s |\n", $1, $2, $3, $4, $5, $6, $7 }' "$1"; }
 
 training=(--seed 1002018 --seeds 2 --headings goal)

@@ -15,7 +15,7 @@ namespace fulbito {
 class DecodingBudget {
  public:
   explicit DecodingBudget(std::size_t file_bytes);
-  /// Takes off what the chunk needs. Returns an error message if too little is left.
+  /// Subtracts what a chunk needs from the budget. Returns an error message if too little is left.
   std::optional<std::string> take(const ChunkHead& head, BytesView payload, const RecordingHeader& header);
 
  private:

@@ -33,8 +33,7 @@ class Columns {
 /// How the next value of a column is predicted.
 enum class Trend : std::uint8_t {
   kStays,  ///< the last value again
-  kGoesOn  ///< the last value plus its last change; the change counts as 0 after a value predicted with
-           ///< kStays
+  kGoesOn  ///< the last value plus its last change, which counts as 0 after a value with kStays
 };
 
 /// Predicts the values of a column. A column is stored as the differences from the predicted values.

@@ -1,4 +1,5 @@
-# cmake -DPROGRAM=<hash program> -DGOLDEN=<file> -P compare.cmake: fails unless the program prints the file.
+# cmake -DPROGRAM=<hash program> -DGOLDEN=<file> -P compare.cmake: fails unless the output of the program
+# equals the file.
 # With UPDATE_GOLDEN=1 in the environment it writes the file instead.
 execute_process(COMMAND ${PROGRAM} OUTPUT_VARIABLE printed RESULT_VARIABLE code)
 if(NOT code EQUAL 0)

@@ -1,5 +1,5 @@
-// Prints one hash per fixed scene. Links the engine and nothing else, so that it builds quickly with every
-// compiler and level.
+// Prints one hash per fixed scene. It links only the engine, so that it builds quickly with every compiler
+// and level.
 #include <cinttypes>
 #include <cstdio>
 

@@ -1,5 +1,5 @@
-// Prints, for a short match of every built-in team against the next in the list, in both formats and once
-// with an imperfect vision, a hash over all states and one over the referee's events.
+// Plays a short match of every built-in team against the next in the list, in both formats and once with
+// imperfect vision. Prints a hash over all states and a hash over the referee's events of each.
 #include <cinttypes>
 #include <cstdio>
 #include <string>
@@ -34,7 +34,7 @@ class EventHash final : public MatchObserver {
   StateHash hash_;
 };
 
-// Ends the program when a preset or team cannot be had.
+// Returns the value, or ends the program if a preset or team cannot be loaded.
 template <typename T>
 T get(Result<T> result) {
   if (result) return std::move(*result);

@@ -1,5 +1,5 @@
-// Prints, for small pictures of the golden recording and of one trial's layout, their size and a hash
-// over all their pixels: dark and light, with every kind of overlay.
+// Draws small pictures of the golden recording and of a trial's layout, dark and light, with every kind of
+// overlay. Prints the size of each and a hash over its pixels.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -14,9 +14,9 @@ namespace {
 using namespace fulbito;
 
 constexpr int kWidth = 480, kSheetWidth = 720;  // [px]
-constexpr double kMoment = 3.37;                // [s] between two samples
+constexpr double kMoment = 3.37;                // [s] a time between two samples
 
-// Ends the program when a file or font cannot be had.
+// Returns the value, or ends the program if a file or font cannot be loaded.
 template <typename T>
 T get(Result<T> result) {
   if (result) return std::move(*result);
@@ -40,7 +40,7 @@ Canvas frame(const MatchPictureSpec& spec, const ReplayMoment& moment, const Mat
   return canvas;
 }
 
-/// What a team might draw: one of each kind.
+/// Debug drawings, one of each kind.
 std::vector<RecordedDrawing> drawings() {
   using Kind = RecordedDrawing::Kind;
   return {{0, TeamId::kBlue, Kind::kLine, {-0.3, 0.1}, {0.45, 0.33}, 0.0, ""},

@@ -1,5 +1,5 @@
-// Linked into a second hash program: Box2D's profiling clock, really read. With these here the library's own
-// object that leaves the clock out is not taken; the hashes must stay the same.
+// Part of a second hash program: Box2D's profiling clock with real times. The linker takes these functions
+// instead of the engine's own, which read no clock. The hashes must stay the same.
 #include <chrono>
 #include <cstdlib>
 
@@ -14,7 +14,7 @@ unsigned long long nowMicroseconds() {
   return static_cast<unsigned long long>(std::chrono::duration_cast<std::chrono::microseconds>(now).count());
 }
 
-// Ends the program with an error if Box2D never asked for the time: then this file proves nothing.
+// Ends the program with an error if Box2D never asks for the time, because the test then proves nothing.
 struct Readings {
   long count = 0;
   ~Readings() {

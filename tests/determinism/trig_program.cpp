@@ -1,6 +1,6 @@
-// Prints a hash of the C library's sinf, cosf and sincosf, which Box2D calls, for every float from 2^-12
-// (below which they are the argument and one) to 16. The engine keeps angles in this range: here the variants
-// for processors with and without fused multiply-add agree.
+// Prints a hash of the C library's sinf, cosf and sincosf, which Box2D calls, for every float from 2^-12 to
+// 16. Below 2^-12 the results are the argument and 1. The engine keeps angles in this range, because there
+// the variants for processors with and without fused multiply-add agree.
 #include <bit>
 #include <cinttypes>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace {
 
-volatile bool opaque = false;  // keeps the compiler from joining sinf and cosf into sincosf
+volatile bool opaque = false;  // keeps the compiler from merging sinf and cosf into sincosf
 
 std::uint64_t mixed(std::uint64_t hash, float value) {
   return (hash ^ std::bit_cast<std::uint32_t>(value)) * 1099511628211u;

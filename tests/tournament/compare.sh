@@ -1,10 +1,10 @@
 # shellcheck shell=bash
-# For the tests of recipes: a folder of their own, the program as `fulbito`, and the reports of one undisturbed run of the
+# Shared by the tests of recipes: a temporary folder, the program as `fulbito`, and the reports of one undisturbed run of the
 # example's plan to compare with. Sets $root, $work and $plan.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 work=$(mktemp -d)
-# shellcheck disable=SC2034 # for those who read this file
+# shellcheck disable=SC2034 # used by the scripts that source this file
 plan=$root/examples/tournaments/plan.toml
 
 fail() {
@@ -12,7 +12,7 @@ fail() {
   exit 1
 }
 
-# play_undisturbed PROGRAM: puts it on the PATH and plays the plan without shards.
+# play_undisturbed PROGRAM: puts the program on the PATH and plays the plan without shards.
 play_undisturbed() {
   mkdir "$work/bin" "$work/whole"
   ln -s "$1" "$work/bin/fulbito"
@@ -22,7 +22,7 @@ play_undisturbed() {
     { cat "$work/whole.log" >&2; fail "the undisturbed run failed"; }
 }
 
-# expect_same FOLDER: it has the reports of the undisturbed run, byte for byte.
+# expect_same FOLDER: checks that the folder has the reports of the undisturbed run, byte for byte.
 expect_same() {
   local file
   for file in report.html matches.csv report.md; do

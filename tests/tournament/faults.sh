@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Writes, syncs, renames and other calls of a tournament fail, one at a time. The exit code must be 5 with a message that names
-# the folder, lines that stood in the log must stay, and the same command must then complete the tournament.
+# Lets writes, syncs, renames and other calls of a tournament fail, one at a time. The exit code must be 5 with a message that
+# names the folder, existing lines of the log must stay, and the same command must then complete the tournament.
 # Usage: tests/tournament/faults.sh PROGRAM WATCHED_CALLS_LIBRARY
 set -euo pipefail
 usage="Usage: tests/tournament/faults.sh PROGRAM WATCHED_CALLS_LIBRARY"

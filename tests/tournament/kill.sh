@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A tournament is killed with kill -9 at random moments and started again until it is complete, again and again. No match that
-# stood in its log may be lost or doubled, and the reports must be those of an undisturbed run.
+# Kills a tournament with kill -9 at random moments and starts it again, until it is complete; repeats this. No match in the log
+# may be lost or doubled, and the reports must equal those of an undisturbed run.
 # Usage: tests/tournament/kill.sh PROGRAM [KILLS]
 set -euo pipefail
 program=$(realpath "${1:?Usage: tests/tournament/kill.sh PROGRAM [KILLS]}")
@@ -9,13 +9,13 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
-# Takes the place of the shell that calls it, so that the program itself is killed.
+# Replaces the shell that calls it, so that the signal kills the program itself.
 run() { exec "$program" tournament run idle random chaser --pairs 20 --half-seconds 2 --jobs 2 --out "$1" >/dev/null 2>&1; }
 report() {
   "$program" tournament report "$1" --json >"$1.json"
   "$program" tournament report "$1" --csv "$1.csv" >"$1.txt"
 }
-# The lines that were written to their end.
+# Prints the complete lines of the log.
 whole_lines() { if [ -e "$1/matches.jsonl" ]; then head -n "$(wc -l <"$1/matches.jsonl")" "$1/matches.jsonl"; fi; }
 fail() { echo "kill.sh: $*" >&2; exit 1; }
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The recipe for GNU parallel gives the reports of one run, also when it continues after a failed shard.
+# Checks that the recipe for GNU parallel gives the reports of a single run, also when it continues after a
+# failed shard.
 # Usage: tests/tournament/parallel.sh PROGRAM
 set -euo pipefail
 program=$(realpath "${1:?Usage: tests/tournament/parallel.sh PROGRAM}")
@@ -8,7 +9,7 @@ program=$(realpath "${1:?Usage: tests/tournament/parallel.sh PROGRAM}")
 trap 'rm -rf "$work"' EXIT
 play_undisturbed "$program"
 
-# A folder where the log of shard 2 should be: that shard cannot keep its results.
+# A folder in the place of the log of shard 2, so that this shard cannot write its results.
 results="$work/my results"
 mkdir -p "$results/shard-2/matches.jsonl"
 if "$root/examples/tournaments/parallel.sh" "$plan" 3 "$results" --jobs 2 2>"$work/log"; then

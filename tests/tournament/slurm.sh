@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Starts a Slurm of one node in a folder of its own, as any user and without systemd or cgroups, and runs the recipe of
-# examples/tournaments there: once with a shard that fails, then again to the end. Takes everything down afterwards.
+# Starts a Slurm of one node in its own folder, as any user and without systemd or cgroups. Runs the recipe of
+# examples/tournaments there: once with a shard that fails, then again to the end. Stops everything afterwards.
 # Usage: tests/tournament/slurm.sh PROGRAM
 set -euo pipefail
 program=$(realpath "${1:?Usage: tests/tournament/slurm.sh PROGRAM}")
@@ -8,12 +8,12 @@ program=$(realpath "${1:?Usage: tests/tournament/slurm.sh PROGRAM}")
 . "$(dirname "$0")/compare.sh"
 export PATH="$PATH:/usr/sbin:/sbin"
 export SLURM_CONF=$work/slurm.conf
-readonly patience=120  # [s] until a job must have ended
+readonly patience=120  # [s] limit for the end of a job
 daemons=()
 
 take_down() {
   local status=$? daemon
-  # Jobs first: their processes belong to no daemon.
+  # Jobs first, because their processes do not belong to a daemon.
   if [ "${#daemons[@]}" -gt 0 ]; then timeout 10 scancel --full --signal=KILL --state=RUNNING --user="$(id -un)" || true; fi
   for daemon in "${daemons[@]}"; do kill "$daemon" 2>/dev/null || true; done
   for daemon in "${daemons[@]}"; do wait "$daemon" 2>/dev/null || true; done
@@ -62,7 +62,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=10 State=UP
 CONFIGURATION
 }
 
-# start NAME PROGRAM ARGUMENTS...: a daemon in the foreground, whose process is known.
+# start NAME PROGRAM ARGUMENTS...: starts a daemon in the foreground and keeps its process id.
 start() {
   local name=$1
   shift
@@ -72,7 +72,7 @@ start() {
 
 start_slurm() {
   (umask 077 && head -c 1024 /dev/urandom >"$work/munge.key")
-  # --force: a folder under /tmp has a parent that all may write to.
+  # --force, because everyone may write to /tmp, the parent of the folder.
   start munged munged --foreground --force --key-file="$work/munge.key" --socket="$work/munge.sock" \
     --pid-file="$work/munged.pid" --seed-file="$work/munge.seed" --log-file="$work/munge.log"
   wait_until 20 "munge does not answer" munge --socket="$work/munge.sock" --no-input
@@ -98,7 +98,7 @@ no_job_left() { [ -z "$(squeue --noheader)" ]; }
 # job_state JOB
 job_state() { scontrol show job "$1" | sed -n 's/^ *JobState=\([A-Z]*\).*/\1/p' | sort | uniq | paste -sd,; }
 
-# submit: runs the recipe; sets $array and $merge.
+# submit: runs the recipe and sets $array and $merge.
 submit() {
   read -r array merge < <("$root/examples/tournaments/slurm.sh" "$plan" 3 "$work/results" | tr -dc '0-9 \n')
   wait_until "$patience" "jobs are left after $patience s" no_job_left
@@ -108,7 +108,7 @@ play_undisturbed "$program"
 write_configuration
 start_slurm
 
-# Shard 2 ends with the code of a match that does not repeat itself: the results must not be merged.
+# Shard 2 exits with the code of a match that does not repeat itself, so the results must not be merged.
 rm "$work/bin/fulbito"
 cat >"$work/bin/fulbito" <<WRAPPER
 #!/bin/sh

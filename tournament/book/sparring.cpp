@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kHomeSeconds = 2.0;  // [s] after which a robot gets another place
 constexpr double kRoom = 3.0;   // [radii] between centres: a robot keeps away from robots nearer than this
-constexpr double kNear = 0.04;  // [m] from its place: within this, a robot slows down
+constexpr double kNear = 0.04;  // [m] a robot this near to its target has arrived
 
 /// Backs off a robot that should move but is held. The sparring team has its own copy, so that starts do not
 /// depend on the skills of the built-in teams.

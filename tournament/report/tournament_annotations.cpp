@@ -16,7 +16,7 @@ constexpr int kMessageColumns = 300;
 /// One annotation. Sorted by severity, then by decreasing number of matches.
 struct Annotation {
   bool error = true;
-  int severity = 0;  // 0 is worst
+  int severity = 0;  // 0 is the worst
   int matches = 0;
   std::string title, message;
 };

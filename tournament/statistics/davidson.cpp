@@ -113,7 +113,8 @@ void DavidsonFitter::Impl::derive(std::span<const WeightedMeeting> meetings, std
   if (!with_draws) curvature(size - 1, size - 1) = 1.0;
 }
 
-/// Does one damped step. Returns the largest change of a log ratio of chances that the undamped step gives.
+/// Does one damped Newton step. Returns the largest change that an undamped step would make to a log ratio of
+/// chances.
 double DavidsonFitter::Impl::step(DavidsonModel& model, bool with_draws) {
   factors.compute(curvature);
   gradient = factors.solve(gradient);

@@ -9,7 +9,7 @@
 namespace fulbito {
 namespace {
 
-constexpr int kFinal = 0;  // stands for an iteration number in the final match-ups
+constexpr int kFinal = 0;  // number of the final match-ups in place of an iteration's
 
 std::uint64_t seedOf(const TunePlan& plan, int iteration) {
   // 53 bits, so that JSON readers can hold it as a double.

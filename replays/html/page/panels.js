@@ -140,7 +140,7 @@ class RobotCards {
       setText(values, lines.join('\n').replace(/-/g, '−'));
     }
   }
-  /** The latest debug text of its team near the robot, from the last seconds. */
+  /** The latest debug text that the robot's team drew near it in the last two seconds. */
   message(scene, moment, i) {
     const { what, x, y, text, tick } = scene.drawn;
     const [, end] = scene.drawnAt(moment);

@@ -1,5 +1,5 @@
-// The Kubernetes manifests have only fields of the API with values that it allows. The API's published schema gives the types, in
-// TypeScript for unknown fields; the rules between fields are those of its documentation.
+// Checks that the Kubernetes manifests have only fields of the API with allowed values. Types come from the API's published
+// schema, and from TypeScript for unknown fields; rules between fields come from its documentation.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -16,7 +16,7 @@ const documentsOf = (text) => parseAllDocuments(text, { strict: true }).map((doc
   return document.toJS();
 });
 
-/** Complaints of the schema about values. */
+/** Errors of the schema about values. */
 function wrongValues(manifest) {
   const [version, Kind] = kinds[manifest.kind] ?? assert.fail(`unknown kind ${manifest.kind}`);
   if (manifest.apiVersion !== version) return [`apiVersion ${manifest.apiVersion}`];
@@ -28,7 +28,7 @@ function wrongValues(manifest) {
   }
 }
 
-/** Complaints of the compiler about unknown fields and types. */
+/** Errors of the compiler about unknown fields and types. */
 function wrongFields(manifests) {
   const lines = manifests.map((manifest, i) => {
     const [version] = kinds[manifest.kind];
@@ -48,7 +48,7 @@ const m${i}: Omit<T${i}, never> = ${JSON.stringify(manifest)};`;
     .map((found) => ts.flattenDiagnosticMessageText(found.messageText, " "));
 }
 
-/** Complaints about rules between the fields of a job. */
+/** Violated rules between the fields of a job. */
 function brokenRules({ kind, spec }) {
   if (kind !== "Job") return [];
   const { containers, restartPolicy, volumes } = spec.template.spec;

@@ -1,4 +1,4 @@
-// The GitHub workflows pass actionlint, and their scripts pass shellcheck.
+// Checks that the GitHub workflows pass actionlint, and their scripts shellcheck.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
@@ -14,12 +14,12 @@ const textOf = (name) => readFileSync(new URL(name, folder), "utf8");
 const complaints = async (text, name) =>
   (await runLint(text, name)).filter((found) => found.message).map((found) => `${name}:${found.line}: ${found.message}`);
 
-/** What shellcheck says about the scripts of a workflow; expressions count as a word. */
+/** Messages of shellcheck about the scripts of a workflow. Expressions are replaced by a word. */
 function scriptComplaints(text) {
   const steps = Object.values(parse(text).jobs).flatMap((job) => job.steps);
   return steps.filter((step) => step.run).flatMap((step) => {
     const script = step.run.replaceAll(/\$\{\{.*?\}\}/g, "EXPRESSION");
-    // SC2086: options in a variable of the workflow are several words.
+    // SC2086: a variable of the workflow with options is meant to expand to several words.
     const done = spawnSync("shellcheck", ["--shell=bash", "--exclude=SC2086", "-"], { input: script, encoding: "utf8" });
     assert.equal(done.error, undefined);
     return done.status === 0 ? [] : [done.stdout];

@@ -8,7 +8,7 @@
 namespace fulbito {
 namespace {
 
-/// Only every so often is all that can be saved read, too.
+/// Only one in so many cases also tests what can be salvaged, which takes long.
 constexpr std::size_t kSalvageEvery = 97;
 
 std::string golden() {
@@ -16,7 +16,7 @@ std::string golden() {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Whether a reader notices; what it saves must be readable or an error.
+/// Whether a reader notices the damage. What it salvages must be readable or an error.
 bool noticed(const std::string& bytes, bool also_salvage) {
   const auto reader = RecordingReader::parse(bytes, "damaged");
   if (also_salvage) {
@@ -26,7 +26,7 @@ bool noticed(const std::string& bytes, bool also_salvage) {
   return !reader || !reader->finished();
 }
 
-/// Counts the cases of every prefix and every flipped bit, and those that went unnoticed.
+/// Number of tested prefixes and flipped bits, and of those that went unnoticed.
 struct Tally {
   std::size_t cases = 0, unnoticed = 0;
 

@@ -4,14 +4,14 @@
 namespace fulbito {
 namespace {
 
-/// One short match of `chaser` and `idle`, written once and for all.
+/// A committed recording of a short match of `chaser` and `idle`, which is never written again.
 RecordingReader golden() {
   auto reader = RecordingReader::open(FULBITO_GOLDEN_RECORDINGS "/chaser-idle.fbr");
   REQUIRE(reader);
   return std::move(*reader);
 }
 
-/// Everything in a few numbers.
+/// Sums over the content of a recording.
 struct Sums {
   std::size_t plays = 0, events = 0, samples = 0, checks = 0;
   double commands = 0.0, ball_x = 0.0, headings = 0.0;

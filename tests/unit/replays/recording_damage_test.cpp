@@ -12,7 +12,7 @@ namespace {
 using test::sample;
 using test::Told;
 
-/// Reads everything; whether that worked.
+/// Reads all chunks. Returns whether that worked.
 bool readsWhole(const RecordingReader& reader) {
   for (std::size_t i = 0; i < reader.chunkCount(); ++i) {
     if (!reader.chunk(i)) return false;
@@ -20,7 +20,7 @@ bool readsWhole(const RecordingReader& reader) {
   return true;
 }
 
-/// A header, chunk or other payload of the sample, as it was before it became a block.
+/// The blocks of the sample: header, chunks and others, with their payloads.
 std::vector<Block> blocksOf(const std::string& bytes) {
   std::vector<Block> blocks;
   std::size_t at = kPrologueSize;
@@ -157,7 +157,7 @@ TEST_CASE("what would take much memory is refused before it does", "[unit]") {
   CHECK(flawOf(header));
   const Told told = sample();
   std::string bytes = told.bytes;
-  // A block that claims 4 GiB.
+  // A block with a claimed size of 4 GiB.
   bytes.replace(kPrologueSize + 16, 8, 8, '\xff');
   const auto reader = RecordingReader::parse(bytes, "huge");
   REQUIRE_FALSE(reader);

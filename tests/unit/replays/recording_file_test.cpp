@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes so many ticks of the sample into a file of at most `most` bytes; gives what `finish` said.
+/// Writes `ticks` ticks of the sample to a file of at most `most` bytes. Returns the result of `finish`.
 Result<void> recordInto(const std::string& file, int ticks, rlim_t most) {
   test::Told told;
   told.header = test::sampleHeader();

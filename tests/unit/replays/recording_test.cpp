@@ -16,7 +16,7 @@ using test::Told;
 constexpr double kPlaceStep = 5e-4;                  // [m]
 constexpr double kHeadingStep = 6.283185307 / 1024;  // [rad]
 
-/// All chunks of a recording in one.
+/// The content of all chunks of a recording, joined.
 RecordedChunk whole(const RecordingReader& reader) {
   RecordedChunk all;
   const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
@@ -157,7 +157,7 @@ TEST_CASE("events, drawings and checks come back", "[unit]") {
   CHECK(std::abs(all.drawings[1].from.x - 0.1234) < 1e-12);
   REQUIRE(all.checks.size() == 7);
   CHECK(all.checks[2].tick == 30);
-  // Blue's second robot sits out the play from tick 23 to 46, so yellow's second is the world's third.
+  // Blue's second robot is absent from tick 23 to 46, so yellow's second robot is the world's third.
   CHECK(all.checks[2].bodies[1] == BodyHash{});
   CHECK(all.checks[2].bodies[3] == bodyHash(told.worlds[29], 2));
   CHECK(all.checks[2].bodies[4] == bodyHash(told.worlds[29], 3));

@@ -11,7 +11,8 @@
 
 namespace fulbito::test {
 
-/// Two robots of each team (blue's second sits out of the second play), a ball and an obstacle.
+/// A header with two robots of each team, a ball and an obstacle. Blue's second robot is absent in the second
+/// play.
 inline RecordingHeader sampleHeader(RecordingLevel level = RecordingLevel::kFull) {
   RecordingHeader header;
   header.level = level;
@@ -34,11 +35,11 @@ inline RecordingHeader sampleHeader(RecordingLevel level = RecordingLevel::kFull
   return header;
 }
 
-/// What was told to the writer, to compare with what is read.
+/// The data given to the writer, to compare with the data that is read.
 struct Told {
   RecordingHeader header;
   std::vector<RecordedPlay> plays;
-  std::vector<std::vector<WheelSpeeds>> commands;  ///< one list a tick, of the robots of the header
+  std::vector<std::vector<WheelSpeeds>> commands;  ///< per tick, in the order of the header's robots
   std::vector<WorldState> worlds;
   std::vector<std::uint64_t> hashes;
   std::vector<bool> playing;

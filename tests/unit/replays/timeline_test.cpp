@@ -9,8 +9,8 @@
 namespace fulbito {
 namespace {
 
-/// One robot and a ball, 10 ticks a second, a sample every second tick; the robot walks 1 cm a tick and
-/// turns through the angle where headings jump.
+/// A recording of a robot and a ball with 10 ticks per second and a sample every second tick. The robot moves
+/// by 1 cm per tick, and turns through the angle at which headings wrap.
 class Story {
  public:
   Story() {
@@ -110,7 +110,7 @@ TEST_CASE("a play begins where it begins: nothing slides to its start", "[unit]"
   story.play(0, 9, {0, 0});
   story.ticks(4, true);
   const ReplayTimeline timeline = story.read();
-  CHECK(std::abs(timeline.at(0.49).bodies[0]->position.x - 1.04) < 1e-4);  // the last sample holds
+  CHECK(std::abs(timeline.at(0.49).bodies[0]->position.x - 1.04) < 1e-4);  // the last sample is kept
   CHECK(timeline.at(0.49).play == 0);
   CHECK(timeline.at(0.5).play == 1);
   CHECK_FALSE(timeline.at(0.5).bodies[0]);
@@ -126,7 +126,7 @@ TEST_CASE("the clock stands while a restart waits and goes on after its signal",
   Story story;
   story.play(4, 100, {0, 0});
   story.ticks(3, false);
-  story.ticks(7, true);  // the signal is given at the fourth tick, which does not count
+  story.ticks(7, true);  // the signal comes at the fourth tick, which does not count
   story.play(2, 106, {0, 0});
   story.ticks(1, false);
   story.ticks(5, true);
@@ -204,7 +204,7 @@ TEST_CASE("drawings are shown until newer ones, for a fifth of a second, in thei
   CHECK(timeline.drawingsAt(timeline.at(0.3)).empty());
   CHECK(timeline.drawingsAt(timeline.at(0.4)).size() == 2);
   CHECK(timeline.drawingsAt(timeline.at(0.59)).size() == 2);
-  CHECK(timeline.drawingsAt(timeline.at(0.6)).empty());  // there the next play has begun
+  CHECK(timeline.drawingsAt(timeline.at(0.6)).empty());  // the next play has begun
   CHECK(timeline.drawingsAt(timeline.at(0.8)).empty());
 }
 
@@ -220,11 +220,11 @@ TEST_CASE("a time out of range shows the nearest end", "[unit]") {
   CHECK(timeline->at(std::numeric_limits<double>::quiet_NaN()).tick == 0);
   CHECK(timeline->at(1e300).tick == 70);
   CHECK(timeline->at(7.0).seconds == 7.0);
-  // Every tick is met by its own time, however that was computed.
+  // The time of every tick leads back to that tick, despite rounding.
   for (Tick tick = 0; tick <= timeline->ticks(); ++tick) {
     REQUIRE(timeline->at(timeline->secondsAt(tick)).tick == tick);
   }
-  ReplayMoment reused = timeline->at(2.5);  // where one robot is missing
+  ReplayMoment reused = timeline->at(2.5);  // one robot is missing at this time
   timeline->at(5.0, reused);
   CHECK(reused.bodies[1]);
 }

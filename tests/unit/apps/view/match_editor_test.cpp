@@ -76,7 +76,7 @@ TEST_CASE("a robot's front is turned to the pointer, or by the wheel", "[unit]")
   REQUIRE(editor.turn(after.position, -0.25));
   CHECK(robotOf(match.placement(), TeamId::kBlue, 2).heading == Approx(math::kPi / 2 - 0.25));
   CHECK_FALSE(editor.turn({0.3, 0.55}, 0.25));
-  // The ball has no front.
+  // The ball has no front, so it cannot be turned.
   CHECK_FALSE(editor.grab(match.placement().ball, true));
 }
 

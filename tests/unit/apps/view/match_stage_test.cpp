@@ -125,7 +125,7 @@ TEST_CASE("the teams' drawings are shown on request", "[unit]") {
   const Shown with = shown(stage, choice);
   REQUIRE(with.overlays.drawings.size() == 1);
   CHECK(with.overlays.drawings[0].team == TeamId::kYellow);
-  CHECK(with.overlays.drawings[0].from == Vec2{-0.1, -0.2});  // yellow looks at the world from the other side
+  CHECK(with.overlays.drawings[0].from == Vec2{-0.1, -0.2});  // yellow's frame is rotated by 180 degrees
   choice.drawings = false;
   CHECK(shown(stage, choice).overlays.drawings.empty());
 }

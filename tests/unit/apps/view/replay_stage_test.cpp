@@ -78,7 +78,7 @@ TEST_CASE("a recording says whether it was edited", "[unit]") {
   wanted.ball = {0.0, 0.5};
   REQUIRE(match->replace(wanted));
   for (int i = 0; i < 400; ++i) REQUIRE(match->step());
-  // Cut: the chunk of the first six seconds was written, the result was not.
+  // The recording is cut off: the chunk of the first six seconds is written, the result is not.
   CHECK(replayStage(bytes)->edited());
   match->finish();
   CHECK(replayStage(bytes)->edited());

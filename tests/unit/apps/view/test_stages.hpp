@@ -11,7 +11,7 @@
 
 namespace fulbito::test {
 
-/// The recording of a short match, unpacked.
+/// The timeline of a recording in memory.
 inline ReplayTimeline timelineOf(const std::string& bytes) {
   const auto reader = RecordingReader::parse(bytes, "test");
   REQUIRE(reader);

@@ -16,7 +16,7 @@ Viewer shortViewer() {
   return {std::move(stages), {}};
 }
 
-/// Pixels in which two pictures of the same size differ.
+/// The number of pixels in which two pictures of the same size differ.
 int differences(const Canvas& a, const Canvas& b) {
   int count = 0;
   for (int y = 0; y < a.height(); ++y) {
@@ -52,7 +52,7 @@ TEST_CASE("a saved picture shows no help and no note", "[unit]") {
   Viewer viewer = shortViewer();
   ViewScreen screen;
   const std::string plain = folder.path() / "plain.png", saved = folder.path() / "saved.png";
-  CHECK_FALSE(screen.save(viewer, plain));  // nothing is drawn yet
+  CHECK_FALSE(screen.save(viewer, plain));  // nothing has been drawn yet
   viewer.act(ViewAction::kPlay);
   REQUIRE(screen.draw(viewer, 320, 240));
   REQUIRE(screen.save(viewer, plain));
@@ -67,7 +67,7 @@ TEST_CASE("the screen always says how fast it plays and that H shows the keys", 
   Viewer viewer = shortViewer();
   ViewScreen screen;
   REQUIRE(screen.draw(viewer, 900, 780));
-  const auto inked = [&] {  // pixels of the board's foot, right of the clock, that are not its panel's
+  const auto inked = [&] {  // pixels at the foot of the board, right of the clock, that differ from its panel
     int count = 0;
     for (int y = 68; y < 82; ++y) {
       for (int x = 700; x < 890; ++x)
@@ -82,7 +82,7 @@ TEST_CASE("a pointer aims at what the picture shows there", "[unit]") {
   Viewer viewer = shortViewer();
   ViewScreen screen;
   PointerEvent event;
-  screen.aim(event, {10.0, 10.0});  // nothing is drawn yet
+  screen.aim(event, {10.0, 10.0});  // nothing has been drawn yet
   CHECK_FALSE(event.on_bar);
   REQUIRE(screen.draw(viewer, 900, 780));
   const double seconds = viewer.stage().look().seconds;

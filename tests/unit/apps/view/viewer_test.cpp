@@ -24,7 +24,7 @@ Viewer viewerOf(const std::vector<std::string>& recordings, const ViewSettings& 
   return {std::move(stages), settings};
 }
 
-/// Lets wall time go by in steps of a sixtieth of a second.
+/// Advances the wall time in steps of 1/60 s.
 void run(Viewer& viewer, double seconds, std::int64_t& now) {
   const auto steps = static_cast<int>(seconds * 60.0 + 0.5);
   for (int i = 0; i < steps; ++i) viewer.advance(now += kSecond / 60);
@@ -82,7 +82,7 @@ TEST_CASE("a machine that slept does not skip the match", "[unit]") {
   viewer.advance(0);
   viewer.advance(3600 * kSecond);
   CHECK(viewer.stage().seconds() == Approx(0.1));
-  viewer.advance(3599 * kSecond);  // a clock that goes back moves nothing
+  viewer.advance(3599 * kSecond);  // a clock that runs backwards has no effect
   CHECK(viewer.stage().seconds() == Approx(0.1));
 }
 
@@ -183,7 +183,7 @@ TEST_CASE("keys change the look", "[unit]") {
   CHECK(s.theme == PictureTheme::kLight);
   CHECK(s.full_screen);
   CHECK(s.help);
-  press(viewer, ViewKey::kEscape);  // closes the help first
+  press(viewer, ViewKey::kEscape);  // first closes the help
   CHECK_FALSE(s.help);
   CHECK_FALSE(viewer.quits());
   press(viewer, ViewKey::kEscape);
@@ -223,7 +223,7 @@ TEST_CASE("one file follows the other, and keys go between them", "[unit]") {
   CHECK(viewer.current() == 1);
   press(viewer, ViewKey::kPageUp);
   CHECK(viewer.current() == 0);
-  CHECK(viewer.stage().seconds() == 0.0);  // it was over: it begins anew
+  CHECK(viewer.stage().seconds() == 0.0);  // the recording was at its end, so it starts again
   press(viewer, ViewKey::kPageUp);
   CHECK(viewer.current() == 0);
   CHECK(viewer.title().find("file0.fbr") != std::string::npos);
@@ -239,7 +239,7 @@ TEST_CASE("the bar of time seeks, also while dragged off it", "[unit]") {
   viewer.point(event);
   CHECK(viewer.stage().seconds() == 12.0);
   run(viewer, 0.5, now);
-  CHECK(viewer.stage().seconds() == 12.0);  // held
+  CHECK(viewer.stage().seconds() == 12.0);  // time stands still while the bar is held
   event.kind = PointerEvent::Kind::kMove;
   event.on_bar = false;
   event.bar_seconds = 7.0;
@@ -249,7 +249,7 @@ TEST_CASE("the bar of time seeks, also while dragged off it", "[unit]") {
   viewer.point(event);
   run(viewer, 0.5, now);
   CHECK(viewer.stage().seconds() == Approx(7.5).margin(1e-3));
-  // A drag over a recording's field moves nothing.
+  // A drag over the field of a recording has no effect.
   viewer.point(pointer(PointerEvent::Kind::kDown, {0.0, 0.0}));
   viewer.point(pointer(PointerEvent::Kind::kMove, {0.3, 0.0}));
   viewer.point(pointer(PointerEvent::Kind::kUp, {0.3, 0.0}));

@@ -7,7 +7,7 @@
 namespace fulbito {
 namespace {
 
-/// A recording with so many equal events or drawings in its only tick.
+/// A recording with `count` equal events or drawings in its only tick.
 std::string withMany(int count, bool drawings) {
   test::Told told;
   told.header = test::sampleHeader();

@@ -10,7 +10,7 @@
 namespace fulbito {
 namespace {
 
-constexpr std::int32_t kHigh = 2147483000;  // as far as wholeSteps goes
+constexpr std::int32_t kHigh = 2147483000;  // the largest result of wholeSteps
 
 Columns tableOf(std::size_t columns, std::size_t rows,
                 const std::function<std::int32_t(std::size_t, std::size_t)>& at) {
@@ -22,7 +22,7 @@ Columns tableOf(std::size_t columns, std::size_t rows,
   return table;
 }
 
-/// Its bytes, after a check that they give the table back.
+/// The written bytes of a table, after a check that they read back as the same table.
 Bytes written(const Columns& table, Trend trend) {
   Bytes bytes;
   writeColumns(table, trend, bytes);
@@ -47,7 +47,7 @@ TEST_CASE("whole steps are the nearest, and nothing impossible is cast", "[unit]
   CHECK(wholeSteps(1e30, 0.01) == 0);
   CHECK(wholeSteps(std::numeric_limits<double>::quiet_NaN(), 0.01) == 0);
   CHECK(wholeSteps(-std::numeric_limits<double>::infinity(), 0.01) == 0);
-  // What was rounded to the step comes back to the same bits.
+  // A value that was rounded to a multiple of the step reads back with the same bits.
   for (int i = -5000; i <= 5000; ++i) {
     const double rounded = static_cast<double>(i) * 0.01;
     REQUIRE(wholeSteps(rounded, 0.01) * 0.01 == rounded);

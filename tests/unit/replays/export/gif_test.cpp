@@ -22,7 +22,7 @@ std::uint32_t colourOf(const GifPalette& palette, std::uint8_t index) {
          c[i + 2];
 }
 
-/// What a viewer shows after each frame, as indices of the palette.
+/// The picture that a viewer shows after each frame, as palette indices.
 std::vector<std::string> framesOf(std::string& bytes) {
   std::string_view rest = bytes;
   const auto read = [](GifFileType* gif, GifByteType* into, int size) {
@@ -87,7 +87,7 @@ TEST_CASE("many colours become near ones, the most frequent ones stay", "[unit]"
 
 TEST_CASE("a GIF shows every frame as it is", "[unit]") {
   std::vector<Canvas> frames;
-  for (const int x : {8, 20, 20, 39, 0}) {  // one does not change anything
+  for (const int x : {8, 20, 20, 39, 0}) {  // two of the frames are equal
     frames.push_back(*Canvas::create(40, 30, {10, 20, 30}));
     frames.back().fillCircle({static_cast<double>(x), 15}, 5, {250, 120, 20});
   }

@@ -36,7 +36,8 @@ TEST_CASE("a page is whole: every part is in its place", "[unit]") {
   CHECK(html.starts_with("<!doctype html>"));
   CHECK(html.ends_with("</html>\n"));
   CHECK(html.find("{{") == std::string::npos);
-  CHECK(html.find("http:") == html.find("http://www.w3.org/2000/svg"));  // a name, not an address
+  // The name of a namespace, not an address.
+  CHECK(html.find("http:") == html.find("http://www.w3.org/2000/svg"));
   CHECK(html.find("https:") == std::string::npos);
   const auto meta = nlohmann::json::parse(between(html, "id=\"meta\">", "</script>"));
   const std::string packed = test::bytesOfBase64(between(html, "id=\"data\">", "</script>"));
@@ -68,7 +69,7 @@ TEST_CASE("the security policy names digests of what the page runs", "[unit]") {
   const std::string policy = between(html, "Content-Security-Policy\" content=\"", "\"");
   CHECK(policy.starts_with("default-src 'none'; script-src 'sha256-"));
   CHECK(policy.find("unsafe") == std::string::npos);
-  // Two scripts and a style of 32 bytes each.
+  // Digests of two scripts and a style sheet, of 32 bytes each.
   std::size_t digests = 0;
   for (std::size_t at = policy.find("'sha256-"); at != std::string::npos;
        at = policy.find("'sha256-", at + 1)) {

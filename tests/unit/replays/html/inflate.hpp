@@ -8,7 +8,7 @@
 
 namespace fulbito::test {
 
-/// What raw deflate holds; `size` bytes.
+/// The `size` bytes that raw deflate contains.
 inline std::string inflated(std::string_view bytes, std::size_t size) {
   std::string out(size, '\0');
   std::string in(bytes);
@@ -24,7 +24,7 @@ inline std::string inflated(std::string_view bytes, std::size_t size) {
   return out;
 }
 
-/// The bytes of base64 as `base64Of` writes it.
+/// Decodes base64 as `base64Of` writes it.
 inline std::string bytesOfBase64(std::string_view text) {
   static constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

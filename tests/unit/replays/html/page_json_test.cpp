@@ -72,7 +72,7 @@ TEST_CASE("the score changes with goals, at restarts and at the table", "[unit]"
   scene.plays[1].score = {0, 1};
   scene.result = RecordingResult{40, true, {1, 1}, 0, "draw", {}};
   CHECK(jsonOf(scene)["scenes"][0]["scores"] == Json({{0, 0, 0}, {19, 0, 1}, {35, 1, 1}}));
-  scene.result->score = {0, 3};  // a walk-over
+  scene.result->score = {0, 3};  // a walk-over changes the score at the end
   CHECK(jsonOf(scene)["scenes"][0]["scores"].back() == Json({40, 0, 3}));
   scene.plays[1].score = {2, 1};
   CHECK(jsonOf(scene)["scenes"][0]["scores"][2] == Json({20, 2, 1}));
@@ -90,7 +90,7 @@ TEST_CASE("a call's words and colour are in the data, not in the page", "[unit]"
   const Json events = jsonOf(scene)["scenes"][0]["events"];
   CHECK(events[0]["title"] == "Goal kick");
   CHECK(events[0]["detail"] == "keeper charged");
-  CHECK(events[0]["favours"] == 1);  // who takes the kick; `team` is at fault
+  CHECK(events[0]["favours"] == 1);  // the team that takes the kick; `team` is at fault
   CHECK(events[0]["team"] == 0);
   CHECK(events[0]["measured"] == "pressed with 0.12 N s (limit 0.02 N s)");
   CHECK(events[1]["favours"] == 1);

@@ -5,7 +5,8 @@
 
 namespace fulbito::test {
 
-/// Two robots, a ball and a box; two plays, the second without the second robot and far from the first.
+/// A scene with two robots, a ball and a box. In the second of two plays the second robot is absent, and all
+/// bodies are far from their places in the first.
 inline PageScene sampleScene() {
   PageScene scene;
   scene.title = "sample";

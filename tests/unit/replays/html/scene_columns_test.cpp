@@ -11,7 +11,7 @@
 namespace fulbito {
 namespace {
 
-/// Reads columns as the page's script does.
+/// Reads columns like the page's script.
 class Script {
  public:
   explicit Script(const std::string& bytes) : bytes_(bytes) {}
@@ -83,7 +83,7 @@ TEST_CASE("headings go on over a full turn within a play", "[unit]") {
   const PageScene scene = test::sampleScene();
   Script script(packedColumns(scene));
   for (int i = 0; i < 3; ++i) script.column(scene);
-  const auto heading = script.column(scene);  // of the first robot, which turns by 0.682 rad a row
+  const auto heading = script.column(scene);  // heading of the first robot, which turns by 0.682 rad per row
   for (std::size_t r = 1; r < scene.plays[1].row; ++r)
     CHECK(std::abs(heading[r] - heading[r - 1] - 136) <= 1);
 }

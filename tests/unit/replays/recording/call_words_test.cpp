@@ -19,7 +19,7 @@ RecordedEvent callOf(const std::string& clause, std::optional<TeamId> team) {
   return event;
 }
 
-/// Names of the rules that the referee calls, from the header that lists them.
+/// Names of the rules that the referee calls, read from the header that lists them.
 std::set<std::string> clausesOfTheReferee() {
   std::ifstream file(FULBITO_CLAUSES);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -58,7 +58,7 @@ TEST_CASE("a call has the colour of the team that gains by it", "[unit]") {
     CHECK(favours("placement", team) == std::nullopt);
     CHECK(favours("command.late", team) == std::nullopt);
   }
-  // Of a foul the event names the team at fault: the other one has the ball.
+  // The event of a foul names the team at fault, so the other team has the ball.
   for (const std::string& clause : clausesOfTheReferee()) {
     if (clause.find('.') == std::string::npos) continue;
     INFO(clause);

@@ -52,7 +52,7 @@ TEST_CASE("a heat map is hot where the ball was", "[unit]") {
   };
   CHECK(heat({0.3, 0.1}) > 4.0 * heat({0.3, -0.3}));
   CHECK(heat({0.3, 0.1}) > 4.0 * heat({-0.3, 0.1}));
-  // Nobody was there: no heat, and no division by nothing.
+  // Without any body in the selection there is no heat, and no division by zero.
   CHECK(drawHeatMap(timeline, specOf(timeline), {{}, "nobody", 0.0, 20.0}));
   CHECK(drawHeatMap(timeline, specOf(timeline), {{4}, "the ball", 8.5, 8.6}));
 }
@@ -64,7 +64,7 @@ TEST_CASE("a contact sheet has a picture for each time", "[unit]") {
   REQUIRE(one);
   REQUIRE(five);
   CHECK(five->width() == 800);
-  CHECK(one->height() > five->height());  // one alone takes the whole width
+  CHECK(one->height() > five->height());  // a single picture takes the whole width
   CHECK_FALSE(drawContactSheet(timeline, specOf(timeline, 200), {1, 2, 3, 4}, {}));
 }
 
@@ -96,10 +96,10 @@ TEST_CASE("an SVG picture holds any name safely", "[unit]") {
 TEST_CASE("XML escapes keep good UTF-8 and nothing else", "[unit]") {
   CHECK(escapedXml("Caf\xc3\xa9 \xf0\x9f\xa4\x96") == "Caf\xc3\xa9 \xf0\x9f\xa4\x96");
   CHECK(escapedXml("a<b>&\"'") == "a&lt;b&gt;&amp;&quot;&#39;");
-  CHECK(escapedXml("\xc0\xaf") == "  ");            // overlong
-  CHECK(escapedXml("\xed\xa0\x80") == "   ");       // half a surrogate pair
-  CHECK(escapedXml("\xf4\x90\x80\x80") == "    ");  // beyond Unicode
-  CHECK(escapedXml("x\xe2\x82") == "x  ");          // cut off
+  CHECK(escapedXml("\xc0\xaf") == "  ");            // overlong encoding
+  CHECK(escapedXml("\xed\xa0\x80") == "   ");       // half of a surrogate pair
+  CHECK(escapedXml("\xf4\x90\x80\x80") == "    ");  // beyond the range of Unicode
+  CHECK(escapedXml("x\xe2\x82") == "x  ");          // incomplete character
   CHECK(escapedXml("\xef\xbf\xbf|") == " |");
 }
 

@@ -9,7 +9,7 @@
 
 namespace fulbito::test {
 
-/// A way from the layout's start to its goal that swings out by `bulge` [m], with `waves` [m] on it.
+/// A path from the layout's start to its goal that bulges sideways by `bulge` [m], with waves of `waves` [m].
 inline DrawnPath samplePath(const Layout& layout, const std::string& label, double bulge,
                             double waves = 0.0) {
   constexpr int kTicks = 120;
@@ -30,7 +30,7 @@ inline ObstacleSpec disc(Vec2 position) {
   return obstacle;
 }
 
-/// Corner to corner past four balls on the 3v3 field, without paths.
+/// A picture of the 3v3 field from corner to corner past four balls, without paths.
 inline FieldPicture cornerPicture() {
   FieldPicture picture;
   picture.title = "Corner to corner past four balls";
@@ -42,7 +42,7 @@ inline FieldPicture cornerPicture() {
   return picture;
 }
 
-/// Where a place of the field is in a match's picture.
+/// The pixel of a place on the field in a match picture.
 inline Vec2 pixelOf(const MatchPicture& picture, Vec2 place) {
   const MatchPlan plan = planOf(picture.spec());
   return plan.centre + Vec2{place.x, -place.y} * plan.pixels_per_metre;
@@ -50,7 +50,7 @@ inline Vec2 pixelOf(const MatchPicture& picture, Vec2 place) {
 
 inline bool same(Colour a, Colour b) { return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a; }
 
-/// How many pixels of the rectangle have exactly this colour.
+/// The number of pixels in the rectangle with exactly this colour.
 inline int count(const Canvas& canvas, Colour colour, int left, int top, int right, int bottom) {
   int found = 0;
   for (int y = top; y < bottom; ++y) {

@@ -24,7 +24,7 @@ std::string longMatch(RecordingLevel level = RecordingLevel::kFull) {
   return recorded(shortMatch("chaser", "chaser", 60.0), level);
 }
 
-/// Where chunk number `index` begins in the file, by its type's letters.
+/// Offset in the file of the begin of chunk number `index`, found by the letters of its type.
 std::size_t chunkOffset(const std::string& bytes, int index) {
   std::size_t at = bytes.find("CHNK");
   for (; index > 0; --index) at = bytes.find("CHNK", at + 1);
@@ -116,7 +116,7 @@ TEST_CASE("a repair keeps what precedes the damage and the plays that begin afte
   REQUIRE(repaired);
   CHECK(repaired->gaps == 1);
   CHECK_FALSE(repaired->end_lost);
-  // At most the lost chunk and the rest of the play that went on after it.
+  // At most the lost chunk, and the rest of the play that continued after it.
   CHECK(repaired->lost_ticks >= 360);
   CHECK(repaired->lost_ticks < 3000);
   CHECK(repaired->ticks == whole.ticks() - repaired->lost_ticks);

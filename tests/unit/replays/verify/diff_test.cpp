@@ -10,7 +10,7 @@ namespace {
 
 using namespace fulbito::test;
 
-/// Two teams that drive on, one of whose robots does something else from a tick on.
+/// Two teams that drive straight on; one robot changes its command at some tick.
 MatchConfig driving(const TestEntry& yellow, const TestEntry& blue) {
   MatchConfig config = shortMatch("chaser", "chaser", 3.0);
   config.teams = {blue.choice(), yellow.choice()};

@@ -36,7 +36,7 @@ TEST_CASE("a cut recipe is expanded as far as it goes", "[unit]") {
 TEST_CASE("a recipe that does not come out the same is not expanded", "[unit]") {
   const MatchConfig config = shortMatch("chaser", "chaser", 10.0);
   const RecordingReader recipe = readerOf(recorded(config, RecordingLevel::kRecipe));
-  // The same commands in a world that is a little more slippery.
+  // The same commands in a world with slightly less grip.
   RecordingHeader header = recipe.header();
   PhysicsProfile physics = config.physics;
   physics.substeps += 1;

@@ -13,7 +13,7 @@ RecordingReader readerOf(const MatchConfig& config) {
   return std::move(*reader);
 }
 
-/// Nobody moves: the ball is stuck in the middle of the field until the rules stop it.
+/// A match in which nobody moves: the ball is stuck in the middle of the field until the rules stop play.
 MatchConfig standstill(double half_seconds) {
   static const TestEntry statues([](const Observation&) { return allWheels({}); });
   MatchConfig config = shortMatch("chaser", "chaser", half_seconds);
@@ -137,7 +137,7 @@ TEST_CASE("a play without its ball cannot be judged", "[unit]") {
   auto writer = RecordingWriter::create(into(bytes), header);
   REQUIRE(writer);
   RecordedPlay play;
-  play.starts.resize(header.bodies.size());  // nobody is there
+  play.starts.resize(header.bodies.size());  // all bodies are absent
   writer->beginPlay(play);
   const WorldState empty;
   for (int tick = 0; tick < 5; ++tick) writer->add(RecordingTick{&empty, {}, 0, true});

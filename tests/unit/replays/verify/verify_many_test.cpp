@@ -59,7 +59,7 @@ TEST_CASE("many recordings are verified at once, the same for any number of jobs
   CHECK(stopped.error().code == ErrorCode::kInterrupted);
 }
 
-// It was made when bodies still overlapped and each wheel was limited on its own: today's matches differ.
+// The golden recording has other physics: in it bodies overlap, and each wheel is limited separately.
 TEST_CASE("a recording of other physics is played again, and found to differ", "[unit]") {
   const auto files = recordingFiles({FULBITO_GOLDEN_RECORDINGS});
   REQUIRE(files);

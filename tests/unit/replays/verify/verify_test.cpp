@@ -10,7 +10,7 @@ namespace {
 
 using namespace fulbito::test;
 
-/// Writes a recording anew while it is played again, with changes.
+/// Simulates a recording again and writes it with changes.
 class Forger final : public ReplayVisitor {
  public:
   using Change = std::function<void(Tick, RecordingTick&, WorldState&, std::vector<WheelSpeeds>&)>;
@@ -52,7 +52,7 @@ std::string forged(const RecordingReader& original, const Forger::Change& change
   return bytes;
 }
 
-/// All its robots drive slowly and, from two columns, far from each other.
+/// A team whose robots drive slowly, and stay far from each other if they start in two columns.
 const TestEntry& slowTeam() {
   static const TestEntry slow([](const Observation&) { return allWheels({3.0, 3.5}); });
   return slow;
@@ -190,7 +190,7 @@ TEST_CASE("a sampled state that was moved is named with its coordinate", "[unit]
 
 TEST_CASE("another recipe than the recorded one is noticed", "[unit]") {
   MatchConfig config = shortMatch("chaser", "chaser", 10.0);
-  config.rules.restart.delay = 0.0;  // before the signal nothing moves, whatever the recipe
+  config.rules.restart.delay = 0.0;  // otherwise nothing moves before the signal, whatever the recipe says
   const RecordingReader reader = readerOf(recorded(config));
   RecordingHeader header = reader.header();
   RobotPreset robot = *parseRobot(header.recipe.robot, "robot");
@@ -260,7 +260,7 @@ TEST_CASE("a navigation trial is recorded and verified by the same means", "[uni
   REQUIRE(verification);
   CHECK(verification->same());
   CHECK(verification->ticks == 400);
-  // The robot did push the obstacle, so that its motion is part of what was compared.
+  // The robot has pushed the obstacle, so the obstacle's motion has been compared too.
   const auto chunk = reader.chunk(0);
   REQUIRE(chunk);
   const Vec2 pushed = layout.obstacles[1].pose.position;

@@ -47,7 +47,7 @@ WideHashValue hashOf(const Placement& placement) {
   return hash.value();
 }
 
-/// Of the bodies as the first tick of play finds them.
+/// Hash of the state of all bodies at the first tick of play.
 WideHashValue firstState(const MatchConfig& config) {
   auto match = Match::create(config);
   REQUIRE(match);
@@ -55,7 +55,7 @@ WideHashValue firstState(const MatchConfig& config) {
   return hashOf(match->placement());
 }
 
-/// Counts what the referee says at the placement and in the first tick.
+/// Counts the referee's calls and repairs at the placement and in the first tick.
 struct FirstCalls final : MatchObserver {
   std::size_t repairs = 0, calls = 0;
   std::optional<RestartKind> restart;
@@ -66,7 +66,7 @@ struct FirstCalls final : MatchObserver {
   }
   void onTick(const MatchTick& tick) override {
     if (tick.tick > 1) return;
-    // Where play begins at once, the first tick says that it does.
+    // At a start without a delay, the first tick announces the kick-off, which is not a call.
     for (const GameEvent& event : tick.events) calls += event.clause != "kick-off" ? 1 : 0;
   }
 };
@@ -242,7 +242,7 @@ TEST_CASE("a team against itself: both matches of a pair are equal from every ki
 }
 
 TEST_CASE("both roles of a start fall to each team of a pair", "[unit]") {
-  // The taker keeps its seat while the teams change theirs.
+  // The seat of the taker stays, while the teams exchange theirs.
   MatchConfig first = started({{StartKind::kPenalty}, 1}, 0, matchOf("vsss-3v3", "chaser"));
   first.teams[1] = *parseTeam("idle");
   MatchConfig second = first;

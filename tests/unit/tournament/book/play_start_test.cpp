@@ -61,7 +61,7 @@ TEST_CASE("states from play: all on the field, nobody overlaps, the ball rolls o
       y += std::abs(found->ball.y) / match.field.width;
     }
     CHECK(balls.size() == kStarts);
-    // Spread over the field; even spreads would give 1/4.
+    // Mean distances from the centre over the field's dimensions; 1/4 for a uniform distribution.
     INFO("ball " << x / kStarts << " " << y / kStarts << ", robots " << robot_x / robots << " "
                  << robot_y / robots);
     for (const double mean : {x / kStarts, y / kStarts, robot_x / robots, robot_y / robots}) {
@@ -92,7 +92,7 @@ TEST_CASE("a team that is absent has no robots in a state from play", "[unit]") 
 TEST_CASE("a state from play costs less than 20 ms on average", "[unit]") {
   const MatchConfig match = matchOf("vsss-3v3");
   constexpr int kStarts = 50;
-  const std::clock_t begun = std::clock();  // of the processor: others may use it too
+  const std::clock_t begun = std::clock();  // CPU time, because other processes may use the processor too
   for (std::uint64_t turn = 0; turn < kStarts; ++turn) REQUIRE(playStart({StartKind::kPlay, 9, turn}, match));
   const double mean = 1e3 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC / kStarts;
   INFO(mean << " ms per start");

@@ -123,7 +123,7 @@ TEST_CASE("shards in folders of their own merge to the whole, in any order and n
     REQUIRE(read);
     CHECK(read->state.finished());
     CHECK(hashesOf(read->state) == hashesOf(whole.state));
-    REQUIRE(mergeFolders(folders, into));  // into what is there: nothing changes
+    REQUIRE(mergeFolders(folders, into));  // merging again into the same folder changes nothing
   }
 }
 

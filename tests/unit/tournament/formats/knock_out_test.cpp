@@ -23,7 +23,7 @@ std::string textOf(const std::vector<KnockOutTie>& ties) {
   return text;
 }
 
-/// A tie of two entrants with one regular pair: the results by start.
+/// A tie of two entrants with one regular pair. `pairs` are the results by start.
 KnockOutTie tieOf(const std::vector<PairResult>& pairs) {
   const TournamentPlan plan = planOf(TournamentFormat::kKnockOut, 2);
   const Played played = playInOrder(plan, [&](const Fixture& fixture) { return pairs.at(fixture.start); });
@@ -58,14 +58,14 @@ TEST_CASE("a bracket of five by hand: three byes, a match for the third place", 
   CHECK(table[1].decided_by == "round reached");
   CHECK(table[3].decided_by == "match for the third place");
   CHECK(table[4].byes == 0);
-  // Of three entrants, one loser of a semi-final is the third without a match.
+  // With three entrants, the loser of the only semi-final is third without a match.
   CHECK(textOf(bracketOf(planOf(TournamentFormat::kKnockOut, 3), {})) == "0:0-?=0 0:1-2=? 1:0-?=? ");
 }
 
 TEST_CASE("the table while a knock-out is under way: the same round, then who is still in", "[unit]") {
   const TournamentPlan plan = planOf(TournamentFormat::kKnockOut, 8);
   const Played played = playInOrder(plan, kBetterSeed);
-  // Two of four quarter-finals: 0 beat 7, 3 beat 4.
+  // The results of two of the four quarter-finals: 0 beat 7, 3 beat 4.
   const auto table = standingsOf(plan, played.schedule, played.results, 2);
   CHECK(orderOf(table) == "0 =3 1 =2 =5 =6 4 =7");
   CHECK(table[2].decided_by == "round reached");
@@ -94,8 +94,8 @@ TEST_CASE("what decides a tie: points, goals, further pairs one at a time, seedi
 
 TEST_CASE("a match that a shoot-out decides counts by its winner, not its score", "[unit]") {
   PairResult pair = pairOf(0, 0, 2, 2);
-  pair.legs[0].winner = TeamId::kYellow;  // B
-  pair.legs[1].winner = TeamId::kBlue;    // B
+  pair.legs[0].winner = TeamId::kYellow;  // B wins
+  pair.legs[1].winner = TeamId::kBlue;    // B wins
   const KnockOutTie tie = tieOf({pair});
   CHECK(tie.winner == 1u);
   CHECK(tie.points_b == 2.0);

@@ -19,7 +19,8 @@ constexpr std::size_t kMostTested = 40;
 #ifdef NDEBUG
 constexpr double kMostTime = 0.3;  // [s]
 #else
-constexpr double kMostTime = 10.0;  // [s] a build for debugging or with sanitizers: linear, not more
+// [s] for a build for debugging or with sanitizers; enough for linear time only.
+constexpr double kMostTime = 10.0;
 #endif
 
 std::string textOf(const Schedule& schedule) {
@@ -76,7 +77,7 @@ TEST_CASE("nobody plays the same start against the same opponent twice", "[unit]
     std::map<Meeting, std::size_t> starts;
     for (const Fixture& fixture : played.schedule.fixtures) {
       CHECK(pairs.emplace(meetingOf(fixture), fixture.start).second);
-      CHECK(starts[meetingOf(fixture)]++ == fixture.start);  // from 0 without a gap
+      CHECK(starts[meetingOf(fixture)]++ == fixture.start);  // starts count from 0 without a gap
     }
   }
 }
@@ -128,12 +129,12 @@ TEST_CASE("groups are as equal as possible and play among themselves only", "[un
 TEST_CASE("a ladder by hand: the lower one takes the upper's place if it wins", "[unit]") {
   TournamentPlan plan = planOf(TournamentFormat::kLadder, 3, 2);
   plan.rounds = 3;
-  // 2 is the best: 0-1, then 1-2 exchanges, then 0-2 does.
+  // 2 is the strongest, then 0. Entrants 1 and 2 exchange places in the second round, 0 and 2 in the third.
   const Played played =
       playInOrder(plan, orderedPlay([](auto a, auto b) { return a == 2 || (b != 2 && a < b); }));
   CHECK(textOf(played.schedule) == "0:0-1/0 0:0-1/1 1:1-2/0 1:1-2/1 2:0-2/0 2:0-2/1 ");
   CHECK(orderOf(standingsOf(plan, played.schedule, played.results, 6)) == "2 0 1");
-  // The last round counts once it is complete.
+  // Without its last result, the third round does not count.
   CHECK(orderOf(standingsOf(plan, played.schedule, played.results, 5)) == "0 2 1");
 }
 
@@ -149,7 +150,7 @@ TEST_CASE("who meets again on a ladder plays new starts", "[unit]") {
 TEST_CASE("a ladder of n sorts any order in its default of n rounds if the better ones win", "[unit]") {
   for (std::size_t entrants = 2; entrants <= kMostTested; ++entrants) {
     const TournamentPlan plan = planOf(TournamentFormat::kLadder, entrants);
-    // The worst case: exactly the wrong order of seeding.
+    // The worst case: the seeding is exactly the reverse order of strength.
     const Played played = playInOrder(plan, orderedPlay([](auto a, auto b) { return a > b; }));
     const auto table = standingsOf(plan, played.schedule, played.results, played.results.size());
     for (std::size_t i = 0; i < entrants; ++i) CHECK(table[i].entrant == entrants - 1 - i);
@@ -173,7 +174,7 @@ TEST_CASE("a schedule of 50,000 pairs takes well below 0.3 s in each format", "[
   const std::clock_t begin = std::clock();
   const Schedule schedule = scheduleOf(plan, played.results);
   const auto table = standingsOf(plan, schedule, played.results, played.results.size());
-  const double time = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;  // [s] of the processor
+  const double time = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;  // [s] CPU time
   INFO(nameOf(format) << " of " << entrants << ", " << played.results.size() << " pairs: " << time << " s");
   CHECK(table.size() == entrants);
   CHECK(time < kMostTime);

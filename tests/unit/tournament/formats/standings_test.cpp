@@ -11,9 +11,10 @@ using namespace fulbito::test;
 
 namespace {
 
-using Scores = std::map<std::pair<std::size_t, std::size_t>, PairResult>;  // by entrants, lower first
+// By entrants, the lower number first.
+using Scores = std::map<std::pair<std::size_t, std::size_t>, PairResult>;
 
-/// The table after all meetings with these results; others are goalless.
+/// The table after all meetings. Meetings without a given result are goalless.
 std::vector<Standing> tableOf(const TournamentPlan& plan, const Scores& scores) {
   const Played played = playInOrder(plan, [&](const Fixture& fixture) {
     const auto found = scores.find({fixture.a, fixture.b});
@@ -64,7 +65,7 @@ TEST_CASE("only the first fixtures count that are asked for, and gaps do not", "
 
 TEST_CASE("a match that a shoot-out decides gives 3 points to its winner", "[unit]") {
   PairResult pair = pairOf(0, 0, 0, 0);
-  pair.legs[1].winner = TeamId::kYellow;  // A
+  pair.legs[1].winner = TeamId::kYellow;  // A wins
   const auto table = tableOf(planOf(TournamentFormat::kMatch, 2), {{{0, 1}, pair}});
   CHECK(table[0].entrant == 0);
   CHECK(table[0].points == 4);
@@ -74,7 +75,7 @@ TEST_CASE("a match that a shoot-out decides gives 3 points to its winner", "[uni
 
 TEST_CASE("ties in a league: goal difference, then goals scored", "[unit]") {
   const TournamentPlan plan = planOf(TournamentFormat::kRoundRobin, 4);
-  // 0, 1 and 2 beat 3 by different goals and draw among themselves, 1 and 2 with goals.
+  // 0, 1 and 2 beat 3 by different goals. They draw among themselves, 1 and 2 with goals.
   const auto table = tableOf(plan, {{{0, 3}, pairOf(1, 0, 1, 0)},
                                     {{1, 3}, pairOf(3, 0, 1, 0)},
                                     {{2, 3}, pairOf(2, 0, 2, 0)},
@@ -84,7 +85,7 @@ TEST_CASE("ties in a league: goal difference, then goals scored", "[unit]") {
 }
 
 TEST_CASE("ties in a league: points of the matches between those who are tied", "[unit]") {
-  // 0 and 1 have 5 points and goals 2:2. 1 won and drew against 0.
+  // 0 and 1 have 5 points and goals 2:2. Against 0, 1 won one match and drew the other.
   const auto table =
       tableOf(planOf(TournamentFormat::kRoundRobin, 3),
               {{{0, 1}, pairOf(0, 1, 0, 0)}, {{0, 2}, pairOf(2, 1, 0, 0)}, {{1, 2}, pairOf(0, 0, 1, 2)}});
@@ -93,7 +94,7 @@ TEST_CASE("ties in a league: points of the matches between those who are tied", 
 }
 
 TEST_CASE("ties in a league: goal difference of the matches between those who are tied", "[unit]") {
-  // 0 and 1 have 6 points and goals 4:4. Each won once against the other, 1 by more.
+  // 0 and 1 have 6 points and goals 4:4. Each won one match against the other, 1 by more goals.
   const auto table =
       tableOf(planOf(TournamentFormat::kRoundRobin, 3),
               {{{0, 1}, pairOf(0, 2, 1, 0)}, {{0, 2}, pairOf(3, 1, 0, 1)}, {{1, 2}, pairOf(2, 1, 0, 2)}});
@@ -102,8 +103,8 @@ TEST_CASE("ties in a league: goal difference of the matches between those who ar
 }
 
 TEST_CASE("ties in a league: who is not separated starts again among themselves", "[unit]") {
-  // 0, 1 and 2 have 10 points and goals 3:2. Among them 0 has 9 points, 1 and 2 have 4 and goals 1:2;
-  // between these two, 2 won and drew.
+  // 0, 1 and 2 have 10 points and goals 3:2. Among these three, 0 has 9 points; 1 and 2 have 4 points and
+  // goals 1:2. Between 1 and 2, 2 won one match and drew the other.
   const auto table = tableOf(planOf(TournamentFormat::kRoundRobin, 4), {{{0, 1}, pairOf(1, 0, 0, 1)},
                                                                         {{0, 2}, pairOf(1, 0, 1, 0)},
                                                                         {{1, 2}, pairOf(0, 1, 0, 0)},
@@ -115,7 +116,7 @@ TEST_CASE("ties in a league: who is not separated starts again among themselves"
 }
 
 TEST_CASE("ties in a league: who is level in everything shares a rank", "[unit]") {
-  // Each wins and draws against the next in a circle.
+  // In a circle, each entrant wins against the next and draws with it.
   const auto table =
       tableOf(planOf(TournamentFormat::kRoundRobin, 3),
               {{{0, 1}, pairOf(0, 1, 0, 0)}, {{0, 2}, pairOf(1, 0, 0, 0)}, {{1, 2}, pairOf(0, 0, 0, 1)}});
@@ -148,7 +149,7 @@ TEST_CASE("each group has a table of its own", "[unit]") {
 
 TEST_CASE("a gauntlet counts per match: many matches are no advantage", "[unit]") {
   const TournamentPlan plan = planOf(TournamentFormat::kGauntlet, 4);
-  // 0 wins a third of its matches, 1 loses, 2 and 3 win.
+  // 0 wins a third of its matches, 1 loses all, 2 and 3 win all.
   const auto table = tableOf(
       plan, {{{0, 1}, pairOf(1, 0, 1, 0)}, {{0, 2}, pairOf(0, 1, 0, 1)}, {{0, 3}, pairOf(0, 2, 0, 2)}});
   CHECK(orderOf(table) == "3 2 0 1");
@@ -167,8 +168,8 @@ TEST_CASE("a Swiss table by hand: points of pairs with a bye, Buchholz, Sonnebor
   for (const Standing& line : table) points[line.entrant] = line.pair_points, byes[line.entrant] = line.byes;
   CHECK(points == std::map<std::size_t, double>{{0, 4}, {1, 2}, {2, 2}, {3, 2}, {4, 2}});
   CHECK(byes == std::map<std::size_t, int>{{0, 0}, {1, 0}, {2, 0}, {3, 1}, {4, 1}});
-  // Opponents' points: 1 has 4 + 2, 2 has 4 + 2, 3 has 2 and 2 of the bye, 4 too.
-  // Won against: 1 beat 3 (2), 2 beat 4 (2): level. Goals: level. 3 and 4 lost to 1 and 2.
+  // Buchholz: 1 and 2 have 4 + 2; 3 and 4 have 2, and 2 from the bye. Sonneborn-Berger: 1 beat 3 (2), 2 beat
+  // 4 (2), which is level. Goals are level too. 3 and 4 lost to 1 and 2.
   CHECK(orderOf(table) == "0 1 =2 3 =4");
   CHECK(reasonsOf(table) == Reasons{"", "", "", "Buchholz", ""});
 }

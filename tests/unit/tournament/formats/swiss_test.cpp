@@ -13,7 +13,7 @@ using namespace fulbito::test;
 
 namespace {
 
-/// Whether all of `left` can be paired, by trying everything.
+/// Whether all of `left` can be paired, found by trying all pairings.
 bool pairable(const OpenMeetings& open, std::vector<std::size_t> left) {
   if (left.empty()) return true;
   const std::size_t first = left.back();
@@ -44,7 +44,8 @@ std::vector<std::size_t> allBut(std::size_t size, std::set<std::size_t> gone) {
   return left;
 }
 
-/// A Swiss tournament in which nobody meets twice, each plays or rests in each round, and nobody rests twice.
+/// Checks a Swiss tournament: nobody meets twice, each entrant plays or rests in each round, nobody rests
+/// twice.
 void checkRounds(const TournamentPlan& plan, const Schedule& schedule) {
   std::set<std::pair<std::size_t, std::size_t>> meetings;
   std::map<int, std::set<std::size_t>> rounds;
@@ -94,7 +95,7 @@ TEST_CASE("a perfect matching is found exactly when there is one, also after set
 }
 
 TEST_CASE("an odd cycle is searched through: a blossom", "[unit]") {
-  // A path 0-1, a triangle 1-2-3, a path 3-4 with 4-5: only 0-1, 2-3, 4-5 pairs all.
+  // A path 0-1, a triangle 1-2-3 and a path 3-4-5: only 0-1, 2-3, 4-5 pairs all entrants.
   OpenMeetings open = OpenMeetings(6);
   for (std::size_t a = 0; a < 6; ++a) {
     for (std::size_t b = 0; b < a; ++b) {
@@ -115,23 +116,23 @@ TEST_CASE("an odd cycle is searched through: a blossom", "[unit]") {
 TEST_CASE("Swiss pairings by hand", "[unit]") {
   SwissPairing six(6, 3);
   CHECK(six.next({0, 0, 0, 0, 0, 0}) == Pairing{{0, 3}, {1, 4}, {2, 5}});
-  // 0, 1 and 5 won: 0 meets 1, and 5 goes down to the best of the losers, 2 was its opponent.
+  // 0, 1 and 5 won. 0 meets 1; 5 meets the best loser that it has not met, since 2 was its opponent.
   CHECK(six.next({1, 1, 0, 0, 0, 1}) == Pairing{{0, 1}, {5, 3}, {2, 4}});
   SwissPairing five(5, 2);
   CHECK(five.next({0, 0, 0, 0, 0}) == Pairing{{0, 2}, {1, 3}, {4, 5}});
-  // The bye of 4 counts as won; 3, the last without a bye, rests now.
+  // The bye of 4 counts as a win. 3 is the last without a bye, so it rests in this round.
   CHECK(five.next({1, 1, 0, 0, 1}) == Pairing{{0, 1}, {4, 2}, {3, 5}});
 }
 
 TEST_CASE("a pairing that leaves others without an opponent is passed over", "[unit]") {
   SwissPairing pairing(4, 2);
   CHECK(pairing.next({0, 0, 0, 0}) == Pairing{{0, 2}, {1, 3}});
-  // 0 and 2 are first, but have met: both go down.
+  // 0 and 2 lead, but have met, so both meet losers.
   CHECK(pairing.next({1, 0, 1, 0}) == Pairing{{0, 1}, {2, 3}});
   SwissPairing six(6, 3);
   six.next({0, 0, 0, 0, 0, 0});  // 0-3 1-4 2-5
   six.next({2, 2, 2, 1, 1, 0});  // 0-1 2-3 4-5
-  // 1 would meet 3 next, but 4 and 5 have met.
+  // 1 would meet 3 next, but that would leave 4 and 5, who have met.
   CHECK(six.next({3, 2, 3, 1, 1, 0}) == Pairing{{0, 2}, {1, 5}, {3, 4}});
 }
 
@@ -182,7 +183,8 @@ TEST_CASE("reserved rounds have no pair in common, whatever the points", "[unit]
 }
 
 TEST_CASE("exchanged cycles make a reserved round more equal", "[unit]") {
-  constexpr std::size_t kPlaces = 10;  // two rounds of its circle can be several cycles
+  // Two rounds of the circle method for 10 places can form several cycles.
+  constexpr std::size_t kPlaces = 10;
   const auto cost = [](const Pairing& pairs, const std::vector<double>& points) {
     double sum = 0.0;
     for (const auto& [a, b] : pairs) sum += (points[a] - points[b]) * (points[a] - points[b]);
@@ -205,7 +207,7 @@ TEST_CASE("exchanged cycles make a reserved round more equal", "[unit]") {
 }
 
 TEST_CASE("rounds after the next one are found, or the reserved ones stay", "[unit]") {
-  // Six entrants after a round of the complete graph's: always five rounds in all.
+  // Six entrants after one round of the complete graph: five rounds in all are always possible.
   ReservedRounds rounds(6, 5);
   OpenMeetings open(6);
   for (const auto& [a, b] : Pairing{{0, 1}, {2, 3}, {4, 5}}) open.close(a, b);
@@ -217,7 +219,7 @@ TEST_CASE("rounds after the next one are found, or the reserved ones stay", "[un
     }
   }
   CHECK(rounds.empty());
-  // Two triangles are left of six after three rounds: no fourth one.
+  // After three rounds of six entrants only two triangles are left, so there is no fourth round.
   ReservedRounds two(6, 2);
   OpenMeetings triangles(6);
   for (std::size_t a = 0; a < 3; ++a) {
@@ -229,13 +231,13 @@ TEST_CASE("rounds after the next one are found, or the reserved ones stay", "[un
 
 TEST_CASE("opponents of a Swiss round have about equal points, in short and long tournaments", "[unit]") {
   constexpr std::size_t kEntrants = 16, kMeetings = kEntrants / 2;
-  constexpr int kCompared = 4;  // rounds; in a long tournament the last ones have no choice
+  constexpr int kCompared = 4;  // number of rounds; in a long tournament the last ones have no choice
   const int rounds = GENERATE(4, 8, 9, 12, 15);
   TournamentPlan plan = planOf(TournamentFormat::kSwiss, kEntrants);
   plan.rounds = rounds;
   const Played played = playInOrder(plan, orderedPlay([](auto a, auto b) { return a < b; }));
   std::vector<double> points(kEntrants);
-  double between_opponents = 0.0, between_all = 0.0;  // mean differences of points before the meetings
+  double between_opponents = 0.0, between_all = 0.0;  // mean difference of points before the meetings
   for (int round = 0; round < kCompared; ++round) {
     const auto* fixtures = &played.schedule.fixtures[static_cast<std::size_t>(round) * kMeetings];
     for (const double a : points) {

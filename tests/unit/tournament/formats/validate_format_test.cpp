@@ -41,7 +41,7 @@ TEST_CASE("numbers of entrants that a format cannot have are refused", "[unit]")
 
 TEST_CASE("pairs, rounds and groups out of range name their key", "[unit]") {
   for (const int pairs : {-1, 0, 100001}) checkRefused(planOf(TournamentFormat::kMatch, 2, pairs), "pairs");
-  checkRefused(planOf(TournamentFormat::kRoundRobin, 100, 1000), "pairs");  // 4,950,000 in all
+  checkRefused(planOf(TournamentFormat::kRoundRobin, 100, 1000), "pairs");  // 4,950,000 pairs in all
   for (const auto& [format, entrants, rounds, groups, key] :
        {std::tuple{TournamentFormat::kSwiss, 8u, 8, 1, "rounds"},
         std::tuple{TournamentFormat::kSwiss, 8u, -1, 1, "rounds"},

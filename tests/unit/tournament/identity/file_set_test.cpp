@@ -41,7 +41,7 @@ TEST_CASE("a file is hashed piece by piece", "[unit]") {
   REQUIRE_FALSE(missing);
   CHECK(missing.error().code == ErrorCode::kIo);
   CHECK(missing.error().message.find("missing") != std::string::npos);
-  // A pipe would wait for ever.
+  // Opening a pipe would wait forever.
   const std::string pipe = (scratch.path() / "pipe").string();
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
   CHECK(fileHash(pipe).error().message == "cannot read '" + pipe + "': it is no regular file");

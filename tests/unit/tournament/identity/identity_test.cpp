@@ -20,7 +20,7 @@ Entrant builtIn(const std::string& specification) {
   return {specification, *team, {}};
 }
 
-/// An entrant of a file or program, which need not run: only its files are read.
+/// An entrant that is a file or program. It need not run, because only its files are read.
 Entrant outside(const std::string& specification, std::vector<std::string> files = {}) {
   TeamInfo info;
   info.name = specification;
@@ -274,10 +274,10 @@ TEST_CASE("the identity of a match leaves out names, places in the schedule and 
   other.match.seed = 99;
   CHECK(idOf(other) == id);
   CHECK(idOf(other, {0, 1, 3, 0}) == id);
-  // The same kick-off in a book that has more.
+  // The same kick-off in a book with more kinds of starts.
   other.book = {{StartKind::kKickOff, StartKind::kPenalty}, 5};
   CHECK(idOf(other) == id);
-  // B's first leg against A is A's second leg against B.
+  // B against A in the first leg is the same match as A against B in the second leg.
   CHECK(idOf(plan, {1, 0, 0, 0}, 0) == idOf(plan, {0, 1, 0, 0}, 1));
 }
 
@@ -304,7 +304,7 @@ TEST_CASE("100,000 identities take less than 0.1 s and differ", "[unit]") {
   REQUIRE(identity);
   std::vector<MatchId> ids;
   ids.reserve(100000);
-  const std::clock_t begun = std::clock();  // of the processor: others may use it too
+  const std::clock_t begun = std::clock();  // CPU time, because other processes may use the processor too
   for (std::size_t i = 0; i < 50000; ++i) {
     for (const std::size_t leg : {0U, 1U}) ids.push_back(identity->of({0, 1, 0, i}, leg));
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTie = 0.01;
 
-/// `layouts` runs that arrive after `time`, with 0.001 s more on each further layout.
+/// `layouts` runs that all arrive: after `time` [s] on the first layout, 0.001 s later on each further one.
 std::vector<LayoutRun> steady(std::size_t layouts, double time) {
   std::vector<LayoutRun> runs;
   for (std::size_t k = 0; k < layouts; ++k)
@@ -34,7 +34,7 @@ TEST_CASE("arriving beats failing, then the clear lead in time decides", "[unit]
 }
 
 TEST_CASE("the table counts wins, arrivals and means over common layouts", "[unit]") {
-  // The first is faster but fails on layouts 0 and 1; the third fails on all but two.
+  // The first navigator is faster but fails on layouts 0 and 1. The third fails on all layouts but two.
   LayoutRuns runs{steady(20, 2.0), steady(20, 2.5), steady(20, 4.0)};
   runs[0][0].arrived = runs[0][1].arrived = false;
   for (std::size_t k = 0; k < 18; ++k) runs[2][k].arrived = false;
@@ -48,7 +48,7 @@ TEST_CASE("the table counts wins, arrivals and means over common layouts", "[uni
   CHECK(best.drawn == 2);
   CHECK(best.lost == 2);
   CHECK(best.arrived.value == Approx(0.9));
-  CHECK(best.time == Approx(2.0185));  // layouts 18 and 19
+  CHECK(best.time == Approx(2.0185));  // over layouts 18 and 19
   CHECK(table.standings[2].navigator == 2);
   CHECK(table.standings[2].time == Approx(4.0185));
   CHECK(table.standings[2].length == Approx(4.0));

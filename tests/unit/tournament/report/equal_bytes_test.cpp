@@ -10,7 +10,7 @@ using namespace fulbito::test;
 
 namespace {
 
-/// All reports of a tournament, one after the other.
+/// All reports of a tournament, joined.
 std::string reportsOf(const TournamentState& state) {
   const TournamentTable table = tableOf(state);
   return tournamentText(state, table) + tournamentJson(state, table) + tournamentCsv(state) +
@@ -24,7 +24,7 @@ TEST_CASE("the order in which matches end changes no byte of a report", "[unit]"
   const StateMaker maker = madeUpRoundRobin(teamNames(6), 3);
   const TournamentState& whole = maker.state();
   const std::string expected = reportsOf(whole);
-  // What a log in another order gives: the same results by their fixtures, filled in from the end.
+  // The state from a log in another order: the same results by fixture, filled in from the end.
   TournamentState late = whole;
   late.results.assign(whole.results.size(), std::nullopt);
   CHECK(reportsOf(late) != expected);

@@ -6,7 +6,7 @@
 
 namespace fulbito::test {
 
-/// Names that try to break out of a report.
+/// Names that try to inject markup into a report.
 inline std::vector<std::string> hostileNames() {
   return {"<script>alert(1)</script>",
           "\xe2\x80\xae"
@@ -19,9 +19,9 @@ inline std::vector<std::string> hostileNames() {
           "=cmd|' /C calc'!A0"};
 }
 
-/// Checks that elements nest, attributes are quoted, and text has neither bare markup nor controls. An
-/// element without an end, as HTML has them, is a flaw unless `may_lack_end` names it.
-/// @return what is wrong; empty: nothing
+/// Checks that elements nest, attributes are quoted, and text has neither unescaped markup nor control
+/// characters. An element without an end tag is a flaw unless `may_lack_end` names it, as HTML allows some.
+/// @return a description of the first flaw; empty if there is none
 inline std::string flawOfMarkup(const std::string& xml, const std::vector<std::string>& may_lack_end = {}) {
   std::vector<std::string> open;
   for (std::size_t i = 0; i < xml.size();) {

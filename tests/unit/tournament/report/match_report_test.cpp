@@ -82,7 +82,7 @@ TEST_CASE("the JSON of a series has its figures and each match from A's side", "
                                              {"rejected_b", 0},
                                              {"abandoned", false},
                                              {"final_hash", "0000000000000acc"}});
-  // Written piece by piece, it has the shape of one dump.
+  // The JSON is written piece by piece, but formatted like a single dump.
   CHECK(text == nlohmann::ordered_json::parse(text).dump(2) + '\n');
   CHECK_FALSE(json.contains("wall_s"));
 }

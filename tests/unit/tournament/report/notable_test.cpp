@@ -8,7 +8,7 @@ using namespace fulbito::test;
 
 namespace {
 
-/// `pairs` fixtures between the two, all drawn, and a table of their ratings.
+/// `pairs` drawn fixtures between two entrants.
 StateMaker drawn(std::size_t pairs) {
   StateMaker maker(planOf(TournamentFormat::kMatch, {"strong", "weak"}, static_cast<int>(pairs)));
   for (std::size_t i = 0; i < pairs; ++i) maker.add({0, 1, 0, i}, pairOf({0, 0}, {0, 0}));

@@ -8,7 +8,7 @@
 
 namespace fulbito::test {
 
-/// A plan with entrants of these names. The matches are never played.
+/// A plan with entrants of these names. Its matches are never played.
 inline TournamentPlan planOf(TournamentFormat format, const std::vector<std::string>& names, int pairs = 1) {
   TournamentPlan plan;
   plan.name = "cup";
@@ -19,7 +19,7 @@ inline TournamentPlan planOf(TournamentFormat format, const std::vector<std::str
   return plan;
 }
 
-/// A match that ended `blue`:`yellow`.
+/// The result of a match that ended `blue`:`yellow`.
 inline MatchResult resultOf(int blue, int yellow) {
   MatchResult result;
   result.score = {blue, yellow};
@@ -29,21 +29,21 @@ inline MatchResult resultOf(int blue, int yellow) {
   return result;
 }
 
-/// A pair in which A had `first`[0] and `second`[0] goals.
+/// A pair in which A scored `first`[0] goals in the first match and `second`[0] in the second.
 inline PairResult pairOf(PerTeam<int> first, PerTeam<int> second, std::uint64_t seed = 1) {
   return {seed, {resultOf(first[0], first[1]), resultOf(second[1], second[0])}};
 }
 
 inline MatchId idOfNumber(std::size_t fixture, std::size_t leg) { return {{0xf00d, 2 * fixture + leg}}; }
 
-/// A state with all fixtures that `add` is called for.
+/// Builds a state from fixtures and results.
 class StateMaker {
  public:
   explicit StateMaker(TournamentPlan plan) {
     state_.plan = std::move(plan);
     state_.schedule.complete = true;
   }
-  /// Adds a fixture, with its result if it has one.
+  /// Adds a fixture, and its result if one is given.
   StateMaker& add(Fixture fixture, std::optional<PairResult> result) {
     state_.schedule.fixtures.push_back(fixture);
     state_.ids.push_back({idOfNumber(state_.ids.size(), 0), idOfNumber(state_.ids.size(), 1)});
@@ -51,7 +51,7 @@ class StateMaker {
     state_.counted = state_.results.size();
     return *this;
   }
-  /// Adds a test, fed with the results before the first gap.
+  /// Adds a sequential test, which gets the results before the first gap.
   StateMaker& test(const SprtBounds& bounds) {
     state_.plan.sprt = bounds;
     state_.sprt.emplace(bounds);
@@ -69,7 +69,7 @@ class StateMaker {
   TournamentState state_;
 };
 
-/// Goals of a deterministic made-up match: entrants with a small index are the stronger ones.
+/// A made-up, deterministic result: entrants with a small index are stronger.
 inline PairResult madeUpPair(const Fixture& fixture, std::uint64_t seed) {
   const auto goals = [&](std::size_t entrant, std::uint64_t salt) {
     const std::uint64_t mixed = (seed * 2654435761u + entrant * 40503u + salt * 97u) >> 7u;
@@ -78,7 +78,7 @@ inline PairResult madeUpPair(const Fixture& fixture, std::uint64_t seed) {
   return pairOf({goals(fixture.a, 1), goals(fixture.b, 2)}, {goals(fixture.a, 3), goals(fixture.b, 4)}, seed);
 }
 
-/// All against all, `pairs` times, with made-up results.
+/// A round robin with `pairs` pairs per meeting and made-up results.
 inline StateMaker madeUpRoundRobin(const std::vector<std::string>& names, int pairs = 1) {
   StateMaker maker(planOf(TournamentFormat::kRoundRobin, names, pairs));
   std::uint64_t seed = 1;

@@ -32,7 +32,7 @@ TEST_CASE("meetings are counted from both sides, whichever team is A", "[unit]")
 TEST_CASE("a winner by shoot-out wins the match though the score is level", "[unit]") {
   StateMaker maker(planOf(TournamentFormat::kKnockOut, {"a", "b"}));
   PairResult pair = pairOf({1, 1}, {1, 1});
-  pair.legs[1].winner = TeamId::kYellow;  // A in the second leg
+  pair.legs[1].winner = TeamId::kYellow;  // A wins the second leg
   maker.add({0, 1, 0, 0}, pair);
   const TournamentTable table = tableOf(maker.state());
   CHECK(table.cross[0][1].won == 1);
@@ -63,7 +63,7 @@ TEST_CASE("a fault belongs to the team that made it, its worst one counts", "[un
   result.faults.teams[1] = {};
   CHECK(outcomeOfSeat(result, 1) == MatchOutcome::kNormal);
   MatchResult absent = resultOf(10, 0);
-  absent.outcome = MatchOutcome::kForfeit;  // yellow did not come, so it has no faults
+  absent.outcome = MatchOutcome::kForfeit;  // yellow is absent, so it has no faults
   CHECK(outcomeOfSeat(absent, 0) == MatchOutcome::kNormal);
   CHECK(outcomeOfSeat(absent, 1) == MatchOutcome::kForfeit);
   MatchResult mercy = resultOf(10, 0);

@@ -36,7 +36,7 @@ TournamentPlan planOf(const std::vector<std::string>& teams, int pairs, double h
   return planWith(std::move(choices), pairs, half_seconds, format);
 }
 
-/// Teams of tests have no sources: identities by name are enough.
+/// Identities made from names, because the teams of tests have no sources.
 MatchIdentity identityOf(const TournamentPlan& plan) {
   std::vector<TeamIdentity> teams;
   for (const Entrant& entrant : plan.entrants) {
@@ -132,14 +132,14 @@ TEST_CASE("the second leg exchanges the seats: points and goals follow the team"
   double points = 0.0;
   for (const auto& pair : played->state.results) {
     const PerTeam<int>&first = pair->legs[0].score, &second = pair->legs[1].score;
-    CHECK(first[0] >= first[1]);  // who stands still scores nothing but by the other's mistake
+    CHECK(first[0] >= first[1]);  // a team that stands still scores only by mistakes of the other
     CHECK(second[1] >= second[0]);
     CHECK(pair->goalsOfA() == first[0] + second[1]);
     CHECK(pair->goalsOfB() == first[1] + second[0]);
     points += pair->points();
   }
   CHECK(points > 1.0);
-  // The same as the statistics of the match alone.
+  // The result equals that of playing the match alone.
   const auto config = matchOf(plan, played->state.schedule.fixtures[0], 0);
   REQUIRE(config);
   auto match = Match::create(*config);
@@ -246,7 +246,7 @@ TEST_CASE("what the machine fails is played again and never counted", "[unit]") 
   const auto full = [] { return fail(ErrorCode::kIo, "no space left"); };
   std::mutex mutex;
   std::set<MatchId> seen;
-  // A recorder that the machine has no room for fails the attempt: before the match, or after it.
+  // A recorder fails the attempt because the machine lacks room, either before or after the match.
   const auto watchFailing = [&](bool before, bool always) {
     return [&, before, always](const MatchConfig&, const MatchId& id) -> Result<MatchWatch> {
       const std::lock_guard lock(mutex);
@@ -279,11 +279,11 @@ TEST_CASE("what the machine fails is played again and never counted", "[unit]") 
   }
 }
 
-/// A machine that has room for so many teams at once. Its teams stand still.
+/// A machine with room for `room` teams at once. Its teams stand still.
 struct SmallMachine {
   int room = 0;
   std::atomic<int> running{0};
-  std::atomic<int> cuts{0};  ///< teams to fail at their third decision
+  std::atomic<int> cuts{0};  ///< number of teams that fail at their third decision
 
   TeamChoice team() {
     return TeamChoice::own("small", [this] { return std::make_unique<Team>(*this); });
@@ -317,7 +317,7 @@ struct SmallMachine {
 
 TEST_CASE("matches that the machine has no room for wait, and count no fault", "[unit]") {
   SmallMachine machine;
-  machine.room = 2;  // of one match
+  machine.room = 2;  // room for one match
   const TournamentPlan plan = planWith({machine.team(), machine.team()}, 6, 2.0);
   MatchMemory memory;
   const auto played = run(plan, memory, 8);
@@ -344,7 +344,7 @@ TEST_CASE("a match that the machine cuts is played again, whole", "[unit]") {
 TEST_CASE("a match that the machine always fails is named and not kept; the same run plays it later",
           "[unit]") {
   SmallMachine machine;
-  machine.room = 1;  // of half a match
+  machine.room = 1;  // room for one of the two teams of a match
   TournamentPlan plan =
       planWith({machine.team(), *parseTeam("idle"), machine.team()}, 1, 2.0, TournamentFormat::kRoundRobin);
   MatchMemory memory;

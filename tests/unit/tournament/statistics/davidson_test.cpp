@@ -32,7 +32,8 @@ TEST_CASE("chances follow Davidson's formula", "[unit]") {
 }
 
 TEST_CASE("two entrants have Davidson's closed form", "[unit]") {
-  // p / q = wins / losses and nu = draws / sqrt(wins losses) reproduce the frequencies exactly.
+  // With p / q = wins / losses and nu = draws / sqrt(wins losses), the model has exactly the observed
+  // frequencies.
   const DavidsonModel model = fitted(2, {{0, 1, 6, 3, 1}});
   CHECK(model.strength[0] - model.strength[1] == Approx(math::log(6.0)));
   CHECK(math::exp(model.log_draw) == Approx(3.0 / std::sqrt(6.0)));
@@ -85,7 +86,8 @@ TEST_CASE("at the maximum, points and draws are as many as expected", "[unit]") 
 }
 
 TEST_CASE("the prior's matches are against a fictitious entrant of strength 0", "[unit]") {
-  // By symmetry the second is -x: 10 wins of 10, and each has w wins and losses against 0.
+  // By symmetry the second strength is -x. The first wins 10 of 10, and each has w wins and w losses against
+  // 0.
   const double w = 0.5;
   const double x = fitted(2, {{0, 1, 10, 0, 0}}, {w, w}).strength[0];
   const double missing =

@@ -17,14 +17,14 @@ TEST_CASE("Elo and score are each other's inverse", "[unit]") {
 }
 
 TEST_CASE("without draws and with equal teams a point of normalized Elo is a point of Elo", "[unit]") {
-  // Independent matches without draws: pairs are binomial.
+  // Scores of pairs of independent matches without draws have a binomial distribution.
   const double p = 0.502;
   const PairDistribution pairs{(1 - p) * (1 - p), 0.0, 2 * p * (1 - p), 0.0, p * p};
   CHECK(kEloPerStrength * normalizedStrength(momentsOf(pairs)) == Approx(eloOf(p)).epsilon(1e-4));
 }
 
 TEST_CASE("normalized strength does not depend on the share of drawn pairs' spread, Elo does", "[unit]") {
-  // Half of the draws with half of the difference: less Elo, and a larger share of its spread.
+  // `drawish` has more drawn pairs and nearly no difference in strength.
   const PairMoments open = momentsOf({0.2, 0.0, 0.55, 0.0, 0.25});
   const PairMoments drawish = momentsOf({0.05, 0.0, 0.9, 0.0, 0.05 + 1e-12});
   CHECK(open.mean > drawish.mean);

@@ -16,7 +16,7 @@ TEST_CASE("gamma draws have mean and variance of their shape", "[unit]") {
       sum += x;
       squares += (x - shape) * (x - shape);
     }
-    // Five standard deviations of each mean; the fourth central moment is 3 shape^2 + 6 shape.
+    // Margins of five standard deviations. The fourth central moment is 3 shape^2 + 6 shape.
     const double variance_spread = std::sqrt(2 * shape * shape + 6 * shape);
     CHECK(sum / kDraws == Approx(shape).margin(5 * std::sqrt(shape / kDraws)));
     CHECK(squares / kDraws == Approx(shape).margin(5 * variance_spread / std::sqrt(kDraws)));
@@ -27,6 +27,7 @@ TEST_CASE("gamma draws of shape 1/2 are half of squared normal draws", "[unit]")
   constexpr int kDraws = 100'000;
   Rng rng(2, Stream::kRatings);
   int below = 0;
-  for (int i = 0; i < kDraws; ++i) below += gammaDraw(rng, 0.5) < 0.5 ? 1 : 0;  // |normal| < 1
+  // Half the square of a standard normal x has this distribution, so the condition means |x| < 1.
+  for (int i = 0; i < kDraws; ++i) below += gammaDraw(rng, 0.5) < 0.5 ? 1 : 0;
   CHECK(below / double{kDraws} == Approx(0.6826895).margin(0.0075));
 }

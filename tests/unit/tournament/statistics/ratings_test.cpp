@@ -27,7 +27,7 @@ double pointsOfMatch(Rng& rng, const MatchChances& chances) {
   return u < chances.win ? 1.0 : u < chances.win + chances.draw ? 0.5 : 0.0;
 }
 
-/// All against all: pairs of independent matches by Davidson's model.
+/// Meetings of a round robin, with independent matches drawn from Davidson's model.
 Meetings roundRobin(const std::vector<double>& elo, double nu, int pairs, Rng& rng) {
   Meetings meetings;
   for (std::size_t a = 0; a < elo.size(); ++a) {
@@ -42,7 +42,7 @@ Meetings roundRobin(const std::vector<double>& elo, double nu, int pairs, Rng& r
   return meetings;
 }
 
-/// Evenly spread about 0.
+/// Ratings spread evenly around 0 over `width`.
 std::vector<double> spreadElo(std::size_t entrants, double width) {
   std::vector<double> elo;
   for (std::size_t i = 0; i < entrants; ++i) {
@@ -93,7 +93,7 @@ TEST_CASE("superiority of two entrants is that of the score's estimate", "[unit]
     const Ratings ratings = rate(2, meetings, 7, 4000);
     const double spread = std::sqrt(expected * (1 - expected) / 4000);
     INFO(expected);
-    // The normal approximation of a skew mean is itself wrong by about 1 %.
+    // The normal approximation of a skewed mean has an error of about 1 % itself.
     if (counts[0] + counts[1] > 0) {
       CHECK(ratings.superiority[0][1] == Approx(expected).margin(4 * spread + 0.012));
     } else {
@@ -105,7 +105,7 @@ TEST_CASE("superiority of two entrants is that of the score's estimate", "[unit]
 }
 
 TEST_CASE("the interval of two entrants is that of the score's estimate", "[unit]") {
-  const Meetings meetings{meeting(0, 1, {20, 0, 0, 80, 0, 30})};  // without draws both scales are the same
+  const Meetings meetings{meeting(0, 1, {20, 0, 0, 80, 0, 30})};  // without draws both scales agree
   const Interval expected = estimateElo(meetings[0].pairs.scores()).elo;
   const Ratings ratings = rate(2, meetings, 7, 4000);
   CHECK(2 * ratings.elo[0].low == Approx(expected.low).margin(3.0));
@@ -117,7 +117,7 @@ TEST_CASE("known ratings are recovered, and 95 % of the intervals cover them", "
     std::size_t entrants;
     double nu;
     int pairs, tournaments;
-    double bias;  // most, in Elo: likely strengths of few matches lie too far apart
+    double bias;  // largest bias [Elo]: with few matches, estimated strengths are too far apart
   };
   for (const Case& c : {Case{8, 0.8, 20, 100, 4.0}, Case{8, 0.0, 8, 100, 6.0}, Case{20, 0.8, 1, 30, 12.0},
                         Case{20, 2.0, 6, 15, 4.0}}) {
@@ -137,7 +137,7 @@ TEST_CASE("known ratings are recovered, and 95 % of the intervals cover them", "
     std::printf(
         "%zu entrants, nu %.1f, %d pairs: %.1f %% of %d intervals cover, bias %+.1f Elo, draws %.3f\n",
         c.entrants, c.nu, c.pairs, 100 * share, all, bias / all, draw_share);
-    // Three standard deviations of independent intervals and the resamples' own error.
+    // Three standard deviations of independent intervals, plus the error of the resamples.
     CHECK(share == Approx(0.95).margin(3 * std::sqrt(0.95 * 0.05 / all) + 0.01));
     CHECK(bias / all == Approx(0.0).margin(c.bias));
     CHECK(draw_share == Approx(c.nu / (2 + c.nu)).margin(0.02));
@@ -199,8 +199,8 @@ TEST_CASE("the order of meetings and of their sides changes nothing", "[unit]") 
   Meetings other(meetings.rbegin(), meetings.rend());
   std::swap(other[3].a, other[3].b);
   std::reverse(other[3].pairs.counts.begin(), other[3].pairs.counts.end());
-  std::swap(other[3].pairs.counts[2], other[3].pairs.counts[3]);  // kDD and kWL stay
-  // A meeting in two parts.
+  std::swap(other[3].pairs.counts[2], other[3].pairs.counts[3]);  // kDD and kWL keep their places
+  // One meeting is split into two.
   other.push_back(other.front());
   for (std::size_t i = 0; i < kPairOutcomes; ++i) {
     other.back().pairs.counts[i] /= 2;
@@ -224,7 +224,8 @@ TEST_CASE("other numbers of the entrants change the ratings' order only", "[unit
   const Ratings first = rate(6, meetings, 9, 2000), second = rate(6, other, 9, 2000);
   for (std::size_t i = 0; i < 6; ++i) {
     CHECK(second.elo[moved[i]].value == Approx(first.elo[i].value).margin(1e-7));
-    CHECK(second.elo[moved[i]].low == Approx(first.elo[i].low).margin(4.0));  // resamples differ
+    // Resamples differ, so a wide margin.
+    CHECK(second.elo[moved[i]].low == Approx(first.elo[i].low).margin(4.0));
     CHECK(second.elo[moved[i]].high == Approx(first.elo[i].high).margin(4.0));
     for (std::size_t j = 0; j < 6; ++j) {
       CHECK(second.superiority[moved[i]][moved[j]] == Approx(first.superiority[i][j]).margin(0.05));
@@ -261,7 +262,7 @@ TEST_CASE("without resamples ratings have no interval", "[unit]") {
 }
 
 TEST_CASE("results within a unit are not independent", "[unit]") {
-  // The first beats all others in half of the units and loses to all in the others: its rating is as
+  // In half of the units the first beats all others, in the other half it loses to all. So its rating is as
   // uncertain as with one opponent.
   std::vector<UnitResult> alone, together;
   for (std::size_t unit = 0; unit < 100; ++unit) {
@@ -271,7 +272,7 @@ TEST_CASE("results within a unit are not independent", "[unit]") {
   }
   const Ratings one = rateUnits(2, 100, alone, 1), four = rateUnits(5, 100, together, 1);
   const auto lead_width = [](const Ratings& r, std::size_t others) {
-    // The others are equal, so the lead over one is the first's rating times (others + 1) / others.
+    // The others are equal, so the lead over one of them is the first's rating times (others + 1) / others.
     return (r.elo[0].high - r.elo[0].low) * static_cast<double>(others + 1) / static_cast<double>(others);
   };
   CHECK(lead_width(four, 4) == Approx(lead_width(one, 1)).margin(0.1));

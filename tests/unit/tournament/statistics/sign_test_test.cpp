@@ -17,8 +17,8 @@ TEST_CASE("the sign test has the binomial distribution's exact values", "[unit]"
 }
 
 TEST_CASE("the sign test of many results is that of the normal distribution", "[unit]") {
-  // 500,980 of 1,000,000: (980 - 1/2) / 500 = 1.959 standard deviations with the correction for whole
-  // numbers.
+  // 500,980 wins of 1,000,000 are (980 - 1/2) / 500 = 1.959 standard deviations, with the continuity
+  // correction.
   CHECK(signTest(500'980, 499'020) == Approx(0.0501142).epsilon(2e-3));
   CHECK(signTest(1'000'000, 0) >= 0.0);
   CHECK(signTest(1'000'000, 0) < 1e-300);

@@ -13,14 +13,14 @@ using namespace fulbito::test;
 
 namespace {
 
-/// Half as strong a difference takes 3.4 times as many pairs, and the simulation too long.
+/// Half of this difference would need 3.4 times as many pairs, and too much time.
 constexpr SprtBounds kBounds{0.0, 100.0, 0.05, 0.05};
 constexpr int kTests = 500;
 /// One-sided 99.9 % interval of a rate of 5 % in 500 tests: 0.05 + 3.09 sqrt(0.05 * 0.95 / 500) = 0.080.
 constexpr double kMostErrors = kTests * 0.080;
 constexpr PairDistribution kTypical{0.10, 0.22, 0.36, 0.22, 0.10};
 
-/// The points of pair number `pair` in simulated tournament `tournament`: whoever plays it, and whenever.
+/// The points of a pair in a simulated tournament. They do not depend on the worker or the time.
 double pointsOf(std::uint64_t tournament, std::uint64_t pair, const PairDistribution& truth) {
   Rng rng(tournament, kTestStream, pair);
   double left = rng.uniform();
@@ -31,11 +31,11 @@ double pointsOf(std::uint64_t tournament, std::uint64_t pair, const PairDistribu
   return 1.0;
 }
 
-/// How long a pair takes: from 1 for one that is lost to `winning` for one that is won.
+/// Duration of a pair by its points: from 1 for a lost pair to `winning` for a won pair.
 double durationOf(double points, double winning) { return 1.0 + points * (winning - 1.0); }
 
-/// Pairs in order of completion, played by so many workers: each takes the next pair of the schedule when its
-/// last one has ended.
+/// Pairs in order of completion, played by several workers. A worker takes the next pair of the schedule when
+/// its last one has ended.
 class Workers {
  public:
   Workers(std::size_t count, double winning, std::uint64_t tournament, const PairDistribution& truth)
@@ -43,7 +43,7 @@ class Workers {
     for (std::size_t i = 0; i < count; ++i) begin(0.0);
   }
 
-  /// The next pair to end.
+  /// The next pair that ends, with its points.
   std::pair<std::size_t, double> next() {
     const Running ended = running_.top();
     running_.pop();
@@ -74,7 +74,7 @@ class Workers {
   std::priority_queue<Running> running_;
 };
 
-/// Results wait until all before them in the schedule exist.
+/// A test that gets results in the order of the schedule: a result waits until all earlier ones exist.
 Sprt inOrderOfSchedule(Workers workers) {
   Sprt sprt(kBounds);
   std::vector<double> points;  // by pair; negative: not played yet
@@ -135,7 +135,7 @@ TEST_CASE("in order of completion a test errs far more often than its nominal ra
                  << kTests);
     return passed;
   };
-  CHECK(errors(1, 0.1) <= kMostErrors);  // a single worker has no other order
+  CHECK(errors(1, 0.1) <= kMostErrors);  // with a single worker both orders are the same
   CHECK(errors(16, 0.1) > kTests * 0.15);
   CHECK(errors(64, 0.5) > kTests * 0.5);
   CHECK(errors(64, 0.1) > kTests * 0.9);

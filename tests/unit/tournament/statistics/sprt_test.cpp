@@ -33,7 +33,7 @@ double pointsFrom(const PairDistribution& distribution, Rng& rng) {
 
 struct Outcomes {
   int passed = 0, failed = 0;
-  double pairs = 0.0;  // mean
+  double pairs = 0.0;  // mean number of pairs
 };
 
 Outcomes simulate(const PairDistribution& truth, const SprtBounds& bounds, int tests, std::uint64_t seed) {
@@ -48,7 +48,7 @@ Outcomes simulate(const PairDistribution& truth, const SprtBounds& bounds, int t
   return outcomes;
 }
 
-// The distribution of this normalized Elo that is nearest to a typical one.
+// The likeliest distribution with this normalized Elo, given typical frequencies.
 PairDistribution strengthOf(double normalized_elo) {
   return likeliestDistribution(kTypical, normalized_elo / kEloPerStrength);
 }
@@ -77,7 +77,7 @@ TEST_CASE("no distribution of the same strength is likelier", "[unit]") {
   const double strength = 0.1;
   const double best = logLikelihood(kTypical, likeliestDistribution(kTypical, strength));
   for (int i = 0; i < 500; ++i) {
-    // Another distribution of this strength: the likeliest one for other frequencies.
+    // Other frequencies give another distribution with the same strength.
     PairDistribution other{};
     double sum = 0.0;
     for (double& share : other) sum += share = rng.uniform(0.02, 1.0);
@@ -92,7 +92,7 @@ TEST_CASE("the ratio is 0 half-way, and near its known approximation for many pa
   even.counts = {100, 220, 360, 220, 100};
   CHECK(logLikelihoodRatio(even, bounds) == Approx(0.0).margin(1e-6));
   CHECK(logLikelihoodRatio({}, bounds) == 0.0);
-  // For small strengths: n / 2 (t1 - t0) (2 t - t0 - t1), with strengths t per pair.
+  // Approximation for small strengths: n / 2 (t1 - t0) (2 t - t0 - t1), with strengths t per pair.
   PairCounts better;
   better.counts = {90, 210, 360, 230, 110};
   const double t = normalizedStrength(momentsOf(distributionOf(better))) * std::sqrt(2.0);
@@ -109,7 +109,7 @@ TEST_CASE("both error rates are at most 5 %, and the pairs that a test takes are
   // One-sided 99.9 % interval of a rate of 5 % in 2,000 tests: 3.09 sqrt(0.05 * 0.95 / 2000) = 0.015.
   CHECK(weak.passed <= kTests * 0.065);
   CHECK(strong.failed <= kTests * 0.065);
-  // NB: 135 pairs by an independent simulation of 400 tests.
+  // An independent simulation of 400 tests needed 135 pairs on average.
   CHECK(weak.pairs == Approx(135).epsilon(0.1));
   CHECK(strong.pairs == Approx(135).epsilon(0.1));
 }

@@ -27,7 +27,7 @@ TEST_CASE("ratings exist where nobody, and no group, won everything against the 
   CHECK_FALSE(bounded(2, {{0, 1, 0, 0, 5}}));
   CHECK(bounded(3, {{0, 1, 1, 0, 0}, {1, 2, 1, 0, 0}, {0, 2, 0, 0, 1}}));        // a circle
   CHECK_FALSE(bounded(3, {{0, 1, 1, 0, 0}, {1, 2, 1, 0, 0}, {0, 2, 1, 0, 0}}));  // an order
-  // Two pairs of equals, one pair of which won all matches against the other.
+  // Two pairs of equal entrants; one pair won all matches against the other.
   CHECK_FALSE(bounded(4, {{0, 1, 1, 0, 1}, {2, 3, 1, 0, 1}, {0, 2, 3, 0, 0}, {1, 3, 3, 0, 0}}));
 }
 
@@ -35,10 +35,10 @@ TEST_CASE("draws alone bound no ratings: leads and draws may grow together", "[u
   CHECK_FALSE(bounded(2, {{0, 1, 0, 3, 0}}));
   CHECK_FALSE(bounded(2, {{0, 1, 2, 3, 0}}));
   CHECK(bounded(2, {{0, 1, 2, 3, 1}}));
-  // A beat B and drew with C, who drew with B: as many draws as wins on the way back, and one more.
+  // A beat B; A and C drew, B and C drew. A closed walk with the win has one more draw than wins.
   CHECK_FALSE(bounded(3, {{0, 1, 1, 0, 0}, {0, 2, 0, 1, 0}, {1, 2, 0, 1, 0}}));
-  // Two wins in a row and one draw back.
+  // A closed walk with two wins and one draw.
   CHECK(bounded(3, {{0, 1, 1, 0, 0}, {1, 2, 1, 0, 0}, {0, 2, 0, 1, 0}}));
-  // The draw parameter is known from two others.
+  // The draw parameter is determined by two other entrants.
   CHECK(bounded(4, {{0, 1, 2, 3, 0}, {2, 3, 1, 0, 1}}));
 }

@@ -9,14 +9,14 @@
 namespace fulbito::test {
 namespace {
 
-/// A line with a right checksum over `body`, which lacks its last brace.
+/// A line with the correct checksum of `body`, which is JSON without its last brace.
 std::string signedLine(const std::string& body) {
   StateHash hash;
   hash.add(std::string_view(body));
   return fmt::format("{},\"sum\":\"{:016x}\"}}", body, hash.value());
 }
 
-/// The line of match 1 with a right checksum, after a part of its text was replaced.
+/// The line of match 1 with a part of its text replaced, and the correct checksum of the new text.
 std::string changedLine(const std::string& part, const std::string& by) {
   std::string body = toLine(matchRow(1));
   body.resize(body.rfind(",\"sum\""));
@@ -30,11 +30,11 @@ std::string errorOf(const std::string& line) {
   return row ? "no error" : row.error().message;
 }
 
-/// A row with every value at an extreme or unusual.
+/// A row in which every value is extreme or unusual.
 MatchRow unusualRow() {
   MatchRow row = matchRow(0xfedcba9876543210u);
   row.seed = std::numeric_limits<std::uint64_t>::max();
-  row.result.hash = 1;  // leading zeros
+  row.result.hash = 1;  // has leading zeros
   row.result.ticks = std::numeric_limits<Tick>::max();
   row.result.score = {std::numeric_limits<int>::max(), std::numeric_limits<int>::min()};
   row.result.outcome = MatchOutcome::kForfeit;
@@ -106,7 +106,7 @@ TEST_CASE("untrusted text is stored as UTF-8 of limited length", "[unit]") {
 
 TEST_CASE("the longest row fits into the longest line", "[unit]") {
   MatchRow row = unusualRow();
-  const std::string longest(kLongestRowText, '\x01');  // six bytes each in JSON
+  const std::string longest(kLongestRowText, '\x01');  // each byte takes six bytes in JSON
   row.teams = {longest, longest};
   row.start = longest;
   for (TeamFaults& team : row.result.faults.teams) team.failure = longest;

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How many matches a log has; negative: it has an error.
+/// The number of matches in a log; negative if reading it fails.
 int matchesIn(const std::string& file) {
   const auto rows = readMatchLog(file);
   return rows ? static_cast<int>(rows->size()) : -1;
@@ -75,7 +75,7 @@ TEST_CASE("a log is a header and a line per match, in the order of adding", "[un
     REQUIRE(log);
     CHECK(contentOf(folder.file) == "{\"schema_version\":1,\"content\":\"matches\"}\n");
     addAll(**log, 0, 3);
-    CHECK(contentOf(folder.file) == logText(3));  // also while it is open
+    CHECK(contentOf(folder.file) == logText(3));  // readable while it is open
   }
   folder.addOne(3);
   CHECK(contentOf(folder.file) == logText(4));
@@ -119,8 +119,8 @@ TEST_CASE("a log that was torn at any byte keeps its whole lines", "[unit]") {
     const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(size), '\n');
     const int whole = std::max(0, static_cast<int>(lines) - 1);
     CHECK(matchesIn(folder.file) == whole);
-    CHECK(contentOf(folder.file).size() == size);  // reading changes nothing
-    continue;                                      // opening waits for the disk
+    CHECK(contentOf(folder.file).size() == size);  // reading does not change the file
+    continue;                                      // the rest waits for the disk, which takes long
     const auto log = MatchLog::open(folder.file);
     REQUIRE(log);
     CHECK((*log)->size() == static_cast<std::size_t>(whole));
@@ -218,7 +218,7 @@ TEST_CASE("threads add to one log", "[unit]") {
     for (std::uint64_t t = 0; t < 4; ++t) {
       threads.emplace_back([&, t] {
         for (std::uint64_t i = 0; i < 50; ++i) {
-          (*log)->add(matchRow(i / 2 + 25 * t));  // each twice, and find beside it
+          (*log)->add(matchRow(i / 2 + 25 * t));  // adds each match twice, while others search
           (*log)->find(matchRow(i).id);
         }
       });

@@ -19,7 +19,7 @@ std::string logOf(const std::vector<MatchRow>& rows) {
   return text;
 }
 
-/// The bytes of the merged log of these files.
+/// The bytes of the log that merges these files.
 std::string mergedText(const ScratchFolder& scratch, const std::vector<std::string>& files) {
   const std::string out = (scratch.path() / "merged.jsonl").string();
   const auto merged = mergeLogs(files);
@@ -65,7 +65,7 @@ TEST_CASE("runs of one match that differ are listed with their files", "[unit]")
 
 TEST_CASE("a merged log has the same bytes for any order of its logs", "[unit]") {
   const ScratchFolder scratch;
-  MatchRow words = matchRow(2);  // equal results with other words are no conflict
+  MatchRow words = matchRow(2);  // the same result with other texts is not a conflict
   words.result.faults.teams[0].failure = "process 4711 was killed";
   words.teams[0] = "another name";
   std::vector<std::string> files = {scratch.write("a", logOf({matchRow(1), matchRow(2)})),

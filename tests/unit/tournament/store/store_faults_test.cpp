@@ -22,26 +22,26 @@
 #include "tournament/store/match_log.hpp"
 #include "tournament/store/merge.hpp"
 
-// Every call on a file goes wrong, one after the other, in every way that the kernel knows; and the process
-// dies at every call.
+// Lets every call on a file fail, one after the other, in every way that the kernel can; and lets the process
+// die at every call.
 namespace fulbito::test {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kRows = 20;
-constexpr std::uint64_t kMergedRows = 900;  // more than one block
+constexpr std::uint64_t kMergedRows = 900;  // more than one block of writing
 
-/// A piece of work that writes, in a folder of its own, and can be done again after it failed.
+/// A piece of work that writes files in its own folder, and can be repeated after a failure.
 struct Work {
   const char* name;
-  /// Makes what is there before.
+  /// Creates the files that exist before the work.
   std::function<void(const std::string& folder)> prepare;
-  /// Adds how many rows are certainly kept to `kept`. Errors: those of the store.
+  /// Adds the number of rows that are certainly stored to `kept`. Errors: those of the store.
   std::function<Result<void>(const std::string& folder, std::uint64_t& kept)> run;
-  /// Fails the test unless at least `kept` rows are there and nothing is damaged.
+  /// Fails the test unless at least `kept` rows exist and nothing is damaged.
   std::function<void(const std::string& folder, std::uint64_t kept)> check;
-  /// Calls that may fail without harm.
+  /// Calls whose failure has no effect on the result.
   std::vector<Call> harmless;
 };
 
@@ -60,7 +60,7 @@ Result<void> fillLog(const std::string& folder, std::uint64_t& kept) {
   if (!log) return tl::unexpected<Error>(log.error());
   auto done = addTo([&](const MatchRow& row) { return (*log)->add(row); }, kept);
   if (done) return done;
-  // It stays failed, and what it kept can still be found.
+  // The log stays failed, and the rows that it stored can still be found.
   CHECK((*log)->add(matchRow(kept)).error().message == done.error().message);
   for (std::uint64_t i = 0; i < kept; ++i) CHECK((*log)->find(matchRow(i).id));
   CHECK_FALSE((*log)->find(matchRow(kept).id));
@@ -71,7 +71,7 @@ void checkLog(const std::string& folder, std::uint64_t kept) {
   const auto rows = readMatchLog(folder + "/log", true);
   REQUIRE(rows);
   CHECK(rows->size() >= kept);
-  // All whole lines are those of an undisturbed run, in their order.
+  // All whole lines equal those of an undisturbed run, in the same order.
   CHECK(logText(kRows).starts_with(contentOf(folder + "/log")));
 }
 
@@ -99,7 +99,7 @@ Result<void> merge(const std::string& folder, std::uint64_t& kept) {
   return written;
 }
 
-/// The old file or the new one, whole.
+/// Checks that the output is either the old file or the new one, complete.
 void checkMerged(const std::string& folder, std::uint64_t kept) {
   const auto rows = readMatchLog(folder + "/out");
   REQUIRE(rows);
@@ -138,7 +138,7 @@ struct WorkFolder {
     return std::any_of(begin(files), end(files),
                        [](const auto& f) { return f.path().extension() == ".tmp"; });
   }
-  /// The work completes, and it leaves what an undisturbed run leaves.
+  /// Checks that the work completes with the same files as an undisturbed run.
   void checkCompletes() const {
     std::uint64_t kept = 0;
     REQUIRE(work.run(path, kept));
@@ -147,7 +147,7 @@ struct WorkFolder {
   }
 };
 
-/// How often a clean run makes each call.
+/// The number of times that an undisturbed run makes each call.
 std::array<int, std::size(kCalls)> callsOf(const Work& work) {
   const WorkFolder folder(work);
   const WatchedCalls watched(folder.path);
@@ -158,7 +158,7 @@ std::array<int, std::size(kCalls)> callsOf(const Work& work) {
   return counts;
 }
 
-/// How each kind of call can fail on Linux.
+/// The errors with which a kind of call can fail on Linux.
 std::vector<int> errorsOf(Call call) {
   static const std::map<Call, std::vector<int>> errors = {{Call::kOpen, {EACCES, EMFILE, ENOSPC, EIO, EINTR}},
                                                           {Call::kRead, {EIO, EINTR}},
@@ -177,7 +177,7 @@ std::vector<Fault> faultsOf(Call call, int nth) {
     for (const bool half : {false, true}) {
       for (const bool lasting : {false, true}) {
         if (half && call != Call::kWrite) continue;
-        if (lasting && error == EINTR) continue;  // it would be a signal without end
+        if (lasting && error == EINTR) continue;  // this would be an endless series of signals
         faults.push_back({call, nth, error, half, lasting});
       }
     }
@@ -185,7 +185,7 @@ std::vector<Fault> faultsOf(Call call, int nth) {
   return faults;
 }
 
-/// All single faults of a work.
+/// All single faults of a piece of work.
 std::vector<Fault> faultsOf(const Work& work) {
   std::vector<Fault> all;
   const auto counts = callsOf(work);
@@ -225,7 +225,7 @@ void checkFault(const Work& work, const Fault& fault) {
   folder.checkCompletes();
 }
 
-/// Lets a child of this process do the work until it dies at a fault.
+/// Forks a child that does the work and dies at the fault.
 void dieAt(const WorkFolder& folder, const Fault& fault, const SharedValues<std::uint64_t>& kept) {
   const pid_t child = ::fork();
   if (child == 0) {
@@ -273,7 +273,7 @@ TEST_CASE("a process that dies at any call loses nothing that was kept", "[unit]
   for (const Work& work : works()) {
     const auto counts = callsOf(work);
     for (const Call call : kCalls) {
-      // With half a write, death comes at the next call, which continues it.
+      // After half a write, the process dies at the next call, which would continue the write.
       for (int nth = 1; nth <= counts[static_cast<std::size_t>(call)]; ++nth) {
         checkDeath(work, {call, nth});
         if (call == Call::kWrite) checkDeath(work, {call, nth, 0, true});

@@ -13,7 +13,7 @@ namespace {
 
 using namespace fulbito::test;
 
-/// Parameters 0 ... 1 from the given starts.
+/// Parameters with the range 0 ... 1 and the given start values.
 Spsa spsaOf(const std::vector<double>& starts, int iterations, double perturbation = 0.1, double step = 0.2) {
   Spsa spsa;
   spsa.iterations = iterations;
@@ -24,7 +24,7 @@ Spsa spsaOf(const std::vector<double>& starts, int iterations, double perturbati
   return spsa;
 }
 
-/// A smooth strength with its best point at `best`, in logits.
+/// A smooth strength [logits] with its maximum at `best`.
 double strengthOf(const TunePoint& point, const std::vector<double>& best, double steepness) {
   double sum = 0.0;
   for (std::size_t i = 0; i < point.size(); ++i) sum -= (point[i] - best[i]) * (point[i] - best[i]);
@@ -37,7 +37,7 @@ double distanceOf(const TunePoint& a, const std::vector<double>& b) {
   return std::sqrt(sum);
 }
 
-/// Plays `games` games per iteration that the plus version wins by a logistic law, and follows them.
+/// Simulates a tuning: the plus version wins each of `games` games per iteration by a logistic law.
 TunePoint tuned(const Spsa& spsa, const std::vector<double>& best, double steepness, int games,
                 std::uint64_t seed) {
   TunePoint point = startOf(spsa);
@@ -54,7 +54,7 @@ TunePoint tuned(const Spsa& spsa, const std::vector<double>& best, double steepn
   return point;
 }
 
-/// Root mean square distance to the best point after tuning with several seeds.
+/// Root mean square of the distance to the best point, after tunings with several seeds.
 double errorAfter(int iterations, double step, int seeds = 40) {
   double sum = 0.0;
   for (int seed = 0; seed < seeds; ++seed) {
@@ -115,7 +115,7 @@ TEST_CASE("directions are fair coins of seed, iteration and parameter", "[unit]"
     equal += signs[0] == signs[1] ? 1 : 0;
     seen.insert(signs);
   }
-  // Four standard deviations of 1,000 fair coins.
+  // Four standard deviations of the number of heads in 1,000 fair coin tosses.
   for (const int up : ups) CHECK(std::abs(up - 500) < 64);
   CHECK(std::abs(equal - 500) < 64);
   CHECK(seen.size() == 16);
@@ -158,8 +158,8 @@ TEST_CASE("without noise SPSA finds the best point", "[unit]") {
 }
 
 TEST_CASE("with the noise of matches the error falls with the number of iterations", "[unit]") {
-  // Gains that keep the same travel for a sure direction: the step falls as the iterations grow. Spall's
-  // rate with these exponents is n^-0.2 at least; here the start is near enough for n^-0.5 at most.
+  // The gains keep the total travel for a sure direction: the step decreases as the iterations increase.
+  // Spall's rate with these exponents is n^-0.2 or better; near the maximum it is n^-0.5 at best.
   const double start = distanceOf({0.2, 0.9}, {0.5, 0.5});
   const double few = errorAfter(100, 0.2), some = errorAfter(400, 0.1), many = errorAfter(1600, 0.05);
   CHECK(few < 0.5 * start);

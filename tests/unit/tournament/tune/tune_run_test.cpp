@@ -19,7 +19,7 @@ namespace {
 using namespace fulbito::test;
 using Json = nlohmann::json;
 
-/// A tiny tuning. Its matches are just long enough for goals.
+/// A tiny tuning, whose matches are just long enough for goals.
 TunePlan planOf(bool opponent = false) {
   const TeamChoice team = *parseTeam("classic:strike_speed=0.4,spin=off");
   TunePlan plan;
@@ -55,7 +55,7 @@ PairResult pairWon(bool by_first) {
   return pair;
 }
 
-/// A folder that is removed at the end.
+/// A temporary folder that is removed at the end.
 struct Folder {
   std::string path = (std::filesystem::temp_directory_path() / "fulbito-tune-XXXXXX").string();
   Folder() { REQUIRE(::mkdtemp(path.data()) != nullptr); }
@@ -122,7 +122,8 @@ TEST_CASE("with an opponent both versions meet it on the same starts and see as 
   const auto finals = finalPlans(plan, TeamCatalogue::builtIn(), startOf(plan.spsa));
   REQUIRE(finals);
   REQUIRE(finals->size() == 3);
-  CHECK((*finals)[0].plan.match.vision[1].latency_ticks == 3);  // tuned against start
+  // The plan of the tuned team against the start team.
+  CHECK((*finals)[0].plan.match.vision[1].latency_ticks == 3);
   CHECK((*finals)[2].first == "start");
   CHECK((*finals)[2].plan.match.vision[1].latency_ticks == 7);
 }
@@ -140,7 +141,7 @@ TEST_CASE("an iteration's result is the lead of the plus version in points", "[u
   const auto gauntlet = iterationPlan(against, TeamCatalogue::builtIn(), startOf(against.spsa), 1);
   const Schedule both = scheduleOf(*gauntlet, {});
   FixtureResults meetings;
-  // The opponent loses to plus and beats minus, on all starts.
+  // On all starts, the opponent loses to plus and beats minus.
   for (const Fixture& fixture : both.fixtures) meetings.emplace_back(pairWon(fixture.b == 2));
   CHECK(iterationResult(against, both, meetings) == 1.0);
   for (auto& meeting : meetings) meeting = pairWon(true);
@@ -155,7 +156,7 @@ TEST_CASE("neither jobs nor stops change a tuning", "[unit]") {
     REQUIRE(alone.results.size() == 4);
     REQUIRE_FALSE(alone.finals.empty());
     CHECK(alone.played == matchesOf(plan));
-    // Draws would move nothing and prove nothing.
+    // With draws only, no point would move, and the test would be meaningless.
     CHECK(pathOf(plan.spsa, alone.results).back() != startOf(plan.spsa));
     CHECK(tuneJson(plan, alone) == tuneJson(plan, together));
 
@@ -223,7 +224,7 @@ TEST_CASE("with an opponent the gain is a difference over the same starts", "[un
   TuneOutcome outcome;
   outcome.results = {0.0, 0.0, 0.0, 0.0};
   CHECK_FALSE(gainOf(outcome));
-  // The starts differ more than the teams do: only the paired difference shows the gain.
+  // The starts differ more than the teams do, so only the paired difference shows the gain.
   const std::vector<double> start{0.0, 0.25, 0.5, 0.75, 0.0, 0.5, 0.25, 0.75};
   std::vector<double> tuned = start;
   for (std::size_t i = 0; i < tuned.size(); ++i) tuned[i] += i == 2 ? 0.0 : 0.25;

@@ -20,7 +20,7 @@ constexpr Colour kPaper{10, 20, 30}, kRed{250, 0, 0};
 
 Canvas canvas(int width = 100, int height = 100) { return *Canvas::create(width, height, kPaper); }
 
-/// Sets FULBITO_FONT for as long as it lives.
+/// Sets FULBITO_FONT for the lifetime of this object.
 class FontOverride {
  public:
   explicit FontOverride(const char* file) {

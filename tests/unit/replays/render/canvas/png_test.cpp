@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace test;
 
-/// An empty folder that is removed at the end.
+/// An empty temporary folder that is removed at the end.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -36,7 +36,7 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-/// Lets files grow to `bytes` only, as a full disk would.
+/// Limits the size of files to `bytes`, with errors like those of a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

@@ -13,7 +13,7 @@ using Triple = std::array<double, 3>;
 using Matrix = std::array<Triple, 3>;
 
 constexpr Matrix kNormal{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-// Machado, Oliveira and Fernandes (2009), severity 1, for linear RGB.
+// Simulation of colour vision by Machado, Oliveira and Fernandes (2009), severity 1, for linear RGB.
 constexpr Matrix kProtan{
     {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
 constexpr Matrix kDeutan{
@@ -32,7 +32,7 @@ double linear(std::uint8_t channel) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-/// Oklab coordinates (Ottosson 2020) of a colour as a viewer sees it.
+/// Oklab coordinates (Ottosson 2020) of a colour as this viewer sees it.
 Triple oklab(Colour colour, const Matrix& viewer) {
   Triple rgb = apply(viewer, {linear(colour.r), linear(colour.g), linear(colour.b)});
   for (double& c : rgb) c = std::clamp(c, 0.0, 1.0);
@@ -55,7 +55,7 @@ double difference(Colour a, Colour b, const Matrix& viewer) {
 
 }  // namespace
 
-// Okabe and Ito's own seven colours come as near to each other as 0.076 in this measure.
+// The smallest distance between Okabe and Ito's own seven colours is 0.076 in this measure.
 TEST_CASE("twelve series colours are as distinct to colour-blind readers as the known set of seven",
           "[unit]") {
   for (const Matrix& viewer : {kNormal, kProtan, kDeutan, kTritan}) {

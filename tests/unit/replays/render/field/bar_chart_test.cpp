@@ -30,7 +30,7 @@ struct Box {
   int width() const { return right - left + 1; }
 };
 
-/// What bounds the pixels of exactly this colour.
+/// The bounding box of the pixels with exactly this colour.
 Box bounds(const Canvas& canvas, Colour colour) {
   Box box;
   for (int y = 0; y < canvas.height(); ++y) {

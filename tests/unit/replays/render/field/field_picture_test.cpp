@@ -8,21 +8,22 @@ namespace {
 
 using namespace test;
 
-// At 600 pixels a metre the 3v3 field with walls and goals is 1050 x 810 pixels and stands at (26, 84).
+// At 600 pixels per metre, the 3v3 field with walls and goals has 1050 x 810 pixels; its corner is at (26,
+// 84).
 constexpr int kLeft = 26, kTop = 84, kRight = kLeft + 1050, kBottom = kTop + 810, kLegend = kRight + 26;
 
 struct Pixel {
   int x, y;
 };
 
-/// The pixel in which a world point of that picture lies.
+/// The pixel of a world point in that picture.
 Pixel at(Vec2 world) {
   return {static_cast<int>(kLeft + 525 + 600 * world.x), static_cast<int>(kTop + 405 - 600 * world.y)};
 }
 
 Colour colourAt(const Canvas& canvas, Vec2 world) { return canvas.pixel(at(world).x, at(world).y); }
 
-/// How many pixels around a world point have this colour.
+/// The number of pixels of this colour around a world point.
 int countAround(const Canvas& canvas, Vec2 world, double reach, Colour colour) {
   const Pixel low = at(world - Vec2{reach, -reach}), high = at(world + Vec2{reach, -reach});
   return count(canvas, colour, low.x, low.y, high.x, high.y);
@@ -62,7 +63,8 @@ TEST_CASE("the field has its lines, walls, corner triangles and goals", "[unit]"
 
 TEST_CASE("areas have their arcs, and free balls their marks", "[unit]") {
   const Canvas canvas = drawn(emptyPicture());
-  // The arc's chord is 20 cm on the area's front line, its foremost point 5 cm before it.
+  // The arc's chord is 20 cm long, on the area's front line; its foremost point is 5 cm in front of that
+  // line.
   for (Vec2 on_line :
        {Vec2{0.55, 0}, Vec2{-0.55, 0}, Vec2{0.375, 0.4}, Vec2{-0.375, -0.4}, Vec2{0.375, -0.39}}) {
     CAPTURE(on_line.x, on_line.y);
@@ -86,7 +88,7 @@ TEST_CASE("a rectangle without goals and corners has a plain border", "[unit]") 
   FieldPicture picture = emptyPicture();
   picture.field = {"plain", 1.5, 1.3, 0, 0, 0, 0.05, 0, 0, 0, 0};
   const Canvas canvas = drawn(picture);
-  // No goals: the field's centre lies 60 pixels farther left.
+  // Without goals, the field's centre is 60 pixels farther left.
   const int x = kLeft + 465;
   CHECK(same(canvas.pixel(x + 445, kTop + 20), theme::kFloor));
   CHECK(same(canvas.pixel(x + 450, kTop + 405), theme::kFieldLine));
@@ -157,7 +159,7 @@ TEST_CASE("a path runs through its points in its colour", "[unit]") {
       hits += same(colourAt(canvas, picture.paths[i].points[k]), seriesColour(i)) ? 1 : 0;
     }
     CAPTURE(i);
-    CHECK(hits >= 18);  // of 21; a badge may stand on some
+    CHECK(hits >= 18);  // of 21 points; a badge may cover some
   }
 }
 
@@ -168,10 +170,11 @@ TEST_CASE("paths on each other all show their colour", "[unit]") {
   const Canvas canvas = drawn(picture);
   int alone = 0;
   for (Vec2 p : picture.paths[0].points) alone += same(colourAt(canvas, p), seriesColour(0)) ? 1 : 0;
-  CHECK(alone < 40);  // of 121
+  CHECK(alone < 40);  // of 121 points
   for (std::size_t i = 0; i < 8; ++i) {
     CAPTURE(i);
-    CHECK(count(canvas, seriesColour(i), kLeft, kTop, kRight, kBottom) > 150 + 60);  // more than its badge
+    // More pixels than its badge has.
+    CHECK(count(canvas, seriesColour(i), kLeft, kTop, kRight, kBottom) > 150 + 60);
   }
 }
 
@@ -189,7 +192,7 @@ TEST_CASE("a failed path is dashed and crossed out at its end", "[unit]") {
     for (Vec2 p : picture.paths[0].points) hits += same(colourAt(canvas, p), colour) ? 1 : 0;
     return hits;
   };
-  CHECK(painted(whole) > 70);  // of 80
+  CHECK(painted(whole) > 70);  // of 80 points
   CHECK(painted(failed) < 62);
   CHECK(painted(failed) > 35);
   const Vec2 arm{0.01, -0.01};
@@ -231,17 +234,17 @@ TEST_CASE("a window shows a part of the field, larger", "[unit]") {
   picture.window = FieldWindow{{0.0, 0.0}, {0.3, 0.2}};
   picture.pixels_per_metre = 2000;
   const Canvas canvas = drawn(picture);
-  // 600 x 400 pixels; the ball's middle is 200 from the left and 200 from the foot.
+  // The window has 600 x 400 pixels. The ball's centre is 200 pixels from the left and 200 from the bottom.
   const auto ball = [&](int x, int y) { return same(canvas.pixel(x, y), theme::kTennisBall); };
   const double unit = 0.8;
   const int left = static_cast<int>(26 * unit), top = static_cast<int>(84 * unit);
   CHECK(ball(left + 200 + 15, top + 200));
   CHECK_FALSE(ball(left + 200 + 80, top + 200));
-  // A path that goes on beyond it has its number inside.
+  // A path that leaves the window has its number inside.
   picture.paths = {samplePath(picture.layout, "long", 0.0)};
   picture.window = FieldWindow{{-0.5, 0.2}, {-0.4, 0.4}};
   const Canvas start = drawn(picture);
-  CHECK(count(start, theme::kPage, left + 20, top + 20, left + 180, top + 380) > 4);  // of the number
+  CHECK(count(start, theme::kPage, left + 20, top + 20, left + 180, top + 380) > 4);  // pixels of the number
   picture.window = FieldWindow{{0.1, 0.0}, {0.1, 0.2}};
   CHECK(drawFieldPicture(picture).error().code == ErrorCode::kUsage);
 }
@@ -268,7 +271,7 @@ TEST_CASE("a name that is too long for a row takes more lines and is not cut", "
   };
   const int method = ink("vector-field:offset=0.10,width=0.20,follow"),
             whole = ink("vector-field:offset=0.10,width=0.20,follower=classic");
-  CHECK(whole > method);  // the letters that were cut are there
+  CHECK(whole > method);  // the letters that the shorter name lacks are drawn
 }
 
 TEST_CASE("a failed path keeps its gaps among twenty", "[unit]") {
@@ -278,7 +281,7 @@ TEST_CASE("a failed path keeps its gaps among twenty", "[unit]") {
   const Canvas canvas = drawn(picture);
   int gaps = 0;
   for (Vec2 p : picture.paths[19].points) gaps += same(colourAt(canvas, p), seriesColour(19)) ? 0 : 1;
-  CHECK(gaps > 25);  // of 121
+  CHECK(gaps > 25);  // of 121 points
   CHECK(gaps < 80);
 }
 
@@ -346,7 +349,7 @@ TEST_CASE("twenty paths with endless labels fit", "[unit]") {
     picture.paths.back().remark = std::string(300, 'M');
   }
   const Canvas canvas = drawn(picture);
-  // The outermost margins stay empty.
+  // The outer margins stay empty.
   CHECK(count(canvas, theme::kPage, canvas.width() - 26, 0, canvas.width(), canvas.height()) ==
         26 * canvas.height());
   CHECK(count(canvas, theme::kPanel, canvas.width() - 46, kTop, canvas.width() - 26, kTop + 100) == 20 * 100);

@@ -44,7 +44,7 @@ TEST_CASE("line chart: a missing value breaks the line, and dots alone join noth
   dots.lines[1].dots = true, dots.lines[1].joined = false;
   const int all = pixelsOf(*drawLineChart(whole), seriesColour(1));
   const int rest = pixelsOf(*drawLineChart(broken), seriesColour(1));
-  CHECK(rest > 0);  // the legend
+  CHECK(rest > 0);  // the sample in the legend
   CHECK(rest < all / 4);
   const int two_dots = pixelsOf(*drawLineChart(dots), seriesColour(1));
   CHECK(two_dots > rest / 4);

@@ -34,7 +34,7 @@ Canvas drawn(const TileMap& map) {
 TEST_CASE("a tile's halves have their values' colours, and a pale one has none", "[unit]") {
   TileMap map = sample();
   const int before = count(drawn(map), kLess);
-  map.panels[0].tiles[0].left = map.panels[0].tiles[0].right = -0.7;  // beyond the scale's end
+  map.panels[0].tiles[0].left = map.panels[0].tiles[0].right = -0.7;  // beyond the end of the scale
   const int both = count(drawn(map), kLess);
   CHECK(both > before + 2000);
   map.panels[0].tiles[0].right = -0.01;

@@ -60,7 +60,7 @@ TEST_CASE("a moment gives the same pixels on every canvas", "[unit]") {
   ReplayMoment other = apart();
   other.bodies[2]->position.x = 0.5;
   other.blue_side = Side::kRight;
-  picture->drawFrame(*first, other);  // what was drawn before leaves nothing
+  picture->drawFrame(*first, other);  // the frame drawn before leaves no trace
   picture->drawFrame(*first, apart());
   picture->drawFrame(*second, apart());
   CHECK(differing(*first, *second) == 0);
@@ -76,7 +76,7 @@ TEST_CASE("bodies are where they are, in their colours", "[unit]") {
     const Canvas canvas = drawn(spec, moment);
     const MatchStyle& style = styleOf(theme);
     CHECK(same(at(canvas, pixelOf(*picture, moment.bodies[2]->position)), style.ball));
-    // Between the mark and the body's side.
+    // A point between the mark and the body's side.
     const auto beside = [&](std::size_t body) {
       const Pose2& pose = *moment.bodies[body];
       return at(canvas, pixelOf(*picture, pose.position - math::unit(pose.heading) * (0.43 * 0.075)));
@@ -88,7 +88,7 @@ TEST_CASE("bodies are where they are, in their colours", "[unit]") {
 }
 
 TEST_CASE("teams have different marks, not colours alone", "[unit]") {
-  // 0.8 of a diamond's radius off its centre, diagonally: outside of a diamond, inside of a disc.
+  // A point at 0.8 of a diamond's radius from its centre, diagonally, is outside a diamond but inside a disc.
   const auto picture = MatchPicture::create(duel(1920));
   ReplayMoment moment = apart();
   moment.bodies[0]->heading = moment.bodies[1]->heading = 0.0;
@@ -141,7 +141,7 @@ TEST_CASE("names of any kind stay in their place", "[unit]") {
         std::string()}) {
     spec.names = {name, name};
     const Canvas canvas = drawn(spec, apart());
-    // The score between the names, and all below the board.
+    // The area of the score between the names, and everything below the board.
     CHECK(differing(plain, canvas, 360, 0, 540, 84) == 0);
     CHECK(differing(plain, canvas, 0, 84, 900, canvas.height()) == 0);
   }
@@ -196,7 +196,7 @@ TEST_CASE("the banner says what was called, and what a restart waits for", "[uni
   CHECK(banner(10.6).title.empty());
   CHECK(banner(15.0).title == "Goal kick");
   CHECK(banner(15.0).detail == "too many attackers in the area");
-  CHECK(banner(15.0).team == TeamId::kBlue);  // who has the ball, not who was at fault
+  CHECK(banner(15.0).team == TeamId::kBlue);  // the team that gets the ball, not the team at fault
   CHECK(banner(17.6).title.empty());
 }
 

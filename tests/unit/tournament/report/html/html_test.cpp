@@ -15,17 +15,17 @@ namespace {
 const std::vector<std::string> kNoEnd = {"meta", "link"};
 
 std::string pageOf(const TournamentState& state, const RecordingLinks& recordings = {}) {
-  constexpr std::size_t kResamples = 20;  // the page's size does not depend on it, but its time does
+  constexpr std::size_t kResamples = 20;  // saves time; the size of the page does not depend on it
   return tournamentHtml(state, tableOf(state, kResamples), recordings);
 }
 
-/// The page without its style sheet, which is no markup.
+/// The page without its style sheet, which is not markup.
 std::string withoutStyle(const std::string& page) {
   const std::size_t from = page.find("<style>"), to = page.find("</style>");
   return page.substr(0, from) + page.substr(to + 8);
 }
 
-/// Addresses in links, images, styles: all that a browser could load.
+/// All addresses in links, images and styles, which a browser could load.
 std::vector<std::string> addressesOf(const std::string& page) {
   static const std::regex address(R"re((?:href|src|action|data|poster)="([^"]*)"|url\(([^)]*)\)|@import)re");
   std::vector<std::string> found;
@@ -84,7 +84,7 @@ TEST_CASE("the page loads nothing, runs nothing and allows neither", "[unit]") {
   CHECK(page.find("http") == page.find("http-equiv"));
   CHECK(page.find("http", page.find("http-equiv") + 4) == std::string::npos);
   CHECK(page.find("<script") == std::string::npos);
-  CHECK(page.find("style=\"") == std::string::npos);  // the policy refuses such
+  CHECK(page.find("style=\"") == std::string::npos);  // the content security policy forbids inline styles
   CHECK(std::regex_search(page,
                           std::regex("content=\"default-src 'none'; style-src 'sha256-[A-Za-z0-9+/]{43}='; "
                                      "img-src data:; base-uri 'none'; form-action 'none'\"")));
@@ -95,7 +95,7 @@ TEST_CASE("hostile names stay text in the page", "[unit]") {
   CHECK(flawOfMarkup(withoutStyle(page), kNoEnd).empty());
   CHECK(page.find("&lt;script&gt;alert(1)&lt;/script&gt;") != std::string::npos);
   CHECK(page.find("<img") == std::string::npos);
-  CHECK(page.find("{{style}}") != std::string::npos);     // a mark in a name stays a name
+  CHECK(page.find("{{style}}") != std::string::npos);     // a placeholder in a name is not replaced
   CHECK(page.find("\xe2\x80\xae") == std::string::npos);  // right-to-left override
   CHECK(page.find(std::string(100, 'x')) == std::string::npos);
 }
