@@ -56,7 +56,7 @@ class DriveLaw {
   double most_[2];   // [m/s] largest forward change: speeding up, slowing down
   double turn_;      // change of the rims' speed in a turn per pull
   double own_;       // pull per change of the wheel's own rim, if neither motor is at its limit
-  double other_;     // pull per change of the other wheel's rim, likewise
+  double other_;     // pull per change of the other rim, under the same condition
   double felt_;      // change of a rim per pull at the other wheel
   double per_pull_;  // pull per change of its own rim, for a given pull at the other wheel
   double edges_;     // difference of a wheel's edges' speeds per difference of the rims' speeds

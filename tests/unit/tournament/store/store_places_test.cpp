@@ -27,8 +27,8 @@
 #include "tournament/store/match_log.hpp"
 #include "tournament/store/merge.hpp"
 
-// Places where writing fails: full, read-only, forbidden, deleted, replaced by something else. Each case runs
-// in its own process, with its own limits, user and mounts.
+// Places that cannot be written: full, read-only, forbidden, vanished, replaced by something else. Each case
+// runs in a process of its own, with its own limits, user and mounts.
 namespace fulbito::test {
 namespace {
 
@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kRows = 5;
 constexpr std::uint64_t kManyRows = 1000;  // more than the small file system holds
 
-/// An error as text, such as "i/o: MESSAGE"; empty without an error.
+/// "i/o: MESSAGE" and the like; empty without an error.
 std::string textOf(const Error& error) {
   constexpr const char* kCodes[] = {"usage", "input", "i/o", "machine", "interrupted"};
   return fmt::format("{}: {}", kCodes[static_cast<std::size_t>(error.code)], error.message);
@@ -56,7 +56,7 @@ Result<void> addRows(MatchLog& log, std::uint64_t rows, std::uint64_t& kept) {
   return {};
 }
 
-/// Adds rows to a log until one fails. Returns the error and what was kept, as text.
+/// Fills a log as far as it goes.
 std::string filled(const std::string& file, std::uint64_t rows = kRows) {
   const auto log = MatchLog::open(file);
   if (!log) return textOf(log.error());
@@ -68,7 +68,7 @@ std::string filled(const std::string& file, std::uint64_t rows = kRows) {
                      read && read->size() == kept ? "all there" : "LOST");
 }
 
-/// Opens a log, adds some rows, does harm to the log, and adds another row.
+/// Opens a log, lets it keep some rows, does harm to it, and adds another.
 std::string filledAfter(const std::string& file, const std::function<void()>& harm) {
   const auto log = MatchLog::open(file);
   if (!log) return textOf(log.error());
@@ -83,7 +83,7 @@ std::string cached(const std::string& folder) {
   return cache ? textOf(cache->add(matchRow(1))) : textOf(cache.error());
 }
 
-/// Writes a merged log over an existing one, which must stay if writing fails.
+/// Writes a merged log over an old one, which must stay if that fails.
 std::string merged(const std::string& file) {
   std::map<MatchId, MatchRow> rows;
   for (std::uint64_t i = 0; i < kManyRows; ++i) rows[matchRow(i).id] = matchRow(i);
@@ -98,7 +98,7 @@ std::string readOnly(const std::string& file) { return textOf(readMatchLog(file)
 
 void touch(const std::string& file) { std::ofstream(file).flush(); }
 
-/// Fills all free space of a file system.
+/// Takes all room of a file system.
 void fillUp(const std::string& file) {
   std::ofstream out(file);
   while (out.put('x').flush()) {
@@ -124,16 +124,16 @@ bool mountMemory(const std::string& folder, const char* options, unsigned long f
   return ::mount("tmpfs", folder.c_str(), "tmpfs", flags, options) == 0;
 }
 
-/// The user that runs a case.
+/// Who runs a case.
 enum class As : std::uint8_t {
-  kUser,    ///< the user who runs the test
-  kNobody,  ///< a user without rights, if the test runs as root
-  kMounter  ///< a user who mounts a private file system of 64 KiB at the folder
+  kUser,    ///< whoever runs the test
+  kNobody,  ///< somebody without rights, if the test runs as root
+  kMounter  ///< somebody who mounts a file system of 64 KiB at the folder, where nobody else sees it
 };
 
 struct Case {
   const char* name;
-  std::string expected;  ///< expected result of `run`, with FOLDER in place of the folder
+  std::string expected;  ///< of what `run` tells, with FOLDER for the folder
   std::function<std::string(const std::string& folder)> run;
   As as = As::kUser;
 };
@@ -144,7 +144,7 @@ bool becomeNobody() {
   return ::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0;
 }
 
-/// Makes the process root of a new user namespace, in which it may mount file systems.
+/// Makes a user the root of a user namespace of its own, where it may mount.
 bool becomeOwnRoot() {
   const std::string user = std::to_string(::geteuid()), group = std::to_string(::getegid());
   if (::unshare(CLONE_NEWUSER) != 0) return false;
@@ -175,7 +175,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 std::string toldBy(const Case& c, const std::string& folder) {
   try {
-    std::signal(SIGXFSZ, SIG_IGN);  // the program ignores this signal too
+    std::signal(SIGXFSZ, SIG_IGN);  // as the program does
     return become(c.as, folder) ? replaced(c.run(folder), folder, "FOLDER") : kUnavailable;
   } catch (const std::exception& e) {
     return e.what();
@@ -198,11 +198,11 @@ std::string told(const Case& c) {
   ::close(pipe[0]);
   REQUIRE(::waitpid(child, nullptr, 0) == child);
   std::error_code missing;
-  fs::permissions(scratch.path() / "sub", fs::perms::all, missing);  // allows the folder to be removed
+  fs::permissions(scratch.path() / "sub", fs::perms::all, missing);  // so that it can be removed
   return text.substr(0, static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
 }
 
-/// @return number of cases that could run
+/// @return cases that could be run
 int checkAll(const std::vector<Case>& cases) {
   int run = 0;
   for (const Case& c : cases) {
@@ -222,7 +222,7 @@ std::string cannot(const char* what, const char* reason, const char* file = "FOL
   return fmt::format("i/o: cannot {} '{}': {}", what, file, reason);
 }
 
-/// A path at which a log is impossible: its name, how to create it below a folder, and the kernel's message.
+/// Paths at which no log can be: what they are, made below a folder, and the kernel's word for it.
 struct WrongPlace {
   const char* name;
   std::function<std::string(const std::string& folder)> make;
@@ -308,29 +308,6 @@ TEST_CASE("a full disk keeps what was kept, and freed room lets the work go on",
          return filled(logIn(f));
        },
        As::kMounter},
-      {"limit in a line",
-       cannot("write", "File too large") + ", some kept, all there; done, all kept, all there",
-       [&](auto& f) {
-         limit(RLIMIT_FSIZE, 1000);
-         const std::string first = filled(log(f));
-         limit(RLIMIT_FSIZE, RLIM_INFINITY);
-         return first + "; " + filled(log(f));
-       }},
-      {"limit in the header", cannot("write", "File too large") + "; done, all kept, all there",
-       [&](auto& f) {
-         limit(RLIMIT_FSIZE, 10);
-         const std::string first = filled(log(f));
-         limit(RLIMIT_FSIZE, RLIM_INFINITY);
-         return first + "; " + filled(log(f));
-       }},
-      {"no more open files", "machine: cannot write 'FOLDER/log': Too many open files",
-       [&](auto& f) {
-         // A sanitizer opens a pipe at its first check of a virtual call, so the first error is made before
-         // the limit.
-         static_cast<void>(filled(f + "/none/log"));
-         limit(RLIMIT_NOFILE, 0);
-         return filled(log(f));
-       }},
       {"cache", "i/o: cannot write into the folder 'FOLDER/cache': no permission or no space; done",
        [&](auto& f) {
          mountMemory(f, "nr_inodes=2", MS_REMOUNT);
