@@ -1,6 +1,10 @@
 // The values of `fulbito/team.hpp` from and to their structures in `fulbito/team.h`. `fulbito/team.hpp`
 // includes this after its classes.
-#pragma once
+#include "fulbito/team.hpp"
+
+// A guard, as `fulbito/team.hpp` includes this before an `#include` of this alone comes here.
+#ifndef FULBITO_LIBRARY_C_VALUES_HPP
+#define FULBITO_LIBRARY_C_VALUES_HPP
 
 #include <algorithm>
 #include <cmath>
@@ -429,3 +433,5 @@ inline void give(const Placement& placement, fulbito_placement& out) {
 }  // namespace detail
 #pragma GCC visibility pop
 }  // namespace fulbito::team
+
+#endif  // FULBITO_LIBRARY_C_VALUES_HPP

@@ -1,5 +1,9 @@
 // A team or navigators as the table of a shared library. `fulbito/team.hpp` includes this after its classes.
-#pragma once
+#include "fulbito/team.hpp"
+
+// A guard, as `fulbito/team.hpp` includes this before an `#include` of this alone comes here.
+#ifndef FULBITO_LIBRARY_ENTRY_HPP
+#define FULBITO_LIBRARY_ENTRY_HPP
 
 #include <array>
 #include <cstdint>
@@ -354,3 +358,5 @@ const fulbito_library* navigatorLibraryOf() try {
 }  // namespace detail
 #pragma GCC visibility pop
 }  // namespace fulbito::team
+
+#endif  // FULBITO_LIBRARY_ENTRY_HPP

@@ -1,6 +1,10 @@
-// Settings of a team: reads the value of `name=value` by the type of the parameter. `fulbito/team.hpp`
-// includes this after its classes.
-#pragma once
+// Settings of a team: what `name=value` means for each type of parameter. `fulbito/team.hpp` includes this
+// after its classes.
+#include "fulbito/team.hpp"
+
+// A guard, as `fulbito/team.hpp` includes this before an `#include` of this alone comes here.
+#ifndef FULBITO_LIBRARY_SETTINGS_HPP
+#define FULBITO_LIBRARY_SETTINGS_HPP
 
 #include <algorithm>
 #include <charconv>
@@ -77,3 +81,5 @@ inline std::string Team::set(std::string_view name, std::string_view value) {
 }
 
 }  // namespace fulbito::team
+
+#endif  // FULBITO_LIBRARY_SETTINGS_HPP
