@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostHeaders = 17;  // 14 of the simulator, 3 for the authors of teams
-constexpr std::size_t kMostDetails = 30;
+constexpr std::size_t kMostDetails = 33;  // 30, and 3 that join the classes of team.hpp to the C interface
 constexpr double kLeastCommented = 0.5;  // of the lines that are not blank
 const std::string kDetail = "fulbito/detail/";
 

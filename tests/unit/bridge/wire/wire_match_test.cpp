@@ -81,6 +81,29 @@ std::vector<RefereeCommand> commandsOf(const TestClient& client) {
   return read;
 }
 
+/// A restart as yellow sees it, and what the referee says of it on the wire.
+struct RestartCase {
+  RestartKind kind;
+  bool ours;
+  Vec2 ball;  ///< in the frame of yellow, which is turned
+  Foul foul;
+  std::optional<TeamId> team;
+  int quadrant;  ///< 0: none
+};
+
+std::vector<RestartCase> restartCases() {
+  return {
+      {RestartKind::kKickOff, true, {}, Foul::kKickOff, TeamId::kYellow, 0},
+      {RestartKind::kPenalty, false, {-0.375, 0.0}, Foul::kPenaltyKick, TeamId::kBlue, 0},
+      {RestartKind::kGoalKick, true, {-0.6, 0.3}, Foul::kGoalKick, TeamId::kYellow, 0},
+      {RestartKind::kFreeKick, false, {-0.375, 0.0}, Foul::kFreeKick, TeamId::kBlue, 0},
+      {RestartKind::kFreeBall, true, {-0.375, -0.4}, Foul::kFreeBall, std::nullopt, 1},
+      {RestartKind::kFreeBall, true, {0.375, -0.4}, Foul::kFreeBall, std::nullopt, 2},
+      {RestartKind::kFreeBall, false, {0.375, 0.4}, Foul::kFreeBall, std::nullopt, 3},
+      {RestartKind::kFreeBall, false, {-0.375, 0.4}, Foul::kFreeBall, std::nullopt, 4},
+  };
+}
+
 }  // namespace
 
 TEST_CASE("a client plays a seat: its commands drive the robots, and its placement is obeyed", "[unit]") {
@@ -195,25 +218,8 @@ TEST_CASE("each restart has its foul, with the team that takes it or the ball's 
   info.rules = config.rules;
   (*team)->begin(info);
   TestClient client(port, {[](const Vision&) { return driving(TeamId::kYellow, {}); }, {}});
-  struct Case {
-    RestartKind kind;
-    bool ours;
-    Vec2 ball;  // in the frame of yellow, which is turned
-    Foul foul;
-    std::optional<TeamId> team;
-    int quadrant;
-  };
-  const Case cases[] = {
-      {RestartKind::kKickOff, true, {}, Foul::kKickOff, TeamId::kYellow, 0},
-      {RestartKind::kPenalty, false, {-0.375, 0.0}, Foul::kPenaltyKick, TeamId::kBlue, 0},
-      {RestartKind::kGoalKick, true, {-0.6, 0.3}, Foul::kGoalKick, TeamId::kYellow, 0},
-      {RestartKind::kFreeKick, false, {-0.375, 0.0}, Foul::kFreeKick, TeamId::kBlue, 0},
-      {RestartKind::kFreeBall, true, {-0.375, -0.4}, Foul::kFreeBall, std::nullopt, 1},
-      {RestartKind::kFreeBall, true, {0.375, -0.4}, Foul::kFreeBall, std::nullopt, 2},
-      {RestartKind::kFreeBall, false, {0.375, 0.4}, Foul::kFreeBall, std::nullopt, 3},
-      {RestartKind::kFreeBall, false, {-0.375, 0.4}, Foul::kFreeBall, std::nullopt, 4},
-  };
-  for (const Case& c : cases) {
+  const auto cases = restartCases();
+  for (const RestartCase& c : cases) {
     PlacementRequest request;
     request.kind = c.kind;
     request.ours = c.ours;
@@ -221,7 +227,7 @@ TEST_CASE("each restart has its foul, with the team that takes it or the ball's 
     (*team)->place(request);
   }
   (*team)->ended({});
-  while (client.commandCount() < std::size(cases) + 1) std::this_thread::yield();
+  while (client.commandCount() < cases.size() + 1) std::this_thread::yield();
   client.stop();
   auto commands = commandsOf(client);
   // The first foul is repeated until there is a client.
@@ -230,8 +236,8 @@ TEST_CASE("each restart has its foul, with the team that takes it or the ball's 
     first = false;
     return again;
   });
-  REQUIRE(commands.size() > std::size(cases));
-  for (std::size_t i = 0; i < std::size(cases); ++i) {
+  REQUIRE(commands.size() > cases.size());
+  for (std::size_t i = 0; i < cases.size(); ++i) {
     CAPTURE(i);
     CHECK(commands[i].foul == cases[i].foul);
     CHECK(commands[i].team == cases[i].team);

@@ -438,8 +438,7 @@ TEST_CASE("no merged log nor cache gets into a place that is forbidden", "[unit]
       {"merged log for a folder", cannot("write", "it is a folder"),
        [&](auto& f) {
          fs::create_directory(logIn(f));
-         const std::string text = textOf(writeMatchLog(logIn(f), {}));
-         return text;
+         return textOf(writeMatchLog(logIn(f), {}));
        }},
       {"cache in a read-only folder", "i/o: cannot write into the folder 'FOLDER': no permission or no space",
        [&](auto& f) {
