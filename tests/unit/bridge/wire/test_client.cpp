@@ -48,11 +48,12 @@ void TestClient::stop() {
 
 void TestClient::run() {
   std::array<char, 65536> room{};
-  while (!stopped_) {
+  // What was sent before the end is there, so that a last look misses nothing.
+  for (bool last = false; !last;) {
+    last = stopped_;
     waitForAny(std::array{vision_.number(), referee_.number()}, 0.01);
     while (const auto datagram = referee_.receive(room)) {
       commands_.emplace_back(room.data(), datagram->size);
-      ++command_count_;
       const auto command = readRefereeCommand(commands_.back());
       if (behaviour_.places && command && command->foul < Foul::kStop) {
         placements_.send(datagramOf(*behaviour_.places));

@@ -35,7 +35,6 @@ class TestClient {
 
   /// Ends the thread. What was heard can be read after that.
   void stop();
-  std::size_t commandCount() const { return command_count_; }             ///< of the referee so far
   const std::vector<std::string>& frames() const { return frames_; }      ///< datagrams of vision
   const std::vector<std::string>& commands() const { return commands_; }  ///< of the referee
 
@@ -46,7 +45,6 @@ class TestClient {
   UdpReceiver vision_, referee_;
   UdpSender sender_, placements_;
   std::vector<std::string> frames_, commands_;
-  std::atomic<std::size_t> command_count_{0};
   std::atomic<bool> stopped_{false};
   std::thread thread_;
 };
