@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostHeaders = 17;  // 14 of the simulator, 3 for the authors of teams
 constexpr std::size_t kMostDetails = 33;  // 30, and 3 that join the classes of team.hpp to the C interface
-constexpr double kLeastCommented = 0.5;  // of the lines that are not blank
+constexpr double kLeastCommented = 0.5;   // of the lines that are not blank
 const std::string kDetail = "fulbito/detail/";
 
 fs::path publicRoot() { return fs::path(FULBITO_SOURCE_DIR) / kPublicFolder; }
