@@ -48,7 +48,7 @@ cp -r "$root/examples" .
 "$program" replay export trial.fbr --force --trails "$images/trial-trails.png" --size 640
 
 # One layout for every method with a picture in docs/navigators.md, except the two that ignore obstacles.
-for navigator in $(sed -n 's|.*images/navigator-\([a-z-]*\)\.png.*|\1|p' "$root/docs/navigators.md" | grep -v curvature); do
+while read -r navigator; do
   "$program" run --navigator "$navigator" --layout corner:17 --record way.fbr --force >/dev/null
   "$program" replay export way.fbr --force --trails "$images/navigator-$navigator.png" --size 480
 done < <(sed -n 's|.*images/navigator-\([a-z-]*\)\.png.*|\1|p' "$root/docs/navigators.md" | grep -v curvature)
