@@ -31,19 +31,19 @@ SonarModel suiteSonars(const RobotModel& robot, double noise) {
 
 struct SonarSight::Impl {
   explicit Impl(const TrialConfig& config)
-      : sonars_(config.field, suiteSonars(config.robot.robot, config.sonar_noise),
-                Rng(config.seed, Stream::kSonar, config.index)),
-        plain_(plainField()),
-        wants_discs_(!config.navigator.info->reads_ranges),
-        map_({}) {}
+      : sonars(config.field, suiteSonars(config.robot.robot, config.sonar_noise),
+               Rng(config.seed, Stream::kSonar, config.index)),
+        plain(plainField()),
+        wants_discs(!config.navigator.info->reads_ranges),
+        map({}) {}
   void look(const World& world, NavigationScene& scene);
 
-  SonarArray sonars_;
-  FieldGeometry plain_;
-  bool wants_discs_;
-  EchoMap map_;
-  std::vector<RangeReading> readings_;
-  std::vector<DiscObstacle> discs_;
+  SonarArray sonars;
+  FieldGeometry plain;
+  bool wants_discs;
+  EchoMap map;
+  std::vector<RangeReading> readings;
+  std::vector<DiscObstacle> discs;
 };
 
 SonarSight::SonarSight(const TrialConfig& config) : impl_(std::make_unique<Impl>(config)) {}
@@ -54,20 +54,20 @@ SonarSight::~SonarSight() = default;
 void SonarSight::look(const World& world, NavigationScene& scene) { impl_->look(world, scene); }
 
 void SonarSight::Impl::look(const World& world, NavigationScene& scene) {
-  const auto heard = sonars_.measure(world, 0);
-  readings_.clear();
+  const auto heard = sonars.measure(world, 0);
+  readings.clear();
   for (std::size_t i = 0; i < heard.size(); ++i) {
-    const SonarSpec& sonar = sonars_.model().sonars[i];
-    readings_.push_back({sonar.mount, sonar.half_cone, sonar.greatest, heard[i].heard, heard[i].range});
+    const SonarSpec& sonar = sonars.model().sonars[i];
+    readings.push_back({sonar.mount, sonar.half_cone, sonar.greatest, heard[i].heard, heard[i].range});
   }
-  scene.field = &plain_;
-  scene.ranges = readings_;
-  discs_.clear();
-  if (wants_discs_) {
-    map_.update(scene);
-    map_.appendDiscs(discs_);
+  scene.field = &plain;
+  scene.ranges = readings;
+  discs.clear();
+  if (wants_discs) {
+    map.update(scene);
+    map.appendDiscs(discs);
   }
-  scene.obstacles = discs_;
+  scene.obstacles = discs;
 }
 
 }  // namespace fulbito
