@@ -142,6 +142,7 @@ int client(const ClientCommand& options) {
   if (!wire) return report(wire.error());
   auto player = LeaguePlayer::create(*config, team, now);
   if (!player) return report(player.error());
+  note("waiting for vision on {}:{}\n", wire::kVisionGroup, options.port_base + wire::kVisionOffset);
   Traffic traffic;
   const auto played = playUntilEnd(*wire, *player, options, traffic);
   player->end();

@@ -1,11 +1,13 @@
 #include "apps/match/league_player.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "bridge/wire/referee_words.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "referee/restarts/restart_placement.hpp"
 #include "strategies/interface/team_frame.hpp"
@@ -16,46 +18,6 @@ namespace {
 using wire::Foul;
 
 constexpr double kFieldAlike = 0.01;  // [m]
-
-RestartKind kindOf(Foul foul) {
-  switch (foul) {
-    case Foul::kFreeKick:
-      return RestartKind::kFreeKick;
-    case Foul::kPenaltyKick:
-      return RestartKind::kPenalty;
-    case Foul::kGoalKick:
-      return RestartKind::kGoalKick;
-    case Foul::kFreeBall:
-      return RestartKind::kFreeBall;
-    case Foul::kKickOff:
-      return RestartKind::kKickOff;
-    case Foul::kStop:
-    case Foul::kGameOn:
-    case Foul::kHalt:
-      break;
-  }
-  return RestartKind::kGiven;
-}
-
-int periodOf(wire::Half half) {
-  switch (half) {
-    case wire::Half::kNone:
-    case wire::Half::kFirst:
-      return 1;
-    case wire::Half::kSecond:
-      return 2;
-    case wire::Half::kOvertimeFirst:
-    case wire::Half::kOvertimeSecond:
-      return kOvertimePeriod;
-    case wire::Half::kShootOut:
-      return kShootOutPeriod;
-  }
-  return 1;
-}
-
-bool sameCommand(const wire::RefereeCommand& a, const wire::RefereeCommand& b) {
-  return a.foul == b.foul && a.team == b.team && a.quadrant == b.quadrant && a.half == b.half;
-}
 
 /// A point in the quadrant, counter-clockwise from x > 0, y > 0; without one the point itself.
 Vec2 inQuadrant(int quadrant, Vec2 point) {
@@ -95,16 +57,15 @@ double LeaguePlayer::playSeconds() const {
 }
 
 void LeaguePlayer::beginPeriod(wire::Half half) {
-  state_.period = periodOf(half);
+  state_.period = wire::periodOf(half);
+  state_.part = wire::overtimePartOf(half);
   state_.play_ticks = 0;
-  double seconds = config_.rules.half_seconds;
-  if (state_.period == kOvertimePeriod) seconds = config_.rules.periods.overtime_seconds;
-  if (state_.period == kShootOutPeriod) seconds = config_.rules.shoot_out.kick_seconds;
+  const double seconds = periodSeconds(config_.rules, state_.period);
   state_.period_ticks = static_cast<Tick>(std::lround(seconds / config_.physics.controlPeriod()));
 }
 
 std::optional<wire::TeamPlaces> LeaguePlayer::take(const wire::RefereeCommand& command) {
-  if (told_ && sameCommand(*told_, command)) return command.foul < Foul::kStop ? placement_ : std::nullopt;
+  if (told_ && sameCommand(*told_, command)) return wire::isRestart(command.foul) ? placement_ : std::nullopt;
   if (!told_ || told_->half != command.half) beginPeriod(command.half);
   const bool was_playing = state_.playing;
   told_ = command;
@@ -115,7 +76,7 @@ std::optional<wire::TeamPlaces> LeaguePlayer::take(const wire::RefereeCommand& c
     return std::nullopt;
   }
   placement_.reset();
-  if (command.foul >= Foul::kStop) return std::nullopt;
+  if (!wire::isRestart(command.foul)) return std::nullopt;
   ready_ = false;
   if (was_playing) seat_.strategy().stopped({GameEvent{}, seat_.exactly(moment())});
   placement_ = place(command);
@@ -126,7 +87,7 @@ wire::TeamPlaces LeaguePlayer::place(const wire::RefereeCommand& command) {
   const Side side = state_.sideOf(team_);
   const MatchView view{tick_, ids_, world_.robots, world_.balls.front(), {}};
   Stoppage stoppage;
-  stoppage.kind = kindOf(command.foul);
+  stoppage.kind = wire::restartOf(command.foul);
   stoppage.team = command.team.value_or(team_);
   stoppage.ball = inQuadrant(command.quadrant, world_.balls.front().position);
   stoppage.view = ids_.empty() ? nullptr : &view;
@@ -165,8 +126,11 @@ bool LeaguePlayer::see(const wire::Vision& vision) {
   WorldState seen;
   std::vector<RobotId> ids;
   for (const TeamId team : kTeams) {
+    std::array<bool, kMaxTeamSize> known{};
     for (const wire::SeenRobot& robot : vision.robots[indexOf(team)]) {
+      // Of a robot that a frame has twice, the first counts.
       if (robot.number >= static_cast<std::uint32_t>(config_.rules.team_size)) continue;
+      if (std::exchange(known[robot.number], true)) continue;
       if (!finite(robot.state)) return false;
       ids.push_back({team, static_cast<std::uint8_t>(robot.number)});
       seen.robots.push_back(robot.state);

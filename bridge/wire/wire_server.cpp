@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "bridge/wire/referee_words.hpp"
 #include "engine/core/system/stop_request.hpp"
 
 namespace fulbito::wire {
@@ -21,12 +22,6 @@ constexpr int kHalts = 3;                  // at the end
 constexpr int kMostOfSender = 64;          // datagrams per frame
 constexpr std::size_t kMostSenders = 64;   // per frame
 constexpr int kMostAtOnce = 4096;          // datagrams per look at a socket, so that a flood does not hold us
-
-bool sameCommand(const RefereeCommand& a, const RefereeCommand& b) {
-  return a.foul == b.foul && a.team == b.team && a.quadrant == b.quadrant && a.half == b.half;
-}
-
-bool isFoul(Foul foul) { return foul < Foul::kStop; }
 
 }  // namespace
 
@@ -158,7 +153,7 @@ std::optional<TeamPlaces> WireServer::awaitPlaces(TeamId colour, const RefereeCo
 void WireServer::say(const RefereeCommand& command) {
   const bool same = said_ && sameCommand(*said_, command);
   if (same && frames_ - said_at_ < kRepeatAfter) return;
-  if (!same && isFoul(command.foul)) places_ = {};
+  if (!same && isRestart(command.foul)) places_ = {};
   said_ = command;
   said_at_ = frames_;
   send(referee_, datagramOf(command));

@@ -3,45 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "bridge/wire/referee_words.hpp"
 #include "fulbito/detail/math.hpp"
+#include "fulbito/referee.hpp"
 #include "strategies/interface/team_frame.hpp"
 
 namespace fulbito::wire {
 namespace {
 
-Foul foulOfRestart(RestartKind kind) {
-  switch (kind) {
-    case RestartKind::kKickOff:
-      return Foul::kKickOff;
-    case RestartKind::kFreeBall:
-      return Foul::kFreeBall;
-    case RestartKind::kFreeKick:
-      return Foul::kFreeKick;
-    case RestartKind::kPenalty:
-      return Foul::kPenaltyKick;
-    case RestartKind::kGoalKick:
-      return Foul::kGoalKick;
-    case RestartKind::kGiven:
-      return Foul::kStop;  // the wire has no word for it
-  }
-  return Foul::kStop;
-}
-
-Half halfOf(int period) {
-  constexpr Half kHalves[] = {Half::kNone, Half::kFirst, Half::kSecond, Half::kOvertimeFirst,
-                              Half::kShootOut};
-  return kHalves[std::clamp(period, 0, kShootOutPeriod)];
-}
-
 int quadrantOf(Vec2 ball) {
   if (ball.y > 0.0) return ball.x > 0.0 ? 1 : 2;
   return ball.x > 0.0 ? 4 : 3;
-}
-
-/// [s] Length of the period.
-double lengthOf(int period, const Rules& rules) {
-  if (period == kOvertimePeriod) return rules.periods.overtime_seconds;
-  return period == kShootOutPeriod ? rules.shoot_out.kick_seconds : rules.half_seconds;
 }
 
 void show(const std::array<ObservedRobot, kMaxTeamSize>& robots, int size, Side side,
@@ -128,13 +100,13 @@ Vision WireTeam::restingVision(const PlacementRequest& request) const {
 RefereeCommand WireTeam::commandOf(Foul foul, const Observation& observation) const {
   RefereeCommand command;
   command.foul = foul;
-  command.half = halfOf(observation.period);
-  command.seconds = std::max(0.0, lengthOf(observation.period, info_.rules) - observation.remaining);
+  command.half = halfOf(observation.period, observation.overtime_part);
+  command.seconds = std::max(0.0, periodSeconds(info_.rules, observation.period) - observation.remaining);
   return command;
 }
 
 RefereeCommand WireTeam::foulOf(const PlacementRequest& request) const {
-  RefereeCommand command = commandOf(foulOfRestart(request.kind), request.now);
+  RefereeCommand command = commandOf(wire::foulOf(request.kind), request.now);
   if (request.kind == RestartKind::kFreeBall) {
     command.quadrant = quadrantOf(inTeamFrame(side_, request.ball));
   } else if (request.kind != RestartKind::kGiven) {

@@ -8,14 +8,7 @@
 namespace fulbito {
 namespace {
 
-/// The largest field, without goals and corners.
-FieldGeometry plainField() {
-  FieldGeometry plain;
-  plain.name = "plain";
-  plain.length = plain.width = 20.0;
-  plain.goal_width = plain.goal_depth = plain.corner = 0.0;
-  return plain;
-}
+constexpr double kLargestFloor = 20.0;  // [m]
 
 /// Eight front sonars with 5 % of drop-outs, echoes from smooth surfaces up to 30 degrees, and no cross-talk.
 /// @param noise  [m] standard deviation of a range; 5 mm in the suites
@@ -33,7 +26,7 @@ struct SonarSight::Impl {
   explicit Impl(const TrialConfig& config)
       : sonars(config.field, suiteSonars(config.robot.robot, config.sonar_noise),
                Rng(config.seed, Stream::kSonar, config.index)),
-        plain(plainField()),
+        plain(plainFloor("plain", kLargestFloor, kLargestFloor)),
         wants_discs(!config.navigator.info->reads_ranges),
         map({}) {}
   void look(const World& world, NavigationScene& scene);

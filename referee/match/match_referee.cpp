@@ -84,11 +84,9 @@ void MatchReferee::beginPeriod(int period) {
 }
 
 Tick MatchReferee::periodTicks() const {
-  const Rules& rules = setup_.rules;
-  double seconds = rules.half_seconds;
-  if (state_.period == kOvertimePeriod) seconds = rules.periods.overtime_seconds;
-  if (state_.period == kShootOutPeriod) seconds = rules.shoot_out.kick_seconds;
-  if (!setup_.present[0] || !setup_.present[1]) seconds = rules.walk_over.seconds;
+  const bool walk_over = !setup_.present[0] || !setup_.present[1];
+  const double seconds =
+      walk_over ? setup_.rules.walk_over.seconds : periodSeconds(setup_.rules, state_.period);
   return std::max<Tick>(1, ticksOf(seconds, setup_.dt));
 }
 

@@ -66,6 +66,11 @@ Result<Rules> withField(RulesFile file, const std::string& path) {
 
 }  // namespace
 
+double periodSeconds(const Rules& rules, int period) {
+  if (period == kOvertimePeriod) return rules.periods.overtime_seconds;
+  return period == kShootOutPeriod ? rules.shoot_out.kick_seconds : rules.half_seconds;
+}
+
 Result<Rules> parseRules(std::string_view text, const std::string& origin) {
   auto file = readRules(text, origin);
   if (!file) return tl::unexpected<Error>(file.error());

@@ -97,6 +97,36 @@ TEST_CASE("a client plays a pair of matches, in either seat with its own colour"
   CHECK(contains(box.read("played.txt"), "chaser played yellow for "));
 }
 
+TEST_CASE("a robot that a frame has more than once gets one command", "[cli]") {
+  const Sandbox box;
+  box.write("server.py", R"(import socket, sys
+import simulator_pb2 as sim
+port = int(sys.argv[1])
+vision = sim.Environment()
+vision.field.length, vision.field.width = 1.5, 1.3
+for i in range(100):
+    vision.frame.robots_blue.add(robot_id=i % 3, x=-0.1 * (i % 3))
+ear = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+ear.bind(("127.0.0.1", port + 10009))
+ear.settimeout(0.05)
+mouth = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+mouth.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton("127.0.0.1"))
+while True:
+    mouth.sendto(vision.SerializeToString(), ("224.0.0.1", port))
+    try:
+        packet = sim.Packet.FromString(ear.recv(65536))
+    except TimeoutError:
+        continue
+    print([command.id for command in packet.cmd.robot_commands])
+    break
+)");
+  const Output output =
+      box.shell(kClients +
+                "\"$F\" client chaser --port-base $P --interface 127.0.0.1 --patience 0.2 >/dev/null & c=$!\n"
+                "PYTHONPATH='" FULBITO_CLIENT_MESSAGES "' '" FULBITO_PYTHON "' server.py $P; wait $c\n");
+  CHECK(output.out == "[0, 1, 2]\n");
+}
+
 TEST_CASE("Ctrl-C ends a server with a summary and the recording up to there", "[cli]") {
   const Sandbox box;
   const Output output = box.shell(kClients +

@@ -124,6 +124,8 @@ struct RefereeSetup {
 /// Number of a period in `RefereeState::period` and `GameEvent::period`.
 inline constexpr int kOvertimePeriod = 3;
 inline constexpr int kShootOutPeriod = 4;  ///< decides a tied match
+/// [s] Play time of a period by the rules: of a half, of a part of overtime, or of a kick of the shoot-out.
+double periodSeconds(const Rules& rules, int period);
 
 /// The state of a shoot-out.
 struct ShootOutState {
