@@ -43,6 +43,7 @@ WheelSpeeds wheelsOf(const RobotModel& model, const RobotState& robot) {
 LeaguePlayer::LeaguePlayer(const MatchConfig& config, TeamId team, Seat&& seat)
     : config_(config), setup_(refereeSetup(config)), team_(team), seat_(std::move(seat)) {
   world_.balls.resize(1);
+  state_.last.kind = RestartKind::kGiven;  // until a foul is heard
   beginPeriod(wire::Half::kFirst);
 }
 

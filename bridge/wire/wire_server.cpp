@@ -38,22 +38,31 @@ WireServer::WireServer(const WireSettings& settings, WireClock clock, WireLog lo
       board_(0, settings.lock) {}
 
 Result<std::unique_ptr<WireServer>> WireServer::open(const WireSettings& settings, WireClock clock,
-                                                     WireLog log) {
+                                                     WireLog log, std::vector<Descriptor> sockets) {
   const int base = settings.port_base;
-  auto vision = UdpSender::open({kVisionGroup, base + kVisionOffset}, settings.interface);
+  const std::string& interface = settings.interface;
+  sockets.resize(kSockets);
+  auto vision = UdpSender::open({kVisionGroup, base + kVisionOffset}, interface, std::move(sockets[0]));
   if (!vision) return tl::unexpected<Error>(vision.error());
-  auto referee = UdpSender::open({kRefereeGroup, base + kRefereeOffset}, settings.interface);
+  auto referee = UdpSender::open({kRefereeGroup, base + kRefereeOffset}, interface, std::move(sockets[1]));
   if (!referee) return tl::unexpected<Error>(referee.error());
   // Loopback alone is for clients of this machine alone.
-  const std::string local = settings.interface.starts_with("127.") ? settings.interface : "";
-  auto commands = UdpReceiver::open({local, base + kCommandOffset}, settings.interface);
+  const std::string local = interface.starts_with("127.") ? interface : "";
+  auto commands = UdpReceiver::open({local, base + kCommandOffset}, interface, std::move(sockets[2]));
   if (!commands) return tl::unexpected<Error>(commands.error());
-  auto placements = UdpReceiver::open({kRefereeGroup, base + kPlacementOffset}, settings.interface);
+  auto placements =
+      UdpReceiver::open({kRefereeGroup, base + kPlacementOffset}, interface, std::move(sockets[3]));
   if (!placements) return tl::unexpected<Error>(placements.error());
   return std::unique_ptr<WireServer>(new WireServer(settings, std::move(clock), std::move(log),
                                                     std::move(*vision), std::move(*referee),
                                                     std::move(*commands), std::move(*placements)));
 }
+
+void WireServer::look() {
+  if (alive_ && !ended_) ended_ = !alive_();
+}
+
+bool WireServer::goesOn() const { return !stopRequested() && !ended_; }
 
 bool WireServer::claim(TeamId colour) { return !std::exchange(claimed_[indexOf(colour)], true); }
 
@@ -70,6 +79,7 @@ void WireServer::send(UdpSender& to, std::string_view datagram) {
 
 void WireServer::show(Vision vision) {
   receive();  // what belongs to the last frame
+  look();
   const auto milliseconds = static_cast<std::uint32_t>(period_ * 1000.0);
   vision.step = step_ += milliseconds;
   send(vision_, datagramOf(vision));
@@ -77,7 +87,8 @@ void WireServer::show(Vision vision) {
   board_.beginFrame();
   senders_.clear();
   const double time = now();
-  if (time - frame_end_ > kBehindMost) frame_end_ = time;
+  // Frames of lockstep end before their time, which must not add up to a pause at the next restart.
+  if (settings_.lockstep || time - frame_end_ > kBehindMost) frame_end_ = time;
   frame_end_ += period_ / settings_.speed;
 }
 
@@ -91,11 +102,12 @@ void WireServer::receiveFor(double seconds) {
   const std::array<int, 2> sockets{commands_.number(), placements_.number()};
   waitForAny(sockets, std::min(seconds, kLongestPoll));
   receive();
+  look();
 }
 
 void WireServer::finishFrame() {
   receive();
-  for (double left = frame_end_ - now(); left > 0.0 && !stopRequested(); left = frame_end_ - now()) {
+  for (double left = frame_end_ - now(); left > 0.0 && goesOn(); left = frame_end_ - now()) {
     receiveFor(left);
   }
 }
@@ -104,7 +116,7 @@ bool WireServer::awaitCommands(TeamId colour, std::uint32_t robots, double secon
   receive();
   double end = now() + seconds;
   bool any = false;
-  while (!board_.answered(colour, robots) && !stopRequested()) {
+  while (!board_.answered(colour, robots) && goesOn()) {
     if (!any && board_.answering(colour)) {
       any = true;
       end = std::min(end, now() + kMoreCommands);
@@ -128,7 +140,7 @@ bool WireServer::awaitClient(TeamId colour, const RefereeCommand& command, const
                      kVisionGroup, settings_.port_base + kVisionOffset,
                      settings_.port_base + kCommandOffset));
   }
-  while (!heard && !stopRequested() && !silent(colour)) {
+  while (!heard && goesOn() && !silent(colour)) {
     say(command);
     show(vision);
     finishFrame();
@@ -142,7 +154,7 @@ std::optional<TeamPlaces> WireServer::awaitPlaces(TeamId colour, const RefereeCo
   const auto& places = places_[indexOf(colour)];
   const double end = now() + settings_.placing / settings_.speed;
   int more = kMorePlaces;
-  while (!stopRequested() && (places ? --more >= 0 : now() < end)) {
+  while (goesOn() && (places ? --more >= 0 : now() < end)) {
     show(vision);
     finishFrame();
     if (!places) say(command);

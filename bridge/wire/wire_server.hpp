@@ -20,8 +20,16 @@ namespace fulbito::wire {
 /// reads what comes meanwhile.
 class WireServer {
  public:
+  /// @param sockets  `kSockets` of another network; empty: of this one
   /// Errors: as `UdpSender::open` and `UdpReceiver::open`.
-  static Result<std::unique_ptr<WireServer>> open(const WireSettings& settings, WireClock clock, WireLog log);
+  static Result<std::unique_ptr<WireServer>> open(const WireSettings& settings, WireClock clock, WireLog log,
+                                                  std::vector<Descriptor> sockets = {});
+  static constexpr int kSockets = 4;
+  /// Sets what looks at a client that this server has for itself, at least once per frame. Once it says
+  /// false, the client has ended, and nothing waits any more.
+  void watch(std::function<bool()> alive) { alive_ = std::move(alive); }
+  /// Whether it has.
+  bool clientEnded() const { return ended_; }
 
   /// Takes a colour for one team. False if it is taken.
   bool claim(TeamId colour);
@@ -62,6 +70,9 @@ class WireServer {
   void receive();
   void receiveFrom(UdpReceiver& socket, const std::function<void(std::string_view, Sender)>& take);
   void receiveFor(double seconds);
+  void look();
+  /// Whether waiting makes sense: nobody wants to stop, and the client is there.
+  bool goesOn() const;
   bool flooding(Sender sender);
   void takePacket(std::string_view datagram, Sender sender);
   void takePlaces(std::string_view datagram);
@@ -89,6 +100,8 @@ class WireServer {
   PerTeam<bool> awaited_{};                        ///< the log says that a client is waited for
   PerTeam<std::optional<double>> heard_;           ///< [s] by the clock
   std::vector<std::pair<Sender, int>> senders_{};  ///< and their datagrams since the frame began
+  std::function<bool()> alive_;                    ///< see `watch`
+  bool ended_ = false;                             ///< the client, as `alive_` says
 };
 
 }  // namespace fulbito::wire

@@ -35,12 +35,13 @@ struct WireSettings {
 struct WireSeat {
   TeamId colour = TeamId::kBlue;  ///< colour of the client's team, whatever seat it plays
   WireSettings settings;
+  std::string run;  ///< command that starts the client; empty: it connects by itself
 };
 
 /// Whether a specification names a team of the wire: `wire` or `wire:...`.
 bool isWire(const std::string& specification);
-/// Parses `wire:COLOUR`, `wire:COLOUR@PORTBASE` and either with `:name=value,...`. Errors: kUsage naming what
-/// is wrong, and what there is.
+/// Parses `wire:COLOUR`, `wire:COLOUR@PORTBASE` and either with `:name=value,...` and `:run=COMMAND` at the
+/// end. `wire:run=COMMAND` is blue. Errors: kUsage naming what is wrong, and what there is.
 Result<WireSeat> parseWire(const std::string& specification);
 /// The settings that specifications may have, with ranges and meanings, without `interface`.
 std::vector<ParameterSpec> wireParameters();

@@ -69,6 +69,33 @@ TEST_CASE("teams of ours play as clients, and end with the match", "[cli]") {
   CHECK(contains(box.read("yellow.txt"), "chaser played yellow for "));
 }
 
+TEST_CASE("a team that is started as a client does in lockstep what it does at home", "[cli]") {
+  const Sandbox box;
+  const auto drilled = [&](const std::string& team) {
+    Json report = resultOf(box.shell("\"$F\" drill " + team + " --drill empty-goal --trials 4 --json"));
+    report.erase("team");
+    return report;
+  };
+  const Json away = drilled(
+      "\"wire:lockstep=on,answer=20:run=$F client libero --robot vsss --colour {colour} --port-base "
+      "{port_base} "
+      "--interface 127.0.0.1\"");
+  CHECK(away == drilled("libero"));
+}
+
+TEST_CASE("clients that tournaments start play each other and are ranked", "[cli]") {
+  const Sandbox box;
+  const std::string client =
+      "'" FULBITO_CHASER_CLIENT "' {colour} --port-base {port_base} --interface 127.0.0.1";
+  const Output output = box.shell("\"$F\" tournament run \"wire:lockstep=on,answer=20:run=" + client +
+                                  "\" \"wire:yellow:lockstep=on,answer=20:run=" + client +
+                                  "\" chaser --half-seconds 1 --jobs 2 --json");
+  const Json result = resultOf(output);
+  INFO(result.dump(1));
+  REQUIRE(result["standings"].size() == 3);
+  for (const Json& row : result["standings"]) CHECK(row["matches"] == 4);
+}
+
 TEST_CASE("a client says what keeps it from playing", "[cli]") {
   const Sandbox box;
   box.fails("client libero --host nowhere", 2, "address 'nowhere' is no address such as 127.0.0.1");

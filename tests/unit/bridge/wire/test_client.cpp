@@ -23,6 +23,12 @@ std::int64_t steadyTime() {
       .count();
 }
 
+OutsideOptions outsideOptions() {
+  OutsideOptions options;
+  options.clock = steadyTime;
+  return options;
+}
+
 int freePortBase() {
   std::random_device random;
   for (;;) {

@@ -34,7 +34,7 @@ MatchConfig configOf(const std::string& blue, const std::string& yellow, int por
   auto config = MatchConfig::standard("idle", "idle");
   REQUIRE(config);
   TeamCatalogue catalogue = TeamCatalogue::builtIn();
-  catalogue.addSource(wireTeams(test::steadyTime, std::move(log)));
+  catalogue.addSource(wireTeams(test::outsideOptions(), std::move(log)));
   for (const TeamId team : kTeams) {
     const std::string& text = team == TeamId::kBlue ? blue : yellow;
     const std::string whole =
@@ -370,7 +370,7 @@ TEST_CASE("teams that cannot share their ports are refused before the match", "[
   const auto taken = UdpReceiver::open({"", port + kCommandOffset}, test::kLoopback);
   REQUIRE(taken);
   TeamCatalogue catalogue;
-  catalogue.addSource(wireTeams(test::steadyTime, {}));
+  catalogue.addSource(wireTeams(test::outsideOptions(), {}));
   const auto choice = catalogue.parse(fmt::format("wire:blue@{}:interface=127.0.0.1", port));
   REQUIRE_FALSE(choice);
   CHECK(choice.error().code == ErrorCode::kIo);

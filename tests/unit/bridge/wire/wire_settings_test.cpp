@@ -24,6 +24,22 @@ TEST_CASE("a specification of a team of the wire has a colour, maybe ports, mayb
   CHECK(full->settings == expected);
 }
 
+TEST_CASE("a command stands at the end, and a client that is started need not have a colour", "[unit]") {
+  const auto runs = [](const char* specification, TeamId colour, const char* command) {
+    CAPTURE(specification);
+    const auto seat = parseWire(specification);
+    REQUIRE(seat);
+    CHECK(seat->colour == colour);
+    CHECK(seat->run == command);
+    return seat->settings;
+  };
+  CHECK(runs("wire:run=a b", TeamId::kBlue, "a b") == WireSettings{});
+  CHECK(runs("wire:yellow:run=a run=3,x:y", TeamId::kYellow, "a run=3,x:y") == WireSettings{});
+  CHECK(runs("wire:lockstep=on:run=a", TeamId::kBlue, "a").lockstep);
+  CHECK(runs("wire:speed=2,run=a", TeamId::kBlue, "a").speed == 2.0);
+  CHECK(runs("wire:yellow@11000:speed=2,run=a", TeamId::kYellow, "a").port_base == 11000);
+}
+
 TEST_CASE("the default ports are the league's", "[unit]") {
   CHECK(kDefaultPortBase + kVisionOffset == 10002);
   CHECK(kDefaultPortBase + kRefereeOffset == 10003);
@@ -42,6 +58,8 @@ TEST_CASE("a wrong specification is refused with what is wrong", "[unit]") {
   const std::pair<const char*, const char*> cases[] = {
       {"wire", "'' is neither blue nor yellow"},
       {"wire:green", "'green' is neither blue nor yellow"},
+      {"wire:green:run=a", "'green' is neither blue nor yellow"},
+      {"wire:yellow:run=", "run= has no command"},
       {"wire:blue@", "'' is no first port, 1 ... 55526"},
       {"wire:blue@0", "'0' is no first port"},
       {"wire:blue@55527", "'55527' is no first port"},
