@@ -74,6 +74,7 @@ CLI::App* addServe(CLI::App& app, ServeCommand& options) {
       "  fulbito serve                                          two clients, at the league's addresses\n"
       "  fulbito serve --yellow libero --interface 127.0.0.1    a client that is blue, against libero\n"
       "  fulbito serve --lockstep --record game.fbr --json      as fast as the clients are\n"
+      "  fulbito serve --view --yellow libero                   watch it\n"
       "  fulbito serve --port-base 11000                        a second server on the same machine\n"
       "A client is a team of all other commands, too: fulbito match libero wire:yellow. More: "
       "docs/league.md.");
@@ -85,6 +86,8 @@ CLI::App* addServe(CLI::App& app, ServeCommand& options) {
   addMatchOutputs(*command, match);
   command->add_flag("--force", match.force, "replace existing files");
   command->add_flag("--json", match.json, "print JSON");
+  CLI::Option* view = command->add_flag("--view", match.view, "show the match in a window");
+  addViewOptions(*command, match.window, view, false);
   return command;
 }
 

@@ -96,6 +96,21 @@ TEST_CASE("clients that tournaments start play each other and are ranked", "[cli
   for (const Json& row : result["standings"]) CHECK(row["matches"] == 4);
 }
 
+TEST_CASE("a match of clients shows in a window", "[cli]") {
+  const Sandbox box;
+  const Output output = box.shell(kClients +
+                                  "export SDL_VIDEODRIVER=dummy\n"
+                                  "cpp yellow\n"
+                                  "serve --blue libero --speed 4 --half-seconds 2 --view --frames 20 "
+                                  "--screenshot seen.png --json >result.json\n"
+                                  "code=$?; kill %1; exit $code\n");
+  if (contains(output.err, "FULBITO_VIEW=OFF")) return;
+  INFO(output.err);
+  CHECK(output.code == 0);
+  CHECK(box.read("seen.png").starts_with("\x89PNG"));
+  CHECK(Json::parse(box.read("result.json"))["score"]["complete"] == false);
+}
+
 TEST_CASE("a client says what keeps it from playing", "[cli]") {
   const Sandbox box;
   box.fails("client libero --host nowhere", 2, "address 'nowhere' is no address such as 127.0.0.1");
