@@ -77,7 +77,8 @@ void WireServer::show(Vision vision) {
   board_.beginFrame();
   senders_.clear();
   const double time = now();
-  if (time - frame_end_ > kBehindMost) frame_end_ = time;
+  // In lockstep frames are shorter than their time, which must not add up.
+  if (settings_.lockstep || time - frame_end_ > kBehindMost) frame_end_ = time;
   frame_end_ += period_ / settings_.speed;
 }
 
