@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/math/random.hpp"
 #include "fulbito/detail/math.hpp"
 #include "tests/support/catch.hpp"
 
@@ -176,6 +177,21 @@ TEST_CASE("overlaps are pushed apart, the same way each time", "[unit]") {
     }
   }
   CHECK(distance(blue(once, 0).pose.position, blue(once, 1).pose.position) > 0.07);
+}
+
+TEST_CASE("whatever is put wherever, the world takes it", "[unit]") {
+  SimulatedField field = fieldOf(config());
+  wire::OddityLog log = quiet();
+  Rng random(1, Stream::kWheelCommands);
+  const auto somewhere = [&] { return Vec2{random.uniform(-0.95, 0.95), random.uniform(-0.75, 0.75)}; };
+  for (int i = 0; i < 400; ++i) {
+    const TeamId team = i % 2 == 0 ? TeamId::kBlue : TeamId::kYellow;
+    const auto number = static_cast<std::uint32_t>(i / 2 % 3);
+    field.replace(putting(number, team, {somewhere(), random.uniform(-1e3, 1e3)}, i % 7 != 0), log);
+    if (i % 3 == 0) field.replace(rolling(somewhere(), somewhere() * 80.0), log);
+    run(field, blueAt({random.uniform(-200.0, 200.0), random.uniform(-200.0, 200.0)}), 10);
+  }
+  CHECK(isFinite(field.vision().ball.position));
 }
 
 TEST_CASE("what is put outside of the walls stands there until it is put elsewhere", "[unit]") {
