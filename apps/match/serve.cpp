@@ -68,9 +68,9 @@ void addWire(CLI::App& command, wire::WireSettings& wire) {
 /// Options that need the referee of `serve` exclude `--no-referee`.
 void addAlone(CLI::App& command, ServeCommand& options) {
   const auto group = [](CLI::Option* option) { return option->group("Without a referee"); };
-  CLI::Option* alone = group(command.add_flag(
-      "--no-referee", options.no_referee,
-      "only simulate, for the league's referee program or none: whoever asks may move robots and ball"));
+  CLI::Option* alone =
+      group(command.add_flag("--no-referee", options.no_referee,
+                             "simulate only, without a match: any sender may move robots and ball"));
   for (const char* other :
        {"--placing", "--wait", "--half-seconds", "--events", "--time", "--latency", "--noise", "--dropout"}) {
     alone->excludes(command.get_option(other));
@@ -87,7 +87,7 @@ Result<void> checkAlone(const ServeCommand& options) {
   const MatchSettings& settings = options.match.settings;
   if (settings.blue != kClient || settings.yellow != kClient) {
     return fail(ErrorCode::kUsage,
-                "serve: --no-referee has no teams of its own; start each beside it: fulbito client libero "
+                "serve: --no-referee has no teams of its own; start each as a client: fulbito client libero "
                 "--colour blue");
   }
   if (!options.match.record.empty()) {
