@@ -26,6 +26,8 @@ const std::vector<Parameter<WireSettings>>& parameters() {
       number<WireSettings>("wait", &WireSettings::wait, 0.0, 86400.0, "s",
                            "time without a client after which its team forfeits; 0: it never does"),
       flag<WireSettings>("lock", &WireSettings::lock, "commands of other senders than the first are ignored"),
+      flag<WireSettings>("team_ports", &WireSettings::team_ports,
+                         "commands also come at a port for each colour, as TraveSim has them"),
   };
   return kParameters;
 }

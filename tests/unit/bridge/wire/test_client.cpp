@@ -34,6 +34,7 @@ int freePortBase() {
   for (;;) {
     WireSettings settings;
     settings.interface = kLoopback;
+    settings.team_ports = true;
     settings.port_base = 20'100 + static_cast<int>(random() % 30'000U);
     if (WireServer::open(settings, steadyTime, {})) return settings.port_base;
   }

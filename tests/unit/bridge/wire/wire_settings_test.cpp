@@ -11,7 +11,8 @@ TEST_CASE("a specification of a team of the wire has a colour, maybe ports, mayb
   REQUIRE(plain);
   CHECK(plain->colour == TeamId::kYellow);
   CHECK(plain->settings == WireSettings{});
-  const auto full = parseWire("wire:blue@20000:interface=127.0.0.1,speed=2.5,lockstep=on,wait=0,lock=true");
+  const auto full =
+      parseWire("wire:blue@20000:interface=127.0.0.1,speed=2.5,lockstep=on,wait=0,lock=true,team_ports=on");
   REQUIRE(full);
   CHECK(full->colour == TeamId::kBlue);
   WireSettings expected;
@@ -21,6 +22,7 @@ TEST_CASE("a specification of a team of the wire has a colour, maybe ports, mayb
   expected.lockstep = true;
   expected.wait = 0.0;
   expected.lock = true;
+  expected.team_ports = true;
   CHECK(full->settings == expected);
 }
 
@@ -45,6 +47,8 @@ TEST_CASE("the default ports are the league's", "[unit]") {
   CHECK(kDefaultPortBase + kRefereeOffset == 10003);
   CHECK(kDefaultPortBase + kPlacementOffset == 10004);
   CHECK(kDefaultPortBase + kCommandOffset == 20011);
+  CHECK(kDefaultPortBase + kYellowOffset == 20012);
+  CHECK(kDefaultPortBase + kBlueOffset == 20013);
 }
 
 TEST_CASE("only specifications that begin with `wire` are of the wire", "[unit]") {
@@ -60,9 +64,9 @@ TEST_CASE("a wrong specification is refused with what is wrong", "[unit]") {
       {"wire:green", "'green' is neither blue nor yellow"},
       {"wire:green:run=a", "'green' is neither blue nor yellow"},
       {"wire:yellow:run=", "run= has no command"},
-      {"wire:blue@", "'' is no first port, 1 ... 55526"},
+      {"wire:blue@", "'' is no first port, 1 ... 55524"},
       {"wire:blue@0", "'0' is no first port"},
-      {"wire:blue@55527", "'55527' is no first port"},
+      {"wire:blue@55525", "'55525' is no first port"},
       {"wire:blue@1x", "'1x' is no first port"},
       {"wire:blue:speed", "speed"},
       {"wire:blue:speed=100", "speed"},
