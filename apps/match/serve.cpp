@@ -71,8 +71,8 @@ void addAlone(CLI::App& command, ServeCommand& options) {
   CLI::Option* alone =
       group(command.add_flag("--no-referee", options.no_referee,
                              "simulate only, without a match: any sender may move robots and ball"));
-  for (const char* other :
-       {"--placing", "--wait", "--half-seconds", "--events", "--time", "--latency", "--noise", "--dropout"}) {
+  for (const char* other : {"--placing", "--wait", "--half-seconds", "--events", "--time", "--latency",
+                            "--noise", "--dropout", "--view"}) {
     alone->excludes(command.get_option(other));
   }
   group(number(command.add_option("--seconds", options.alone.seconds,
@@ -121,11 +121,11 @@ CLI::App* addServe(CLI::App& app, ServeCommand& options) {
   addWire(*command, options.wire);
   addMatchSettings(*command, match.settings);
   addMatchOutputs(*command, match);
+  CLI::Option* view = command->add_flag("--view", match.view, "show the match in a window");
+  addViewOptions(*command, match.window, view, false);
   addAlone(*command, options);
   command->add_flag("--force", match.force, "replace existing files");
   command->add_flag("--json", match.json, "print JSON");
-  CLI::Option* view = command->add_flag("--view", match.view, "show the match in a window");
-  addViewOptions(*command, match.window, view, false);
   return command;
 }
 
