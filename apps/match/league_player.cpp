@@ -191,7 +191,10 @@ wire::Packet LeaguePlayer::decide() {
   std::vector<WheelSpeeds> wheels(ids_.size());
   if (placed) {
     std::vector<GameEvent> events;
-    seat_.sense(moment(), false);
+    // Its commands act later, on a frame that is fresh. Its vision keeps as many frames, and gets them all at
+    // once.
+    const int latency = config_.vision[indexOf(team_)].latency_ticks;
+    for (int i = 0; i <= latency; ++i) seat_.sense(moment(latency), false);
     seat_.ask();
     seat_.decide();
     seat_.clean({}, events);
