@@ -48,7 +48,10 @@ LeaguePlayer::LeaguePlayer(const MatchConfig& config, TeamId team, Seat&& seat)
 }
 
 Result<LeaguePlayer> LeaguePlayer::create(const MatchConfig& config, TeamId team, const MatchClock& clock) {
-  auto seat = Seat::create(config, team, clock);
+  // Its commands act later, but the frame is fresh: nothing delays it once more.
+  MatchConfig seen = config;
+  const int late = std::exchange(seen.vision[indexOf(team)].latency_ticks, 0);
+  auto seat = Seat::create(seen, team, clock, late);
   if (!seat) return tl::unexpected<Error>(seat.error());
   return LeaguePlayer(config, team, std::move(*seat));
 }
@@ -191,10 +194,7 @@ wire::Packet LeaguePlayer::decide() {
   std::vector<WheelSpeeds> wheels(ids_.size());
   if (placed) {
     std::vector<GameEvent> events;
-    // Its commands act later, on a frame that is fresh. Its vision keeps as many frames, and gets them all at
-    // once.
-    const int latency = config_.vision[indexOf(team_)].latency_ticks;
-    for (int i = 0; i <= latency; ++i) seat_.sense(moment(latency), false);
+    seat_.sense(moment(config_.vision[indexOf(team_)].latency_ticks), false);
     seat_.ask();
     seat_.decide();
     seat_.clean({}, events);

@@ -83,7 +83,7 @@ struct Stage {
     settings.port_base = test::freePortBase();
     auto server = WireServer::open(settings, test::steadyTime, {});
     REQUIRE(server);
-    team = std::make_unique<WireTeam>(std::shared_ptr<WireServer>(std::move(*server)), TeamId::kBlue);
+    team = std::make_unique<WireTeam>(std::shared_ptr<WireServer>(std::move(*server)), TeamId::kBlue, false);
     team->begin(MatchInfo{});
     auto heard = UdpReceiver::open({kVisionGroup, settings.port_base + kVisionOffset}, test::kLoopback);
     REQUIRE(heard);
@@ -132,7 +132,7 @@ TEST_CASE("vision of a match has the fields of the league's simulator, and its f
   auto config = MatchConfig::standard("idle", "chaser");
   REQUIRE(config);
   TeamCatalogue catalogue;
-  catalogue.addSource(wireTeams(test::steadyTime, {}));
+  catalogue.addSource(wireTeams(test::outsideOptions(), {}));
   const int port = test::freePortBase();
   auto team = catalogue.parse("wire:blue@" + std::to_string(port) + ":interface=127.0.0.1,speed=20");
   REQUIRE(team);
