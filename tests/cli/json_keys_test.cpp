@@ -102,14 +102,13 @@ TEST_CASE("docs/results-format.md names every key that is printed as JSON", "[cl
   expect("tune random --half-seconds 2 --iterations 1 --pairs 1 --final-pairs 1 --json");
   expect("drill chaser --drill 3,10 --trials 4 --json");
   expect("check-team chaser --quick --json");
-  expect("replay info a.fbr --json");
-  expect("replay info t.fbr --json");
-  expect("replay info cut.fbr --json");
+  for (const std::string file : {"a", "t", "cut"}) expect("replay info " + file + ".fbr --json");
   expect("replay events t.fbr --json");
   expect("replay verify . --json");
   expect("replay diff a.fbr b.fbr --json");
   expect("replay cut a.fbr c.fbr --plays 1 --json");
   expect("replay repair cut.fbr r.fbr --json");
+  expect("replay send a.fbr --to 0.1 --speed 20 --port-base 52311 --interface 127.0.0.1 --json");
   expect("replay export a.fbr --jsonl -");
   expect("replay export t.fbr --jsonl -");
   expect("rules compare vsss-3v3 league-program-2021 a.fbr b.fbr --json --list");
