@@ -50,8 +50,9 @@ TeamCatalogue catalogueOf(const TeamFlags& flags) {
   options.clock = now;
   options.log = [](const std::string& team, std::string_view line) { note("{}: {}\n", team, line); };
   TeamCatalogue catalogue = TeamCatalogue::builtIn();
-  catalogue.addSource(outsideTeams(std::move(options)));
-  catalogue.addSource(wire::wireTeams(now, [](std::string_view line) { note("wire: {}\n", line); }));
+  catalogue.addSource(outsideTeams(options));
+  catalogue.addSource(
+      wire::wireTeams(std::move(options), [](std::string_view line) { note("wire: {}\n", line); }));
   return catalogue;
 }
 

@@ -86,6 +86,7 @@ Result<MatchConfig> matchOf(const ClientCommand& options, TeamId team) {
   if (!nobody) return tl::unexpected<Error>(nobody.error());
   config->teams[indexOf(team)] = std::move(*own);
   config->teams[indexOf(other(team))] = std::move(*nobody);
+  config->vision[indexOf(team)].latency_ticks = options.latency;
   return config;
 }
 
@@ -117,6 +118,12 @@ CLI::App* addClient(CLI::App& app, ClientCommand& options) {
   group(command->add_option("--interface", options.interface,
                             "address of the interface for multicast (default: the system's choice)"))
       ->type_name("ADDRESS");
+  group(wholeNumber(command->add_option("--latency", options.latency,
+                                        "frames until commands act, beyond the next: 1 on the league's "
+                                        "simulator, 0 on fulbito serve"),
+                    0, kMaxLatencyTicks))
+      ->type_name("N")
+      ->capture_default_str();
   group(number(command->add_option("--patience", options.patience,
                                    "time without vision after which the match is over [s]")))
       ->check(CLI::Range(0.1, 86400.0))

@@ -18,6 +18,7 @@ struct ClientCommand {
   std::string host = "127.0.0.1";
   int port_base = wire::kDefaultPortBase;
   std::string interface;   ///< empty: the system's choice
+  int latency = 1;         ///< frames until commands act, beyond the next one
   bool stay = false;       ///< for another match after this one
   double patience = 10.0;  ///< [s]
   bool json = false;

@@ -34,11 +34,15 @@ WheelSpeeds wheelsOf(const RobotModel& model, const RobotState& robot) {
 LeaguePlayer::LeaguePlayer(const MatchConfig& config, TeamId team, Seat&& seat)
     : config_(config), setup_(refereeSetup(config)), team_(team), seat_(std::move(seat)) {
   world_.balls.resize(1);
+  state_.last.kind = RestartKind::kGiven;  // until a foul is heard
   beginPeriod(wire::Half::kFirst);
 }
 
 Result<LeaguePlayer> LeaguePlayer::create(const MatchConfig& config, TeamId team, const MatchClock& clock) {
-  auto seat = Seat::create(config, team, clock);
+  // Its commands act later, but the frame is fresh: nothing delays it once more.
+  MatchConfig seen = config;
+  const int late = std::exchange(seen.vision[indexOf(team)].latency_ticks, 0);
+  auto seat = Seat::create(seen, team, clock, late);
   if (!seat) return tl::unexpected<Error>(seat.error());
   return LeaguePlayer(config, team, std::move(*seat));
 }
@@ -163,7 +167,7 @@ wire::Packet LeaguePlayer::decide() {
   std::vector<WheelSpeeds> wheels(ids_.size());
   if (placed) {
     std::vector<GameEvent> events;
-    seat_.sense(moment(), false);
+    seat_.sense(moment(config_.vision[indexOf(team_)].latency_ticks), false);
     seat_.ask();
     seat_.decide();
     seat_.clean({}, events);

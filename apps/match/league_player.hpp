@@ -22,7 +22,8 @@ struct LeagueCounts {
 /// it in a match here, and its wheel speeds and placements go back to them.
 class LeaguePlayer {
  public:
-  /// @param config  rules, robots and the team itself; the other team does not play
+  /// @param config  rules, robots and the team itself; the other team does not play. Its latency is that of
+  ///                the server: frames until commands act, beyond the next one
   /// Errors: as `Seat::create`.
   static Result<LeaguePlayer> create(const MatchConfig& config, TeamId team, const MatchClock& clock);
 
@@ -50,7 +51,8 @@ class LeaguePlayer {
   bool see(const wire::Vision& vision);
   void advance(std::uint32_t step);
   wire::Packet decide();
-  Moment moment() const { return {tick_, &world_, ids_, &state_}; }
+  /// What the last frame and the referee tell. @param later  [ticks] until commands act
+  Moment moment(int later = 0) const { return {tick_ + later, &world_, ids_, &state_}; }
 
   MatchConfig config_;
   RefereeSetup setup_;

@@ -21,6 +21,7 @@ std::string clientOf(TeamId colour, const wire::WireSettings& settings) {
   if (settings.lockstep) text += fmt::format(",lockstep=on,answer={}", settings.answer);
   if (settings.placing != wire::WireSettings{}.placing) text += fmt::format(",placing={}", settings.placing);
   if (settings.lock) text += ",lock=on";
+  if (settings.team_ports) text += ",team_ports=on";
   return text;
 }
 
@@ -60,6 +61,41 @@ void addWire(CLI::App& command, wire::WireSettings& wire) {
           ->capture_default_str());
   group(command.add_flag("--lock", wire.lock,
                          "for each colour only the first sender counts; otherwise all do"));
+  group(command.add_flag("--team-ports", wire.team_ports,
+                         "commands also come at ports 20012, yellow, and 20013, blue, as TraveSim has them"));
+}
+
+/// Options that need the referee of `serve` exclude `--no-referee`.
+void addAlone(CLI::App& command, ServeCommand& options) {
+  const auto group = [](CLI::Option* option) { return option->group("Without a referee"); };
+  CLI::Option* alone =
+      group(command.add_flag("--no-referee", options.no_referee,
+                             "simulate only, without a match: any sender may move robots and ball"));
+  for (const char* other : {"--placing", "--wait", "--half-seconds", "--events", "--time", "--latency",
+                            "--noise", "--dropout", "--view"}) {
+    alone->excludes(command.get_option(other));
+  }
+  group(number(command.add_option("--seconds", options.alone.seconds,
+                                  "with --no-referee: simulated time until the end [s] (default: Ctrl-C)")))
+      ->check(CLI::Range(0.01, 1e6))
+      ->type_name("S")
+      ->needs(alone);
+}
+
+/// What is no option of `--no-referee` but has a substitute.
+Result<void> checkAlone(const ServeCommand& options) {
+  const MatchSettings& settings = options.match.settings;
+  if (settings.blue != kClient || settings.yellow != kClient) {
+    return fail(ErrorCode::kUsage,
+                "serve: --no-referee has no teams of its own; start each as a client: fulbito client libero "
+                "--colour blue");
+  }
+  if (!options.match.record.empty()) {
+    return fail(ErrorCode::kUsage,
+                "serve: --no-referee has no match to record; fulbito record listens to vision and writes a "
+                "recording");
+  }
+  return {};
 }
 
 }  // namespace
@@ -74,7 +110,9 @@ CLI::App* addServe(CLI::App& app, ServeCommand& options) {
       "  fulbito serve                                          two clients, at the league's addresses\n"
       "  fulbito serve --yellow libero --interface 127.0.0.1    a client that is blue, against libero\n"
       "  fulbito serve --lockstep --record game.fbr --json      as fast as the clients are\n"
+      "  fulbito serve --view --yellow libero                   watch it\n"
       "  fulbito serve --port-base 11000                        a second server on the same machine\n"
+      "  fulbito serve --no-referee                             for the league's own referee program\n"
       "A client is a team of all other commands, too: fulbito match libero wire:yellow. More: "
       "docs/league.md.");
   MatchCommand& match = options.match;
@@ -83,12 +121,19 @@ CLI::App* addServe(CLI::App& app, ServeCommand& options) {
   addWire(*command, options.wire);
   addMatchSettings(*command, match.settings);
   addMatchOutputs(*command, match);
+  CLI::Option* view = command->add_flag("--view", match.view, "show the match in a window");
+  addViewOptions(*command, match.window, view, false);
+  addAlone(*command, options);
   command->add_flag("--force", match.force, "replace existing files");
   command->add_flag("--json", match.json, "print JSON");
   return command;
 }
 
 int serve(const ServeCommand& options) {
+  if (options.no_referee) {
+    if (auto checked = checkAlone(options); !checked) return report(checked.error());
+    return simulate(options.match.settings, options.wire, options.alone, options.match.json);
+  }
   MatchCommand command = options.match;
   MatchSettings& settings = command.settings;
   if (settings.blue != kClient && settings.yellow != kClient) {

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include "apps/match/match.hpp"
+#include "apps/match/simulate.hpp"
 #include "bridge/wire/wire_settings.hpp"
 
 namespace CLI {
@@ -15,6 +14,8 @@ namespace fulbito::app {
 struct ServeCommand {
   MatchCommand match;       ///< its teams are specifications, or empty for clients
   wire::WireSettings wire;  ///< of both clients
+  bool no_referee = false;  ///< the simulator alone, as these say
+  SimulateOptions alone;
 };
 
 /// Adds `serve`.

@@ -15,6 +15,7 @@
 #include "apps/common/outputs.hpp"
 #include "apps/view/match_stage.hpp"
 #include "apps/view/replay_stage.hpp"
+#include "bridge/wire/wire_settings.hpp"
 #include "engine/core/base/text_controls.hpp"
 #include "engine/core/system/error_text.hpp"
 #include "replays/verify/expand.hpp"
@@ -85,6 +86,16 @@ Result<std::unique_ptr<ViewStage>> stageOf(const std::string& file, double from)
   return std::unique_ptr<ViewStage>(std::move(*stage));
 }
 
+/// The speed over real time of a match with clients of the league; 0: there are none.
+double paceOf(const MatchConfig& config) {
+  double pace = 0.0;
+  for (const TeamChoice& team : config.teams) {
+    if (!wire::isWire(team.text)) continue;
+    if (const auto seat = wire::parseWire(team.text)) pace = std::max(pace, seat->settings.speed);
+  }
+  return pace;
+}
+
 void print(const ViewCommand& options, const Viewer& viewer, const ViewWindow& window) {
   const ViewSettings& settings = viewer.settings();
   const Json json{{"schema_version", 1},
@@ -107,15 +118,17 @@ void print(const ViewCommand& options, const Viewer& viewer, const ViewWindow& w
 
 }  // namespace
 
-void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed) {
+void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed, bool speed) {
   const auto add = [needed](CLI::Option* option) {
     option->group("Window");
     if (needed != nullptr) option->needs(needed);
     return option;
   };
-  add(command.add_option("--speed", options.speed,
-                         "playback speed, 1 = real time: 0.25, 0.5, 1, 2, 4, 8, 16"))
-      ->capture_default_str();
+  if (speed) {
+    add(command.add_option("--speed", options.speed,
+                           "playback speed, 1 = real time: 0.25, 0.5, 1, 2, 4, 8, 16"))
+        ->capture_default_str();
+  }
   add(command.add_option("--theme", options.theme, "colour theme: dark or light"))
       ->check(CLI::IsMember({"dark", "light"}).description(""))
       ->capture_default_str();
@@ -165,7 +178,7 @@ Result<ViewWindow> openWindow(const ViewOptions& options) {
 
 Result<void> playInWindow(Match& match, ViewWindow& window, const ViewOptions& options) {
   std::vector<std::unique_ptr<ViewStage>> stages;
-  stages.push_back(std::make_unique<MatchStage>(match));
+  stages.push_back(std::make_unique<MatchStage>(match, paceOf(match.config())));
   Viewer viewer(std::move(stages), settingsOf(options));
   auto shown = window.run(viewer);
   match.finish();  // ends the match while the stage that observes it still exists

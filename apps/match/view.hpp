@@ -37,7 +37,9 @@ struct ViewCommand {
 /// Adds `view`.
 CLI::App* addView(CLI::App& app, ViewCommand& options);
 /// Adds the window options. If `needed` is given, each of them requires that option.
-void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed = nullptr);
+/// @param speed  whether --speed is one of them
+void addViewOptions(CLI::App& command, ViewOptions& options, CLI::Option* needed = nullptr,
+                    bool speed = true);
 
 /// Shows recordings and returns the exit code.
 int view(const ViewCommand& options);

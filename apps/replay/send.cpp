@@ -23,7 +23,7 @@ using Json = nlohmann::ordered_json;
 constexpr double kLook = 0.05;             // [s] between looks for signals
 constexpr double kBehindMost = 0.25;       // [s] that frames catch up after a pause
 constexpr std::int64_t kRepeatAfter = 15;  // frames until a command is sent again, against loss
-constexpr int kLastTimes = 3;              // that what follows all frames is sent, against loss
+constexpr int kTimes = 3;                  // that a new command is sent, likewise
 
 /// The frames to send, by their ticks.
 struct Range {
@@ -59,10 +59,7 @@ class Sender {
       wait();
     }
     if (range.last < told_.ticks() || interrupted()) return;
-    for (; next != commands.end(); ++next) {
-      say(next->command);
-      for (int i = 1; i < kLastTimes; ++i) repeat();
-    }
+    for (; next != commands.end(); ++next) say(next->command);
   }
   const Counts& counts() const { return counts_; }
 
@@ -72,7 +69,7 @@ class Sender {
   void say(const wire::RefereeCommand& command) {
     said_ = command;
     ++counts_.commands;
-    repeat();
+    for (int i = 0; i < kTimes; ++i) repeat();
   }
   void repeat() {
     said_at_ = counts_.frames + counts_.lost;

@@ -1,6 +1,7 @@
 #include "apps/view/match_stage.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fulbito/detail/math.hpp"
 #include "fulbito/recorder.hpp"
@@ -20,8 +21,9 @@ Pose2 between(const Pose2& a, const Pose2& b, double share) {
 
 }  // namespace
 
-MatchStage::MatchStage(Match& match)
+MatchStage::MatchStage(Match& match, double pace)
     : match_(&match),
+      pace_(pace),
       header_(recordingHeader(match.config(), RecordingLevel::kFull)),
       name_("live"),
       editor_(match),
@@ -51,7 +53,10 @@ void MatchStage::play() {
 
 void MatchStage::forward(double seconds) {
   if (over_ || !(seconds > 0.0)) return;
-  share_ += seconds / frameSeconds();
+  double ticks = seconds / frameSeconds();
+  // Never so many that a picture waits long for them, and never none: the match would fall behind its time.
+  if (pace_ > 0.0) ticks = std::clamp(std::round(ticks * pace_), 1.0, 2.0 * std::ceil(pace_));
+  share_ += ticks;
   for (; share_ > 1.0 && !over_; share_ -= 1.0) play();
   if (over_) share_ = 1.0;
 }

@@ -14,7 +14,9 @@ namespace fulbito {
 class MatchStage final : public ViewStage, private MatchObserver {
  public:
   /// Observes `match`, which must outlive the stage. Create it before the first step.
-  explicit MatchStage(Match& match);
+  /// @param pace  of a match that keeps its own time, since clients of the league play in it: its speed over
+  ///              real time, and a step takes as long as a tick. 0: the stage's time is the viewer's
+  explicit MatchStage(Match& match, double pace = 0.0);
 
   const MatchPictureSpec& look() const override { return look_; }
   const std::string& name() const override { return name_; }
@@ -41,6 +43,7 @@ class MatchStage final : public ViewStage, private MatchObserver {
   void addTrails(const Poses& poses, MatchOverlays& overlays) const;
 
   Match* match_;
+  double pace_;
   RecordingHeader header_;
   MatchPictureSpec look_;
   std::string name_;

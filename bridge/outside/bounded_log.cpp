@@ -5,6 +5,11 @@
 #include <fmt/format.h>
 
 namespace fulbito {
+namespace {
+
+constexpr std::size_t kLongestLine = std::size_t{1} << 12;  // [bytes] beyond it, a line is cut
+
+}  // namespace
 
 void BoundedLog::add(std::string_view line) {
   if (!log_) return;
@@ -15,6 +20,17 @@ void BoundedLog::add(std::string_view line) {
   }
   shown_ += bytes;
   log_(line);
+}
+
+void BoundedLog::addLines(std::string& text, bool all) {
+  std::size_t begin = 0;
+  for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+    add(std::string_view(text).substr(begin, end - begin));
+  }
+  text.erase(0, begin);
+  if (text.empty() || (!all && text.size() <= kLongestLine)) return;
+  add(text);
+  text.clear();
 }
 
 void BoundedLog::finish() {

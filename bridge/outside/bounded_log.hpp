@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <string_view>
 
 namespace fulbito {
@@ -9,7 +10,7 @@ namespace fulbito {
 /// Receives the standard error of a team's program: one line at a time, without its end.
 using TeamLog = std::function<void(std::string_view line)>;
 
-/// A team's standard error during one match: passes the first part on and counts the rest.
+/// What a team's program prints for people during one match: passes the first part on and counts the rest.
 class BoundedLog {
  public:
   /// [bytes] passed on, with the ends of the lines
@@ -22,6 +23,8 @@ class BoundedLog {
   ~BoundedLog() { finish(); }
 
   void add(std::string_view line);
+  /// Adds the whole lines of a text and removes them from it. @param all  the rest too, as a line
+  void addLines(std::string& text, bool all);
   /// Reports the number of bytes that were left out, if any, and starts anew.
   void finish();
 

@@ -12,8 +12,7 @@ namespace fulbito {
 namespace {
 
 // Waits are cut into slices, so that they end soon after a user's signal.
-constexpr double kSlice = 0.1;                                   // [s]
-constexpr std::size_t kLongestErrorLine = std::size_t{1} << 12;  // [bytes]
+constexpr double kSlice = 0.1;  // [s]
 
 constexpr const char* kStillRuns = "killed";  // what `Child::end` reports for a program that still ran
 
@@ -111,14 +110,7 @@ TeamReply* Conversation::await(std::uint64_t id, TeamReply::Kind kind, double se
 void Conversation::showErrors() {
   if (!child_) return;
   errors_ += child_->takeErrors();
-  std::size_t begin = 0;
-  for (std::size_t end = 0; (end = errors_.find('\n', begin)) != std::string::npos; begin = end + 1) {
-    log_->add(std::string_view(errors_).substr(begin, end - begin));
-  }
-  errors_.erase(0, begin);
-  const bool last = !errors_.empty() && (!failure_.empty() || errors_.size() > kLongestErrorLine);
-  if (last) log_->add(errors_);
-  if (last) errors_.clear();
+  log_->addLines(errors_, !failure_.empty());
 }
 
 void Conversation::waitForEnd(double seconds) {

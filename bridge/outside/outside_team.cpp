@@ -293,14 +293,14 @@ std::vector<Setting> OutsideTeam::origin() const {
   std::vector<Setting> origin;
   if (!impl_->welcome.name.empty()) origin.push_back({"name", impl_->welcome.name});
   if (!impl_->welcome.version.empty()) origin.push_back({"version", impl_->welcome.version});
-  if (impl_->talk) {
-    const Containment& reached = impl_->talk->containment();
-    origin.push_back({"containment", fmt::format("{}", fmt::join(reached.layers, " "))});
-    if (!reached.missing.empty()) {
-      origin.push_back({"containment_missing", fmt::format("{}", fmt::join(reached.missing, "; "))});
-    }
-  }
+  if (impl_->talk) addContainment(impl_->talk->containment(), origin);
   return origin;
+}
+
+void addContainment(const Containment& reached, std::vector<Setting>& origin) {
+  origin.push_back({"containment", fmt::format("{}", fmt::join(reached.layers, " "))});
+  if (reached.missing.empty()) return;
+  origin.push_back({"containment_missing", fmt::format("{}", fmt::join(reached.missing, "; "))});
 }
 
 }  // namespace fulbito

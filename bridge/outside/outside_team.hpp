@@ -50,4 +50,7 @@ class OutsideTeam : public Strategy {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Adds what a program is contained by to the origin of a team.
+void addContainment(const Containment& reached, std::vector<Setting>& origin);
+
 }  // namespace fulbito

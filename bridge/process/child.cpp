@@ -12,6 +12,7 @@
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -102,6 +103,7 @@ struct Child::Impl {
   bool stopped = false;  ///< asked to end
   bool broken = false;   ///< the child has closed `in`
   Descriptor in, out, errors;
+  std::vector<Descriptor> sockets;
   std::string waiting;   ///< bytes that wait for `in`
   std::size_t sent = 0;  ///< bytes of `waiting` that were sent
   ErrorsKept errors_kept;
@@ -117,6 +119,7 @@ void Child::Impl::take(Launched&& started) {
   in = std::move(started.in);
   out = std::move(started.out);
   errors = std::move(started.errors);
+  sockets = std::move(started.sockets);
   containment.layers = linesOf(page->layers.view());
   containment.missing = linesOf(page->missing.view());
 }
@@ -282,6 +285,8 @@ std::string Child::takeErrors() {
 void Child::stop() { impl_->stop(); }
 
 ChildEnd Child::end() { return impl_->end(); }
+
+std::vector<Descriptor> Child::takeSockets() { return std::exchange(impl_->sockets, {}); }
 
 const Containment& Child::containment() const { return impl_->containment; }
 

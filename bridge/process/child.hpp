@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/system/descriptor.hpp"
 #include "fulbito/detail/child_limits.hpp"
 #include "fulbito/detail/values.hpp"
 
@@ -24,6 +25,9 @@ struct ChildOptions {
   bool program_alone = false;
   ChildLimits limits;             ///< limits of the process and its descendants
   bool sandbox_required = false;  ///< refuse to run if a layer is missing
+  /// UDP sockets to make in a network of the child's own, for `Child::takeSockets`: at most 8. 0: no own
+  /// network. The limits must allow the network.
+  int sockets = 0;
 };
 
 /// How a child ended.
@@ -49,8 +53,8 @@ class Child {
   /// The result of a wait for output.
   enum class Received : std::uint8_t { kBytes, kNothing, kClosed };
 
-  /// Errors: kUsage if the program does not exist or is not executable, or if a required layer is missing;
-  /// kMachine for everything that fails before the program begins; kInterrupted.
+  /// Errors: kUsage if the program does not exist or is not executable, or if a required layer or the own
+  /// network is missing; kMachine for everything that fails before the program begins; kInterrupted.
   static Result<Child> launch(const ChildOptions& options);
   Child(Child&&) noexcept;
   Child& operator=(Child&&) noexcept;
@@ -72,6 +76,8 @@ class Child {
   /// How the child ended. Ends all its processes if it still runs. A child that has closed its output gets
   /// 25 ms to end by itself.
   ChildEnd end();
+  /// The sockets of the child's own network, unbound, which do not block. Empty after the first call.
+  std::vector<Descriptor> takeSockets();
   /// The containment that was reached.
   const Containment& containment() const;
 

@@ -10,6 +10,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -155,6 +156,7 @@ void fill(keeper::Page& page, const ChildOptions& options, const Words& words) {
   page.readable = static_cast<std::uint32_t>(options.readable.size());
   page.arguments = static_cast<std::uint32_t>(options.command.size());
   page.text_size = static_cast<std::uint32_t>(words.text.size());
+  page.sockets = options.sockets;
   page.network = limits.network;
   page.program_alone = options.program_alone;
   page.all_layers = options.sandbox_required;
@@ -182,9 +184,12 @@ struct Pipe {
   Descriptor read;
   Descriptor write;
 
-  bool open() {
+  /// @param sockets  of this kind, which also carry descriptors
+  bool open(bool sockets = false) {
     std::array<int, 2> ends{-1, -1};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return false;
+    const int wrong = sockets ? ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data())
+                              : ::pipe2(ends.data(), O_CLOEXEC);
+    if (wrong != 0) return false;
     const Descriptor low_read(ends[0]), low_write(ends[1]);
     read = Descriptor(::fcntl(ends[0], F_DUPFD_CLOEXEC, keeper::kStartDescriptor + 1));
     write = Descriptor(::fcntl(ends[1], F_DUPFD_CLOEXEC, keeper::kStartDescriptor + 1));
@@ -224,15 +229,42 @@ int spawnKeeper(const Descriptor& image, const KeeperDescriptors& descriptors, p
   return wrong;
 }
 
-/// Waits until the other end is closed. @return 0, or an errno: ETIMEDOUT; EINTR if the program is to stop
-int waitForClose(const Descriptor& end) {
+/// Reads a message of the keeper with the sockets in it. @return 1; 0 if the other end is closed; -1 with
+/// errno
+ssize_t receiveSockets(const Descriptor& end, std::vector<Descriptor>& sockets) {
+  char byte = 0;
+  iovec text{&byte, 1};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int) * keeper::kMostSockets)> room{};
+  msghdr message{};
+  message.msg_iov = &text;
+  message.msg_iovlen = 1;
+  message.msg_control = room.data();
+  message.msg_controllen = room.size();
+  const ssize_t got = ::recvmsg(end.number(), &message, MSG_CMSG_CLOEXEC);
+  if (got <= 0) return got;
+  for (cmsghdr* header = CMSG_FIRSTHDR(&message); header != nullptr; header = CMSG_NXTHDR(&message, header)) {
+    if (header->cmsg_level != SOL_SOCKET || header->cmsg_type != SCM_RIGHTS) continue;
+    for (std::size_t at = CMSG_LEN(0); at + sizeof(int) <= header->cmsg_len; at += sizeof(int)) {
+      int socket = -1;
+      std::memcpy(&socket, reinterpret_cast<const char*>(header) + at, sizeof socket);
+      sockets.emplace_back(socket);
+    }
+  }
+  return got;
+}
+
+/// Waits until the other end is closed, and takes the sockets that come before. @return 0, or an errno:
+/// ETIMEDOUT; EINTR if the program is to stop
+int waitForClose(const Descriptor& end, std::vector<Descriptor>& sockets) {
   pollfd wait{end.number(), POLLIN, 0};
-  int ready = 0;
-  do {
-    ready = ::poll(&wait, 1, kStartMilliseconds);
-  } while (ready < 0 && errno == EINTR && !stopRequested());
-  if (ready < 0) return errno;
-  return ready > 0 ? 0 : ETIMEDOUT;
+  for (;;) {
+    const int ready = ::poll(&wait, 1, kStartMilliseconds);
+    if (ready == 0) return ETIMEDOUT;
+    const ssize_t got = ready < 0 ? -1 : receiveSockets(end, sockets);
+    // A keeper that ends early can leave a reset connection.
+    if (got == 0 || (got < 0 && errno == ECONNRESET)) return 0;
+    if (got < 0 && (errno != EINTR || stopRequested())) return errno;
+  }
 }
 
 std::string lines(std::string_view text, std::string_view between) {
@@ -278,16 +310,6 @@ Error whyNot(const keeper::Page& page, const std::string& program) {
 }
 
 }  // namespace
-
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  std::swap(number_, other.number_);
-  return *this;
-}
-
-void Descriptor::close() {
-  if (number_ >= 0) ::close(number_);
-  number_ = -1;
-}
 
 SharedPage::SharedPage(SharedPage&& other) noexcept : page_(other.page_), size_(other.size_) {
   other.page_ = nullptr;
@@ -346,11 +368,11 @@ Result<Launched> launchTeam(const ChildOptions& options) {
   }
   void* memory = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, page_file.number(), 0);
   if (memory == MAP_FAILED) return cannot("share memory", errno);
-  Launched launched{SharedPage(new (memory) keeper::Page, size), -1, {}, {}, {}};
+  Launched launched{SharedPage(new (memory) keeper::Page, size), -1, {}, {}, {}, {}};
   fill(*static_cast<keeper::Page*>(memory), options, words);
 
   Pipe in, out, errors, start;
-  if (!in.open() || !out.open() || !errors.open() || !start.open() || !neverBlock(in.write) ||
+  if (!in.open() || !out.open() || !errors.open() || !start.open(true) || !neverBlock(in.write) ||
       !neverBlock(out.read) || !neverBlock(errors.read)) {
     return cannot("open a pipe", errno);
   }
@@ -360,7 +382,7 @@ Result<Launched> launchTeam(const ChildOptions& options) {
       launched.keeper);
   if (wrong != 0) return cannot("start the keeper of a team", wrong);
   for (Descriptor* end : {&in.read, &out.write, &errors.write, &start.write}) end->close();
-  const int late = waitForClose(start.read);
+  const int late = waitForClose(start.read, launched.sockets);
   if (late != 0 || launched.page->error != 0 || !launched.page->begins) {
     ::kill(launched.keeper, late == ETIMEDOUT ? SIGKILL : SIGTERM);
     waitForKeeper(launched.keeper);

@@ -1,28 +1,13 @@
 #pragma once
 
 #include <sys/types.h>
+#include <vector>
 
 #include "bridge/process/child.hpp"
 #include "bridge/process/keeper/page.hpp"
+#include "engine/core/system/descriptor.hpp"
 
 namespace fulbito {
-
-/// A file descriptor, closed at the end.
-class Descriptor {
- public:
-  Descriptor() = default;
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
-  Descriptor& operator=(Descriptor&& other) noexcept;
-  ~Descriptor() { close(); }
-
-  int number() const { return number_; }
-  bool isOpen() const { return number_ >= 0; }
-  void close();
-
- private:
-  int number_ = -1;
-};
 
 /// Memory that this process shares with a keeper.
 class SharedPage {
@@ -45,9 +30,10 @@ class SharedPage {
 struct Launched {
   SharedPage page;
   pid_t keeper = -1;
-  Descriptor in;      ///< to the team's standard input; does not block
-  Descriptor out;     ///< from its standard output; does not block
-  Descriptor errors;  ///< from its standard error; does not block
+  Descriptor in;                    ///< to the team's standard input; does not block
+  Descriptor out;                   ///< from its standard output; does not block
+  Descriptor errors;                ///< from its standard error; does not block
+  std::vector<Descriptor> sockets;  ///< of its own network
 };
 
 /// Starts a keeper and waits until it has started the program. Errors: as Child::launch.

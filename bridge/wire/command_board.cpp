@@ -29,6 +29,7 @@ void CommandBoard::take(const Packet& packet, Sender sender, OddityLog& oddities
       continue;
     }
     wheels_[indexOf(command.team)][command.number] = command.wheels;
+    ++taken_;
   }
 }
 

@@ -22,6 +22,8 @@ class CommandBoard {
   /// Takes the commands of a packet. Robots that it does not name keep theirs. A command with a NaN or an
   /// infinity is dropped, but shows that the client has seen the frame.
   void take(const Packet& packet, Sender sender, OddityLog& oddities);
+  /// Forgets the command in force for a robot: 0 until the next one.
+  void forget(TeamId team, std::size_t number) { wheels_[indexOf(team)][number] = {}; }
   /// A new frame is out: no robot has a command for it yet.
   void beginFrame() { answered_ = {}; }
 
@@ -33,6 +35,8 @@ class CommandBoard {
   }
   /// The wheel speeds in force [rad/s]; 0 before the first command.
   WheelSpeeds wheels(TeamId team, std::size_t number) const { return wheels_[indexOf(team)][number]; }
+  /// Commands that came into force.
+  std::int64_t taken() const { return taken_; }
 
  private:
   bool mayCommand(TeamId team, Sender sender);
@@ -41,6 +45,7 @@ class CommandBoard {
   bool lock_;
   PerTeam<std::array<WheelSpeeds, kMaxTeamSize>> wheels_{};
   PerTeam<std::uint32_t> answered_{};  ///< bit by number
+  std::int64_t taken_ = 0;
   PerTeam<std::optional<Sender>> first_{};
 };
 

@@ -16,7 +16,7 @@ enum class Oddity : std::uint8_t {
   kUnknown,      ///< a robot that there is not
   kFlood,        ///< beyond what one sender may send per frame
   kOtherSender,  ///< of a sender other than the first, if the server is locked to that
-  kReplacement,  ///< a client's wish to move robots or ball, which only the referee may
+  kReplacement,  ///< a wish to move robots or ball where only the referee may
   kUnsent        ///< the system did not send a datagram of ours
 };
 inline constexpr std::size_t kOddities = static_cast<std::size_t>(Oddity::kUnsent) + 1;

@@ -9,7 +9,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 #include <system_error>
-#include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -44,9 +44,10 @@ bool setOption(int socket, int level, int name, const Value& value) {
   return ::setsockopt(socket, level, name, &value, sizeof value) == 0;
 }
 
-Result<Descriptor> newSocket() {
+Result<Descriptor> socketOr(Descriptor ready) {
+  if (ready.isOpen()) return ready;
   Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  if (socket.number() < 0) return fail(ErrorCode::kMachine, "no socket: " + reason());
+  if (!socket.isOpen()) return fail(ErrorCode::kMachine, "no socket: " + reason());
   return socket;
 }
 
@@ -58,16 +59,12 @@ tl::unexpected<Error> unreachable(const UdpAddress& address) {
 
 }  // namespace
 
-Descriptor::~Descriptor() {
-  if (number_ >= 0) ::close(number_);
-}
-
-Result<UdpSender> UdpSender::open(const UdpAddress& to, const std::string& interface) {
+Result<UdpSender> UdpSender::open(const UdpAddress& to, const std::string& interface, Descriptor ready) {
   const auto address = addressOf(to.host, "address");
   if (!address) return tl::unexpected<Error>(address.error());
   const auto way = addressOf(interface, "interface");
   if (!way) return tl::unexpected<Error>(way.error());
-  auto socket = newSocket();
+  auto socket = socketOr(std::move(ready));
   if (!socket) return tl::unexpected<Error>(socket.error());
   if (!interface.empty() && !setOption(socket->number(), IPPROTO_IP, IP_MULTICAST_IF, *way)) {
     return unreachable({interface, to.port});
@@ -89,12 +86,12 @@ bool UdpSender::send(std::string_view datagram) {
   return false;
 }
 
-Result<UdpReceiver> UdpReceiver::open(const UdpAddress& at, const std::string& interface) {
+Result<UdpReceiver> UdpReceiver::open(const UdpAddress& at, const std::string& interface, Descriptor ready) {
   const auto address = addressOf(at.host, "address");
   if (!address) return tl::unexpected<Error>(address.error());
   const auto way = addressOf(interface, "interface");
   if (!way) return tl::unexpected<Error>(way.error());
-  auto socket = newSocket();
+  auto socket = socketOr(std::move(ready));
   if (!socket) return tl::unexpected<Error>(socket.error());
   const bool group = isGroup(*address);
   setOption(socket->number(), SOL_SOCKET, SO_RCVBUF, kReceiveBuffer);

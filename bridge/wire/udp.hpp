@@ -8,25 +8,10 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/core/system/descriptor.hpp"
 #include "fulbito/detail/values.hpp"
 
 namespace fulbito::wire {
-
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& from) noexcept : number_(std::exchange(from.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& from) noexcept {
-    std::swap(number_, from.number_);
-    return *this;
-  }
-  ~Descriptor();
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// Where datagrams go to or come from: an address of IPv4 and a port.
 struct UdpAddress {
@@ -38,8 +23,9 @@ struct UdpAddress {
 class UdpSender {
  public:
   /// @param interface  address of the interface for multicast; empty: the system's choice
+  /// @param socket     to use, such as one of another network; none: a new one
   /// Errors: kUsage for what is no address, kIo if there is no way to it, kMachine.
-  static Result<UdpSender> open(const UdpAddress& to, const std::string& interface);
+  static Result<UdpSender> open(const UdpAddress& to, const std::string& interface, Descriptor socket = {});
   /// False if the system did not take it.
   bool send(std::string_view datagram);
 
@@ -60,8 +46,9 @@ class UdpReceiver {
   /// @param at  a multicast group, which is joined and shared with others; or an address of this machine or
   ///            none, which is taken for this socket alone
   /// @param interface  as of `UdpSender::open`
+  /// @param socket     as of `UdpSender::open`
   /// Errors: kUsage for what is no address; kIo if the port is taken or the group cannot be joined; kMachine.
-  static Result<UdpReceiver> open(const UdpAddress& at, const std::string& interface);
+  static Result<UdpReceiver> open(const UdpAddress& at, const std::string& interface, Descriptor socket = {});
   /// The next datagram into `room`; empty: none is there.
   std::optional<Datagram> receive(std::span<char> room);
   /// For `waitForAny`.

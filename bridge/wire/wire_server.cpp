@@ -23,10 +23,15 @@ constexpr int kMostOfSender = 64;          // datagrams per frame
 constexpr std::size_t kMostSenders = 64;   // per frame
 constexpr int kMostAtOnce = 4096;          // datagrams per look at a socket, so that a flood does not hold us
 
+/// Where commands come to. Loopback alone is for clients of this machine alone.
+std::string localOf(const WireSettings& settings) {
+  return settings.interface.starts_with("127.") ? settings.interface : "";
+}
+
 }  // namespace
 
 WireServer::WireServer(const WireSettings& settings, WireClock clock, WireLog log, UdpSender vision,
-                       UdpSender referee, UdpReceiver commands, UdpReceiver placements)
+                       UdpSender referee, UdpReceiver commands)
     : settings_(settings),
       clock_(std::move(clock)),
       log_(std::move(log)),
@@ -34,26 +39,54 @@ WireServer::WireServer(const WireSettings& settings, WireClock clock, WireLog lo
       vision_(std::move(vision)),
       referee_(std::move(referee)),
       commands_(std::move(commands)),
-      placements_(std::move(placements)),
       board_(0, settings.lock) {}
 
 Result<std::unique_ptr<WireServer>> WireServer::open(const WireSettings& settings, WireClock clock,
-                                                     WireLog log) {
+                                                     WireLog log, std::vector<Descriptor> sockets) {
   const int base = settings.port_base;
-  auto vision = UdpSender::open({kVisionGroup, base + kVisionOffset}, settings.interface);
+  const std::string& interface = settings.interface;
+  sockets.resize(kSockets);
+  auto vision = UdpSender::open({kVisionGroup, base + kVisionOffset}, interface, std::move(sockets[0]));
   if (!vision) return tl::unexpected<Error>(vision.error());
-  auto referee = UdpSender::open({kRefereeGroup, base + kRefereeOffset}, settings.interface);
+  auto referee = UdpSender::open({kRefereeGroup, base + kRefereeOffset}, interface, std::move(sockets[1]));
   if (!referee) return tl::unexpected<Error>(referee.error());
-  // Loopback alone is for clients of this machine alone.
-  const std::string local = settings.interface.starts_with("127.") ? settings.interface : "";
-  auto commands = UdpReceiver::open({local, base + kCommandOffset}, settings.interface);
+  auto commands =
+      UdpReceiver::open({localOf(settings), base + kCommandOffset}, interface, std::move(sockets[2]));
   if (!commands) return tl::unexpected<Error>(commands.error());
-  auto placements = UdpReceiver::open({kRefereeGroup, base + kPlacementOffset}, settings.interface);
-  if (!placements) return tl::unexpected<Error>(placements.error());
-  return std::unique_ptr<WireServer>(new WireServer(settings, std::move(clock), std::move(log),
+  std::unique_ptr<WireServer> server(new WireServer(settings, std::move(clock), std::move(log),
                                                     std::move(*vision), std::move(*referee),
-                                                    std::move(*commands), std::move(*placements)));
+                                                    std::move(*commands)));
+  if (auto listening = server->listen(sockets); !listening) return tl::unexpected<Error>(listening.error());
+  return server;
 }
+
+/// Opens the ports that not every server has.
+Result<void> WireServer::listen(std::vector<Descriptor>& sockets) {
+  const int base = settings_.port_base;
+  const std::string& interface = settings_.interface;
+  sockets_ = {commands_.number()};
+  if (settings_.referee) {
+    auto port = UdpReceiver::open({kRefereeGroup, base + kPlacementOffset}, interface, std::move(sockets[3]));
+    if (!port) return tl::unexpected<Error>(port.error());
+    sockets_.push_back(port->number());
+    placements_ = std::move(*port);
+  }
+  if (!settings_.team_ports) return {};
+  for (const auto& [colour, offset] :
+       {std::pair{TeamId::kYellow, kYellowOffset}, {TeamId::kBlue, kBlueOffset}}) {
+    auto port = UdpReceiver::open({localOf(settings_), settings_.port_base + offset}, settings_.interface);
+    if (!port) return tl::unexpected<Error>(port.error());
+    sockets_.push_back(port->number());
+    team_ports_.emplace_back(colour, std::move(*port));
+  }
+  return {};
+}
+
+void WireServer::look() {
+  if (alive_ && !ended_) ended_ = !alive_();
+}
+
+bool WireServer::goesOn() const { return !stopRequested() && !ended_; }
 
 bool WireServer::claim(TeamId colour) { return !std::exchange(claimed_[indexOf(colour)], true); }
 
@@ -70,6 +103,7 @@ void WireServer::send(UdpSender& to, std::string_view datagram) {
 
 void WireServer::show(Vision vision) {
   receive();  // what belongs to the last frame
+  look();
   const auto milliseconds = static_cast<std::uint32_t>(period_ * 1000.0);
   vision.step = step_ += milliseconds;
   send(vision_, datagramOf(vision));
@@ -77,7 +111,8 @@ void WireServer::show(Vision vision) {
   board_.beginFrame();
   senders_.clear();
   const double time = now();
-  if (time - frame_end_ > kBehindMost) frame_end_ = time;
+  // Frames of lockstep end before their time, which must not add up to a pause at the next restart.
+  if (settings_.lockstep || time - frame_end_ > kBehindMost) frame_end_ = time;
   frame_end_ += period_ / settings_.speed;
 }
 
@@ -88,14 +123,14 @@ void WireServer::showTick(Tick tick, const Vision& vision) {
 }
 
 void WireServer::receiveFor(double seconds) {
-  const std::array<int, 2> sockets{commands_.number(), placements_.number()};
-  waitForAny(sockets, std::min(seconds, kLongestPoll));
+  waitForAny(sockets_, std::min(seconds, kLongestPoll));
   receive();
+  look();
 }
 
 void WireServer::finishFrame() {
   receive();
-  for (double left = frame_end_ - now(); left > 0.0 && !stopRequested(); left = frame_end_ - now()) {
+  for (double left = frame_end_ - now(); left > 0.0 && goesOn(); left = frame_end_ - now()) {
     receiveFor(left);
   }
 }
@@ -104,7 +139,7 @@ bool WireServer::awaitCommands(TeamId colour, std::uint32_t robots, double secon
   receive();
   double end = now() + seconds;
   bool any = false;
-  while (!board_.answered(colour, robots) && !stopRequested()) {
+  while (!board_.answered(colour, robots) && goesOn()) {
     if (!any && board_.answering(colour)) {
       any = true;
       end = std::min(end, now() + kMoreCommands);
@@ -128,7 +163,7 @@ bool WireServer::awaitClient(TeamId colour, const RefereeCommand& command, const
                      kVisionGroup, settings_.port_base + kVisionOffset,
                      settings_.port_base + kCommandOffset));
   }
-  while (!heard && !stopRequested() && !silent(colour)) {
+  while (!heard && goesOn() && !silent(colour)) {
     say(command);
     show(vision);
     finishFrame();
@@ -142,7 +177,7 @@ std::optional<TeamPlaces> WireServer::awaitPlaces(TeamId colour, const RefereeCo
   const auto& places = places_[indexOf(colour)];
   const double end = now() + settings_.placing / settings_.speed;
   int more = kMorePlaces;
-  while (!stopRequested() && (places ? --more >= 0 : now() < end)) {
+  while (goesOn() && (places ? --more >= 0 : now() < end)) {
     show(vision);
     finishFrame();
     if (!places) say(command);
@@ -190,17 +225,30 @@ void WireServer::receiveFrom(UdpReceiver& socket, const std::function<void(std::
 }
 
 void WireServer::receive() {
-  receiveFrom(commands_, [this](std::string_view bytes, Sender sender) { takePacket(bytes, sender); });
-  receiveFrom(placements_, [this](std::string_view bytes, Sender) { takePlaces(bytes); });
+  const auto packets = [this](std::optional<TeamId> port) {
+    return [this, port](std::string_view bytes, Sender sender) { takePacket(bytes, sender, port); };
+  };
+  receiveFrom(commands_, packets(std::nullopt));
+  for (auto& [colour, socket] : team_ports_) receiveFrom(socket, packets(colour));
+  if (placements_) receiveFrom(*placements_, [this](std::string_view bytes, Sender) { takePlaces(bytes); });
 }
 
 void WireServer::hear(TeamId colour) { heard_[indexOf(colour)] = now(); }
 
-void WireServer::takePacket(std::string_view datagram, Sender sender) {
-  const auto packet = readPacket(datagram);
+void WireServer::takePacket(std::string_view datagram, Sender sender, std::optional<TeamId> port) {
+  auto packet = readPacket(datagram);
   if (!packet) return oddities_.note(Oddity::kMalformed, packet.error().message);
-  if (packet->ball || !packet->robots.empty()) oddities_.note(Oddity::kReplacement, "ball or robots");
+  if (port) {
+    for (WheelCommand& command : packet->commands) command.team = *port;
+  }
   board_.take(*packet, sender, oddities_);
+  if (packet->ball || !packet->robots.empty()) {
+    if (replacer_ && !port) {
+      replacer_(*packet);
+    } else {
+      oddities_.note(Oddity::kReplacement, "ball or robots");
+    }
+  }
   for (const TeamId colour : kTeams) {
     if (board_.answering(colour)) hear(colour);
   }

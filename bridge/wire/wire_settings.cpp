@@ -11,7 +11,7 @@ namespace fulbito::wire {
 namespace {
 
 constexpr const char* kName = "wire";
-constexpr const char* kForm = "wire:blue, wire:yellow@10002 or wire:yellow:speed=2";
+constexpr const char* kForm = "wire:blue, wire:yellow@10002, wire:yellow:speed=2 or wire:run=COMMAND";
 constexpr const char* kInterface = "interface";
 
 const std::vector<Parameter<WireSettings>>& parameters() {
@@ -26,6 +26,8 @@ const std::vector<Parameter<WireSettings>>& parameters() {
       number<WireSettings>("wait", &WireSettings::wait, 0.0, 86400.0, "s",
                            "time without a client after which its team forfeits; 0: it never does"),
       flag<WireSettings>("lock", &WireSettings::lock, "commands of other senders than the first are ignored"),
+      flag<WireSettings>("team_ports", &WireSettings::team_ports,
+                         "commands also come at a port for each colour, as TraveSim has them"),
   };
   return kParameters;
 }
@@ -51,6 +53,19 @@ Result<int> portBaseOf(std::string_view text, const std::string& whole) {
   return port;
 }
 
+/// Takes `run=COMMAND` from the end: a command may contain all that separates other parts.
+Result<std::string> takeRun(std::string& text, const std::string& whole) {
+  constexpr std::string_view kRun = "run=";
+  for (std::size_t at = text.find(kRun); at != std::string::npos; at = text.find(kRun, at + 1)) {
+    if (at > 0 && text[at - 1] != ':' && text[at - 1] != ',') continue;
+    std::string command = text.substr(at + kRun.size());
+    text.erase(at > 0 ? at - 1 : 0);
+    if (command.find_first_not_of(' ') == std::string::npos) return wrong(whole, "run= has no command");
+    return command;
+  }
+  return std::string();
+}
+
 Result<void> apply(std::vector<Setting> given, WireSettings& settings) {
   std::erase_if(given, [&](const Setting& setting) {
     if (setting.name != kInterface) return false;
@@ -69,14 +84,19 @@ bool isWire(const std::string& specification) {
 }
 
 Result<WireSeat> parseWire(const std::string& specification) {
-  const std::string rest =
-      specification == kName ? "" : specification.substr(std::string_view(kName).size() + 1);
+  std::string rest = specification == kName ? "" : specification.substr(std::string_view(kName).size() + 1);
+  auto run = takeRun(rest, specification);
+  if (!run) return tl::unexpected<Error>(run.error());
+  // A client that is started alone in its network may have any colour, so it need not be named.
+  if (!run->empty() && (rest.empty() || rest.find('=') < rest.find(':'))) {
+    rest.insert(0, rest.empty() ? "blue" : "blue:");
+  }
   const std::size_t colon = rest.find(':');
   const std::string_view seat = std::string_view(rest).substr(0, colon);
   const std::size_t at = seat.find('@');
   const auto colour = colourOf(seat.substr(0, at), specification);
   if (!colour) return tl::unexpected<Error>(colour.error());
-  WireSeat parsed{*colour, {}};
+  WireSeat parsed{*colour, {}, std::move(*run)};
   if (at != std::string_view::npos) {
     const auto port = portBaseOf(seat.substr(at + 1), specification);
     if (!port) return tl::unexpected<Error>(port.error());

@@ -42,9 +42,10 @@ TeamPlacement turned(const TeamPlacement& places) {
 
 }  // namespace
 
-WireTeam::WireTeam(std::shared_ptr<WireServer> server, TeamId colour)
+WireTeam::WireTeam(std::shared_ptr<WireServer> server, TeamId colour, bool awaits)
     : server_(std::move(server)),
       colour_(colour),
+      awaits_(awaits),
       side_(colour == TeamId::kBlue ? Side::kLeft : Side::kRight) {}
 
 void WireTeam::begin(const MatchInfo& info) {
@@ -114,10 +115,7 @@ std::optional<TeamProposal> WireTeam::place(const PlacementRequest& request) {
   if (lost()) return std::nullopt;
   const RefereeCommand foul = foulOf(request);
   const Vision vision = restingVision(request);
-  if (!server_->awaitClient(colour_, foul, vision)) {
-    if (server_->silent(colour_)) lose("no client came");
-    return std::nullopt;
-  }
+  if (!awaitClient(foul, vision)) return std::nullopt;
   const auto places = server_->awaitPlaces(colour_, foul, vision);
   if (!places) return std::nullopt;
   TeamProposal proposal;
@@ -128,16 +126,23 @@ std::optional<TeamProposal> WireTeam::place(const PlacementRequest& request) {
   return proposal;
 }
 
+bool WireTeam::awaitClient(const RefereeCommand& command, const Vision& vision) {
+  awaits_ = false;
+  const bool came = server_->awaitClient(colour_, command, vision);
+  if (!came && server_->silent(colour_)) lose("no client came");
+  return came;
+}
+
 void WireTeam::ready(const Observation& observation) {
   if (lost()) return;
   const RefereeCommand stop = commandOf(Foul::kStop, observation);
-  if (!server_->awaitClient(colour_, stop, visionOf(observation)) && server_->silent(colour_)) {
-    return lose("no client came");
-  }
-  server_->say(stop);
+  awaitClient(stop, visionOf(observation));
+  if (!lost()) server_->say(stop);
 }
 
 void WireTeam::ask(const Observation& observation) {
+  // A match that begins with play, as drills do, has no restart before it.
+  if (awaits_ && !lost()) awaitClient(commandOf(Foul::kStop, observation), visionOf(observation));
   server_->say(commandOf(observation.playing ? Foul::kGameOn : Foul::kStop, observation));
   server_->showTick(observation.tick, visionOf(observation));
 }

@@ -14,7 +14,8 @@ namespace fulbito::wire {
 class WireTeam : public Strategy {
  public:
   /// @param server  with the colour claimed for this team, which releases it
-  WireTeam(std::shared_ptr<WireServer> server, TeamId colour);
+  /// @param awaits  a match that begins with play waits for the client first; restarts always wait
+  WireTeam(std::shared_ptr<WireServer> server, TeamId colour, bool awaits = true);
   WireTeam(const WireTeam&) = delete;
   WireTeam& operator=(const WireTeam&) = delete;
   ~WireTeam() override { server_->release(colour_); }
@@ -33,9 +34,12 @@ class WireTeam : public Strategy {
   RefereeCommand foulOf(const PlacementRequest& request) const;
   bool lost() const { return condition_.state == TeamCondition::State::kLost; }
   void lose(const char* reason);
+  /// As of `WireServer::awaitClient`; a team whose client does not come in time is lost.
+  bool awaitClient(const RefereeCommand& command, const Vision& vision);
 
   std::shared_ptr<WireServer> server_;
   TeamId colour_;
+  bool awaits_;
   Side side_;  ///< the goal that it defends on the wire
   MatchInfo info_;
   TeamCondition condition_;

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "bridge/outside/team_command.hpp"
+#include "bridge/wire/run_team.hpp"
 #include "bridge/wire/wire_server.hpp"
 #include "bridge/wire/wire_team.hpp"
 
@@ -48,19 +50,52 @@ class Servers {
   std::map<int, std::weak_ptr<WireServer>> servers_;
 };
 
-Result<TeamChoice> choiceOf(const std::string& specification, const std::shared_ptr<Servers>& servers) {
+using Make = decltype(TeamInfo::make);
+
+/// What makes teams of a client that connects by itself.
+Make makerOf(const WireSeat& seat, const std::string& specification,
+             const std::shared_ptr<Servers>& servers) {
+  return [servers, seat, specification](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
+    auto team = servers->teamOf(seat);
+    if (team) return team;
+    return fail(team.error().code, fmt::format("team '{}': {}", specification, team.error().message));
+  };
+}
+
+/// What makes teams that start their client. Errors: kUsage for a command that names no program.
+Result<Make> runnerOf(const WireSeat& seat, const std::string& specification, const OutsideOptions& options,
+                      const WireLog& log) {
+  auto line = parseTeamCommand("cmd:" + seat.run);
+  if (!line) return tl::unexpected<Error>(line.error());
+  ClientSetup setup{seat, {}, options.clock, log, {}};
+  setup.child.command = std::move(line->command);
+  setup.child.own_folder = std::move(line->folder);
+  setup.child.limits = options.limits;
+  setup.child.sandbox_required = options.sandbox_required;
+  if (options.log) {
+    setup.printed = [show = options.log, specification](std::string_view text) { show(specification, text); };
+  }
+  // What keeps it from starting is said before the match.
+  if (const auto trial = startClient(setup); !trial) {
+    return fail(trial.error().code, fmt::format("team '{}': {}", specification, trial.error().message));
+  }
+  return [setup = std::move(setup)](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
+    return std::make_unique<RunTeam>(setup);
+  };
+}
+
+Result<TeamChoice> choiceOf(const std::string& specification, const std::shared_ptr<Servers>& servers,
+                            const OutsideOptions& options, const WireLog& log) {
   const auto seat = parseWire(specification);
   if (!seat) return tl::unexpected<Error>(seat.error());
   TeamInfo info;
   info.name = specification;
   info.summary = fmt::format("a client of the league, {}", nameOf(seat->colour));
   info.outside = true;
-  info.make = [servers, seat = *seat,
-               specification](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
-    auto team = servers->teamOf(seat);
-    if (team) return team;
-    return fail(team.error().code, fmt::format("team '{}': {}", specification, team.error().message));
-  };
+  auto make = seat->run.empty() ? Result<Make>(makerOf(*seat, specification, servers))
+                                : runnerOf(*seat, specification, options, log);
+  if (!make) return tl::unexpected<Error>(make.error());
+  info.make = std::move(*make);
   TeamChoice choice{std::make_shared<const TeamInfo>(std::move(info)), specification, {}, {}};
   // What keeps it from starting is said before the match.
   if (const auto trial = makeTeam(choice); !trial) return tl::unexpected<Error>(trial.error());
@@ -69,11 +104,12 @@ Result<TeamChoice> choiceOf(const std::string& specification, const std::shared_
 
 }  // namespace
 
-TeamCatalogue::Source wireTeams(WireClock clock, WireLog log) {
-  return [servers = std::make_shared<Servers>(std::move(clock), std::move(log))](
-             const std::string& specification) -> std::optional<Result<TeamChoice>> {
+TeamCatalogue::Source wireTeams(OutsideOptions options, WireLog log) {
+  auto servers = std::make_shared<Servers>(options.clock, log);
+  return [servers, options = std::move(options),
+          log = std::move(log)](const std::string& specification) -> std::optional<Result<TeamChoice>> {
     if (!isWire(specification)) return std::nullopt;
-    return choiceOf(specification, servers);
+    return choiceOf(specification, servers, options, log);
   };
 }
 

@@ -20,7 +20,7 @@ std::optional<Error> cutOf(const Strategy& strategy) {
   return Error{stopRequested() ? ErrorCode::kInterrupted : ErrorCode::kMachine, condition.reason};
 }
 
-MatchInfo infoOf(const MatchConfig& config, TeamId team) {
+MatchInfo infoOf(const MatchConfig& config, TeamId team, int late) {
   const VisionModel& vision = config.vision[indexOf(team)];
   MatchInfo info;
   info.team = team;
@@ -30,7 +30,7 @@ MatchInfo infoOf(const MatchConfig& config, TeamId team) {
   info.ball = config.robot.ball;
   info.physics = config.physics;
   info.rules = config.rules;
-  info.observation_age = vision.latency_ticks * config.physics.controlPeriod();
+  info.observation_age = (vision.latency_ticks + late) * config.physics.controlPeriod();
   info.position_noise = vision.position_noise;
   info.heading_noise = vision.heading_noise;
   info.dropout = vision.dropout;
@@ -41,10 +41,10 @@ MatchInfo infoOf(const MatchConfig& config, TeamId team) {
 
 }  // namespace
 
-Seat::Seat(const MatchConfig& config, TeamId team, const MatchClock& clock,
+Seat::Seat(const MatchConfig& config, TeamId team, int late, const MatchClock& clock,
            std::unique_ptr<Strategy> strategy, TeamPilots pilots, CommandPolicy policy)
     : team_(team),
-      latency_ticks_(config.vision[indexOf(team)].latency_ticks),
+      latency_ticks_(config.vision[indexOf(team)].latency_ticks + late),
       clock_(clock),
       strategy_(std::move(strategy)),
       pilots_(std::move(pilots)),
@@ -56,17 +56,17 @@ Seat::Seat(const MatchConfig& config, TeamId team, const MatchClock& clock,
   if (!vision.perfect()) vision_.emplace(vision, config.seed, team, observation_.dt);
 }
 
-Result<Seat> Seat::create(const MatchConfig& config, TeamId team, const MatchClock& clock) {
+Result<Seat> Seat::create(const MatchConfig& config, TeamId team, const MatchClock& clock, int late) {
   auto strategy = makeTeam(config.teams[indexOf(team)]);
   if (!strategy) return tl::unexpected<Error>(strategy.error());
-  const MatchInfo info = infoOf(config, team);
+  const MatchInfo info = infoOf(config, team, late);
   (*strategy)->begin(info);
   if (const auto error = cutOf(**strategy)) return tl::unexpected<Error>(*error);
   const std::span<const NavigatorChoice> navigators = (*strategy)->navigators();
   auto pilots = TeamPilots::create(info, navigators);
   if (!pilots) return tl::unexpected<Error>(pilots.error());
   CommandPolicy policy(team, info, navigators.size());
-  return Seat(config, team, clock, std::move(*strategy), std::move(*pilots), std::move(policy));
+  return Seat(config, team, late, clock, std::move(*strategy), std::move(*pilots), std::move(policy));
 }
 
 void Seat::reset(const Moment& moment) {

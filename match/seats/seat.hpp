@@ -26,8 +26,9 @@ struct Moment {
 /// tick `sense`, `ask`, `decide`, `clean` and `drive` follow each other, see `Seats::play`.
 class Seat {
  public:
+  /// @param late  ticks that observations are old before the team's vision delays them, so that it is told
   /// Errors: of the team and its navigators; as `cut`.
-  static Result<Seat> create(const MatchConfig& config, TeamId team, const MatchClock& clock);
+  static Result<Seat> create(const MatchConfig& config, TeamId team, const MatchClock& clock, int late = 0);
 
   /// Starts a new play in this world.
   void reset(const Moment& moment);
@@ -69,8 +70,8 @@ class Seat {
   Strategy& strategy() { return *strategy_; }
 
  private:
-  Seat(const MatchConfig& config, TeamId team, const MatchClock& clock, std::unique_ptr<Strategy> strategy,
-       TeamPilots pilots, CommandPolicy policy);
+  Seat(const MatchConfig& config, TeamId team, int late, const MatchClock& clock,
+       std::unique_ptr<Strategy> strategy, TeamPilots pilots, CommandPolicy policy);
   void allow();
   template <typename Answer>
   bool inTime(const Answer& answer);

@@ -69,6 +69,48 @@ TEST_CASE("teams of ours play as clients, and end with the match", "[cli]") {
   CHECK(contains(box.read("yellow.txt"), "chaser played yellow for "));
 }
 
+TEST_CASE("a team that is started as a client does in lockstep what it does at home", "[cli]") {
+  const Sandbox box;
+  const auto drilled = [&](const std::string& team) {
+    Json report = resultOf(box.shell("\"$F\" drill " + team + " --drill empty-goal --trials 4 --json"));
+    report.erase("team");
+    return report;
+  };
+  const Json away = drilled(
+      "\"wire:lockstep=on,answer=20:run=$F client libero --latency 0 --robot vsss --colour {colour} --port-base "
+      "{port_base} "
+      "--interface 127.0.0.1\"");
+  CHECK(away == drilled("libero"));
+}
+
+TEST_CASE("clients that tournaments start play each other and are ranked", "[cli]") {
+  const Sandbox box;
+  const std::string client =
+      "'" FULBITO_CHASER_CLIENT "' {colour} --port-base {port_base} --interface 127.0.0.1";
+  const Output output = box.shell("\"$F\" tournament run \"wire:lockstep=on,answer=20:run=" + client +
+                                  "\" \"wire:yellow:lockstep=on,answer=20:run=" + client +
+                                  "\" chaser --half-seconds 1 --jobs 2 --json");
+  const Json result = resultOf(output);
+  INFO(result.dump(1));
+  REQUIRE(result["standings"].size() == 3);
+  for (const Json& row : result["standings"]) CHECK(row["matches"] == 4);
+}
+
+TEST_CASE("a match of clients shows in a window", "[cli]") {
+  const Sandbox box;
+  const Output output = box.shell(kClients +
+                                  "export SDL_VIDEODRIVER=dummy\n"
+                                  "cpp yellow\n"
+                                  "serve --blue libero --speed 4 --half-seconds 2 --view --frames 20 "
+                                  "--screenshot seen.png --json >result.json\n"
+                                  "code=$?; kill %1; exit $code\n");
+  if (contains(output.err, "FULBITO_VIEW=OFF")) return;
+  INFO(output.err);
+  CHECK(output.code == 0);
+  CHECK(box.read("seen.png").starts_with("\x89PNG"));
+  CHECK(Json::parse(box.read("result.json"))["score"]["complete"] == false);
+}
+
 TEST_CASE("a client says what keeps it from playing", "[cli]") {
   const Sandbox box;
   box.fails("client libero --host nowhere", 2, "address 'nowhere' is no address such as 127.0.0.1");
@@ -142,6 +184,64 @@ TEST_CASE("Ctrl-C ends a server with a summary and the recording up to there", "
   CHECK(contains(output.out, "code 130"));
   CHECK(contains(output.out, "identical, bit for bit"));
   CHECK(Json::parse(box.read("summary.json"))["score"]["complete"] == false);
+}
+
+TEST_CASE("without a referee clients drive, and whoever asks moves robots and ball", "[cli]") {
+  const Sandbox box;
+  box.write("referee.py", R"(import socket, sys
+import simulator_pb2 as sim
+port = int(sys.argv[1])
+ear = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+ear.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+ear.bind(("224.0.0.1", port))
+ear.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton("224.0.0.1") + socket.inet_aton("127.0.0.1"))
+ear.settimeout(20)
+mouth = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+packet = sim.Packet()
+packet.replace.ball.SetInParent()
+packet.replace.ball.y = 0.4
+packet.replace.robots.add(yellowteam=True, turnon=False).position.robot_id = 2
+sim.Environment.FromString(ear.recv(2048))
+mouth.sendto(packet.SerializeToString(), ("127.0.0.1", port + 10009))
+while True:
+    seen = sim.Environment.FromString(ear.recv(2048))
+    if len(seen.frame.robots_yellow) == 2 and seen.frame.ball.y > 0.3:
+        break
+)");
+  const Output output = box.shell(kClients +
+                                  "cpp blue; c=$!\n"
+                                  "PYTHONPATH='" FULBITO_CLIENT_MESSAGES "' '" FULBITO_PYTHON
+                                  "' referee.py $P & r=$!\n"
+                                  "\"$F\" serve --no-referee --seconds 60 --team-ports --port-base $P "
+                                  "--interface 127.0.0.1 --json >alone.json & s=$!\n"
+                                  "wait $r; echo seen $?\n"
+                                  "kill -INT $s; wait $s; echo code $?\n"
+                                  "kill $c\n");
+  INFO(output.err);
+  CHECK(contains(output.out, "seen 0"));
+  CHECK(contains(output.out, "code 130"));
+  CHECK(contains(output.err, "; no referee"));
+  const Json alone = Json::parse(box.read("alone.json"));
+  CHECK(alone["replacements"] == 2);
+  CHECK(alone["frames"].get<int>() > 1);
+  CHECK(alone["malformed"] == 0);
+}
+
+TEST_CASE("without a referee the server ends after its simulated time", "[cli]") {
+  const Sandbox box;
+  const Output output = box.shell(kClients + "serve --no-referee --seconds 2 --speed 20\n");
+  CHECK(output.code == 0);
+  CHECK(contains(output.out, "simulated 2.0 s without a referee: frames 120, commands 0, replacements 0\n"));
+  CHECK(contains(output.out, "\nignored: malformed datagrams 0, "));
+}
+
+TEST_CASE("without a referee there is no match to play or record", "[cli]") {
+  const Sandbox box;
+  box.fails("serve --no-referee --blue libero", 2, "fulbito client libero --colour blue");
+  box.fails("serve --no-referee --record a.fbr", 2, "fulbito record listens to vision");
+  box.fails("serve --no-referee --half-seconds 3", 2, "--half-seconds excludes --no-referee");
+  box.fails("serve --seconds 3", 2, "--seconds requires --no-referee");
+  box.fails("serve --no-referee --seconds 0", 2, "--seconds");
 }
 
 TEST_CASE("a server says what keeps it from starting", "[cli]") {

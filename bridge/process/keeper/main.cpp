@@ -18,6 +18,7 @@
 #include "bridge/process/keeper/descendants.hpp"
 #include "bridge/process/keeper/files.hpp"
 #include "bridge/process/keeper/namespaces.hpp"
+#include "bridge/process/keeper/network.hpp"
 #include "bridge/process/keeper/promise.hpp"
 #include "bridge/process/keeper/team.hpp"
 #include "engine/core/system/shortage.hpp"
@@ -112,6 +113,7 @@ bool receiveByte(int descriptor) {
   } else {
     lacks(order, "mount-namespace", why, mount_error);
   }
+  if (order.page->sockets > 0) openNetwork(order);
   const pid_t team = ::fork();
   if (team < 0) giveUp(order, "start a process", errno);
   if (team == 0) becomeTeam(order, ::getppid(), keeper);
@@ -181,6 +183,12 @@ Started startAsContainedAsPossible(Order& order, const Cgroup& group, bool has_g
   // A shortage is temporary: a later launch gets all layers.
   if (isShortage(error) || error == EIO) {
     if (order.page->error == 0) failed(order, "start a process", error);
+    return started;
+  }
+  if (order.page->sockets > 0) {
+    lacks(order, "network-namespace", "not allowed here", error);
+    order.page->lacks_layer = true;
+    failed(order, "make a network", error);
     return started;
   }
   order.own_pids = order.own_users = order.page->bounded_folder = false;

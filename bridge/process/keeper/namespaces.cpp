@@ -19,6 +19,7 @@ pid_t forkInNamespaces(Order& order, bool with_namespaces) {
   unsigned long flags = CLONE_NEWPID | CLONE_NEWNS | SIGCHLD;
   order.own_users = ::geteuid() != 0;
   if (order.own_users) flags |= CLONE_NEWUSER;
+  if (order.page->sockets > 0) flags |= CLONE_NEWNET;
   // The system call, not glibc's clone, which needs a stack: this one continues as fork does.
   const auto process = static_cast<pid_t>(::syscall(SYS_clone, flags, nullptr, nullptr, nullptr, nullptr));
   order.own_pids = process >= 0;

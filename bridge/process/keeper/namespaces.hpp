@@ -5,7 +5,7 @@
 namespace fulbito::keeper {
 
 /// Starts a process like fork. `with_namespaces`: in a PID and a mount namespace, for an ordinary user also
-/// in a user namespace. Sets own_pids and own_users.
+/// in a user namespace, and in a network namespace if the order has sockets. Sets own_pids and own_users.
 /// @return as fork; -1 with errno if the system refuses the namespaces
 pid_t forkInNamespaces(Order& order, bool with_namespaces);
 

@@ -9,8 +9,13 @@ namespace fulbito::keeper {
 /// @{ Descriptors that the keeper starts with, in addition to the three standard ones, which it passes to the
 /// team.
 inline constexpr int kPageDescriptor = 3;
-inline constexpr int kStartDescriptor = 4;  ///< closes when the team's program has begun or cannot begin
+/// Closes when the team's program has begun or cannot begin. Before that, the sockets of the team's own
+/// network pass through it.
+inline constexpr int kStartDescriptor = 4;
 /// @}
+
+/// The most sockets that pass.
+inline constexpr int kMostSockets = 8;
 
 /// The last step of a launch: a failure in it may be the program's fault.
 inline constexpr const char* kRunProgram = "run the program";
@@ -44,6 +49,7 @@ struct Page {
   std::uint32_t readable = 0;    ///< number of folders
   std::uint32_t arguments = 0;
   std::uint32_t text_size = 0;  ///< [bytes]
+  std::int32_t sockets = 0;     ///< to make in a network of the team's own; 0: it gets none of its own
   bool network = false;
   bool all_layers = false;     ///< give up if a layer is missing
   bool program_alone = false;  ///< only the program's file is readable, not the installation around it

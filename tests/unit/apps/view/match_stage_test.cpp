@@ -43,6 +43,21 @@ TEST_CASE("a live match is played as time goes by, whatever the steps", "[unit]"
   CHECK_FALSE(stage.edited());
 }
 
+TEST_CASE("a match that keeps its own time goes on by one tick per picture at least, two at most", "[unit]") {
+  auto match = Match::create(shortMatch());
+  REQUIRE(match);
+  MatchStage stage(*match, 1.0);
+  stage.forward(0.001);
+  CHECK(match->tick() == 1);
+  stage.forward(kTick);
+  CHECK(match->tick() == 2);
+  stage.forward(0.1);
+  CHECK(match->tick() == 4);
+  MatchStage fast(*match, 4.0);
+  fast.forward(kTick);
+  CHECK(match->tick() == 8);
+}
+
 TEST_CASE("being looked at changes no match", "[unit]") {
   const MatchConfig config = shortMatch();
   auto match = Match::create(config);

@@ -2,7 +2,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <netinet/in.h>
 #include <sched.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -221,6 +223,38 @@ TEST_CASE("interpreters and runtimes work inside", "[unit][sandbox]") {
   if (runs("node --version"))
     CHECK(outputOf({"node", "-e", "setTimeout(() => console.log('later'), 1)"}) == "later\n");
   if (runs("java -version")) CHECK_THAT(outputOf({"java", "--version"}), Catch::Contains("Runtime"));
+}
+
+TEST_CASE("a child can have a network of its own, whose sockets its launcher gets", "[unit][sandbox]") {
+  ChildOptions options = shell("sleep 60");
+  options.limits.network = true;
+  options.sockets = 2;
+  if (!hasNamespaces()) {
+    const auto refused = Child::launch(options);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == ErrorCode::kUsage);
+    CHECK(refused.error().message.find("network-namespace") != std::string::npos);
+    return;
+  }
+  Child here = launched(options), there = launched(options);
+  CHECK(has(here.containment().layers, "network-namespace"));
+  const auto own = here.takeSockets(), others = there.takeSockets();
+  REQUIRE(own.size() == 2);
+  REQUIRE(others.size() == 2);
+  CHECK(here.takeSockets().empty());
+  // Both networks have all ports, and a route for multicast at the loopback.
+  const sockaddr_in group{AF_INET, htons(10002), {htonl(0xe0000001)}, {}};
+  const auto* address = reinterpret_cast<const sockaddr*>(&group);
+  const ip_mreq membership{group.sin_addr, {}};
+  for (const auto* sockets : {&own, &others}) {
+    REQUIRE(::bind((*sockets)[0].number(), address, sizeof group) == 0);
+    REQUIRE(::setsockopt((*sockets)[0].number(), IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership,
+                         sizeof membership) == 0);
+  }
+  REQUIRE(::sendto(own[1].number(), "x", 1, 0, address, sizeof group) == 1);
+  char byte = 0;
+  CHECK(::recv(own[0].number(), &byte, 1, 0) == 1);
+  CHECK(::recv(others[0].number(), &byte, 1, 0) == -1);
 }
 
 }  // namespace fulbito

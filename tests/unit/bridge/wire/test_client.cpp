@@ -23,11 +23,18 @@ std::int64_t steadyTime() {
       .count();
 }
 
+OutsideOptions outsideOptions() {
+  OutsideOptions options;
+  options.clock = steadyTime;
+  return options;
+}
+
 int freePortBase() {
   std::random_device random;
   for (;;) {
     WireSettings settings;
     settings.interface = kLoopback;
+    settings.team_ports = true;
     settings.port_base = 20'100 + static_cast<int>(random() % 30'000U);
     if (WireServer::open(settings, steadyTime, {})) return settings.port_base;
   }

@@ -18,6 +18,9 @@ constexpr const char* kLoopback = "127.0.0.1";
 /// Monotonic time [ns].
 std::int64_t steadyTime();
 
+/// Options with that clock.
+OutsideOptions outsideOptions();
+
 /// A first port whose ports nobody uses.
 int freePortBase();
 

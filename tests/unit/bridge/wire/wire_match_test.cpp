@@ -34,7 +34,7 @@ MatchConfig configOf(const std::string& blue, const std::string& yellow, int por
   auto config = MatchConfig::standard("idle", "idle");
   REQUIRE(config);
   TeamCatalogue catalogue = TeamCatalogue::builtIn();
-  catalogue.addSource(wireTeams(test::steadyTime, std::move(log)));
+  catalogue.addSource(wireTeams(test::outsideOptions(), std::move(log)));
   for (const TeamId team : kTeams) {
     const std::string& text = team == TeamId::kBlue ? blue : yellow;
     const std::string whole =
@@ -295,6 +295,40 @@ TEST_CASE("two clients share one server, which shows each frame once", "[unit]")
   CHECK(steps.size() == blue.frames().size());
 }
 
+TEST_CASE("after fast play in lockstep a restart takes no longer than its placements", "[unit]") {
+  const int port = test::freePortBase();
+  MatchConfig config = configOf("wire:blue@{}:{},lockstep=1,answer=10", "idle", port);
+  config.rules.half_seconds = 10.0;
+  Match match = matchOf(config);
+  TestClient client(
+      port, {[](const Vision&) { return driving(TeamId::kBlue, {}); }, TeamPlaces{TeamId::kBlue, {}}});
+  const std::int64_t began = test::steadyTime();
+  while (match.step()) {
+  }
+  client.stop();
+  CHECK(match.referee().ended);
+  CHECK(test::steadyTime() - began < 6'000'000'000);
+}
+
+TEST_CASE("a client of the teams' ports plays, whatever colour its commands name", "[unit]") {
+  const int port = test::freePortBase();
+  Match match = matchOf(configOf("wire:blue@{}:{},team_ports=on", "idle", port));
+  auto sender = UdpSender::open({test::kLoopback, port + kBlueOffset}, test::kLoopback);
+  REQUIRE(sender);
+  TestClient client(port, {[&](const Vision&) {
+                             sender->send(driving(TeamId::kYellow, {7.0, 7.0}).front());
+                             return std::vector<std::string>{};
+                           },
+                           {}});
+  Watcher watcher;
+  match.watch(watcher);
+  while (match.step()) {
+  }
+  client.stop();
+  CHECK_FALSE(match.faults().teams[0].forfeited);
+  CHECK(watcher.commands[0].left == 7.0);
+}
+
 TEST_CASE("in lockstep a client that falls silent is late, and a silent one loses in the end", "[unit]") {
   const int port = test::freePortBase();
   MatchConfig config = configOf("wire:blue@{}:{},lockstep=1,answer=0.001,wait=0.1", "idle", port);
@@ -370,7 +404,7 @@ TEST_CASE("teams that cannot share their ports are refused before the match", "[
   const auto taken = UdpReceiver::open({"", port + kCommandOffset}, test::kLoopback);
   REQUIRE(taken);
   TeamCatalogue catalogue;
-  catalogue.addSource(wireTeams(test::steadyTime, {}));
+  catalogue.addSource(wireTeams(test::outsideOptions(), {}));
   const auto choice = catalogue.parse(fmt::format("wire:blue@{}:interface=127.0.0.1", port));
   REQUIRE_FALSE(choice);
   CHECK(choice.error().code == ErrorCode::kIo);
