@@ -16,6 +16,7 @@
 #include "apps/match/client.hpp"
 #include "apps/match/drill.hpp"
 #include "apps/match/match.hpp"
+#include "apps/match/record.hpp"
 #include "apps/match/rules.hpp"
 #include "apps/match/serve.hpp"
 #include "apps/match/view.hpp"
@@ -51,6 +52,7 @@ struct Options {
   ExperimentCommand experiment;
   MatchCommand match;
   NewTeamCommand new_team;
+  RecordCommand record;
   ReplayCommands replay;
   RulesOptions rules;
   ServeCommand serve;
@@ -241,6 +243,12 @@ void addRest(CLI::App& app, Options& options) {
   version->add_flag("--json", options.version_json, "print JSON");
 }
 
+void addLeague(CLI::App& app, Options& options) {
+  addServe(app, options.serve);
+  addClient(app, options.client);
+  addRecord(app, options.record);
+}
+
 std::vector<std::string> commandNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
@@ -329,6 +337,7 @@ int dispatch(const CLI::App& app, const CLI::App& run_command, const CLI::App& c
   if (name == "rules") return rules(options.rules);
   if (name == "serve") return serve(options.serve);
   if (name == "client") return client(options.client);
+  if (name == "record") return record(options.record);
   if (name == "sprt") return sprt(options.sprt);
   if (name == "tournament") return tournament(app, options.tournament);
   if (name == "tune") return tune(options.tune);
@@ -356,8 +365,7 @@ int mainWithoutCatch(int argc, char** argv) {
   app.get_formatter()->column_width(36);
   Options options;
   addMatch(app, options.match);
-  addServe(app, options.serve);
-  addClient(app, options.client);
+  addLeague(app, options);
   addReplay(app, options.replay);
   addView(app, options.view);
   const CLI::App* run_command = addRun(app, options);

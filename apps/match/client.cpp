@@ -31,15 +31,15 @@ Result<void> playUntilEnd(wire::WireClient& wire, LeaguePlayer& player, const Cl
   std::optional<std::int64_t> seen_at;
   while (!interrupted()) {
     const wire::Heard heard = wire.listen(kLook);
-    traffic.skipped += heard.skipped;
     traffic.malformed += heard.malformed;
     for (const wire::RefereeCommand& command : heard.commands) {
       const auto places = player.take(command);
       if (places && !wire.send(*places)) ++traffic.unsent;
     }
-    if (heard.vision) {
+    if (!heard.frames.empty()) {
       seen_at = now();
-      const auto packet = player.play(*heard.vision);
+      traffic.skipped += static_cast<std::int64_t>(heard.frames.size()) - 1;
+      const auto packet = player.play(heard.frames.back().vision);
       if (!packet) return tl::unexpected<Error>(packet.error());
       if (!wire.send(*packet)) ++traffic.unsent;
     } else if (seen_at) {

@@ -1,13 +1,11 @@
 #include "apps/match/league_player.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "bridge/wire/referee_words.hpp"
+#include "bridge/wire/seen_world.hpp"
 #include "referee/restarts/restart_call.hpp"
 #include "referee/restarts/restart_placement.hpp"
 #include "strategies/interface/team_frame.hpp"
@@ -17,18 +15,11 @@ namespace {
 
 using wire::Foul;
 
-constexpr double kFieldAlike = 0.01;  // [m]
-
 /// A point in the quadrant, counter-clockwise from x > 0, y > 0; without one the point itself.
 Vec2 inQuadrant(int quadrant, Vec2 point) {
   if (quadrant == 0) return point;
   const bool right = quadrant == 1 || quadrant == 4, upper = quadrant <= 2;
   return {right ? std::abs(point.x) : -std::abs(point.x), upper ? std::abs(point.y) : -std::abs(point.y)};
-}
-
-bool finite(const RobotState& robot) {
-  return isFinite(robot.pose.position) && std::isfinite(robot.pose.heading) && isFinite(robot.velocity) &&
-         std::isfinite(robot.angular_velocity);
 }
 
 /// What encoders would show, from the motion over ground.
@@ -127,24 +118,12 @@ wire::TeamPlaces LeaguePlayer::place(const wire::RefereeCommand& command) {
 }
 
 bool LeaguePlayer::see(const wire::Vision& vision) {
-  WorldState seen;
-  std::vector<RobotId> ids;
-  for (const TeamId team : kTeams) {
-    std::array<bool, kMaxTeamSize> known{};
-    for (const wire::SeenRobot& robot : vision.robots[indexOf(team)]) {
-      // Of a robot that a frame has twice, the first counts.
-      if (robot.number >= static_cast<std::uint32_t>(config_.rules.team_size)) continue;
-      if (std::exchange(known[robot.number], true)) continue;
-      if (!finite(robot.state)) return false;
-      ids.push_back({team, static_cast<std::uint8_t>(robot.number)});
-      seen.robots.push_back(robot.state);
-      seen.robots.back().wheels = wheelsOf(config_.robot.robot, robot.state);
-    }
-  }
-  if (!isFinite(vision.ball.position) || !isFinite(vision.ball.velocity)) return false;
-  seen.balls.push_back(vision.ball);
-  world_ = std::move(seen);
-  ids_ = std::move(ids);
+  auto seen = wire::seenWorld(vision, config_.rules.team_size);
+  if (!seen) return false;
+  for (RobotState& robot : seen->robots) robot.wheels = wheelsOf(config_.robot.robot, robot);
+  world_.robots = std::move(seen->robots);
+  world_.balls = {seen->ball};
+  ids_ = std::move(seen->ids);
   state_.score = {static_cast<int>(vision.goals[0]), static_cast<int>(vision.goals[1])};
   return true;
 }
@@ -163,14 +142,8 @@ void LeaguePlayer::advance(std::uint32_t step) {
 }
 
 Result<wire::Packet> LeaguePlayer::play(const wire::Vision& vision) {
-  const FieldGeometry& field = config_.field;
-  if (std::abs(vision.field.length - field.length) > kFieldAlike ||
-      std::abs(vision.field.width - field.width) > kFieldAlike) {
-    return fail(
-        ErrorCode::kUsage,
-        fmt::format("the server's field is {:.2f} x {:.2f} m, that of the rules {} is {:.2f} x {:.2f} m; "
-                    "choose others with --rules",
-                    vision.field.length, vision.field.width, config_.rules.name, field.length, field.width));
+  if (auto same = wire::checkField(vision, config_.field, config_.rules.name); !same) {
+    return tl::unexpected<Error>(same.error());
   }
   if (!see(vision)) {
     ++counts_.odd;

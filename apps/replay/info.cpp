@@ -126,6 +126,7 @@ Json toJson(const std::string& file, const RecordingReader& recording, const Tal
             {"format_version", kRecordingVersion},
             {"kind", kindOf(header)},
             {"level", levelOf(header)},
+            {"heard", header.heard},
             {"end", endOf(recording)},
             {"control_rate", header.control_rate},
             {"ticks", recording.ticks()},
@@ -187,12 +188,16 @@ void print(const std::string& file, const RecordingReader& recording, const Tall
   const RecordingHeader& header = recording.header();
   say("{}: {}, level {}, format {}, {}\n", file, kindOf(header), levelOf(header), kRecordingVersion,
       endOf(recording));
+  if (header.heard) say("  heard      by fulbito record: another program's motion\n");
   say("{}{}", whoText(recording), recipeText(header));
   say("  length     {:.1f} s, {} ticks at {} Hz, {} plays\n",
       static_cast<double>(recording.ticks()) / header.control_rate, recording.ticks(), header.control_rate,
       tally.plays);
   if (header.kind == RecordingKind::kMatch) {
     say("  restarts   {}\n  events     {}\n", countsText(tally.restarts), countsText(tally.calls));
+  }
+  if (header.heard && recording.result()) {
+    for (const auto& [name, value] : recording.result()->figures) say("  {:<10} {}\n", oneLine(name), value);
   }
   if (recording.result()) say("  hash       {:016x}\n", recording.result()->final_hash);
   say("  build      {}, {}, {}, Box2D {}\n", oneLine(header.build.version), oneLine(header.build.compiler),

@@ -5,7 +5,8 @@
 namespace fulbito::app {
 
 CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
-  CLI::App* command = app.add_subcommand("replay", "inspect, verify, compare, edit and export recordings");
+  CLI::App* command =
+      app.add_subcommand("replay", "inspect, verify, compare, edit, export and send recordings");
   command->footer(
       "Examples:\n"
       "  fulbito match libero classic --record game.fbr   make a recording\n"
@@ -16,7 +17,8 @@ CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
       "  fulbito replay cut game.fbr goal.fbr --from 40 --to 50\n"
       "  fulbito replay export game.fbr --html game.html  an HTML page with a viewer\n"
       "  fulbito replay export game.fbr --png --at 83.2   pictures, films, tables\n"
-      "More: docs/recordings.md, docs/pictures.md.");
+      "  fulbito replay send game.fbr                     to clients of the league, as vision frames\n"
+      "More: docs/recordings.md, docs/pictures.md, docs/league.md.");
   command->require_subcommand(1);
   options.command = command;
   addReplayInfo(*command, options.info);
@@ -26,6 +28,7 @@ CLI::App* addReplay(CLI::App& app, ReplayCommands& options) {
   addReplayCut(*command, options.cut);
   addReplayRepair(*command, options.repair);
   addReplayExport(*command, options.exporting);
+  addReplaySend(*command, options.send);
   return command;
 }
 
@@ -37,6 +40,7 @@ int replay(const ReplayCommands& options) {
   if (named("diff")) return replayDiff(options.diff);
   if (named("cut")) return replayCut(options.cut);
   if (named("repair")) return replayRepair(options.repair);
+  if (named("send")) return replaySend(options.send);
   return replayVerify(options.verify);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/replay/export_html.hpp"
+#include "bridge/wire/wire_settings.hpp"
 
 namespace CLI {
 class App;
@@ -118,6 +119,23 @@ CLI::App* addReplayExport(CLI::App& replay, ReplayExportCommand& options);
 /// Runs the command and returns its exit code.
 int replayExport(const ReplayExportCommand& options);
 
+/// Options of `fulbito replay send`.
+struct ReplaySendCommand {
+  std::string file;
+  double speed = 1.0;              ///< over real time
+  std::optional<double> from, to;  ///< [s] time in the recording; empty: its begin or end
+  bool loop = false;
+  int port_base = wire::kDefaultPortBase;
+  std::string interface;  ///< empty: the system's choice
+  bool json = false;
+};
+
+/// Adds `send` to `replay`.
+CLI::App* addReplaySend(CLI::App& replay, ReplaySendCommand& options);
+
+/// Runs the command and returns its exit code.
+int replaySend(const ReplaySendCommand& options);
+
 /// Options of `fulbito replay` and its subcommands.
 struct ReplayCommands {
   CLI::App* command = nullptr;  ///< tells which subcommand was given
@@ -128,6 +146,7 @@ struct ReplayCommands {
   ReplayCutCommand cut;
   ReplayRepairCommand repair;
   ReplayExportCommand exporting;
+  ReplaySendCommand send;
 };
 
 /// Adds `replay` with its subcommands.

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 /// The number of files per verdict.
 struct Counts {
-  std::size_t same = 0, different = 0, cut = 0, bad = 0;
+  std::size_t same = 0, different = 0, cut = 0, bad = 0, heard = 0;
   double simulated = 0.0;  ///< simulated time [s]
 };
 
@@ -30,6 +30,10 @@ Counts countsOf(const std::vector<VerifiedFile>& files) {
   for (const VerifiedFile& file : files) {
     if (!file.result) {
       ++counts.bad;
+      continue;
+    }
+    if (file.result->heard) {
+      ++(file.result->finished ? counts.heard : counts.cut);
       continue;
     }
     counts.simulated += file.result->seconds;
@@ -42,9 +46,20 @@ Counts countsOf(const std::vector<VerifiedFile>& files) {
   return counts;
 }
 
+const char* verdictName(const Verification& v) {
+  if (v.heard) return v.finished ? "heard" : "cut";
+  return !v.same() ? "different" : v.finished ? "same" : "cut";
+}
+
 std::string verdictOf(const VerifiedFile& file) {
   if (!file.result) return file.result.error().message;
   const Verification& v = *file.result;
+  if (v.heard) {
+    return fmt::format(
+        "{}heard: {:.1f} s of another program's motion, which cannot be simulated again; its "
+        "checksums are right",
+        v.finished ? "" : "cut off; ", v.seconds);
+  }
   if (!v.same()) {
     return v.divergence->text + (v.same_build ? "" : " (recorded by another build, see fulbito replay info)");
   }
@@ -77,15 +92,12 @@ void printTable(const std::vector<VerifiedFile>& files, double wall) {
       continue;
     }
     const Verification& v = *file.result;
-    say("{:<{}}  {:>9}  {:>9.1f}  {:>5}  {:016x}  {}\n", name_of(file), width,
-        !v.same()    ? "different"
-        : v.finished ? "same"
-                     : "cut",
-        v.seconds, v.plays, v.final_hash, v.same() ? std::string() : v.divergence->text);
+    say("{:<{}}  {:>9}  {:>9.1f}  {:>5}  {:016x}  {}\n", name_of(file), width, verdictName(v), v.seconds,
+        v.plays, v.final_hash, v.same() ? std::string() : v.divergence->text);
   }
   const Counts counts = countsOf(files);
-  say("\n{} recordings: {} same, {} different, {} cut, {} bad\n", files.size(), counts.same, counts.different,
-      counts.cut, counts.bad);
+  say("\n{} recordings: {} same, {} different, {} cut, {} bad, {} heard\n", files.size(), counts.same,
+      counts.different, counts.cut, counts.bad, counts.heard);
   say("{:.1f} s simulated in {:.2f} s: {:.0f} x real time\n", counts.simulated, wall,
       counts.simulated / wall);
 }
@@ -117,7 +129,7 @@ Json toJson(const VerifiedFile& file) {
     return json;
   }
   const Verification& v = *file.result;
-  json["verdict"] = !v.same() ? "different" : v.finished ? "same" : "cut";
+  json["verdict"] = verdictName(v);
   json["ticks"] = v.ticks;
   json["plays"] = v.plays;
   json["simulated_s"] = v.seconds;
@@ -137,19 +149,21 @@ Json toJson(const std::vector<VerifiedFile>& files, double wall) {
   json["different"] = counts.different;
   json["cut"] = counts.cut;
   json["bad"] = counts.bad;
+  json["heard"] = counts.heard;
   json["simulated_s"] = counts.simulated;
   json["wall_s"] = wall;
   json["x_realtime"] = counts.simulated / wall;
   return json;
 }
 
-/// The exit code for several files. A difference takes precedence over damage. Files that cannot be opened
-/// give kIo, or kInconclusive if all failures are the machine's; damaged files give kBadInput.
+/// The exit code for several files. A difference takes precedence over damage, and damage over no verdict.
+/// Files that cannot be opened give kIo, or kInconclusive if all failures are the machine's; damaged files
+/// give kBadInput.
 int exitCodeOf(const std::vector<VerifiedFile>& files) {
   const Counts counts = countsOf(files);
   if (counts.different > 0) return kDifferent;
   if (counts.cut > 0) return kBadInput;
-  if (counts.bad == 0) return kOk;
+  if (counts.bad == 0) return counts.heard > 0 ? kInconclusive : kOk;
   const auto all_fail_by = [&](std::initializer_list<ErrorCode> codes) {
     return std::all_of(files.begin(), files.end(), [&](const VerifiedFile& file) {
       return file.result || std::count(codes.begin(), codes.end(), file.result.error().code) > 0;
@@ -170,7 +184,7 @@ CLI::App* addReplayVerify(CLI::App& replay, ReplayVerifyCommand& options) {
       "  fulbito replay verify recordings/ --jobs 2 --json > verified.json\n"
       "Exit codes: 0 all identical, 7 one differs (its first differing tick, body and coordinate are "
       "printed),\n"
-      "3 one is damaged or cut off.");
+      "3 one is damaged or cut off, 6 one is of fulbito record and cannot be simulated again.");
   command->add_option("files", options.files, "recordings (.fbr) or folders that contain them")->required();
   addJobs(*command, options.jobs, "worker threads");
   command->add_flag("--json", options.json, "print JSON");

@@ -21,7 +21,8 @@ std::vector<double> eventsOf(const ReplayTimeline& timeline) {
 
 /// Whether a user edited the match. An edit begins a play of its own, and the result counts the edits.
 bool wasEdited(const ReplayTimeline& timeline) {
-  if (timeline.header().kind != RecordingKind::kMatch) return false;
+  // In a heard match, robots that come or go begin a play.
+  if (timeline.header().kind != RecordingKind::kMatch || timeline.header().heard) return false;
   if (const auto& result = timeline.result()) {
     return std::any_of(result->figures.begin(), result->figures.end(),
                        [](const auto& figure) { return figure.first == "edits" && figure.second > 0.0; });

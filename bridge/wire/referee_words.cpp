@@ -45,6 +45,11 @@ int periodOf(Half half) {
   return kPeriods[static_cast<std::size_t>(half)];
 }
 
+int quadrantOf(Vec2 ball) {
+  if (ball.y > 0.0) return ball.x > 0.0 ? 1 : 2;
+  return ball.x > 0.0 ? 4 : 3;
+}
+
 bool sameCommand(const RefereeCommand& a, const RefereeCommand& b) {
   return a.foul == b.foul && a.team == b.team && a.quadrant == b.quadrant && a.half == b.half;
 }

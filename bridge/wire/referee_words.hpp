@@ -20,6 +20,9 @@ int periodOf(Half half);
 /// The part of overtime in a half: 2 in kOvertimeSecond, else 1.
 inline int overtimePartOf(Half half) { return half == Half::kOvertimeSecond ? 2 : 1; }
 
+/// The quadrant of a ball, as of `RefereeCommand::quadrant`.
+int quadrantOf(Vec2 ball);
+
 /// Whether two commands say the same. Their times may differ.
 bool sameCommand(const RefereeCommand& a, const RefereeCommand& b);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostAtOnce = 1024;  // datagrams per look at a socket, so that a flood does not hold us
 
-/// Hands on each message that waits. @return datagrams that are none
+/// Hands on each message that waits, with its sender. @return datagrams that are none
 template <typename Read, typename Take>
 int receiveAll(UdpReceiver& socket, const Read& read, const Take& take) {
   std::array<char, kLongestMessage> room{};
@@ -21,7 +21,7 @@ int receiveAll(UdpReceiver& socket, const Read& read, const Take& take) {
     if (!datagram) break;
     auto message = read(std::string_view(room.data(), std::min(datagram->size, room.size())));
     if (message && datagram->size <= room.size()) {
-      take(std::move(*message));
+      take(std::move(*message), datagram->sender);
     } else {
       ++malformed;
     }
@@ -31,29 +31,36 @@ int receiveAll(UdpReceiver& socket, const Read& read, const Take& take) {
 
 }  // namespace
 
-Result<WireClient> WireClient::open(const std::string& host, int port_base, const std::string& interface) {
+Result<WireListener> WireListener::open(int port_base, const std::string& interface) {
   auto vision = UdpReceiver::open({kVisionGroup, port_base + kVisionOffset}, interface);
   if (!vision) return tl::unexpected<Error>(vision.error());
   auto referee = UdpReceiver::open({kRefereeGroup, port_base + kRefereeOffset}, interface);
   if (!referee) return tl::unexpected<Error>(referee.error());
+  return WireListener(std::move(*vision), std::move(*referee));
+}
+
+Heard WireListener::listen(double seconds) {
+  const std::array<int, 2> sockets{vision_.number(), referee_.number()};
+  waitForAny(sockets, seconds);
+  Heard heard;
+  heard.malformed += receiveAll(vision_, readVision, [&](Vision&& vision, std::uint64_t sender) {
+    heard.frames.push_back({std::move(vision), sender});
+  });
+  // Afterwards: what the referee says just before a frame is there if the frame is.
+  heard.malformed += receiveAll(referee_, readRefereeCommand, [&](RefereeCommand&& command, std::uint64_t) {
+    heard.commands.push_back(command);
+  });
+  return heard;
+}
+
+Result<WireClient> WireClient::open(const std::string& host, int port_base, const std::string& interface) {
+  auto listener = WireListener::open(port_base, interface);
+  if (!listener) return tl::unexpected<Error>(listener.error());
   auto commands = UdpSender::open({host, port_base + kCommandOffset}, interface);
   if (!commands) return tl::unexpected<Error>(commands.error());
   auto placements = UdpSender::open({kRefereeGroup, port_base + kPlacementOffset}, interface);
   if (!placements) return tl::unexpected<Error>(placements.error());
-  return WireClient(std::move(*vision), std::move(*referee), std::move(*commands), std::move(*placements));
-}
-
-Heard WireClient::listen(double seconds) {
-  const std::array<int, 2> sockets{vision_.number(), referee_.number()};
-  waitForAny(sockets, seconds);
-  Heard heard;
-  heard.malformed += receiveAll(referee_, readRefereeCommand,
-                                [&](RefereeCommand&& command) { heard.commands.push_back(command); });
-  heard.malformed += receiveAll(vision_, readVision, [&](Vision&& vision) {
-    heard.skipped += heard.vision ? 1 : 0;
-    heard.vision = std::move(vision);
-  });
-  return heard;
+  return WireClient(std::move(*listener), std::move(*commands), std::move(*placements));
 }
 
 }  // namespace fulbito::wire

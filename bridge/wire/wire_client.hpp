@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,39 +9,56 @@
 
 namespace fulbito::wire {
 
-/// What a client has heard.
-struct Heard {
-  std::optional<Vision> vision;          ///< the newest frame; older ones that waited are left out
-  int skipped = 0;                       ///< of those
-  int malformed = 0;                     ///< datagrams that are no messages
-  std::vector<RefereeCommand> commands;  ///< all, in their order
+/// A frame of vision, and who sent it.
+struct HeardFrame {
+  Vision vision;
+  std::uint64_t sender = 0;  ///< as `Datagram::sender`
 };
 
-/// The other end of the wire: hears vision and the referee of any server of the protocol, ours or the
-/// league's, and sends commands and placements.
-class WireClient {
+/// What has come from a server.
+struct Heard {
+  std::vector<HeardFrame> frames;        ///< of vision, in their order
+  std::vector<RefereeCommand> commands;  ///< in their order
+  int malformed = 0;                     ///< datagrams that are no messages
+};
+
+/// Hears vision and the referee of any server of the protocol, ours or the league's.
+class WireListener {
  public:
-  /// @param host       address of the server
   /// @param port_base  port of vision; the others follow as a server's do
   /// @param interface  address of the interface for multicast; empty: the system's choice
-  /// Errors: as `UdpSender::open` and `UdpReceiver::open`.
-  static Result<WireClient> open(const std::string& host, int port_base, const std::string& interface);
+  /// Errors: as `UdpReceiver::open`.
+  static Result<WireListener> open(int port_base, const std::string& interface);
 
   /// All that has come, after a wait of at most `seconds` if nothing has.
   Heard listen(double seconds);
+
+ private:
+  WireListener(UdpReceiver vision, UdpReceiver referee)
+      : vision_(std::move(vision)), referee_(std::move(referee)) {}
+
+  UdpReceiver vision_, referee_;
+};
+
+/// The other end of the wire: hears a server, and sends commands and placements.
+class WireClient {
+ public:
+  /// @param host  address of the server; the rest as of `WireListener::open`
+  /// Errors: as `UdpSender::open` and `UdpReceiver::open`.
+  static Result<WireClient> open(const std::string& host, int port_base, const std::string& interface);
+
+  /// As `WireListener::listen`.
+  Heard listen(double seconds) { return listener_.listen(seconds); }
   /// @{ False if the system did not take it.
   bool send(const Packet& packet) { return commands_.send(datagramOf(packet)); }
   bool send(const TeamPlaces& places) { return placements_.send(datagramOf(places)); }
   /// @}
 
  private:
-  WireClient(UdpReceiver vision, UdpReceiver referee, UdpSender commands, UdpSender placements)
-      : vision_(std::move(vision)),
-        referee_(std::move(referee)),
-        commands_(std::move(commands)),
-        placements_(std::move(placements)) {}
+  WireClient(WireListener listener, UdpSender commands, UdpSender placements)
+      : listener_(std::move(listener)), commands_(std::move(commands)), placements_(std::move(placements)) {}
 
-  UdpReceiver vision_, referee_;
+  WireListener listener_;
   UdpSender commands_, placements_;
 };
 

@@ -11,11 +11,6 @@
 namespace fulbito::wire {
 namespace {
 
-int quadrantOf(Vec2 ball) {
-  if (ball.y > 0.0) return ball.x > 0.0 ? 1 : 2;
-  return ball.x > 0.0 ? 4 : 3;
-}
-
 void show(const std::array<ObservedRobot, kMaxTeamSize>& robots, int size, Side side,
           std::vector<SeenRobot>& out) {
   for (int i = 0; i < size; ++i) {

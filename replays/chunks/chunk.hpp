@@ -73,7 +73,6 @@ class ChunkBuilder {
   void startNext();
 
   RecordingHeader header_;
-  double heading_step_;
   std::size_t robots_, balls_;
   Tick first_tick_ = 0;
   int ticks_ = 0;

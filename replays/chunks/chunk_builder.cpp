@@ -36,19 +36,12 @@ void writePlay(const RecordedPlay& play, Tick offset, Bytes& bytes) {
   }
 }
 
-/// A heading [steps] wrapped to -turn / 2 ... turn / 2 - 1.
-std::int32_t wrapped(std::int32_t steps, int turn) {
-  const std::int32_t half = turn / 2, over = (steps % turn + turn + half) % turn;
-  return over - half;
-}
-
 std::int64_t drawingSteps(double value) { return wholeSteps(value, kDrawingStep); }
 
 }  // namespace
 
 ChunkBuilder::ChunkBuilder(const RecordingHeader& header)
     : header_(header),
-      heading_step_(sampleHeadingStep(header)),
       robots_(static_cast<std::size_t>(countOf(header, BodyKind::kRobot))),
       balls_(static_cast<std::size_t>(countOf(header, BodyKind::kBall))),
       present_at_start_(header.bodies.size()),
@@ -134,7 +127,7 @@ void ChunkBuilder::sample(const WorldState& world) {
   const auto put_pose = [&](const Pose2& pose) {
     put(pose.position.x, place_step);
     put(pose.position.y, place_step);
-    samples_.at(column++, row) = wrapped(wholeSteps(pose.heading, heading_step_), header_.sample_turn);
+    samples_.at(column++, row) = headingSteps(pose.heading, header_);
   };
   std::size_t robot = 0, ball = 0, obstacle = 0;
   for (std::size_t body = 0; body < header_.bodies.size(); ++body) {

@@ -40,6 +40,12 @@ inline std::size_t sampleColumns(const RecordingHeader& header) {
   return columns;
 }
 
+/// A heading in steps of `RecordingHeader::sample_turn`, from -turn / 2 to turn / 2 - 1.
+inline std::int32_t headingSteps(double heading, const RecordingHeader& header) {
+  const std::int32_t turn = header.sample_turn, half = turn / 2;
+  return (wholeSteps(heading, sampleHeadingStep(header)) % turn + turn + half) % turn - half;
+}
+
 /// The number of ticks among first + 1 ... first + count that are multiples of `every`.
 constexpr std::int64_t multiplesIn(Tick first, std::int64_t count, std::int64_t every) {
   return (first + count) / every - first / every;

@@ -224,6 +224,9 @@ std::optional<std::string> flawOf(const RecordingHeader& header) {
   if (header.bodies.size() * static_cast<std::size_t>(header.chunk_ticks) > kMaxChunkRows) {
     return fmt::format("chunk_ticks times the number of bodies is more than {}", kMaxChunkRows);
   }
+  if (header.heard && (header.level != RecordingLevel::kFull || header.sample_every != 1)) {
+    return "it was heard, but has no samples of every tick";
+  }
   BodyKind last = BodyKind::kRobot;
   for (const RecordedBody& body : header.bodies) {
     if (body.kind < last) return "bodies are not in the order of robots, balls, obstacles";
@@ -236,21 +239,23 @@ std::optional<std::string> flawOf(const RecordingHeader& header) {
 std::string toJson(const RecordingHeader& header) {
   Json bodies = Json::array();
   for (const RecordedBody& body : header.bodies) bodies.push_back(bodyJson(body));
-  return dumped({{"kind", kKinds[static_cast<std::size_t>(header.kind)]},
-                 {"level", kLevels[static_cast<std::size_t>(header.level)]},
-                 {"control_rate", header.control_rate},
-                 {"command_step", header.command_step},
-                 {"sample_every", header.sample_every},
-                 {"sample_step", header.sample_step},
-                 {"sample_turn", header.sample_turn},
-                 {"chunk_ticks", header.chunk_ticks},
-                 {"bodies", bodies},
-                 {"recipe", recipeJson(header.recipe)},
-                 {"build",
-                  {{"version", header.build.version},
-                   {"compiler", header.build.compiler},
-                   {"type", header.build.type},
-                   {"box2d", header.build.box2d}}}});
+  Json json{{"kind", kKinds[static_cast<std::size_t>(header.kind)]},
+            {"level", kLevels[static_cast<std::size_t>(header.level)]},
+            {"control_rate", header.control_rate},
+            {"command_step", header.command_step},
+            {"sample_every", header.sample_every},
+            {"sample_step", header.sample_step},
+            {"sample_turn", header.sample_turn},
+            {"chunk_ticks", header.chunk_ticks},
+            {"bodies", bodies},
+            {"recipe", recipeJson(header.recipe)},
+            {"build",
+             {{"version", header.build.version},
+              {"compiler", header.build.compiler},
+              {"type", header.build.type},
+              {"box2d", header.build.box2d}}}};
+  if (header.heard) json["heard"] = true;
+  return dumped(json);
 }
 
 std::string toJson(const RecordingResult& result) {
@@ -273,6 +278,7 @@ tl::expected<RecordingHeader, std::string> headerFromJson(BytesView text) {
   Fields fields(json, "", flaw);
   fields.choice("kind", kKinds, header.kind);
   fields.choice("level", kLevels, header.level);
+  if (json.is_object() && json.contains("heard")) fields.number("heard", header.heard);
   fields.whole("control_rate", 1000, header.control_rate);
   fields.number("command_step", header.command_step);
   fields.whole("sample_every", 1000, header.sample_every);

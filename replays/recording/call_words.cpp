@@ -73,8 +73,13 @@ CallWords wordsOf(RestartKind kind, TeamId team, const std::vector<std::string>&
 
 std::string measuredText(const RecordedEvent& event) {
   const Clause* clause = clause::find(event.clause);
-  // Events without a clause are counts, such as the first, tenth ... rejected command.
-  const Measure measure = clause != nullptr ? clause->measure : Measure{"count ", ""};
+  // Events without a clause are counts, such as the first, tenth ... rejected command. In heard matches they
+  // are frames, and quadrants of free balls.
+  const Measure other{event.clause == "vision.lost"          ? "frames "
+                      : event.clause.starts_with("referee.") ? "quadrant "
+                                                             : "count ",
+                      ""};
+  const Measure measure = clause != nullptr ? clause->measure : other;
   const bool nothing = event.value == 0.0 && event.threshold == 0.0;
   if (measure.before.empty() || nothing) return {};
   const auto told = [&measure](double value) {

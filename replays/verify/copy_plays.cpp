@@ -33,9 +33,8 @@ bool PlayCopier::ticked(const ReplayedTick& tick) {
     differs_ = tick.tick;
     return false;
   }
-  hash_.add(tick.world->state());
-  writer_.add(
-      RecordingTick{&tick.world->state(), tick.commands, hash_.value(), tick.chunk->playing[tick.row] != 0});
+  hash_.add(*tick.state);
+  writer_.add(RecordingTick{tick.state, tick.commands, hash_.value(), tick.chunk->playing[tick.row] != 0});
   pass(tick.tick);
   return true;
 }

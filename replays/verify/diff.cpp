@@ -51,6 +51,7 @@ std::vector<RecipeDifference> recipeDifferences(const RecordingHeader& a, const 
   const RecordingRecipe &ra = a.recipe, &rb = b.recipe;
   diff.value("kind", a.kind == RecordingKind::kTrial ? "trial" : "match",
              b.kind == RecordingKind::kTrial ? "trial" : "match");
+  diff.value("heard", a.heard ? "true" : "", b.heard ? "true" : "");
   diff.number("control_rate", a.control_rate, b.control_rate);
   diff.number("bodies", static_cast<double>(a.bodies.size()), static_cast<double>(b.bodies.size()));
   for (std::size_t i = 0; i < std::max(ra.teams.size(), rb.teams.size()); ++i) {
@@ -160,7 +161,7 @@ class StateAt final : public ReplayVisitor {
   }
   bool ticked(const ReplayedTick& tick) override {
     if (tick.tick < tick_) return true;
-    state_ = tick.world->state();
+    state_ = *tick.state;
     commands_.assign(tick.commands.begin(), tick.commands.end());
     return false;
   }

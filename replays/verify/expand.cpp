@@ -33,8 +33,7 @@ class Expander final : public ReplayVisitor {
   bool ticked(const ReplayedTick& tick) override {
     if (!asRecorded(tick)) return stop(tick.tick);
     hash_ = tick.hash;
-    writer_.add(
-        RecordingTick{&tick.world->state(), tick.commands, tick.hash, tick.chunk->playing[tick.row] != 0});
+    writer_.add(RecordingTick{tick.state, tick.commands, tick.hash, tick.chunk->playing[tick.row] != 0});
     pass(events_, tick.tick);
     pass(drawings_, tick.tick);
     return true;

@@ -5,6 +5,7 @@
 #include "engine/core/system/stop_request.hpp"
 #include "fulbito/detail/state_hash.hpp"
 #include "fulbito/models.hpp"
+#include "replays/chunks/heard_state.hpp"
 
 namespace fulbito {
 namespace {
@@ -54,10 +55,15 @@ class Replay {
   }
 
  private:
+  void stop() {
+    world_.reset();
+    heard_.reset();
+  }
+
   /// Simulates the plays of a chunk. False if the visitor ended the resimulation.
   Result<bool> play(const RecordedChunk& chunk) {
     if (chunk.first_tick != expected_) {  // chunks are missing
-      world_.reset();
+      stop();
       plays_ = chunk.plays_before;
     } else if (chunk.first_tick == 0 && chunk.ticks > 0 &&
                (chunk.plays.empty() || chunk.plays.front().tick > 0)) {
@@ -69,7 +75,7 @@ class Replay {
     for (std::size_t row = 0; row <= static_cast<std::size_t>(chunk.ticks); ++row) {
       const Tick before = chunk.first_tick + static_cast<Tick>(row);
       for (; next != chunk.plays.end() && next->tick <= before; ++next) {
-        world_.reset();
+        stop();
         const std::int64_t number = plays_++;
         if (number > range_.last) return false;
         if (number < range_.first) continue;
@@ -78,7 +84,7 @@ class Replay {
       }
       if (row == static_cast<std::size_t>(chunk.ticks)) break;
       if (stopRequested()) return fail(ErrorCode::kInterrupted, "interrupted");
-      if (world_ && !step(chunk, row)) return false;
+      if ((world_ || heard_) && !step(chunk, row)) return false;
     }
     return true;
   }
@@ -95,16 +101,20 @@ class Replay {
       bodies_.push_back(body);
       if (auto placed = place(config, body, start); !placed) return tl::unexpected<Error>(placed.error());
     }
-    auto world = World::create(config);
-    if (!world) {
-      return fail(ErrorCode::kBadInput, fmt::format("the play at tick {} gives no valid world: {}", play.tick,
-                                                    world.error().message));
+    if (header_.heard) {
+      heard_.emplace();
+    } else {
+      auto world = World::create(config);
+      if (!world) {
+        return fail(ErrorCode::kBadInput, fmt::format("the play at tick {} gives no valid world: {}",
+                                                      play.tick, world.error().message));
+      }
+      world_.emplace(std::move(*world));
     }
-    world_.emplace(std::move(*world));
     commands_.assign(ids_.size(), {});
     const std::uint64_t reached = hash_.value();
     hash_ = StateHash(play.hash);
-    return visitor_.playBegins({&play, number, &*world_, ids_, bodies_, reached});
+    return visitor_.playBegins({&play, number, world(), ids_, bodies_, reached});
   }
 
   Result<void> place(WorldConfig& config, std::size_t body, const RecordedStart& start) {
@@ -128,18 +138,26 @@ class Replay {
   bool step(const RecordedChunk& chunk, std::size_t row) {
     for (std::size_t i = 0; i < commands_.size(); ++i)
       commands_[i] = chunk.commands[row * robots_ + bodies_[i]];
-    world_->step(commands_);
-    hash_.add(world_->state());
-    return visitor_.ticked({chunk.first_tick + static_cast<Tick>(row) + 1, &*world_, ids_, bodies_, commands_,
-                            hash_.value(), &chunk, row});
+    if (heard_) {
+      standAt(header_, chunk.samples[row].poses, bodies_, *heard_);
+    } else {
+      world_->step(commands_);
+    }
+    const WorldState& state = heard_ ? *heard_ : world_->state();
+    hash_.add(state);
+    return visitor_.ticked({chunk.first_tick + static_cast<Tick>(row) + 1, world(), &state, ids_, bodies_,
+                            commands_, hash_.value(), &chunk, row});
   }
+
+  const World* world() const { return world_ ? &*world_ : nullptr; }
 
   const RecordingHeader& header_;
   const std::size_t robots_;
   const Models models_;
   const PlayRange range_;
   ReplayVisitor& visitor_;
-  std::optional<World> world_;
+  std::optional<World> world_;       ///< of the play, or
+  std::optional<WorldState> heard_;  ///< where its bodies are, if they were heard
   std::vector<RobotId> ids_;
   std::vector<std::size_t> bodies_;
   std::vector<WheelSpeeds> commands_;
@@ -162,7 +180,7 @@ bool asRecorded(const ReplayedTick& tick) {
   const RecordedCheck* check = checkAt(tick);
   if (check == nullptr) return true;
   for (std::size_t i = 0; i < tick.bodies.size(); ++i) {
-    if (bodyHash(tick.world->state(), i) != check->bodies[tick.bodies[i]]) return false;
+    if (bodyHash(*tick.state, i) != check->bodies[tick.bodies[i]]) return false;
   }
   return true;
 }

@@ -17,7 +17,7 @@ namespace fulbito {
 struct ReplayedPlay {
   const RecordedPlay* recorded = nullptr;
   std::int64_t number = 0;       ///< number of the play, from 0
-  const World* world = nullptr;  ///< created from the recorded start
+  const World* world = nullptr;  ///< created from the recorded start; null: the recording was heard
   std::span<const RobotId> ids;  ///< ids of the world's robots; blue 0 in a trial
   std::span<const std::size_t>
       bodies;              ///< header indices of the world's robots, balls and obstacles, in this order
@@ -26,8 +26,9 @@ struct ReplayedPlay {
 
 /// One resimulated tick of a recording.
 struct ReplayedTick {
-  Tick tick = 0;  ///< tick of the recording, after the step
-  const World* world = nullptr;
+  Tick tick = 0;                      ///< tick of the recording, after the step
+  const World* world = nullptr;       ///< null: the recording was heard
+  const WorldState* state = nullptr;  ///< of the world, or as heard
   std::span<const RobotId> ids;
   std::span<const std::size_t> bodies;    ///< see `ReplayedPlay`
   std::span<const WheelSpeeds> commands;  ///< as recorded, one per robot of the world
@@ -54,7 +55,8 @@ class ReplayVisitor {
 };
 
 /// Simulates a recording again: creates each play's world from its recorded start and applies the recorded
-/// commands, without teams or referee. Errors: kBadInput naming the file, if the recipe gives no valid world.
+/// commands, without teams or referee. What was heard from another program is read from its samples instead.
+/// Errors: kBadInput naming the file, if the recipe gives no valid world.
 Result<void> resimulate(const RecordingReader& recording, ReplayVisitor& visitor);
 
 /// Plays of a recording, counted from 0; both ends are included.

@@ -231,6 +231,9 @@ Result<void> compareRules(const RecordingReader& recording, const Rules& a, cons
   if (header.kind != RecordingKind::kMatch || countOf(header, BodyKind::kBall) != 1) {
     return fail(ErrorCode::kBadInput, "the recording is not a match");
   }
+  if (header.heard) {
+    return fail(ErrorCode::kBadInput, "the motion is another program's, and no referee can judge it again");
+  }
   const auto setup_a = setupOf(header.recipe, a, header.control_rate);
   if (!setup_a) return fail(ErrorCode::kBadInput, setup_a.error().message);
   const auto setup_b = setupOf(header.recipe, b, header.control_rate);

@@ -30,6 +30,7 @@ struct Verification {
   Tick ticks = 0;
   std::int64_t plays = 0;
   double seconds = 0.0;    ///< simulated time [s]
+  bool heard = false;      ///< another program's motion: it cannot be simulated again, so nothing is verified
   bool finished = false;   ///< false: the recording is cut off; its remaining part was verified
   bool same_build = true;  ///< made by the same compiler, build type and libraries as this program
   std::uint64_t final_hash = 0;

@@ -109,6 +109,7 @@ TEST_CASE("docs/results-format.md names every key that is printed as JSON", "[cl
   expect("replay diff a.fbr b.fbr --json");
   expect("replay cut a.fbr c.fbr --plays 1 --json");
   expect("replay repair cut.fbr r.fbr --json");
+  expect("replay send a.fbr --to 0.1 --speed 20 --port-base 52311 --interface 127.0.0.1 --json");
   expect("replay export a.fbr --jsonl -");
   expect("replay export t.fbr --jsonl -");
   expect("rules compare vsss-3v3 league-program-2021 a.fbr b.fbr --json --list");

@@ -61,15 +61,18 @@ struct RecordingRecipe {
 struct RecordingHeader {
   RecordingKind kind = RecordingKind::kMatch;    ///< match or trial
   RecordingLevel level = RecordingLevel::kFull;  ///< amount of stored data
-  int control_rate = 60;                         ///< [Hz] ticks per second, 1 ... 1000
-  double command_step = 0.01;                    ///< [rad/s] commands are multiples of it; 0: any value
-  int sample_every = 2;                          ///< ticks between sampled states
-  double sample_step = 5e-4;                     ///< [m] sampled positions are multiples of it
-  int sample_turn = 1024;                        ///< steps per turn; sampled headings are whole steps
-  int chunk_ticks = 360;                         ///< ticks per chunk: most ticks that a cut-off file loses
-  std::vector<RecordedBody> bodies;              ///< robots, then balls, then obstacles
-  RecordingRecipe recipe;                        ///< configuration of the match or trial
-  BuildInfo build;                               ///< build of the recording program
+  /// The motion was heard from another program and cannot be simulated again: samples of every tick, without
+  /// commands; states count as at rest.
+  bool heard = false;
+  int control_rate = 60;             ///< [Hz] ticks per second, 1 ... 1000
+  double command_step = 0.01;        ///< [rad/s] commands are multiples of it; 0: any value
+  int sample_every = 2;              ///< ticks between sampled states
+  double sample_step = 5e-4;         ///< [m] sampled positions are multiples of it
+  int sample_turn = 1024;            ///< steps per turn; sampled headings are whole steps
+  int chunk_ticks = 360;             ///< ticks per chunk: most ticks that a cut-off file loses
+  std::vector<RecordedBody> bodies;  ///< robots, then balls, then obstacles
+  RecordingRecipe recipe;            ///< configuration of the match or trial
+  BuildInfo build;                   ///< build of the recording program
 };
 
 /// The number of bodies of one kind.

@@ -29,6 +29,13 @@ TEST_CASE("periods and parts of overtime are halves of the wire, and back", "[un
   CHECK(periodOf(Half::kNone) == 1);
 }
 
+TEST_CASE("quadrants count from the first one, counter-clockwise", "[unit]") {
+  CHECK(quadrantOf({0.1, 0.1}) == 1);
+  CHECK(quadrantOf({-0.1, 0.1}) == 2);
+  CHECK(quadrantOf({-0.1, -0.1}) == 3);
+  CHECK(quadrantOf({0.1, -0.1}) == 4);
+}
+
 TEST_CASE("commands are the same whatever their times", "[unit]") {
   RefereeCommand command, later;
   later.seconds = 1.0;

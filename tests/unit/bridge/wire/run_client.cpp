@@ -24,7 +24,7 @@ int main(int argc, char** argv) {
     for (const wire::RefereeCommand& command : heard.commands) {
       if (command.foul < wire::Foul::kStop) wire->send(wire::TeamPlaces{team, {}});
     }
-    if (!heard.vision) continue;
+    if (heard.frames.empty()) continue;
     ++frames;
     wire::Packet packet;
     for (std::uint32_t i = 0; i < 3; ++i) packet.commands.push_back({i, team, {4.0, 4.0}});

@@ -108,6 +108,8 @@ TEST_CASE("what was measured has its unit", "[unit]") {
   CHECK(text("goal", 0.0223, 0.0215) == "ball past the line by 22.3 mm (limit 21.5 mm)");
   CHECK(text("placement", 0.035, 0.0) == "moved by 35 mm");
   CHECK(text("command.late", 10.0, 0.0) == "count 10");
+  CHECK(text("vision.lost", 3.0, 0.0) == "frames 3");
+  CHECK(text("referee.free-ball", 2.0, 0.0) == "quadrant 2");
   CHECK(text("half", 0.0, 0.0).empty());
   CHECK(text("shoot-out", 1.0, 0.0).empty());
 }
