@@ -120,7 +120,7 @@ CLI::App* addClient(CLI::App& app, ClientCommand& options) {
       ->type_name("ADDRESS");
   group(wholeNumber(command->add_option("--latency", options.latency,
                                         "frames until commands act, beyond the next: 1 on the league's "
-                                        "simulator, 0 on fulbito serve"),
+                                        "simulator, 0 here"),
                     0, kMaxLatencyTicks))
       ->type_name("N")
       ->capture_default_str();

@@ -77,7 +77,8 @@ TEST_CASE("a team that is started as a client does in lockstep what it does at h
     return report;
   };
   const Json away = drilled(
-      "\"wire:lockstep=on,answer=20:run=$F client libero --latency 0 --robot vsss --colour {colour} --port-base "
+      "\"wire:lockstep=on,answer=20:run=$F client libero --latency 0 --robot vsss --colour {colour} "
+      "--port-base "
       "{port_base} "
       "--interface 127.0.0.1\"");
   CHECK(away == drilled("libero"));
