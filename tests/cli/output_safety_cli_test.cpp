@@ -30,6 +30,9 @@ std::vector<Line> lines() {
        "--blue idle --rules rules.toml --start start.toml --interface 127.0.0.1 --wait 0.1",
        {"rules.toml", "start.toml"}},
       {"client", "idle --rules rules.toml --host nowhere", {"rules.toml"}},
+      {"record",
+       "new.fbr --rules rules.toml --robot robot.toml --interface 127.0.0.1 --wait 0.1",
+       {"rules.toml", "robot.toml"}},
       {"run", "--layout layout.toml --robot robot.toml", {"layout.toml", "robot.toml"}},
       {"compare",
        "--suite corner --trials 1 --navigators straight --speeds 1 --pictures 0 --robot robot.toml "
@@ -47,6 +50,7 @@ std::vector<Line> lines() {
       {"replay verify", "a.fbr", {"a.fbr"}},
       {"replay diff", "a.fbr b.fbr", {"a.fbr", "b.fbr"}},
       {"replay cut", "a.fbr", {"a.fbr"}},
+      {"replay send", "a.fbr --interface 127.0.0.1 --speed 20 --from 1", {"a.fbr"}},
       {"replay repair", "cut.fbr", {"cut.fbr"}},
       {"replay export", "a.fbr --html - --ghost b.fbr", {"a.fbr", "b.fbr"}},
       {"sprt", "idle idle -n 1 --half-seconds 1 --rules rules.toml --cache cache", {"rules.toml"}},
@@ -196,6 +200,17 @@ TEST_CASE("no option of any command replaces an input of it or a file that keeps
   INFO(tried << " tried, " << refused << " refused");
   CHECK(tried > 130);
   CHECK(refused > 100);
+}
+
+TEST_CASE("what a server sends replaces no input and no file of another kind", "[cli]") {
+  const Workshop& box = workshop();
+  for (const char* victim : {"rules.toml", "results/plan.json", "start.toml"}) {
+    const std::string before = contentOf(box.path / victim);
+    box.fails(std::string("record ") + victim + " --rules rules.toml --wait 0.1", 2, victim);
+    CHECK(contentOf(box.path / victim) == before);
+  }
+  box.fails("record rules.toml --rules rules.toml --wait 0.1 --force", 2, "rules.toml");
+  CHECK_FALSE(contentOf(box.path / "rules.toml").empty());
 }
 
 TEST_CASE("names that a folder of results needs are not free, though nothing has them yet", "[cli]") {
