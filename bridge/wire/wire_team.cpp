@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bridge/wire/referee_words.hpp"
+#include "engine/core/system/stop_request.hpp"
 #include "fulbito/detail/math.hpp"
 #include "fulbito/referee.hpp"
 #include "strategies/interface/team_frame.hpp"
@@ -157,7 +158,8 @@ TeamCommand WireTeam::decide(const Observation& observation) {
     // Clients may be silent until the signal, and that is not late.
     const double limit = observation.playing ? server_->settings().answer : info_.dt();
     const bool answered = server_->awaitCommands(colour_, present, limit);
-    if (!answered && observation.playing) condition_.state = TeamCondition::State::kLate;
+    // After a request to stop nobody waits any more.
+    if (!answered && observation.playing && !stopRequested()) condition_.state = TeamCondition::State::kLate;
   } else {
     server_->finishFrame();
   }

@@ -172,19 +172,22 @@ while True:
 
 TEST_CASE("Ctrl-C ends a server with a summary and the recording up to there", "[cli]") {
   const Sandbox box;
-  const Output output = box.shell(kClients +
-                                  "cpp yellow\n"
-                                  "client=$!\n"
-                                  "\"$F\" serve --port-base $P --interface 127.0.0.1 --blue idle --record "
-                                  "game.fbr --events events.jsonl --json >summary.json &\n"
-                                  "server=$!\n"
-                                  "until [ -s events.jsonl ] || ! kill -0 $server; do sleep 0.1; done\n"
-                                  "kill -INT $server; wait $server; echo code $?\n"
-                                  "kill $client 2>/dev/null\n"
-                                  "\"$F\" replay verify game.fbr\n");
+  const Output output =
+      box.shell(kClients +
+                "cpp yellow\n"
+                "client=$!\n"
+                "\"$F\" serve --port-base $P --interface 127.0.0.1 --blue idle --lockstep "
+                "--answer 20 --record game.fbr --events events.jsonl --json >summary.json &\n"
+                "server=$!\n"
+                "until [ -s events.jsonl ] || ! kill -0 $server; do sleep 0.1; done\n"
+                "kill -INT $server; wait $server; echo code $?\n"
+                "kill $client 2>/dev/null\n"
+                "\"$F\" replay verify game.fbr\n");
   CHECK(contains(output.out, "code 130"));
   CHECK(contains(output.out, "identical, bit for bit"));
-  CHECK(Json::parse(box.read("summary.json"))["score"]["complete"] == false);
+  const Json summary = Json::parse(box.read("summary.json"));
+  CHECK(summary["score"]["complete"] == false);
+  CHECK(summary["stats"]["yellow"]["commands"]["late"] == 0);
 }
 
 TEST_CASE("without a referee clients drive, and whoever asks moves robots and ball", "[cli]") {
