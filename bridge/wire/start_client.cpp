@@ -31,8 +31,11 @@ ChildOptions childOf(const ClientSetup& setup, int port_base) {
   return child;
 }
 
-std::unique_ptr<ClientProgram> programOf(const ClientSetup& setup, Child&& child) {
-  return std::make_unique<ClientProgram>(std::move(child), setup.printed);
+StartedClient startedOf(const ClientSetup& setup, Child&& child, std::unique_ptr<WireServer>&& server) {
+  StartedClient started;
+  started.program = std::make_unique<ClientProgram>(std::move(child), setup.printed);
+  started.server = std::move(server);
+  return started;
 }
 
 Result<StartedClient> startInOwnNetwork(const ClientSetup& setup) {
@@ -42,7 +45,7 @@ Result<StartedClient> startInOwnNetwork(const ClientSetup& setup) {
   if (!child) return tl::unexpected<Error>(child.error());
   auto server = WireServer::open(setup.seat.settings, setup.clock, setup.log, child->takeSockets());
   if (!server) return tl::unexpected<Error>(server.error());
-  return StartedClient{programOf(setup, std::move(*child)), std::move(*server)};
+  return startedOf(setup, std::move(*child), std::move(*server));
 }
 
 /// Errors: kIo if no ports are free.
@@ -66,7 +69,7 @@ Result<StartedClient> startAtLoopback(const ClientSetup& setup) {
   if (!server) return tl::unexpected<Error>(server.error());
   auto child = Child::launch(childOf(setup, (*server)->settings().port_base));
   if (!child) return tl::unexpected<Error>(child.error());
-  return StartedClient{programOf(setup, std::move(*child)), std::move(*server)};
+  return startedOf(setup, std::move(*child), std::move(*server));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "fulbito/match.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/team_memory.hpp"
 #include "tests/unit/bridge/wire/test_client.hpp"
 
 // These tests also run where the system refuses namespaces: see CMakeLists.txt.
@@ -25,6 +26,7 @@ struct Printed {
 
 OutsideOptions optionsFor(Printed& printed) {
   OutsideOptions options = test::outsideOptions();
+  options.limits.memory = test::kTeamMemory;
   options.log = [&printed](const std::string&, std::string_view line) {
     const std::lock_guard guard(printed.mutex);
     printed.lines.emplace_back(line);
