@@ -26,7 +26,7 @@ struct Printed {
 
 OutsideOptions optionsFor(Printed& printed) {
   OutsideOptions options = test::outsideOptions();
-  options.limits.memory = test::kTeamMemory;
+  options.limits.memory = fulbito::test::kTeamMemory;
   options.log = [&printed](const std::string&, std::string_view line) {
     const std::lock_guard guard(printed.mutex);
     printed.lines.emplace_back(line);
