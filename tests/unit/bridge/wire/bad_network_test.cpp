@@ -14,15 +14,15 @@ constexpr double kWheels = 4.0;  // [rad/s] the only command that the client eve
 /// Commands of the first robot in play. Robots are held between a call and the signal.
 struct CommandsSeen : MatchObserver {
   int moving = 0;   ///< ticks with the client's command
-  int dropped = 0;  ///< ticks without it after the first one that had it
+  int dropped = 0;  ///< ticks without it after the first one of the play that had it
   bool odd = false;
-  bool playing = false;
+  bool moves = false;  ///< it had in this play
   void onTick(const MatchTick& tick) override {
     const double left = tick.commands.front().left;
     odd = odd || (left != kWheels && left != 0.0);
     if (left == kWheels) ++moving;
-    if (left != kWheels && moving > 0 && playing) ++dropped;
-    playing = tick.referee->playing;  // from the next tick on
+    if (left != kWheels && moves) ++dropped;
+    moves = tick.referee->playing && (moves || left == kWheels);
   }
 };
 
