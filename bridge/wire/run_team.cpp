@@ -14,7 +14,8 @@ constexpr int kFarewell = 10;  // looks at a client that may end by itself after
 void RunTeam::begin(const MatchInfo& info) {
   info_ = info;
   condition_ = {};
-  condition_.seconds = 0.0;  // as of `WireTeam`
+  condition_.stands = true;  // both as of `WireTeam`
+  condition_.seconds = 0.0;
   start(true);
 }
 

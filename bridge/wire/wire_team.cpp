@@ -52,6 +52,7 @@ WireTeam::WireTeam(std::shared_ptr<WireServer> server, TeamId colour, bool await
 void WireTeam::begin(const MatchInfo& info) {
   info_ = info;
   condition_ = {};
+  condition_.stands = true;  // as on the league's simulator
   condition_.seconds = 0.0;  // time passes by the wire's clock, and is not the team's
   server_->begin(info.rules.team_size, info.dt());
 }

@@ -61,10 +61,10 @@ void CommandPolicy::note(std::int64_t& count, const char* clause, const GameEven
   events.push_back(event);
 }
 
-void CommandPolicy::take(TeamCommand&& decision, bool late, const GameEvent& now,
+void CommandPolicy::take(TeamCommand&& decision, bool late, bool stands, const GameEvent& now,
                          std::vector<GameEvent>& events) {
-  if (late) {
-    note(faults_.late, "command.late", now, events);
+  if (late) note(faults_.late, "command.late", now, events);
+  if (late && !stands) {
     if (++held_ > held_most_) command_ = TeamCommand{};
     return;
   }

@@ -18,7 +18,9 @@ class CommandPolicy {
   /// To call when a new play begins: there is no previous decision.
   void reset();
   /// Takes a decision. A late one leaves the previous one in force; after too many in a row the robots stop.
-  void take(TeamCommand&& decision, bool late, const GameEvent& now, std::vector<GameEvent>& events);
+  /// @param stands  as of `TeamCondition`: a late one is counted, and comes into force
+  void take(TeamCommand&& decision, bool late, bool stands, const GameEvent& now,
+            std::vector<GameEvent>& events);
   /// Counts the failures of a team outside the program.
   void count(const TeamCondition& condition, const GameEvent& now, std::vector<GameEvent>& events);
   /// Clamps a wheel command to the limits of the motors and rounds it to the step of the physics profile.

@@ -110,7 +110,7 @@ void Seat::decide() {
 }
 
 void Seat::clean(const GameEvent& now, std::vector<GameEvent>& events) {
-  policy_.take(std::move(decision_), !in_time_, now, events);
+  policy_.take(std::move(decision_), !in_time_, strategy_->condition().stands, now, events);
 }
 
 std::optional<Error> Seat::cut() const { return cutOf(*strategy_); }

@@ -224,6 +224,7 @@ struct TeamCondition {
     kCut,   ///< the machine failed, not the team: the match cannot go on
   };
   State state = State::kWell;     ///< the answer of the last call
+  bool stands = false;            ///< a late decision counts all the same: commands of the team stay in force
   std::optional<double> seconds;  ///< [s] wall time of that call; empty: the caller measures it
   int failures = 0;               ///< failures so far: ends of its program, broken messages, late starts
   std::int64_t stale = 0;         ///< replies so far to requests that no longer wait; they are ignored
