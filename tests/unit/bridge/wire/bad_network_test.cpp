@@ -17,12 +17,13 @@ struct CommandsSeen : MatchObserver {
   int dropped = 0;  ///< ticks without it after the first one of the play that had it
   bool odd = false;
   bool moves = false;  ///< it had in this play
+  void onPlayStart(const PlayStart&) override { moves = false; }
   void onTick(const MatchTick& tick) override {
     const double left = tick.commands.front().left;
     odd = odd || (left != kWheels && left != 0.0);
     if (left == kWheels) ++moving;
     if (left != kWheels && moves) ++dropped;
-    moves = tick.referee->playing && (moves || left == kWheels);
+    moves = moves || left == kWheels;
   }
 };
 
