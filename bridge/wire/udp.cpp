@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -57,6 +58,14 @@ tl::unexpected<Error> unreachable(const UdpAddress& address) {
                           address.host.empty() ? "0.0.0.0" : address.host, address.port, reason()));
 }
 
+std::int64_t arrivalOf(const msghdr& message) {
+  const cmsghdr* header = CMSG_FIRSTHDR(&message);
+  if (header == nullptr || header->cmsg_level != SOL_SOCKET || header->cmsg_type != SCM_TIMESTAMPNS) return 0;
+  timespec time{};
+  std::memcpy(&time, CMSG_DATA(header), sizeof time);
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
+
 }  // namespace
 
 Result<UdpSender> UdpSender::open(const UdpAddress& to, const std::string& interface, Descriptor ready) {
@@ -95,6 +104,7 @@ Result<UdpReceiver> UdpReceiver::open(const UdpAddress& at, const std::string& i
   if (!socket) return tl::unexpected<Error>(socket.error());
   const bool group = isGroup(*address);
   setOption(socket->number(), SOL_SOCKET, SO_RCVBUF, kReceiveBuffer);
+  setOption(socket->number(), SOL_SOCKET, SO_TIMESTAMPNS, 1);
   if (group) setOption(socket->number(), SOL_SOCKET, SO_REUSEADDR, 1);
   const sockaddr_in end = endOf(*address, at.port);
   if (::bind(socket->number(), reinterpret_cast<const sockaddr*>(&end), sizeof end) != 0) {
@@ -108,15 +118,18 @@ Result<UdpReceiver> UdpReceiver::open(const UdpAddress& at, const std::string& i
 
 std::optional<Datagram> UdpReceiver::receive(std::span<char> room) {
   sockaddr_in from{};
-  socklen_t length = sizeof from;
+  iovec text{room.data(), room.size()};
+  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(timespec))> more{};
+  msghdr message{};
   ssize_t size = -1;
   do {
-    size = ::recvfrom(socket_.number(), room.data(), room.size(), MSG_TRUNC,
-                      reinterpret_cast<sockaddr*>(&from), &length);
+    message = {&from, sizeof from, &text, 1, more.data(), more.size(), 0};
+    size = ::recvmsg(socket_.number(), &message, MSG_TRUNC);
   } while (size < 0 && errno == EINTR);
   if (size < 0) return std::nullopt;
   return Datagram{static_cast<std::size_t>(size),
-                  std::uint64_t{from.sin_addr.s_addr} << 16 | std::uint64_t{from.sin_port}};
+                  std::uint64_t{from.sin_addr.s_addr} << 16 | std::uint64_t{from.sin_port},
+                  arrivalOf(message)};
 }
 
 void waitForAny(std::span<const int> sockets, double seconds) {

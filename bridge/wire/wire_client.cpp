@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostAtOnce = 1024;  // datagrams per look at a socket, so that a flood does not hold us
 
-/// Hands on each message that waits, with its sender. @return datagrams that are none
+/// Hands on each message that waits, with its datagram. @return datagrams that are none
 template <typename Read, typename Take>
 int receiveAll(UdpReceiver& socket, const Read& read, const Take& take) {
   std::array<char, kLongestMessage> room{};
@@ -21,7 +21,7 @@ int receiveAll(UdpReceiver& socket, const Read& read, const Take& take) {
     if (!datagram) break;
     auto message = read(std::string_view(room.data(), std::min(datagram->size, room.size())));
     if (message && datagram->size <= room.size()) {
-      take(std::move(*message), datagram->sender);
+      take(std::move(*message), *datagram);
     } else {
       ++malformed;
     }
@@ -43,13 +43,21 @@ Heard WireListener::listen(double seconds) {
   const std::array<int, 2> sockets{vision_.number(), referee_.number()};
   waitForAny(sockets, seconds);
   Heard heard;
-  heard.malformed += receiveAll(vision_, readVision, [&](Vision&& vision, std::uint64_t sender) {
-    heard.frames.push_back({std::move(vision), sender});
+  std::vector<std::int64_t> frames_at, commands_at;
+  heard.malformed += receiveAll(vision_, readVision, [&](Vision&& vision, const Datagram& datagram) {
+    heard.frames.push_back({std::move(vision), datagram.sender, 0});
+    frames_at.push_back(datagram.arrived);
   });
   // Afterwards: what the referee says just before a frame is there if the frame is.
-  heard.malformed += receiveAll(referee_, readRefereeCommand, [&](RefereeCommand&& command, std::uint64_t) {
-    heard.commands.push_back(command);
-  });
+  heard.malformed +=
+      receiveAll(referee_, readRefereeCommand, [&](RefereeCommand&& command, const Datagram& datagram) {
+        heard.commands.push_back(command);
+        commands_at.push_back(datagram.arrived);
+      });
+  for (std::size_t i = 0; i < heard.frames.size(); ++i) {
+    const auto later = std::upper_bound(commands_at.begin(), commands_at.end(), frames_at[i]);
+    heard.frames[i].commands = static_cast<std::size_t>(later - commands_at.begin());
+  }
   return heard;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ namespace fulbito::wire {
 struct HeardFrame {
   Vision vision;
   std::uint64_t sender = 0;  ///< as `Datagram::sender`
+  std::size_t commands = 0;  ///< of `Heard::commands`, those that came before it
 };
 
 /// What has come from a server.
