@@ -53,7 +53,7 @@ TEST_CASE("what is recorded and sent is recorded the same", "[cli]") {
                                   "for leg in 'game first' 'first second'; do set -- $leg\n"
                                   "  record $2.fbr 2>notes$1 >$2.txt & r=$!\n"
                                   "  waiting notes$1\n"
-                                  "  (send $1.fbr --speed 10 --json >$1.json) || exit 1\n"
+                                  "  (send $1.fbr --speed 4 --json >$1.json) || exit 1\n"
                                   "  wait $r || exit 2\n"
                                   "done\n"
                                   "\"$F\" replay diff first.fbr second.fbr\n");
