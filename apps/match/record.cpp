@@ -37,17 +37,17 @@ Result<End> recordUntilEnd(wire::WireListener& listener, HeardRecorder& recorder
     malformed += heard.malformed;
     const std::int64_t before = recorder.counts().frames;
     std::size_t taken = 0;
-    const auto takeUntil = [&](std::size_t end) {
+    const auto take_until = [&](std::size_t end) {
       for (; taken < end; ++taken) recorder.take(heard.commands[taken]);
     };
     for (const wire::HeardFrame& frame : heard.frames) {
-      takeUntil(frame.commands);
+      take_until(frame.commands);
       const auto goes_on = recorder.see(frame.vision, frame.sender, secondsNow());
       if (!goes_on) return tl::unexpected<Error>(goes_on.error());
       if (!*goes_on) return End::kAnew;
       if (options.seconds && recorder.seconds() >= *options.seconds) return End::kSeconds;
     }
-    takeUntil(heard.commands.size());
+    take_until(heard.commands.size());
     if (options.until_halt && recorder.halted()) return End::kHalt;
     const std::int64_t frames = recorder.counts().frames;
     if (frames > before) heard_at = secondsNow();

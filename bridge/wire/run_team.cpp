@@ -25,7 +25,7 @@ void RunTeam::start(bool first) {
   team_.reset();
   program_ = std::move(started->program);
   server_ = std::move(started->server);
-  server_->watch([program = program_.get()] { return program->look(); });
+  server_->watch([program = program_] { return program->look(); });
   team_.emplace(server_, setup_.seat.colour, first);
   team_->begin(info_);
 }

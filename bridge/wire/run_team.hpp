@@ -35,7 +35,7 @@ class RunTeam : public Strategy {
   ClientSetup setup_;
   MatchInfo info_;
   TeamCondition condition_;
-  std::unique_ptr<ClientProgram> program_;
+  std::shared_ptr<ClientProgram> program_;
   std::optional<WireTeam> team_;  ///< empty: lost or cut
   std::shared_ptr<WireServer> server_;
 };

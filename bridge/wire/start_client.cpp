@@ -33,7 +33,7 @@ ChildOptions childOf(const ClientSetup& setup, int port_base) {
 
 StartedClient startedOf(const ClientSetup& setup, Child&& child, std::unique_ptr<WireServer>&& server) {
   StartedClient started;
-  started.program = std::make_unique<ClientProgram>(std::move(child), setup.printed);
+  started.program = std::make_shared<ClientProgram>(std::move(child), setup.printed);
   started.server = std::move(server);
   return started;
 }

@@ -18,7 +18,7 @@ struct ClientSetup {
 
 /// A client that runs, and the server for it alone.
 struct StartedClient {
-  std::unique_ptr<ClientProgram> program;
+  std::shared_ptr<ClientProgram> program;
   std::shared_ptr<WireServer> server;
 };
 
