@@ -14,8 +14,6 @@ namespace {
 // Waits are cut into slices, so that they end soon after a user's signal.
 constexpr double kSlice = 0.1;  // [s]
 
-constexpr const char* kStillRuns = "killed";  // what `Child::end` reports for a program that still ran
-
 }  // namespace
 
 Conversation::Conversation(const OutsideTeamSetup& setup, BoundedLog& log)
@@ -42,7 +40,7 @@ void Conversation::fail(std::string reason) {
     const ChildEnd end = child_->end();
     if (end.machine) code_ = ErrorCode::kMachine;
     if (end.machine || reason.empty()) {
-      reason = end.reason == kStillRuns ? "it no longer reads and writes" : end.reason;
+      reason = end.reason == kKilled ? "it no longer reads and writes" : end.reason;
     }
   }
   failure_ = std::move(reason);

@@ -24,7 +24,6 @@ namespace {
 
 constexpr std::size_t kMostWaiting = std::size_t{1} << 24;  // [bytes]
 constexpr std::size_t kReadAtOnce = 65536;                  // [bytes] capacity of a pipe
-constexpr const char* kKilled = "killed";                   // the reason for a child that still ran
 // reads at once: a flood of errors must not hold up the caller
 constexpr int kErrorReads = 16;
 constexpr std::size_t kMostErrors = std::size_t{1} << 22;  // [bytes] per wait; then the child's writes block

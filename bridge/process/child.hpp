@@ -30,9 +30,12 @@ struct ChildOptions {
   int sockets = 0;
 };
 
+/// The reason for the end of a child that still ran.
+inline constexpr const char* kKilled = "killed";
+
 /// How a child ended.
 struct ChildEnd {
-  /// Such as "exit code 3" or "signal 11 (Segmentation fault)"; "killed": the child still ran.
+  /// Such as "exit code 3" or "signal 11 (Segmentation fault)", or `kKilled`.
   std::string reason;
   /// not the child's fault: the machine lacked something, or somebody killed its keeper
   bool machine = false;

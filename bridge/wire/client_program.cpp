@@ -1,11 +1,6 @@
 #include "bridge/wire/client_program.hpp"
 
 namespace fulbito::wire {
-namespace {
-
-constexpr const char* kStillRuns = "killed";  // what `Child::end` reports for a program that still ran
-
-}  // namespace
 
 bool ClientProgram::read(double seconds) {
   const bool runs = child_.receive(out_, seconds) != Child::Received::kClosed;
@@ -17,7 +12,7 @@ bool ClientProgram::read(double seconds) {
 
 ChildEnd ClientProgram::end() {
   ChildEnd end = child_.end();
-  if (end.reason == kStillRuns) end.reason = "it has closed its standard output";
+  if (end.reason == kKilled) end.reason = "it has closed its standard output";
   errors_ += child_.takeErrors();
   log_.addLines(errors_, true);
   return end;

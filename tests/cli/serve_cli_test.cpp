@@ -84,6 +84,24 @@ TEST_CASE("a team that is started as a client does in lockstep what it does at h
   CHECK(away == drilled("libero"));
 }
 
+TEST_CASE("the sample clients play in networks of their own, where both can be blue", "[cli]") {
+  const Sandbox box;
+  const std::string words = " {colour} --port-base {port_base} --interface 127.0.0.1\" ";
+  const Json result =
+      resultOf(box.shell(
+          "mkdir client && cp '" FULBITO_SOURCE_DIR
+          "/examples/clients/chaser_client.py' '" FULBITO_CLIENT_MESSAGES "'/*_pb2.py client || exit 1\n"
+          "\"$F\" match \"wire:lockstep=on,answer=20:run='" FULBITO_PYTHON "' client/chaser_client.py" +
+          words + "\"wire:lockstep=on,answer=20:run='" FULBITO_CHASER_CLIENT "'" + words +
+          "--half-seconds 2 --json\n"));
+  INFO(result.dump(1));
+  CHECK(result["score"]["complete"] == true);
+  for (const char* team : {"blue", "yellow"}) {
+    CHECK(result["stats"][team]["distance_m"].get<double>() > 0.5);
+    CHECK(result["stats"][team]["commands"]["failures"] == 0);
+  }
+}
+
 TEST_CASE("clients that tournaments start play each other and are ranked", "[cli]") {
   const Sandbox box;
   const std::string client =
