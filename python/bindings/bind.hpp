@@ -8,6 +8,8 @@ namespace fulbito::python {
 void bindInfo(nanobind::module_& m);
 void bindPlay(nanobind::module_& m);
 void bindRecording(nanobind::module_& m);
+void bindWorld(nanobind::module_& m);
+void bindCompare(nanobind::module_& m);
 /// @}
 
 }  // namespace fulbito::python

@@ -8,4 +8,6 @@ NB_MODULE(_core, m) {
   bindInfo(m);
   bindPlay(m);
   bindRecording(m);
+  bindWorld(m);
+  bindCompare(m);
 }

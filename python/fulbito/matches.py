@@ -103,7 +103,7 @@ class MatchResult:
 
 
 def _pair(name: str, value: PerTeam[Any], kind: type) -> tuple[Any, Any]:
-    values = value if isinstance(value, (tuple, list)) else (value, value)
+    values: Any = value if isinstance(value, (tuple, list)) else (value, value)
     if len(values) != 2:
         raise UsageError(f"{name}: one value, or one for blue and one for yellow, not {value!r}")
     try:
