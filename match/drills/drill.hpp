@@ -206,6 +206,7 @@ using DrillProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
 struct DrillOptions {
   TeamChoice team;
+  std::optional<TeamChoice> itself;  ///< plays where a drill asks for the team itself; empty: `team`
   TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< teams that drills may name as opponents
   int trials = 0;                                      ///< 0: as each drill says
   std::uint64_t seed = kDefaultMatchSeed;

@@ -18,6 +18,8 @@ class DrillWatch final : public MatchObserver {
 
   /// Whether the trial has its final verdict.
   bool done() const { return done_; }
+  /// [s] after which a trial without a success ends.
+  double duration() const { return duration_; }
   /// The result; `ideal` is the lower bound of the time [s], for the excess.
   DrillTrial trial(double ideal) const;
 
