@@ -75,6 +75,7 @@ struct Match::Impl {
   void build();
   void begin(Play&& from);
   void announce();
+  void sense();
   void playTick();
   SeatTick seatTick() const;
   void step();
@@ -137,6 +138,8 @@ void Match::Impl::advance() {
     case MatchPhase::kReady:
       return announce();
     case MatchPhase::kPlaying:
+      return sense();
+    case MatchPhase::kDeciding:
       return playTick();
     case MatchPhase::kEnded:
       return;
@@ -205,10 +208,16 @@ GameEvent Match::Impl::eventNow() const {
   return event;
 }
 
-// Sense → decide → navigate → actuate by the seats, then step → referee → record.
+void Match::Impl::sense() {
+  seats.sense(seatTick(), stages);
+  phase = MatchPhase::kDeciding;
+}
+
+// Decide → navigate → actuate by the seats, then step → referee → record.
 void Match::Impl::playTick() {
   events.clear();
-  if (auto seated = seats.play(seatTick(), stages, events, commands); !seated) return abandon(seated.error());
+  phase = MatchPhase::kPlaying;
+  if (auto seated = seats.act(seatTick(), stages, events, commands); !seated) return abandon(seated.error());
   step();
   const auto call = judge();
   const bool over = referee.state().ended;
@@ -350,6 +359,7 @@ MatchPhase Match::makeReady() {
 bool Match::step() {
   if (makeReady() == MatchPhase::kReady) advance();
   if (phase() == MatchPhase::kEnded) return false;
+  if (phase() == MatchPhase::kPlaying) advance();
   // The tick and, if it stopped play, the whole restart.
   if (advance() == MatchPhase::kPlacing && makeReady() == MatchPhase::kReady) advance();
   return phase() != MatchPhase::kEnded;
@@ -367,6 +377,8 @@ Result<void> Match::replace(const Placement& placement) {
   Impl& m = *impl_;
   if (m.phase == MatchPhase::kEnded) return fail(ErrorCode::kUsage, "the match is over");
   if (m.placing) return fail(ErrorCode::kUsage, "play is stopped: the teams are asked where they stand");
+  if (m.phase == MatchPhase::kDeciding)
+    return fail(ErrorCode::kUsage, "the teams have seen this tick, and decide");
   if (const auto flaw = flawOfEdit(m.config, this->placement(), placement)) {
     return fail(ErrorCode::kUsage, *flaw);
   }

@@ -23,12 +23,16 @@ Result<Seats> Seats::create(const MatchConfig& config, const MatchClock& clock) 
   return both;
 }
 
-Result<void> Seats::play(const SeatTick& tick, StageClock& stages, std::vector<GameEvent>& events,
-                         std::span<WheelSpeeds> commands) {
+void Seats::sense(const SeatTick& tick, StageClock& stages) {
   for (Seat& seat : seats_) seat.sense(tick.moment, tick.drawings);
   stages.lap(&MatchProfile::sense);
   // `ask` goes to both teams first, so that teams in other processes think at the same time.
   for (Seat& seat : seats_) seat.ask();
+  stages.lap(&MatchProfile::decide);
+}
+
+Result<void> Seats::act(const SeatTick& tick, StageClock& stages, std::vector<GameEvent>& events,
+                        std::span<WheelSpeeds> commands) {
   for (Seat& seat : seats_) {
     seat.decide();
     stages.lap(&MatchProfile::decide);

@@ -23,14 +23,15 @@ class Seats {
   /// Errors: as `Seat::create`, with the team's name.
   static Result<Seats> create(const MatchConfig& config, const MatchClock& clock);
 
-  /// Plays one tick from the teams' observations to the wheel speeds: sense → decide → navigate → actuate.
-  /// Both teams observe the same tick.
+  /// The first half of a tick: both teams observe it.
+  void sense(const SeatTick& tick, StageClock& stages);
+  /// The second half, from these observations to the wheel speeds: decide → navigate → actuate.
   /// @param events    faults of the teams are added
   /// @param commands  one per robot of the world, written
   /// Errors: kMachine, kInterrupted if the machine lacks resources for a team; then `commands` stays as it
   /// was.
-  Result<void> play(const SeatTick& tick, StageClock& stages, std::vector<GameEvent>& events,
-                    std::span<WheelSpeeds> commands);
+  Result<void> act(const SeatTick& tick, StageClock& stages, std::vector<GameEvent>& events,
+                   std::span<WheelSpeeds> commands);
 
   Seat& operator[](TeamId team) { return seats_[indexOf(team)]; }
   const Seat& operator[](TeamId team) const { return seats_[indexOf(team)]; }

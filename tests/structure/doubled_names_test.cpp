@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kFolders = {"sdk",     "engine", "navigation", "strategies",
-                                 "referee", "match",  "tournament", "experiments",
-                                 "replays", "apps",   "bench",      "bridge"};
+constexpr std::array kFolders = {"sdk",   "engine",     "navigation",  "strategies", "referee",
+                                 "match", "tournament", "experiments", "replays",    "apps",
+                                 "bench", "bridge",     "python"};
 
 /// Linked in place of view_window.cpp in a build without a window, never beside it.
 constexpr const char* kInsteadOfAnother = "no_window.cpp";

@@ -23,7 +23,7 @@ constexpr std::size_t kMostPairs = 20;
 
 const std::vector<std::string_view> kRooms = {"engine",      "navigation", "strategies", "referee",
                                               "replays",     "match",      "bridge",     "tournament",
-                                              "experiments", "bench",      "apps"};
+                                              "experiments", "bench",      "apps",       "python"};
 
 /// What no folder of a room may include, whatever the build links: who plays knows nothing of who looks on,
 /// and so on.
@@ -43,6 +43,8 @@ const std::map<std::string_view, std::vector<std::string_view>> kForbidden = {
     {"bridge", {"engine/sim", "replays", "match", "tournament", "experiments", "apps"}},
     {"experiments", {"strategies", "match", "bridge", "tournament", "apps"}},
     {"tournament", {"apps"}},
+    {"apps", {"python"}},
+    {"python", {"apps"}},
 };
 
 /// The experiments of papers show that others can write one outside of this project: they include public
@@ -66,7 +68,8 @@ const std::map<std::string, std::string> kThirdParty = {{"fmt", "fmt::fmt"},
                                                         {"zlib.h", "ZLIB"},
                                                         {"libdeflate.h", "libdeflate"},
                                                         {"gif_lib.h", "GIF::GIF"},
-                                                        {"seccomp.h", "SECCOMP"}};
+                                                        {"seccomp.h", "SECCOMP"},
+                                                        {"nanobind", "nanobind"}};
 
 using Names = std::set<std::string>;
 

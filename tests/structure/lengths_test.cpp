@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestFile = 500, kLongestFunction = 50;  // lines
 
-const std::vector<std::string_view> kFolders = {"sdk",   "engine", "navigation", "strategies",  "referee",
-                                                "match", "bridge", "tournament", "experiments", "replays",
-                                                "bench", "apps",   "examples",   "tests",       "scripts"};
+const std::vector<std::string_view> kFolders = {
+    "sdk",         "engine",  "navigation", "strategies", "referee", "match",    "bridge", "tournament",
+    "experiments", "replays", "bench",      "apps",       "python",  "examples", "tests",  "scripts"};
 
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;

@@ -1,7 +1,17 @@
 #pragma once
 
+#include <stdexcept>
+
 namespace fulbito::detail {
-/// Prints the broken condition and aborts. A failure is a bug of this project, never the user's mistake.
+/// A broken condition, in processes that asked for it.
+struct BrokenDemand : std::logic_error {
+  using std::logic_error::logic_error;
+};
+/// From now on, broken conditions throw a BrokenDemand instead of ending the process: for hosts that live on,
+/// such as an interpreter.
+void throwOnBrokenDemand() noexcept;
+/// Prints the broken condition and aborts, or throws. A failure is a bug of this project, never the user's
+/// mistake.
 [[noreturn]] void demandFailed(const char* condition, const char* file, int line);
 }  // namespace fulbito::detail
 

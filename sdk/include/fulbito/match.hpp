@@ -166,8 +166,9 @@ enum class MatchPhase : std::uint8_t {
   kPlacing,  ///< play is stopped or has not begun; next: the team of `Match::asked` proposes its placement
   kPlaced,  ///< both teams have proposed; next: the referee repairs the placement, and the new world is built
   kReady,   ///< the new world exists; next: teams and observers receive the start of the play
-  kPlaying,  ///< next: one control tick
-  kEnded,    ///< the match is over; no action follows
+  kPlaying,   ///< next: the teams observe the next control tick (`Strategy::ask`)
+  kDeciding,  ///< next: the teams decide, and the tick is played
+  kEnded,     ///< the match is over; no action follows
 };
 
 /// The team that proposes its placement next, and its request.
@@ -201,8 +202,8 @@ RefereeSetup refereeSetup(const MatchConfig& config);
 ///     match->watch(recorder);
 ///     while (match->step()) {}
 ///
-/// Between plays a match goes through phases. A caller that waits for a team in another process can wait
-/// between two phases. The results are the same:
+/// Between plays a match goes through phases, and a tick has two. A caller that waits for a team in another
+/// process, or that chooses a robot's command itself, can do so between two phases. The results are the same:
 ///
 ///     while (match->phase() != MatchPhase::kEnded) {
 ///       if (const auto asked = match->asked()) wait(*asked);
@@ -247,11 +248,11 @@ class Match {
 
   /// The present poses of all robots, and the ball; no robots before the first placement.
   Placement placement() const;
-  /// Between ticks: play continues from this placement in a new world, as a play of kind kGiven. Robots are
-  /// at rest; clock and score stay. Observers receive the new play with the next tick, so only the last of
-  /// several replacements between two ticks counts. Errors, which change nothing: kUsage if the match is
-  /// over, a placement request is open, or `flawOfEdit` (match/play/edit.hpp) names a flaw; as
-  /// `World::create`.
+  /// Between ticks, not in phase kDeciding: play continues from this placement in a new world, as a play of
+  /// kind kGiven. Robots are at rest; clock and score stay. Observers receive the new play with the next
+  /// tick, so only the last of several replacements between two ticks counts. Errors, which change nothing:
+  /// kUsage if the match is over or amid a tick, a placement request is open, or `flawOfEdit`
+  /// (match/play/edit.hpp) names a flaw; as `World::create`.
   Result<void> replace(const Placement& placement);
   /// Number of plays that began from a replacement.
   int edits() const;

@@ -96,6 +96,8 @@ TEST_CASE("a refused edit changes nothing", "[unit]") {
   const auto replaced = match->replace(wrong);
   REQUIRE_FALSE(replaced);
   CHECK(replaced.error().code == ErrorCode::kUsage);
+  REQUIRE(match->advance() == MatchPhase::kDeciding);
+  CHECK_FALSE(match->replace(match->placement()));  // amid a tick
   while (match->step()) {
   }
   CHECK(match->hash() == hashOf(config));

@@ -263,7 +263,7 @@ TEST_CASE("a profile adds up what the stages took by the clock that was given", 
   CHECK(profile.step == 10 * profile.ticks);
   CHECK(profile.sense == 10 * profile.ticks);
   CHECK(profile.referee == 10 * profile.ticks);
-  CHECK(profile.decide == 20 * profile.ticks);
+  CHECK(profile.decide == 30 * profile.ticks);  // both teams are asked, then each decides
   CHECK(profile.navigate == 30 * profile.ticks);
   CHECK(match->hash() == hashOf(shortMatch()));
 }

@@ -280,7 +280,11 @@ TEST_CASE("the first placement is asked for after `create`, and whoever watches 
   CHECK(plays.calls == "mp");
   CHECK(match->ids().size() == 6);
   CHECK(match->tick() == 0);
+  CHECK(match->advance() == MatchPhase::kDeciding);
+  CHECK(wire.log == "bpr");
+  CHECK(match->tick() == 0);
   CHECK(match->advance() == MatchPhase::kPlaying);
+  CHECK(wire.log == "bprd");
   CHECK(match->tick() == 1);
 }
 

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace fulbito::python {
+
+/// @{ Each adds the functions and classes of one subject to the module fulbito._core.
+void bindInfo(nanobind::module_& m);
+/// @}
+
+}  // namespace fulbito::python
