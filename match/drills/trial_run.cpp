@@ -27,6 +27,7 @@ Result<std::unique_ptr<DrillTrialRun>> DrillTrialRun::create(const DrillRun& run
   if (!match) return tl::unexpected<Error>(match.error());
   trial->match_.emplace(std::move(*match));
   trial->match_->watch(trial->watch_);
+  trial->ideal_ = idealTime(drill, trial->scene_, config);
   return trial;
 }
 
@@ -55,7 +56,7 @@ bool DrillTrialRun::advance() {
 
 Result<DrillTrial> DrillTrialRun::result() const {
   if (const auto abandoned = match_->faults().abandoned) return tl::unexpected<Error>(*abandoned);
-  return watch_.trial(idealTime(drill_, scene_, config_));
+  return watch_.trial(ideal_);
 }
 
 }  // namespace fulbito

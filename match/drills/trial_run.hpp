@@ -32,13 +32,16 @@ class DrillTrialRun {
   bool over() const { return watch_.done() || match_->phase() == MatchPhase::kEnded; }
   /// The verdict. Errors: why the match was abandoned.
   Result<DrillTrial> result() const;
+  /// [s] Lower bound of the time of the task; 0 if there is none.
+  double ideal() const { return ideal_; }
 
   Match& match() { return *match_; }
   const Match& match() const { return *match_; }
   const DrillScene& scene() const { return scene_; }
   const DrillStart& start() const { return start_; }
-  /// [s] after which a trial without a success ends.
-  double duration() const { return watch_.duration(); }
+  const Drill& drill() const { return drill_; }
+  /// What the trial's judge knows so far.
+  const DrillWatch& watch() const { return watch_; }
 
  private:
   DrillTrialRun(const DrillRun& run, const Drill& drill, const MatchConfig& base, const DrillScene& scene);
@@ -51,6 +54,7 @@ class DrillTrialRun {
   ExerciseLog log_;
   DrillWatch watch_;
   std::optional<Match> match_;
+  double ideal_ = 0.0;
 };
 
 }  // namespace fulbito
