@@ -27,8 +27,8 @@ struct EpisodeShape {
 /// Where an environment writes what it tells. The caller owns the memory.
 struct EpisodeView {
   std::span<float> observations;  ///< agents x observation
-  std::span<double> rewards;      ///< one per agent
-  std::span<double> terms;        ///< agents x terms
+  std::span<double> rewards;      ///< one per agent; `begin` may get none
+  std::span<double> terms;        ///< agents x terms; `begin` may get none
   std::span<double> figures;      ///< as `EpisodeShape::figures`
 };
 

@@ -31,6 +31,9 @@ enum class Stream : std::uint32_t {
   kStartBook = 24,     ///< choice of the starts of tournaments' matches
   kPerturbation = 25,  ///< directions of the perturbations of a tuning
   kTuneStarts = 26,    ///< seeds of the iterations of a tuning
+  kEpisodes = 27,      ///< seeds of an environment's episodes
+  kEpisodeStart = 28,  ///< random places at the start of an episode
+  kEpisodeModels = 29, ///< models of robots and ball of an episode
 };
 
 }  // namespace fulbito
