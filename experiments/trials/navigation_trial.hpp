@@ -36,6 +36,10 @@ class NavigationTrial {
   std::uint64_t hash() const { return hash_.value(); }
   /// The score so far; complete once the trial is over.
   TrialScore score() const { return referee_.score(); }
+  /// Whether a forbidden contact has spoiled it: it goes on, but cannot succeed any more.
+  bool spoiled() const { return referee_.spoiled(); }
+  /// Whether its end was the limit of time.
+  bool late() const { return over_ && referee_.late(); }
   /// [m] The L* path: the shortest for the robot's centre.
   const std::vector<Vec2>& limitPath() const { return limit_path_; }
 
