@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "fulbito/strategy.hpp"
+#include "python/environments/match/task.hpp"
+
+namespace fulbito {
+
+/// Largest absolute value of an observed number of ObservationForm::kAbsolute and kEgocentric.
+inline constexpr float kObservedBound = 3.0f;
+
+/// Writes what an agent sees as numbers (docs/environments.md has the tables).
+class ObservationWriter {
+ public:
+  ObservationWriter(ObservationForm form, const MatchConfig& match);
+
+  /// Numbers of one observation.
+  std::size_t size() const { return size_; }
+  /// Largest absolute value of its numbers.
+  float bound() const;
+  /// Writes the observation of one robot of the team that sees it. An absent robot sees zeros.
+  /// @param out  `size` numbers
+  /// @return how many numbers were clipped to the bound
+  int write(const Observation& seen, std::size_t robot, std::span<float> out) const;
+
+  /// Numbers of the state of a whole world.
+  std::size_t stateSize() const;
+  /// Writes ball, all robots and the game as kAbsolute has them, `stateSize` numbers.
+  void writeState(const Observation& seen, std::span<float> out) const;
+
+ private:
+  struct Frame;
+  class Numbers;
+  void addRobot(const ObservedRobot& robot, const Frame& frame, Numbers& numbers) const;
+  void addGame(const Observation& seen, Numbers& numbers) const;
+
+  ObservationForm form_;
+  FieldGeometry field_;
+  double half_seconds_;
+  double top_wheel_;  ///< [rad/s]
+  double top_speed_;  ///< [m/s]
+  double top_yaw_;    ///< [rad/s]
+  std::size_t team_;  ///< robots per team
+  std::size_t size_;
+};
+
+}  // namespace fulbito
