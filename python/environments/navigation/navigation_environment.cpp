@@ -111,7 +111,7 @@ Result<void> NavigationEnvironment::place(const EpisodeStart& start) {
   std::uint64_t index = 0;
   block.seed = start.seed;
   if (start.text.empty()) {
-    Rng rng(start.seed, Stream::kLayout, std::uint64_t{1} << 63);
+    Rng rng(start.seed, Stream::kEpisodeStart);
     index = rng.below(kLayoutNumbers);
     block.seed = settings_.train ? start.seed | kTrainSeeds : start.seed & ~kTrainSeeds;
   } else if (!start.text.starts_with(kLayoutText)) {
