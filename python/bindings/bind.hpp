@@ -6,6 +6,10 @@ namespace fulbito::python {
 
 /// @{ Each adds the functions and classes of one subject to the module fulbito._core.
 void bindInfo(nanobind::module_& m);
+void bindPlay(nanobind::module_& m);
+void bindRecording(nanobind::module_& m);
+void bindWorld(nanobind::module_& m);
+void bindCompare(nanobind::module_& m);
 /// @}
 
 }  // namespace fulbito::python

@@ -6,4 +6,8 @@ NB_MODULE(_core, m) {
   m.doc() = "The C++ side of the package fulbito. Use the package's own modules; this one may change.";
   bindErrors(m);
   bindInfo(m);
+  bindPlay(m);
+  bindRecording(m);
+  bindWorld(m);
+  bindCompare(m);
 }
