@@ -10,4 +10,9 @@ NB_MODULE(_core, m) {
   bindRecording(m);
   bindWorld(m);
   bindCompare(m);
+  bindEnvironments(m);
+  bindMatchSource(m);
+  bindVector(m);
+  bindDrillSource(m);
+  bindNavigationSource(m);
 }
