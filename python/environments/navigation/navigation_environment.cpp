@@ -252,7 +252,7 @@ void NavigationEnvironment::reward(double seconds, bool over, const EpisodeView&
 
 void NavigationEnvironment::tell(const EpisodeView& out) {
   scene_ = &trial_->observe();
-  sight_.write(*scene_, trial_->command(), out.observations);
+  sight_.write(*scene_, out.observations);
   const TrialScore score = trial_->score();
   const bool success = score.arrived && !trial_->spoiled();
   out.figures[0] = success ? 1.0 : 0.0;
