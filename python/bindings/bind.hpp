@@ -12,8 +12,10 @@ void bindRecording(nanobind::module_& m);
 void bindWorld(nanobind::module_& m);
 void bindCompare(nanobind::module_& m);
 void bindEnvironments(nanobind::module_& m);
-void bindMatchSource(nanobind::module_& m);
 void bindVector(nanobind::module_& m);
+void bindMatchSource(nanobind::module_& m);
+void bindDrillSource(nanobind::module_& m);
+void bindNavigationSource(nanobind::module_& m);
 /// @}
 
 }  // namespace fulbito::python

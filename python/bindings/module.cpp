@@ -14,4 +14,6 @@ NB_MODULE(_core, m) {
   bindEnvironments(m);
   bindMatchSource(m);
   bindVector(m);
+  bindDrillSource(m);
+  bindNavigationSource(m);
 }
