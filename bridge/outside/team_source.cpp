@@ -44,7 +44,8 @@ Result<std::string> hostOf(const OutsideOptions& options) {
 }
 
 // The folder of the module that Python programs import.
-std::vector<std::string> modules() {
+std::vector<std::string> modules(const OutsideOptions& options) {
+  if (!options.python_folder.empty()) return {options.python_folder};
   const auto folder = folderOf("fulbito_team.py", "python", "../share/fulbito/python");
   return folder ? std::vector{folder->string()} : std::vector<std::string>{};
 }
@@ -60,7 +61,7 @@ Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCom
   }
   setup.child.own_folder = line.folder;
   setup.child.program_alone = line.library;
-  if (!line.library) setup.child.readable = modules();
+  if (!line.library) setup.child.readable = modules(options);
   setup.child.limits = options.limits;
   setup.child.sandbox_required = options.sandbox_required;
   if (line.library) {

@@ -142,11 +142,12 @@ struct Drill {
   bool referee = true;  ///< false: only goals stop play
   /// number of trials; for whole matches their number, or half of it if they are played in pairs
   int trials = 400;
-  double duration = 10.0;             ///< [s]
-  double after = 0.0;                 ///< [s] time to observe after a success
-  double latency = 0.05;              ///< [s] T of the least savable distance
-  double acceleration = 5.0;          ///< [m/s^2] a of the least savable distance
-  double tolerance = 0.015;           ///< [m] tolerance of a task's position
+  int agent = -1;             ///< robot that an environment's agent drives; -1: the lowest number of a start
+  double duration = 10.0;     ///< [s]
+  double after = 0.0;         ///< [s] time to observe after a success
+  double latency = 0.05;      ///< [s] T of the least savable distance
+  double acceleration = 5.0;  ///< [m/s^2] a of the least savable distance
+  double tolerance = 0.015;   ///< [m] tolerance of a task's position
   double heading_tolerance = 0.1396;  ///< [rad] tolerance of a task's heading
   std::vector<DrillStart> starts;
   std::vector<DrillRobot> robots;
@@ -206,6 +207,7 @@ using DrillProgress = std::function<bool(std::size_t done, std::size_t total)>;
 
 struct DrillOptions {
   TeamChoice team;
+  std::optional<TeamChoice> itself;  ///< plays where a drill asks for the team itself; empty: `team`
   TeamCatalogue catalogue = TeamCatalogue::builtIn();  ///< teams that drills may name as opponents
   int trials = 0;                                      ///< 0: as each drill says
   std::uint64_t seed = kDefaultMatchSeed;

@@ -34,6 +34,7 @@ Schema schemaOf(Drill& d, std::string& repeats) {
       {"rules", &d.rules, 1, kLongText, "", "profile of the rules"},
       {"referee", &d.referee, 0, 1, "", "false: only goals stop play"},
       {"trials", &d.trials, 1, kMaxTrials, "", "or matches"},
+      {"agent", &d.agent, -1, kMaxTeamSize - 1, "", "robot of an environment's agent; -1: the lowest number"},
       {"duration", &d.duration, 0.1, 600.0, "s", "of a trial"},
       {"after", &d.after, 0.0, 60.0, "s", "watched after a success"},
       {"latency", &d.latency, 0.0, 1.0, "s", "T of the least savable distance"},

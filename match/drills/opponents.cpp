@@ -90,11 +90,15 @@ class Scripted final : public Strategy {
 
 class Exercised final : public Strategy {
  public:
-  Exercised(std::unique_ptr<Strategy> team, const Exercise& exercise, ExerciseLog& log)
-      : team_(std::move(team)), exercise_(exercise), log_(&log) {}
+  Exercised(std::unique_ptr<Strategy> team, bool outside, const Exercise& exercise, ExerciseLog& log)
+      : team_(std::move(team)), outside_(outside), exercise_(exercise), log_(&log) {}
   void begin(const MatchInfo& info) override { team_->begin(info); }
   std::span<const NavigatorChoice> navigators() const override { return team_->navigators(); }
   void allow(double seconds) override { team_->allow(seconds); }
+  /// A team outside the program would take this as the request for a decision.
+  void ask(const Observation& observation) override {
+    if (!outside_) team_->ask(observation);
+  }
   const TeamCondition& condition() const override { return team_->condition(); }
   void stopped(const PlayStop& stop) override { team_->stopped(stop); }
   void ready(const Observation& observation) override { team_->ready(observation); }
@@ -115,6 +119,7 @@ class Exercised final : public Strategy {
 
  private:
   std::unique_ptr<Strategy> team_;
+  bool outside_;
   Exercise exercise_;
   ExerciseLog* log_;
 };
@@ -132,7 +137,8 @@ TeamChoice exercisedTeam(const TeamChoice& team, const Exercise& exercise, Exerc
   info.make = [team, exercise, &log](const std::vector<Setting>&) -> Result<std::unique_ptr<Strategy>> {
     auto made = makeTeam(team);
     if (!made) return tl::unexpected<Error>(made.error());
-    return std::unique_ptr<Strategy>(std::make_unique<Exercised>(std::move(*made), exercise, log));
+    return std::unique_ptr<Strategy>(
+        std::make_unique<Exercised>(std::move(*made), team.info->outside, exercise, log));
   };
   return {std::make_shared<const TeamInfo>(std::move(info)), team.text, {}, {}};
 }

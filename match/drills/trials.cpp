@@ -3,13 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/format.h>
-
 #include "fulbito/match.hpp"
-#include "match/drills/ideal.hpp"
-#include "match/drills/opponents.hpp"
-#include "match/drills/start.hpp"
-#include "match/drills/watch.hpp"
+#include "match/drills/trial_run.hpp"
 #include "referee/rules/detector_schema.hpp"
 
 namespace fulbito {
@@ -42,35 +37,11 @@ Result<MatchConfig> drillMatch(const DrillRun& run, const Drill& drill) {
 }
 
 Result<DrillTrial> playTrial(const DrillRun& run, const Drill& drill, const MatchConfig& base, int index) {
-  const auto scene = drawScene(drill, base, run.options.seed, index);
-  if (!scene) return tl::unexpected<Error>(scene.error());
-  const DrillStart& start = drill.starts[static_cast<std::size_t>(scene->start)];
-  ExerciseLog log;
-  MatchConfig config = base;
-  TeamChoice& own = config.teams[indexOf(scene->seat)];
-  TeamChoice& opponents = config.teams[indexOf(other(scene->seat))];
-  own = start.task == DrillTask::kPlay ? run.options.team
-                                       : exercisedTeam(run.options.team, scene->exercise, log);
-  if (start.opponents.empty()) {
-    opponents = scriptedTeam(scene->roles[indexOf(TeamId::kYellow)]);
-  } else if (start.opponents == "itself") {
-    opponents = run.options.team;
-  } else {
-    auto choice = run.options.catalogue.parse(start.opponents);
-    if (!choice) return tl::unexpected<Error>(choice.error());
-    opponents = std::move(*choice);
+  const auto trial = DrillTrialRun::create(run, drill, base, {run.options.seed, index});
+  if (!trial) return tl::unexpected<Error>(trial.error());
+  while ((*trial)->step()) {
   }
-  config.seed = run.options.seed + static_cast<std::uint64_t>(index);
-  if (start.restart >= 0) config.opening = openingOf(start, *scene, base);
-  if (!placedByReferee(start, *scene)) config.start = seated(scene->placement, scene->seat);
-  auto match = Match::create(config);
-  if (!match) return tl::unexpected<Error>(match.error());
-  DrillWatch watch(drill, *scene, base.field, run.robot, log);
-  match->watch(watch);
-  while (!watch.done() && match->step()) {
-  }
-  if (const auto abandoned = match->faults().abandoned) return tl::unexpected<Error>(*abandoned);
-  return watch.trial(idealTime(drill, *scene, config));
+  return (*trial)->result();
 }
 
 void judge(DrillVerdict& verdict) {

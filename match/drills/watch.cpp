@@ -94,6 +94,7 @@ DrillWatch::Now DrillWatch::look(const MatchTick& tick) {
 void DrillWatch::onTick(const MatchTick& tick) {
   if (done_) return;
   const Now now = look(tick);
+  elapsed_ = now.time;
   if (log_.asked >= 0) bounces_ += now.walls;
   hear(tick);
   follow(now);
@@ -106,7 +107,8 @@ void DrillWatch::onTick(const MatchTick& tick) {
   }
   before_ = now.robot;
   const double end = trial_.success ? trial_.time + drill_.after : duration_;
-  if (goal_ != 0 || now.time >= end - dt_ / 2) finish();
+  if (!done_ && goal_ == 0 && now.time >= end - dt_ / 2) expired_ = true;
+  if (goal_ != 0 || expired_) finish();
 }
 
 /// Takes the referee's calls.

@@ -18,6 +18,16 @@ class DrillWatch final : public MatchObserver {
 
   /// Whether the trial has its final verdict.
   bool done() const { return done_; }
+  /// [m] where the ball was at the start, in the tested team's frame.
+  Vec2 ballStart() const { return ball_start_; }
+  /// Whether it is a success, which stays: the trial may go on for what else is measured.
+  bool succeeded() const { return trial_.success; }
+  /// Whether anything but the end of its time ended it.
+  bool decided() const { return done_ && !expired_; }
+  /// [s] since the signal; negative before it.
+  double elapsed() const { return elapsed_; }
+  /// [s] after which a trial without a success ends.
+  double duration() const { return duration_; }
   /// The result; `ideal` is the lower bound of the time [s], for the excess.
   DrillTrial trial(double ideal) const;
 
@@ -54,12 +64,14 @@ class DrillWatch final : public MatchObserver {
   double dt_ = 1.0 / 60.0;
   Tick signal_ = 0;  ///< tick of the signal, from which time counts
   double duration_ = 0.0;
+  double elapsed_ = 0.0;
   bool begun_ = false;
   bool done_ = false;
   bool own_touch_last_ = false;
   int goal_ = 0;          ///< 1: in the opponents' goal, -1: in the own
   bool touched_ = false;  ///< the tested team has touched the ball
   bool met_ = false;      ///< any robot has touched the ball
+  bool expired_ = false;  ///< its time ended it
   bool failed_ = false;   ///< a condition of failure was met
   bool at_wall_ = false;  ///< the ball pressed on a wall in the last tick
   int bounces_ = 0;

@@ -9,6 +9,10 @@ void bindInfo(nanobind::module_& m);
 void bindEnvironments(nanobind::module_& m);
 void bindMatchSource(nanobind::module_& m);
 void bindVector(nanobind::module_& m);
+void bindPlay(nanobind::module_& m);
+void bindRecording(nanobind::module_& m);
+void bindWorld(nanobind::module_& m);
+void bindCompare(nanobind::module_& m);
 /// @}
 
 }  // namespace fulbito::python

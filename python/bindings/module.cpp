@@ -9,4 +9,8 @@ NB_MODULE(_core, m) {
   bindEnvironments(m);
   bindMatchSource(m);
   bindVector(m);
+  bindPlay(m);
+  bindRecording(m);
+  bindWorld(m);
+  bindCompare(m);
 }

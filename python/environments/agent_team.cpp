@@ -35,6 +35,9 @@ class AgentTeam final : public Strategy {
     }
     return command;
   }
+  std::optional<ExerciseReply> exercise(const Observation& seen, const Exercise&) override {
+    return ExerciseReply{decide(seen), slot_->answer};
+  }
   const TeamCondition& condition() const override {
     return mates_ ? mates_->condition() : Strategy::condition();
   }

@@ -14,7 +14,8 @@ struct AgentSlot {
   MatchInfo info;                           ///< of the match, once it is created
   Observation seen;                         ///< the team's last observation, in its own frame
   std::array<RobotCommand, kMaxTeamSize> commands =
-      {};  ///< of the robots that the caller drives, in that frame
+      {};       ///< of the robots that the caller drives, in that frame
+  Vec2 answer;  ///< [m] in that frame: the reply to a task that asks for a prediction
 };
 
 /// A team whose robots the caller drives through the slot; the others play as `mates` decide. In phase

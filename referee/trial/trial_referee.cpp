@@ -54,7 +54,7 @@ bool TrialReferee::observe(const WorldState& world, std::span<const ContactEvent
     score_.outcome = TrialOutcome::kLeftField;
   } else if (static_cast<double>(ticks_ - rest_tick_) * dt_ >= rules_.stuck_after) {
     score_.outcome = spoiled() ? TrialOutcome::kCollided : TrialOutcome::kStuck;
-  } else if (score_.time >= rules_.give_up * rules_.time_limit) {
+  } else if (late()) {
     score_.outcome = spoiled() ? TrialOutcome::kCollided : TrialOutcome::kTimedOut;
   } else {
     over = false;

@@ -34,6 +34,10 @@ class TrialReferee {
 
   /// The score; complete once `observe` has returned true.
   TrialScore score() const;
+  /// Whether the time that the rules leave is over without an arrival.
+  bool late() const { return !score_.arrived && score_.time >= rules_.give_up * rules_.time_limit; }
+  /// Whether there was a contact that the rules forbid: the trial cannot succeed any more.
+  bool spoiled() const;
 
  private:
   void judgeContacts(std::span<const ContactEvent> contacts);
@@ -41,7 +45,6 @@ class TrialReferee {
   void measure(const WorldState& world, WheelSpeeds command);
   void watchProgress(const RobotState& robot);
   bool arrived(const RobotState& robot);
-  bool spoiled() const;
   double leastClearance(const WorldState& world) const;
 
   const Layout layout_;

@@ -1,4 +1,5 @@
 #include "experiments/comparison/comparison_parts.hpp"
+#include "experiments/trials/navigation_trial.hpp"
 #include "experiments/trials/suite_layouts.hpp"
 #include "fulbito/experiment.hpp"
 #include "tests/support/catch.hpp"
@@ -42,6 +43,24 @@ TEST_CASE("a trial repeats to the bit, and its seed changes nothing but the nois
   const auto noisy = runTrial(config, {});
   CHECK(noisy->final_hash != first->final_hash);
   CHECK(runTrial(config, {})->final_hash == noisy->final_hash);
+}
+
+TEST_CASE("a caller that drives a trial tick by tick gets what the program gets", "[unit]") {
+  TrialConfig config = cornerTrial("bezier", 2.6);
+  config.sensors.position_noise = 0.002;
+  const auto played = runTrial(config, {});
+  auto trial = NavigationTrial::create(config);
+  REQUIRE(trial);
+  auto pilot = makePilot(config.navigator);
+  std::size_t steps = 0;
+  while (!trial->over()) {
+    const bool goes_on = trial->step((*pilot)->drive(trial->observe()));
+    CHECK(goes_on == !trial->over());
+    ++steps;
+  }
+  CHECK(trial->hash() == played->final_hash);
+  CHECK(trial->score().time == played->score.time);
+  CHECK(steps + 1 == played->trace.size());
 }
 
 TEST_CASE("a robot that avoids nothing runs into the ball on its line", "[unit]") {

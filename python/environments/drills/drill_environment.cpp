@@ -1,0 +1,261 @@
+#include "python/environments/drills/drill_environment.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "engine/core/base/float_mode.hpp"
+#include "engine/core/math/random.hpp"
+#include "fulbito/detail/math.hpp"
+#include "python/environments/drills/sight.hpp"
+
+namespace fulbito {
+namespace {
+
+constexpr int kMostTicks = 60;
+constexpr std::uint64_t kTrainSeeds = std::uint64_t{1} << 63;
+constexpr std::uint32_t kTrialNumbers = 1u << 20;  // numbers that a seed draws from: each start many times
+constexpr std::string_view kTrialText = "trial ";
+
+bool predicts(const Drill& drill) { return drill.starts.front().task == DrillTask::kPredictBall; }
+
+std::size_t actionSize(const DrillSettings& settings) {
+  return settings.control == DrillControl::kGoTo && !predicts(settings.drill) ? 3 : 2;
+}
+
+bool isAgents(const DrillRobot& robot, const DrillStart& start) {
+  return robot.team == TeamId::kBlue && (robot.start.empty() || robot.start == start.name);
+}
+
+/// The robots of the tested team in that start; all of the rules' if the referee places them.
+std::vector<int> ownRobots(const Drill& drill, const DrillStart& start) {
+  std::vector<int> numbers;
+  int next = 0;
+  for (const DrillRobot& robot : drill.robots) {
+    if (!isAgents(robot, start)) continue;
+    numbers.push_back(robot.number >= 0 ? robot.number : next);
+    next = numbers.back() + 1;
+  }
+  if (numbers.empty() && start.restart >= 0) {
+    const auto rules = loadRules(drill.rules);
+    for (int i = 0; rules && i < rules->team_size; ++i) numbers.push_back(i);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+EpisodeShape shapeOf(const DrillSettings& settings) {
+  EpisodeShape shape;
+  shape.observation = drillSight().size();
+  shape.bound = kDrillSightBound;
+  shape.action = actionSize(settings);
+  shape.terms.assign(kDrillTerms.begin(), kDrillTerms.end());
+  shape.figures = {"success", "time", "ideal", "counted", "start", "trial"};
+  return shape;
+}
+
+Result<void> check(const DrillSettings& settings) {
+  if (auto trials = checkHasTrials(settings.drill); !trials) return trials;
+  if (settings.ticks < 1 || settings.ticks > kMostTicks) {
+    return fail(ErrorCode::kUsage,
+                fmt::format("frame_skip: {} is outside 1 ... {}", settings.ticks, kMostTicks));
+  }
+  for (std::size_t i = 0; i < settings.weights.size(); ++i) {
+    if (std::isfinite(settings.weights[i])) continue;
+    return fail(ErrorCode::kUsage, fmt::format("rewards: {} is not finite", kDrillTerms[i]));
+  }
+  for (const DrillStart& start : settings.drill.starts) {
+    if (auto agent = agentOf(settings.drill, start, settings.robot); !agent) {
+      return tl::unexpected<Error>(agent.error());
+    }
+  }
+  if (settings.sight) return validate(*settings.sight);
+  return {};
+}
+
+}  // namespace
+
+Result<int> agentOf(const Drill& drill, const DrillStart& start, int asked) {
+  const std::vector<int> numbers = ownRobots(drill, start);
+  const auto has = [&](int number) {
+    return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+  };
+  if (asked < 0 && has(drill.agent)) return drill.agent;
+  if (asked < 0 && !numbers.empty()) return numbers.front();
+  if (has(asked)) return asked;
+  return fail(ErrorCode::kUsage,
+              fmt::format("robot: drill {} '{}' has no own robot {} in its start '{}'; it has {}",
+                          drill.number, drill.name, std::max(asked, 0), start.name,
+                          numbers.empty() ? "none" : fmt::format("{}", fmt::join(numbers, ", "))));
+}
+
+DrillEnvironment::DrillEnvironment(const DrillSettings& settings)
+    : settings_(settings), shape_(shapeOf(settings)), run_{options_, {}, {}} {
+  options_.catalogue = settings_.catalogue;
+  options_.itself = settings_.itself;
+}
+
+Result<std::unique_ptr<DrillEnvironment>> DrillEnvironment::create(const DrillSettings& settings) {
+  if (auto checked = check(settings); !checked) return tl::unexpected<Error>(checked.error());
+  std::unique_ptr<DrillEnvironment> made(new DrillEnvironment(settings));
+  auto robot = loadRobot(settings.robot_model);
+  if (!robot) return tl::unexpected<Error>(robot.error());
+  made->run_.robot = std::move(*robot);
+  auto physics = loadPhysics(settings.physics);
+  if (!physics) return tl::unexpected<Error>(physics.error());
+  made->run_.physics = std::move(*physics);
+  auto navigator = parseNavigator(settings.navigator);
+  if (!navigator) return tl::unexpected<Error>(navigator.error());
+  made->navigator_ = std::move(*navigator);
+  auto base = drillMatch(made->run_, settings.drill);
+  if (!base) return tl::unexpected<Error>(base.error());
+  made->base_ = std::move(*base);
+  if (settings.sight) made->base_.vision.fill(*settings.sight);
+  return made;
+}
+
+/// The trial that an episode plays: a function of its seed and text.
+Result<DrillTrialNumber> DrillEnvironment::numberOf(const EpisodeStart& start) const {
+  if (start.text.empty()) {
+    Rng rng(start.seed, Stream::kDrill, static_cast<std::uint64_t>(settings_.drill.number));
+    const auto index = static_cast<int>(rng.below(kTrialNumbers));
+    const bool train = settings_.split == DrillSplit::kTrain;
+    return DrillTrialNumber{train ? start.seed | kTrainSeeds : start.seed & ~kTrainSeeds, index};
+  }
+  int index = -1;
+  if (start.text.starts_with(kTrialText)) {
+    const char* const end = start.text.data() + start.text.size();
+    const auto read = std::from_chars(start.text.data() + kTrialText.size(), end, index);
+    if (read.ec != std::errc() || read.ptr != end) index = -1;
+  }
+  if (index >= 0) return DrillTrialNumber{start.seed, index};
+  return fail(ErrorCode::kUsage,
+              fmt::format("start: '{}' is not 'trial N' with N = 0, 1, 2 ...", start.text));
+}
+
+/// Sets the tested team: the agent's robot, and mates only where the start has other own robots.
+void DrillEnvironment::seat(const DrillStart& start) {
+  robot_ = *agentOf(settings_.drill, start, settings_.robot);
+  slot_->drives = {};
+  slot_->drives[static_cast<std::size_t>(robot_)] = true;
+  slot_->commands = {};
+  slot_->answer = {};
+  std::optional<TeamChoice> mates;
+  if (ownRobots(settings_.drill, start).size() > 1) mates = settings_.mates;
+  options_.team = agentTeam("agent", slot_, mates, navigator_);
+}
+
+Result<void> DrillEnvironment::begin(const EpisodeStart& start, const EpisodeView& out) {
+  const FloatMode floats;
+  const auto number = numberOf(start);
+  if (!number) return tl::unexpected<Error>(number.error());
+  number_ = *number;
+  trial_.reset();
+  const auto& starts = settings_.drill.starts;
+  seat(starts[static_cast<std::size_t>(number_.index) % starts.size()]);
+  auto trial = DrillTrialRun::create(run_, settings_.drill, base_, number_);
+  if (!trial) return tl::unexpected<Error>(trial.error());
+  trial_ = std::move(*trial);
+  paid_ = false;
+  last_action_ = {};
+  settle();
+  progress_ = drillProgress(*trial_, robot_, run_.robot);
+  std::fill(out.rewards.begin(), out.rewards.end(), 0.0);
+  std::fill(out.terms.begin(), out.terms.end(), 0.0);
+  tell(out);
+  return {};
+}
+
+/// Goes on to the next decision, or to the end of the trial.
+void DrillEnvironment::settle() {
+  while (trial_->advance() && trial_->match().phase() != MatchPhase::kDeciding) {
+  }
+}
+
+void DrillEnvironment::command(std::span<const float> action) {
+  std::array<double, 3> a{};
+  effort_ = 0.0;
+  for (std::size_t i = 0; i < action.size(); ++i) {
+    a[i] = std::clamp(static_cast<double>(action[i]), -1.0, 1.0);
+    effort_ += std::abs(a[i] - last_action_[i]) / static_cast<double>(action.size());
+  }
+  last_action_ = a;
+  const MatchInfo& info = slot_->info;
+  const Vec2 place{a[0] * info.field.length / 2, a[1] * info.field.width / 2};
+  RobotCommand& wanted = slot_->commands[static_cast<std::size_t>(robot_)];
+  if (predicts(settings_.drill)) {
+    slot_->answer = place;
+    return;
+  }
+  const double top_speed = info.robot.maxSpeed();
+  switch (settings_.control) {
+    case DrillControl::kWheels:
+      wanted = RobotCommand::byWheels({a[0] * info.robot.max_wheel_speed, a[1] * info.robot.max_wheel_speed});
+      return;
+    case DrillControl::kTwist:
+      wanted = RobotCommand::byTwist({a[0] * top_speed, a[1] * 2.0 * top_speed / info.robot.axle_track});
+      return;
+    case DrillControl::kGoTo:
+      GoTo go_to;
+      go_to.position = place;
+      go_to.heading = a[2] * math::kPi;
+      wanted = RobotCommand::drivingTo(go_to);
+  }
+}
+
+Result<EpisodeEnd> DrillEnvironment::step(std::span<const float> actions, const EpisodeView& out) {
+  const FloatMode floats;
+  command(actions);
+  const double before = trial_->watch().elapsed();
+  for (int tick = 0; tick < settings_.ticks && !trial_->over(); ++tick) settle();
+  if (const auto abandoned = trial_->match().faults().abandoned) return tl::unexpected<Error>(*abandoned);
+  const DrillProgressNow progress = progress_;
+  reward(std::max(0.0, trial_->watch().elapsed() - std::max(0.0, before)), progress, out);
+  tell(out);
+  return ending();
+}
+
+void DrillEnvironment::reward(double seconds, const DrillProgressNow& before, const EpisodeView& out) {
+  progress_ = drillProgress(*trial_, robot_, run_.robot);
+  const DrillWatch& watch = trial_->watch();
+  const auto pay = [&](DrillTerm term, double amount) {
+    out.terms[static_cast<std::size_t>(term)] = settings_.weights[static_cast<std::size_t>(term)] * amount;
+  };
+  const bool over = trial_->over();
+  const bool answered = over && predicts(settings_.drill);
+  pay(DrillTerm::kSuccess, watch.succeeded() && !paid_ ? 1.0 : 0.0);
+  pay(DrillTerm::kFailure, over && !watch.succeeded() ? -1.0 : 0.0);
+  pay(DrillTerm::kTime, -seconds);
+  pay(DrillTerm::kBall, progress_.ball - before.ball);
+  pay(DrillTerm::kApproach, progress_.approach - before.approach);
+  pay(DrillTerm::kAlign, progress_.align - before.align);
+  pay(DrillTerm::kAnswer, answered ? -std::min(1.0, watch.trial(0.0).error) : 0.0);
+  pay(DrillTerm::kEffort, -effort_);
+  paid_ = watch.succeeded();
+  out.rewards[0] = 0.0;
+  for (const double term : out.terms) out.rewards[0] += term;
+}
+
+void DrillEnvironment::tell(const EpisodeView& out) const {
+  const DrillWatch& watch = trial_->watch();
+  const double share = std::clamp(watch.elapsed() / watch.duration(), 0.0, 1.0);
+  writeDrillSight({*slot_, robot_, trial_->start().task, trial_->scene().exercise, share}, out.observations);
+  const DrillTrial verdict = watch.trial(0.0);
+  out.figures[0] = verdict.success ? 1.0 : 0.0;
+  out.figures[1] = verdict.success ? verdict.time : std::max(0.0, watch.elapsed());
+  out.figures[2] = trial_->ideal();
+  out.figures[3] = verdict.counted ? 1.0 : 0.0;
+  out.figures[4] = verdict.start;
+  out.figures[5] = number_.index;
+}
+
+EpisodeEnd DrillEnvironment::ending() const {
+  if (!trial_->over()) return {};
+  const DrillWatch& watch = trial_->watch();
+  const bool verdict = watch.succeeded() || watch.decided();
+  return {verdict, !verdict};
+}
+
+}  // namespace fulbito
