@@ -95,7 +95,7 @@ def arguments() -> argparse.Namespace:
 
 def main() -> None:
     known = arguments()
-    torch.set_num_threads(2)
+    torch.set_num_threads(1)  # threads of torch wait for each other wherever other programs run
     name, options = task_of(known)
     envs = StableBaselinesVector(gymnasium.make_vec(name, ENVIRONMENTS, vector_kwargs={"autoreset_mode": "SameStep"}, **options))
     settings: dict[str, Any] = dict(n_steps=STEPS, batch_size=4096, n_epochs=6, gamma=0.99, gae_lambda=0.95, ent_coef=0.002,

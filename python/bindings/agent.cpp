@@ -15,7 +15,7 @@ namespace nb = nanobind;
 double number(nb::handle object, const char* name) { return nb::cast<double>(object.attr(name)); }
 
 /// A state as the team module has it. It tells no wheels of opponents.
-RobotState stateOf(nb::handle robot, bool own) {
+RobotState robotOf(nb::handle robot, bool own) {
   RobotState state;
   state.pose = {{number(robot, "x"), number(robot, "y")}, number(robot, "heading")};
   state.velocity = {number(robot, "vx"), number(robot, "vy")};
@@ -30,7 +30,7 @@ void readRobots(nb::handle robots, bool own, Observation& seen) {
     if (i >= kMaxTeamSize) raise(ErrorCode::kUsage, "an observation has too many robots");
     ObservedRobot& at = (own ? seen.own : seen.opponents)[i];
     at.present = !robot.is_none();
-    if (at.present) at.state = stateOf(robot, own);
+    if (at.present) at.state = robotOf(robot, own);
     if (at.present && own) seen.sent[i] = {number(robot, "sent_left"), number(robot, "sent_right")};
     ++i;
   }

@@ -7,13 +7,13 @@ NB_MODULE(_core, m) {
   bindErrors(m);
   bindInfo(m);
   bindAgent(m);
+  bindEnvironments(m);
+  bindMatchSource(m);
+  bindVector(m);
   bindPlay(m);
   bindRecording(m);
   bindWorld(m);
   bindCompare(m);
-  bindEnvironments(m);
-  bindMatchSource(m);
-  bindVector(m);
   bindDrillSource(m);
   bindNavigationSource(m);
 }
