@@ -7,6 +7,7 @@
 #include "engine/core/base/float_mode.hpp"
 #include "python/environments/match/actions.hpp"
 #include "python/environments/match/starts.hpp"
+#include "python/environments/match/truth.hpp"
 #include "referee/rules/clauses.hpp"
 #include "strategies/interface/team_frame.hpp"
 
@@ -247,26 +248,6 @@ bool MatchEnvironment::measureCompat(std::span<double> terms) {
   return goal;
 }
 
-/// What the team would see now without errors.
-Observation MatchEnvironment::truth(TeamId team) const {
-  const RefereeState& referee = match_->referee();
-  const Side side = referee.sideOf(team);
-  Observation seen;
-  seen.team_size = task_.match.rules.team_size;
-  seen.ball = inTeamFrame(side, match_->world().balls.front());
-  const auto ids = match_->ids();
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    auto& robot = (ids[i].team == team ? seen.own : seen.opponents)[ids[i].number];
-    robot = {true, inTeamFrame(side, match_->world().robots[i])};
-  }
-  seen.playing = referee.playing;
-  seen.remaining =
-      static_cast<double>(referee.period_ticks - referee.play_ticks) * task_.match.physics.controlPeriod();
-  seen.own_score = referee.score[indexOf(team)];
-  seen.opponent_score = referee.score[indexOf(other(team))];
-  return seen;
-}
-
 void MatchEnvironment::observe(const EpisodeView& out, bool first) {
   const std::size_t size = writer_.size();
   clipped_ = 0;
@@ -275,7 +256,7 @@ void MatchEnvironment::observe(const EpisodeView& out, bool first) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const RobotId id = agents_[i].id;
     AgentSlot& slot = *slots_[indexOf(id.team)];
-    if (last) slot.seen = truth(id.team);
+    if (last) slot.seen = truthFor(*match_, id.team);
     const std::span<float> all = out.observations.subspan(i * shape_.observation, shape_.observation);
     const std::span<float> now = all.first(size);
     if (task_.stack > 1 && !first) {
@@ -305,7 +286,9 @@ void MatchEnvironment::tell(const EpisodeView& out) const {
   out.figures.back() = clipped_;
 }
 
-void MatchEnvironment::state(std::span<float> out) const { writer_.writeState(truth(TeamId::kBlue), out); }
+void MatchEnvironment::state(std::span<float> out) const {
+  writer_.writeState(truthFor(*match_, TeamId::kBlue), out);
+}
 
 Result<void> MatchEnvironment::record(const std::string& file) {
   record_to_ = file;

@@ -103,7 +103,7 @@ TEST_CASE("the drill's own judge decides: an agent gets what a team gets that do
   const DrillRun run{options, *loadRobot("vsss"), *loadPhysics("standard")};
   for (const int number : {1, 2, 3, 4, 6, 13}) {
     DrillSettings settings = settingsOf(number);
-    settings.control = DrillControl::kTwist;
+    settings.actions = ActionForm::kTwist;
     Room room(settings);
     const auto base = drillMatch(run, settings.drill);
     for (int index = 0; index < 6; ++index) {
