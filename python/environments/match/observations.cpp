@@ -51,6 +51,13 @@ class ObservationWriter::Numbers {
   int clipped_ = 0;
 };
 
+Facings::Facings(const Observation& seen) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
+    if (seen.own[i].present) robots[0][i] = math::unit(seen.own[i].state.pose.heading);
+    if (seen.opponents[i].present) robots[1][i] = math::unit(seen.opponents[i].state.pose.heading);
+  }
+}
+
 ObservationWriter::ObservationWriter(ObservationForm form, const MatchConfig& match)
     : form_(form),
       field_(match.field),
@@ -68,11 +75,12 @@ float ObservationWriter::bound() const {
   return form_ == ObservationForm::kCompat ? kCompatBound : kObservedBound;
 }
 
-void ObservationWriter::addRobot(const ObservedRobot& robot, const Frame& frame, Numbers& numbers) const {
+void ObservationWriter::addRobot(const ObservedRobot& robot, Vec2 facing, const Frame& frame,
+                                 Numbers& numbers) const {
   if (!robot.present) return numbers.skip(kOther);
   numbers.add(1.0);
   numbers.add(frame.place(robot.state.pose.position) / (field_.length / 2));
-  numbers.add(frame.turned(math::unit(robot.state.pose.heading)));
+  numbers.add(frame.turned(facing));
   numbers.add(frame.turned(robot.state.velocity) / top_speed_);
   numbers.add(robot.state.angular_velocity / top_yaw_);
 }
@@ -89,13 +97,14 @@ void ObservationWriter::writeState(const Observation& seen, std::span<float> out
   Numbers numbers(out, kObservedBound);
   numbers.add(seen.ball.position / (field_.length / 2));
   numbers.add(seen.ball.velocity / top_speed_);
-  for (const auto* team : {&seen.own, &seen.opponents}) {
-    for (std::size_t i = 0; i < team_; ++i) addRobot((*team)[i], {}, numbers);
-  }
+  const Facings facings(seen);
+  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.own[i], facings.robots[0][i], {}, numbers);
+  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.opponents[i], facings.robots[1][i], {}, numbers);
   addGame(seen, numbers);
 }
 
-int ObservationWriter::write(const Observation& seen, std::size_t robot, std::span<float> out) const {
+int ObservationWriter::write(const Observation& seen, const Facings& facings, std::size_t robot,
+                             std::span<float> out) const {
   if (form_ == ObservationForm::kCompat) return writeCompat(seen, out);
   Numbers numbers(out, kObservedBound);
   if (!seen.own[robot].present) {
@@ -103,7 +112,7 @@ int ObservationWriter::write(const Observation& seen, std::size_t robot, std::sp
     return 0;
   }
   const RobotState& self = seen.own[robot].state;
-  const Vec2 facing = math::unit(self.pose.heading);
+  const Vec2 facing = facings.robots[0][robot];
   const bool egocentric = form_ == ObservationForm::kEgocentric;
   const Frame frame = egocentric ? Frame{self.pose.position, facing} : Frame{};
   const double length = field_.length / 2;
@@ -114,10 +123,11 @@ int ObservationWriter::write(const Observation& seen, std::size_t robot, std::sp
   numbers.add(frame.turned(self.velocity) / top_speed_);
   numbers.add(self.angular_velocity / top_yaw_);
   numbers.add(Vec2{self.wheels.left, self.wheels.right} / top_wheel_);
-  for (const auto* team : {&seen.own, &seen.opponents}) {
-    for (std::size_t i = 0; i < team_; ++i) {
-      if (team != &seen.own || i != robot) addRobot((*team)[i], frame, numbers);
-    }
+  for (std::size_t i = 0; i < team_; ++i) {
+    if (i != robot) addRobot(seen.own[i], facings.robots[0][i], frame, numbers);
+  }
+  for (std::size_t i = 0; i < team_; ++i) {
+    addRobot(seen.opponents[i], facings.robots[1][i], frame, numbers);
   }
   if (egocentric) {
     numbers.add(frame.place({length, 0.0}) / length);
