@@ -252,7 +252,9 @@ void DrillEnvironment::reward(double seconds, const DrillProgressNow& before, co
   const bool answered = over && predicts(settings_.drill);
   pay(DrillTerm::kSuccess, watch.succeeded() && !paid_ ? 1.0 : 0.0);
   pay(DrillTerm::kFailure, over && !watch.succeeded() ? -1.0 : 0.0);
-  pay(DrillTerm::kTime, -seconds);
+  // A failure takes the whole time of the trial, so that nobody gains by an early one.
+  const double lost = over && !watch.succeeded() ? std::max(0.0, watch.duration() - watch.elapsed()) : 0.0;
+  pay(DrillTerm::kTime, -seconds - lost);
   pay(DrillTerm::kBall, progress_.ball - before.ball);
   pay(DrillTerm::kApproach, progress_.approach - before.approach);
   pay(DrillTerm::kAlign, progress_.align - before.align);
