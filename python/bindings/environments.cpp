@@ -1,13 +1,8 @@
-#include <atomic>
-#include <nanobind/ndarray.h>
-#include <nanobind/stl/optional.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 #include <optional>
-#include <tuple>
 
 #include "python/bindings/bind.hpp"
+#include "python/bindings/episode_values.hpp"
+#include "python/bindings/exclusive.hpp"
 #include "python/bindings/sources.hpp"
 #include "python/environments/episode_runner.hpp"
 
@@ -19,10 +14,6 @@ namespace nb = nanobind;
 using Actions = nb::ndarray<const float, nb::c_contig, nb::device::cpu>;
 using Floats = nb::ndarray<float, nb::c_contig, nb::device::cpu>;
 using Doubles = nb::ndarray<double, nb::c_contig, nb::device::cpu>;
-/// seed and number of episodes of the stream; seed and text of the present episode, if any; its actions
-using StateTuple =
-    std::tuple<std::uint64_t, std::uint64_t, std::optional<std::uint64_t>, std::string, nb::object>;
-
 constexpr int kTerminated = 1, kTruncated = 2;
 
 /// One environment that writes into arrays of Python.
@@ -30,15 +21,23 @@ class PyEnvironment {
   // The lock of the interpreter is free while the environment works.
   template <typename Work>
   auto use(const Work& work) {
-    const nb::gil_scoped_release unlocked;
-    const InUse now(used_);
-    if (!runner_) throw StateFailure("this environment is closed");
-    return work(*runner_);
+    try {
+      const nb::gil_scoped_release unlocked;
+      const Exclusive::Use now(exclusive_, "this environment");
+      if (!runner_) throw StateFailure("this environment is closed");
+      return work(*runner_);
+    } catch (const Failure&) {
+      if (failure_) failure_->raise();  // what a team raised says more
+      throw;
+    }
   }
 
  public:
   PyEnvironment(Source& source, const Floats& observations, const Doubles& numbers)
-      : runner_(std::in_place, source.take(), true), observations_(observations), numbers_(numbers) {
+      : runner_(std::in_place, source.take(), true),
+        failure_(source.failure),
+        observations_(observations),
+        numbers_(numbers) {
     const EpisodeShape& shape = runner_->shape();
     const std::size_t agents = shape.agents, terms = agents * shape.terms.size();
     if (observations.size() != agents * shape.observation ||
@@ -73,21 +72,11 @@ class PyEnvironment {
     });
   }
   StateTuple state() {
-    const EpisodeState state = use([](EpisodeRunner& runner) { return runner.state(); });
-    std::optional<std::uint64_t> seed;
-    std::string text;
-    if (state.start) {
-      seed = state.start->seed;
-      text = state.start->text;
-    }
-    const nb::bytes actions(state.actions.data(), state.actions.size() * sizeof(float));
-    return {state.seed, state.episodes, seed, text, nb::object(actions)};
+    return tupleOf(use([](EpisodeRunner& runner) { return runner.state(); }));
   }
-  int restore(std::uint64_t seed, std::uint64_t episodes, std::optional<std::uint64_t> start,
-              const std::string& text, const Actions& actions) {
-    EpisodeState state{seed, episodes, std::nullopt, {actions.data(), actions.data() + actions.size()}};
-    if (start) state.start = EpisodeStart{*start, text};
-    return use([&](EpisodeRunner& runner) { return codeOf(valueOf(runner.restore(state, view_))); });
+  int restore(const StateTuple& state) {
+    const EpisodeState wanted = stateOf(state);
+    return use([&](EpisodeRunner& runner) { return codeOf(valueOf(runner.restore(wanted, view_))); });
   }
   void world(const Floats& out) {
     use([&](EpisodeRunner& runner) {
@@ -104,7 +93,7 @@ class PyEnvironment {
     return pixelsOf(canvas);
   }
   void close() {
-    const InUse now(used_);
+    const Exclusive::Use now(exclusive_, "this environment");
     runner_.reset();
   }
 
@@ -112,50 +101,26 @@ class PyEnvironment {
   static int codeOf(EpisodeEnd end) {
     return (end.terminated ? kTerminated : 0) | (end.truncated ? kTruncated : 0);
   }
-  static nb::ndarray<nb::numpy, std::uint8_t> pixelsOf(const Canvas& canvas);
 
   std::optional<EpisodeRunner> runner_;
+  SharedFailure failure_;
   Floats observations_;  // kept alive
   Doubles numbers_;
   EpisodeView view_;
-  std::atomic<bool> used_{false};
+  Exclusive exclusive_;
 };
-
-nb::ndarray<nb::numpy, std::uint8_t> PyEnvironment::pixelsOf(const Canvas& canvas) {
-  const auto width = static_cast<std::size_t>(canvas.width()),
-             height = static_cast<std::size_t>(canvas.height());
-  auto pixels = std::make_unique<std::uint8_t[]>(3 * width * height);
-  std::uint8_t* next = pixels.get();
-  for (int y = 0; y < canvas.height(); ++y) {
-    for (const std::uint32_t colour : canvas.row(y)) {
-      for (const int shift : {16, 8, 0}) *next++ = static_cast<std::uint8_t>(colour >> shift);
-    }
-  }
-  std::uint8_t* data = pixels.release();
-  const nb::capsule owner(data, [](void* bytes) noexcept { delete[] static_cast<std::uint8_t*>(bytes); });
-  return {data, {height, width, 3}, owner};
-}
-
-nb::dict shapeOf(const Source& source) {
-  if (!source.episodes) throw StateFailure("this source of episodes belongs to an environment");
-  const EpisodeShape& shape = source.episodes->shape();
-  nb::dict values;
-  values["agents"] = shape.agents;
-  values["observation"] = shape.observation;
-  values["bound"] = shape.bound;
-  values["action"] = shape.action;
-  values["choices"] = shape.choices;
-  values["state"] = shape.state;
-  values["terms"] = shape.terms;
-  values["figures"] = shape.figures;
-  return values;
-}
 
 }  // namespace
 
 void bindEnvironments(nb::module_& m) {
   nb::class_<Source>(m, "Source", "A source of episodes, which one environment takes.")
-      .def_prop_ro("shape", &shapeOf, "Sizes and names as a dict; see python/environments/episodes.hpp.");
+      .def_prop_ro(
+          "shape",
+          [](const Source& source) {
+            if (!source.episodes) throw StateFailure("this source of episodes belongs to an environment");
+            return dictOf(source.episodes->shape());
+          },
+          "Sizes and names as a dict; see python/environments/episodes.hpp.");
   nb::class_<PyEnvironment>(m, "Environment", "One environment that writes into arrays.")
       .def(nb::init<Source&, const Floats&, const Doubles&>(), nb::arg("source"),
            nb::arg("observations").noconvert(), nb::arg("numbers").noconvert(),
@@ -167,8 +132,7 @@ void bindEnvironments(nb::module_& m) {
       .def("step", &PyEnvironment::step, nb::arg("actions").noconvert(),
            "Plays one step. Returns 1 if it terminated the episode, 2 if it truncated it, else 0.")
       .def("state", &PyEnvironment::state)
-      .def("restore", &PyEnvironment::restore, nb::arg("seed"), nb::arg("episodes"), nb::arg("start").none(),
-           nb::arg("text"), nb::arg("actions").noconvert())
+      .def("restore", &PyEnvironment::restore, nb::arg("state"))
       .def("world", &PyEnvironment::world, nb::arg("out").noconvert())
       .def("record", &PyEnvironment::record, nb::arg("file"))
       .def("picture", &PyEnvironment::picture, nb::arg("width"))

@@ -6,6 +6,7 @@
 #include <nanobind/stl/vector.h>
 
 #include "python/bindings/bind.hpp"
+#include "python/bindings/python_team.hpp"
 #include "python/bindings/sources.hpp"
 #include "python/environments/match/environment.hpp"
 #include "referee/rules/detector_schema.hpp"
@@ -80,19 +81,30 @@ void readForms(const Arguments& from, MatchTask& task) {
   task.seconds = from.get<double>("time_limit", 0.0, "number");
 }
 
+/// The configuration of a match without teams.
+MatchConfig configOf(const std::string& rules) {
+  MatchConfig config;
+  config.rules = valueOf(loadRules(rules));
+  config.field = valueOf(loadField(config.rules.field));
+  return config;
+}
+
 Source matchSource(const nb::kwargs& values) {
   const Arguments from{nb::borrow<nb::dict>(values)};
   MatchTask task;
-  task.match = valueOf(MatchConfig::standard(from.get<std::string>("blue", "idle", "text"),
-                                             from.get<std::string>("yellow", "idle", "text"),
-                                             from.get<std::string>("rules", "vsss-3v3", "text")));
+  task.match = configOf(from.get<std::string>("rules", "vsss-3v3", "text"));
   readModels(from, task);
   if (from.get<bool>("only_goals", false, "bool")) callOnlyGoals(task.match.rules);
   readAgents(from, "blue_agents", task.agents[0]);
   readAgents(from, "yellow_agents", task.agents[1]);
   readForms(from, task);
   readVision(from, task);
-  return {valueOf(MatchEnvironment::create(std::move(task)))};
+  SharedFailure failure = newFailure();
+  const TeamCatalogue catalogue = catalogueOf({});
+  const nb::object idle = nb::str("idle");
+  task.match.teams = {teamFrom(from.get<nb::object>("blue", idle, "team"), catalogue, failure),
+                      teamFrom(from.get<nb::object>("yellow", idle, "team"), catalogue, failure)};
+  return {valueOf(MatchEnvironment::create(std::move(task))), std::move(failure)};
 }
 
 }  // namespace

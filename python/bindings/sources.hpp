@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <memory>
 #include <nanobind/nanobind.h>
 #include <string>
 #include <utility>
 
 #include "python/bindings/errors.hpp"
+#include "python/bindings/python_calls.hpp"
 #include "python/environments/episodes.hpp"
 
 namespace fulbito::python {
@@ -14,26 +14,13 @@ namespace fulbito::python {
 /// A source of episodes on its way from the function that made it to the environment that plays it.
 struct Source {
   std::unique_ptr<EpisodeSource> episodes;
+  SharedFailure failure = {};  ///< keeps what teams of this process raise
 
   /// The source, which can be taken once.
   std::unique_ptr<EpisodeSource> take() {
     if (!episodes) throw StateFailure("this source of episodes belongs to another environment");
     return std::move(episodes);
   }
-};
-
-/// Marks an object as used for the duration of a call. Throws StateFailure if another thread uses it.
-class InUse {
- public:
-  explicit InUse(std::atomic<bool>& used) : used_(used) {
-    if (used_.exchange(true)) throw StateFailure("two threads use this environment at once");
-  }
-  InUse(const InUse&) = delete;
-  InUse& operator=(const InUse&) = delete;
-  ~InUse() { used_ = false; }
-
- private:
-  std::atomic<bool>& used_;
 };
 
 /// Reads keyword arguments one by one. Errors are UsageError with the name of the argument.

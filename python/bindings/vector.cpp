@@ -1,11 +1,9 @@
-#include <atomic>
 #include <memory>
-#include <nanobind/ndarray.h>
-#include <nanobind/stl/string.h>
-#include <nanobind/stl/vector.h>
 #include <vector>
 
 #include "python/bindings/bind.hpp"
+#include "python/bindings/episode_values.hpp"
+#include "python/bindings/exclusive.hpp"
 #include "python/bindings/sources.hpp"
 #include "python/environments/vector_environment.hpp"
 
@@ -14,15 +12,35 @@ namespace {
 
 namespace nb = nanobind;
 
+constexpr const char* kWhat = "this vector of environments";
+
 template <typename T>
 using Array = nb::ndarray<T, nb::c_contig, nb::device::cpu>;
 
 /// Environments over threads that write into arrays of Python.
 class PyVector {
+  // The lock of the interpreter is free while environments work.
+  template <typename Work>
+  auto unlocked(const Work& work) {
+    try {
+      const nb::gil_scoped_release released;
+      const Exclusive::Use now(exclusive_, kWhat);
+      return work();
+    } catch (const Failure&) {
+      for (const SharedFailure& failure : failures_) {
+        if (failure) failure->raise();  // what a team raised says more
+      }
+      throw;
+    }
+  }
+
  public:
   PyVector(const nb::list& sources, int threads, int autoreset, bool remembers) {
     std::vector<std::unique_ptr<EpisodeSource>> taken;
-    for (const nb::handle source : sources) taken.push_back(nb::cast<Source&>(source).take());
+    for (const nb::handle source : sources) {
+      taken.push_back(nb::cast<Source&>(source).take());
+      failures_.push_back(nb::cast<Source&>(source).failure);
+    }
     const VectorSettings settings{threads, static_cast<Autoreset>(autoreset), remembers};
     vector_ = valueOf(VectorEnvironment::create(std::move(taken), settings));
   }
@@ -30,7 +48,7 @@ class PyVector {
   /// `arrays`: for each of all 0, all 1, some 0, some 1: observations, rewards, terminated, truncated, terms,
   /// figures; then observations, figures and marks of last moments.
   void useArrays(const nb::list& arrays) {
-    const InUse now(used_);
+    const Exclusive::Use now(exclusive_, kWhat);
     VectorEnvironment& vector = open();
     const EpisodeShape& shape = vector.shape();
     const std::size_t rows = vector.size(), agents = rows * shape.agents;
@@ -70,43 +88,68 @@ class PyVector {
   }
 
   void seed(std::size_t i, std::uint64_t seed) {
-    const InUse now(used_);
+    const Exclusive::Use now(exclusive_, kWhat);
     rested().seed(indexed(i), seed);
   }
   int reset(const Array<const bool>& mask, const std::string& text) {
-    const nb::gil_scoped_release unlocked;
-    const InUse now(used_);
-    VectorEnvironment& vector = rested();
-    if (mask.size() != 0 && mask.size() != vector.size()) {
-      raise(ErrorCode::kUsage, "reset_mask: its shape is not (" + std::to_string(vector.size()) + ",)");
-    }
-    return valueOf(vector.reset({mask.data(), mask.size()}, text));
+    return unlocked([&] {
+      VectorEnvironment& vector = rested();
+      if (mask.size() != 0 && mask.size() != vector.size()) {
+        raise(ErrorCode::kUsage, "reset_mask: its shape is not (" + std::to_string(vector.size()) + ",)");
+      }
+      return valueOf(vector.reset({mask.data(), mask.size()}, text));
+    });
   }
   void send(const Array<const float>& actions, const Array<const std::uint32_t>& ids) {
-    const nb::gil_scoped_release unlocked;
-    const InUse now(used_);
-    start(actions, ids);
+    unlocked([&] { start(actions, ids); });
   }
   int receive() {
-    const nb::gil_scoped_release unlocked;
-    const InUse now(used_);
-    VectorEnvironment& vector = open();
-    if (!vector.isUnderWay()) throw StateFailure("nothing was sent: call send before recv");
-    return valueOf(vector.receive());
+    return unlocked([&] {
+      if (!open().isUnderWay()) throw StateFailure("nothing was sent: call send before recv");
+      return valueOf(vector_->receive());
+    });
   }
   int step(const Array<const float>& actions) {
-    const nb::gil_scoped_release unlocked;
-    const InUse now(used_);
-    start(actions, {});
-    return valueOf(vector_->receive());
+    return unlocked([&] {
+      start(actions, {});
+      return valueOf(vector_->receive());
+    });
+  }
+  std::vector<StateTuple> states() {
+    std::vector<EpisodeState> all = unlocked([&] {
+      VectorEnvironment& vector = rested();
+      std::vector<EpisodeState> found;
+      for (std::size_t i = 0; i < vector.size(); ++i) found.push_back(vector[i].state());
+      return found;
+    });
+    std::vector<StateTuple> told;
+    for (const EpisodeState& state : all) told.push_back(tupleOf(state));
+    return told;
+  }
+  void restore(std::size_t i, const StateTuple& state) {
+    const EpisodeState wanted = stateOf(state);
+    unlocked([&] {
+      VectorEnvironment& vector = rested();
+      valueOf(vector.restore(indexed(i), wanted));
+    });
+  }
+  nb::ndarray<nb::numpy, std::uint8_t> picture(std::size_t i, int width) {
+    return pixelsOf(unlocked([&] { return valueOf(rested()[indexed(i)].source().picture(width)); }));
+  }
+  void record(std::size_t i, const std::string& file) {
+    unlocked([&] { valueOf(rested()[indexed(i)].source().record(file)); });
   }
   void close() {
-    const InUse now(used_);
+    const Exclusive::Use now(exclusive_, kWhat);
     const nb::gil_scoped_release unlocked;
     vector_.reset();
   }
+  nb::dict shape() {
+    const Exclusive::Use now(exclusive_, kWhat);
+    return dictOf(open().shape());
+  }
   int threads() {
-    const InUse now(used_);
+    const Exclusive::Use now(exclusive_, kWhat);
     return open().threads();
   }
 
@@ -155,8 +198,9 @@ class PyVector {
 
   std::unique_ptr<VectorEnvironment> vector_;
   std::vector<nb::object> arrays_;  // kept alive
+  std::vector<SharedFailure> failures_;
   std::vector<bool> marked_;
-  std::atomic<bool> used_{false};
+  Exclusive exclusive_;
 };
 
 }  // namespace
@@ -171,7 +215,12 @@ void bindVector(nb::module_& m) {
       .def("send", &PyVector::send, nb::arg("actions").noconvert(), nb::arg("ids").noconvert())
       .def("receive", &PyVector::receive)
       .def("step", &PyVector::step, nb::arg("actions").noconvert())
+      .def("states", &PyVector::states)
+      .def("restore", &PyVector::restore, nb::arg("i"), nb::arg("state"))
+      .def("picture", &PyVector::picture, nb::arg("i"), nb::arg("width"))
+      .def("record", &PyVector::record, nb::arg("i"), nb::arg("file"))
       .def("close", &PyVector::close)
+      .def_prop_ro("shape", &PyVector::shape)
       .def_prop_ro("threads", &PyVector::threads);
 }
 

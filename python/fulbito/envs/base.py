@@ -1,0 +1,205 @@
+"""The Gymnasium environment of one agent over a source of episodes."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+from numpy.typing import NDArray
+
+from fulbito import _core
+from fulbito.errors import UsageError
+
+__all__ = ["EpisodeEnv", "EpisodeState", "action_space_of", "checked_actions", "observation_space_of"]
+
+Info = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class EpisodeState:
+    """The state of an environment: how its episode began, and the actions since. A plain value that pickles."""
+
+    seed: int
+    """Seed of the environment's own stream, from which episodes get their seeds."""
+    episodes: int
+    """Episodes begun since that seed was set."""
+    start_seed: int | None
+    """Seed of the present episode; None before the first one."""
+    start: str
+    """What reset(options={"start": ...}) was given."""
+    actions: bytes
+    """The actions of the present episode: float32, steps x agents x numbers."""
+
+    def as_tuple(self) -> tuple[int, int, int | None, str, bytes]:
+        """The same as a tuple."""
+        return (self.seed, self.episodes, self.start_seed, self.start, self.actions)
+
+
+def observation_space_of(shape: dict[str, Any]) -> spaces.Box:
+    """The space of one agent's observations."""
+    bound = np.float32(shape["bound"])
+    return spaces.Box(-bound, bound, (shape["observation"],), np.float32)
+
+
+def action_space_of(shape: dict[str, Any]) -> spaces.Space[Any]:
+    """The space of one agent's actions."""
+    if shape["choices"]:
+        return spaces.Discrete(shape["choices"])
+    return spaces.Box(np.float32(-1), np.float32(1), (shape["action"],), np.float32)
+
+
+def checked_actions(actions: Any, shape: tuple[int, ...]) -> NDArray[np.float32]:
+    """Actions as a contiguous array of float32. Raises UsageError for another shape, or for what is no number."""
+    if type(actions) is np.ndarray and actions.dtype == np.float32 and actions.shape == shape:
+        return actions if actions.flags.c_contiguous else np.ascontiguousarray(actions)
+    try:
+        given = np.asarray(actions)
+    except ValueError as error:
+        raise UsageError(f"actions: {error}") from error
+    if given.dtype.kind not in "fiu":
+        raise UsageError(f"actions: dtype {given.dtype} is no number")
+    if given.shape != shape:
+        raise UsageError(f"actions: shape {given.shape} is not {shape}")
+    return np.ascontiguousarray(given, np.float32)
+
+
+def seed_of(seed: int) -> int:
+    """A seed as the C++ side takes it: its lower 64 bits."""
+    return int(seed) % 2**64
+
+
+def start_of(options: dict[str, Any] | None) -> str:
+    """The start of the options of reset. Raises UsageError for one that is no text."""
+    start = (options or {}).get("start", "")
+    if not isinstance(start, str):
+        raise UsageError(f"options: start is {start!r}, not text")
+    return start
+
+
+class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
+    """One agent in episodes of a source. `step` plays in C++, without the lock of the interpreter.
+
+    Equal seeds and actions give equal episodes, bit for bit. Without a seed, `reset` takes the next one of the
+    environment's own stream. One thread at a time may use it.
+    """
+
+    metadata = {"render_modes": ["rgb_array", "human"], "render_fps": 60}
+
+    def __init__(self, make_source: Callable[[], _core.Source], *, render_mode: str | None = None,
+                 render_width: int = 600) -> None:
+        """
+        Args:
+            make_source: makes a new source of episodes of one agent; it pickles if the environment shall.
+            render_mode: None, "rgb_array" (`render` returns uint8 of shape (height, width, 3)) or "human" (a window).
+            render_width: width of pictures [px], 160 ... 16384.
+        """
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise UsageError(f"render_mode: {render_mode!r} is none of None, 'rgb_array', 'human'")
+        self.render_mode = render_mode
+        self.render_width = render_width
+        self._make_source = make_source
+        source = make_source()
+        shape = source.shape
+        if shape["agents"] != 1:
+            raise UsageError("this environment has one agent; fulbito.pettingzoo has those with more")
+        self.observation_space = observation_space_of(shape)
+        self.action_space = action_space_of(shape)
+        self._action_shape = (shape["action"],)
+        self._single = bool(shape["choices"])
+        self._names = tuple(f"reward_{term}" for term in shape["terms"]) + tuple(shape["figures"])
+        self._observation = np.zeros(shape["observation"], np.float32)
+        self._numbers = np.zeros(1 + len(self._names))
+        self._seeded = False
+        self._core = _core.Environment(source, self._observation, self._numbers)
+
+    def reset(self, *, seed: int | None = None,
+              options: dict[str, Any] | None = None) -> tuple[NDArray[np.float32], Info]:
+        """Begins an episode.
+
+        Args:
+            seed: the episode becomes the first one of this seed; None: the next one of the environment's stream.
+            options: {"start": text} begins where the text says.
+
+        Returns: the first observation, float32, and info.
+        """
+        super().reset(seed=seed)
+        start = start_of(options)
+        if seed is not None:
+            self._core.seed(seed_of(seed))
+            self._seeded = True
+        elif not self._seeded:
+            self._core.seed(int(self.np_random.integers(2**63)))
+            self._seeded = True
+        self._core.reset(start)
+        if self.render_mode == "human":
+            self.render()
+        return self._observation.copy(), self._info()
+
+    def step(self, action: Any) -> tuple[NDArray[np.float32], float, bool, bool, Info]:
+        """Plays one step.
+
+        Args:
+            action: as `action_space`: float32 of its shape (numbers beyond -1 ... 1 count as the nearer end), or the
+                number of a choice. Raises UsageError for another shape or dtype, and for numbers that are not finite.
+
+        Returns: observation (float32), reward, terminated, truncated, info. `info` has the terms of the reward as
+        "reward_NAME", and the figures of the environment. Raises StateError before `reset`, after the end of an
+        episode and after `close`.
+        """
+        if self._single:
+            action = np.reshape(action, (1,))
+        end = self._core.step(checked_actions(action, self._action_shape))
+        if self.render_mode == "human":
+            self.render()
+        numbers = self._numbers.tolist()
+        return (self._observation.copy(), numbers[0], end == 1, end == 2, dict(zip(self._names, numbers[1:])))
+
+    def _info(self) -> Info:
+        return dict(zip(self._names, self._numbers.tolist()[1:]))
+
+    def render(self) -> NDArray[np.uint8] | None:  # type: ignore[override]
+        """A picture of the present moment with "rgb_array"; with "human" the window shows it."""
+        if self.render_mode is None:
+            gymnasium.logger.warn("render() without a render_mode: pass one to make()")
+            return None
+        picture = self._core.picture(self.render_width)
+        return picture
+
+    def get_state(self) -> EpisodeState:
+        """The state as a value: an environment of the same settings plays on from it as this one would. It costs
+        nothing, since the environment keeps the actions of its episode."""
+        return EpisodeState(*self._core.state())
+
+    def set_state(self, state: EpisodeState) -> tuple[NDArray[np.float32], Info]:
+        """Plays the episode of `state` again up to its last action, which takes as long as these steps took.
+
+        Returns: the observation and the info of that moment. Raises UsageError for a state of other settings.
+        """
+        self._core.restore(state.as_tuple())
+        self._seeded = True
+        return self._observation.copy(), self._info()
+
+    def copy(self) -> "EpisodeEnv":
+        """A new environment in the same state."""
+        import copy
+        return copy.deepcopy(self)
+
+    def record(self, file: str) -> None:
+        """Records the next episode into a .fbr file; see fulbito.wrappers.RecordMatch."""
+        self._core.record(str(file))
+
+    def close(self) -> None:
+        """Ends the episode, and its recording. May be called twice."""
+        self._core.close()
+
+    def __getstate__(self) -> dict[str, Any]:
+        kept = {name: value for name, value in self.__dict__.items() if name not in ("_core", "_window")}
+        return {**kept, "_state": self.get_state()}
+
+    def __setstate__(self, kept: dict[str, Any]) -> None:
+        state = kept.pop("_state")
+        self.__dict__.update(kept)
+        self._core = _core.Environment(self._make_source(), self._observation, self._numbers)
+        self._core.restore(state.as_tuple())

@@ -1,0 +1,76 @@
+"""One robot in matches of the league: fulbito/VSS-v0 and fulbito/VSSCompat-v0."""
+
+from typing import Any
+
+from gymnasium.vector import AutoresetMode
+
+from fulbito.envs.base import EpisodeEnv
+from fulbito.envs.settings import MatchSettings
+from fulbito.envs.vector import EpisodeVectorEnv
+
+__all__ = ["VSSCompatEnv", "VSSCompatVectorEnv", "VSSEnv", "VSSVectorEnv", "compat_settings", "vss_settings"]
+
+
+def vss_settings(*, mates: Any = "random", opponents: Any = "random", robot: int = 0, **settings: Any) -> MatchSettings:
+    """Settings of fulbito/VSS-v0.
+
+    Args:
+        mates: team of the other blue robots, as MatchSettings.blue.
+        opponents: team of the yellow robots, as MatchSettings.yellow.
+        robot: number of the agent, in blue.
+        settings: the others of MatchSettings.
+    """
+    return MatchSettings(blue=mates, yellow=opponents, blue_agents=(robot,), **settings)
+
+
+# A wheel of rSoccer's other robots is an Ornstein-Uhlenbeck process with theta 0.17 and sigma 0.5, in steps of 1/40 s.
+_COMPAT_OTHERS = "random:memory=5.857,share=0.857"
+
+
+def compat_settings(*, mates: Any = _COMPAT_OTHERS, opponents: Any = _COMPAT_OTHERS) -> MatchSettings:
+    """Settings of fulbito/VSSCompat-v0: `mates` and `opponents` as for fulbito/VSS-v0."""
+    return MatchSettings(blue=mates, yellow=opponents, blue_agents=(0,), only_goals=True, control_rate=40, substeps=3,
+                         action="compat", observation="compat", reward="compat", start="random", end="goal",
+                         time_limit=30.0)
+
+
+class VSSEnv(EpisodeEnv):
+    """fulbito/VSS-v0: one robot in a match, against and beside any teams."""
+
+    def __init__(self, *, render_mode: str | None = None, render_width: int = 600, **settings: Any) -> None:
+        """Args: see `vss_settings`, MatchSettings and EpisodeEnv."""
+        super().__init__(vss_settings(**settings).source, render_mode=render_mode, render_width=render_width)
+
+
+class VSSVectorEnv(EpisodeVectorEnv):
+    """Many of fulbito/VSS-v0 over threads."""
+
+    def __init__(self, num_envs: int = 1, *, threads: int = 0,
+                 autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP, states: bool = False,
+                 render_mode: str | None = None, render_width: int = 600, **settings: Any) -> None:
+        """Args: see `vss_settings`, MatchSettings and EpisodeVectorEnv."""
+        super().__init__(vss_settings(**settings).source, num_envs, threads=threads, autoreset_mode=autoreset_mode,
+                         states=states, render_mode=render_mode, render_width=render_width)
+
+
+class VSSCompatEnv(EpisodeEnv):
+    """fulbito/VSSCompat-v0: observations, actions and rewards of rSoccer's VSS-v0."""
+
+    def __init__(self, *, mates: Any = _COMPAT_OTHERS, opponents: Any = _COMPAT_OTHERS,
+                 render_mode: str | None = None, render_width: int = 600) -> None:
+        """Args: see `compat_settings` and EpisodeEnv."""
+        super().__init__(compat_settings(mates=mates, opponents=opponents).source, render_mode=render_mode,
+                         render_width=render_width)
+
+
+class VSSCompatVectorEnv(EpisodeVectorEnv):
+    """Many of fulbito/VSSCompat-v0 over threads."""
+
+    def __init__(self, num_envs: int = 1, *, threads: int = 0,
+                 autoreset_mode: AutoresetMode | str = AutoresetMode.NEXT_STEP, states: bool = False,
+                 mates: Any = _COMPAT_OTHERS, opponents: Any = _COMPAT_OTHERS,
+                 render_mode: str | None = None, render_width: int = 600) -> None:
+        """Args: see `compat_settings` and EpisodeVectorEnv."""
+        super().__init__(compat_settings(mates=mates, opponents=opponents).source, num_envs, threads=threads,
+                         autoreset_mode=autoreset_mode, states=states, render_mode=render_mode,
+                         render_width=render_width)
