@@ -1,7 +1,6 @@
 #include "python/environments/drills/drill_environment.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "python/environments/match/painter.hpp"
 #include "python/environments/match/starts.hpp"
 #include "python/environments/match/truth.hpp"
+#include "python/environments/numbered_start.hpp"
 
 namespace fulbito {
 namespace {
@@ -21,7 +21,7 @@ namespace {
 constexpr int kMostTicks = 60;
 constexpr std::uint64_t kTrainSeeds = std::uint64_t{1} << 63;
 constexpr std::uint32_t kTrialNumbers = 1u << 20;  // numbers that a seed draws from: each start many times
-constexpr std::string_view kTrialText = "trial ";
+constexpr std::uint64_t kLastTrial = 1'000'000'000;
 
 bool predicts(const Drill& drill) { return drill.starts.front().task == DrillTask::kPredictBall; }
 
@@ -138,15 +138,13 @@ Result<DrillTrialNumber> DrillEnvironment::numberOf(const EpisodeStart& start) c
     const bool train = settings_.split == DrillSplit::kTrain;
     return DrillTrialNumber{train ? start.seed | kTrainSeeds : start.seed & ~kTrainSeeds, index};
   }
-  int index = -1;
-  if (start.text.starts_with(kTrialText)) {
-    const char* const end = start.text.data() + start.text.size();
-    const auto read = std::from_chars(start.text.data() + kTrialText.size(), end, index);
-    if (read.ec != std::errc() || read.ptr != end) index = -1;
+  const auto named = readNumberedStart(start.text, "trial", options_.seed);
+  if (named && named->number && *named->number <= kLastTrial) {
+    return DrillTrialNumber{named->seed, static_cast<int>(*named->number)};
   }
-  if (index >= 0) return DrillTrialNumber{start.seed, index};
   return fail(ErrorCode::kUsage,
-              fmt::format("start: '{}' is not 'trial N' with N = 0, 1, 2 ...", start.text));
+              fmt::format("start: '{}' is not 'trial N' or 'trial N of seed S' with N in 0 ... {}",
+                          start.text, kLastTrial));
 }
 
 /// Sets the tested team: the agent's robot, and mates only where the start has other own robots.

@@ -67,10 +67,11 @@ class DrillSettings:
     """Trials to train on, or others that are never trained on."""
     robot: int | None = None
     """Number of the agent's robot in its team; None: the drill's."""
-    mates: str = "classic"
-    """Team that plays the other own robots, where there are any: a specification."""
-    itself: str = "classic"
-    """Team that plays where a drill asks for the tested team itself."""
+    mates: Any = "classic"
+    """Team that plays the other own robots, where there are any: a specification such as "libero", or a class of
+    fulbito.team.Team, of which each trial makes one."""
+    itself: Any = "classic"
+    """Team that plays where a drill asks for the tested team itself, likewise."""
     rewards: Mapping[str, float] = field(default_factory=dict[str, float])
     """Weights of the terms "success", "failure", "time", "ball", "approach", "align", "answer" and "effort"; missing
     ones keep their defaults."""
@@ -106,8 +107,8 @@ class DrillEnv(EpisodeEnv):
 
     Observations: float32 of shape (71,), see `observation_table`. Actions: float32 of shape (2,), or (3,) for
     "go-to". `info` has the terms of the reward, and "success" (1 once the drill counts it), "time" [s] since the
-    signal, "ideal" [s], "counted", "start" and "trial". reset(options={"start": "trial 7"}) plays trial 7 of this seed
-    as `fulbito drill` does.
+    signal, "ideal" [s], "counted", "start" and "trial". reset(options={"start": "trial 7 of seed 3"}) plays that trial
+    of `fulbito drill`; without a seed it is one of the program's default.
     """
 
     def __init__(self, *, render_mode: str | None = None, render_width: int = 600, **settings: Any) -> None:

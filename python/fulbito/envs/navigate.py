@@ -66,8 +66,9 @@ class NavigateEnv(EpisodeEnv):
 
     Observations: float32 of shape (77,), see `observation_table`. Actions: float32 of shape (2,). `info` has the terms
     of the reward, and "success", "outcome" (see OUTCOMES), "time" [s], "time_ratio" (T/T*), "length" [m],
-    "length_ratio" (L/L*), "contacts", "clearance" [m] and "layout". reset(options={"start": "layout 7"}) plays layout 7
-    of this seed as `fulbito compare` does, and {"start": "layout fig4-wall"} one with a name.
+    "length_ratio" (L/L*), "contacts", "clearance" [m] and "layout". reset(options={"start": "layout 7 of seed 3"})
+    plays that layout of `fulbito compare`; without a seed it is one of the program's default. {"start": "layout
+    fig4-wall"} plays one with a name.
     """
 
     def __init__(self, *, render_mode: str | None = None, render_width: int = 600, **settings: Any) -> None:
