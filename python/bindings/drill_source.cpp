@@ -4,7 +4,7 @@
 #include "python/bindings/python_team.hpp"
 #include "python/bindings/task_arguments.hpp"
 #include "python/environments/drills/drill_environment.hpp"
-#include "python/environments/drills/sight.hpp"
+#include "python/environments/sight.hpp"
 
 namespace fulbito::python {
 namespace {
@@ -77,7 +77,7 @@ void bindDrillSource(nb::module_& m) {
   m.def("drill_starts", &drillStarts, nb::arg("settings"),
         "Names of a drill's starts, by `drill` or `file`.");
   m.def(
-      "drill_sight", [] { return tableOf(drillSight()); },
+      "drill_sight", [] { return tableOf(Sight(3).entries()); },
       "The numbers of an observation in order: name, unit, meaning.");
 }
 

@@ -6,13 +6,14 @@ NB_MODULE(_core, m) {
   m.doc() = "The C++ side of the package fulbito. Use the package's own modules; this one may change.";
   bindErrors(m);
   bindInfo(m);
+  bindAgent(m);
+  bindEnvironments(m);
+  bindMatchSource(m);
+  bindVector(m);
   bindPlay(m);
   bindRecording(m);
   bindWorld(m);
   bindCompare(m);
-  bindEnvironments(m);
-  bindMatchSource(m);
-  bindVector(m);
   bindDrillSource(m);
   bindNavigationSource(m);
 }

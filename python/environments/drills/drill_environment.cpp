@@ -8,17 +8,18 @@
 
 #include "engine/core/base/float_mode.hpp"
 #include "engine/core/math/random.hpp"
-#include "python/environments/drills/sight.hpp"
 #include "python/environments/match/actions.hpp"
 #include "python/environments/match/painter.hpp"
 #include "python/environments/match/starts.hpp"
 #include "python/environments/match/truth.hpp"
 #include "python/environments/numbered_start.hpp"
+#include "python/environments/sight.hpp"
 
 namespace fulbito {
 namespace {
 
 constexpr int kMostTicks = 60;
+constexpr std::size_t kTeam = 3;  // robots per team in all observations, so that a policy fits all drills
 constexpr std::uint64_t kTrainSeeds = std::uint64_t{1} << 63;
 constexpr std::uint32_t kTrialNumbers = 1u << 20;  // numbers that a seed draws from: each start many times
 constexpr std::uint64_t kLastTrial = 1'000'000'000;
@@ -52,8 +53,8 @@ std::vector<int> ownRobots(const Drill& drill, const DrillStart& start) {
 
 EpisodeShape shapeOf(const DrillSettings& settings) {
   EpisodeShape shape;
-  shape.observation = drillSight().size();
-  shape.bound = kDrillSightBound;
+  shape.observation = Sight(kTeam).size();
+  shape.bound = kSightBound;
   shape.action = actionSize(settings);
   shape.terms.assign(kDrillTerms.begin(), kDrillTerms.end());
   shape.figures = {"success", "time", "ideal", "counted", "start", "trial"};
@@ -268,7 +269,10 @@ void DrillEnvironment::tell(const EpisodeView& out) const {
   if (trial_->over()) slot_->seen = truthFor(trial_->match(), trial_->scene().seat);
   const DrillWatch& watch = trial_->watch();
   const double share = std::clamp(watch.elapsed() / watch.duration(), 0.0, 1.0);
-  writeDrillSight({*slot_, robot_, trial_->start().task, trial_->scene().exercise, share}, out.observations);
+  const MatchInfo& info = slot_->info;
+  Sight(kTeam).write({slot_->seen, info.field, info.robot, static_cast<std::size_t>(robot_),
+                      trial_->start().task, &trial_->scene().exercise, share},
+                     out.observations);
   const DrillTrial verdict = watch.trial(0.0);
   out.figures[0] = verdict.success ? 1.0 : 0.0;
   out.figures[1] = verdict.success ? verdict.time : std::max(0.0, watch.elapsed());

@@ -8,7 +8,7 @@
 
 namespace fulbito {
 
-/// Largest absolute value of an observed number of ObservationForm::kAbsolute and kEgocentric.
+/// Largest absolute value of an observed number of ObservationForm::kAbsolute.
 inline constexpr float kObservedBound = 3.0f;
 
 /// Writes what an agent sees as numbers (docs/environments.md has the tables).
@@ -31,13 +31,13 @@ class ObservationWriter {
   void writeState(const Observation& seen, std::span<float> out) const;
 
  private:
-  struct Frame;
   class Numbers;
-  void addRobot(const ObservedRobot& robot, const Frame& frame, Numbers& numbers) const;
+  void addRobot(const ObservedRobot& robot, Numbers& numbers) const;
   void addGame(const Observation& seen, Numbers& numbers) const;
 
   ObservationForm form_;
   FieldGeometry field_;
+  RobotModel robot_;
   double half_seconds_;
   double top_wheel_;  ///< [rad/s]
   double top_speed_;  ///< [m/s]

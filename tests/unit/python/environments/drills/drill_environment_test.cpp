@@ -5,7 +5,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "match/drills/trials.hpp"
-#include "python/environments/drills/sight.hpp"
+#include "python/environments/sight.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 
@@ -53,7 +53,7 @@ double randomEpisode(Room& room, const EpisodeStart& start) {
     for (float& number : action) number = static_cast<float>(rng.uniform(-1.0, 1.0));
     end = room.step(action);
     for (const float number : room.observation) {
-      REQUIRE(std::abs(number) <= kDrillSightBound);
+      REQUIRE(std::abs(number) <= kSightBound);
       sum += static_cast<double>(number) * 0.37;
     }
     const double reward = std::accumulate(room.terms.begin(), room.terms.end(), 0.0);
