@@ -70,12 +70,12 @@ def test_scores_are_those_of_compare(suite):
         env.reset(options={"start": f"layout {trial['index']} of seed 3"})
         info = finish(env, np.array([0.5, 0.5], np.float32))[4]
         assert OUTCOMES[int(info["outcome"])] == trial["outcome"]
-        assert info["time"] == pytest.approx(float(trial["time_s"]), rel=1e-5)
-        assert info["length"] == pytest.approx(float(trial["length_m"]), rel=1e-5)
+        assert info["time"] == pytest.approx(float(trial["time_s"]), abs=0)
+        assert info["length"] == pytest.approx(float(trial["path_length_m"]), abs=0)
 
 
 def test_the_straight_way_arrives_where_nothing_is_in_it():
-    env = make(action="heading", frame_skip=2)
+    env = make(suite="short", action="heading", frame_skip=2)
     table = [number.name for number in NavigateEnv.observation_table()]
     cos, sin = table.index("goal-cos"), table.index("goal-sin")
     successes = 0
@@ -88,7 +88,7 @@ def test_the_straight_way_arrives_where_nothing_is_in_it():
                 break
         successes += info["success"]
         if info["success"]:
-            assert terminated and info["reward_success"] == 10 and 1.0 <= info["time_ratio"] < 1.3
+            assert terminated and info["reward_success"] == 10 and 0.9 <= info["time_ratio"] < 1.3
     assert 4 <= successes < 20
 
 
@@ -97,12 +97,10 @@ def test_a_named_layout_and_one_of_a_file(tmp_path):
     _, info = env.reset(options={"start": "layout fig4-wall"})
     assert info["layout"] == 4
     file = tmp_path / "free.toml"
-    file.write_text("[layout]\nstart = [-0.5, 0.0]\nstart_heading = 0.0\ngoal = [0.5, 0.0]\n")
-    try:
-        env = make(layout=file)
-    except fulbito.InputError as error:  # shows how such a file is written
-        pytest.fail(str(error))
-    _, _, terminated, _, info = (env.reset(seed=1), finish(env, np.array([1, 1], np.float32)))[1]
+    file.write_text("[start]\nposition = [-0.5, 0.0]\nheading = 0.0\n[goal]\nposition = [0.5, 0.0]\n")
+    env = make(layout=file)
+    env.reset(seed=1)
+    _, _, terminated, _, info = finish(env, np.array([1, 1], np.float32))
     assert terminated and info["success"] == 1 and info["length_ratio"] == pytest.approx(1.0, abs=0.05)
 
 
