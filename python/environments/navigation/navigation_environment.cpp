@@ -188,7 +188,8 @@ Result<EpisodeEnd> NavigationEnvironment::step(std::span<const float> actions, c
     effort_ += std::abs(action_[i] - last_action_[i]) / static_cast<double>(action_.size());
   }
   last_action_ = action_;
-  direction_ = scene_->self.pose.heading + action_[0] * math::kPi;
+  const Vec2 to_goal = scene_->goal.position - scene_->self.pose.position;
+  direction_ = math::angleOf(to_goal) + action_[0] * math::kPi;
   const double before = trial_->seconds();
   bool over = false;
   for (int tick = 0; tick < settings_.ticks && !over; ++tick) {

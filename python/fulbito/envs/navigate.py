@@ -29,8 +29,8 @@ class NavigateSettings:
     speed: float = 1.0
     """[m/s] Top speed of the robot, 0.05 ... 10."""
     action: Literal["wheels", "twist", "heading"] = "wheels"
-    """What the agent's action is. "heading": a direction seen from the robot's heading, over pi, and the speed from -1
-    (none) to 1 (the top speed); the follower of the built-in navigators drives it."""
+    """What the agent's action is. "heading": a direction seen from that of the goal, over pi, and the speed from -1 (none)
+    to 1 (the top speed); the follower of the built-in navigators drives it."""
     frame_skip: int = 1
     """Ticks per step, 1 ... 60; the action holds meanwhile."""
     split: Literal["train", "test"] = "train"
