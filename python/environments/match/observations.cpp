@@ -43,6 +43,13 @@ class ObservationWriter::Numbers {
   int clipped_ = 0;
 };
 
+Facings::Facings(const Observation& seen) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(seen.team_size); ++i) {
+    if (seen.own[i].present) robots[0][i] = math::unit(seen.own[i].state.pose.heading);
+    if (seen.opponents[i].present) robots[1][i] = math::unit(seen.opponents[i].state.pose.heading);
+  }
+}
+
 ObservationWriter::ObservationWriter(ObservationForm form, const MatchConfig& match)
     : form_(form),
       field_(match.field),
@@ -69,11 +76,11 @@ float ObservationWriter::bound() const {
   return kObservedBound;
 }
 
-void ObservationWriter::addRobot(const ObservedRobot& robot, Numbers& numbers) const {
+void ObservationWriter::addRobot(const ObservedRobot& robot, Vec2 facing, Numbers& numbers) const {
   if (!robot.present) return numbers.skip(kOther);
   numbers.add(1.0);
   numbers.add(robot.state.pose.position / (field_.length / 2));
-  numbers.add(math::unit(robot.state.pose.heading));
+  numbers.add(facing);
   numbers.add(robot.state.velocity / top_speed_);
   numbers.add(robot.state.angular_velocity / top_yaw_);
 }
@@ -90,13 +97,14 @@ void ObservationWriter::writeState(const Observation& seen, std::span<float> out
   Numbers numbers(out, kObservedBound);
   numbers.add(seen.ball.position / (field_.length / 2));
   numbers.add(seen.ball.velocity / top_speed_);
-  for (const auto* team : {&seen.own, &seen.opponents}) {
-    for (std::size_t i = 0; i < team_; ++i) addRobot((*team)[i], numbers);
-  }
+  const Facings facings(seen);
+  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.own[i], facings.robots[0][i], numbers);
+  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.opponents[i], facings.robots[1][i], numbers);
   addGame(seen, numbers);
 }
 
-int ObservationWriter::write(const Observation& seen, std::size_t robot, std::span<float> out) const {
+int ObservationWriter::write(const Observation& seen, const Facings& facings, std::size_t robot,
+                             std::span<float> out) const {
   if (form_ == ObservationForm::kCompat) return writeCompat(seen, out);
   Numbers numbers(out, kObservedBound);
   if (!seen.own[robot].present) {
@@ -112,14 +120,15 @@ int ObservationWriter::write(const Observation& seen, std::size_t robot, std::sp
   numbers.add(seen.ball.position / (field_.length / 2));
   numbers.add(seen.ball.velocity / top_speed_);
   numbers.add(self.pose.position / (field_.length / 2));
-  numbers.add(math::unit(self.pose.heading));
+  numbers.add(facings.robots[0][robot]);
   numbers.add(self.velocity / top_speed_);
   numbers.add(self.angular_velocity / top_yaw_);
   numbers.add(Vec2{self.wheels.left, self.wheels.right} / top_wheel_);
-  for (const auto* team : {&seen.own, &seen.opponents}) {
-    for (std::size_t i = 0; i < team_; ++i) {
-      if (team != &seen.own || i != robot) addRobot((*team)[i], numbers);
-    }
+  for (std::size_t i = 0; i < team_; ++i) {
+    if (i != robot) addRobot(seen.own[i], facings.robots[0][i], numbers);
+  }
+  for (std::size_t i = 0; i < team_; ++i) {
+    addRobot(seen.opponents[i], facings.robots[1][i], numbers);
   }
   addGame(seen, numbers);
   return numbers.clipped();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 
@@ -11,6 +12,12 @@ namespace fulbito {
 /// Largest absolute value of an observed number of ObservationForm::kAbsolute.
 inline constexpr float kObservedBound = 3.0f;
 
+/// Unit vectors of the headings of all robots of an observation, which several agents of a team share.
+struct Facings {
+  explicit Facings(const Observation& seen);
+  PerTeam<std::array<Vec2, kMaxTeamSize>> robots{};  ///< own, then opponents; 0 for absent ones
+};
+
 /// Writes what an agent sees as numbers (docs/environments.md has the tables).
 class ObservationWriter {
  public:
@@ -21,9 +28,10 @@ class ObservationWriter {
   /// Largest absolute value of its numbers.
   float bound() const;
   /// Writes the observation of one robot of the team that sees it. An absent robot sees zeros.
+  /// @param facings  of `seen`
   /// @param out  `size` numbers
   /// @return how many numbers were clipped to the bound
-  int write(const Observation& seen, std::size_t robot, std::span<float> out) const;
+  int write(const Observation& seen, const Facings& facings, std::size_t robot, std::span<float> out) const;
 
   /// Numbers of the state of a whole world.
   std::size_t stateSize() const;
@@ -32,7 +40,7 @@ class ObservationWriter {
 
  private:
   class Numbers;
-  void addRobot(const ObservedRobot& robot, Numbers& numbers) const;
+  void addRobot(const ObservedRobot& robot, Vec2 facing, Numbers& numbers) const;
   void addGame(const Observation& seen, Numbers& numbers) const;
 
   ObservationForm form_;
