@@ -22,8 +22,8 @@ constexpr double kNear = 0.03;                      // [m] gap between robot and
 
 EpisodeShape shapeOf() {
   EpisodeShape shape;
-  shape.observation = navigationSight().size();
-  shape.bound = kNavigationSightBound;
+  shape.observation = kNavigationSightNumbers;
+  shape.bound = kSightBound;
   shape.action = 2;
   shape.terms.assign(kNavigationTerms.begin(), kNavigationTerms.end());
   shape.figures = {"success",      "outcome",  "time",      "time_ratio", "length",

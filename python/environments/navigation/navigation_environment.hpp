@@ -17,8 +17,8 @@ namespace fulbito {
 enum class NavigationControl : std::uint8_t {
   kWheels,   ///< 2 numbers: left and right wheel, as shares of their greatest speed
   kTwist,    ///< 2 numbers: forward speed and yaw rate, as shares of the greatest
-  kHeading,  ///< 2 numbers: a direction seen from that of the goal, over pi, and the speed from -1: none to 1:
-             ///< the greatest. The follower of the built-in navigators drives it
+  kHeading,  ///< 2 numbers: a direction seen from that of the goal, over pi, and the speed from -1: none to
+             ///< 1: the greatest. The follower of the built-in navigators drives it
 };
 
 /// @{ The terms of the reward, in the order of the weights; docs/environments.md describes them.

@@ -2,6 +2,7 @@
 
 import pickle
 import warnings
+from pathlib import Path
 
 import gymnasium
 import numpy as np
@@ -12,6 +13,9 @@ import fulbito
 from fulbito.envs import NavigateEnv, NavigateVectorEnv
 from fulbito.envs.navigate import OUTCOMES
 from fulbito.navigation import Guidance, Navigator, Scene, Wheels
+
+
+ROOT = Path(__file__).resolve().parents[3]
 
 
 def make(**settings):
@@ -186,3 +190,41 @@ def test_wrong_calls():
     env.close()
     with pytest.raises(fulbito.StateError):
         env.reset()
+
+
+def test_the_trained_navigator_stands_in_the_table_of_compare():
+    table = fulbito.compare("corner", ["straight", fulbito.navigation.learnt()], speeds=[1.0], trials=40)
+    rows = {row["navigator"].rsplit(":")[-1]: row for row in table.rows}
+    assert rows["learnt"]["success"]["value"] >= 0.9 > rows["straight"]["success"]["value"]
+
+
+def test_the_trained_navigator_sees_what_the_environment_shows():
+    """The network in NumPy drives an episode as the shared library does in `compare`."""
+    layers = network()
+    table = fulbito.compare("corner", [fulbito.navigation.learnt()], speeds=[1.0], trials=4, seed=5)
+    env = make(action="heading")
+    for trial in table.trials():
+        seen, _ = env.reset(options={"start": f"layout {trial['index']} of seed 5"})
+        while True:
+            seen, _, terminated, truncated, info = env.step(action_of(layers, seen))
+            if terminated or truncated:
+                break
+        assert info["time"] == pytest.approx(float(trial["time_s"]), abs=0.05)
+        assert info["length"] == pytest.approx(float(trial["path_length_m"]), abs=0.02)
+
+
+def network():
+    """The layers of the trained navigator, from its source."""
+    text = (ROOT / "python/environments/navigation/learnt/weights.inc").read_text().split("\n", 1)[1]
+    numbers = np.array([float(number.strip().rstrip("f")) for number in text.split(",") if number.strip()], np.float32)
+    layers, at = [], 0
+    for shape in ((69, 48), (48,), (48, 48), (48,), (48, 2), (2,)):
+        layers.append(numbers[at:at + int(np.prod(shape))].reshape(shape))
+        at += layers[-1].size
+    assert at == numbers.size
+    return layers
+
+
+def action_of(layers, seen):
+    w1, b1, w2, b2, w3, b3 = layers
+    return np.clip(np.tanh(np.tanh(seen[:69] @ w1 + b1) @ w2 + b2) @ w3 + b3, -1, 1).astype(np.float32)

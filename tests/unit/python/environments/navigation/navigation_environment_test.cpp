@@ -40,7 +40,7 @@ struct Lane {
     double sum = 0.0;
     for (const double term : terms) sum += term;
     REQUIRE(rewards[0] == sum);
-    for (const float number : observation) REQUIRE(std::abs(number) <= kNavigationSightBound);
+    for (const float number : observation) REQUIRE(std::abs(number) <= kSightBound);
     return *end;
   }
 };
