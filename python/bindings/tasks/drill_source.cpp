@@ -2,7 +2,7 @@
 
 #include "python/bindings/bind.hpp"
 #include "python/bindings/python_team.hpp"
-#include "python/bindings/task_arguments.hpp"
+#include "python/bindings/tasks/task_arguments.hpp"
 #include "python/environments/drills/drill_environment.hpp"
 #include "python/environments/sight.hpp"
 
