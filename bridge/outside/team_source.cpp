@@ -43,6 +43,14 @@ Result<std::string> hostOf(const OutsideOptions& options) {
               fmt::format("there is no {} beside the program or in ../libexec/fulbito", kHost));
 }
 
+// The libraries that auditwheel puts beside the Python package, whose `bin` has the host.
+std::vector<std::string> librariesOf(const std::string& host) {
+  std::error_code error;
+  const fs::path folder = fs::path(host).parent_path() / "../../fulbito.libs";
+  return fs::is_directory(folder, error) ? std::vector{folder.lexically_normal().string()}
+                                         : std::vector<std::string>{};
+}
+
 // The folder of the module that Python programs import.
 std::vector<std::string> modules(const OutsideOptions& options) {
   if (!options.python_folder.empty()) return {options.python_folder};
@@ -57,11 +65,13 @@ Result<OutsideTeamSetup> setupOf(const std::string& specification, const TeamCom
   if (line.library) {
     auto host = hostOf(options);
     if (!host) return tl::unexpected<Error>(host.error());
+    setup.child.readable = librariesOf(*host);
     setup.child.command.insert(setup.child.command.begin(), std::move(*host));
+  } else {
+    setup.child.readable = modules(options);
   }
   setup.child.own_folder = line.folder;
   setup.child.program_alone = line.library;
-  if (!line.library) setup.child.readable = modules(options);
   setup.child.limits = options.limits;
   setup.child.sandbox_required = options.sandbox_required;
   if (line.library) {

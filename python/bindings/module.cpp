@@ -6,11 +6,15 @@ NB_MODULE(_core, m) {
   m.doc() = "The C++ side of the package fulbito. Use the package's own modules; this one may change.";
   bindErrors(m);
   bindInfo(m);
+  bindAgent(m);
   bindEnvironments(m);
   bindMatchSource(m);
   bindVector(m);
+  bindWindow(m);
   bindPlay(m);
   bindRecording(m);
   bindWorld(m);
   bindCompare(m);
+  bindDrillSource(m);
+  bindNavigationSource(m);
 }

@@ -180,8 +180,8 @@ void bindPlay(nb::module_& m) {
       .def_rw("keep", &MatchOptions::keep, "Record in memory.")
       .def_rw("recipe", &MatchOptions::recipe, "Record without states.")
       .def_rw("drawings", &MatchOptions::drawings, "Record the teams' drawings.");
-  m.def("play", &play, nb::arg("blue"), nb::arg("yellow"), nb::arg("options"), nb::arg("containment"),
-        nb::arg("progress").none(),
+  m.def("play", &play, nb::arg("blue").none(), nb::arg("yellow").none(), nb::arg("options"),
+        nb::arg("containment"), nb::arg("progress").none(),
         nb::sig("def play(blue: object, yellow: object, options: MatchOptions, containment: "
                 "Containment, progress: object | None) -> tuple[str, bytes]"),
         "Plays a match. Returns its JSON, and its recording if that is kept in memory.");

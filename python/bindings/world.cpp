@@ -20,8 +20,14 @@ constexpr std::size_t kRobotColumns = 8, kBallColumns = 6, kObstacleColumns = 5;
 using Matrix = nb::ndarray<const double, nb::ndim<2>, nb::c_contig, nb::device::cpu>;
 using Commands = nb::ndarray<const double, nb::ndim<3>, nb::c_contig, nb::device::cpu>;
 
+void requireColumns(const Matrix& rows, const char* name, std::size_t columns) {
+  if (rows.shape(1) == columns) return;
+  raise(ErrorCode::kUsage, std::string(name) + " need " + std::to_string(columns) + " columns");
+}
+
 /// x, y, heading, along x, along y, yaw rate of each row.
 std::vector<RobotPlacement> robotsOf(const Matrix& rows, const RobotModel& model) {
+  requireColumns(rows, "robots", 6);
   std::vector<RobotPlacement> robots;
   for (std::size_t i = 0; i < rows.shape(0); ++i) {
     robots.push_back({model, {{rows(i, 0), rows(i, 1)}, rows(i, 2)}, {rows(i, 3), rows(i, 4)}, rows(i, 5)});
@@ -31,6 +37,7 @@ std::vector<RobotPlacement> robotsOf(const Matrix& rows, const RobotModel& model
 
 /// x, y, along x, along y, spin along x, spin along y of each row.
 std::vector<BallPlacement> ballsOf(const Matrix& rows, const BallModel& model) {
+  requireColumns(rows, "balls", 6);
   std::vector<BallPlacement> balls;
   for (std::size_t i = 0; i < rows.shape(0); ++i) {
     balls.push_back({model, {rows(i, 0), rows(i, 1)}, {rows(i, 2), rows(i, 3)}, {rows(i, 4), rows(i, 5)}});
@@ -40,6 +47,7 @@ std::vector<BallPlacement> ballsOf(const Matrix& rows, const BallModel& model) {
 
 /// x, y, radius of each row.
 std::vector<ObstacleSpec> discsOf(const Matrix& rows) {
+  requireColumns(rows, "discs", 3);
   std::vector<ObstacleSpec> obstacles(rows.shape(0));
   for (std::size_t i = 0; i < rows.shape(0); ++i) {
     obstacles[i].pose.position = {rows(i, 0), rows(i, 1)};
@@ -69,6 +77,7 @@ class SteppedWorld {
 
   void step(const Matrix& commands, std::int64_t ticks) {
     const Exclusive::Use use(exclusive_, "the world");
+    requirePairs(commands.shape(0), commands.shape(1));
     const std::vector<WheelSpeeds> speeds = speedsOf(commands.data());
     const nb::gil_scoped_release for_the_work;
     for (std::int64_t i = 0; i < ticks; ++i) advance(speeds, static_cast<std::size_t>(i));
@@ -76,6 +85,7 @@ class SteppedWorld {
 
   nb::tuple run(const Commands& commands) {
     const Exclusive::Use use(exclusive_, "the world");
+    requirePairs(commands.shape(1), commands.shape(2));
     const std::size_t ticks = commands.shape(0), robots = robotCount() * kRobotColumns,
                       balls = world_.state().balls.size() * kBallColumns;
     std::vector<double> robot_rows(ticks * robots), ball_rows(ticks * balls);
@@ -141,6 +151,10 @@ class SteppedWorld {
         World::create({valueOf(loadField(field)), valueOf(loadPhysics(physics)),
                        robotsOf(robots, preset.robot), ballsOf(balls, preset.ball), discsOf(discs)}));
   }
+  void requirePairs(std::size_t rows, std::size_t columns) const {
+    if (rows == robotCount() && columns == 2) return;
+    raise(ErrorCode::kUsage, "commands: two wheels for each of " + std::to_string(robotCount()) + " robots");
+  }
   std::vector<WheelSpeeds> speedsOf(const double* pairs) const {
     std::vector<WheelSpeeds> speeds(robotCount());
     for (WheelSpeeds& speed : speeds) {
@@ -165,11 +179,11 @@ void bindWorld(nb::module_& m) {
   nb::class_<SteppedWorld>(m, "SteppedWorld", "A world: see fulbito.World, which checks the arrays.")
       .def(nb::init<const std::string&, const std::string&, const std::string&, const Matrix&, const Matrix&,
                     const Matrix&>(),
-           nb::arg("field"), nb::arg("robot"), nb::arg("physics"), nb::arg("robots"), nb::arg("balls"),
-           nb::arg("discs"))
-      .def("step", &SteppedWorld::step, nb::arg("commands"), nb::arg("ticks"),
+           nb::arg("field"), nb::arg("robot"), nb::arg("physics"), nb::arg("robots").noconvert(),
+           nb::arg("balls").noconvert(), nb::arg("discs").noconvert())
+      .def("step", &SteppedWorld::step, nb::arg("commands").noconvert(), nb::arg("ticks"),
            "Runs ticks with the same commands.")
-      .def("run", &SteppedWorld::run, nb::arg("commands"),
+      .def("run", &SteppedWorld::run, nb::arg("commands").noconvert(),
            nb::sig("def run(self, commands: numpy.typing.NDArray[numpy.float64]) -> "
                    "tuple[numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"),
            "Runs a tick per row; robots and balls after each.")

@@ -16,7 +16,7 @@ class Bar:
         if not shown:
             return
         try:
-            from tqdm.auto import tqdm  # type: ignore[import-untyped,unused-ignore]
+            from tqdm.auto import tqdm
         except ImportError:
             raise UsageError("progress=True needs tqdm: pip install 'fulbito[progress]'") from None
         self._bar = tqdm(desc=title, unit=unit)

@@ -107,9 +107,12 @@ def _pair(name: str, value: PerTeam[Any], kind: type) -> tuple[Any, Any]:
     if len(values) != 2:
         raise UsageError(f"{name}: one value, or one for blue and one for yellow, not {value!r}")
     try:
-        return kind(values[0]), kind(values[1])
+        pair = kind(values[0]), kind(values[1])
     except (TypeError, ValueError):
         raise UsageError(f"{name}: {value!r} is not a number") from None
+    if kind is int and not all(-2**31 <= n < 2**31 and n == given for n, given in zip(pair, values)):
+        raise UsageError(f"{name}: {value!r} is not a small whole number")
+    return pair
 
 
 def play(blue: TeamLike, yellow: TeamLike, *, seed: int = 1, rules: str = "vsss-3v3", robot: str = "vsss",

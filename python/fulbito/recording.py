@@ -207,8 +207,11 @@ class Recording:
             UsageError: an argument is outside its range.
             FileError: the font of the pictures is missing (fonts-dejavu-core, or FULBITO_FONT).
         """
-        if not (fps > 0.0 and speed > 0.0):
+        if not (0.0 < fps < np.inf and 0.0 < speed < np.inf):
             raise UsageError(f"fps = {fps} and speed = {speed} must be positive")
+        for name, value in (("start", start), ("stop", 0.0 if stop is None else stop), ("trail_seconds", trail_seconds)):
+            if not np.isfinite(value):
+                raise UsageError(f"{name} = {value} is not a finite number")
         end = self.seconds if stop is None else min(stop, self.seconds)
         film = self._film(width, theme, trail_seconds)
         count = max(0, int(np.ceil((end - start) * fps / speed - 1e-9)))

@@ -31,12 +31,19 @@ class Contact:
     """They did not touch in the previous tick."""
 
 
-def _rows(name: str, values: npt.ArrayLike, least: int, most: int) -> _Floats:
-    """The values as rows of `most` columns; missing ones are 0."""
+def _numbers(name: str, values: npt.ArrayLike) -> _Floats:
+    """The values as contiguous doubles. Raises UsageError for complex numbers, text, and rows of different lengths."""
     try:
-        rows = np.asarray(values, dtype=np.float64)
+        if np.asarray(values).dtype.kind not in "biuf":
+            raise TypeError
+        return np.ascontiguousarray(values, dtype=np.float64)
     except (TypeError, ValueError):
         raise UsageError(f"{name}: not an array of numbers") from None
+
+
+def _rows(name: str, values: npt.ArrayLike, least: int, most: int) -> _Floats:
+    """The values as rows of `most` columns; missing ones are 0."""
+    rows = _numbers(name, values)
     if rows.size == 0:
         return np.zeros((0, most))
     if rows.ndim != 2 or not least <= rows.shape[1] <= most:
@@ -107,10 +114,7 @@ class World:
 
     @staticmethod
     def _commands(commands: npt.ArrayLike, shape: tuple[int, ...]) -> _Floats:
-        try:
-            values = np.ascontiguousarray(commands, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise UsageError("commands: not an array of numbers") from None
+        values = _numbers("commands", commands)
         if values.ndim != len(shape) or any(want not in (-1, got) for want, got in zip(shape, values.shape)):
             wanted = ", ".join("ticks" if n < 0 else str(n) for n in shape)
             raise UsageError(f"commands: the shape is {values.shape}, not ({wanted})")

@@ -3,18 +3,23 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "engine/core/base/float_mode.hpp"
 #include "engine/core/math/random.hpp"
-#include "fulbito/detail/math.hpp"
-#include "python/environments/drills/sight.hpp"
+#include "python/environments/match/actions.hpp"
+#include "python/environments/match/painter.hpp"
+#include "python/environments/match/starts.hpp"
+#include "python/environments/match/truth.hpp"
+#include "python/environments/sight.hpp"
 
 namespace fulbito {
 namespace {
 
 constexpr int kMostTicks = 60;
+constexpr std::size_t kTeam = 3;  // robots per team in all observations, so that a policy fits all drills
 constexpr std::uint64_t kTrainSeeds = std::uint64_t{1} << 63;
 constexpr std::uint32_t kTrialNumbers = 1u << 20;  // numbers that a seed draws from: each start many times
 constexpr std::string_view kTrialText = "trial ";
@@ -22,7 +27,7 @@ constexpr std::string_view kTrialText = "trial ";
 bool predicts(const Drill& drill) { return drill.starts.front().task == DrillTask::kPredictBall; }
 
 std::size_t actionSize(const DrillSettings& settings) {
-  return settings.control == DrillControl::kGoTo && !predicts(settings.drill) ? 3 : 2;
+  return predicts(settings.drill) ? 2 : numbersOf(settings.actions);
 }
 
 bool isAgents(const DrillRobot& robot, const DrillStart& start) {
@@ -48,8 +53,8 @@ std::vector<int> ownRobots(const Drill& drill, const DrillStart& start) {
 
 EpisodeShape shapeOf(const DrillSettings& settings) {
   EpisodeShape shape;
-  shape.observation = drillSight().size();
-  shape.bound = kDrillSightBound;
+  shape.observation = Sight(kTeam).size();
+  shape.bound = kSightBound;
   shape.action = actionSize(settings);
   shape.terms.assign(kDrillTerms.begin(), kDrillTerms.end());
   shape.figures = {"success", "time", "ideal", "counted", "start", "trial"};
@@ -58,6 +63,9 @@ EpisodeShape shapeOf(const DrillSettings& settings) {
 
 Result<void> check(const DrillSettings& settings) {
   if (auto trials = checkHasTrials(settings.drill); !trials) return trials;
+  if (settings.actions == ActionForm::kSkill || settings.actions == ActionForm::kCompat) {
+    return fail(ErrorCode::kUsage, "actions: a drill has wheels, twist and goto");
+  }
   if (settings.ticks < 1 || settings.ticks > kMostTicks) {
     return fail(ErrorCode::kUsage,
                 fmt::format("frame_skip: {} is outside 1 ... {}", settings.ticks, kMostTicks));
@@ -97,6 +105,8 @@ DrillEnvironment::DrillEnvironment(const DrillSettings& settings)
   options_.itself = settings_.itself;
 }
 
+DrillEnvironment::~DrillEnvironment() { (void)leave(); }
+
 Result<std::unique_ptr<DrillEnvironment>> DrillEnvironment::create(const DrillSettings& settings) {
   if (auto checked = check(settings); !checked) return tl::unexpected<Error>(checked.error());
   std::unique_ptr<DrillEnvironment> made(new DrillEnvironment(settings));
@@ -112,6 +122,11 @@ Result<std::unique_ptr<DrillEnvironment>> DrillEnvironment::create(const DrillSe
   auto base = drillMatch(made->run_, settings.drill);
   if (!base) return tl::unexpected<Error>(base.error());
   made->base_ = std::move(*base);
+  made->models_ = made->base_.robot;
+  MatchTask ranged;
+  ranged.match = made->base_;
+  ranged.ranges = settings.ranges;
+  if (auto checked = checkRanges(ranged); !checked) return tl::unexpected<Error>(checked.error());
   if (settings.sight) made->base_.vision.fill(*settings.sight);
   return made;
 }
@@ -119,7 +134,7 @@ Result<std::unique_ptr<DrillEnvironment>> DrillEnvironment::create(const DrillSe
 /// The trial that an episode plays: a function of its seed and text.
 Result<DrillTrialNumber> DrillEnvironment::numberOf(const EpisodeStart& start) const {
   if (start.text.empty()) {
-    Rng rng(start.seed, Stream::kDrill, static_cast<std::uint64_t>(settings_.drill.number));
+    Rng rng(start.seed, Stream::kEpisodeStart);
     const auto index = static_cast<int>(rng.below(kTrialNumbers));
     const bool train = settings_.split == DrillSplit::kTrain;
     return DrillTrialNumber{train ? start.seed | kTrainSeeds : start.seed & ~kTrainSeeds, index};
@@ -152,12 +167,15 @@ Result<void> DrillEnvironment::begin(const EpisodeStart& start, const EpisodeVie
   const auto number = numberOf(start);
   if (!number) return tl::unexpected<Error>(number.error());
   number_ = *number;
-  trial_.reset();
+  if (auto left = leave(); !left) return left;
   const auto& starts = settings_.drill.starts;
   seat(starts[static_cast<std::size_t>(number_.index) % starts.size()]);
+  drawModels(settings_.ranges, start.seed, base_.robot = models_);
+  run_.robot = base_.robot;
   auto trial = DrillTrialRun::create(run_, settings_.drill, base_, number_);
   if (!trial) return tl::unexpected<Error>(trial.error());
   trial_ = std::move(*trial);
+  if (auto recorded = startRecording(); !recorded) return recorded;
   paid_ = false;
   last_action_ = {};
   settle();
@@ -168,6 +186,25 @@ Result<void> DrillEnvironment::begin(const EpisodeStart& start, const EpisodeVie
   return {};
 }
 
+/// Ends the episode and its recording.
+Result<void> DrillEnvironment::leave() {
+  if (trial_) trial_->match().finish();
+  Result<void> written;
+  if (recorder_) written = recorder_->written();
+  trial_.reset();
+  recorder_.reset();
+  return written;
+}
+
+Result<void> DrillEnvironment::startRecording() {
+  if (record_to_.empty()) return {};
+  auto recorder = MatchRecorder::create(std::exchange(record_to_, {}), trial_->match().config());
+  if (!recorder) return tl::unexpected<Error>(recorder.error());
+  recorder_.emplace(std::move(*recorder));
+  trial_->match().watch(*recorder_);
+  return {};
+}
+
 /// Goes on to the next decision, or to the end of the trial.
 void DrillEnvironment::settle() {
   while (trial_->advance() && trial_->match().phase() != MatchPhase::kDeciding) {
@@ -175,33 +212,18 @@ void DrillEnvironment::settle() {
 }
 
 void DrillEnvironment::command(std::span<const float> action) {
-  std::array<double, 3> a{};
   effort_ = 0.0;
   for (std::size_t i = 0; i < action.size(); ++i) {
-    a[i] = std::clamp(static_cast<double>(action[i]), -1.0, 1.0);
-    effort_ += std::abs(a[i] - last_action_[i]) / static_cast<double>(action.size());
+    const double number = std::clamp(double{action[i]}, -1.0, 1.0);
+    effort_ += std::abs(number - last_action_[i]) / static_cast<double>(action.size());
+    last_action_[i] = number;
   }
-  last_action_ = a;
-  const MatchInfo& info = slot_->info;
-  const Vec2 place{a[0] * info.field.length / 2, a[1] * info.field.width / 2};
-  RobotCommand& wanted = slot_->commands[static_cast<std::size_t>(robot_)];
   if (predicts(settings_.drill)) {
-    slot_->answer = place;
-    return;
-  }
-  const double top_speed = info.robot.maxSpeed();
-  switch (settings_.control) {
-    case DrillControl::kWheels:
-      wanted = RobotCommand::byWheels({a[0] * info.robot.max_wheel_speed, a[1] * info.robot.max_wheel_speed});
-      return;
-    case DrillControl::kTwist:
-      wanted = RobotCommand::byTwist({a[0] * top_speed, a[1] * 2.0 * top_speed / info.robot.axle_track});
-      return;
-    case DrillControl::kGoTo:
-      GoTo go_to;
-      go_to.position = place;
-      go_to.heading = a[2] * math::kPi;
-      wanted = RobotCommand::drivingTo(go_to);
+    const FieldGeometry& field = base_.field;
+    slot_->answer = {last_action_[0] * field.length / 2, last_action_[1] * field.width / 2};
+  } else {
+    slot_->commands[static_cast<std::size_t>(robot_)] =
+        commandOf(settings_.actions, trial_->match().config(), action);
   }
 }
 
@@ -214,6 +236,10 @@ Result<EpisodeEnd> DrillEnvironment::step(std::span<const float> actions, const 
   const DrillProgressNow progress = progress_;
   reward(std::max(0.0, trial_->watch().elapsed() - std::max(0.0, before)), progress, out);
   tell(out);
+  if (trial_->over() && recorder_) {
+    trial_->match().finish();
+    if (auto written = recorder_->written(); !written) return tl::unexpected<Error>(written.error());
+  }
   return ending();
 }
 
@@ -239,9 +265,14 @@ void DrillEnvironment::reward(double seconds, const DrillProgressNow& before, co
 }
 
 void DrillEnvironment::tell(const EpisodeView& out) const {
+  // After the last tick no team sees the end of it.
+  if (trial_->over()) slot_->seen = truthFor(trial_->match(), trial_->scene().seat);
   const DrillWatch& watch = trial_->watch();
   const double share = std::clamp(watch.elapsed() / watch.duration(), 0.0, 1.0);
-  writeDrillSight({*slot_, robot_, trial_->start().task, trial_->scene().exercise, share}, out.observations);
+  const MatchInfo& info = slot_->info;
+  Sight(kTeam).write({slot_->seen, info.field, info.robot, static_cast<std::size_t>(robot_),
+                      trial_->start().task, &trial_->scene().exercise, share},
+                     out.observations);
   const DrillTrial verdict = watch.trial(0.0);
   out.figures[0] = verdict.success ? 1.0 : 0.0;
   out.figures[1] = verdict.success ? verdict.time : std::max(0.0, watch.elapsed());
@@ -249,6 +280,18 @@ void DrillEnvironment::tell(const EpisodeView& out) const {
   out.figures[3] = verdict.counted ? 1.0 : 0.0;
   out.figures[4] = verdict.start;
   out.figures[5] = number_.index;
+}
+
+Result<void> DrillEnvironment::record(const std::string& file) {
+  record_to_ = file;
+  return {};
+}
+
+Result<Canvas> DrillEnvironment::picture(int width) {
+  if (!trial_) return fail(ErrorCode::kUsage, "there is no picture before the first reset");
+  const auto painter = MatchPainter::create(trial_->match().config(), width);
+  if (!painter) return tl::unexpected<Error>(painter.error());
+  return painter->draw(trial_->match());
 }
 
 EpisodeEnd DrillEnvironment::ending() const {

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "fulbito/recorder.hpp"
 #include "match/drills/trial_run.hpp"
 #include "python/environments/agent_team.hpp"
 #include "python/environments/drills/progress.hpp"
@@ -24,9 +25,14 @@ class DrillEnvironment final : public EpisodeSource {
   /// Errors: kUsage for settings out of range and for drills without trials; those of teams and models.
   static Result<std::unique_ptr<DrillEnvironment>> create(const DrillSettings& settings);
 
+  ~DrillEnvironment() override;
+
   const EpisodeShape& shape() const override { return shape_; }
   Result<void> begin(const EpisodeStart& start, const EpisodeView& out) override;
   Result<EpisodeEnd> step(std::span<const float> actions, const EpisodeView& out) override;
+
+  Result<void> record(const std::string& file) override;
+  Result<Canvas> picture(int width) override;
 
   const DrillSettings& settings() const { return settings_; }
   /// The trial that is played; null before the first.
@@ -38,6 +44,8 @@ class DrillEnvironment final : public EpisodeSource {
   explicit DrillEnvironment(const DrillSettings& settings);
   Result<DrillTrialNumber> numberOf(const EpisodeStart& start) const;
   void seat(const DrillStart& start);
+  Result<void> leave();
+  Result<void> startRecording();
   void settle();
   void command(std::span<const float> action);
   void tell(const EpisodeView& out) const;
@@ -51,7 +59,10 @@ class DrillEnvironment final : public EpisodeSource {
   DrillOptions options_;
   DrillRun run_;
   MatchConfig base_;
+  RobotPreset models_;  ///< before an episode draws some of their numbers
   std::unique_ptr<DrillTrialRun> trial_;
+  std::optional<MatchRecorder> recorder_;
+  std::string record_to_;  ///< file for the next episode; empty: none
   DrillTrialNumber number_;
   int robot_ = 0;
   bool paid_ = false;  ///< the success has been rewarded

@@ -4,18 +4,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "match/drills/drill.hpp"
+#include "python/environments/match/task.hpp"
 
 namespace fulbito {
-
-/// How an agent commands its robot. Tasks that ask for a prediction have an action of their own instead: the
-/// predicted place of the ball, as shares of half the field's length and width.
-enum class DrillControl : std::uint8_t {
-  kWheels,  ///< 2 numbers: left and right wheel, as shares of their greatest speed
-  kTwist,   ///< 2 numbers: forward speed and yaw rate, as shares of the greatest
-  kGoTo     ///< 3 numbers: a place, as shares of half the field's length and width, and a heading over pi
-};
 
 /// Which trials an environment draws. Those of `kTrain` have seeds from 2^63 on; `kTest` and the program,
 /// with its default seed and any other below 2^63, never play them.
@@ -32,7 +26,9 @@ inline constexpr DrillWeights kDrillWeights{10.0, 5.0, 0.5, 5.0, 1.0, 1.0, 1.0, 
 /// What an environment of a drill is made with.
 struct DrillSettings {
   Drill drill;  ///< one that consists of trials
-  DrillControl control = DrillControl::kWheels;
+  /// kWheels, kTwist or kGoTo. Tasks that ask for a prediction have an action of their own instead: the
+  /// predicted place of the ball, as shares of half the field's length and width.
+  ActionForm actions = ActionForm::kWheels;
   DrillSplit split = DrillSplit::kTrain;
   int robot = -1;     ///< number of the agent's robot; -1: the drill's
   int ticks = 1;      ///< control ticks per step, 1 ... 60
@@ -43,6 +39,7 @@ struct DrillSettings {
   std::string physics = "standard";                    ///< preset or file
   std::string navigator = kDefaultNavigator;           ///< plans the ways of `kGoTo`
   std::optional<VisionModel> sight;                    ///< instead of the drill's
+  std::vector<ModelRange> ranges;                      ///< models of robots and ball that each episode draws
   DrillWeights weights = kDrillWeights;
 };
 

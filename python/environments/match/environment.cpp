@@ -7,6 +7,7 @@
 #include "engine/core/base/float_mode.hpp"
 #include "python/environments/match/actions.hpp"
 #include "python/environments/match/starts.hpp"
+#include "python/environments/match/truth.hpp"
 #include "referee/rules/clauses.hpp"
 #include "strategies/interface/team_frame.hpp"
 
@@ -266,33 +267,13 @@ bool MatchEnvironment::measureCompat(std::span<double> terms) {
   return goal;
 }
 
-/// What the team would see now without errors.
-Observation MatchEnvironment::truth(TeamId team) const {
-  const RefereeState& referee = match_->referee();
-  const Side side = referee.sideOf(team);
-  Observation seen;
-  seen.team_size = task_.match.rules.team_size;
-  seen.ball = inTeamFrame(side, match_->world().balls.front());
-  const auto ids = match_->ids();
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    auto& robot = (ids[i].team == team ? seen.own : seen.opponents)[ids[i].number];
-    robot = {true, inTeamFrame(side, match_->world().robots[i])};
-  }
-  seen.playing = referee.playing;
-  seen.remaining =
-      static_cast<double>(referee.period_ticks - referee.play_ticks) * task_.match.physics.controlPeriod();
-  seen.own_score = referee.score[indexOf(team)];
-  seen.opponent_score = referee.score[indexOf(other(team))];
-  return seen;
-}
-
 void MatchEnvironment::observe(const EpisodeView& out, bool first) {
   clipped_ = 0;
   for (const TeamId team : kTeams) {
     if (!slots_[indexOf(team)]) continue;
     AgentSlot& slot = *slots_[indexOf(team)];
     // After the last tick no team sees the end of it.
-    if (match_->phase() != MatchPhase::kDeciding) slot.seen = truth(team);
+    if (match_->phase() != MatchPhase::kDeciding) slot.seen = truthFor(*match_, team);
     const Facings facings(slot.seen);
     for (std::size_t i = 0; i < agents_.size(); ++i) {
       if (agents_[i].id.team != team) continue;
@@ -327,7 +308,9 @@ void MatchEnvironment::tell(const EpisodeView& out) const {
   out.figures.back() = clipped_;
 }
 
-void MatchEnvironment::state(std::span<float> out) const { writer_.writeState(truth(TeamId::kBlue), out); }
+void MatchEnvironment::state(std::span<float> out) const {
+  writer_.writeState(truthFor(*match_, TeamId::kBlue), out);
+}
 
 Result<void> MatchEnvironment::record(const std::string& file) {
   record_to_ = file;

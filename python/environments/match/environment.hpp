@@ -66,7 +66,6 @@ class MatchEnvironment final : public EpisodeSource {
   int playTick(std::span<double> terms);
   void measure(RewardTick tick, PerTeam<int> goals, Side blue_side, std::span<double> terms);
   bool measureCompat(std::span<double> terms);
-  Observation truth(TeamId team) const;
   void observe(const EpisodeView& out, bool first);
   void pile(std::vector<float>& seen, std::span<float> all, bool first) const;
   void tell(const EpisodeView& out) const;

@@ -5,23 +5,15 @@
 
 #include "fulbito/detail/math.hpp"
 #include "python/environments/match/compat.hpp"
+#include "python/environments/sight.hpp"
 
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kBall = 4, kSelf = 9, kOther = 8, kGoals = 4, kGame = 3;  // numbers of each part
-constexpr double kManyGoals = 10.0;  // ahead: the scale of the score
+constexpr std::size_t kBall = 4, kSelf = 9, kOther = 8, kGame = 3;  // numbers of each part
+constexpr double kManyGoals = 10.0;                                 // ahead: the scale of the score
 
 }  // namespace
-
-/// The frame in which places are told: the team's, or a robot's with x ahead.
-struct ObservationWriter::Frame {
-  Vec2 origin;
-  Vec2 ahead{1.0, 0.0};
-
-  Vec2 turned(Vec2 v) const { return intoFrame(ahead, v); }
-  Vec2 place(Vec2 p) const { return turned(p - origin); }
-};
 
 /// Writes numbers one after the other, within the bound.
 class ObservationWriter::Numbers {
@@ -61,27 +53,35 @@ Facings::Facings(const Observation& seen) {
 ObservationWriter::ObservationWriter(ObservationForm form, const MatchConfig& match)
     : form_(form),
       field_(match.field),
+      robot_(match.robot.robot),
       half_seconds_(match.rules.half_seconds),
       top_wheel_(match.robot.robot.max_wheel_speed),
       top_speed_(match.robot.robot.maxSpeed()),
       top_yaw_(2.0 * top_speed_ / match.robot.robot.axle_track),
       team_(static_cast<std::size_t>(match.rules.team_size)) {
   size_ = kBall + kSelf + (2 * team_ - 1) * kOther + kGame;
-  if (form == ObservationForm::kEgocentric) size_ += kGoals;
+  if (form == ObservationForm::kEgocentric) size_ = Sight(team_).size();
   if (form == ObservationForm::kCompat) size_ = kCompatNumbers;
 }
 
 float ObservationWriter::bound() const {
-  return form_ == ObservationForm::kCompat ? kCompatBound : kObservedBound;
+  switch (form_) {
+    case ObservationForm::kCompat:
+      return kCompatBound;
+    case ObservationForm::kEgocentric:
+      return kSightBound;
+    case ObservationForm::kAbsolute:
+      break;
+  }
+  return kObservedBound;
 }
 
-void ObservationWriter::addRobot(const ObservedRobot& robot, Vec2 facing, const Frame& frame,
-                                 Numbers& numbers) const {
+void ObservationWriter::addRobot(const ObservedRobot& robot, Vec2 facing, Numbers& numbers) const {
   if (!robot.present) return numbers.skip(kOther);
   numbers.add(1.0);
-  numbers.add(frame.place(robot.state.pose.position) / (field_.length / 2));
-  numbers.add(frame.turned(facing));
-  numbers.add(frame.turned(robot.state.velocity) / top_speed_);
+  numbers.add(robot.state.pose.position / (field_.length / 2));
+  numbers.add(facing);
+  numbers.add(robot.state.velocity / top_speed_);
   numbers.add(robot.state.angular_velocity / top_yaw_);
 }
 
@@ -98,8 +98,8 @@ void ObservationWriter::writeState(const Observation& seen, std::span<float> out
   numbers.add(seen.ball.position / (field_.length / 2));
   numbers.add(seen.ball.velocity / top_speed_);
   const Facings facings(seen);
-  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.own[i], facings.robots[0][i], {}, numbers);
-  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.opponents[i], facings.robots[1][i], {}, numbers);
+  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.own[i], facings.robots[0][i], numbers);
+  for (std::size_t i = 0; i < team_; ++i) addRobot(seen.opponents[i], facings.robots[1][i], numbers);
   addGame(seen, numbers);
 }
 
@@ -111,27 +111,24 @@ int ObservationWriter::write(const Observation& seen, const Facings& facings, st
     numbers.skip(out.size());
     return 0;
   }
+  if (form_ == ObservationForm::kEgocentric) {
+    Sight::Moment moment{seen, field_, robot_, robot};
+    moment.elapsed = 1.0 - seen.remaining / half_seconds_;
+    return Sight(team_).write(moment, out);
+  }
   const RobotState& self = seen.own[robot].state;
-  const Vec2 facing = facings.robots[0][robot];
-  const bool egocentric = form_ == ObservationForm::kEgocentric;
-  const Frame frame = egocentric ? Frame{self.pose.position, facing} : Frame{};
-  const double length = field_.length / 2;
-  numbers.add(frame.place(seen.ball.position) / length);
-  numbers.add(frame.turned(seen.ball.velocity) / top_speed_);
-  numbers.add(self.pose.position / length);
-  numbers.add(facing);
-  numbers.add(frame.turned(self.velocity) / top_speed_);
+  numbers.add(seen.ball.position / (field_.length / 2));
+  numbers.add(seen.ball.velocity / top_speed_);
+  numbers.add(self.pose.position / (field_.length / 2));
+  numbers.add(facings.robots[0][robot]);
+  numbers.add(self.velocity / top_speed_);
   numbers.add(self.angular_velocity / top_yaw_);
   numbers.add(Vec2{self.wheels.left, self.wheels.right} / top_wheel_);
   for (std::size_t i = 0; i < team_; ++i) {
-    if (i != robot) addRobot(seen.own[i], facings.robots[0][i], frame, numbers);
+    if (i != robot) addRobot(seen.own[i], facings.robots[0][i], numbers);
   }
   for (std::size_t i = 0; i < team_; ++i) {
-    addRobot(seen.opponents[i], facings.robots[1][i], frame, numbers);
-  }
-  if (egocentric) {
-    numbers.add(frame.place({length, 0.0}) / length);
-    numbers.add(frame.place({-length, 0.0}) / length);
+    addRobot(seen.opponents[i], facings.robots[1][i], numbers);
   }
   addGame(seen, numbers);
   return numbers.clipped();

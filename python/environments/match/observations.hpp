@@ -9,7 +9,7 @@
 
 namespace fulbito {
 
-/// Largest absolute value of an observed number of ObservationForm::kAbsolute and kEgocentric.
+/// Largest absolute value of an observed number of ObservationForm::kAbsolute.
 inline constexpr float kObservedBound = 3.0f;
 
 /// Unit vectors of the headings of all robots of an observation, which several agents of a team share.
@@ -32,6 +32,10 @@ class ObservationWriter {
   /// @param out  `size` numbers
   /// @return how many numbers were clipped to the bound
   int write(const Observation& seen, const Facings& facings, std::size_t robot, std::span<float> out) const;
+  /// The same for one robot.
+  int write(const Observation& seen, std::size_t robot, std::span<float> out) const {
+    return write(seen, Facings(seen), robot, out);
+  }
 
   /// Numbers of the state of a whole world.
   std::size_t stateSize() const;
@@ -39,13 +43,13 @@ class ObservationWriter {
   void writeState(const Observation& seen, std::span<float> out) const;
 
  private:
-  struct Frame;
   class Numbers;
-  void addRobot(const ObservedRobot& robot, Vec2 facing, const Frame& frame, Numbers& numbers) const;
+  void addRobot(const ObservedRobot& robot, Vec2 facing, Numbers& numbers) const;
   void addGame(const Observation& seen, Numbers& numbers) const;
 
   ObservationForm form_;
   FieldGeometry field_;
+  RobotModel robot_;
   double half_seconds_;
   double top_wheel_;  ///< [rad/s]
   double top_speed_;  ///< [m/s]

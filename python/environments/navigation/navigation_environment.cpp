@@ -111,7 +111,7 @@ Result<void> NavigationEnvironment::place(const EpisodeStart& start) {
   std::uint64_t index = 0;
   block.seed = start.seed;
   if (start.text.empty()) {
-    Rng rng(start.seed, Stream::kLayout, std::uint64_t{1} << 63);
+    Rng rng(start.seed, Stream::kEpisodeStart);
     index = rng.below(kLayoutNumbers);
     block.seed = settings_.train ? start.seed | kTrainSeeds : start.seed & ~kTrainSeeds;
   } else if (!start.text.starts_with(kLayoutText)) {
@@ -252,7 +252,7 @@ void NavigationEnvironment::reward(double seconds, bool over, const EpisodeView&
 
 void NavigationEnvironment::tell(const EpisodeView& out) {
   scene_ = &trial_->observe();
-  sight_.write(*scene_, trial_->command(), out.observations);
+  sight_.write(*scene_, out.observations);
   const TrialScore score = trial_->score();
   const bool success = score.arrived && !trial_->spoiled();
   out.figures[0] = success ? 1.0 : 0.0;

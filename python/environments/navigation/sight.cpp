@@ -29,8 +29,8 @@ std::vector<NavigationSightEntry> entriesOfAll() {
       {"forward", "", "its speed along its heading, over the top speed"},
       {"sideways", "", "its speed to its left, over the top speed"},
       {"yaw", "", "its yaw rate, over that of a spin at top speed"},
-      {"sent-left", "", "the last command of the left wheel, over its top speed"},
-      {"sent-right", "", "the same of the right wheel"},
+      {"wheel-left", "", "speed of the left wheel, over its top speed"},
+      {"wheel-right", "", "the same of the right wheel"},
       {"top-speed", "m/s", "the robot's top speed"}};
   for (std::size_t i = 0; i < kRays; ++i) {
     entries.push_back(
@@ -138,7 +138,7 @@ const std::vector<NavigationSightEntry>& navigationSight() {
   return kEntries;
 }
 
-void NavigationSight::write(const NavigationScene& scene, WheelSpeeds sent, std::span<float> out) {
+void NavigationSight::write(const NavigationScene& scene, std::span<float> out) {
   if (scene.field != field_) {
     field_ = scene.field;
     contour_ = innerContour(*field_);
@@ -155,7 +155,7 @@ void NavigationSight::write(const NavigationScene& scene, WheelSpeeds sent, std:
   numbers.add(scene.goal.heading ? math::unit(*scene.goal.heading - self.pose.heading) : Vec2{});
   numbers.add(intoFrame(ahead, self.velocity) / top_speed);
   numbers.add(self.angular_velocity * robot.axle_track / (2.0 * top_speed));
-  numbers.add(Vec2{sent.left, sent.right} / robot.max_wheel_speed);
+  numbers.add(Vec2{self.wheels.left, self.wheels.right} / robot.max_wheel_speed);
   numbers.add(top_speed);
   addRays(numbers, scene, contour_);
   addDiscs(numbers, scene, ahead, top_speed);

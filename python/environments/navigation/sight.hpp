@@ -26,8 +26,7 @@ const std::vector<NavigationSightEntry>& navigationSight();
 class NavigationSight {
  public:
   /// Writes `navigationSight().size()` numbers. Allocates nothing unless the field changes.
-  /// @param sent  command of the last tick [rad/s]
-  void write(const NavigationScene& scene, WheelSpeeds sent, std::span<float> out);
+  void write(const NavigationScene& scene, std::span<float> out);
 
  private:
   const FieldGeometry* field_ = nullptr;

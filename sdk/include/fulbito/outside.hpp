@@ -24,7 +24,8 @@ struct OutsideOptions {
   ChildLimits limits;                         ///< limits of each team
   /// The program `fulbito-team-host`; empty: beside the running program, or in its `../libexec/fulbito`.
   std::string host;
-  /// The folder of `fulbito_team.py`, which Python programs import; empty: beside the running program, or in its
+  /// The folder of `fulbito_team.py`, which Python programs import; empty: beside the running program, or in
+  /// its
   /// `../share/fulbito/python`.
   std::string python_folder;
   std::function<std::int64_t()> clock;  ///< monotonic time [ns]; required

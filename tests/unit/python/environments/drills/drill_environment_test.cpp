@@ -5,7 +5,7 @@
 
 #include "engine/core/math/random.hpp"
 #include "match/drills/trials.hpp"
-#include "python/environments/drills/sight.hpp"
+#include "python/environments/sight.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/test_stream.hpp"
 
@@ -53,7 +53,7 @@ double randomEpisode(Room& room, const EpisodeStart& start) {
     for (float& number : action) number = static_cast<float>(rng.uniform(-1.0, 1.0));
     end = room.step(action);
     for (const float number : room.observation) {
-      REQUIRE(std::abs(number) <= kDrillSightBound);
+      REQUIRE(std::abs(number) <= kSightBound);
       sum += static_cast<double>(number) * 0.37;
     }
     const double reward = std::accumulate(room.terms.begin(), room.terms.end(), 0.0);
@@ -103,7 +103,7 @@ TEST_CASE("the drill's own judge decides: an agent gets what a team gets that do
   const DrillRun run{options, *loadRobot("vsss"), *loadPhysics("standard")};
   for (const int number : {1, 2, 3, 4, 6, 13}) {
     DrillSettings settings = settingsOf(number);
-    settings.control = DrillControl::kTwist;
+    settings.actions = ActionForm::kTwist;
     Room room(settings);
     const auto base = drillMatch(run, settings.drill);
     for (int index = 0; index < 6; ++index) {

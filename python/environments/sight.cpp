@@ -1,4 +1,4 @@
-#include "python/environments/drills/sight.hpp"
+#include "python/environments/sight.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,11 +10,11 @@
 namespace fulbito {
 namespace {
 
-constexpr std::size_t kMates = 2;
-constexpr std::size_t kOpponents = 3;
 constexpr std::size_t kTasks = 6;
+constexpr std::size_t kOfRobot = 7;    // numbers of another robot
+constexpr std::size_t kOfOthers = 36;  // numbers of all but other robots
 
-void addOthers(std::vector<DrillSightEntry>& entries, const std::string& whose, std::size_t count) {
+void addOthers(std::vector<SightEntry>& entries, const std::string& whose, std::size_t count) {
   for (std::size_t i = 1; i <= count; ++i) {
     const std::string name = fmt::format("{}-{}", whose, i);
     entries.push_back({name + "-present", "", "1: there is such a robot; else all of its numbers are 0"});
@@ -27,12 +27,12 @@ void addOthers(std::vector<DrillSightEntry>& entries, const std::string& whose, 
   }
 }
 
-std::vector<DrillSightEntry> entriesOfAll() {
-  std::vector<DrillSightEntry> entries;
+std::vector<SightEntry> entriesOfAll(std::size_t team) {
+  std::vector<SightEntry> entries;
   for (const char* task : {"play", "reach-pose", "turn", "reach-ball", "push", "predict-ball"}) {
     entries.push_back({fmt::format("task-{}", task), "", "1: the trial's task is this"});
   }
-  const std::vector<DrillSightEntry> own = {
+  const std::vector<SightEntry> own = {
       {"x", "m", "the robot's place in the team's frame: its own goal is at -x"},
       {"y", "m", "the same"},
       {"cos", "", "cosine of its heading in that frame"},
@@ -62,11 +62,11 @@ std::vector<DrillSightEntry> entriesOfAll() {
       {"target-sin", "", "sine of the same"},
       {"target-speed", "", "speed that the task asks for, over the top speed"},
       {"horizon", "s", "time ahead of the prediction that the task asks for"},
-      {"elapsed", "", "share of the trial's time that is over"},
+      {"elapsed", "", "share of the trial, or of the half, that is over"},
       {"playing", "", "1: play is on; 0: a restart waits for its signal"}};
   entries.insert(entries.end(), own.begin(), own.end());
-  addOthers(entries, "mate", kMates);
-  addOthers(entries, "opponent", kOpponents);
+  addOthers(entries, "mate", team - 1);
+  addOthers(entries, "opponent", team);
   return entries;
 }
 
@@ -77,8 +77,10 @@ class Eyes {
       : self_(self), axis_(math::unit(self.pose.heading)), top_speed_(model.maxSpeed()), out_(out) {}
 
   void number(double value) {
-    const auto bound = static_cast<double>(kDrillSightBound);
-    out_[at_++] = static_cast<float>(std::clamp(value, -bound, bound));
+    const auto bound = static_cast<double>(kSightBound);
+    const double kept = std::clamp(value, -bound, bound);
+    clipped_ += kept == value ? 0 : 1;
+    out_[at_++] = static_cast<float>(kept);
   }
   void pair(Vec2 v) {
     number(v.x);
@@ -87,6 +89,7 @@ class Eyes {
   void place(Vec2 p) { pair(intoFrame(axis_, p - self_.pose.position)); }
   void velocity(Vec2 v) { pair(intoFrame(axis_, v) / top_speed_); }
   void direction(double angle) { pair(math::unit(angle - self_.pose.heading)); }
+  int clipped() const { return clipped_; }
   void zeros(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) number(0.0);
   }
@@ -104,12 +107,12 @@ class Eyes {
   double top_speed_;
   std::span<float> out_;
   std::size_t at_ = 0;
+  int clipped_ = 0;
 };
 
 /// The robots that are present, but for `without`: the nearest first.
-template <std::size_t kCount>
 void writeNearest(Eyes& eyes, Vec2 from, const std::array<ObservedRobot, kMaxTeamSize>& robots,
-                  std::size_t without) {
+                  std::size_t without, std::size_t wanted) {
   std::array<const RobotState*, kMaxTeamSize> found{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < robots.size(); ++i) {
@@ -119,39 +122,35 @@ void writeNearest(Eyes& eyes, Vec2 from, const std::array<ObservedRobot, kMaxTea
                    [&](const RobotState* a, const RobotState* b) {
                      return squaredNorm(a->pose.position - from) < squaredNorm(b->pose.position - from);
                    });
-  constexpr std::size_t kNumbers = 7;
-  for (std::size_t i = 0; i < kCount; ++i) {
+  for (std::size_t i = 0; i < wanted; ++i) {
     if (i < count) {
       eyes.robot(*found[i]);
     } else {
-      eyes.zeros(kNumbers);
+      eyes.zeros(kOfRobot);
     }
   }
 }
 
-void writeTask(Eyes& eyes, const DrillMoment& moment, double top_speed) {
+void writeTask(Eyes& eyes, const Sight::Moment& moment) {
   constexpr std::size_t kNumbers = 6;
-  if (moment.task == DrillTask::kPlay) return eyes.zeros(kNumbers);
-  const Exercise& exercise = moment.exercise;
-  eyes.place(moment.task == DrillTask::kPredictBall ? moment.slot.seen.ball.position : exercise.target);
+  if (moment.task == DrillTask::kPlay || moment.exercise == nullptr) return eyes.zeros(kNumbers);
+  const Exercise& exercise = *moment.exercise;
+  eyes.place(moment.task == DrillTask::kPredictBall ? moment.seen.ball.position : exercise.target);
   eyes.direction(exercise.heading);
-  eyes.number(exercise.speed / top_speed);
+  eyes.number(exercise.speed / moment.model.maxSpeed());
   eyes.number(exercise.horizon);
 }
 
 }  // namespace
 
-const std::vector<DrillSightEntry>& drillSight() {
-  static const std::vector<DrillSightEntry> kEntries = entriesOfAll();
-  return kEntries;
-}
+std::vector<SightEntry> Sight::entries() const { return entriesOfAll(team_); }
 
-void writeDrillSight(const DrillMoment& moment, std::span<float> out) {
-  const Observation& seen = moment.slot.seen;
-  const MatchInfo& info = moment.slot.info;
-  const auto number = static_cast<std::size_t>(moment.robot);
-  const RobotState& self = seen.own[number].state;
-  const RobotModel& model = info.robot;
+std::size_t Sight::size() const { return kOfOthers + (2 * team_ - 1) * kOfRobot; }
+
+int Sight::write(const Moment& moment, std::span<float> out) const {
+  const Observation& seen = moment.seen;
+  const RobotModel& model = moment.model;
+  const RobotState& self = seen.own[moment.robot].state;
   Eyes eyes(self, model, out);
   for (std::size_t i = 0; i < kTasks; ++i)
     eyes.number(static_cast<std::size_t>(moment.task) == i ? 1.0 : 0.0);
@@ -159,21 +158,22 @@ void writeDrillSight(const DrillMoment& moment, std::span<float> out) {
   eyes.pair(math::unit(self.pose.heading));
   eyes.velocity(self.velocity);
   eyes.number(self.angular_velocity * model.axle_track / (2.0 * model.maxSpeed()));
-  const WheelSpeeds sent = seen.sent[number];
+  const WheelSpeeds sent = seen.sent[moment.robot];
   eyes.pair(Vec2{sent.left, sent.right} / model.max_wheel_speed);
   eyes.place(seen.ball.position);
   eyes.velocity(seen.ball.velocity);
   eyes.number(distance(seen.ball.position, self.pose.position));
   eyes.direction(math::angleOf(seen.ball.position - self.pose.position));
-  const Vec2 goal{info.field.length / 2, 0.0};
+  const Vec2 goal{moment.field.length / 2, 0.0};
   eyes.place(goal);
   eyes.place(-goal);
   eyes.direction(math::angleOf(goal - seen.ball.position));
-  writeTask(eyes, moment, model.maxSpeed());
+  writeTask(eyes, moment);
   eyes.number(moment.elapsed);
   eyes.number(seen.playing ? 1.0 : 0.0);
-  writeNearest<kMates>(eyes, self.pose.position, seen.own, number);
-  writeNearest<kOpponents>(eyes, self.pose.position, seen.opponents, kMaxTeamSize);
+  writeNearest(eyes, self.pose.position, seen.own, moment.robot, team_ - 1);
+  writeNearest(eyes, self.pose.position, seen.opponents, kMaxTeamSize, team_);
+  return eyes.clipped();
 }
 
 }  // namespace fulbito

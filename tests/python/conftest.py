@@ -1,0 +1,27 @@
+"""What the tests share."""
+
+from pathlib import Path
+
+import pytest
+
+import fulbito
+from fulbito import MatchResult, Recording
+
+
+@pytest.fixture(scope="session")
+def short_match() -> MatchResult:
+    """A match of two halves of ten seconds with goals, recorded in memory."""
+    return fulbito.play("libero", "classic", seed=7, half_seconds=20, record=True)
+
+
+@pytest.fixture(scope="session")
+def recording(short_match: MatchResult) -> Recording:
+    """Its recording."""
+    assert short_match.recording is not None
+    return short_match.recording
+
+
+@pytest.fixture(scope="session")
+def examples() -> Path:
+    """The folder of the examples."""
+    return Path(__file__).resolve().parents[2] / "examples"
