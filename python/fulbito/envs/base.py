@@ -108,8 +108,7 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
             raise UsageError("this environment has one agent; fulbito.pettingzoo has those with more")
         self.observation_space = observation_space_of(shape)
         self.action_space = action_space_of(shape)
-        self._action_shape = (shape["action"],)
-        self._single = bool(shape["choices"])
+        self._action_shape: tuple[int, ...] = () if shape["choices"] else (shape["action"],)
         self._names = tuple(f"reward_{term}" for term in shape["terms"]) + tuple(shape["figures"])
         self._observation = np.zeros(shape["observation"], np.float32)
         self._numbers = np.zeros(1 + len(self._names))
@@ -152,8 +151,6 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
         "reward_NAME", and the figures of the environment. Raises StateError before `reset`, after the end of an
         episode and after `close`.
         """
-        if self._single:
-            action = np.reshape(action, (1,))
         end = self._core.step(checked_actions(action, self._action_shape))
         if self.render_mode == "human":
             self.render()
