@@ -76,7 +76,8 @@ class Agent {
       raise(ErrorCode::kUsage, "there is no robot " + std::to_string(robot));
     }
     std::vector<float> numbers(writer_.size());
-    writer_.write(observationOf(now), static_cast<std::size_t>(robot), numbers);
+    const Observation seen = observationOf(now);
+    writer_.write(seen, Facings(seen), static_cast<std::size_t>(robot), numbers);
     const std::size_t size = numbers.size();
     return arrayOf(std::move(numbers), {size});
   }
