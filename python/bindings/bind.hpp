@@ -11,7 +11,6 @@ void bindWindow(nanobind::module_& m);
 void bindEnvironments(nanobind::module_& m);
 void bindMatchSource(nanobind::module_& m);
 void bindVector(nanobind::module_& m);
-void bindWindow(nanobind::module_& m);
 void bindPlay(nanobind::module_& m);
 void bindRecording(nanobind::module_& m);
 void bindWorld(nanobind::module_& m);

@@ -11,7 +11,6 @@ NB_MODULE(_core, m) {
   bindEnvironments(m);
   bindMatchSource(m);
   bindVector(m);
-  bindWindow(m);
   bindPlay(m);
   bindRecording(m);
   bindWorld(m);

@@ -106,7 +106,7 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
         shape = source.shape
         if shape["agents"] != 1:
             raise UsageError("this environment has one agent; fulbito.pettingzoo has those with more")
-        self.observation_space = observation_space_of(shape)
+        self.observation_space: spaces.Space[Any] = observation_space_of(shape)
         self.action_space = action_space_of(shape)
         self._action_shape: tuple[int, ...] = () if shape["choices"] else (shape["action"],)
         self._names = tuple(f"reward_{term}" for term in shape["terms"]) + tuple(shape["figures"])
@@ -160,7 +160,7 @@ class EpisodeEnv(gymnasium.Env[NDArray[np.float32], Any]):
     def _info(self) -> Info:
         return dict(zip(self._names, self._numbers.tolist()[1:]))
 
-    def render(self) -> NDArray[np.uint8] | None:  # type: ignore[override]
+    def render(self) -> NDArray[np.uint8] | None:
         """With "rgb_array" a picture of the present moment, uint8 of shape (height, width, 3). With "human" the window
         shows it, at most 60 times per second; FileError if there is no screen."""
         if self.render_mode is None:
