@@ -61,7 +61,7 @@ MatchConfig matchOf(nb::handle info) {
   match.robot.robot.axle_track = number(robot, "axle_track");
   match.robot.robot.max_wheel_speed = number(robot, "max_wheel_speed");
   match.rules.team_size = nb::cast<int>(info.attr("team_size"));
-  match.rules.half_seconds = nb::cast<double>(info.attr("rules")["half_seconds"]);
+  match.rules.half_seconds = nb::cast<double>(info.attr("rules")["periods"]["half_seconds"]);
   return match;
 }
 
@@ -76,7 +76,8 @@ class Agent {
       raise(ErrorCode::kUsage, "there is no robot " + std::to_string(robot));
     }
     std::vector<float> numbers(writer_.size());
-    writer_.write(observationOf(now), static_cast<std::size_t>(robot), numbers);
+    const Observation seen = observationOf(now);
+    writer_.write(seen, Facings(seen), static_cast<std::size_t>(robot), numbers);
     const std::size_t size = numbers.size();
     return arrayOf(std::move(numbers), {size});
   }

@@ -7,6 +7,7 @@ namespace fulbito::python {
 /// @{ Each adds the functions and classes of one subject to the module fulbito._core.
 void bindInfo(nanobind::module_& m);
 void bindAgent(nanobind::module_& m);
+void bindWindow(nanobind::module_& m);
 void bindEnvironments(nanobind::module_& m);
 void bindMatchSource(nanobind::module_& m);
 void bindVector(nanobind::module_& m);

@@ -7,6 +7,7 @@ NB_MODULE(_core, m) {
   bindErrors(m);
   bindInfo(m);
   bindAgent(m);
+  bindWindow(m);
   bindEnvironments(m);
   bindMatchSource(m);
   bindVector(m);

@@ -47,12 +47,14 @@ Result<std::unique_ptr<MatchEnvironment>> MatchEnvironment::create(MatchTask tas
 
 MatchEnvironment::MatchEnvironment(MatchTask task)
     : task_(std::move(task)), writer_(task_.observations, task_.match) {
-  for (const RobotId id : agentsOf(task_)) agents_.push_back({id, CompatReward(task_.match.field), {}});
+  for (const RobotId id : agentsOf(task_))
+    agents_.push_back({id, CompatReward(task_.match.field), {}, {}, {}});
   seatAgents();
   shape_.agents = agents_.size();
   shape_.observation = writer_.size() * static_cast<std::size_t>(task_.stack);
   shape_.bound = writer_.bound();
   shape_.action = numbersOf(task_.actions);
+  if (task_.actions == ActionForm::kSkill) shape_.choices = skillNames().size();
   shape_.state = writer_.stateSize();
   shape_.terms = termsOf(task_.reward);
   shape_.figures = {"blue_goals", "yellow_goals", "seconds", "clipped"};
@@ -126,7 +128,10 @@ Result<void> MatchEnvironment::begin(const EpisodeStart& start, const EpisodeVie
   for (const auto& slot : slots_) {
     if (slot) slot->commands.fill({});
   }
-  for (Agent& agent : agents_) agent.compat.begin();
+  for (Agent& agent : agents_) {
+    agent.compat.begin();
+    agent.skills.begin(slots_[indexOf(agent.id.team)]->info);
+  }
   advanceToChoice();
   if (const auto gone = match_->faults().abandoned) return tl::unexpected<Error>(*gone);
   begun_at_ = match_->tick();
@@ -148,9 +153,21 @@ void MatchEnvironment::advanceToChoice() {
 
 void MatchEnvironment::command(std::span<const float> actions) {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
+    const auto action = actions.subspan(i * shape_.action, shape_.action);
     const RobotId id = agents_[i].id;
-    slots_[indexOf(id.team)]->commands[id.number] =
-        commandOf(task_.actions, task_.match, actions.subspan(i * shape_.action, shape_.action));
+    if (task_.actions == ActionForm::kSkill) {
+      agents_[i].skill = static_cast<Skill>(action[0]);
+    } else {
+      slots_[indexOf(id.team)]->commands[id.number] = commandOf(task_.actions, task_.match, action);
+    }
+  }
+}
+
+// A skill decides anew in each tick.
+void MatchEnvironment::playSkills() {
+  for (Agent& agent : agents_) {
+    AgentSlot& slot = *slots_[indexOf(agent.id.team)];
+    slot.commands[agent.id.number] = agent.skills.play(agent.skill, slot.seen, agent.id.number);
   }
 }
 
@@ -195,38 +212,41 @@ EpisodeEnd MatchEnvironment::endOf(bool goal) const {
 /// Plays one tick and adds its terms.
 /// @return the number of goals
 int MatchEnvironment::playTick(std::span<double> terms) {
-  before_ = match_->world();
+  if (task_.actions == ActionForm::kSkill) playSkills();
+  before_.robots = match_->world().robots;
+  before_.balls = match_->world().balls;
   const RefereeState& referee = match_->referee();
   const PerTeam<int> score{goalsOf(referee, 0), goalsOf(referee, 1)};
   const Side blue_side = referee.blue_side;
   match_->advance();
   const PerTeam<int> goals{goalsOf(referee, 0) - score[0], goalsOf(referee, 1) - score[1]};
-  if (task_.reward == RewardForm::kShaped) measure({}, goals, blue_side, terms);
+  if (task_.reward == RewardForm::kShaped) measure(goals, blue_side, terms);
   return goals[0] + goals[1];
 }
 
-void MatchEnvironment::measure(RewardTick tick, PerTeam<int> goals, Side blue_side, std::span<double> terms) {
+void MatchEnvironment::measure(PerTeam<int> goals, Side blue_side, std::span<double> terms) {
   const WorldState& after = match_->world();
+  const Vec2 ball_before = before_.balls.front().position, ball_after = after.balls.front().position;
+  const FieldGeometry& field = task_.match.field;
+  const double gained = ballPotential(field, ball_after) - ballPotential(field, ball_before);
+  RewardTick tick;
   tick.dt = task_.match.physics.controlPeriod();
   const std::size_t count = shape_.terms.size();
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     const RobotId id = agents_[i].id;
     const std::size_t team = indexOf(id.team);
-    const Side side = id.team == TeamId::kBlue ? blue_side : opposite(blue_side);
-    tick.ball_before = inTeamFrame(side, before_.balls.front().position);
-    tick.ball_after = inTeamFrame(side, after.balls.front().position);
-    tick.robot_before = tick.ball_before;
-    tick.robot_after = tick.ball_after;
+    const bool left = (id.team == TeamId::kBlue ? blue_side : opposite(blue_side)) == Side::kLeft;
+    tick.gained = left ? gained : -gained;
+    tick.nearer = 0.0;
     tick.wheels = {};
     if (const auto robot = indexIn(match_->ids(), id)) {
-      tick.robot_before = inTeamFrame(side, before_.robots[*robot].pose.position);
-      tick.robot_after = inTeamFrame(side, after.robots[*robot].pose.position);
+      tick.nearer = distance(before_.robots[*robot].pose.position, ball_before) -
+                    distance(after.robots[*robot].pose.position, ball_after);
       tick.wheels = ear_.wheels[*robot];
     }
     tick.goals = goals[team] - goals[1 - team];
     tick.fouls = ear_.fouls[team];
-    addShaped(tick, task_.weights, task_.match.field, task_.match.robot.robot,
-              terms.subspan(i * count, count));
+    addShaped(tick, task_.weights, task_.match.robot.robot.max_wheel_speed, terms.subspan(i * count, count));
   }
 }
 
@@ -249,28 +269,31 @@ bool MatchEnvironment::measureCompat(std::span<double> terms) {
 }
 
 void MatchEnvironment::observe(const EpisodeView& out, bool first) {
-  const std::size_t size = writer_.size();
   clipped_ = 0;
-  // After the last tick no team sees the end of it.
-  const bool last = match_->phase() != MatchPhase::kDeciding;
-  for (std::size_t i = 0; i < agents_.size(); ++i) {
-    const RobotId id = agents_[i].id;
-    AgentSlot& slot = *slots_[indexOf(id.team)];
-    if (last) slot.seen = truthFor(*match_, id.team);
-    const std::span<float> all = out.observations.subspan(i * shape_.observation, shape_.observation);
-    const std::span<float> now = all.first(size);
-    if (task_.stack > 1 && !first) {
-      const std::vector<float>& seen = agents_[i].seen;
-      std::copy(seen.begin(), seen.end() - static_cast<std::ptrdiff_t>(size),
-                all.begin() + static_cast<std::ptrdiff_t>(size));
+  for (const TeamId team : kTeams) {
+    if (!slots_[indexOf(team)]) continue;
+    AgentSlot& slot = *slots_[indexOf(team)];
+    // After the last tick no team sees the end of it.
+    if (match_->phase() != MatchPhase::kDeciding) slot.seen = truthFor(*match_, team);
+    const Facings facings = writer_.facingsOf(slot.seen);
+    for (std::size_t i = 0; i < agents_.size(); ++i) {
+      if (agents_[i].id.team != team) continue;
+      const std::span<float> all = out.observations.subspan(i * shape_.observation, shape_.observation);
+      clipped_ += writer_.write(slot.seen, facings, agents_[i].id.number, all.first(writer_.size()));
+      if (task_.stack > 1) pile(agents_[i].seen, all, first);
     }
-    clipped_ += writer_.write(slot.seen, id.number, now);
-    if (first) {
-      for (std::size_t at = size; at < all.size(); at += size)
-        std::copy(now.begin(), now.end(), all.begin() + static_cast<std::ptrdiff_t>(at));
-    }
-    if (task_.stack > 1) agents_[i].seen.assign(all.begin(), all.end());
   }
+}
+
+// Puts the newest observation, which stands in front of `all`, before the earlier ones.
+void MatchEnvironment::pile(std::vector<float>& seen, std::span<float> all, bool first) const {
+  const auto size = static_cast<std::ptrdiff_t>(writer_.size());
+  if (first) {
+    for (auto at = all.begin() + size; at != all.end(); at += size) std::copy_n(all.begin(), size, at);
+  } else {
+    std::copy(seen.begin(), seen.end() - size, all.begin() + size);
+  }
+  seen.assign(all.begin(), all.end());
 }
 
 void MatchEnvironment::tell(const EpisodeView& out) const {

@@ -13,6 +13,7 @@
 #include "python/environments/match/observations.hpp"
 #include "python/environments/match/painter.hpp"
 #include "python/environments/match/rewards.hpp"
+#include "python/environments/match/skills.hpp"
 #include "python/environments/match/task.hpp"
 
 namespace fulbito {
@@ -49,7 +50,9 @@ class MatchEnvironment final : public EpisodeSource {
   struct Agent {
     RobotId id;
     CompatReward compat;
-    std::vector<float> seen;  ///< the last `stack` observations, the newest first
+    RobotSkills skills;
+    Skill skill = Skill::kStay;  ///< chosen in this step
+    std::vector<float> seen;     ///< the last `stack` observations, the newest first
   };
 
   explicit MatchEnvironment(MatchTask task);
@@ -59,10 +62,12 @@ class MatchEnvironment final : public EpisodeSource {
   Result<void> leave();
   void advanceToChoice();
   void command(std::span<const float> actions);
+  void playSkills();
   int playTick(std::span<double> terms);
-  void measure(RewardTick tick, PerTeam<int> goals, Side blue_side, std::span<double> terms);
+  void measure(PerTeam<int> goals, Side blue_side, std::span<double> terms);
   bool measureCompat(std::span<double> terms);
   void observe(const EpisodeView& out, bool first);
+  void pile(std::vector<float>& seen, std::span<float> all, bool first) const;
   void tell(const EpisodeView& out) const;
   EpisodeEnd endOf(bool goal) const;
 

@@ -1,0 +1,188 @@
+"""fulbito/VSS-v0 and fulbito/VSSCompat-v0: conformance, seeds, states, settings."""
+
+import copy
+import pickle
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+gymnasium = pytest.importorskip("gymnasium")
+
+import fulbito
+import fulbito.envs
+from gymnasium.utils.env_checker import check_env
+
+IDS = ["fulbito/VSS-v0", "fulbito/VSSCompat-v0"]
+FORMS: list[dict[str, Any]] = [
+    {"action": "twist", "observation": "egocentric", "stack": 3, "frame_skip": 4},
+    {"action": "go-to", "navigator": "univector", "mates": "chaser", "opponents": "chaser"},
+    {"action": "skill", "opponents": "classic", "start": "kick-off", "end": "match"},
+    {"latency_ticks": 3, "position_noise": 0.002, "heading_noise": 0.05, "dropout": 0.1},
+    {"randomise": {"robot.mass": (0.12, 0.18), "ball.roll_deceleration": (0.05, 0.3)}},
+    {"rules": "vsss-5v5", "robot": 4, "control_rate": 30, "substeps": 4},
+]
+
+
+def trace(env: Any, seed: int | None, steps: int, actions: int = 0) -> list[bytes]:
+    """What an episode tells, as bytes."""
+    random = np.random.default_rng(actions)
+    observation, info = env.reset(seed=seed)
+    told = [observation.tobytes(), repr(info).encode()]
+    for _ in range(steps):
+        action = action_of(env, random)
+        observation, reward, terminated, truncated, info = env.step(action)
+        told += [observation.tobytes(), repr((reward, terminated, truncated, info)).encode()]
+        if terminated or truncated:
+            observation, info = env.reset()
+            told.append(observation.tobytes())
+    return told
+
+
+def action_of(env: Any, random: np.random.Generator) -> Any:
+    if isinstance(env.action_space, gymnasium.spaces.Discrete):
+        return int(random.integers(env.action_space.n))
+    return random.uniform(-1, 1, env.action_space.shape).astype(np.float32)
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_gymnasium_finds_no_fault(name: str) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        check_env(gymnasium.make(name, render_mode="rgb_array").unwrapped)
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_stable_baselines_finds_no_fault(name: str) -> None:
+    checker = pytest.importorskip("stable_baselines3.common.env_checker")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        checker.check_env(gymnasium.make(name).unwrapped, warn=True)
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_every_form_conforms_and_repeats(form: dict[str, Any]) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        check_env(gymnasium.make("fulbito/VSS-v0", **form).unwrapped, skip_render_check=True)
+    first, second = (gymnasium.make("fulbito/VSS-v0", **form) for _ in range(2))
+    assert trace(first, 7, 200) == trace(second, 7, 200)
+    assert trace(first, 7, 50) != trace(second, 8, 50)
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_a_state_goes_on_as_the_environment_does(name: str) -> None:
+    env = gymnasium.make(name).unwrapped
+    trace(env, 3, 120)
+    state = env.get_state()
+    copies = [copy.deepcopy(env), pickle.loads(pickle.dumps(env)), env.copy()]
+    follow = trace(env, None, 60, actions=5)
+    for other in copies:
+        assert other.get_state() == state
+        assert trace(other, None, 60, actions=5) == follow
+    fresh = gymnasium.make(name).unwrapped
+    fresh.set_state(pickle.loads(pickle.dumps(state)))
+    assert trace(fresh, None, 60, actions=5) == follow
+
+
+def test_a_state_amid_an_episode_repeats_its_observation() -> None:
+    env, other = (gymnasium.make("fulbito/VSS-v0", opponents="classic", stack=2).unwrapped for _ in range(2))
+    env.reset(seed=4)
+    random = np.random.default_rng(0)
+    for _ in range(80):
+        observation, reward, terminated, truncated, info = env.step(action_of(env, random))
+    again, told = other.set_state(env.get_state())
+    np.testing.assert_array_equal(again, observation)
+    assert told == info
+    actions = [action_of(env, random) for _ in range(40)]
+    assert [env.step(a)[1] for a in actions] == [other.step(a)[1] for a in actions]
+
+
+def test_terms_add_up_to_the_reward() -> None:
+    for name in IDS:
+        env = gymnasium.make(name)
+        env.reset(seed=1)
+        random = np.random.default_rng(0)
+        for _ in range(300):
+            _, reward, terminated, truncated, info = env.step(action_of(env, random))
+            assert reward == pytest.approx(sum(v for k, v in info.items() if k.startswith("reward_")), abs=1e-12)
+            if terminated or truncated:
+                break
+
+
+def test_a_goal_ends_the_episode_and_pays() -> None:
+    start = """
+[ball]
+position = [0.70, 0.0]
+velocity = [1.5, 0.0]
+[[robot]]
+team = "blue"
+number = 0
+position = [0.0, 0.3]
+"""
+    for name, paid in [("fulbito/VSS-v0", 10.0), ("fulbito/VSSCompat-v0", 10.0)]:
+        env = gymnasium.make(name)
+        observation, _ = env.reset(seed=1, options={"start": start})
+        assert observation[0] > 0.7
+        for _ in range(60):
+            observation, reward, terminated, truncated, info = env.step(np.zeros(2, np.float32))
+            if terminated:
+                break
+        assert terminated and not truncated
+        assert info["reward_goal"] == paid
+        assert observation in env.observation_space
+
+
+def test_an_episode_is_truncated_at_its_time() -> None:
+    env = gymnasium.make("fulbito/VSSCompat-v0", opponents="idle", mates="idle")
+    env.reset(seed=1)
+    for step in range(1, 1201):
+        _, _, terminated, truncated, _ = env.step(np.zeros(2, np.float32))
+        if terminated or truncated:
+            break
+    assert (step, terminated, truncated) == (1200, False, True)
+
+
+def test_a_whole_match_goes_through_its_halves() -> None:
+    env = gymnasium.make("fulbito/VSS-v0", mates="classic", opponents="chaser", end="match", start="kick-off",
+                         time_limit=0, frame_skip=60)
+    env.reset(seed=1)
+    terminated, steps = False, 0
+    while not terminated:
+        _, _, terminated, truncated, info = env.step(np.zeros(2, np.float32))
+        steps += 1
+        assert not truncated
+    assert 500 < steps < 1000 and info["seconds"] > 500
+
+
+def test_a_team_of_this_process_plays() -> None:
+    class Still(fulbito.team.Team):  # type: ignore[name-defined]
+        def decide(self, observation: Any) -> Any:
+            return None
+
+    with_class = gymnasium.make("fulbito/VSS-v0", opponents="idle", mates="idle")
+    assert len(trace(with_class, 1, 10)) > 10
+
+
+@pytest.mark.parametrize("name", IDS)
+def test_pictures_have_pixels(name: str) -> None:
+    env = gymnasium.make(name, render_mode="rgb_array")
+    env.reset(seed=1)
+    picture = env.render()
+    assert picture.dtype == np.uint8 and picture.shape[1:] == (600, 3) and picture.std() > 10
+
+
+def test_chosen_episodes_are_recorded(tmp_path: Path) -> None:
+    from fulbito.wrappers import RecordMatch
+    env = RecordMatch(gymnasium.make("fulbito/VSS-v0", time_limit=1.0), tmp_path / "new", episodes=lambda n: n % 2 == 0)
+    for seed in range(3):
+        env.reset(seed=seed)
+        over = False
+        while not over:
+            _, _, terminated, truncated, _ = env.step(env.action_space.sample())
+            over = terminated or truncated
+    assert [file.name for file in env.files] == ["episode-0.fbr", "episode-2.fbr"]
+    for file in env.files:
+        fulbito.Recording.open(file).verify()
