@@ -18,9 +18,10 @@ import numpy.typing as npt
 
 from fulbito import _core
 from fulbito.errors import UsageError
+from fulbito.program import program_path
 
 __all__ = ["Field", "Guidance", "Layout", "Navigator", "NavigatorInfo", "Obstacle", "ParameterInfo", "Path",
-           "RobotLimits", "Scene", "SuiteInfo", "Wheels", "layout", "navigators", "suites"]
+           "RobotLimits", "Scene", "SuiteInfo", "Wheels", "layout", "learnt", "navigators", "suites"]
 
 _Floats = npt.NDArray[np.float64]
 
@@ -187,6 +188,12 @@ class NavigatorInfo:
     """It chooses speeds by itself."""
     parameters: tuple[ParameterInfo, ...]
     """Its own parameters."""
+
+
+def learnt() -> str:
+    """The specification of the trained navigator that comes with the package, for `compare` and for the program. It is a
+    shared library, made by examples/python/train_navigator.py (docs/environments.md)."""
+    return f"{program_path().parent / 'learnt.so'}:learnt"
 
 
 def navigators() -> list[NavigatorInfo]:

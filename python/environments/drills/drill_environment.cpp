@@ -1,7 +1,6 @@
 #include "python/environments/drills/drill_environment.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "python/environments/match/painter.hpp"
 #include "python/environments/match/starts.hpp"
 #include "python/environments/match/truth.hpp"
+#include "python/environments/numbered_start.hpp"
 #include "python/environments/sight.hpp"
 
 namespace fulbito {
@@ -22,7 +22,7 @@ constexpr int kMostTicks = 60;
 constexpr std::size_t kTeam = 3;  // robots per team in all observations, so that a policy fits all drills
 constexpr std::uint64_t kTrainSeeds = std::uint64_t{1} << 63;
 constexpr std::uint32_t kTrialNumbers = 1u << 20;  // numbers that a seed draws from: each start many times
-constexpr std::string_view kTrialText = "trial ";
+constexpr std::uint64_t kLastTrial = 1'000'000'000;
 
 bool predicts(const Drill& drill) { return drill.starts.front().task == DrillTask::kPredictBall; }
 
@@ -139,15 +139,13 @@ Result<DrillTrialNumber> DrillEnvironment::numberOf(const EpisodeStart& start) c
     const bool train = settings_.split == DrillSplit::kTrain;
     return DrillTrialNumber{train ? start.seed | kTrainSeeds : start.seed & ~kTrainSeeds, index};
   }
-  int index = -1;
-  if (start.text.starts_with(kTrialText)) {
-    const char* const end = start.text.data() + start.text.size();
-    const auto read = std::from_chars(start.text.data() + kTrialText.size(), end, index);
-    if (read.ec != std::errc() || read.ptr != end) index = -1;
+  const auto named = readNumberedStart(start.text, "trial", options_.seed);
+  if (named && named->number && *named->number <= kLastTrial) {
+    return DrillTrialNumber{named->seed, static_cast<int>(*named->number)};
   }
-  if (index >= 0) return DrillTrialNumber{start.seed, index};
   return fail(ErrorCode::kUsage,
-              fmt::format("start: '{}' is not 'trial N' with N = 0, 1, 2 ...", start.text));
+              fmt::format("start: '{}' is not 'trial N' or 'trial N of seed S' with N in 0 ... {}",
+                          start.text, kLastTrial));
 }
 
 /// Sets the tested team: the agent's robot, and mates only where the start has other own robots.
@@ -253,7 +251,9 @@ void DrillEnvironment::reward(double seconds, const DrillProgressNow& before, co
   const bool answered = over && predicts(settings_.drill);
   pay(DrillTerm::kSuccess, watch.succeeded() && !paid_ ? 1.0 : 0.0);
   pay(DrillTerm::kFailure, over && !watch.succeeded() ? -1.0 : 0.0);
-  pay(DrillTerm::kTime, -seconds);
+  // A failure takes the whole time of the trial, so that nobody gains by an early one.
+  const double lost = over && !watch.succeeded() ? std::max(0.0, watch.duration() - watch.elapsed()) : 0.0;
+  pay(DrillTerm::kTime, -seconds - lost);
   pay(DrillTerm::kBall, progress_.ball - before.ball);
   pay(DrillTerm::kApproach, progress_.approach - before.approach);
   pay(DrillTerm::kAlign, progress_.align - before.align);

@@ -18,8 +18,8 @@ namespace fulbito {
 /// lower bound of the time, 0 if there is none), counted (0: a trial that the drill does not count), start
 /// (index), trial (number).
 ///
-/// `EpisodeStart::text` is empty, for a trial drawn from the seed, or `trial N`: trial N of this seed as the
-/// program plays it, whatever the split.
+/// `EpisodeStart::text` is empty, for a trial drawn from the seed, or `trial N of seed S`: that trial as the
+/// program plays it, whatever the split. Without a seed it is the program's default.
 class DrillEnvironment final : public EpisodeSource {
  public:
   /// Errors: kUsage for settings out of range and for drills without trials; those of teams and models.

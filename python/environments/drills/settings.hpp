@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 8> kDrillTerms{"success",  "failur
                                                              "approach", "align",   "answer", "effort"};
 enum class DrillTerm : std::uint8_t { kSuccess, kFailure, kTime, kBall, kApproach, kAlign, kAnswer, kEffort };
 using DrillWeights = std::array<double, kDrillTerms.size()>;
-inline constexpr DrillWeights kDrillWeights{10.0, 5.0, 0.5, 5.0, 1.0, 1.0, 1.0, 0.0};
+inline constexpr DrillWeights kDrillWeights{10.0, 5.0, 0.5, 10.0, 4.0, 2.0, 1.0, 0.0};
 /// @}
 
 /// What an environment of a drill is made with.

@@ -1,7 +1,6 @@
 #include "python/environments/navigation/navigation_environment.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "experiments/comparison/comparison_parts.hpp"
 #include "fulbito/detail/math.hpp"
 #include "fulbito/picture.hpp"
+#include "python/environments/numbered_start.hpp"
 
 namespace fulbito {
 namespace {
@@ -18,13 +18,12 @@ namespace {
 constexpr int kMostTicks = 60;
 constexpr std::uint64_t kTrainSeeds = std::uint64_t{1} << 63;
 constexpr std::uint32_t kLayoutNumbers = 1u << 20;  // numbers that a seed draws from
-constexpr std::string_view kLayoutText = "layout ";
-constexpr double kNear = 0.03;  // [m] gap between robot and obstacle that counts as near
+constexpr double kNear = 0.03;                      // [m] gap between robot and obstacle that counts as near
 
 EpisodeShape shapeOf() {
   EpisodeShape shape;
-  shape.observation = navigationSight().size();
-  shape.bound = kNavigationSightBound;
+  shape.observation = kNavigationSightNumbers;
+  shape.bound = kSightBound;
   shape.action = 2;
   shape.terms.assign(kNavigationTerms.begin(), kNavigationTerms.end());
   shape.figures = {"success",      "outcome",  "time",      "time_ratio", "length",
@@ -114,16 +113,16 @@ Result<void> NavigationEnvironment::place(const EpisodeStart& start) {
     Rng rng(start.seed, Stream::kEpisodeStart);
     index = rng.below(kLayoutNumbers);
     block.seed = settings_.train ? start.seed | kTrainSeeds : start.seed & ~kTrainSeeds;
-  } else if (!start.text.starts_with(kLayoutText)) {
-    return fail(ErrorCode::kUsage, fmt::format("start: '{}' is not 'layout N' or 'layout NAME'", start.text));
+  } else if (const auto named = readNumberedStart(start.text, "layout", plan_.config.seed); !named) {
+    return fail(
+        ErrorCode::kUsage,
+        fmt::format("start: '{}' is not 'layout N', 'layout N of seed S' or 'layout NAME'", start.text));
   } else {
-    const std::string_view name = std::string_view(start.text).substr(kLayoutText.size());
-    const auto read = std::from_chars(name.data(), name.data() + name.size(), index);
-    if (read.ec != std::errc() || read.ptr != name.data() + name.size()) {
-      const auto found = numberOf(*block.suite, start.seed, name);
-      if (!found) return tl::unexpected<Error>(found.error());
-      index = *found;
-    }
+    block.seed = named->seed;
+    const auto found = named->number ? Result<std::uint64_t>(*named->number)
+                                     : numberOf(*block.suite, named->seed, named->name);
+    if (!found) return tl::unexpected<Error>(found.error());
+    index = *found;
   }
   auto config = trialConfig(plan_, block, 0, index);
   if (!config) return tl::unexpected<Error>(config.error());
@@ -189,7 +188,8 @@ Result<EpisodeEnd> NavigationEnvironment::step(std::span<const float> actions, c
     effort_ += std::abs(action_[i] - last_action_[i]) / static_cast<double>(action_.size());
   }
   last_action_ = action_;
-  direction_ = scene_->self.pose.heading + action_[0] * math::kPi;
+  const Vec2 to_goal = scene_->goal.position - scene_->self.pose.position;
+  direction_ = math::angleOf(to_goal) + action_[0] * math::kPi;
   const double before = trial_->seconds();
   bool over = false;
   for (int tick = 0; tick < settings_.ticks && !over; ++tick) {

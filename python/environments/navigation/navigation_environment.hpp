@@ -17,8 +17,8 @@ namespace fulbito {
 enum class NavigationControl : std::uint8_t {
   kWheels,   ///< 2 numbers: left and right wheel, as shares of their greatest speed
   kTwist,    ///< 2 numbers: forward speed and yaw rate, as shares of the greatest
-  kHeading,  ///< 2 numbers: a direction seen from the robot's heading, over pi, and the speed from -1: none
-             ///< to 1: the greatest. The follower of the built-in navigators drives it
+  kHeading,  ///< 2 numbers: a direction seen from that of the goal, over pi, and the speed from -1: none to
+             ///< 1: the greatest. The follower of the built-in navigators drives it
 };
 
 /// @{ The terms of the reward, in the order of the weights; docs/environments.md describes them.
@@ -53,8 +53,9 @@ struct NavigationSettings {
 /// Figures: success, outcome (`TrialOutcome`), time [s], time-ratio (T/T*), length [m], length-ratio (L/L*),
 /// contacts, clearance [m] (least so far), layout (number).
 ///
-/// `EpisodeStart::text` is empty, for a layout drawn from the seed, `layout N`: number N of this seed as
-/// `compare` has it, whatever the split, or `layout NAME` for a suite whose layouts have names.
+/// `EpisodeStart::text` is empty, for a layout drawn from the seed, or `layout N of seed S`: that layout as
+/// `compare` has it, whatever the split. Without a seed it is the default of `compare`. Layouts with names,
+/// as in the suite `cases`, also go by name: `layout fig4-wall`.
 class NavigationEnvironment final : public EpisodeSource {
  public:
   /// Errors: kUsage for names and ranges; those of robot, physics and layout.

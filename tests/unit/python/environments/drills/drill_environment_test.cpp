@@ -108,7 +108,7 @@ TEST_CASE("the drill's own judge decides: an agent gets what a team gets that do
     const auto base = drillMatch(run, settings.drill);
     for (int index = 0; index < 6; ++index) {
       const auto trial = playTrial(run, settings.drill, *base, index);
-      room.begin({options.seed, "trial " + std::to_string(index)});
+      room.begin({99, "trial " + std::to_string(index)});
       EpisodeEnd end;
       while (!end.any()) end = room.step({0.5f, 0.0f});
       INFO("drill " << number << " trial " << index);
@@ -131,7 +131,7 @@ TEST_CASE("trials to train on are other ones than those of a test and of the pro
   // The program plays seeds below 2^63: that of the test is among them.
   const auto number = static_cast<int>(test.figures[5]);
   const std::vector<float> seen = test.observation;
-  train.begin({7, "trial " + std::to_string(number)});
+  train.begin({99, "trial " + std::to_string(number) + " of seed 7"});
   CHECK(train.observation == seen);
 }
 
@@ -155,7 +155,8 @@ TEST_CASE("what is no trial is refused with the reason", "[unit]") {
   CHECK(why(settings) == "drill: 5 'prediction' mixes predictions with other tasks: their actions differ");
   Room room(settingsOf(3));
   const auto refused = room.environment->begin({1, "trial -3"}, room.view());
-  CHECK(refused.error().message == "start: 'trial -3' is not 'trial N' with N = 0, 1, 2 ...");
+  CHECK(refused.error().message ==
+        "start: 'trial -3' is not 'trial N' or 'trial N of seed S' with N in 0 ... 1000000000");
 }
 
 TEST_CASE("the agent drives the robot that the drill is about, and mates the others", "[unit]") {

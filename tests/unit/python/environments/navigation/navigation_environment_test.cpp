@@ -40,7 +40,7 @@ struct Lane {
     double sum = 0.0;
     for (const double term : terms) sum += term;
     REQUIRE(rewards[0] == sum);
-    for (const float number : observation) REQUIRE(std::abs(number) <= kNavigationSightBound);
+    for (const float number : observation) REQUIRE(std::abs(number) <= kSightBound);
     return *end;
   }
 };
@@ -106,7 +106,7 @@ TEST_CASE("an agent has the score that compare gives a navigator that does the s
       };
       trial->navigator.info = info;
       const auto played = runTrial(*trial, {});
-      lane.begin({config.seed, "layout " + std::to_string(index)});
+      lane.begin({99, "layout " + std::to_string(index)});
       EpisodeEnd end;
       while (!end.any()) end = lane.step({0.5f, 0.5f});
       INFO(suite << " " << index);
@@ -128,7 +128,7 @@ TEST_CASE("layouts to train on are other ones than those of a test and of compar
   test.begin({7, ""});
   CHECK(train.observation != test.observation);
   const std::vector<float> seen = test.observation;
-  train.begin({7, "layout " + std::to_string(static_cast<int>(test.figures[8]))});
+  train.begin({99, "layout " + std::to_string(static_cast<int>(test.figures[8])) + " of seed 7"});
   CHECK(train.observation == seen);
 }
 
@@ -227,7 +227,7 @@ TEST_CASE("what is no layout, suite or range is refused with the reason", "[unit
   CHECK(why(settings) == "rewards: success is not finite");
   Lane lane({});
   CHECK(lane.environment->begin({1, "trial 3"}, lane.view()).error().message ==
-        "start: 'trial 3' is not 'layout N' or 'layout NAME'");
+        "start: 'trial 3' is not 'layout N', 'layout N of seed S' or 'layout NAME'");
   CHECK(lane.environment->begin({1, "layout north"}, lane.view()).error().message ==
         "start: 'north' is not a number or the name of a layout of suite 'corner'");
 }

@@ -2,7 +2,7 @@
 
 #include "python/bindings/bind.hpp"
 #include "python/bindings/python_team.hpp"
-#include "python/bindings/task_arguments.hpp"
+#include "python/bindings/tasks/task_arguments.hpp"
 #include "python/environments/drills/drill_environment.hpp"
 #include "python/environments/sight.hpp"
 
@@ -29,15 +29,17 @@ Source drillSource(const nb::kwargs& values) {
   settings.robot = from.get<int>("robot", -1, "whole number");
   settings.ticks = from.get<int>("frame_skip", 1, "whole number");
   settings.catalogue = catalogueOf({});
-  settings.mates = valueOf(settings.catalogue.parse(from.get<std::string>("mates", "classic", "text")));
-  settings.itself = valueOf(settings.catalogue.parse(from.get<std::string>("itself", "classic", "text")));
+  SharedFailure failure = newFailure();
+  const nb::object classic = nb::str("classic");
+  settings.mates = teamFrom(from.get<nb::object>("mates", classic, "team"), settings.catalogue, failure);
+  settings.itself = teamFrom(from.get<nb::object>("itself", classic, "team"), settings.catalogue, failure);
   settings.robot_model = from.get<std::string>("robot_model", "vsss", "text");
   settings.physics = from.get<std::string>("physics", "standard", "text");
   settings.navigator = from.get<std::string>("navigator", kDefaultNavigator, "text");
   settings.sight = readSensors(from);
   settings.ranges = readRanges(from);
   readWeights(from, kDrillTerms, settings.weights);
-  return {valueOf(DrillEnvironment::create(settings))};
+  return {valueOf(DrillEnvironment::create(settings)), std::move(failure)};
 }
 
 nb::list drillTable() {

@@ -1,7 +1,7 @@
 #include <array>
 
 #include "python/bindings/bind.hpp"
-#include "python/bindings/task_arguments.hpp"
+#include "python/bindings/tasks/task_arguments.hpp"
 #include "python/environments/navigation/navigation_environment.hpp"
 
 namespace fulbito::python {
